@@ -1,0 +1,44 @@
+// A group: entities of dimension up to 2, closed under boundary, and regions (SEMANTICS 3; pereira2012 2.1).
+//
+// Sparse and sorted by id. `cells` holds the 3-cells inside of regions. A cell of dimension <= 2 that is no
+// entity has one and the same region of the group (or none) all around it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kernel/complex/complex.h"
+#include "kernel/selection/selection.h"
+
+namespace cnrg {
+
+/// What people say of a region; combined by dominance.
+struct RegionAttributes {
+  std::string name;                ///< may be empty
+  std::string material;            ///< empty: none
+  std::vector<LeafId> leaves;      ///< provenance: leaves with a region there, ascending
+};
+
+struct Group {
+  std::vector<std::pair<RegionId, std::uint32_t>> cells;  ///< 3-cell -> region of the group, from 1
+  std::vector<RegionAttributes> regions;                  ///< regions[i - 1] belongs to region i
+  std::vector<FaceId> faces;
+  std::vector<EdgeId> edges;
+  std::vector<VertexId> vertices;
+  Features features;                                      ///< subsets of `edges` and `vertices`
+  Rational dominance = 0;
+
+  /// The region of the group that holds a 3-cell; 0: outside.
+  std::uint32_t region_of(RegionId r) const;
+  bool has(FaceId f) const;
+  bool has(EdgeId e) const;
+  bool has(VertexId v) const;
+};
+
+/// The selection of |G|: component i for region i and the cells in its interior, component
+/// `regions.size() + 1` for the entities.
+Selection selection_of(const Complex& complex, const Group& group);
+
+}  // namespace cnrg

@@ -1,0 +1,36 @@
+// The errors of the project, by who can mend them.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace cnrg {
+
+/// A broken invariant: a bug of ours. The program ends with exit status 1 and says what to send.
+class InvariantError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// Input that can not be evaluated; the message says what is wrong and what to do (exit status 2).
+/// The kernel knows no files: who reads one adds `file:line:column`.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file that can not be read or written (exit status 3).
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws InvariantError when `condition` is false.
+inline void require(bool condition, const char* message) {
+  if (!condition) [[unlikely]] throw InvariantError(message);
+}
+inline void require(bool condition, const std::string& message) {
+  if (!condition) [[unlikely]] throw InvariantError(message);
+}
+
+}  // namespace cnrg

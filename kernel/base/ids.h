@@ -1,0 +1,183 @@
+// Typed 4-byte ids and the arrays that they index.
+//
+// Every cell, leaf and table row of the project is named by an Id: a 32-bit number that knows what it
+// counts, so that an edge can not be used where a face is meant. Half-edges and half-faces pack their
+// side into the lowest bit; the opposite one is an XOR away.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace cnrg {
+
+/// A 32-bit number of one kind (`Tag`). The default is `none()`, which names nothing.
+template <class Tag>
+class Id {
+ public:
+  using Value = std::uint32_t;
+  constexpr Id() = default;
+  constexpr explicit Id(std::size_t value) : value_(static_cast<Value>(value)) {}
+  static constexpr Id none() { return {}; }
+  constexpr bool valid() const { return value_ != kNone; }
+  constexpr Value value() const { return value_; }
+  constexpr std::size_t index() const { return value_; }
+  friend constexpr auto operator<=>(Id, Id) = default;
+  constexpr Id& operator++() { ++value_; return *this; }
+
+ private:
+  static constexpr Value kNone = std::numeric_limits<Value>::max();
+  Value value_ = kNone;
+};
+
+using PointId = Id<struct PointTag>;        ///< a point of the soup, before identity is decided
+using VertexId = Id<struct VertexTag>;      ///< a 0-cell
+using EdgeId = Id<struct EdgeTag>;          ///< a 1-cell
+using FaceId = Id<struct FaceTag>;          ///< a 2-cell
+using RegionId = Id<struct RegionTag>;      ///< a 3-cell; RegionId(0) is the unbounded one
+using LoopId = Id<struct LoopTag>;          ///< a closed walk of half-edges
+using SheetId = Id<struct SheetTag>;        ///< coplanar faces that touch, and their one 2D subdivision
+using SegmentId = Id<struct SegmentTag>;    ///< an input edge, a wire or a trace of two sheets
+using PlaneId = Id<struct PlaneTag>;        ///< the plane of an input face
+using LeafId = Id<struct LeafTag>;          ///< one leaf instance of a tree
+using SourceId = Id<struct SourceTag>;      ///< one face of the soup
+using WireId = Id<struct WireTag>;          ///< one segment of the soup
+using SourceSetId = Id<struct SourceSetTag>;  ///< an interned set of soup faces with orientation
+using LabelSetId = Id<struct LabelSetTag>;    ///< an interned set of (leaf, leaf region)
+using ShellId = Id<struct ShellTag>;        ///< a connected set of half-faces
+
+/// An edge with a direction: side 0 runs from the edge's first vertex to its second.
+class HalfEdge {
+ public:
+  constexpr HalfEdge() = default;
+  constexpr HalfEdge(EdgeId edge, unsigned direction) : code_(edge.value() * 2 + direction) {}
+  constexpr EdgeId edge() const { return EdgeId(code_ >> 1); }
+  constexpr unsigned direction() const { return code_ & 1; }
+  constexpr HalfEdge twin() const { HalfEdge t; t.code_ = code_ ^ 1; return t; }
+  constexpr std::uint32_t code() const { return code_; }
+  friend constexpr auto operator<=>(HalfEdge, HalfEdge) = default;
+
+ private:
+  std::uint32_t code_ = std::numeric_limits<std::uint32_t>::max();
+};
+
+/// A side of a face: side 0 is the front, to which the normal of its sheet points.
+class HalfFace {
+ public:
+  constexpr HalfFace() = default;
+  constexpr HalfFace(FaceId face, unsigned side) : code_(face.value() * 2 + side) {}
+  constexpr FaceId face() const { return FaceId(code_ >> 1); }
+  constexpr unsigned side() const { return code_ & 1; }
+  constexpr HalfFace opposite() const { HalfFace t; t.code_ = code_ ^ 1; return t; }
+  constexpr std::uint32_t code() const { return code_; }
+  constexpr std::size_t index() const { return code_; }
+  friend constexpr auto operator<=>(HalfFace, HalfFace) = default;
+
+ private:
+  std::uint32_t code_ = std::numeric_limits<std::uint32_t>::max();
+};
+
+/// A vector indexed by one kind of id only.
+template <class IdT, class T>
+class IdVector {
+ public:
+  IdVector() = default;
+  explicit IdVector(std::size_t n, T value = T()) : data_(n, value) {}
+  explicit IdVector(std::vector<T> data) : data_(std::move(data)) {}
+  decltype(auto) operator[](IdT id) { return data_[id.index()]; }
+  decltype(auto) operator[](IdT id) const { return data_[id.index()]; }
+  std::size_t size() const { return data_.size(); }
+  bool empty() const { return data_.empty(); }
+  IdT end_id() const { return IdT(data_.size()); }
+  IdT push_back(T value) { data_.push_back(std::move(value)); return IdT(data_.size() - 1); }
+  void resize(std::size_t n, T value = T()) { data_.resize(n, value); }
+  void assign(std::size_t n, T value) { data_.assign(n, value); }
+  void reserve(std::size_t n) { data_.reserve(n); }
+  void clear() { data_.clear(); }
+  auto begin() { return data_.begin(); }
+  auto end() { return data_.end(); }
+  auto begin() const { return data_.begin(); }
+  auto end() const { return data_.end(); }
+  const std::vector<T>& raw() const { return data_; }
+  std::vector<T>& raw() { return data_; }
+
+ private:
+  std::vector<T> data_;
+};
+
+/// All ids from 0 to n-1, for range loops.
+template <class IdT>
+class IdRange {
+ public:
+  struct Iterator {
+    IdT id;
+    IdT operator*() const { return id; }
+    Iterator& operator++() { ++id; return *this; }
+    bool operator!=(const Iterator& other) const { return id != other.id; }
+  };
+  explicit IdRange(std::size_t n) : n_(n) {}
+  Iterator begin() const { return {IdT(0)}; }
+  Iterator end() const { return {IdT(n_)}; }
+
+ private:
+  std::size_t n_;
+};
+
+/// A list of T for every id, packed: `list[id]` is a span.
+template <class IdT, class T>
+class Csr {
+ public:
+  Csr() = default;
+  std::span<const T> operator[](IdT id) const {
+    return {values_.data() + offsets_[id.index()], values_.data() + offsets_[id.index() + 1]};
+  }
+  std::span<T> operator[](IdT id) {
+    return {values_.data() + offsets_[id.index()], values_.data() + offsets_[id.index() + 1]};
+  }
+  std::size_t size() const { return offsets_.size() - 1; }
+  std::size_t value_count() const { return values_.size(); }
+  /// Appends one list at the end and returns its id.
+  template <class Range>
+  IdT push_back(const Range& list) {
+    values_.insert(values_.end(), std::begin(list), std::end(list));
+    offsets_.push_back(static_cast<std::uint32_t>(values_.size()));
+    return IdT(offsets_.size() - 2);
+  }
+  void reserve(std::size_t lists, std::size_t values) { offsets_.reserve(lists + 1); values_.reserve(values); }
+  /// Builds from (id, value) pairs that are sorted by id.
+  static Csr from_sorted(std::size_t n, const std::vector<std::pair<IdT, T>>& pairs) {
+    Csr csr;
+    csr.offsets_.assign(n + 1, 0);
+    csr.values_.reserve(pairs.size());
+    for (const auto& [id, value] : pairs) ++csr.offsets_[id.index() + 1];
+    for (std::size_t i = 0; i < n; ++i) csr.offsets_[i + 1] += csr.offsets_[i];
+    for (const auto& [id, value] : pairs) csr.values_.push_back(value);
+    return csr;
+  }
+  /// Builds from offsets (n + 1 numbers) and values.
+  static Csr from_parts(std::vector<std::uint32_t> offsets, std::vector<T> values) {
+    Csr csr;
+    csr.offsets_ = std::move(offsets);
+    csr.values_ = std::move(values);
+    return csr;
+  }
+  const std::vector<std::uint32_t>& offsets() const { return offsets_; }
+  const std::vector<T>& values() const { return values_; }
+  std::vector<T>& values() { return values_; }
+
+ private:
+  std::vector<std::uint32_t> offsets_{0};
+  std::vector<T> values_;
+};
+
+}  // namespace cnrg
+
+template <class Tag>
+struct std::hash<cnrg::Id<Tag>> {
+  std::size_t operator()(cnrg::Id<Tag> id) const noexcept { return std::hash<std::uint32_t>{}(id.value()); }
+};

@@ -1,0 +1,191 @@
+// The complete geometric complex of space (Cavalcanti et al. 1997): parallel arrays, read-only once built.
+//
+// Cells are pairwise disjoint and open; the boundary of each is a union of cells. Notation:
+//   v  vertex, e  edge (from ends[0] to ends[1], ends[0] lexicographically smaller), h  half-edge,
+//   f  face (planar, maximal between edges, with holes, slits and isolated vertices in its interior),
+//   F  half-face: front (0) is where the normal of the face's sheet points, back (1) the other side,
+//   R  region (3-cell); R0 is the unbounded one (with a frame: what lies outside of the frame).
+// A loop of a face is a closed walk of half-edges with the face to the left as seen from the front: outer loops
+// are counter-clockwise, holes clockwise; an edge with the face on both sides is walked twice.
+// An edge with no face around it is a wire; it hangs in one region. The same for isolated vertices.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/exact/points.h"
+#include "kernel/exact/predicates.h"
+#include "kernel/refine/soup.h"
+
+namespace cnrg {
+
+/// One soup face that covers a face of the complex; `same`: its front is the face's front.
+struct Cover {
+  SourceId source;
+  bool same = true;
+  friend auto operator<=>(const Cover&, const Cover&) = default;
+};
+
+/// The region of one leaf that holds a 3-cell (leaf regions from 1; 0 is never listed).
+struct Label {
+  LeafId leaf;
+  std::uint32_t region = 0;
+  friend auto operator<=>(const Label&, const Label&) = default;
+};
+
+/// A face around an edge: the face lies to the left of `half_edge` as seen from its front.
+struct FaceUse {
+  FaceId face;
+  HalfEdge half_edge;
+  friend auto operator<=>(const FaceUse&, const FaceUse&) = default;
+};
+
+struct Complex {
+  // --- geometry
+  PointTable points;                             ///< indexed by VertexId; may hold points that are no vertex
+  IdVector<SheetId, PlaneId> sheet_plane;        ///< the plane of each sheet; its normal is the front
+  IdVector<SheetId, Projection> sheet_projection;
+
+  // --- vertices; ids are those of `points`
+  std::vector<VertexId> vertices;                ///< all 0-cells, ascending
+  Csr<VertexId, EdgeId> vertex_edges;            ///< incident edges, ascending
+  Csr<VertexId, FaceId> vertex_faces;            ///< faces that hold the vertex as an isolated point
+  /// The region of a vertex that has no edge and lies in no face; none() otherwise.
+  IdVector<VertexId, RegionId> vertex_region;
+
+  // --- edges
+  IdVector<EdgeId, std::array<VertexId, 2>> edge_ends;
+  /// The uses of the faces around each edge, in radial order: counter-clockwise as seen with the edge pointing
+  /// towards the viewer. A dangling face has one use there, a face with a slit two.
+  Csr<EdgeId, FaceUse> edge_uses;
+  IdVector<EdgeId, RegionId> edge_region;        ///< the region of a wire; none() if the edge has uses
+  Csr<EdgeId, SegmentId> edge_segments;          ///< the input segments and traces that cover the edge
+
+  // --- segments: where edges come from
+  IdVector<SegmentId, std::array<VertexId, 2>> segment_ends;
+  Csr<SegmentId, SourceId> segment_faces;        ///< soup faces that have the segment on their boundary
+  Csr<SegmentId, WireId> segment_wires;          ///< soup wires on it; a trace has neither
+
+  // --- faces
+  IdVector<FaceId, SheetId> face_sheet;
+  Csr<FaceId, LoopId> face_loops;                ///< the outer loop first
+  Csr<LoopId, HalfEdge> loop;
+  Csr<FaceId, VertexId> face_vertices;           ///< isolated vertices in the interior
+  IdVector<FaceId, SourceSetId> face_cover;
+  Csr<SourceSetId, Cover> covers;
+  IdVector<FaceId, std::array<RegionId, 2>> face_regions;  ///< on its front, on its back
+
+  // --- regions
+  std::size_t region_count = 0;                  ///< with R0
+  IdVector<RegionId, LabelSetId> region_labels;
+  Csr<LabelSetId, Label> label_sets;
+  Csr<RegionId, HalfFace> region_faces;          ///< all half-faces that bound the region, by shell
+  Csr<RegionId, EdgeId> region_wires;            ///< wires hanging in it
+  Csr<RegionId, VertexId> region_vertices;       ///< isolated vertices in it
+
+  // --- leaves
+  std::size_t leaf_count = 0;
+  Csr<VertexId, LeafId> isolated_leaves;         ///< leaves that have the vertex as an isolated point
+  IdVector<SourceId, Soup::Face> sources;        ///< attributes of soup faces
+  IdVector<WireId, Soup::Wire> wires;            ///< attributes of soup wires
+  IdVector<LeafId, Fill> fills;
+  /// The number of regions of each leaf (the largest label).
+  IdVector<LeafId, std::uint32_t> leaf_regions;
+
+  // --- the frame of unbounded leaves (none() when there is none)
+  LeafId frame;
+  /// True for cells that lie on the frame or outside of it: never active, counted or written.
+  bool on_frame(FaceId f) const { return frame.valid() && frame_faces_[f]; }
+  bool on_frame(EdgeId e) const { return frame.valid() && frame_edges_[e]; }
+  bool on_frame(VertexId v) const { return frame.valid() && frame_vertices_[v]; }
+  bool outside_frame(RegionId r) const { return frame.valid() && r == RegionId(0); }
+  /// True for R0 and, with a frame, for each region that reaches the frame.
+  bool unbounded(RegionId r) const { return r == RegionId(0) || (frame.valid() && frame_regions_[r]); }
+
+  std::size_t vertex_count() const { return vertices.size(); }
+  std::size_t edge_count() const { return edge_ends.size(); }
+  std::size_t face_count() const { return face_sheet.size(); }
+
+  VertexId origin(HalfEdge h) const { return edge_ends[h.edge()][h.direction()]; }
+  VertexId target(HalfEdge h) const { return edge_ends[h.edge()][1 - h.direction()]; }
+  RegionId region(HalfFace h) const { return face_regions[h.face()][h.side()]; }
+  PlaneId plane(FaceId f) const { return sheet_plane[face_sheet[f]]; }
+  std::span<const Cover> cover(FaceId f) const { return covers[face_cover[f]]; }
+  std::span<const Label> labels(RegionId r) const { return label_sets[region_labels[r]]; }
+
+  /// One region next to the cell: every cell has one; all of them for a cell off every face.
+  RegionId some_region(FaceId f) const { return face_regions[f][0]; }
+  RegionId some_region(EdgeId e) const;
+  RegionId some_region(VertexId v) const;
+
+  /// The faces in the star of a vertex or an edge, ascending and unique.
+  void star_faces(VertexId v, std::vector<FaceId>& out) const;
+  void star_faces(EdgeId e, std::vector<FaceId>& out) const;
+  /// The regions in the star of a cell, ascending and unique.
+  void star_regions(VertexId v, std::vector<RegionId>& out) const;
+  void star_regions(EdgeId e, std::vector<RegionId>& out) const;
+  /// The edges (vertices) in the closure of a face: loops, slits and isolated vertices; ascending and unique.
+  void closure_edges(FaceId f, std::vector<EdgeId>& out) const;
+  void closure_vertices(FaceId f, std::vector<VertexId>& out) const;
+
+
+ private:
+  friend class ComplexBuilder;
+  IdVector<FaceId, char> frame_faces_;
+  IdVector<EdgeId, char> frame_edges_;
+  IdVector<VertexId, char> frame_vertices_;
+  IdVector<RegionId, char> frame_regions_;
+};
+
+/// What was dropped or noteworthy on the way, for reports.
+struct RefineReport {
+  std::vector<SourceId> zero_area;   ///< faces without area: dropped
+  std::uint64_t candidates = 0;      ///< pairs from the broad phase
+  /// Pairs in contact by kind (Gursoz et al. 1991): face-face, face-edge, face-vertex, edge-edge, edge-vertex,
+  /// vertex-vertex.
+  std::array<std::uint64_t, 6> contacts{};
+  std::uint64_t constructed = 0;     ///< constructed vertices
+  StageCounts stages;                ///< predicate calls by deciding stage
+};
+
+/// Options of `build_complex`.
+struct RefineOptions {
+  int threads = 0;                   ///< 0: all cores
+};
+
+/// Refines the soup and builds its complex, labels included. Throws InputError for a face that is not planar
+/// and for sides that contradict each other (the message names leaf and faces as `leaf i, face j`),
+/// InvariantError for a bug.
+Complex build_complex(const Soup& soup, const RefineOptions& options = {}, RefineReport* report = nullptr);
+
+/// Checks every invariant of SEMANTICS 1 and 5.2 that needs no second evaluation: disjointness by symbol and
+/// order, loops closed, radial order, incidence both ways, d d = 0, Euler's formula per sheet and for the whole,
+/// labels consistent. Returns the first violation in words, or an empty string.
+std::string validate(const Complex& complex);
+
+/// Where a point lies.
+struct Location {
+  int dimension = 3;
+  VertexId vertex;
+  EdgeId edge;
+  FaceId face;
+  RegionId region;
+};
+
+/// Exact point location in a complex. Building is O(n log n); a query is about O(log n).
+class Locator {
+ public:
+  explicit Locator(const Complex& complex);
+  ~Locator();
+  Location locate(const RationalPoint& p) const;
+  /// The first half-face that a ray from p in a fixed generic direction meets, among the faces for which
+  /// `accept` is true; an invalid one when it meets none. p must not lie on an accepted face.
+  HalfFace first_hit(const RationalPoint& p, const std::vector<char>& accept) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
+
+}  // namespace cnrg

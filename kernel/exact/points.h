@@ -1,0 +1,107 @@
+// Points: three doubles that bound each coordinate, a definition, and the exact value on demand.
+//
+// Notation contract of the room:
+//   * An *input point* is given by doubles (then lo == hi is its exact value) or by rationals.
+//   * A *constructed point* is a definition on input points and planes, never on constructed points:
+//       line_plane(a, b, P)      the point of line ab on plane P
+//       three_planes(P, Q, R)    the point common to three planes
+//       line_line(a, b, c, d)    the point common to two coplanar lines
+//     so no construction cascades (ARCHITECTURE, decision 1).
+//   * `lo[k] <= exact[k] <= hi[k]` always holds. A bound may be infinite; then only the exact stage decides.
+//   * The exact value is homogeneous, canonical: w > 0, gcd(x, y, z, w) = 1; equal points have equal values.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/exact/rational.h"
+
+namespace cnrg {
+
+/// An exact point in homogeneous integers, canonical: w > 0 and gcd 1.
+struct ExactPoint {
+  Integer x, y, z, w = 1;
+  friend bool operator==(const ExactPoint&, const ExactPoint&) = default;
+  RationalPoint rational() const;
+  static ExactPoint from(const RationalPoint& p);
+};
+
+/// The exact plane a x + b y + c z + d w = 0 with normal (a, b, c), gcd 1.
+struct ExactPlane {
+  Integer a, b, c, d;
+};
+
+/// An enclosure of one point and the way to its exact value; what predicates take.
+struct PointView {
+  std::array<double, 3> lo, hi;
+  const class PointTable* table = nullptr;
+  VertexId id;
+  const ExactPoint* value = nullptr;  ///< set for points outside of a table (queries)
+  const ExactPoint& exact() const;
+  bool is_double() const { return lo == hi; }
+};
+
+/// How a constructed point is defined; `operands` as the kind says (see the head of this file).
+struct Definition {
+  enum class Kind : std::uint8_t { line_plane, three_planes, line_line };
+  Kind kind = Kind::line_plane;
+  std::array<VertexId, 4> points;
+  std::array<PlaneId, 3> planes;
+};
+
+/// All points and planes of one refinement. Reading is thread-safe; adding is not.
+class PointTable {
+ public:
+  PointTable();
+  ~PointTable();
+  PointTable(PointTable&&) noexcept;
+  PointTable& operator=(PointTable&&) noexcept;
+
+  std::size_t size() const;
+  VertexId add(double x, double y, double z);
+  VertexId add(const RationalPoint& p);
+  /// Adds a constructed point; computes its enclosure. The definition must determine one point.
+  VertexId add(const Definition& definition);
+  /// Adds a constructed point whose enclosure was computed before by `enclose`.
+  VertexId add(const Definition& definition, const std::array<double, 3>& lo, const std::array<double, 3>& hi);
+  void reserve(std::size_t n);
+
+  /// The plane through three points that are not collinear, normal by the right-hand rule a -> b -> c.
+  PlaneId add_plane(VertexId a, VertexId b, VertexId c);
+  std::size_t plane_count() const;
+  std::array<VertexId, 3> plane_points(PlaneId plane) const;
+  /// Enclosure of the plane's normal.
+  void normal(PlaneId plane, std::array<double, 3>& lo, std::array<double, 3>& hi) const;
+
+  bool is_constructed(VertexId v) const;
+  /// True if the point is an input point whose coordinates are doubles.
+  bool is_double(VertexId v) const;
+  /// The middle of the enclosure; exact where `is_double`.
+  std::array<double, 3> approx(VertexId v) const;
+  PointView view(VertexId v) const;
+  /// The canonical exact value, computed once and cached; the reference stays valid while the table lives.
+  const ExactPoint& exact(VertexId v) const;
+  RationalPoint rational(VertexId v) const { return exact(v).rational(); }
+  const ExactPlane& exact_plane(PlaneId plane) const;
+
+  /// The doubles nearest to the exact coordinates.
+  std::array<double, 3> nearest(VertexId v) const;
+
+  /// The bounds of a definition, without adding it.
+  void enclose(const Definition& definition, std::array<double, 3>& lo, std::array<double, 3>& hi) const;
+
+  /// Bytes held, for reports.
+  std::size_t memory() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+  friend struct PointView;
+};
+
+/// The view of a point that is in no table; `value` must outlive the view.
+PointView view_of(const ExactPoint& value);
+
+}  // namespace cnrg

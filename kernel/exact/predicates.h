@@ -1,0 +1,55 @@
+// Staged predicates: each returns the exact sign of its expression (-1, 0, 1), whatever stage decided.
+//
+// Stages: semi-static filter on doubles (a proven forward error bound), interval arithmetic, exact integers.
+// Antisymmetry and invariance under cyclic exchange hold exactly, since each result is exact.
+#pragma once
+
+#include <cstdint>
+
+#include "kernel/exact/points.h"
+
+namespace cnrg {
+
+/// A coordinate plane to project to: the axes (u, v), chosen so that orientation is preserved for a plane
+/// whose normal has a positive component along the third axis (u, v swapped when it is negative).
+struct Projection {
+  std::uint8_t u = 0, v = 1;
+};
+
+/// Sign of det(b-a, c-a, d-a): positive when d lies on the side to which the normal of (a, b, c) points.
+int orient3d(const PointView& a, const PointView& b, const PointView& c, const PointView& d);
+int orient3d(const PointTable& t, VertexId a, VertexId b, VertexId c, VertexId d);
+/// Sign of the plane's equation at p: positive on the side to which the normal points.
+int side_of_plane(const PointTable& t, PlaneId plane, const PointView& p);
+int side_of_plane(const PointTable& t, PlaneId plane, VertexId p);
+/// Orientation of three points projected to (u, v): positive for a left turn.
+int orient2d(Projection axes, const PointView& a, const PointView& b, const PointView& c);
+int orient2d(const PointTable& t, Projection axes, VertexId a, VertexId b, VertexId c);
+/// Sign of a[axis] - b[axis].
+int compare(int axis, const PointView& a, const PointView& b);
+int compare(const PointTable& t, int axis, VertexId a, VertexId b);
+/// Lexicographic order of the coordinates.
+int compare_lex(const PointView& a, const PointView& b);
+int compare_lex(const PointTable& t, VertexId a, VertexId b);
+bool collinear(const PointTable& t, VertexId a, VertexId b, VertexId c);
+/// Sign of the k-th component of the cross product of the normals of two planes.
+int cross_normal_sign(const PointTable& t, PlaneId p, PlaneId q, int k);
+/// Sign of the k-th component of the plane's normal.
+int normal_sign(const PointTable& t, PlaneId p, int k);
+/// A projection along an axis on which the normal of the plane is certainly not zero.
+Projection projection_of(const PointTable& t, PlaneId plane);
+/// True if the two planes are the same point set.
+bool same_plane(const PointTable& t, PlaneId p, PlaneId q);
+
+/// Calls per deciding stage, summed over all threads since the last reset.
+struct StageCounts {
+  std::uint64_t filter = 0, interval = 0, exact = 0;
+  double exact_share() const {
+    const auto n = filter + interval + exact;
+    return n == 0 ? 0.0 : double(exact) / double(n);
+  }
+};
+StageCounts stage_counts();
+void reset_stage_counts();
+
+}  // namespace cnrg

@@ -1,0 +1,105 @@
+// What refinement takes: points, planar faces with holes, segments and points of any number of leaves.
+//
+// Semantics of the input (also the degenerate one):
+//   * Points with equal coordinates are one point, within a leaf and across leaves.
+//   * A face is a planar polygon: one outer loop and any number of holes, given as loops of points in any
+//     direction. Its *front* is the side from which the first loop is seen counter-clockwise.
+//     All points of a face must lie on one plane exactly (`refine` throws InputError otherwise).
+//     A face of zero area is dropped and reported. The interior is what the loops enclose an odd number of
+//     times, so holes may be given in either direction.
+//   * Faces may cross, overlap, repeat, within a leaf and across leaves.
+//   * `front` and `back` are regions of the leaf (0: none) on the two sides, for Fill::sides.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/exact/rational.h"
+
+namespace cnrg {
+
+/// How the regions of a leaf follow from its faces.
+enum class Fill : std::uint8_t {
+  none,     ///< a surface only: no regions
+  sides,    ///< each face names the region on its front and on its back
+  winding,  ///< region 1 where the winding number is not zero; the back of each face is inside
+  parity,   ///< region 1 where a ray crosses the faces an odd number of times
+  cells,    ///< every bounded cavity of the faces is a region, numbered from 1
+};
+
+class Soup {
+ public:
+  /// A new leaf; its faces, wires and points are added to it by id.
+  LeafId add_leaf(Fill fill);
+
+  PointId add_point(double x, double y, double z);  ///< finite; InputError otherwise
+  PointId add_point(const RationalPoint& p);
+
+  /// Adds a face of `leaf`. `leaf_face` numbers the leaf's own faces (the triangles of one planar face share
+  /// one number), `patch` its surfaces (planes, cylinders, ...): facets of one curved patch share a number and
+  /// are one face for people. Loops have at least three points; they do not repeat the first at the end.
+  SourceId add_face(LeafId leaf, std::span<const std::vector<PointId>> loops, std::uint32_t leaf_face,
+                    std::uint32_t patch, std::uint32_t front = 0, std::uint32_t back = 0);
+  SourceId add_triangle(LeafId leaf, PointId a, PointId b, PointId c, std::uint32_t leaf_face,
+                        std::uint32_t patch, std::uint32_t front = 0, std::uint32_t back = 0);
+  /// A wire from a to b; `leaf_edge` numbers the leaf's curves (the pieces of one tessellated curve share one).
+  WireId add_wire(LeafId leaf, PointId a, PointId b, std::uint32_t leaf_edge);
+  /// An isolated vertex of the leaf.
+  void add_isolated(LeafId leaf, PointId p);
+
+  /// Declares a leaf as the frame: a closed convex box that contains every vertex of the arrangement strictly
+  /// inside or, for faces of planes, on it. Cells on and outside of it are never active. Its faces are
+  /// oriented outward. `seed_regions`: region of leaves (Fill::sides) at the frame's corner `seed`, which no
+  /// face but the frame's touches; leaves that are not listed have region 0 there.
+  void set_frame(LeafId frame, PointId seed, std::vector<std::pair<LeafId, std::uint32_t>> seed_regions);
+
+  // --- reading
+  struct Face {
+    LeafId leaf;
+    std::uint32_t leaf_face = 0, patch = 0, front = 0, back = 0;
+  };
+  struct Wire {
+    LeafId leaf;
+    std::uint32_t leaf_edge = 0;
+    PointId a, b;
+  };
+  struct Isolated {
+    LeafId leaf;
+    PointId point;
+  };
+  std::size_t point_count() const { return xyz_.size() / 3; }
+  std::size_t face_count() const { return faces_.size(); }
+  std::size_t leaf_count() const { return fills_.size(); }
+  Fill fill(LeafId leaf) const { return fills_[leaf.index()]; }
+  const Face& face(SourceId f) const { return faces_[f.index()]; }
+  /// Corners of the face, loop after loop, with `PointId::none()` between two loops.
+  std::span<const PointId> corners(SourceId f) const {
+    return {corners_.data() + offsets_[f.index()], corners_.data() + offsets_[f.index() + 1]};
+  }
+  std::span<const Wire> wires() const { return wires_; }
+  std::span<const Isolated> isolated() const { return isolated_; }
+  const double* xyz(PointId p) const { return xyz_.data() + 3 * p.index(); }
+  /// The exact value of a point that is not three doubles, or nullptr.
+  const RationalPoint* rational(PointId p) const;
+  LeafId frame() const { return frame_; }
+  PointId frame_seed() const { return seed_; }
+  const std::vector<std::pair<LeafId, std::uint32_t>>& seed_regions() const { return seed_regions_; }
+
+ private:
+  std::vector<double> xyz_;                                     // nearest doubles
+  std::vector<std::pair<PointId, RationalPoint>> rationals_;    // sorted by id: the points that are no doubles
+  std::vector<Fill> fills_;
+  std::vector<Face> faces_;
+  std::vector<std::uint32_t> offsets_{0};
+  std::vector<PointId> corners_;
+  std::vector<Wire> wires_;
+  std::vector<Isolated> isolated_;
+  LeafId frame_;
+  PointId seed_;
+  std::vector<std::pair<LeafId, std::uint32_t>> seed_regions_;
+};
+
+}  // namespace cnrg

@@ -1,0 +1,71 @@
+// Simplification of a selection (Rossignac & O'Connor 1990, SGC; SEMANTICS 6).
+//
+// Removes what no label needs: faces whose two regions and itself carry one state; then edges with exactly
+// two coplanar faces (or of one curved patch) of their state, or in the interior of a region of their state;
+// then vertices between exactly two collinear edges (or of one curve) of their state, or in the interior of a
+// face or region of their state. Features stay.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "kernel/selection/selection.h"
+
+namespace cnrg {
+
+/// The cells that remain, each with the cells of the complex that it unites. Indices are into the vectors here.
+/// The order is that of the smallest cell id, so that it is the same for every thread count.
+struct SimplifiedComplex {
+  struct Vertex {
+    VertexId cell;
+    Component component = 0;
+  };
+  struct Edge {
+    std::vector<HalfEdge> chain;       ///< head to tail; a closed chain has no end vertices
+    bool closed = false;
+    Component component = 0;
+  };
+  struct Face {
+    std::vector<HalfFace> cells;       ///< the faces united, each by the half-face that is the front
+    std::vector<std::vector<HalfEdge>> loops;  ///< boundary walks, the face to the left; slits twice
+    std::vector<VertexId> isolated;    ///< remaining vertices in the interior
+    Component component = 0;
+    std::array<std::uint32_t, 2> regions{};  ///< indices of the regions on front and back
+  };
+  struct Region {
+    std::vector<RegionId> cells;
+    Component component = 0;           ///< 0: inactive
+    bool bounded = true;
+    std::vector<std::vector<std::uint32_t>> shells;  ///< face index * 2 + side, per shell
+  };
+  std::vector<Vertex> vertices;  ///< active ones and those that bound something; none on the frame
+  std::vector<Edge> edges;
+  std::vector<Face> faces;
+  std::vector<Region> regions;   ///< all regions that touch an active cell or hold one; outside of the frame: none
+
+  /// Index of the simplified cell that holds a cell of the complex, by dimension of the result.
+  struct Place {
+    int dimension = 3;
+    std::uint32_t index = 0;     ///< into the vector of that dimension; kNowhere for an inactive region not listed
+  };
+  static constexpr std::uint32_t kNowhere = 0xffffffffu;
+  Place place(const Complex& complex, const Location& location) const;
+
+  // maps from cells, filled by simplify
+  std::vector<Place> vertex_place, edge_place, face_place, region_place;
+};
+
+enum class SimplifyMode {
+  features,  ///< keep features
+  points,    ///< forget features: the canonical form of the point set
+  raw,       ///< merge nothing but what is inactive on both sides: every active cell stays a cell
+};
+
+SimplifiedComplex simplify(const Complex& complex, const Selection& selection, const Features& features,
+                           SimplifyMode mode = SimplifyMode::features);
+
+/// Counts of active cells by dimension, 0 to 3.
+std::array<std::size_t, 4> active_counts(const SimplifiedComplex& simplified);
+
+}  // namespace cnrg
