@@ -1,0 +1,48 @@
+// The geometry of leaves: shapes to soup.
+//
+// Files are read and checked before any soup is made, so that `cnrg check` can validate without evaluating and
+// so that an unbounded leaf can see how far the others reach.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "csg/leaves/shapes.h"
+
+namespace cnrg {
+
+/// What a leaf says about its regions: region i (from 1) has `regions[i - 1]`. Material and name are those of
+/// the shape itself (group regions, results read back); the node's own attributes come from the tree.
+struct LeafRegion {
+  std::string name, material;
+};
+
+/// A shape whose files were read and whose geometry was checked.
+class PreparedLeaf {
+ public:
+  virtual ~PreparedLeaf() = default;
+  /// Adds the leaf under a transform. Orientation survives reflections: sides and winding mean the same.
+  virtual LeafId add_to(Soup& soup, const Transform& transform) const = 0;
+  virtual std::vector<LeafRegion> regions() const = 0;
+  /// Things to tell the user, such as an open mesh that is taken as a surface.
+  virtual std::vector<std::string> notices() const { return {}; }
+  /// True for planes and half-spaces.
+  virtual bool unbounded() const { return false; }
+};
+
+/// Reads files and checks everything that can be checked for the leaf alone. Throws InputError: the message
+/// starts with `file:line:` for a fault inside a mesh file, otherwise it has no position and the tree reader
+/// puts the node's position in front. Throws FileError if a file exists but can not be read.
+std::unique_ptr<PreparedLeaf> prepare(const Shape& shape);
+
+/// One instance of a leaf.
+struct LeafInstance {
+  const PreparedLeaf* leaf = nullptr;
+  Transform transform;
+};
+
+/// Makes the soup of all instances; LeafId(i) is instance i (frame, if any, comes after them).
+Soup make_soup(const std::vector<LeafInstance>& instances);
+
+}  // namespace cnrg
