@@ -120,9 +120,11 @@ std::string to_decimal(const Rational& value, int digits) {
   std::string plain;
   const long plain_length = (k < 0 ? 1 - k : k + 1) + std::max(0L, count - std::max(k, 0L));
   if (plain_length < 64) {
-    if (k < 0) plain.append("0.").append(static_cast<std::size_t>(-k - 1), '0').append(text);
-    else if (count <= k + 1) plain = text + std::string(static_cast<std::size_t>(k + 1 - count), '0');
-    else plain = text.substr(0, static_cast<std::size_t>(k + 1)) + "." + text.substr(static_cast<std::size_t>(k + 1));
+    const std::size_t whole = static_cast<std::size_t>(std::max(k + 1, 0L));
+    plain = text;
+    if (k < 0) plain.insert(0, static_cast<std::size_t>(-k - 1), '0').insert(0, "0.");
+    else if (text.size() <= whole) plain.append(whole - text.size(), '0');
+    else plain.insert(whole, 1, '.');
     if (sign.size() + plain.size() <= 21) return sign + plain;
   }
   std::string mantissa = text.substr(0, 1);
