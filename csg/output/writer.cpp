@@ -23,7 +23,8 @@ RoundingReport write(const std::string& path, const ResultView& view) {
   const std::string extension = extension_of(path);
   std::string known;
   for (const Format& format : kFormats) {
-    known += (known.empty() ? "" : " ") + std::string(format.extension);
+    if (!known.empty()) known += ' ';
+    known += format.extension;
     if (format.extension != extension) continue;
     FileText file;
     try {
@@ -34,8 +35,7 @@ RoundingReport write(const std::string& path, const ResultView& view) {
     replace_file(path, file.text);
     return file.rounding;
   }
-  throw InputError(path + ": no writer for " + (extension.empty() ? "a name without extension" : "`" + extension + "`") +
-                   "; use one of " + known);
+  throw InputError(path + ": no writer for the extension `" + extension + "`; use one of " + known);
 }
 
 }  // namespace cnrg
