@@ -1,0 +1,93 @@
+// The soup: parallel arrays, appended to; nothing is merged or decided here.
+#include "kernel/refine/soup.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+
+LeafId Soup::add_leaf(Fill fill) {
+  fills_.push_back(fill);
+  return LeafId(fills_.size() - 1);
+}
+
+PointId Soup::add_point(double x, double y, double z) {
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
+    throw InputError("a point has a coordinate that is no finite number: give finite coordinates");
+  }
+  // Adding zero turns -0 into 0: equal points have equal bytes.
+  xyz_.insert(xyz_.end(), {x + 0.0, y + 0.0, z + 0.0});
+  return PointId(point_count() - 1);
+}
+
+PointId Soup::add_point(const RationalPoint& p) {
+  const double nearest[3] = {to_double(p[0]), to_double(p[1]), to_double(p[2])};
+  for (int k = 0; k < 3; ++k) {
+    if (std::isinf(nearest[k])) {
+      throw InputError("a coordinate is larger than 1.797e308, the largest double: use a larger unit of length");
+    }
+  }
+  const bool exact = is_double(p[0]) && is_double(p[1]) && is_double(p[2]);
+  const PointId id = add_point(nearest[0], nearest[1], nearest[2]);
+  if (!exact) rationals_.emplace_back(id, p);
+  return id;
+}
+
+SourceId Soup::add_face(LeafId leaf, std::span<const std::vector<PointId>> loops, std::uint32_t leaf_face,
+                        std::uint32_t patch, std::uint32_t front, std::uint32_t back) {
+  require(leaf.valid() && leaf.index() < fills_.size(), "soup: face of an unknown leaf");
+  require(!loops.empty(), "soup: face without a loop");
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    require(loops[i].size() >= 3, "soup: loop of fewer than three points");
+    if (i > 0) corners_.push_back(PointId::none());
+    for (PointId p : loops[i]) {
+      require(p.index() < point_count(), "soup: face with an unknown point");
+      corners_.push_back(p);
+    }
+  }
+  offsets_.push_back(static_cast<std::uint32_t>(corners_.size()));
+  faces_.push_back({leaf, leaf_face, patch, front, back});
+  return SourceId(faces_.size() - 1);
+}
+
+SourceId Soup::add_triangle(LeafId leaf, PointId a, PointId b, PointId c, std::uint32_t leaf_face,
+                            std::uint32_t patch, std::uint32_t front, std::uint32_t back) {
+  require(leaf.valid() && leaf.index() < fills_.size(), "soup: triangle of an unknown leaf");
+  require(std::max({a.index(), b.index(), c.index()}) < point_count(), "soup: triangle with an unknown point");
+  corners_.insert(corners_.end(), {a, b, c});
+  offsets_.push_back(static_cast<std::uint32_t>(corners_.size()));
+  faces_.push_back({leaf, leaf_face, patch, front, back});
+  return SourceId(faces_.size() - 1);
+}
+
+WireId Soup::add_wire(LeafId leaf, PointId a, PointId b, std::uint32_t leaf_edge) {
+  require(leaf.valid() && leaf.index() < fills_.size(), "soup: wire of an unknown leaf");
+  require(std::max(a.index(), b.index()) < point_count(), "soup: wire with an unknown point");
+  wires_.push_back({leaf, leaf_edge, a, b});
+  return WireId(wires_.size() - 1);
+}
+
+void Soup::add_isolated(LeafId leaf, PointId p) {
+  require(leaf.valid() && leaf.index() < fills_.size(), "soup: point of an unknown leaf");
+  require(p.index() < point_count(), "soup: unknown isolated point");
+  isolated_.push_back({leaf, p});
+}
+
+void Soup::set_frame(LeafId frame, PointId seed, std::vector<std::pair<LeafId, std::uint32_t>> seed_regions) {
+  require(!frame_.valid(), "soup: a second frame");
+  require(frame.valid() && frame.index() < fills_.size(), "soup: the frame is an unknown leaf");
+  require(seed.index() < point_count(), "soup: the frame's seed is an unknown point");
+  frame_ = frame;
+  seed_ = seed;
+  seed_regions_ = std::move(seed_regions);
+}
+
+const RationalPoint* Soup::rational(PointId p) const {
+  const auto found = std::lower_bound(rationals_.begin(), rationals_.end(), p,
+                                      [](const auto& entry, PointId id) { return entry.first < id; });
+  return found != rationals_.end() && found->first == p ? &found->second : nullptr;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,104 @@
+// Sines, cosines and rotations of rational angles.
+#include "kernel/exact/trigonometry.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+using namespace cnrg;
+
+namespace {
+
+constexpr long double kPi = 3.14159265358979323846264338327950288L;
+
+Rational square(const Rational& x) { return x * x; }
+
+}  // namespace
+
+TEST_CASE("sines of rational degrees are correctly rounded") {
+  CHECK(sine_degrees(0) == 0);
+  CHECK(sine_degrees(30) == 0.5);
+  CHECK(sine_degrees(-30) == -0.5);
+  CHECK(sine_degrees(150) == 0.5);
+  CHECK(sine_degrees(210) == -0.5);
+  CHECK(sine_degrees(90) == 1);
+  CHECK(sine_degrees(720) == 0);
+  CHECK(cosine_degrees(60) == 0.5);
+  CHECK(cosine_degrees(120) == -0.5);
+  CHECK(cosine_degrees(180) == -1);
+  CHECK(cosine_degrees(90) == 0);
+  CHECK(cosine_degrees(-270) == 0);
+  CHECK(sine_degrees(45) == cosine_degrees(45));
+  CHECK(sine_degrees(45) == std::sqrt(0.5));
+  CHECK(sine_degrees(*parse_rational("1e-300")) == Approx(1.7453292519943295e-302L).epsilon(1e-14));
+  CHECK(sine_degrees(*parse_rational("1e-400")) == 0);
+  CHECK(cosine_degrees(*parse_rational("1e-400")) == 1);
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 500; ++i) {
+    const long p = static_cast<long>(random() % 2000000) - 1000000;
+    const long q = static_cast<long>(random() % 997) + 1;
+    Rational degrees(p, q);
+    degrees.canonicalize();
+    const long double angle = static_cast<long double>(p % (360 * q)) / static_cast<long double>(q) * kPi / 180;
+    CAPTURE(p, q);
+    REQUIRE(std::fabs(sine_degrees(degrees) - std::sin(angle)) < 1.2e-16L);
+    REQUIRE(std::fabs(cosine_degrees(degrees) - std::cos(angle)) < 1.2e-16L);
+    REQUIRE(sine_degrees(-degrees) == -sine_degrees(degrees));
+    REQUIRE(cosine_degrees(degrees + 360) == cosine_degrees(degrees));
+  }
+}
+
+TEST_CASE("rounded multiples of a grid") {
+  CHECK(round_cosine(0, 2, 0) == 1);
+  CHECK(round_cosine(0, 9, -3) == 3);
+  CHECK(round_cosine(60, 9, -1) == Rational(3, 2));
+  CHECK(round_cosine(60, 9, 0) == 2);                      // 1.5: tie to even
+  CHECK(round_cosine(45, 2, -10) == 1);
+  CHECK(round_cosine(135, 2, -10) == -1);
+  CHECK(round_cosine(90, 2, -10) == 0);
+  CHECK(round_cosine(30, 12, -4) == 3);
+  for (int degrees = 1; degrees < 360; degrees += 7) {
+    const Rational value = round_cosine(degrees, 5, -60);
+    const long double expected = std::sqrt(5.0L) * std::cos(degrees * kPi / 180);
+    REQUIRE(std::fabs(static_cast<long double>(to_double(value)) - expected) < 5e-16L);
+    REQUIRE(Rational(value * (Rational(1) << 60)).get_den() == 1);
+  }
+  CHECK(exponent_of_root(4) == 1);
+  CHECK(exponent_of_root(3) == 0);
+  CHECK(exponent_of_root(Rational(1, 4)) == -1);
+  CHECK(exponent_of_root(Rational(1, 5)) == -2);
+  CHECK(exponent_of_root(Rational(1, 2)) == -1);
+}
+
+TEST_CASE("rational rotations are exactly orthogonal and near the angle") {
+  std::mt19937_64 random(5);
+  for (int i = 0; i < 300; ++i) {
+    Rational degrees(static_cast<long>(random() % 1000000) - 500000, static_cast<long>(random() % 1000) + 1);
+    degrees.canonicalize();
+    const auto [c, s] = rational_cosine_sine(degrees);
+    REQUIRE(square(c) + square(s) == 1);
+    // The angle's error is the sine of the difference: c' s - s' c, with c', s' rounded to 2^-80.
+    const Rational exact_c = round_cosine(degrees, 1, -80), exact_s = round_cosine(90 - degrees, 1, -80);
+    REQUIRE(abs(Rational(s * exact_c - c * exact_s)) < *parse_rational("1e-15"));
+    REQUIRE(c * exact_c + s * exact_s > 0);
+    const auto [c2, s2] = rational_cosine_sine(-degrees);
+    REQUIRE(c2 == c);
+    REQUIRE(s2 == -s);
+    REQUIRE(mpz_sizeinbase(c.get_den_mpz_t(), 2) <= 60);
+  }
+  for (int quarter = -4; quarter <= 8; ++quarter) {
+    const auto [c, s] = rational_cosine_sine(90 * quarter);
+    const int expected_c[] = {1, 0, -1, 0}, expected_s[] = {0, 1, 0, -1};
+    CHECK(c == expected_c[(quarter + 4) % 4]);
+    CHECK(s == expected_s[(quarter + 4) % 4]);
+  }
+}
+
+TEST_CASE("the axis of a rotation is exact") {
+  const std::array<Rational, 4> quarter = rotation_quaternion({0, Rational(-1, 10), 0}, 90);
+  CHECK(quarter == std::array<Rational, 4>{1, 0, -1, 0});
+  CHECK(rotation_quaternion({3, 4, 0}, 90) == std::array<Rational, 4>{1, Rational(3, 5), Rational(4, 5), 0});
+  CHECK(rotation_quaternion({1, 1, 1}, 180) == std::array<Rational, 4>{0, 1, 1, 1});
+  CHECK(rotation_quaternion({1, 1, 1}, -360) == std::array<Rational, 4>{1, 0, 0, 0});
+  CHECK(primitive_direction({Rational(1, 2), Rational(-1, 3), 0}) == std::array<Integer, 3>{3, -2, 0});
+}
