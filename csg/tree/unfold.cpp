@@ -7,7 +7,7 @@
 namespace cnrg {
 namespace {
 
-constexpr std::size_t kMostInstances = 10'000'000;
+constexpr std::size_t kMostInstances = 1'000'000;
 
 using Coefficients = std::array<Rational, 12>;
 
@@ -82,7 +82,7 @@ class Walk {
     stack_.pop_back();
     if (result_.instances.size() == kMostInstances) {
       const Node& node = tree_.nodes[frame.node];
-      throw TreeError(tree_.file, node.at, "the tree unfolds to more than ten million instances, many of `" + node.name +
+      throw TreeError(tree_.file, node.at, "the tree unfolds to more than a million instances, many of `" + node.name +
                                            "`; share nodes under one transform or use fewer copies");
     }
     const InstanceId id = result_.instances.push_back(

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include <yaml-cpp/depthguard.h>
+
 #include "csg/tree/suggest.h"
 
 namespace cnrg {
