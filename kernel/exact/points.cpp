@@ -1,0 +1,418 @@
+// Points and planes: arrays of enclosures and definitions, and exact values that are computed on first use.
+//
+// Exact values live in shards with a lock each, so that threads can ask for them at any time; a value never
+// moves once made. All exact work is on homogeneous integers: no fraction is ever reduced but at the end.
+#include "kernel/exact/points.h"
+
+#include <mutex>
+#include <unordered_map>
+
+#include "kernel/base/error.h"
+#include "kernel/exact/enclosure.h"
+
+namespace cnrg {
+
+using namespace enclosure;
+
+namespace {
+
+/// Divides by the gcd and makes w positive.
+void canonicalize(ExactPoint& p) {
+  if (sgn(p.w) < 0) {
+    p.x = -p.x;
+    p.y = -p.y;
+    p.z = -p.z;
+    p.w = -p.w;
+  }
+  Integer g = gcd(gcd(p.x, p.y), gcd(p.z, p.w));
+  if (g != 1) {
+    mpz_divexact(p.x.get_mpz_t(), p.x.get_mpz_t(), g.get_mpz_t());
+    mpz_divexact(p.y.get_mpz_t(), p.y.get_mpz_t(), g.get_mpz_t());
+    mpz_divexact(p.z.get_mpz_t(), p.z.get_mpz_t(), g.get_mpz_t());
+    mpz_divexact(p.w.get_mpz_t(), p.w.get_mpz_t(), g.get_mpz_t());
+  }
+}
+
+/// The point of three doubles over a common power of two.
+ExactPoint from_doubles(const double* c) {
+  int exponents[3];
+  long mantissas[3];
+  int lowest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double fraction = std::frexp(c[k], &exponents[k]);
+    mantissas[k] = static_cast<long>(std::ldexp(fraction, 53));
+    exponents[k] -= 53;
+    while (mantissas[k] != 0 && mantissas[k] % 2 == 0) {
+      mantissas[k] /= 2;
+      ++exponents[k];
+    }
+    if (mantissas[k] == 0) exponents[k] = 0;
+    lowest = std::min(lowest, exponents[k]);
+  }
+  ExactPoint p;
+  Integer* out[3] = {&p.x, &p.y, &p.z};
+  for (int k = 0; k < 3; ++k) {
+    *out[k] = mantissas[k];
+    mpz_mul_2exp(out[k]->get_mpz_t(), out[k]->get_mpz_t(), static_cast<mp_bitcnt_t>(exponents[k] - lowest));
+  }
+  mpz_mul_2exp(p.w.get_mpz_t(), p.w.get_mpz_t(), static_cast<mp_bitcnt_t>(-lowest));
+  return p;
+}
+
+Integer at(const ExactPlane& e, const ExactPoint& p) { return e.a * p.x + e.b * p.y + e.c * p.z + e.d * p.w; }
+
+/// The plane through three points, w of each positive: normal (b-a) x (c-a).
+ExactPlane plane_through(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  const Integer ux = b.x * a.w - a.x * b.w, uy = b.y * a.w - a.y * b.w, uz = b.z * a.w - a.z * b.w;
+  const Integer vx = c.x * a.w - a.x * c.w, vy = c.y * a.w - a.y * c.w, vz = c.z * a.w - a.z * c.w;
+  ExactPlane e;
+  e.a = uy * vz - uz * vy;
+  e.b = uz * vx - ux * vz;
+  e.c = ux * vy - uy * vx;
+  e.d = -(e.a * a.x + e.b * a.y + e.c * a.z);
+  e.a *= a.w;
+  e.b *= a.w;
+  e.c *= a.w;
+  const Integer g = gcd(gcd(e.a, e.b), gcd(e.c, e.d));
+  if (sgn(g) != 0 && g != 1) {
+    e.a /= g;
+    e.b /= g;
+    e.c /= g;
+    e.d /= g;
+  }
+  return e;
+}
+
+ExactPoint line_plane(const ExactPoint& a, const ExactPoint& b, const ExactPlane& e) {
+  const Integer sa = at(e, a), sb = at(e, b);
+  ExactPoint p;
+  p.x = sb * a.x - sa * b.x;
+  p.y = sb * a.y - sa * b.y;
+  p.z = sb * a.z - sa * b.z;
+  p.w = sb * a.w - sa * b.w;
+  return p;
+}
+
+/// Minor of the columns i, j, k of three planes.
+Integer minor(const std::array<const Integer*, 4>& r0, const std::array<const Integer*, 4>& r1,
+              const std::array<const Integer*, 4>& r2, int i, int j, int k) {
+  return *r0[i] * (*r1[j] * *r2[k] - *r1[k] * *r2[j]) - *r0[j] * (*r1[i] * *r2[k] - *r1[k] * *r2[i]) +
+         *r0[k] * (*r1[i] * *r2[j] - *r1[j] * *r2[i]);
+}
+
+ExactPoint three_planes(const ExactPlane& p, const ExactPlane& q, const ExactPlane& r) {
+  const std::array<const Integer*, 4> rows[3] = {
+      {&p.a, &p.b, &p.c, &p.d}, {&q.a, &q.b, &q.c, &q.d}, {&r.a, &r.b, &r.c, &r.d}};
+  ExactPoint x;
+  x.x = minor(rows[0], rows[1], rows[2], 1, 2, 3);
+  x.y = -minor(rows[0], rows[1], rows[2], 0, 2, 3);
+  x.z = minor(rows[0], rows[1], rows[2], 0, 1, 3);
+  x.w = -minor(rows[0], rows[1], rows[2], 0, 1, 2);
+  return x;
+}
+
+/// The plane that holds the line cd and the direction of axis k.
+ExactPlane plane_along_axis(const ExactPoint& c, const ExactPoint& d, int k) {
+  const Integer ux = d.x * c.w - c.x * d.w, uy = d.y * c.w - c.y * d.w, uz = d.z * c.w - c.z * d.w;
+  ExactPlane e;
+  if (k == 0) {
+    e.b = uz;
+    e.c = -uy;
+  } else if (k == 1) {
+    e.a = -uz;
+    e.c = ux;
+  } else {
+    e.a = uy;
+    e.b = -ux;
+  }
+  e.d = -(e.a * c.x + e.b * c.y + e.c * c.z);
+  e.a *= c.w;
+  e.b *= c.w;
+  e.c *= c.w;
+  return e;
+}
+
+/// Exact values by key, made once.
+template <class Value>
+class Cache {
+ public:
+  template <class Make>
+  const Value& get(std::uint32_t key, Make&& make) {
+    Shard& shard = shards_[key % kShards];
+    {
+      std::lock_guard lock(shard.mutex);
+      const auto it = shard.values.find(key);
+      if (it != shard.values.end()) return *it->second;
+    }
+    auto value = std::make_unique<Value>(make());
+    std::lock_guard lock(shard.mutex);
+    return *shard.values.try_emplace(key, std::move(value)).first->second;
+  }
+  std::size_t size() const {
+    std::size_t n = 0;
+    for (const Shard& s : shards_) n += s.values.size();
+    return n;
+  }
+
+ private:
+  static constexpr std::size_t kShards = 64;
+  struct Shard {
+    std::mutex mutex;
+    std::unordered_map<std::uint32_t, std::unique_ptr<Value>> values;
+  };
+  std::array<Shard, kShards> shards_;
+};
+
+}  // namespace
+
+RationalPoint ExactPoint::rational() const {
+  RationalPoint r{Rational(x, w), Rational(y, w), Rational(z, w)};
+  for (Rational& c : r) c.canonicalize();
+  return r;
+}
+
+ExactPoint ExactPoint::from(const RationalPoint& p) {
+  ExactPoint e;
+  e.w = lcm(lcm(p[0].get_den(), p[1].get_den()), p[2].get_den());
+  e.x = p[0].get_num() * (e.w / p[0].get_den());
+  e.y = p[1].get_num() * (e.w / p[1].get_den());
+  e.z = p[2].get_num() * (e.w / p[2].get_den());
+  return e;
+}
+
+struct PointTable::Data {
+  // Per point: lower bounds; for points that are not three doubles, a row of `bounds` with the upper ones.
+  std::vector<double> lo;
+  std::vector<std::uint32_t> row;                  // kDouble, or index into `upper` and `definitions`
+  std::vector<std::array<double, 3>> upper;
+  std::vector<Definition> definitions;             // by row; points[0] is none() for rational input
+  std::vector<std::array<VertexId, 3>> planes;
+  mutable Cache<ExactPoint> exact_points;
+  mutable Cache<ExactPlane> exact_planes;
+  static constexpr std::uint32_t kDouble = 0xffffffffu;
+};
+
+PointTable::PointTable() : data_(std::make_unique<Data>()) {}
+PointTable::~PointTable() = default;
+PointTable::PointTable(PointTable&&) noexcept = default;
+PointTable& PointTable::operator=(PointTable&&) noexcept = default;
+
+std::size_t PointTable::size() const { return data_->row.size(); }
+void PointTable::reserve(std::size_t n) {
+  data_->lo.reserve(3 * n);
+  data_->row.reserve(n);
+}
+
+VertexId PointTable::add(double x, double y, double z) {
+  data_->lo.insert(data_->lo.end(), {x, y, z});
+  data_->row.push_back(Data::kDouble);
+  return VertexId(data_->row.size() - 1);
+}
+
+VertexId PointTable::add(const RationalPoint& p) {
+  std::array<double, 3> lo, hi;
+  bool doubles = true;
+  for (int k = 0; k < 3; ++k) {
+    lo[k] = hi[k] = to_double(p[k]);
+    if (std::isfinite(lo[k])) {
+      const int order = cmp(from_double(lo[k]), p[k]);
+      if (order > 0) lo[k] = std::nextafter(lo[k], -std::numeric_limits<double>::infinity());
+      if (order < 0) hi[k] = std::nextafter(hi[k], std::numeric_limits<double>::infinity());
+    } else {
+      lo[k] = sgn(p[k]) > 0 ? std::numeric_limits<double>::max() : -std::numeric_limits<double>::infinity();
+      hi[k] = sgn(p[k]) > 0 ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::lowest();
+    }
+    doubles = doubles && lo[k] == hi[k];
+  }
+  if (doubles) return add(lo[0], lo[1], lo[2]);
+  const VertexId v = add(Definition{Definition::Kind::line_plane, {}, {}}, lo, hi);
+  data_->exact_points.get(v.value(), [&] { return ExactPoint::from(p); });
+  return v;
+}
+
+VertexId PointTable::add(const Definition& definition) {
+  std::array<double, 3> lo, hi;
+  enclose(definition, lo, hi);
+  return add(definition, lo, hi);
+}
+
+VertexId PointTable::add(const Definition& definition, const std::array<double, 3>& lo,
+                         const std::array<double, 3>& hi) {
+  data_->lo.insert(data_->lo.end(), lo.begin(), lo.end());
+  data_->row.push_back(static_cast<std::uint32_t>(data_->upper.size()));
+  data_->upper.push_back(hi);
+  data_->definitions.push_back(definition);
+  return VertexId(data_->row.size() - 1);
+}
+
+PlaneId PointTable::add_plane(VertexId a, VertexId b, VertexId c) {
+  data_->planes.push_back({a, b, c});
+  return PlaneId(data_->planes.size() - 1);
+}
+
+std::size_t PointTable::plane_count() const { return data_->planes.size(); }
+std::array<VertexId, 3> PointTable::plane_points(PlaneId plane) const { return data_->planes[plane.index()]; }
+
+void PointTable::normal(PlaneId plane, std::array<double, 3>& lo, std::array<double, 3>& hi) const {
+  const auto& [a, b, c] = data_->planes[plane.index()];
+  RoundOutward round;
+  const Interval3 n = enclosure::normal(view(a), view(b), view(c));
+  for (int k = 0; k < 3; ++k) {
+    lo[k] = n[k].inf();
+    hi[k] = n[k].sup();
+  }
+}
+
+bool PointTable::is_constructed(VertexId v) const {
+  const std::uint32_t row = data_->row[v.index()];
+  if (row == Data::kDouble) return false;
+  const Definition& d = data_->definitions[row];
+  return d.points[0].valid() || d.planes[0].valid();
+}
+
+bool PointTable::is_double(VertexId v) const { return data_->row[v.index()] == Data::kDouble; }
+
+std::array<double, 3> PointTable::approx(VertexId v) const {
+  const double* lo = data_->lo.data() + 3 * v.index();
+  const std::uint32_t row = data_->row[v.index()];
+  if (row == Data::kDouble) return {lo[0], lo[1], lo[2]};
+  const auto& hi = data_->upper[row];
+  std::array<double, 3> c;
+  for (int k = 0; k < 3; ++k) c[k] = lo[k] == hi[k] ? lo[k] : lo[k] / 2 + hi[k] / 2;
+  if (std::isfinite(c[0]) && std::isfinite(c[1]) && std::isfinite(c[2])) return c;
+  return nearest(v);
+}
+
+PointView PointTable::view(VertexId v) const {
+  const double* lo = data_->lo.data() + 3 * v.index();
+  const std::uint32_t row = data_->row[v.index()];
+  PointView p{{lo[0], lo[1], lo[2]}, {lo[0], lo[1], lo[2]}, this, v, nullptr};
+  if (row != Data::kDouble) p.hi = data_->upper[row];
+  return p;
+}
+
+const ExactPoint& PointTable::exact(VertexId v) const {
+  return data_->exact_points.get(v.value(), [&] {
+    const std::uint32_t row = data_->row[v.index()];
+    if (row == Data::kDouble) return from_doubles(data_->lo.data() + 3 * v.index());
+    const Definition& d = data_->definitions[row];
+    ExactPoint p;
+    switch (d.kind) {
+      case Definition::Kind::line_plane:
+        p = line_plane(exact(d.points[0]), exact(d.points[1]), exact_plane(d.planes[0]));
+        break;
+      case Definition::Kind::three_planes:
+        p = three_planes(exact_plane(d.planes[0]), exact_plane(d.planes[1]), exact_plane(d.planes[2]));
+        break;
+      case Definition::Kind::line_line:
+        for (int k = 0; k < 3 && (k == 0 || sgn(p.w) == 0); ++k) {
+          p = line_plane(exact(d.points[0]), exact(d.points[1]),
+                         plane_along_axis(exact(d.points[2]), exact(d.points[3]), k));
+        }
+        break;
+    }
+    require(sgn(p.w) != 0, "a constructed point is at infinity");
+    canonicalize(p);
+    return p;
+  });
+}
+
+const ExactPlane& PointTable::exact_plane(PlaneId plane) const {
+  return data_->exact_planes.get(plane.value(), [&] {
+    const auto& [a, b, c] = data_->planes[plane.index()];
+    return plane_through(exact(a), exact(b), exact(c));
+  });
+}
+
+std::array<double, 3> PointTable::nearest(VertexId v) const {
+  if (is_double(v)) {
+    const double* lo = data_->lo.data() + 3 * v.index();
+    return {lo[0], lo[1], lo[2]};
+  }
+  const PointView p = view(v);
+  if (p.lo == p.hi) return p.lo;
+  const RationalPoint r = rational(v);
+  return {to_double(r[0]), to_double(r[1]), to_double(r[2])};
+}
+
+void PointTable::enclose(const Definition& d, std::array<double, 3>& lo, std::array<double, 3>& hi) const {
+  RoundOutward round;
+  Interval3 x;
+  switch (d.kind) {
+    case Definition::Kind::line_plane: {
+      // a + (n.(p - a)) (b - a) / (n.(b - a)): one division, last, so that points on a grid come out exactly.
+      const auto& [pa, pb, pc] = data_->planes[d.planes[0].index()];
+      const Interval3 n = enclosure::normal(view(pa), view(pb), view(pc));
+      const Interval3 a = of(view(d.points[0])), u = of(view(d.points[1])) - a;
+      const Interval numerator = dot(n, of(view(pa)) - a), denominator = dot(n, u);
+      for (int k = 0; k < 3; ++k) x[k] = a[k] + numerator * u[k] / denominator;
+      break;
+    }
+    case Definition::Kind::three_planes: {
+      Interval3 n[3], p[3];
+      for (int i = 0; i < 3; ++i) {
+        const auto& [pa, pb, pc] = data_->planes[d.planes[i].index()];
+        n[i] = enclosure::normal(view(pa), view(pb), view(pc));
+        p[i] = of(view(pa));
+      }
+      const Interval d1 = dot(n[1], p[1] - p[0]), d2 = dot(n[2], p[2] - p[0]);
+      const Interval3 c1 = cross(n[2], n[0]), c2 = cross(n[0], n[1]);
+      const Interval determinant = dot(n[2], c2);
+      for (int k = 0; k < 3; ++k) x[k] = p[0][k] + (d1 * c1[k] + d2 * c2[k]) / determinant;
+      break;
+    }
+    case Definition::Kind::line_line: {
+      const Interval3 a = of(view(d.points[0])), u = of(view(d.points[1])) - a;
+      const Interval3 c = of(view(d.points[2])), v = of(view(d.points[3])) - c;
+      const Interval3 uv = cross(u, v), wv = cross(c - a, v);
+      int k = 0;
+      double best = -1;
+      for (int i = 0; i < 3; ++i) {
+        const double size = uv[i].inf() > 0 ? uv[i].inf() : (uv[i].sup() < 0 ? -uv[i].sup() : -1);
+        if (size > best) {
+          best = size;
+          k = i;
+        }
+      }
+      for (int i = 0; i < 3; ++i) x[i] = a[i] + wv[k] * u[i] / uv[k];
+      break;
+    }
+  }
+  for (int k = 0; k < 3; ++k) {
+    lo[k] = x[k].inf();
+    hi[k] = x[k].sup();
+    if (!(lo[k] <= hi[k])) {  // overflow on the way: only the exact stage can tell
+      lo[k] = -std::numeric_limits<double>::infinity();
+      hi[k] = std::numeric_limits<double>::infinity();
+    }
+  }
+}
+
+std::size_t PointTable::memory() const {
+  return data_->lo.capacity() * sizeof(double) + data_->row.capacity() * sizeof(std::uint32_t) +
+         data_->upper.capacity() * (sizeof(std::array<double, 3>) + sizeof(Definition)) +
+         data_->planes.capacity() * sizeof(std::array<VertexId, 3>) +
+         data_->exact_points.size() * (sizeof(ExactPoint) + 64) + data_->exact_planes.size() * (sizeof(ExactPlane) + 64);
+}
+
+const ExactPoint& PointView::exact() const { return value != nullptr ? *value : table->exact(id); }
+
+PointView view_of(const ExactPoint& value) {
+  PointView p{{}, {}, nullptr, VertexId::none(), &value};
+  const RationalPoint r = value.rational();
+  for (int k = 0; k < 3; ++k) {
+    const double d = to_double(r[k]);
+    const double infinity = std::numeric_limits<double>::infinity();
+    if (!std::isfinite(d)) {
+      p.lo[k] = d > 0 ? std::numeric_limits<double>::max() : -infinity;
+      p.hi[k] = d > 0 ? infinity : std::numeric_limits<double>::lowest();
+      continue;
+    }
+    const int order = cmp(from_double(d), r[k]);
+    p.lo[k] = order > 0 ? std::nextafter(d, -infinity) : d;
+    p.hi[k] = order < 0 ? std::nextafter(d, infinity) : d;
+  }
+  return p;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,280 @@
+// The stages of each predicate. A filter decides when |approximation| exceeds a bound that is proven here.
+//
+// Bounds. Let u = 2^-53. A difference of two doubles is rounded once: d' = d (1 + e), |e| <= u.
+//   orient3d: the 3x3 determinant of differences, expanded as six products of three. Each product carries three
+//   roundings from differences, two from products and at most three from sums (one inside its 2x2 minor, at most
+//   two outside): relative error at most (1 + u)^8 - 1 < 8.1 u.
+//   With M = mx my mz, the product of the largest absolute (rounded) differences per axis, each of the six terms
+//   is at most M (1 + u)^3, so the error is below 6 * 8.1 u * 1.0001 M < 48.7 u M < 5.41e-15 M. We use 6e-15 M,
+//   which also covers the two roundings of computing the bound itself.
+//   orient2d: two products of two differences: (1 + u)^4 - 1 < 4.1 u each, error below 8.2 u mx my < 9.2e-16
+//   mx my; we use 1.2e-15 mx my.
+//   Underflow: a product that underflows adds an absolute error of at most 2^-1074 per operation, which the
+//   guard on the smallest maximum (each at least 1e-90) makes negligible against the slack of the constants.
+//   Overflow: the guard on the largest maximum (at most 1e100) excludes it.
+#include "kernel/exact/predicates.h"
+
+#include <atomic>
+#include <mutex>
+
+#include "kernel/base/error.h"
+#include "kernel/exact/enclosure.h"
+
+namespace cnrg {
+
+using namespace enclosure;
+
+namespace {
+
+constexpr double kOrient3dBound = 6e-15;
+constexpr double kOrient2dBound = 1.2e-15;
+constexpr double kSmallest = 1e-90;
+constexpr double kLargest = 1e100;
+
+/// Counters of one thread; their sum is kept when the thread ends.
+struct Registry {
+  std::mutex mutex;
+  std::vector<StageCounts*> live;
+  StageCounts ended;
+};
+Registry& registry() {
+  static Registry* instance = new Registry;  // outlives every thread
+  return *instance;
+}
+struct ThreadCounts : StageCounts {
+  ThreadCounts() {
+    std::lock_guard lock(registry().mutex);
+    registry().live.push_back(this);
+  }
+  ~ThreadCounts() {
+    std::lock_guard lock(registry().mutex);
+    registry().ended.filter += filter;
+    registry().ended.interval += interval;
+    registry().ended.exact += exact;
+    std::erase(registry().live, this);
+  }
+};
+StageCounts& counts() {
+  thread_local ThreadCounts mine;
+  return mine;
+}
+
+inline double max_abs(double a, double b, double c) { return std::max(std::fabs(a), std::max(std::fabs(b), std::fabs(c))); }
+
+/// The sign by the filter, or kUnknown. Coordinates are exact doubles.
+int filtered_orient3d(const double* a, const double* b, const double* c, const double* d) {
+  const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
+  const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
+  const double dx = d[0] - a[0], dy = d[1] - a[1], dz = d[2] - a[2];
+  const double mx = max_abs(bx, cx, dx), my = max_abs(by, cy, dy), mz = max_abs(bz, cz, dz);
+  // A maximum of zero is exact: all differences vanish (a double difference is zero only if it is exactly).
+  if (mx == 0 || my == 0 || mz == 0) return 0;
+  const double smallest = std::min(mx, std::min(my, mz)), largest = std::max(mx, std::max(my, mz));
+  if (!(smallest > kSmallest && largest < kLargest)) return kUnknown;
+  const double determinant = dx * (by * cz - bz * cy) + dy * (bz * cx - bx * cz) + dz * (bx * cy - by * cx);
+  const double bound = kOrient3dBound * mx * my * mz;
+  if (determinant > bound) return 1;
+  if (determinant < -bound) return -1;
+  return kUnknown;
+}
+
+int filtered_orient2d(double ax, double ay, double bx, double by, double cx, double cy) {
+  const double ux = bx - ax, uy = by - ay, vx = cx - ax, vy = cy - ay;
+  const double mx = std::max(std::fabs(ux), std::fabs(vx)), my = std::max(std::fabs(uy), std::fabs(vy));
+  if (mx == 0 || my == 0) return 0;
+  if (!(std::min(mx, my) > kSmallest && std::max(mx, my) < kLargest)) return kUnknown;
+  const double determinant = ux * vy - uy * vx, bound = kOrient2dBound * mx * my;
+  if (determinant > bound) return 1;
+  if (determinant < -bound) return -1;
+  return kUnknown;
+}
+
+/// x[k] of a point in homogeneous form.
+const Integer& coordinate(const ExactPoint& p, int k) { return k == 0 ? p.x : (k == 1 ? p.y : p.z); }
+
+Integer difference(const ExactPoint& a, const ExactPoint& b, int k) {
+  return coordinate(b, k) * a.w - coordinate(a, k) * b.w;
+}
+
+int exact_orient3d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+  const Integer bx = difference(a, b, 0), by = difference(a, b, 1), bz = difference(a, b, 2);
+  const Integer cx = difference(a, c, 0), cy = difference(a, c, 1), cz = difference(a, c, 2);
+  const Integer dx = difference(a, d, 0), dy = difference(a, d, 1), dz = difference(a, d, 2);
+  const Integer determinant = dx * (by * cz - bz * cy) + dy * (bz * cx - bx * cz) + dz * (bx * cy - by * cx);
+  return sgn(determinant);
+}
+
+}  // namespace
+
+int orient3d(const PointView& a, const PointView& b, const PointView& c, const PointView& d) {
+  if (a.is_double() && b.is_double() && c.is_double() && d.is_double()) {
+    const int s = filtered_orient3d(a.lo.data(), b.lo.data(), c.lo.data(), d.lo.data());
+    if (s != kUnknown) {
+      ++counts().filter;
+      return s;
+    }
+  }
+  {
+    RoundOutward round;
+    const Interval3 o = of(a);
+    const int s = sign_of(dot(of(d) - o, cross(of(b) - o, of(c) - o)));
+    if (s != kUnknown) {
+      ++counts().interval;
+      return s;
+    }
+  }
+  ++counts().exact;
+  return exact_orient3d(a.exact(), b.exact(), c.exact(), d.exact());
+}
+
+int orient3d(const PointTable& t, VertexId a, VertexId b, VertexId c, VertexId d) {
+  return orient3d(t.view(a), t.view(b), t.view(c), t.view(d));
+}
+
+int side_of_plane(const PointTable& t, PlaneId plane, const PointView& p) {
+  const auto [a, b, c] = t.plane_points(plane);
+  return orient3d(t.view(a), t.view(b), t.view(c), p);
+}
+
+int side_of_plane(const PointTable& t, PlaneId plane, VertexId p) { return side_of_plane(t, plane, t.view(p)); }
+
+int orient2d(Projection axes, const PointView& a, const PointView& b, const PointView& c) {
+  const int u = axes.u, v = axes.v;
+  if (a.is_double() && b.is_double() && c.is_double()) {
+    const int s = filtered_orient2d(a.lo[u], a.lo[v], b.lo[u], b.lo[v], c.lo[u], c.lo[v]);
+    if (s != kUnknown) {
+      ++counts().filter;
+      return s;
+    }
+  }
+  {
+    RoundOutward round;
+    const Interval ax(a.lo[u], a.hi[u]), ay(a.lo[v], a.hi[v]);
+    const Interval bx(b.lo[u], b.hi[u]), by(b.lo[v], b.hi[v]);
+    const Interval cx(c.lo[u], c.hi[u]), cy(c.lo[v], c.hi[v]);
+    const int s = sign_of((bx - ax) * (cy - ay) - (by - ay) * (cx - ax));
+    if (s != kUnknown) {
+      ++counts().interval;
+      return s;
+    }
+  }
+  ++counts().exact;
+  const ExactPoint &ea = a.exact(), &eb = b.exact(), &ec = c.exact();
+  const Integer determinant =
+      difference(ea, eb, u) * difference(ea, ec, v) - difference(ea, eb, v) * difference(ea, ec, u);
+  return sgn(determinant);
+}
+
+int orient2d(const PointTable& t, Projection axes, VertexId a, VertexId b, VertexId c) {
+  return orient2d(axes, t.view(a), t.view(b), t.view(c));
+}
+
+int compare(int axis, const PointView& a, const PointView& b) {
+  if (a.lo[axis] > b.hi[axis]) {
+    ++counts().filter;
+    return 1;
+  }
+  if (a.hi[axis] < b.lo[axis]) {
+    ++counts().filter;
+    return -1;
+  }
+  if (a.lo[axis] == a.hi[axis] && b.lo[axis] == b.hi[axis]) {
+    ++counts().filter;
+    return 0;
+  }
+  if (a.table != nullptr && a.table == b.table && a.id == b.id) return 0;
+  ++counts().exact;
+  return sgn(difference(b.exact(), a.exact(), axis));
+}
+
+int compare(const PointTable& t, int axis, VertexId a, VertexId b) {
+  return a == b ? 0 : compare(axis, t.view(a), t.view(b));
+}
+
+int compare_lex(const PointView& a, const PointView& b) {
+  for (int k = 0; k < 3; ++k) {
+    const int s = compare(k, a, b);
+    if (s != 0) return s;
+  }
+  return 0;
+}
+
+int compare_lex(const PointTable& t, VertexId a, VertexId b) {
+  return a == b ? 0 : compare_lex(t.view(a), t.view(b));
+}
+
+bool collinear(const PointTable& t, VertexId a, VertexId b, VertexId c) {
+  return orient2d(t, {0, 1}, a, b, c) == 0 && orient2d(t, {1, 2}, a, b, c) == 0 && orient2d(t, {2, 0}, a, b, c) == 0;
+}
+
+int cross_normal_sign(const PointTable& t, PlaneId p, PlaneId q, int k) {
+  const int i = (k + 1) % 3, j = (k + 2) % 3;
+  {
+    const auto [pa, pb, pc] = t.plane_points(p);
+    const auto [qa, qb, qc] = t.plane_points(q);
+    RoundOutward round;
+    const Interval3 m = enclosure::normal(t.view(pa), t.view(pb), t.view(pc));
+    const Interval3 n = enclosure::normal(t.view(qa), t.view(qb), t.view(qc));
+    const int s = sign_of(m[i] * n[j] - m[j] * n[i]);
+    if (s != kUnknown) {
+      ++counts().interval;
+      return s;
+    }
+  }
+  ++counts().exact;
+  const ExactPlane &m = t.exact_plane(p), &n = t.exact_plane(q);
+  const Integer* mm[3] = {&m.a, &m.b, &m.c};
+  const Integer* nn[3] = {&n.a, &n.b, &n.c};
+  const Integer component = *mm[i] * *nn[j] - *mm[j] * *nn[i];
+  return sgn(component);
+}
+
+int normal_sign(const PointTable& t, PlaneId p, int k) {
+  const auto [a, b, c] = t.plane_points(p);
+  return orient2d(t, {static_cast<std::uint8_t>((k + 1) % 3), static_cast<std::uint8_t>((k + 2) % 3)}, a, b, c);
+}
+
+Projection projection_of(const PointTable& t, PlaneId plane) {
+  std::array<double, 3> lo, hi;
+  t.normal(plane, lo, hi);
+  int order[3] = {0, 1, 2};
+  const auto size = [&](int k) { return std::max(std::fabs(lo[k]), std::fabs(hi[k])); };
+  for (int i = 0; i < 2; ++i) {
+    for (int j = i + 1; j < 3; ++j) {
+      if (size(order[j]) > size(order[i])) std::swap(order[i], order[j]);
+    }
+  }
+  for (const int k : order) {
+    const int s = lo[k] > 0 ? 1 : (hi[k] < 0 ? -1 : normal_sign(t, plane, k));
+    const auto u = static_cast<std::uint8_t>((k + 1) % 3), v = static_cast<std::uint8_t>((k + 2) % 3);
+    if (s > 0) return {u, v};
+    if (s < 0) return {v, u};
+  }
+  throw InvariantError("the three points of a plane are collinear");
+}
+
+bool same_plane(const PointTable& t, PlaneId p, PlaneId q) {
+  for (const VertexId v : t.plane_points(q)) {
+    if (side_of_plane(t, p, v) != 0) return false;
+  }
+  return true;
+}
+
+StageCounts stage_counts() {
+  std::lock_guard lock(registry().mutex);
+  StageCounts total = registry().ended;
+  for (const StageCounts* c : registry().live) {
+    total.filter += c->filter;
+    total.interval += c->interval;
+    total.exact += c->exact;
+  }
+  return total;
+}
+
+void reset_stage_counts() {
+  std::lock_guard lock(registry().mutex);
+  registry().ended = {};
+  for (StageCounts* c : registry().live) *c = {};
+}
+
+}  // namespace cnrg
