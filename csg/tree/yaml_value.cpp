@@ -94,7 +94,7 @@ std::vector<Value> Value::list(const std::string& what, const std::string& wante
   if (!is_list()) fail_type(what, wanted);
   std::vector<Value> items;
   items.reserve(node_.size());
-  for (const auto& item : node_) items.emplace_back(*document_, item, at_);
+  for (const auto& item : node_) items.emplace_back(*document_, item, position_of(item.Mark(), at_));
   return items;
 }
 
