@@ -7,8 +7,6 @@
 namespace cnrg {
 namespace {
 
-constexpr std::size_t kMostInstances = 1'000'000;
-
 using Coefficients = std::array<Rational, 12>;
 
 Coefficients coefficients(const Transform& t) {
@@ -37,7 +35,7 @@ class TransformTable {
 
 class Walk {
  public:
-  explicit Walk(const Tree& tree) : tree_(tree) {
+  Walk(const Tree& tree, std::size_t most) : tree_(tree), most_(most) {
     result_.count.assign(tree.nodes.size(), 0);
     identity_ = transforms_.intern(Transform());
   }
@@ -80,10 +78,10 @@ class Walk {
   InstanceId leave() {
     Frame frame = std::move(stack_.back());
     stack_.pop_back();
-    if (result_.instances.size() == kMostInstances) {
+    if (result_.instances.size() == most_) {
       const Node& node = tree_.nodes[frame.node];
-      throw TreeError(tree_.file, node.at, "the tree unfolds to more than a million instances, many of `" + node.name +
-                                           "`; share nodes under one transform or use fewer copies");
+      throw TreeError(tree_.file, node.at, "the tree unfolds to more than " + std::to_string(most_) + " instances, many of `" +
+                                           node.name + "`; share nodes under one transform or use fewer copies");
     }
     const InstanceId id = result_.instances.push_back(
         {frame.node, transforms_[frame.place], std::move(frame.done), ++result_.count[frame.node]});
@@ -92,6 +90,7 @@ class Walk {
   }
 
   const Tree& tree_;
+  std::size_t most_;
   TransformTable transforms_;
   std::size_t identity_ = 0;
   std::map<std::pair<NodeId, std::size_t>, InstanceId> known_;
@@ -101,8 +100,8 @@ class Walk {
 
 }  // namespace
 
-Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots) {
-  Walk walk(tree);
+Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t most) {
+  Walk walk(tree, most);
   std::vector<InstanceId> root_instances;
   for (const NodeId root : roots) root_instances.push_back(walk.visit(root));
   Unfolding result = walk.take();

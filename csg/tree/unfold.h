@@ -26,7 +26,7 @@ struct Unfolding {
 };
 
 /// The instances below `roots`, each root placed by its own transform alone. Iterative: depth costs memory, not
-/// stack. Throws TreeError when there are more than a million.
-Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots);
+/// stack. Throws TreeError when there are more than `most`.
+Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t most = 1'000'000);
 
 }  // namespace cnrg

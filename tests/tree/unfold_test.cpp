@@ -92,7 +92,8 @@ TEST_CASE("too many instances are an error, not the end of memory", "[tree][unfo
     text += "  n" + std::to_string(i) + ": {union: [" + last + ", {simplify: " + last + ", translate: [" +
             std::to_string(1L << i) + ", 0, 0]}]}\n";
   }
-  CHECK_THROWS_WITH(unfold_text(text + "  r: {complement: n39}\n"), Catch::Contains("more than a million instances"));
+  const Tree tree = parse_tree("cnrg: 1\nnodes:\n" + text + "result: n39\n", "t.yaml");
+  CHECK_THROWS_WITH(unfold(tree, {tree.result}, 10'000), Catch::Contains("more than 10000 instances"));
 }
 
 }  // namespace
