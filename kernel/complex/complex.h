@@ -173,6 +173,10 @@ struct Location {
   RegionId region;
 };
 
+/// A point in the open interior of a face (edge): exact, off every other cell.
+ExactPoint interior_point(const Complex& complex, FaceId f);
+ExactPoint interior_point(const Complex& complex, EdgeId e);
+
 /// Exact point location in a complex. Building is O(n log n); a query is about O(log n).
 class Locator {
  public:

@@ -250,6 +250,8 @@ PlaneId PointTable::add_plane(VertexId a, VertexId b, VertexId c) {
   return PlaneId(data_->planes.size() - 1);
 }
 
+void PointTable::turn_plane(PlaneId plane) { std::swap(data_->planes[plane.index()][1], data_->planes[plane.index()][2]); }
+
 std::size_t PointTable::plane_count() const { return data_->planes.size(); }
 std::array<VertexId, 3> PointTable::plane_points(PlaneId plane) const { return data_->planes[plane.index()]; }
 
@@ -271,6 +273,10 @@ bool PointTable::is_constructed(VertexId v) const {
 }
 
 bool PointTable::is_double(VertexId v) const { return data_->row[v.index()] == Data::kDouble; }
+
+const double* PointTable::doubles(VertexId v) const {
+  return data_->row[v.index()] == Data::kDouble ? data_->lo.data() + 3 * v.index() : nullptr;
+}
 
 std::array<double, 3> PointTable::approx(VertexId v) const {
   const double* lo = data_->lo.data() + 3 * v.index();
@@ -294,27 +300,32 @@ PointView PointTable::view(VertexId v) const {
 const ExactPoint& PointTable::exact(VertexId v) const {
   return data_->exact_points.get(v.value(), [&] {
     const std::uint32_t row = data_->row[v.index()];
-    if (row == Data::kDouble) return from_doubles(data_->lo.data() + 3 * v.index());
-    const Definition& d = data_->definitions[row];
-    ExactPoint p;
-    switch (d.kind) {
-      case Definition::Kind::line_plane:
-        p = line_plane(exact(d.points[0]), exact(d.points[1]), exact_plane(d.planes[0]));
-        break;
-      case Definition::Kind::three_planes:
-        p = three_planes(exact_plane(d.planes[0]), exact_plane(d.planes[1]), exact_plane(d.planes[2]));
-        break;
-      case Definition::Kind::line_line:
-        for (int k = 0; k < 3 && (k == 0 || sgn(p.w) == 0); ++k) {
-          p = line_plane(exact(d.points[0]), exact(d.points[1]),
-                         plane_along_axis(exact(d.points[2]), exact(d.points[3]), k));
-        }
-        break;
-    }
-    require(sgn(p.w) != 0, "a constructed point is at infinity");
+    if (row != Data::kDouble) return exact_value(data_->definitions[row]);
+    ExactPoint p = from_doubles(data_->lo.data() + 3 * v.index());
     canonicalize(p);
     return p;
   });
+}
+
+ExactPoint PointTable::exact_value(const Definition& d) const {
+  ExactPoint p;
+  switch (d.kind) {
+    case Definition::Kind::line_plane:
+      p = line_plane(exact(d.points[0]), exact(d.points[1]), exact_plane(d.planes[0]));
+      break;
+    case Definition::Kind::three_planes:
+      p = three_planes(exact_plane(d.planes[0]), exact_plane(d.planes[1]), exact_plane(d.planes[2]));
+      break;
+    case Definition::Kind::line_line:
+      for (int k = 0; k < 3 && (k == 0 || sgn(p.w) == 0); ++k) {
+        p = line_plane(exact(d.points[0]), exact(d.points[1]),
+                       plane_along_axis(exact(d.points[2]), exact(d.points[3]), k));
+      }
+      break;
+  }
+  require(sgn(p.w) != 0, "a constructed point is at infinity");
+  canonicalize(p);
+  return p;
 }
 
 const ExactPlane& PointTable::exact_plane(PlaneId plane) const {

@@ -70,6 +70,8 @@ class PointTable {
 
   /// The plane through three points that are not collinear, normal by the right-hand rule a -> b -> c.
   PlaneId add_plane(VertexId a, VertexId b, VertexId c);
+  /// Turns the normal of a plane around; nothing may have asked for its exact value before.
+  void turn_plane(PlaneId plane);
   std::size_t plane_count() const;
   std::array<VertexId, 3> plane_points(PlaneId plane) const;
   /// Enclosure of the plane's normal.
@@ -78,6 +80,8 @@ class PointTable {
   bool is_constructed(VertexId v) const;
   /// True if the point is an input point whose coordinates are doubles.
   bool is_double(VertexId v) const;
+  /// The three coordinates of a point that `is_double`, nullptr for any other.
+  const double* doubles(VertexId v) const;
   /// The middle of the enclosure; exact where `is_double`.
   std::array<double, 3> approx(VertexId v) const;
   PointView view(VertexId v) const;
@@ -85,6 +89,8 @@ class PointTable {
   const ExactPoint& exact(VertexId v) const;
   RationalPoint rational(VertexId v) const { return exact(v).rational(); }
   const ExactPlane& exact_plane(PlaneId plane) const;
+  /// The canonical exact value of a definition that is in no table.
+  ExactPoint exact_value(const Definition& definition) const;
 
   /// The doubles nearest to the exact coordinates.
   std::array<double, 3> nearest(VertexId v) const;

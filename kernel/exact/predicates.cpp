@@ -128,6 +128,14 @@ int orient3d(const PointView& a, const PointView& b, const PointView& c, const P
 }
 
 int orient3d(const PointTable& t, VertexId a, VertexId b, VertexId c, VertexId d) {
+  const double *pa = t.doubles(a), *pb = t.doubles(b), *pc = t.doubles(c), *pd = t.doubles(d);
+  if (pa != nullptr && pb != nullptr && pc != nullptr && pd != nullptr) {
+    const int s = filtered_orient3d(pa, pb, pc, pd);
+    if (s != kUnknown) {
+      ++counts().filter;
+      return s;
+    }
+  }
   return orient3d(t.view(a), t.view(b), t.view(c), t.view(d));
 }
 
@@ -167,6 +175,41 @@ int orient2d(Projection axes, const PointView& a, const PointView& b, const Poin
 
 int orient2d(const PointTable& t, Projection axes, VertexId a, VertexId b, VertexId c) {
   return orient2d(axes, t.view(a), t.view(b), t.view(c));
+}
+
+int orient2d_vectors(const PointTable& t, Projection axes, VertexId a, VertexId b, VertexId c, VertexId d) {
+  if (a == c) return orient2d(t, axes, a, b, d);
+  const int u = axes.u, v = axes.v;
+  const PointView pa = t.view(a), pb = t.view(b), pc = t.view(c), pd = t.view(d);
+  if (pa.is_double() && pb.is_double() && pc.is_double() && pd.is_double()) {
+    // The bound of orient2d: it does not use that the two differences share a point.
+    const double ux = pb.lo[u] - pa.lo[u], uy = pb.lo[v] - pa.lo[v], vx = pd.lo[u] - pc.lo[u], vy = pd.lo[v] - pc.lo[v];
+    const double mx = std::max(std::fabs(ux), std::fabs(vx)), my = std::max(std::fabs(uy), std::fabs(vy));
+    if (mx == 0 || my == 0) {
+      ++counts().filter;
+      return 0;
+    }
+    const double determinant = ux * vy - uy * vx, bound = kOrient2dBound * mx * my;
+    if (std::min(mx, my) > kSmallest && std::max(mx, my) < kLargest && std::fabs(determinant) > bound) {
+      ++counts().filter;
+      return determinant > 0 ? 1 : -1;
+    }
+  }
+  {
+    RoundOutward round;
+    const auto at = [](const PointView& p, int k) { return Interval(p.lo[k], p.hi[k]); };
+    const int s = sign_of((at(pb, u) - at(pa, u)) * (at(pd, v) - at(pc, v)) -
+                          (at(pb, v) - at(pa, v)) * (at(pd, u) - at(pc, u)));
+    if (s != kUnknown) {
+      ++counts().interval;
+      return s;
+    }
+  }
+  ++counts().exact;
+  const ExactPoint &ea = pa.exact(), &eb = pb.exact(), &ec = pc.exact(), &ed = pd.exact();
+  const Integer determinant =
+      difference(ea, eb, u) * difference(ec, ed, v) - difference(ea, eb, v) * difference(ec, ed, u);
+  return sgn(determinant);
 }
 
 int compare(int axis, const PointView& a, const PointView& b) {
@@ -227,6 +270,24 @@ int cross_normal_sign(const PointTable& t, PlaneId p, PlaneId q, int k) {
   const Integer* nn[3] = {&n.a, &n.b, &n.c};
   const Integer component = *mm[i] * *nn[j] - *mm[j] * *nn[i];
   return sgn(component);
+}
+
+int normal_dot_sign(const PointTable& t, PlaneId p, const std::array<double, 3>& direction) {
+  {
+    const auto [a, b, c] = t.plane_points(p);
+    RoundOutward round;
+    const Interval3 n = enclosure::normal(t.view(a), t.view(b), t.view(c));
+    const int s = sign_of(dot(n, Interval3{Interval(direction[0]), Interval(direction[1]), Interval(direction[2])}));
+    if (s != kUnknown) {
+      ++counts().interval;
+      return s;
+    }
+  }
+  ++counts().exact;
+  const ExactPlane& e = t.exact_plane(p);
+  const Rational value = Rational(e.a) * from_double(direction[0]) + Rational(e.b) * from_double(direction[1]) +
+                         Rational(e.c) * from_double(direction[2]);
+  return sgn(value);
 }
 
 int normal_sign(const PointTable& t, PlaneId p, int k) {

@@ -25,6 +25,8 @@ int side_of_plane(const PointTable& t, PlaneId plane, VertexId p);
 /// Orientation of three points projected to (u, v): positive for a left turn.
 int orient2d(Projection axes, const PointView& a, const PointView& b, const PointView& c);
 int orient2d(const PointTable& t, Projection axes, VertexId a, VertexId b, VertexId c);
+/// Sign of the cross product of the projected vectors b - a and d - c: positive if the second is to the left.
+int orient2d_vectors(const PointTable& t, Projection axes, VertexId a, VertexId b, VertexId c, VertexId d);
 /// Sign of a[axis] - b[axis].
 int compare(int axis, const PointView& a, const PointView& b);
 int compare(const PointTable& t, int axis, VertexId a, VertexId b);
@@ -36,6 +38,8 @@ bool collinear(const PointTable& t, VertexId a, VertexId b, VertexId c);
 int cross_normal_sign(const PointTable& t, PlaneId p, PlaneId q, int k);
 /// Sign of the k-th component of the plane's normal.
 int normal_sign(const PointTable& t, PlaneId p, int k);
+/// Sign of the scalar product of the plane's normal with an exact direction (doubles are taken as they are).
+int normal_dot_sign(const PointTable& t, PlaneId p, const std::array<double, 3>& direction);
 /// A projection along an axis on which the normal of the plane is certainly not zero.
 Projection projection_of(const PointTable& t, PlaneId plane);
 /// True if the two planes are the same point set.

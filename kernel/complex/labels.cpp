@@ -1,0 +1,313 @@
+// Labels by propagation: crossing a face changes the region of the leaves that cover it, and of no other.
+//
+// A label set is a sorted list of (leaf, value): the region for Fill::sides, the winding number, the parity. Sets
+// and changes are interned, and the result of each change on each set is remembered, so that a large mesh costs one
+// look-up per face. Every face is checked in the end, not only those of the spanning tree.
+#include <algorithm>
+#include <map>
+
+#include "kernel/base/error.h"
+#include "kernel/base/union_find.h"
+#include "kernel/complex/builder.h"
+
+namespace cnrg {
+
+namespace {
+
+using Value = std::pair<LeafId, std::int32_t>;
+using Values = std::vector<Value>;
+
+/// What crossing a face from one side does to one leaf.
+struct Change {
+  LeafId leaf;
+  Fill fill;
+  std::int32_t from, to;  // Fill::sides: regions named on both sides; winding: `to` is added; parity: `to` is 0 or 1
+  friend auto operator<=>(const Change&, const Change&) = default;
+};
+
+class Labelling {
+ public:
+  Labelling(const Soup& soup, Complex& complex) : soup_(soup), c_(complex) {}
+
+  void run() {
+    seed();
+    spread();
+    check();
+    detect_cavities();
+    store();
+  }
+
+ private:
+  static constexpr std::uint32_t kUnset = 0xffffffffu;
+  static constexpr std::uint32_t kConflict = 0xfffffffeu;
+
+  std::uint32_t intern(Values values) {
+    const auto [it, fresh] = numbers_.try_emplace(std::move(values), static_cast<std::uint32_t>(sets_.size()));
+    if (fresh) sets_.push_back(&it->first);
+    return it->second;
+  }
+
+  /// The changes when crossing f from its front to its back, per leaf; throws if two covers contradict.
+  std::vector<Change> changes_of(FaceId f) const {
+    std::vector<Change> list;
+    for (const Cover& cover : c_.cover(f)) {
+      const Soup::Face& source = c_.sources[cover.source];
+      const Fill fill = c_.fills[source.leaf];
+      const auto front = static_cast<std::int32_t>(cover.same ? source.front : source.back);
+      const auto back = static_cast<std::int32_t>(cover.same ? source.back : source.front);
+      if (fill == Fill::sides) list.push_back({source.leaf, fill, front, back});
+      if (fill == Fill::winding) list.push_back({source.leaf, fill, 0, cover.same ? 1 : -1});
+      if (fill == Fill::parity) list.push_back({source.leaf, fill, 0, 1});
+    }
+    std::sort(list.begin(), list.end());
+    std::vector<Change> merged;
+    for (const Change& x : list) {
+      if (merged.empty() || merged.back().leaf != x.leaf) {
+        merged.push_back(x);
+      } else if (x.fill == Fill::winding) {
+        merged.back().to += x.to;
+      } else if (x.fill == Fill::parity) {
+        merged.back().to ^= 1;
+      } else if (merged.back() != x) {
+        throw InputError(face_names(f, x.leaf) + ": two faces lie on each other and name different regions on one side; "
+                         "remove one or make their sides agree");
+      }
+    }
+    std::erase_if(merged, [](const Change& x) { return x.fill != Fill::sides && x.to == 0; });
+    return merged;
+  }
+
+  /// The set after crossing with change `change`; kConflict if a leaf is not in the region that its face names.
+  std::uint32_t cross(std::uint32_t set, std::uint32_t change, bool backwards) {
+    const auto key = std::pair(std::uint64_t{set} << 32 | change, backwards);
+    const auto it = crossed_.find(key);
+    if (it != crossed_.end()) return it->second;
+    Values values = *sets_[set];
+    bool conflict = false;
+    for (const Change& x : *changes_[change]) {
+      auto place = std::lower_bound(values.begin(), values.end(), x.leaf,
+                                    [](const Value& v, LeafId leaf) { return v.first < leaf; });
+      const bool there = place != values.end() && place->first == x.leaf;
+      const std::int32_t now = there ? place->second : 0;
+      std::int32_t then = 0;
+      switch (x.fill) {
+        case Fill::sides:
+          conflict = conflict || now != (backwards ? x.to : x.from);
+          then = backwards ? x.from : x.to;
+          break;
+        case Fill::winding:
+          then = now + (backwards ? -x.to : x.to);
+          break;
+        case Fill::parity:
+          then = now ^ x.to;
+          break;
+        case Fill::none:
+        case Fill::cells:
+          break;
+      }
+      if (there && then == 0) {
+        values.erase(place);
+      } else if (there) {
+        place->second = then;
+      } else if (then != 0) {
+        values.insert(place, {x.leaf, then});
+      }
+    }
+    const std::uint32_t result = conflict ? kConflict : intern(std::move(values));
+    crossed_.emplace(key, result);
+    return result;
+  }
+
+  void seed() {
+    set_of_.assign(c_.region_count, kUnset);
+    const std::uint32_t empty = intern({});
+    set_of_[RegionId(0)] = empty;
+    start_ = RegionId(0);
+    if (c_.frame.valid()) {
+      // The region inside the frame at its seed corner.
+      Values values;
+      for (const auto& [leaf, region] : soup_.seed_regions()) {
+        if (region != 0) values.push_back({leaf, static_cast<std::int32_t>(region)});
+      }
+      std::sort(values.begin(), values.end());
+      const std::array<double, 3> corner{soup_.xyz(soup_.frame_seed())[0], soup_.xyz(soup_.frame_seed())[1],
+                                         soup_.xyz(soup_.frame_seed())[2]};
+      for (const VertexId v : c_.vertices) {
+        const double* at = c_.points.doubles(v);
+        if (at == nullptr || corner != std::array<double, 3>{at[0], at[1], at[2]}) continue;
+        for (const EdgeId e : std::as_const(c_.vertex_edges)[v]) {
+          for (const FaceUse& u : std::as_const(c_.edge_uses)[e]) {
+            if (!c_.on_frame(u.face)) continue;
+            const auto& regions = c_.face_regions[u.face];
+            start_ = regions[0] == RegionId(0) ? regions[1] : regions[0];
+          }
+        }
+      }
+      require(start_ != RegionId(0), "the seed corner of the frame was not found; it must be three doubles");
+      set_of_[start_] = intern(std::move(values));
+    }
+    // Equal changes are one.
+    face_change_.resize(c_.face_count());
+    std::map<SourceSetId, std::uint32_t> by_cover;
+    for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
+      const auto [it, fresh] = by_cover.try_emplace(c_.face_cover[f], 0);
+      if (fresh) {
+        const auto [entry, is_new] =
+            change_numbers_.try_emplace(changes_of(f), static_cast<std::uint32_t>(changes_.size()));
+        if (is_new) changes_.push_back(&entry->first);
+        it->second = entry->second;
+      }
+      face_change_[f] = it->second;
+    }
+  }
+
+  void spread() {
+    std::vector<RegionId> queue{start_};
+    for (std::size_t q = 0; q < queue.size(); ++q) {
+      for (const HalfFace h : std::as_const(c_.region_faces)[queue[q]]) {
+        if (c_.on_frame(h.face())) continue;
+        const RegionId other = c_.region(h.opposite());
+        if (set_of_[other] != kUnset) continue;
+        const std::uint32_t set = cross(set_of_[queue[q]], face_change_[h.face()], h.side() == 1);
+        if (set == kConflict) conflict(h);
+        set_of_[other] = set;
+        queue.push_back(other);
+      }
+    }
+    for (const std::uint32_t s : set_of_) require(s != kUnset, "a region was not reached by labels");
+  }
+
+  void check() {
+    for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
+      if (c_.on_frame(f)) continue;
+      const std::uint32_t front = set_of_[c_.face_regions[f][0]], back = set_of_[c_.face_regions[f][1]];
+      if (cross(front, face_change_[f], false) != back) conflict(HalfFace(f, 0));
+    }
+  }
+
+  std::string face_names(FaceId f, LeafId leaf) const {
+    std::string text = "leaf " + std::to_string(leaf.value());
+    for (const Cover& cover : c_.cover(f)) {
+      if (c_.sources[cover.source].leaf == leaf) {
+        text += ", face " + std::to_string(c_.sources[cover.source].leaf_face);
+      }
+    }
+    return text;
+  }
+
+  std::int32_t value(std::uint32_t set, LeafId leaf) const {
+    for (const Value& v : *sets_[set]) {
+      if (v.first == leaf) return v.second;
+    }
+    return 0;
+  }
+
+  static std::string region_name(std::int32_t region) {
+    return region == 0 ? std::string("no region (0)") : "region " + std::to_string(region);
+  }
+
+  /// Says which faces contradict each other in the region before h.
+  [[noreturn]] void conflict(HalfFace h) const {
+    const RegionId here = c_.region(h), there = c_.region(h.opposite());
+    for (const HalfFace side : {h, h.opposite()}) {
+      const RegionId r = side == h ? here : there;
+      for (const Change& x : *changes_[face_change_[h.face()]]) {
+        if (x.fill != Fill::sides) continue;
+        const std::int32_t named = side.side() == 0 ? x.from : x.to;
+        if (set_of_[r] == kUnset || value(set_of_[r], x.leaf) == named) continue;
+        // Another face of the leaf that bounds the same cavity and names what propagation brought.
+        for (const HalfFace g : std::as_const(c_.region_faces)[r]) {
+          for (const Change& y : *changes_[face_change_[g.face()]]) {
+            const std::int32_t other = g.side() == 0 ? y.from : y.to;
+            if (y.leaf == x.leaf && y.fill == Fill::sides && other != named) {
+              throw InputError(face_names(h.face(), x.leaf) + ": its side names " + region_name(named) + ", but " +
+                               face_names(g.face(), x.leaf) + ", which bounds the same cavity, names " +
+                               region_name(other) + "; correct the sides, or close the faces between the two");
+            }
+          }
+        }
+        throw InputError(face_names(h.face(), x.leaf) + ": its side names " + region_name(named) + ", but " +
+                         region_name(value(set_of_[r], x.leaf)) + " reaches it" +
+                         (c_.unbounded(r) ? " from outside" : "") + "; correct the sides, or close the faces between");
+      }
+    }
+    // Not a face that names sides: some leaf that should be closed is open.
+    for (const Value& v : *sets_[set_of_[here]]) {
+      if (v.second != value(set_of_[there], v.first)) open_leaf(v.first);
+    }
+    for (const Value& v : *sets_[set_of_[there]]) {
+      if (v.second != value(set_of_[here], v.first)) open_leaf(v.first);
+    }
+    throw InvariantError("labels differ across a face for no reason");
+  }
+
+  [[noreturn]] void open_leaf(LeafId leaf) const {
+    throw InputError("leaf " + std::to_string(leaf.value()) +
+                     ": its faces do not close, so it has no inside; close the surface, or use fill: none or cells");
+  }
+
+  /// Fill::cells: bounded cavities of the leaf's own faces, in the order of their first region.
+  void detect_cavities() {
+    for (std::size_t l = 0; l < c_.leaf_count; ++l) {
+      const LeafId leaf(l);
+      if (c_.fills[leaf] != Fill::cells) continue;
+      UnionFind space(c_.region_count);
+      for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
+        bool wall = false;
+        for (const Cover& x : c_.cover(f)) wall = wall || c_.sources[x.source].leaf == leaf;
+        if (!wall) space.unite(c_.face_regions[f][0].value(), c_.face_regions[f][1].value());
+      }
+      std::map<std::uint32_t, std::int32_t> number;
+      const std::uint32_t outside = space.find(0);
+      for (const RegionId r : IdRange<RegionId>(c_.region_count)) {
+        const std::uint32_t root = space.find(r.value());
+        if (root == outside) continue;
+        const auto it = number.try_emplace(root, static_cast<std::int32_t>(number.size()) + 1).first;
+        Values values = *sets_[set_of_[r]];
+        values.insert(std::lower_bound(values.begin(), values.end(), Value{leaf, 0}), {leaf, it->second});
+        set_of_[r] = intern(std::move(values));
+      }
+    }
+  }
+
+  void store() {
+    c_.leaf_regions.assign(c_.leaf_count, 0);
+    c_.region_labels.resize(c_.region_count);
+    std::map<std::vector<Label>, LabelSetId> stored;
+    std::vector<LabelSetId> by_set(sets_.size());
+    for (const RegionId r : IdRange<RegionId>(c_.region_count)) {
+      LabelSetId& id = by_set[set_of_[r]];
+      if (!id.valid()) {
+        std::vector<Label> labels;
+        for (const auto& [leaf, v] : *sets_[set_of_[r]]) {
+          const bool numbered = c_.fills[leaf] == Fill::sides || c_.fills[leaf] == Fill::cells;
+          labels.push_back({leaf, numbered ? static_cast<std::uint32_t>(v) : 1u});
+        }
+        const auto [it, fresh] = stored.try_emplace(labels, LabelSetId());
+        if (fresh) it->second = c_.label_sets.push_back(labels);
+        id = it->second;
+        for (const Label& label : labels) {
+          c_.leaf_regions[label.leaf] = std::max(c_.leaf_regions[label.leaf], label.region);
+        }
+      }
+      c_.region_labels[r] = id;
+    }
+  }
+
+  const Soup& soup_;
+  Complex& c_;
+  std::map<Values, std::uint32_t> numbers_;
+  std::vector<const Values*> sets_;
+  std::map<std::vector<Change>, std::uint32_t> change_numbers_;
+  std::vector<const std::vector<Change>*> changes_;
+  IdVector<FaceId, std::uint32_t> face_change_;
+  std::map<std::pair<std::uint64_t, bool>, std::uint32_t> crossed_;
+  IdVector<RegionId, std::uint32_t> set_of_;
+  RegionId start_;
+};
+
+}  // namespace
+
+void label_regions(const Soup& soup, Complex& complex) { Labelling(soup, complex).run(); }
+
+}  // namespace cnrg

@@ -1,0 +1,477 @@
+#include "kernel/refine/contacts.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <optional>
+
+#include "kernel/base/error.h"
+#include "kernel/refine/box_tree.h"
+
+namespace cnrg {
+
+namespace {
+
+/// The loops of a face: calls `visit(i, j)` for each side from corner i to corner j.
+template <class Visit>
+void for_each_side(std::span<const VertexId> corners, const Visit& visit) {
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (!corners[i].valid()) {
+      begin = i + 1;
+      continue;
+    }
+    visit(i, i + 1 < corners.size() && corners[i + 1].valid() ? i + 1 : begin);
+  }
+}
+
+/// A point of a face on the common line of two planes.
+struct Event {
+  PointKey key;
+  PointView view;
+  bool covered_after = false;   ///< the open interval to the next event belongs to the face
+  int toggles = 0, depth = 0;   ///< see `cut`
+};
+
+/// The pair tests of one thread, with its scratch memory and what it found.
+class PairTester {
+ public:
+  explicit PairTester(const RefineInput& in) : in_(in), t_(in.points) {}
+  ContactList list;
+
+  void faces(SourceId f, SourceId g);
+  void wire_face(SegmentId s, SourceId f);
+  void point_face(VertexId p, SourceId f);
+  void wires(SegmentId s, SegmentId t);
+  void point_wire(VertexId p, SegmentId s);
+
+ private:
+  enum class Contact { none, coplanar, possible };
+  /// Signs of the corners of f against the plane of g; corners shared with g count as on it.
+  Contact signs(SourceId f, SourceId g, std::vector<int>& out) const;
+  bool only_shared(SourceId f, SourceId g, const std::vector<int>& sign) const;
+  void cut(SourceId f, SourceId g, const std::vector<int>& sign, std::vector<Event>& events);
+  PointView view_of_key(const PointKey& key, const Definition& d);
+  int order(Event& a, Event& b);
+  const ExactPoint& exact(Event& e);
+  bool has_corner(SourceId f, VertexId v) const {
+    const auto c = in_.corners[f];
+    return std::find(c.begin(), c.end(), v) != c.end();
+  }
+  void choose_axis();
+
+  const RefineInput& in_;
+  const PointTable& t_;
+  std::vector<int> sign_f_, sign_g_;
+  std::vector<Event> events_f_, events_g_;
+  std::deque<ExactPoint> exact_;  // values of events that no table holds
+  int axis_ = -1;                 // coordinate that orders the common line; -1: lexicographic order
+};
+
+PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& out) const {
+  const auto corners = in_.corners[f], other = in_.corners[g];
+  const auto [a, b, c] = t_.plane_points(RefineInput::plane(g));
+  out.assign(corners.size(), 0);
+  bool positive = false, negative = false, zero = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const VertexId v = corners[i];
+    if (!v.valid()) continue;
+    if (std::find(other.begin(), other.end(), v) == other.end()) out[i] = orient3d(t_, a, b, c, v);
+    positive = positive || out[i] > 0;
+    negative = negative || out[i] < 0;
+    zero = zero || out[i] == 0;
+  }
+  if (!zero && positive != negative) return Contact::none;
+  return positive || negative ? Contact::possible : Contact::coplanar;
+}
+
+/// True if f touches the plane of g from one side, in corners (and at most one side of a triangle) that g shares:
+/// then the contact is in both complexes already.
+bool PairTester::only_shared(SourceId f, SourceId g, const std::vector<int>& sign) const {
+  const auto corners = in_.corners[f], other = in_.corners[g];
+  bool positive = false, negative = false;
+  int zeros = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (!corners[i].valid()) continue;
+    if (sign[i] > 0) positive = true;
+    if (sign[i] < 0) negative = true;
+    if (sign[i] == 0) {
+      ++zeros;
+      if (std::find(other.begin(), other.end(), corners[i]) == other.end()) return false;
+    }
+  }
+  if (positive && negative) return false;
+  return zeros == 1 || (zeros == 2 && corners.size() == 3 && other.size() == 3);
+}
+
+/// A definition's enclosure as a view; the exact value is made when `order` needs it.
+PointView PairTester::view_of_key(const PointKey& key, const Definition& d) {
+  if (key.kind == PointKey::Kind::vertex) return t_.view(VertexId(key.id[0]));
+  PointView p;
+  t_.enclose(d, p.lo, p.hi);
+  return p;
+}
+
+const ExactPoint& PairTester::exact(Event& e) {
+  if (e.view.table != nullptr) return e.view.exact();
+  if (e.view.value == nullptr) {
+    exact_.push_back(t_.exact_value(definition_of(e.key, in_)));
+    e.view.value = &exact_.back();
+  }
+  return *e.view.value;
+}
+
+/// Order along the common line: -1, 0, 1. The direction is the same within one pair of faces.
+int PairTester::order(Event& a, Event& b) {
+  if (a.key == b.key) return 0;
+  if (axis_ >= 0 && (a.view.hi[axis_] < b.view.lo[axis_])) return -1;
+  if (axis_ >= 0 && (a.view.lo[axis_] > b.view.hi[axis_])) return 1;
+  exact(a);
+  exact(b);
+  return axis_ >= 0 ? compare(axis_, a.view, b.view) : compare_lex(a.view, b.view);
+}
+
+/// The events of f on the plane of g, not sorted. With the line shifted a little to the positive side of g, a
+/// side of f toggles inside and outside where exactly one of its ends is positive; a side in the plane covers
+/// the line between its ends itself.
+void PairTester::cut(SourceId f, SourceId g, const std::vector<int>& sign, std::vector<Event>& events) {
+  events.clear();
+  const auto corners = in_.corners[f];
+  const auto sides = in_.sides[f];
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i].valid() && sign[i] == 0) {
+      events.push_back({PointKey::vertex(corners[i]), t_.view(corners[i]), false, 0, 0});
+    }
+  }
+  const auto at = [&](std::size_t corner) -> Event& {
+    return *std::find_if(events.begin(), events.end(),
+                         [&](const Event& e) { return e.key == PointKey::vertex(corners[corner]); });
+  };
+  for_each_side(corners, [&](std::size_t i, std::size_t j) {
+    if (sign[i] * sign[j] < 0) {
+      const PointKey key = PointKey::segment_plane(sides[i], g);
+      events.push_back({key, view_of_key(key, definition_of(key, in_)), false, 1, 0});
+    } else if (sign[i] == 0 && sign[j] > 0) {
+      ++at(i).toggles;
+    } else if (sign[j] == 0 && sign[i] > 0) {
+      ++at(j).toggles;
+    }
+  });
+}
+
+/// A coordinate in which two points of the line certainly differ orders the whole line.
+void PairTester::choose_axis() {
+  axis_ = -1;
+  double best = 0;
+  const auto gap = [](const Event& a, const Event& b, int k) {
+    return std::max(b.view.lo[k] - a.view.hi[k], a.view.lo[k] - b.view.hi[k]);
+  };
+  const auto scan = [&](const std::vector<Event>& events) {
+    for (std::size_t i = 1; i < events.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const double d = gap(events[0], events[i], k);
+        if (d > best) {
+          best = d;
+          axis_ = k;
+        }
+      }
+    }
+  };
+  scan(events_f_);
+  scan(events_g_);
+}
+
+void PairTester::faces(SourceId f, SourceId g) {
+  const Contact cf = signs(f, g, sign_f_);
+  if (cf == Contact::none) return;
+  if (cf == Contact::coplanar) {
+    list.coplanar.push_back(std::minmax(f, g));
+    return;
+  }
+  if (only_shared(f, g, sign_f_)) return;
+  if (signs(g, f, sign_g_) == Contact::none || only_shared(g, f, sign_g_)) return;
+
+  exact_.clear();
+  cut(f, g, sign_f_, events_f_);
+  cut(g, f, sign_g_, events_g_);
+  choose_axis();
+  const auto sort_events = [&](SourceId face, const std::vector<int>& sign, std::vector<Event>& events) {
+    std::sort(events.begin(), events.end(), [&](const Event& a, const Event& b) {
+      return order(const_cast<Event&>(a), const_cast<Event&>(b)) < 0;
+    });
+    // A vertex that appears in two loops is one event.
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      if (n > 0 && events[n - 1].key == events[i].key) {
+        events[n - 1].toggles += events[i].toggles;
+      } else {
+        events[n++] = events[i];
+      }
+    }
+    events.resize(n);
+    const auto corners = in_.corners[face];
+    for_each_side(corners, [&](std::size_t i, std::size_t j) {
+      if (sign[i] != 0 || sign[j] != 0) return;
+      std::size_t p = n, q = n;
+      for (std::size_t k = 0; k < n; ++k) {
+        if (events[k].key == PointKey::vertex(corners[i])) p = k;
+        if (events[k].key == PointKey::vertex(corners[j])) q = k;
+      }
+      if (p > q) std::swap(p, q);
+      ++events[p].depth;
+      --events[q].depth;
+    });
+    int parity = 0, depth = 0;
+    for (Event& e : events) {
+      parity += e.toggles;
+      depth += e.depth;
+      e.covered_after = parity % 2 != 0 || depth > 0;
+    }
+  };
+  sort_events(f, sign_f_, events_f_);
+  sort_events(g, sign_g_, events_g_);
+
+  // Merge along the line. `last` is the point before, if the interval up to here belongs to both faces.
+  bool trace = false;
+  std::optional<PointKey> last;
+  bool last_was_run = false, f_on = false, g_on = false;
+  std::size_t i = 0, j = 0;
+  const auto on_both = [&](const PointKey& key) {
+    list.on_face.push_back({f, key});
+    list.on_face.push_back({g, key});
+  };
+  while (i < events_f_.size() || j < events_g_.size()) {
+    const int o = i == events_f_.size()   ? 1
+                  : j == events_g_.size() ? -1
+                                          : order(events_f_[i], events_g_[j]);
+    const bool take_f = o <= 0, take_g = o >= 0;
+    const bool before_f = f_on, before_g = g_on;
+    const bool at_f = take_f || f_on, at_g = take_g || g_on;
+    PointKey key = take_f ? events_f_[i].key : events_g_[j].key;
+    if (take_f && take_g && events_g_[j].key != key) {
+      // Two symbols of one point: both are kept, so that identity and incidence are known later.
+      const PointKey other = events_g_[j].key;
+      if (at_f && at_g) on_both(other);
+      if (other.kind == PointKey::Kind::vertex) key = other;
+    }
+    if (take_f) f_on = events_f_[i].covered_after;
+    if (take_g) g_on = events_g_[j].covered_after;
+    if (at_f && at_g) {
+      if (before_f && before_g && last) {
+        list.traces.push_back({std::min(f, g), std::max(f, g), *last, key});
+        trace = true;
+        last_was_run = true;
+      } else {
+        last_was_run = false;
+      }
+      if (!last_was_run && !(f_on && g_on)) {
+        // A touching point; corners that both faces share need no record.
+        const bool shared = key.kind == PointKey::Kind::vertex && has_corner(f, VertexId(key.id[0])) &&
+                            has_corner(g, VertexId(key.id[0]));
+        if (!shared) {
+          on_both(key);
+          ++list.kinds[key.kind != PointKey::Kind::vertex ? 3 : (take_f && take_g ? 4 : 2)];
+        }
+      }
+      if (take_f && take_g && events_f_[i].key != key) on_both(events_f_[i].key);
+      last = key;
+    }
+    if (take_f) ++i;
+    if (take_g) ++j;
+  }
+  if (trace) ++list.kinds[0];
+}
+
+void PairTester::wire_face(SegmentId s, SourceId f) {
+  const auto& ends = in_.segment_ends[s];
+  const PlaneId plane = RefineInput::plane(f);
+  int side[2];
+  for (int i = 0; i < 2; ++i) side[i] = has_corner(f, ends[i]) ? 0 : side_of_plane(t_, plane, ends[i]);
+  if (side[0] * side[1] > 0) return;
+  if (side[0] == 0 && side[1] == 0) {
+    list.wires_in_plane.push_back({f, s});
+    ++list.kinds[1];
+    return;
+  }
+  if (side[0] * side[1] < 0) {
+    const PointKey key = PointKey::segment_plane(s, f);
+    const Definition d = definition_of(key, in_);
+    PointView p;
+    t_.enclose(d, p.lo, p.hi);
+    exact_.clear();
+    // The point's exact value is made only if its enclosure does not decide.
+    const Projection axes = projection_of(t_, plane);
+    Box box;
+    for (const VertexId v : in_.corners[f]) {
+      if (v.valid()) box.extend(t_.view(v).lo, t_.view(v).hi);
+    }
+    if (!box.meets(Box{p.lo, p.hi})) return;
+    const ExactPoint value = t_.exact_value(d);
+    p.value = &value;
+    if (locate_in_face(in_, f, axes, p) == 0) return;
+    list.on_face.push_back({f, key});
+    list.on_wire.push_back({s, key});
+    ++list.kinds[1];
+    return;
+  }
+  const VertexId v = side[0] == 0 ? ends[0] : ends[1];
+  if (has_corner(f, v)) return;
+  if (locate_in_face(in_, f, projection_of(t_, plane), t_.view(v)) == 0) return;
+  list.on_face.push_back({f, PointKey::vertex(v)});
+  ++list.kinds[2];
+}
+
+void PairTester::point_face(VertexId p, SourceId f) {
+  if (has_corner(f, p)) return;
+  const PlaneId plane = RefineInput::plane(f);
+  if (side_of_plane(t_, plane, p) != 0) return;
+  if (locate_in_face(in_, f, projection_of(t_, plane), t_.view(p)) == 0) return;
+  list.on_face.push_back({f, PointKey::vertex(p)});
+  ++list.kinds[2];
+}
+
+void PairTester::point_wire(VertexId p, SegmentId s) {
+  const auto [a, b] = in_.segment_ends[s];
+  if (p == a || p == b || !collinear(t_, a, b, p)) return;
+  if (compare_lex(t_, a, p) < 0 && compare_lex(t_, p, b) < 0) {
+    list.on_wire.push_back({s, PointKey::vertex(p)});
+    ++list.kinds[4];
+  }
+}
+
+void PairTester::wires(SegmentId s, SegmentId t) {
+  const auto [a, b] = in_.segment_ends[s];
+  const auto [c, d] = in_.segment_ends[t];
+  const bool share = a == c || a == d || b == c || b == d;
+  if (!share && orient3d(t_, a, b, c, d) != 0) return;
+  // Coplanar. A projection in which neither line is a point and, if they are not parallel, neither are the lines.
+  for (std::uint8_t k = 0; k < 3; ++k) {
+    const Projection axes{static_cast<std::uint8_t>((k + 1) % 3), static_cast<std::uint8_t>((k + 2) % 3)};
+    const int oc = orient2d(t_, axes, a, b, c), od = orient2d(t_, axes, a, b, d);
+    if (oc == 0 && od == 0) continue;
+    // In this projection c or d is off the line ab: the lines are not one line.
+    const int oa = orient2d(t_, axes, c, d, a), ob = orient2d(t_, axes, c, d, b);
+    if (oc * od > 0 || oa * ob > 0) return;
+    if (oc == 0) { point_wire(c, s); return; }
+    if (od == 0) { point_wire(d, s); return; }
+    if (oa == 0) { point_wire(a, t); return; }
+    if (ob == 0) { point_wire(b, t); return; }
+    const PointKey key = PointKey::segments(s, t);
+    list.on_wire.push_back({s, key});
+    list.on_wire.push_back({t, key});
+    ++list.kinds[3];
+    return;
+  }
+  // One line: ends of each in the other.
+  point_wire(a, t);
+  point_wire(b, t);
+  point_wire(c, s);
+  point_wire(d, s);
+}
+
+}  // namespace
+
+int locate_in_face(const RefineInput& in, SourceId face, Projection axes, const PointView& p) {
+  const PointTable& t = in.points;
+  const auto corners = in.corners[face];
+  bool inside = false, boundary = false;
+  for_each_side(corners, [&](std::size_t i, std::size_t j) {
+    if (boundary) return;
+    const PointView a = t.view(corners[i]), b = t.view(corners[j]);
+    const int ca = compare(axes.v, a, p), cb = compare(axes.v, b, p);
+    if (ca == 0 && cb == 0) {
+      if (compare(axes.u, a, p) * compare(axes.u, b, p) <= 0) boundary = true;
+      return;
+    }
+    if ((ca <= 0) == (cb <= 0)) {
+      if ((ca == 0 && compare(axes.u, a, p) == 0) || (cb == 0 && compare(axes.u, b, p) == 0)) boundary = true;
+      return;
+    }
+    const int o = ca < cb ? orient2d(axes, a, b, p) : orient2d(axes, b, a, p);
+    if (o == 0) boundary = true;
+    if (o > 0) inside = !inside;
+  });
+  return boundary ? 1 : (inside ? 2 : 0);
+}
+
+void ContactList::append(const ContactList& other) {
+  traces.insert(traces.end(), other.traces.begin(), other.traces.end());
+  on_face.insert(on_face.end(), other.on_face.begin(), other.on_face.end());
+  on_wire.insert(on_wire.end(), other.on_wire.begin(), other.on_wire.end());
+  wires_in_plane.insert(wires_in_plane.end(), other.wires_in_plane.begin(), other.wires_in_plane.end());
+  coplanar.insert(coplanar.end(), other.coplanar.begin(), other.coplanar.end());
+  candidates += other.candidates;
+  for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] += other.kinds[i];
+}
+
+void ContactList::normalize() {
+  const auto unique = [](auto& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  };
+  for (Trace& t : traces) {
+    if (t.b < t.a) std::swap(t.a, t.b);
+  }
+  unique(traces);
+  unique(on_face);
+  unique(on_wire);
+  unique(wires_in_plane);
+  unique(coplanar);
+}
+
+ContactList find_contacts(const RefineInput& in) {
+  // Elements: faces, then wires, then isolated points.
+  const std::size_t faces = in.corners.size(), wires = in.wires.size(), points = in.isolated.size();
+  std::vector<std::uint32_t> kept;  // element numbers; dropped faces are none
+  kept.reserve(faces + wires + points);
+  for (std::size_t i = 0; i < faces + wires + points; ++i) {
+    if (i >= faces || !in.dropped(SourceId(i))) kept.push_back(static_cast<std::uint32_t>(i));
+  }
+  std::vector<Box> boxes(kept.size());
+  tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
+    const auto extend = [&](VertexId v) {
+      const PointView p = in.points.view(v);
+      boxes[i].extend(p.lo, p.hi);
+    };
+    const std::size_t e = kept[i];
+    if (e < faces) {
+      for (const VertexId v : in.corners[SourceId(e)]) {
+        if (v.valid()) extend(v);
+      }
+    } else if (e < faces + wires) {
+      for (const VertexId v : in.segment_ends[in.wires[e - faces]]) extend(v);
+    } else {
+      extend(in.isolated[e - faces - wires]);
+    }
+  });
+  const BoxTree tree(std::move(boxes));
+  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in); });
+  tbb::parallel_for(std::size_t{0}, tree.block_count(), [&](std::size_t block) {
+    PairTester& tester = testers.local();
+    tree.self_pairs(block, [&](std::uint32_t x, std::uint32_t y) {
+      ++tester.list.candidates;
+      std::size_t a = kept[x], b = kept[y];
+      if (a > b) std::swap(a, b);
+      if (b < faces) {
+        tester.faces(SourceId(a), SourceId(b));
+      } else if (a < faces && b < faces + wires) {
+        tester.wire_face(in.wires[b - faces], SourceId(a));
+      } else if (a < faces) {
+        tester.point_face(in.isolated[b - faces - wires], SourceId(a));
+      } else if (b < faces + wires) {
+        tester.wires(in.wires[a - faces], in.wires[b - faces]);
+      } else if (a < faces + wires) {
+        tester.point_wire(in.isolated[b - faces - wires], in.wires[a - faces]);
+      }
+    });
+  });
+  ContactList all;
+  for (const PairTester& tester : testers) all.append(tester.list);
+  all.normalize();
+  return all;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,56 @@
+// Where two inputs meet: all pairs of faces, wires and points (the six kinds of Gursoz et al. 1991), as symbols.
+//
+// Two faces in different planes meet along the common line of their planes. Each face cuts a set of closed
+// intervals out of that line; what is common to both sets are traces (segments) and touching points. Every
+// decision is an exact predicate on input data or on constructions from it; results are keys, not coordinates.
+// Coplanar faces are only noted: their overlap is the business of their sheet.
+#pragma once
+
+#include <vector>
+
+#include "kernel/refine/point_key.h"
+
+namespace cnrg {
+
+/// What one thread found.
+struct ContactList {
+  struct Trace {
+    SourceId f, g;
+    PointKey a, b;
+    friend auto operator<=>(const Trace&, const Trace&) = default;
+  };
+  struct OnFace {
+    SourceId face;
+    PointKey point;
+    friend auto operator<=>(const OnFace&, const OnFace&) = default;
+  };
+  struct OnWire {
+    SegmentId wire;
+    PointKey point;
+    friend auto operator<=>(const OnWire&, const OnWire&) = default;
+  };
+  struct WireInPlane {
+    SourceId face;
+    SegmentId wire;
+    friend auto operator<=>(const WireInPlane&, const WireInPlane&) = default;
+  };
+  std::vector<Trace> traces;
+  std::vector<OnFace> on_face;
+  std::vector<OnWire> on_wire;
+  std::vector<WireInPlane> wires_in_plane;
+  std::vector<std::pair<SourceId, SourceId>> coplanar;
+  std::uint64_t candidates = 0;
+  std::array<std::uint64_t, 6> kinds{};
+
+  void append(const ContactList& other);
+  /// Sorted and unique: the same for every order of finding.
+  void normalize();
+};
+
+/// All contacts of the input, in parallel; normalized.
+ContactList find_contacts(const RefineInput& input);
+
+/// Where a point of the plane of a face lies: 0 outside, 1 on the boundary, 2 inside.
+int locate_in_face(const RefineInput& input, SourceId face, Projection axes, const PointView& p);
+
+}  // namespace cnrg

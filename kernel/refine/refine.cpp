@@ -1,0 +1,426 @@
+// The driver of refinement: symbols first, coordinates where a decision needs them, one subdivision per sheet.
+//
+// Why points meet: two constructed points that coincide lie in faces that touch there pairwise, so both are known
+// in a common sheet; every sheet therefore subdivides a common line at the same vertices. Segments are split once,
+// for all sheets that hold them.
+#include "kernel/refine/refine.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/base/error.h"
+#include "kernel/base/union_find.h"
+#include "kernel/refine/contacts.h"
+#include "kernel/refine/identity.h"
+
+namespace cnrg {
+
+namespace {
+
+template <class T>
+void sort_unique(std::vector<T>& list) {
+  tbb::parallel_sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// Vertices of keys: new points are added in the order of their keys, then united with what coincides.
+class KeyedPoints {
+ public:
+  void add(PointTable& table, UnionFind& identity, const RefineInput& in, std::vector<PointKey> keys) {
+    std::erase_if(keys, [](const PointKey& k) { return k.kind == PointKey::Kind::vertex; });
+    sort_unique(keys);
+    std::vector<std::array<double, 3>> lo(keys.size()), hi(keys.size());
+    tbb::parallel_for(std::size_t{0}, keys.size(),
+                      [&](std::size_t i) { table.enclose(definition_of(keys[i], in), lo[i], hi[i]); });
+    const VertexId first(table.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      table.add(definition_of(keys[i], in), lo[i], hi[i]);
+      identity.add();
+    }
+    unite_coincident(table, first, identity);
+    keys_ = std::move(keys);
+    first_ = first;
+    identity_ = &identity;
+  }
+  VertexId operator()(const PointKey& key) const {
+    if (key.kind == PointKey::Kind::vertex) return VertexId(key.id[0]);
+    const auto it = std::lower_bound(keys_.begin(), keys_.end(), key);
+    require(it != keys_.end() && *it == key, "a point key was never made");
+    return VertexId(identity_->find(static_cast<std::uint32_t>(first_.index() + (it - keys_.begin()))));
+  }
+
+ private:
+  std::vector<PointKey> keys_;
+  VertexId first_;
+  UnionFind* identity_ = nullptr;
+};
+
+/// All the state on the way from the soup to the refinement.
+class Refiner {
+ public:
+  Refiner(const Soup& soup, RefineReport& report) : soup_(soup), report_(report) {}
+  Refinement run();
+
+ private:
+  void group_sheets();
+  void place_contacts();
+  void list_sheet_contents();
+  void cross_sheets();
+  void split_segments();
+  void subdivide_sheets();
+  void assemble();
+
+  SheetContent content(std::size_t work) const;
+  SourceId representative(SourceId f) const { return representative_[r_.sheet_of[f]]; }
+  PointKey canonical(PointKey key) const;
+
+  const Soup& soup_;
+  RefineReport& report_;
+  Refinement r_;
+  ContactList contacts_;
+  UnionFind identity_;
+  KeyedPoints contact_points_, crossing_points_;
+  KnownIncidence known_;
+  IdVector<SheetId, SourceId> representative_;
+  std::vector<std::pair<SheetId, SegmentId>> sheet_segments_;
+  std::vector<std::pair<SheetId, VertexId>> sheet_points_;
+  std::vector<SheetId> work_;                       // sheets that are more than one lone triangle
+  Csr<SheetId, SegmentId> work_segments_;           // by index into work_
+  Csr<SheetId, VertexId> work_points_;
+  std::vector<Crossing> crossings_;
+  std::vector<std::pair<SegmentId, VertexId>> incidences_;
+  std::vector<SheetFaces> results_;                 // by index into work_
+};
+
+Refinement Refiner::run() {
+  r_.input = prepare_input(soup_, report_);
+  contacts_ = find_contacts(r_.input);
+  group_sheets();
+  place_contacts();
+  list_sheet_contents();
+  cross_sheets();
+  split_segments();
+  subdivide_sheets();
+  assemble();
+  return std::move(r_);
+}
+
+/// Coplanar faces that touch are one sheet; its plane is that of its first face.
+void Refiner::group_sheets() {
+  report_.candidates = contacts_.candidates;
+  report_.contacts = contacts_.kinds;
+  const std::size_t n = r_.input.corners.size();
+  UnionFind joined(n);
+  for (const auto& [f, g] : contacts_.coplanar) joined.unite(f.value(), g.value());
+  r_.sheet_of.assign(n, SheetId::none());
+  std::vector<std::pair<SheetId, SourceId>> members;
+  members.reserve(n);
+  for (const SourceId f : IdRange<SourceId>(n)) {
+    if (r_.input.dropped(f)) continue;
+    const SourceId root(joined.find(f.value()));
+    if (root == f) r_.sheet_of[f] = representative_.push_back(f);
+    r_.sheet_of[f] = r_.sheet_of[root];
+    members.push_back({r_.sheet_of[f], f});
+  }
+  tbb::parallel_sort(members.begin(), members.end());
+  r_.sheet_faces = Csr<SheetId, SourceId>::from_sorted(representative_.size(), members);
+  for (const SourceId f : representative_) r_.sheet_plane.push_back(RefineInput::plane(f));
+  r_.sheet_projection.resize(representative_.size());
+  tbb::parallel_for(std::size_t{0}, representative_.size(), [&](std::size_t i) {
+    r_.sheet_projection[SheetId(i)] = projection_of(r_.input.points, r_.sheet_plane[SheetId(i)]);
+  });
+}
+
+/// The same key for a plane, whichever of its coplanar faces was met.
+PointKey Refiner::canonical(PointKey key) const {
+  if (key.kind == PointKey::Kind::segment_plane) key.id[1] = representative(SourceId(key.id[1])).value();
+  return key;
+}
+
+/// Contact points become vertices; traces become segments; what is known by symbol is noted.
+void Refiner::place_contacts() {
+  std::vector<PointKey> keys;
+  for (ContactList::Trace& t : contacts_.traces) {
+    t.a = canonical(t.a);
+    t.b = canonical(t.b);
+    keys.push_back(t.a);
+    keys.push_back(t.b);
+  }
+  for (ContactList::OnFace& p : contacts_.on_face) keys.push_back(p.point = canonical(p.point));
+  for (ContactList::OnWire& p : contacts_.on_wire) keys.push_back(p.point = canonical(p.point));
+  identity_ = UnionFind(r_.input.points.size());
+  contact_points_.add(r_.input.points, identity_, r_.input, keys);
+
+  for (const PointKey& key : keys) {
+    if (key.kind == PointKey::Kind::vertex || key.kind == PointKey::Kind::planes) continue;
+    const VertexId v = contact_points_(key);
+    known_.on_segment.push_back({v, SegmentId(key.id[0])});
+    if (key.kind == PointKey::Kind::segments) known_.on_segment.push_back({v, SegmentId(key.id[1])});
+  }
+  for (const ContactList::OnWire& p : contacts_.on_wire) {
+    known_.on_segment.push_back({contact_points_(p.point), p.wire});
+  }
+  for (const ContactList::OnFace& p : contacts_.on_face) {
+    const VertexId v = contact_points_(p.point);
+    known_.in_sheet.push_back({v, r_.sheet_of[p.face]});
+    sheet_points_.push_back({r_.sheet_of[p.face], v});
+  }
+  for (const ContactList::WireInPlane& w : contacts_.wires_in_plane) {
+    sheet_segments_.push_back({r_.sheet_of[w.face], w.wire});
+  }
+
+  // Traces by their ends: one segment however many pairs of faces found it.
+  r_.segments.ends = r_.input.segment_ends;
+  r_.segments.input_count = r_.segments.ends.size();
+  r_.segments.trace_sheets.assign(r_.segments.input_count, {SheetId::none(), SheetId::none()});
+  struct Trace {
+    VertexId a, b;
+    SheetId p, q;
+    auto operator<=>(const Trace&) const = default;
+  };
+  std::vector<Trace> traces;
+  for (const ContactList::Trace& t : contacts_.traces) {
+    VertexId a = contact_points_(t.a), b = contact_points_(t.b);
+    const SheetId p = r_.sheet_of[t.f], q = r_.sheet_of[t.g];
+    for (const SheetId s : {p, q}) {
+      known_.in_sheet.push_back({a, s});
+      known_.in_sheet.push_back({b, s});
+    }
+    if (a == b) {
+      sheet_points_.insert(sheet_points_.end(), {{p, a}, {q, a}});
+      continue;
+    }
+    if (compare_lex(r_.input.points, a, b) > 0) std::swap(a, b);
+    traces.push_back({a, b, std::min(p, q), std::max(p, q)});
+  }
+  sort_unique(traces);
+  for (std::size_t i = 0; i < traces.size();) {
+    const Trace& first = traces[i];
+    SegmentId s = r_.input.find_segment(first.a, first.b);
+    if (!s.valid()) {
+      s = r_.segments.ends.push_back({first.a, first.b});
+      r_.segments.trace_sheets.push_back({first.p, first.q});
+    }
+    for (; i < traces.size() && traces[i].a == first.a && traces[i].b == first.b; ++i) {
+      sheet_segments_.push_back({traces[i].p, s});
+      sheet_segments_.push_back({traces[i].q, s});
+    }
+  }
+  sort_unique(known_.on_segment);
+  sort_unique(known_.in_sheet);
+}
+
+/// A sheet of one triangle that meets nothing needs no work. All others list their sides, traces, wires, points.
+void Refiner::list_sheet_contents() {
+  const std::size_t n = representative_.size();
+  std::vector<char> works(n, 0);
+  for (const auto& [sheet, s] : sheet_segments_) works[sheet.index()] = 1;
+  for (const auto& [sheet, v] : sheet_points_) works[sheet.index()] = 1;
+  for (const SheetId sheet : IdRange<SheetId>(n)) {
+    const auto faces = std::as_const(r_.sheet_faces)[sheet];
+    if (faces.size() > 1 || std::as_const(r_.input.corners)[faces[0]].size() != 3) works[sheet.index()] = 1;
+    if (works[sheet.index()] == 0) continue;
+    work_.push_back(sheet);
+    for (const SourceId f : faces) {
+      for (const SegmentId s : std::as_const(r_.input.sides)[f]) {
+        if (s.valid()) sheet_segments_.push_back({sheet, s});
+      }
+    }
+  }
+  std::vector<std::uint32_t> work_of(n, 0);
+  for (std::size_t i = 0; i < work_.size(); ++i) work_of[work_[i].index()] = static_cast<std::uint32_t>(i);
+  for (auto& [sheet, s] : sheet_segments_) sheet = SheetId(work_of[sheet.index()]);
+  for (auto& [sheet, v] : sheet_points_) sheet = SheetId(work_of[sheet.index()]);
+  sort_unique(sheet_segments_);
+  sort_unique(sheet_points_);
+  work_segments_ = Csr<SheetId, SegmentId>::from_sorted(work_.size(), sheet_segments_);
+  work_points_ = Csr<SheetId, VertexId>::from_sorted(work_.size(), sheet_points_);
+  sheet_segments_ = {};
+  sheet_points_ = {};
+}
+
+SheetContent Refiner::content(std::size_t work) const {
+  const SheetId sheet = work_[work];
+  return {sheet,
+          r_.sheet_plane[sheet],
+          r_.sheet_projection[sheet],
+          r_.sheet_faces[sheet],
+          work_segments_[SheetId(work)],
+          work_points_[SheetId(work)]};
+}
+
+void Refiner::cross_sheets() {
+  struct Found {
+    std::vector<Crossing> crossings;
+    std::vector<std::pair<SegmentId, VertexId>> incidences;
+  };
+  tbb::enumerable_thread_specific<Found> found;
+  tbb::parallel_for(std::size_t{0}, work_.size(), [&](std::size_t i) {
+    Found& mine = found.local();
+    find_crossings(content(i), r_.input.points, r_.segments, known_, representative_, mine.crossings, mine.incidences);
+  });
+  for (const Found& f : found) {
+    crossings_.insert(crossings_.end(), f.crossings.begin(), f.crossings.end());
+    incidences_.insert(incidences_.end(), f.incidences.begin(), f.incidences.end());
+  }
+  sort_unique(crossings_);
+  std::vector<PointKey> keys;
+  for (const Crossing& c : crossings_) keys.push_back(c.point);
+  crossing_points_.add(r_.input.points, identity_, r_.input, std::move(keys));
+  for (const Crossing& c : crossings_) {
+    const VertexId v = crossing_points_(c.point);
+    incidences_.push_back({c.s, v});
+    incidences_.push_back({c.t, v});
+  }
+  for (const auto& [v, s] : known_.on_segment) incidences_.push_back({s, v});
+  std::erase_if(incidences_, [&](const auto& i) {
+    const auto& ends = r_.segments.ends[i.first];
+    return i.second == ends[0] || i.second == ends[1];
+  });
+  sort_unique(incidences_);
+}
+
+/// Every segment is cut at its points, once; equal pieces of different segments are one edge.
+void Refiner::split_segments() {
+  const PointTable& t = r_.input.points;
+  const std::size_t n = r_.segments.ends.size();
+  Csr<SegmentId, VertexId> inner = Csr<SegmentId, VertexId>::from_sorted(n, incidences_);
+  std::vector<std::uint32_t> first_piece(n + 1, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    first_piece[i + 1] = first_piece[i] + 1 + static_cast<std::uint32_t>(std::as_const(inner)[SegmentId(i)].size());
+  }
+  struct Piece {
+    std::uint64_t key;
+    std::uint32_t segment, place;
+  };
+  std::vector<Piece> pieces(first_piece[n]);
+  std::vector<std::array<VertexId, 2>> piece_ends(first_piece[n]);
+  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
+    const SegmentId s(i);
+    const auto [a, b] = r_.segments.ends[s];
+    const auto points = inner[s];
+    if (points.size() > 1) {
+      // Any coordinate in which the ends certainly differ orders the points; else all three.
+      const PointView va = t.view(a), vb = t.view(b);
+      int axis = -1, sign = 1;
+      double best = 0;
+      for (int k = 0; k < 3; ++k) {
+        const double up = vb.lo[k] - va.hi[k], down = va.lo[k] - vb.hi[k];
+        if (std::max(up, down) > best) {
+          best = std::max(up, down);
+          axis = k;
+          sign = up > 0 ? 1 : -1;
+        }
+      }
+      std::sort(points.begin(), points.end(), [&](VertexId v, VertexId w) {
+        if (v == w) return false;
+        return (axis >= 0 ? sign * compare(t, axis, v, w) : compare_lex(t, v, w)) < 0;
+      });
+    }
+    VertexId from = a;
+    for (std::size_t k = 0; k <= points.size(); ++k) {
+      const VertexId to = k < points.size() ? points[k] : b;
+      const std::uint32_t place = first_piece[i] + static_cast<std::uint32_t>(k);
+      pieces[place] = {RefineInput::key(from, to), static_cast<std::uint32_t>(i), place};
+      piece_ends[place] = {from, to};
+      from = to;
+    }
+  });
+  tbb::parallel_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return a.key != b.key ? a.key < b.key : a.place < b.place;
+  });
+  std::vector<EdgeId> chain(pieces.size());
+  std::vector<std::uint32_t> offsets{0};
+  std::vector<SegmentId> covering;
+  covering.reserve(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i == 0 || pieces[i].key != pieces[i - 1].key) {
+      if (i > 0) offsets.push_back(static_cast<std::uint32_t>(covering.size()));
+      r_.edges.ends.push_back(piece_ends[pieces[i].place]);
+    }
+    covering.push_back(SegmentId(pieces[i].segment));
+    chain[pieces[i].place] = EdgeId(r_.edges.ends.size() - 1);
+  }
+  if (!pieces.empty()) offsets.push_back(static_cast<std::uint32_t>(covering.size()));
+  r_.edges.segments = Csr<EdgeId, SegmentId>::from_parts(std::move(offsets), std::move(covering));
+  r_.edges.chain = Csr<SegmentId, EdgeId>::from_parts(std::move(first_piece), std::move(chain));
+
+  // Faces along each segment, by counting.
+  std::vector<std::uint32_t> begin(n + 1, 0);
+  for (const SegmentId s : r_.input.sides.values()) {
+    if (s.valid()) ++begin[s.index() + 1];
+  }
+  for (std::size_t i = 0; i < n; ++i) begin[i + 1] += begin[i];
+  std::vector<SourceId> along(begin[n]);
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (const SourceId f : IdRange<SourceId>(r_.input.sides.size())) {
+    for (const SegmentId s : std::as_const(r_.input.sides)[f]) {
+      if (s.valid()) along[next[s.index()]++] = f;
+    }
+  }
+  r_.segment_faces = Csr<SegmentId, SourceId>::from_parts(std::move(begin), std::move(along));
+}
+
+void Refiner::subdivide_sheets() {
+  results_.resize(work_.size());
+  const SubdivisionContext context{r_.input, r_.segments, r_.edges, r_.segment_faces, r_.sheet_of};
+  tbb::enumerable_thread_specific<Subdivider> subdividers([&] { return Subdivider(context); });
+  tbb::parallel_for(std::size_t{0}, work_.size(),
+                    [&](std::size_t i) { results_[i] = subdividers.local().subdivide(content(i)); });
+}
+
+/// Faces in the order of their sheets.
+void Refiner::assemble() {
+  const std::size_t sheets = representative_.size();
+  std::vector<LoopId> loops;
+  std::vector<HalfEdge> half_edges;
+  std::size_t work = 0;
+  for (const SheetId sheet : IdRange<SheetId>(sheets)) {
+    if (work < work_.size() && work_[work] == sheet) {
+      const SheetFaces& x = results_[work++];
+      std::size_t loop = 0, half_edge = 0, point = 0, cover = 0;
+      for (std::size_t f = 0; f < x.face_count(); ++f) {
+        r_.face_sheet.push_back(sheet);
+        loops.clear();
+        for (; loop < x.face_loop_end[f]; ++loop) {
+          half_edges.assign(x.half_edges.begin() + static_cast<std::ptrdiff_t>(half_edge),
+                            x.half_edges.begin() + x.loop_end[loop]);
+          half_edge = x.loop_end[loop];
+          loops.push_back(r_.loops.push_back(half_edges));
+        }
+        r_.face_loops.push_back(loops);
+        r_.face_vertices.push_back(std::span(x.isolated.data() + point, x.isolated.data() + x.face_isolated_end[f]));
+        point = x.face_isolated_end[f];
+        r_.face_covers.push_back(std::span(x.covers.data() + cover, x.covers.data() + x.face_cover_end[f]));
+        cover = x.face_cover_end[f];
+      }
+      continue;
+    }
+    // A lone triangle: its corners run counter-clockwise by the definition of its plane.
+    const SourceId f = representative_[sheet];
+    const auto corners = std::as_const(r_.input.corners)[f];
+    const auto sides = std::as_const(r_.input.sides)[f];
+    half_edges.clear();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto chain = std::as_const(r_.edges.chain)[sides[i]];
+      const bool forward = r_.segments.ends[sides[i]][0] == corners[i];
+      for (std::size_t k = 0; k < chain.size(); ++k) {
+        half_edges.push_back(HalfEdge(chain[forward ? k : chain.size() - 1 - k], forward ? 0 : 1));
+      }
+    }
+    r_.face_sheet.push_back(sheet);
+    r_.face_loops.push_back(std::array{r_.loops.push_back(half_edges)});
+    r_.face_vertices.push_back(std::array<VertexId, 0>{});
+    r_.face_covers.push_back(std::array{Cover{f, true}});
+  }
+}
+
+}  // namespace
+
+Refinement refine(const Soup& soup, RefineReport& report) { return Refiner(soup, report).run(); }
+
+}  // namespace cnrg

@@ -1,0 +1,58 @@
+// All lines of the arrangement: input edges, wires, and traces where two sheets meet.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "kernel/refine/point_key.h"
+
+namespace cnrg {
+
+struct SegmentTable {
+  IdVector<SegmentId, std::array<VertexId, 2>> ends;           ///< the lexicographically smaller first
+  /// For a trace, two sheets that it lies in; none() for input segments. Traces follow the input segments.
+  IdVector<SegmentId, std::array<SheetId, 2>> trace_sheets;
+  std::size_t input_count = 0;
+
+  bool is_trace(SegmentId s) const { return s.index() >= input_count; }
+  /// A sheet of the trace other than `sheet`: its plane cuts the trace's line out of that of `sheet`.
+  SheetId other_sheet(SegmentId s, SheetId sheet) const {
+    return trace_sheets[s][0] == sheet ? trace_sheets[s][1] : trace_sheets[s][0];
+  }
+};
+
+/// Facts that are known by symbol: points on segments and points in sheets. Sorted pairs.
+struct KnownIncidence {
+  std::vector<std::pair<VertexId, SegmentId>> on_segment;
+  std::vector<std::pair<VertexId, SheetId>> in_sheet;
+
+  bool on(VertexId v, SegmentId s) const {
+    return std::binary_search(on_segment.begin(), on_segment.end(), std::pair(v, s));
+  }
+  bool in(VertexId v, SheetId s) const { return std::binary_search(in_sheet.begin(), in_sheet.end(), std::pair(v, s)); }
+};
+
+/// A sheet that needs work: what lies in its plane.
+struct SheetContent {
+  SheetId sheet;
+  PlaneId plane;
+  Projection axes;
+  std::span<const SourceId> faces;
+  std::span<const SegmentId> segments;   ///< unique
+  std::span<const VertexId> points;      ///< unique; may also be ends of segments
+};
+
+/// A crossing of the interiors of two segments.
+struct Crossing {
+  PointKey point;
+  SegmentId s, t;
+  friend auto operator<=>(const Crossing&, const Crossing&) = default;
+};
+
+/// Finds in one sheet all crossings, and all points (ends of segments, isolated points) in the interior of a
+/// segment. `representative` maps a sheet to the face that stands for it in keys.
+void find_crossings(const SheetContent& content, const PointTable& points, const SegmentTable& segments,
+                    const KnownIncidence& known, const IdVector<SheetId, SourceId>& representative,
+                    std::vector<Crossing>& crossings, std::vector<std::pair<SegmentId, VertexId>>& incidences);
+
+}  // namespace cnrg
