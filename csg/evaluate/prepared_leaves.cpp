@@ -45,6 +45,24 @@ Position position_of(const Node& node, std::optional<std::size_t> face) {
   return {group->faces[*face].line, group->faces[*face].column};
 }
 
+/// A leaf or some of its faces in words for people; `faces` is such as `, face 3, face 4`, or empty.
+struct Mention {
+  Position at;                       ///< of the first face
+  std::string words;
+};
+Mention mention_of(const Node& node, const std::string& faces) {
+  static const std::regex kNumber(R"(\d+)");
+  std::optional<Position> first;
+  std::string words;
+  for (std::sregex_iterator it(faces.begin(), faces.end(), kNumber), end; it != end; ++it) {
+    const Position at = position_of(node, index_in(it->str()));
+    words += (first ? ", face " : "face ") + it->str() + " (line " + std::to_string(at.line) + ")";
+    if (!first) first = at;
+  }
+  if (first) return {*first, words + " of `" + node.name + "`"};
+  return {node.operator_at, "`" + node.name + "` (line " + std::to_string(node.operator_at.line) + ")"};
+}
+
 }  // namespace
 
 PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding)
@@ -111,7 +129,7 @@ void PreparedLeaves::locate_errors(const std::function<void()>& work) const {
   } catch (const TreeError&) {
     throw;
   } catch (const InputError& e) {
-    static const std::regex kPlace(R"(leaf (\d+)(?:, face (\d+))?)");
+    static const std::regex kPlace(R"(\bleaf (\d+)((?:, face \d+)*))");
     const std::string message = e.what();
     std::optional<Position> first;
     std::string translated;
@@ -120,13 +138,9 @@ void PreparedLeaves::locate_errors(const std::function<void()>& work) const {
       const std::smatch& match = *it;
       const auto leaf = index_in(match[1]);
       if (!leaf || *leaf >= nodes_.size()) continue;
-      const auto face = match[2].matched ? index_in(match[2]) : std::nullopt;
-      const Node& node = node_of(LeafId(*leaf));
-      const Position at = position_of(node, face);
-      if (!first) first = at;
-      translated.append(last, match[0].first);
-      if (face) translated += "face " + std::to_string(*face) + " of ";
-      translated += "`" + node.name + "` (line " + std::to_string(at.line) + ")";
+      const Mention mention = mention_of(node_of(LeafId(*leaf)), match[2]);
+      if (!first) first = mention.at;
+      translated.append(last, match[0].first).append(mention.words);
       last = match[0].second;
     }
     translated.append(last, message.cend());
