@@ -207,7 +207,7 @@ class Labelling {
   }
 
   /// Says which faces contradict each other in the region before h.
-  [[noreturn]] void conflict(HalfFace h) const {
+  [[noreturn]] void conflict(HalfFace h) {
     const RegionId here = c_.region(h), there = c_.region(h.opposite());
     for (const HalfFace side : {h, h.opposite()}) {
       const RegionId r = side == h ? here : there;
@@ -232,11 +232,14 @@ class Labelling {
       }
     }
     // Not a face that names sides: some leaf that should be closed is open.
-    for (const Value& v : *sets_[set_of_[here]]) {
-      if (v.second != value(set_of_[there], v.first)) open_leaf(v.first);
-    }
-    for (const Value& v : *sets_[set_of_[there]]) {
-      if (v.second != value(set_of_[here], v.first)) open_leaf(v.first);
+    if (set_of_[there] != kUnset) {
+      const std::uint32_t expected = cross(set_of_[here], face_change_[h.face()], h.side() == 1);
+      for (const Value& v : *sets_[expected]) {
+        if (v.second != value(set_of_[there], v.first)) open_leaf(v.first);
+      }
+      for (const Value& v : *sets_[set_of_[there]]) {
+        if (v.second != value(expected, v.first)) open_leaf(v.first);
+      }
     }
     throw InvariantError("labels differ across a face for no reason");
   }
