@@ -1,0 +1,61 @@
+// One list of (region of the result, operand, region of the operand), sorted: its groups are the sources of each
+// region, the dominant operand first.
+#include "csg/operators/attributes.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace cnrg {
+
+std::vector<MaterialConflict> combine_attributes(Group& result, const std::vector<const Group*>& operands,
+                                                 bool strict) {
+  std::uint32_t count = 0;
+  for (const auto& [cell, region] : result.cells) count = std::max(count, region);
+  result.regions.assign(count, {});
+
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> sources;
+  for (std::uint32_t i = 0; i < operands.size(); ++i) {
+    const auto& cells = operands[i]->cells;
+    auto it = cells.begin();
+    for (const auto& [cell, region] : result.cells) {
+      while (it != cells.end() && it->first < cell) ++it;
+      if (it != cells.end() && it->first == cell) sources.emplace_back(region, i, it->second);
+    }
+  }
+  std::sort(sources.begin(), sources.end());
+  sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
+
+  std::vector<MaterialConflict> conflicts;
+  for (auto begin = sources.begin(); begin != sources.end();) {
+    const std::uint32_t region = std::get<0>(*begin);
+    const auto end = std::find_if(begin, sources.end(), [&](const auto& s) { return std::get<0>(s) != region; });
+    RegionAttributes& attributes = result.regions[region - 1];
+    std::vector<std::string> others;
+    for (auto it = begin; it != end; ++it) {
+      const RegionAttributes& source = operands[std::get<1>(*it)]->regions[std::get<2>(*it) - 1];
+      attributes.leaves.insert(attributes.leaves.end(), source.leaves.begin(), source.leaves.end());
+      if (it == begin) {
+        attributes.name = source.name;
+        attributes.material = source.material;
+        continue;
+      }
+      if (strict) continue;
+      if (attributes.name.empty()) attributes.name = source.name;
+      if (attributes.material.empty()) {
+        attributes.material = source.material;
+      } else if (!source.material.empty() && source.material != attributes.material) {
+        others.push_back(source.material);
+      }
+    }
+    std::sort(attributes.leaves.begin(), attributes.leaves.end());
+    attributes.leaves.erase(std::unique(attributes.leaves.begin(), attributes.leaves.end()),
+                            attributes.leaves.end());
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    for (const std::string& other : others) conflicts.push_back({region, attributes.material, other});
+    begin = end;
+  }
+  return conflicts;
+}
+
+}  // namespace cnrg

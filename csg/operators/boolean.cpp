@@ -1,0 +1,395 @@
+// The removal stage. Notation: A is the operand of the rows (the dominant or left one), B the other.
+//
+// Membership is a byte of flags per cell (kA, kB, kKept), zeroed only where touched, and the lists of A and B
+// are merged in the order of ids, so that every list of the result comes out sorted.
+#include "csg/operators/boolean.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "csg/operators/attributes.h"
+#include "kernel/base/error.h"
+#include "kernel/base/union_find.h"
+#include "kernel/selection/scratch.h"
+
+namespace cnrg {
+namespace {
+
+constexpr std::uint8_t kA = 1, kB = 2, kKept = 4, kFeature = 8;
+
+// Group::region_of with a memory of the last answer: neighbours in the order of ids share regions.
+class RegionLookup {
+ public:
+  explicit RegionLookup(const Group& group) : group_(group) {}
+  std::uint32_t operator()(RegionId r) {
+    if (r != last_) {
+      last_ = r;
+      region_ = group_.region_of(r);
+    }
+    return region_;
+  }
+
+ private:
+  const Group& group_;
+  RegionId last_;
+  std::uint32_t region_ = 0;
+};
+
+template <class IdT>
+std::vector<IdT> merged(const std::vector<IdT>& a, const std::vector<IdT>& b) {
+  std::vector<IdT> out;
+  out.reserve(a.size() + b.size());
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
+}
+
+Relation relation_of(std::uint8_t flags, bool in_other) {
+  if ((flags & kA) && (flags & kB)) return Relation::common;
+  if (flags & kA) return in_other ? Relation::a_in_b : Relation::a_out_b;
+  return in_other ? Relation::b_in_a : Relation::b_out_a;
+}
+
+// One evaluation of A op B.
+class Removal {
+ public:
+  Removal(const Complex& complex, BooleanOp op, bool dominant, const Group& a, const Group& b)
+      : complex_(complex), op_(op), dominant_(dominant), a_(a), b_(b), in_a_(a), in_b_(b),
+        faces_(complex.face_count()), edges_(complex.edge_count()), vertices_(complex.points.size()),
+        removed_(table_rows().size(), 0) {
+    flag(a.faces, faces_, kA);
+    flag(b.faces, faces_, kB);
+    flag(a.edges, edges_, kA);
+    flag(b.edges, edges_, kB);
+    flag(a.vertices, vertices_, kA);
+    flag(b.vertices, vertices_, kB);
+  }
+
+  void run(Group& result) {
+    for (FaceId f : merged(a_.faces, b_.faces)) {
+      if (keep(f)) result.faces.push_back(f);
+    }
+    for (FaceId f : result.faces) keep_closure(f);
+    for (EdgeId e : merged(a_.edges, b_.edges)) {
+      if (keep(e)) result.edges.push_back(e);
+    }
+    for (EdgeId e : result.edges) {
+      for (VertexId v : complex_.edge_ends[e]) vertices_[v] |= kKept;
+    }
+    for (VertexId v : merged(a_.vertices, b_.vertices)) {
+      if (keep(v)) result.vertices.push_back(v);
+    }
+    result.features = features(result);
+    result.cells = detect_regions(complex_, inside(), result.faces);
+  }
+
+  std::vector<std::pair<std::string, std::size_t>> removals() const {
+    std::vector<std::pair<std::string, std::size_t>> out;
+    for (std::size_t i = 0; i < removed_.size(); ++i) {
+      if (removed_[i] != 0) out.emplace_back(table_rows()[i].id, removed_[i]);
+    }
+    return out;
+  }
+
+ private:
+  template <class IdT>
+  static void flag(const std::vector<IdT>& list, Marks<IdT>& marks, std::uint8_t bit) {
+    for (IdT id : list) marks[id] |= bit;
+  }
+
+  // The region of the group that the cell is not an entity of, at a cell of A or B only.
+  template <class IdT>
+  Relation relate(IdT cell, std::uint8_t flags) {
+    if ((flags & kA) && (flags & kB)) return Relation::common;
+    const RegionId r = complex_.some_region(cell);
+    return relation_of(flags, ((flags & kA) ? in_b_(r) : in_a_(r)) != 0);
+  }
+
+  bool keep(FaceId f) {
+    const Relation relation = relate(f, faces_[f]);
+    const std::size_t row = table_row(op_, dominant_, 2, relation);
+    const auto& [front, back] = complex_.face_regions[f];
+    FaceSides sides;
+    sides.a[0] = in_a_(front), sides.a[1] = in_a_(back);
+    sides.b[0] = in_b_(front), sides.b[1] = in_b_(back);
+    if (holds(table_rows()[row].condition, sides)) {
+      ++removed_[row];
+      return false;
+    }
+    faces_[f] |= kKept;
+    return true;
+  }
+
+  void keep_closure(FaceId f) {
+    for (LoopId l : complex_.face_loops[f]) {
+      for (HalfEdge h : complex_.loop[l]) edges_[h.edge()] |= kKept;
+    }
+    for (VertexId v : complex_.face_vertices[f]) vertices_[v] |= kKept;
+  }
+
+  template <class IdT>
+  bool keep_lower(IdT cell, std::uint8_t flags, int dimension) {
+    const std::size_t row = table_row(op_, dominant_, dimension, relate(cell, flags));
+    if (!removes(table_rows()[row].condition, cell)) return true;
+    ++removed_[row];
+    return false;
+  }
+  bool keep(EdgeId e) { return (edges_[e] & kKept) || keep_lower(e, edges_[e], 1); }
+  bool keep(VertexId v) { return (vertices_[v] & kKept) || keep_lower(v, vertices_[v], 0); }
+
+  template <class IdT>
+  bool removes(Condition condition, IdT cell) {
+    switch (condition) {
+      case Condition::never: return false;
+      case Condition::always: return true;
+      case Condition::not_free_a: return !is_free(cell, kA);
+      case Condition::not_free_b: return !is_free(cell, kB);
+      case Condition::free_in_neither: return !is_free(cell, kA) && !is_free(cell, kB);
+      case Condition::inside_region_b: return inside_one_region_of_b(cell);
+      default: break;
+    }
+    throw InvariantError("tables: a condition of faces was asked of an edge or a vertex");
+  }
+
+  // An entity in its own right: of the group, and in the closure of nothing else of it.
+  bool is_free(EdgeId e, std::uint8_t group) const {
+    if (!(edges_[e] & group)) return false;
+    for (const FaceUse& use : complex_.edge_uses[e]) {
+      if (faces_[use.face] & group) return false;
+    }
+    return true;
+  }
+  bool is_free(VertexId v, std::uint8_t group) const {
+    if (!(vertices_[v] & group)) return false;
+    for (EdgeId e : complex_.vertex_edges[v]) {
+      if (edges_[e] & group) return false;
+    }
+    for (FaceId f : complex_.vertex_faces[v]) {
+      if (faces_[f] & group) return false;
+    }
+    return true;
+  }
+
+  template <class IdT>
+  bool inside_one_region_of_b(IdT cell) {
+    around_.clear();
+    complex_.star_regions(cell, around_);
+    const std::uint32_t first = in_b_(around_.front());
+    if (first == 0) return false;
+    return std::all_of(around_.begin(), around_.end(), [&](RegionId r) { return in_b_(r) == first; });
+  }
+
+  std::vector<RegionId> inside() const {
+    std::vector<RegionId> a, b, out;
+    for (const auto& cell : a_.cells) a.push_back(cell.first);
+    for (const auto& cell : b_.cells) b.push_back(cell.first);
+    const auto to = std::back_inserter(out);
+    switch (op_) {
+      case BooleanOp::unite: std::set_union(a.begin(), a.end(), b.begin(), b.end(), to); break;
+      case BooleanOp::intersect: std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), to); break;
+      case BooleanOp::subtract: std::set_difference(a.begin(), a.end(), b.begin(), b.end(), to); break;
+    }
+    return out;
+  }
+
+  // Features of either operand that are still entities. The difference takes those of B only where they bound
+  // a kept face that lies inside A: a B that only touches A leaves it as it was.
+  Features features(const Group& result) {
+    Features out;
+    if (op_ != BooleanOp::subtract) {
+      out.edges = merged(a_.features.edges, b_.features.edges);
+      out.vertices = merged(a_.features.vertices, b_.features.vertices);
+    } else {
+      for (FaceId f : result.faces) {
+        if ((faces_[f] & (kA | kB)) != kB) continue;
+        for (LoopId l : complex_.face_loops[f]) {
+          for (HalfEdge h : complex_.loop[l]) {
+            edges_[h.edge()] |= kFeature;
+            vertices_[complex_.origin(h)] |= kFeature;
+          }
+        }
+        for (VertexId v : complex_.face_vertices[f]) vertices_[v] |= kFeature;
+      }
+      Features of_b = b_.features;
+      std::erase_if(of_b.edges, [&](EdgeId e) { return !(edges_[e] & kFeature); });
+      std::erase_if(of_b.vertices, [&](VertexId v) { return !(vertices_[v] & kFeature); });
+      out.edges = merged(a_.features.edges, of_b.edges);
+      out.vertices = merged(a_.features.vertices, of_b.vertices);
+    }
+    return restricted(out, result);
+  }
+
+  static Features restricted(const Features& features, const Group& group) {
+    Features out;
+    std::set_intersection(features.edges.begin(), features.edges.end(), group.edges.begin(), group.edges.end(),
+                          std::back_inserter(out.edges));
+    std::set_intersection(features.vertices.begin(), features.vertices.end(), group.vertices.begin(),
+                          group.vertices.end(), std::back_inserter(out.vertices));
+    return out;
+  }
+
+  const Complex& complex_;
+  BooleanOp op_;
+  bool dominant_;
+  const Group &a_, &b_;
+  RegionLookup in_a_, in_b_;
+  Marks<FaceId> faces_;
+  Marks<EdgeId> edges_;
+  Marks<VertexId> vertices_;
+  std::vector<std::size_t> removed_;
+  std::vector<RegionId> around_;
+};
+
+// The entities of `g` in the closure of `walls`, with its features.
+void keep_walls(const Complex& complex, const Group& g, Group& out) {
+  Marks<EdgeId> edges(complex.edge_count());
+  Marks<VertexId> vertices(complex.points.size());
+  for (FaceId f : out.faces) {
+    for (LoopId l : complex.face_loops[f]) {
+      for (HalfEdge h : complex.loop[l]) {
+        edges[h.edge()] = 1;
+        vertices[complex.origin(h)] = 1;
+      }
+    }
+    for (VertexId v : complex.face_vertices[f]) vertices[v] = 1;
+  }
+  const auto pick = [](const auto& from, const auto& marks, auto& to) {
+    for (auto id : from) {
+      if (marks[id]) to.push_back(id);
+    }
+  };
+  pick(g.edges, edges, out.edges);
+  pick(g.vertices, vertices, out.vertices);
+  pick(g.features.edges, edges, out.features.edges);
+  pick(g.features.vertices, vertices, out.features.vertices);
+  out.dominance = g.dominance;
+}
+
+struct Roles {
+  bool swapped, dominant;
+};
+Roles roles(BooleanOp op, Dominance dominance) {
+  if (op == BooleanOp::subtract) return {false, true};
+  return {dominance == Dominance::right, dominance != Dominance::equal};
+}
+
+template <class IdT>
+Verdict judge(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left, const Group& right,
+              const Group& result, IdT cell, int dimension, bool bounds_kept) {
+  const auto [swapped, dominant] = roles(op, dominance);
+  const Group& a = swapped ? right : left;
+  const Group& b = swapped ? left : right;
+  Verdict out;
+  const std::uint8_t flags = (a.has(cell) ? kA : 0) | (b.has(cell) ? kB : 0);
+  if (flags == 0) return out;
+  const RegionId r = complex.some_region(cell);
+  out.entity = true;
+  out.swapped = swapped;
+  out.relation = relation_of(flags, ((flags & kA) ? b.region_of(r) : a.region_of(r)) != 0);
+  out.bounds_kept = bounds_kept;
+  out.removed = !result.has(cell);
+  out.row = &table_rows()[table_row(op, dominant, dimension, out.relation)];
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::pair<RegionId, std::uint32_t>> detect_regions(const Complex& complex,
+                                                               const std::vector<RegionId>& inside,
+                                                               const std::vector<FaceId>& walls) {
+  Scratch<RegionId, std::uint32_t> place(complex.region_count);  // 1 + index into `inside`
+  Marks<FaceId> wall(complex.face_count());
+  for (std::size_t i = 0; i < inside.size(); ++i) place[inside[i]] = static_cast<std::uint32_t>(i + 1);
+  for (FaceId f : walls) wall[f] = 1;
+  UnionFind sets(inside.size());
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    for (HalfFace h : complex.region_faces[inside[i]]) {
+      if (h.side() != 0 || wall[h.face()]) continue;
+      if (const auto other = place[complex.region(h.opposite())]) {
+        sets.unite(static_cast<std::uint32_t>(i), other - 1);
+      }
+    }
+  }
+  std::vector<std::pair<RegionId, std::uint32_t>> out;
+  std::vector<std::uint32_t> number(inside.size(), 0);
+  std::uint32_t count = 0;
+  out.reserve(inside.size());
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    std::uint32_t& n = number[sets.find(static_cast<std::uint32_t>(i))];
+    if (n == 0) n = ++count;
+    out.emplace_back(inside[i], n);
+  }
+  return out;
+}
+
+BooleanResult apply(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left,
+                    const Group& right) {
+  const auto [swapped, dominant] = roles(op, dominance);
+  BooleanResult out;
+  Removal removal(complex, op, dominant, swapped ? right : left, swapped ? left : right);
+  removal.run(out.group);
+  out.removals = removal.removals();
+  out.group.dominance = std::max(left.dominance, right.dominance);
+  if (op == BooleanOp::subtract) {
+    combine_attributes(out.group, {&left}, true);
+  } else if (dominance == Dominance::equal) {
+    out.conflicts = combine_attributes(out.group, {&left, &right}, false);
+  } else {
+    combine_attributes(out.group, {swapped ? &right : &left, swapped ? &left : &right}, true);
+  }
+  return out;
+}
+
+Group complement(const Complex& complex, const Group& g) {
+  Group out;
+  Marks<RegionId> held(complex.region_count);
+  for (const auto& [cell, region] : g.cells) held[cell] = 1;
+  std::vector<RegionId> inside;
+  for (RegionId r : IdRange<RegionId>(complex.region_count)) {
+    if (!held[r] && !complex.outside_frame(r)) inside.push_back(r);
+  }
+  for (FaceId f : g.faces) {
+    const auto& [front, back] = complex.face_regions[f];
+    if (held[front] != held[back]) out.faces.push_back(f);
+  }
+  keep_walls(complex, g, out);
+  out.cells = detect_regions(complex, inside, out.faces);
+  combine_attributes(out, {}, true);
+  return out;
+}
+
+Group regularize(const Complex& complex, const Group& g) {
+  Group out;
+  RegionLookup in(g);
+  for (FaceId f : g.faces) {
+    const auto& [front, back] = complex.face_regions[f];
+    const auto a = in(front), b = in(back);
+    if (a != b) out.faces.push_back(f);
+  }
+  keep_walls(complex, g, out);
+  out.cells = g.cells;
+  out.regions = g.regions;
+  return out;
+}
+
+Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& a, const Group& b,
+                const Group& result, FaceId f) {
+  return judge(complex, op, dominance, a, b, result, f, 2, false);
+}
+
+Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& a, const Group& b,
+                const Group& result, EdgeId e) {
+  const auto uses = complex.edge_uses[e];
+  const bool bounds = std::any_of(uses.begin(), uses.end(), [&](const FaceUse& u) { return result.has(u.face); });
+  return judge(complex, op, dominance, a, b, result, e, 1, bounds);
+}
+
+Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& a, const Group& b,
+                const Group& result, VertexId v) {
+  const auto edges = complex.vertex_edges[v];
+  const auto faces = complex.vertex_faces[v];
+  const auto kept = [&](auto id) { return result.has(id); };
+  const bool bounds = std::any_of(edges.begin(), edges.end(), kept) || std::any_of(faces.begin(), faces.end(), kept);
+  return judge(complex, op, dominance, a, b, result, v, 0, bounds);
+}
+
+}  // namespace cnrg

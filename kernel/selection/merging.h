@@ -1,0 +1,105 @@
+// Which cells of a selection merge into which: the decisions of `simplify`.
+//
+// Notation: the *state* of a cell is its component. Faces are decided first, then edges, then vertices; a face
+// that stays *remains*, an edge or vertex that is not in the interior of something larger is *kept*.
+// A *use* is an entry of Complex::edge_uses: one face along one half-edge of its loops. `next` and `previous`
+// follow the loop; `across` turns around a vertex inside a merged face, over the edges that vanished in it.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "kernel/base/union_find.h"
+#include "kernel/selection/scratch.h"
+#include "kernel/selection/simplify.h"
+
+namespace cnrg {
+
+/// Disjoint sets of faces, each member with or against the orientation of the smallest one.
+class OrientedSets {
+ public:
+  explicit OrientedSets(std::size_t n) : parent_(n) {
+    for (std::size_t i = 0; i < n; ++i) parent_[i] = {static_cast<std::uint32_t>(i), false};
+  }
+  /// The smallest member of the set of x, and whether x is oriented against it.
+  std::pair<std::uint32_t, bool> find(std::uint32_t x);
+  /// Joins the sets of a and b, `flip`: a and b are oriented against each other. False if they are in one set
+  /// already with the other orientation (the union would not be orientable).
+  bool unite(std::uint32_t a, std::uint32_t b, bool flip);
+
+ private:
+  std::vector<std::pair<std::uint32_t, bool>> parent_;
+};
+
+class Merging {
+ public:
+  enum class Fate : std::uint8_t {
+    kept,       ///< a cell of the result
+    in_edge,    ///< in the interior of a chain of edges
+    in_face,    ///< in the interior of a merged face
+    in_region,  ///< in the interior of a merged region
+    hidden,     ///< on the frame
+  };
+  using Use = std::uint32_t;  ///< index into Complex::edge_uses.values()
+
+  Merging(const Complex& complex, const Selection& selection, const Features& features, SimplifyMode mode);
+
+  Fate fate(FaceId f) const { return face_fate_[f]; }
+  Fate fate(EdgeId e) const { return edge_fate_[e]; }
+  Fate fate(VertexId v) const { return vertex_fate_[v]; }
+  Component state(VertexId v) const { return vertex_state_[v]; }
+  Component state(EdgeId e) const { return edge_state_[e]; }
+  Component state(FaceId f) const { return face_state_[f]; }
+  Component state(RegionId r) const { return region_state_[r]; }
+
+  /// The smallest cell of the merged region.
+  RegionId region(RegionId r) { return RegionId(regions_.find(r.value())); }
+  /// The smallest face of the merged face, and whether f is oriented against it.
+  std::pair<FaceId, bool> face(FaceId f) {
+    const auto [root, flip] = faces_.find(f.value());
+    return {FaceId(root), flip};
+  }
+  /// A face in whose interior a vertex of fate in_face vanished.
+  FaceId host(VertexId v) const { return vertex_host_[v]; }
+  /// The faces in whose interior a kept vertex is isolated: merged ones by their smallest face, ascending.
+  void isolating_faces(VertexId v, std::vector<FaceId>& out);
+
+  bool remains(Use u) const { return fate(use(u).face) == Fate::kept; }
+  bool walkable(EdgeId e) const { return fate(e) == Fate::kept || fate(e) == Fate::hidden; }
+  const FaceUse& use(Use u) const { return complex_.edge_uses.values()[u]; }
+  Use first_use(EdgeId e) const { return complex_.edge_uses.offsets()[e.index()]; }
+  Use end_use(EdgeId e) const { return complex_.edge_uses.offsets()[e.index() + 1]; }
+  /// From a use of a walkable edge at v: the use of the walkable edge on the other side of the face's corner.
+  Use across(Use u, VertexId v) const;
+
+ private:
+  struct UseTag;
+  bool mergeable(Component state) const { return mode_ != SimplifyMode::raw || state == 0; }
+  void decide_faces();
+  void link_loops();
+  void decide_edges(const std::vector<EdgeId>& features);
+  void decide_vertices(const std::vector<VertexId>& features);
+  Fate decide(EdgeId e);
+  Fate decide(VertexId v);
+  bool continues(VertexId v, EdgeId a, EdgeId b);
+  Use neighbour(Use u, VertexId v) const;
+  Use twin_use(Use u) const;
+
+  const Complex& complex_;
+  SimplifyMode mode_;
+  Scratch<VertexId, Component> vertex_state_;
+  Scratch<EdgeId, Component> edge_state_;
+  Scratch<FaceId, Component> face_state_;
+  Scratch<RegionId, Component> region_state_;
+  IdVector<FaceId, Fate> face_fate_;
+  IdVector<EdgeId, Fate> edge_fate_;
+  IdVector<VertexId, Fate> vertex_fate_;
+  Scratch<VertexId, FaceId> vertex_host_;
+  UnionFind regions_;
+  OrientedSets faces_;
+  Scratch<Id<UseTag>, Use> next_, previous_;
+  std::vector<FaceId> around_;
+};
+
+}  // namespace cnrg

@@ -1,0 +1,267 @@
+// Set algebra and topology of sparse cell sets: sorted merges for the algebra, incidence lists and marks for
+// star and closure. Nothing here looks at a cell that is not in a set or next to one.
+#include "kernel/selection/selection.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "kernel/selection/scratch.h"
+
+namespace cnrg {
+namespace {
+
+template <class IdT>
+std::vector<IdT> ids(const std::vector<std::pair<IdT, Component>>& list) {
+  std::vector<IdT> out;
+  out.reserve(list.size());
+  for (const auto& [id, component] : list) out.push_back(id);
+  return out;
+}
+
+template <class IdT>
+std::vector<IdT> ids(const std::vector<std::pair<IdT, Component>>& list, Component wanted) {
+  std::vector<IdT> out;
+  for (const auto& [id, component] : list) {
+    if (component == wanted) out.push_back(id);
+  }
+  return out;
+}
+
+template <class IdT>
+void sort_unique(std::vector<IdT>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+void sort_unique(CellSet& set) {
+  sort_unique(set.vertices);
+  sort_unique(set.edges);
+  sort_unique(set.faces);
+  sort_unique(set.regions);
+}
+
+template <class Operation>
+CellSet by_dimension(const CellSet& a, const CellSet& b, Operation operation) {
+  CellSet out;
+  operation(a.vertices, b.vertices, out.vertices);
+  operation(a.edges, b.edges, out.edges);
+  operation(a.faces, b.faces, out.faces);
+  operation(a.regions, b.regions, out.regions);
+  return out;
+}
+
+template <class IdT>
+std::vector<std::pair<IdT, Component>> restricted(const std::vector<std::pair<IdT, Component>>& list,
+                                                  const std::vector<IdT>& set) {
+  std::vector<std::pair<IdT, Component>> out;
+  auto it = set.begin();
+  for (const auto& entry : list) {
+    while (it != set.end() && *it < entry.first) ++it;
+    if (it != set.end() && *it == entry.first) out.push_back(entry);
+  }
+  return out;
+}
+
+template <class IdT>
+std::vector<std::pair<IdT, Component>> extended(const std::vector<std::pair<IdT, Component>>& list,
+                                                const std::vector<IdT>& set, Component component) {
+  std::vector<std::pair<IdT, Component>> out;
+  out.reserve(list.size() + set.size());
+  auto it = list.begin();
+  for (IdT id : set) {
+    while (it != list.end() && it->first < id) out.push_back(*it++);
+    if (it == list.end() || it->first != id) out.push_back({id, component});
+  }
+  out.insert(out.end(), it, list.end());
+  return out;
+}
+
+// The cells of a set as marks, for tests of membership.
+struct MarkedSet {
+  MarkedSet(const Complex& complex, const CellSet& set)
+      : edges(complex.edge_count()), faces(complex.face_count()), regions(complex.region_count) {
+    for (EdgeId e : set.edges) edges[e] = 1;
+    for (FaceId f : set.faces) faces[f] = 1;
+    for (RegionId r : set.regions) regions[r] = 1;
+  }
+  Marks<EdgeId> edges;
+  Marks<FaceId> faces;
+  Marks<RegionId> regions;
+};
+
+// Calls `edge`, `face` and `region` for the cells of the open star of a cell, but for those on the frame.
+template <class Edge, class Face, class Region>
+class StarWalk {
+ public:
+  StarWalk(const Complex& complex, Edge edge, Face face, Region region)
+      : complex_(complex), edge_(edge), face_(face), region_(region) {}
+  void of(VertexId v) {
+    for (EdgeId e : complex_.vertex_edges[v]) {
+      if (!complex_.on_frame(e)) edge_(e);
+    }
+    faces_.clear();
+    complex_.star_faces(v, faces_);
+    visit_faces();
+    regions_.clear();
+    complex_.star_regions(v, regions_);
+    visit_regions();
+  }
+  void of(EdgeId e) {
+    faces_.clear();
+    complex_.star_faces(e, faces_);
+    visit_faces();
+    regions_.clear();
+    complex_.star_regions(e, regions_);
+    visit_regions();
+  }
+  void of(FaceId f) {
+    for (RegionId r : complex_.face_regions[f]) {
+      if (!complex_.outside_frame(r)) region_(r);
+    }
+  }
+
+ private:
+  void visit_faces() {
+    for (FaceId f : faces_) {
+      if (!complex_.on_frame(f)) face_(f);
+    }
+  }
+  void visit_regions() {
+    for (RegionId r : regions_) {
+      if (!complex_.outside_frame(r)) region_(r);
+    }
+  }
+  const Complex& complex_;
+  Edge edge_;
+  Face face_;
+  Region region_;
+  std::vector<FaceId> faces_;
+  std::vector<RegionId> regions_;
+};
+
+}  // namespace
+
+CellSet support(const Selection& s) { return {ids(s.vertices), ids(s.edges), ids(s.faces), ids(s.regions)}; }
+
+CellSet support(const Selection& s, Component c) {
+  return {ids(s.vertices, c), ids(s.edges, c), ids(s.faces, c), ids(s.regions, c)};
+}
+
+CellSet all_cells(const Complex& complex) {
+  CellSet out;
+  for (VertexId v : complex.vertices) {
+    if (!complex.on_frame(v)) out.vertices.push_back(v);
+  }
+  for (EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
+    if (!complex.on_frame(e)) out.edges.push_back(e);
+  }
+  for (FaceId f : IdRange<FaceId>(complex.face_count())) {
+    if (!complex.on_frame(f)) out.faces.push_back(f);
+  }
+  for (RegionId r : IdRange<RegionId>(complex.region_count)) {
+    if (!complex.outside_frame(r)) out.regions.push_back(r);
+  }
+  return out;
+}
+
+CellSet unite(const CellSet& a, const CellSet& b) {
+  return by_dimension(a, b, [](const auto& x, const auto& y, auto& out) {
+    std::set_union(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(out));
+  });
+}
+
+CellSet intersect(const CellSet& a, const CellSet& b) {
+  return by_dimension(a, b, [](const auto& x, const auto& y, auto& out) {
+    std::set_intersection(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(out));
+  });
+}
+
+CellSet subtract(const CellSet& a, const CellSet& b) {
+  return by_dimension(a, b, [](const auto& x, const auto& y, auto& out) {
+    std::set_difference(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(out));
+  });
+}
+
+CellSet star(const Complex& complex, const CellSet& set) {
+  CellSet out = set;
+  StarWalk walk(
+      complex, [&](EdgeId e) { out.edges.push_back(e); }, [&](FaceId f) { out.faces.push_back(f); },
+      [&](RegionId r) { out.regions.push_back(r); });
+  for (VertexId v : set.vertices) walk.of(v);
+  for (EdgeId e : set.edges) walk.of(e);
+  for (FaceId f : set.faces) walk.of(f);
+  sort_unique(out);
+  return out;
+}
+
+CellSet closure(const Complex& complex, const CellSet& set) {
+  CellSet out = set;
+  for (RegionId r : set.regions) {
+    for (HalfFace h : complex.region_faces[r]) {
+      if (!complex.on_frame(h.face())) out.faces.push_back(h.face());
+    }
+    for (EdgeId e : complex.region_wires[r]) {
+      if (!complex.on_frame(e)) out.edges.push_back(e);
+    }
+    for (VertexId v : complex.region_vertices[r]) {
+      if (!complex.on_frame(v)) out.vertices.push_back(v);
+    }
+  }
+  sort_unique(out.faces);
+  for (FaceId f : out.faces) {
+    for (LoopId l : complex.face_loops[f]) {
+      for (HalfEdge h : complex.loop[l]) {
+        if (!complex.on_frame(h.edge())) out.edges.push_back(h.edge());
+      }
+    }
+    for (VertexId v : complex.face_vertices[f]) {
+      if (!complex.on_frame(v)) out.vertices.push_back(v);
+    }
+  }
+  sort_unique(out.edges);
+  for (EdgeId e : out.edges) {
+    for (VertexId v : complex.edge_ends[e]) {
+      if (!complex.on_frame(v)) out.vertices.push_back(v);
+    }
+  }
+  sort_unique(out.vertices);
+  return out;
+}
+
+CellSet interior(const Complex& complex, const CellSet& set) {
+  const MarkedSet marked(complex, set);
+  bool whole = true;
+  StarWalk walk(
+      complex, [&](EdgeId e) { whole = whole && marked.edges[e]; },
+      [&](FaceId f) { whole = whole && marked.faces[f]; },
+      [&](RegionId r) { whole = whole && marked.regions[r]; });
+  const auto keep = [&](const auto& from, auto& to) {
+    for (auto id : from) {
+      whole = true;
+      walk.of(id);
+      if (whole) to.push_back(id);
+    }
+  };
+  CellSet out;
+  keep(set.vertices, out.vertices);
+  keep(set.edges, out.edges);
+  keep(set.faces, out.faces);
+  out.regions = set.regions;
+  return out;
+}
+
+CellSet boundary(const Complex& complex, const CellSet& set) {
+  return subtract(closure(complex, set), interior(complex, set));
+}
+
+Selection restrict_to(const Selection& s, const CellSet& set) {
+  return {restricted(s.vertices, set.vertices), restricted(s.edges, set.edges), restricted(s.faces, set.faces),
+          restricted(s.regions, set.regions)};
+}
+
+Selection add_component(const Selection& s, const CellSet& set, Component component) {
+  return {extended(s.vertices, set.vertices, component), extended(s.edges, set.edges, component),
+          extended(s.faces, set.faces, component), extended(s.regions, set.regions, component)};
+}
+
+}  // namespace cnrg
