@@ -4,11 +4,10 @@
 #include "csg/leaves/result_leaf.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "csg/leaves/mesh_file.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -19,7 +18,7 @@ using Index = std::uint32_t;
 using Loop = std::vector<Index>;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& path, const std::string& what) {
-  throw InputError(file + ": " + (path.empty() ? "" : path + ": ") + what);
+  throw LeafFileError(file + ": error: " + (path.empty() ? "" : path + ": ") + what);
 }
 constexpr const char* kAgain = "; write the file again with `cnrg eval -o`";
 
@@ -436,13 +435,6 @@ std::string position(const std::string& text, std::size_t byte) {
   return std::to_string(line) + ":" + std::to_string(start == std::string::npos ? byte + 1 : byte - start);
 }
 
-std::string read_file(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) throw FileError(file + ": can not be read");
-  return std::move(text).str();
-}
-
 }  // namespace
 
 std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
@@ -451,8 +443,8 @@ std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
   try {
     document = Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw InputError(shape.file + ":" + position(text, error.byte) +
-                     ": this is no JSON text from here on; is the file cut short? Write it again with `cnrg eval -o`");
+    throw LeafFileError(shape.file + ":" + position(text, error.byte) +
+                        ": error: this is no JSON text from here on; is the file cut short? Write it again with `cnrg eval -o`");
   }
   return std::make_unique<ResultLeaf>(Reader(shape.file, document).read());
 }
