@@ -1,4 +1,4 @@
-// A result read back as a leaf.
+// A result file (`.json`) as a leaf: `{cnrg: file.json}`.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,16 @@
 
 namespace cnrg {
 
-/// Reads a `.json` result: a leaf with the same cells, regions, names and materials.
-/// Throws InputError or FileError as `prepare` does.
+/// Reads a result that `cnrg eval -o file.json` wrote. The leaf has the same complex: faces by their loops (by
+/// their facets where they are not flat) with the regions on both sides (Fill::sides), wires, isolated points
+/// and features; patches and leaf faces keep their identity, regions their names and materials.
+///
+/// A leaf is a group: closed, and empty far away. A result that is not closed or that has a region, face or
+/// line without bounds is refused: read the operands back and apply the operator (`complement`, `interior`,
+/// ...) in the tree.
+///
+/// Throws InputError `file:line:column: ...` where the file is no JSON, `file: /faces/3/loops/0: ...` with the
+/// JSON path of any other fault and what to do; FileError if the file can not be read.
 std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape);
 
 }  // namespace cnrg
