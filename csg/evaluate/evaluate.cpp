@@ -107,20 +107,11 @@ std::vector<LeafId> leaves_below(const Unfolding& unfolding, const PreparedLeave
 }
 
 /// Exact volume of each region of a group; nothing for an unbounded one.
-std::vector<std::optional<Rational>> volumes_of(const Group& group, const std::vector<std::optional<Rational>>& cells) {
-  std::vector<std::vector<Rational>> parts(group.regions.size());
-  std::vector<char> unbounded(group.regions.size());
-  for (const auto& [cell, region] : group.cells) {
-    if (cells[cell.index()]) {
-      parts[region - 1].push_back(*cells[cell.index()]);
-    } else {
-      unbounded[region - 1] = true;
-    }
-  }
-  std::vector<std::optional<Rational>> result(parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!unbounded[i]) result[i] = sum(std::move(parts[i]));
-  }
+std::vector<std::optional<Rational>> volumes_of(const Complex& complex, const Group& group) {
+  std::vector<std::vector<RegionId>> cells(group.regions.size());
+  for (const auto& [cell, region] : group.cells) cells[region - 1].push_back(cell);
+  std::vector<std::optional<Rational>> result;
+  for (const std::vector<RegionId>& region : cells) result.push_back(volume(complex, region));
   return result;
 }
 
@@ -135,13 +126,12 @@ NodeRow row_of(const Tree& tree, const Unfolding& unfolding, InstanceId id) {
 }
 
 /// Fills the numbers of a row; returns the simplified value.
-SimplifiedComplex measure(const Complex& complex, const Group& group,
-                          const std::vector<std::optional<Rational>>& cell_volumes, NodeRow& row) {
+SimplifiedComplex measure(const Complex& complex, const Group& group, NodeRow& row) {
   const Selection selection = selection_of(complex, group);
   row.raw_cells = {selection.vertices.size(), selection.edges.size(), selection.faces.size(), selection.regions.size()};
   SimplifiedComplex simplified = simplify(complex, selection, group.features);
   row.cells = active_counts(simplified);
-  row.volumes = volumes_of(group, cell_volumes);
+  row.volumes = volumes_of(complex, group);
   return simplified;
 }
 
@@ -169,7 +159,6 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
   refine(leaves, options, result);
   report_dropped(tree, leaves, result);
   const Complex& complex = *result.complex;
-  const std::vector<std::optional<Rational>> cell_volumes = region_volumes(complex);
 
   Values values = leaf_values(tree, unfolding, leaves, complex);
   IdVector<InstanceId, std::size_t> uses = count_uses(unfolding);
@@ -190,7 +179,7 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     }
     const bool is_root = std::find(unfolding.roots.begin(), unfolding.roots.end(), id) != unfolding.roots.end();
     if (options.rows || is_root) {
-      SimplifiedComplex simplified = measure(complex, *values[id], cell_volumes, row);
+      SimplifiedComplex simplified = measure(complex, *values[id], row);
       if (is_root) shown.emplace(id, std::move(simplified));
     }
     result.rows.push_back(std::move(row));

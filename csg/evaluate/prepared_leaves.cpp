@@ -14,20 +14,22 @@ std::optional<std::size_t> index_in(const std::string& text) {
   return static_cast<std::size_t>(std::stoul(text));
 }
 
-/// A position in some other file at the head of a message, such as `part.off:12:3: error: `.
-struct FileHead {
-  std::string file;
+/// What the reader of `file` said, apart: `file:line:column: error: rest`, `file:line: error: rest` or
+/// `file: rest`, where the fault has no line.
+struct FileFault {
   Position at;
   std::string rest;
 };
-std::optional<FileHead> split_head(const std::string& message) {
-  static const std::regex kHead(R"(^([^\n]*?):(\d+):(?:(\d+):)? ?(?:error: )?([\s\S]*)$)");
+std::optional<FileFault> split(const std::string& message, const std::string& file) {
+  if (file.empty() || !message.starts_with(file + ":")) return std::nullopt;
+  static const std::regex kForm(R"(^(?:(\d+):)?(?:(\d+):)? ?(?:error: )?([\s\S]*)$)");
+  const std::string tail = message.substr(file.size() + 1);
   std::smatch match;
-  if (!std::regex_match(message, match, kHead)) return std::nullopt;
-  const auto line = index_in(match[2]);
-  const auto column = match[3].matched ? index_in(match[3]) : std::optional<std::size_t>(1);
-  if (!line || !column) return std::nullopt;
-  return FileHead{match[1], {static_cast<int>(*line), static_cast<int>(*column)}, match[4]};
+  if (!std::regex_match(tail, match, kForm)) return std::nullopt;
+  FileFault fault{{}, match[3]};
+  if (const auto line = match[1].matched ? index_in(match[1]) : std::nullopt) fault.at.line = static_cast<int>(*line);
+  if (const auto column = match[2].matched ? index_in(match[2]) : std::nullopt) fault.at.column = static_cast<int>(*column);
+  return fault;
 }
 
 /// The file that a shape reads; empty when it reads none.
@@ -86,15 +88,13 @@ PreparedLeaves::PreparedLeaves(const Tree& tree)
 
 void PreparedLeaves::prepare_node(NodeId id) {
   const Node& node = tree_->nodes[id];
-  const std::string file = file_of(*node.shape);
-  const auto in_own_file = [&](const std::string& message) { return !file.empty() && message.starts_with(file + ":"); };
   try {
     prepared_[id] = prepare(*node.shape);
   } catch (const InputError& e) {
-    const std::optional<FileHead> head = in_own_file(e.what()) ? split_head(e.what()) : std::nullopt;
-    if (head) {
-      throw TreeError(head->file, head->at, head->rest + " (read for the node `" + node.name + "`, " +
-                                            to_string(tree_->file, node.operator_at) + ")");
+    const std::string file = file_of(*node.shape);
+    if (const std::optional<FileFault> fault = split(e.what(), file)) {
+      throw TreeError(file, fault->at, fault->rest + " (read for the node `" + node.name + "`, " +
+                                       to_string(tree_->file, node.operator_at) + ")");
     }
     static const std::regex kFace(R"(\bface (\d+))");
     std::cmatch match;
