@@ -4,11 +4,10 @@
 #include "csg/leaves/result_leaf.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "csg/leaves/mesh_file.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -19,7 +18,7 @@ using Index = std::uint32_t;
 using Loop = std::vector<Index>;
 
 [[noreturn]] void refuse(const std::string& file, const std::string& path, const std::string& what) {
-  throw InputError(file + ": " + (path.empty() ? "" : path + ": ") + what);
+  throw LeafFileError(file + ": error: " + (path.empty() ? "" : path + ": ") + what);
 }
 constexpr const char* kAgain = "; write the file again with `cnrg eval -o`";
 
@@ -87,7 +86,13 @@ struct Facet {
 struct Edge {
   Loop points;                 ///< a closed chain repeats its first point
   Index component = 0;
-  bool entity = false, feature = false, wire = true, slit = false;
+  bool entity = false, feature = false;
+  Index uses = 0;              ///< how often faces walk it
+  bool slit = false;           ///< one face walks it twice
+  Index surface = 0, patch = 0;  ///< of the first face
+  bool parts = false;          ///< another face is of another surface and patch
+  /// True if the faces alone make it a feature: a free border, a border between two faces, or one of many.
+  bool implied() const { return uses != 0 && !slit && (uses != 2 || parts); }
 };
 
 struct Content {
@@ -266,7 +271,6 @@ class Reader {
   }
 
   void read_faces() {
-    const bool can_be_open = true;
     Index next = 0;
     each("faces", [&](const Cursor& f) {
       const Index number = next++;
@@ -280,18 +284,18 @@ class Reader {
           labels[i] = region_component_[sides.at(i).number(region_component_.size(), "region")];
         }
       }
-      if (component == 0 && can_be_open && (labels[0] != 0 || labels[1] != 0)) {
+      if (component == 0 && (labels[0] != 0 || labels[1] != 0)) {
         not_closed(f, "this face of a region is missing");
       }
-      std::vector<Loop> walks = read_walks(f);
-      if (component == 0) return;
-      check_boundary(f, walks);
-      if (!entity) return;
       Facet facet;
       facet.front = labels[0];
       facet.back = labels[1];
       facet.patch = f.has("patch") ? f.member("patch").number(1u << 31, "patch") : number;
       facet.surface = f.has("surface") ? f.member("surface").number(1u << 31, "surface") : number;
+      const std::vector<Loop> walks = read_walks(f);
+      if (component == 0) return;
+      check_boundary(f, walks, entity ? &facet : nullptr);
+      if (!entity) return;
       if (!f.has("facets")) {
         add_facet(f, walks, facet);
         return;
@@ -309,10 +313,9 @@ class Reader {
     return walks;
   }
 
-  /// The edges of a face must be there and be active; counts how the face walks them.
-  void check_boundary(const Cursor& face, const std::vector<Loop>& walks) {
-    std::map<Index, Index> last;                 // edge -> point where the face began to walk a segment of it
-    std::map<std::pair<Index, Index>, int> walked;
+  /// The edges of a face must be there and be active; `entity` (or null) is told to them.
+  void check_boundary(const Cursor& face, const std::vector<Loop>& walks, const Facet* entity) {
+    std::map<Index, std::pair<Index, Index>> first;  // edge -> the segment where the face walks it first
     for (const Loop& walk : walks) {
       for (std::size_t i = 0; i < walk.size(); ++i) {
         const Index a = walk[i], b = walk[(i + 1) % walk.size()];
@@ -325,9 +328,19 @@ class Reader {
         if (edge.component == 0) {
           not_closed(face, "its edge between points " + std::to_string(a) + " and " + std::to_string(b) + " is missing");
         }
-        edge.wire = false;
-        if (++walked[std::minmax(a, b)] > 1) edge.slit = true;
+        const auto [entry, fresh] = first.try_emplace(found->second, a, b);
+        if (!fresh && std::minmax(a, b) == std::minmax(entry->second.first, entry->second.second)) edge.slit = true;
+        if (entity != nullptr && (fresh || edge.slit)) use(edge, *entity);
       }
+    }
+  }
+
+  static void use(Edge& edge, const Facet& face) {
+    if (edge.uses++ == 0) {
+      edge.surface = face.surface;
+      edge.patch = face.patch;
+    } else if (edge.surface != face.surface && edge.patch != face.patch) {
+      edge.parts = true;
     }
   }
 
@@ -361,13 +374,18 @@ class Reader {
   }
 
   void make_wires() {
-    std::vector<char> on_edge(content_.points.size(), 0);
+    std::vector<Index> at(content_.points.size(), 0), features(content_.points.size(), 0);  // edges at a point
     for (Edge& edge : edges_) {
-      for (const Index p : edge.points) on_edge[p] = 1;
-      if (edge.entity && (edge.wire || edge.slit || edge.feature)) content_.wires.push_back(std::move(edge.points));
+      for (const Index p : edge.points) ++at[p];
+      for (const Index p : {edge.points.front(), edge.points.back()}) features[p] += edge.feature;
+      if (edge.entity && (edge.uses == 0 || edge.slit || (edge.feature && !edge.implied()))) {
+        content_.wires.push_back(std::move(edge.points));
+      }
     }
+    // Where one feature edge ends, or three or more meet, their vertex is a feature without being told.
     for (const auto& [point, vertex] : vertices_) {
-      if (vertex.entity && (vertex.feature || !on_edge[point])) content_.isolated.push_back(point);
+      const bool implied = features[point] == 1 || features[point] > 2;
+      if (vertex.entity && (at[point] == 0 || (vertex.feature && !implied))) content_.isolated.push_back(point);
     }
   }
 };
@@ -417,13 +435,6 @@ std::string position(const std::string& text, std::size_t byte) {
   return std::to_string(line) + ":" + std::to_string(start == std::string::npos ? byte + 1 : byte - start);
 }
 
-std::string read_file(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) throw FileError(file + ": can not be read");
-  return std::move(text).str();
-}
-
 }  // namespace
 
 std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
@@ -432,8 +443,8 @@ std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
   try {
     document = Json::parse(text);
   } catch (const Json::parse_error& error) {
-    throw InputError(shape.file + ":" + position(text, error.byte) +
-                     ": this is no JSON text from here on; is the file cut short? Write it again with `cnrg eval -o`");
+    throw LeafFileError(shape.file + ":" + position(text, error.byte) +
+                        ": error: this is no JSON text from here on; is the file cut short? Write it again with `cnrg eval -o`");
   }
   return std::make_unique<ResultLeaf>(Reader(shape.file, document).read());
 }

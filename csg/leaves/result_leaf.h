@@ -15,8 +15,9 @@ namespace cnrg {
 /// line without bounds is refused: read the operands back and apply the operator (`complement`, `interior`,
 /// ...) in the tree.
 ///
-/// Throws InputError `file:line:column: ...` where the file is no JSON, `file: /faces/3/loops/0: ...` with the
-/// JSON path of any other fault and what to do; FileError if the file can not be read.
+/// Throws LeafFileError `file:line:column: error: ...` where the file is no JSON and `file: error: /faces/3/loops:
+/// ...` with the JSON path of any other fault, each with what to do; InputError if there is no such file,
+/// FileError if it can not be read.
 std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape);
 
 }  // namespace cnrg

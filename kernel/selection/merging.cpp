@@ -122,7 +122,8 @@ Merging::Fate Merging::decide(EdgeId e) {
   }
   if (n == 0) return s == state(region(complex_.some_region(e))) ? Fate::in_region : Fate::kept;
   if (n == 1) return Fate::kept;
-  const auto &[f, hf] = use(pair[0]), &[g, hg] = use(pair[1]);
+  const auto& [f, hf] = use(pair[0]);
+  const auto& [g, hg] = use(pair[1]);
   if (s != state(f) || s != state(g)) return Fate::kept;
   const bool coplanar = complex_.face_sheet[f] == complex_.face_sheet[g];
   if (!coplanar && (mode_ == SimplifyMode::points || !share_patch(complex_, f, g))) return Fate::kept;
