@@ -13,7 +13,7 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Reads the vertices and triangles of an OFF or OBJ file (polygons are cut into fans). Throws std::runtime_error.
+/// The triangles of a mesh file, polygons cut into fans. Throws as the reader of mesh leaves does.
 TriangleMesh read_mesh(const std::string& path);
 
 /// Turned about the y axis through the origin by `angle` (radians), then moved; coordinates rounded to doubles.

@@ -9,8 +9,16 @@
 #include <vector>
 
 #include "csg/leaves/shapes.h"
+#include "kernel/base/error.h"
 
 namespace cnrg {
+
+/// A fault inside a file that a leaf reads. The message already has its position, `file:line: error: ...` (for
+/// binary data `file: byte N: error: ...`): who knows the tree's position may add where the file is used.
+class LeafFileError : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 /// What a leaf says about its regions: region i (from 1) has `regions[i - 1]`. Material and name are those of
 /// the shape itself (group regions, results read back); the node's own attributes come from the tree.
@@ -23,6 +31,7 @@ class PreparedLeaf {
  public:
   virtual ~PreparedLeaf() = default;
   /// Adds the leaf under a transform. Orientation survives reflections: sides and winding mean the same.
+  /// An unbounded leaf adds only its id; `make_soup`, which sees how far the others reach, adds its face.
   virtual LeafId add_to(Soup& soup, const Transform& transform) const = 0;
   virtual std::vector<LeafRegion> regions() const = 0;
   /// Things to tell the user, such as an open mesh that is taken as a surface.
@@ -32,8 +41,8 @@ class PreparedLeaf {
 };
 
 /// Reads files and checks everything that can be checked for the leaf alone. Throws InputError: the message
-/// starts with `file:line:` for a fault inside a mesh file, otherwise it has no position and the tree reader
-/// puts the node's position in front. Throws FileError if a file exists but can not be read.
+/// starts with `file:line:` for a fault inside a mesh file (LeafFileError), otherwise it has no position and the
+/// tree reader puts the node's position in front. Throws FileError if a file exists but can not be read.
 std::unique_ptr<PreparedLeaf> prepare(const Shape& shape);
 
 /// One instance of a leaf.

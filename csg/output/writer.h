@@ -18,13 +18,17 @@ struct LeafInfo {
 struct ResultView {
   std::string node;                       ///< name of the node
   const Complex* complex = nullptr;
-  const Group* group = nullptr;
+  const Group* group = nullptr;           ///< null for the value of a CNRG operator
   const SimplifiedComplex* simplified = nullptr;
   const std::vector<LeafInfo>* leaves = nullptr;  ///< by LeafId
   struct Material {
     std::string name, color;
   };
   std::vector<Material> materials;
+  /// Without a group: the attributes of component i are `(*components)[i - 1]`. May be null.
+  const std::vector<RegionAttributes>* components = nullptr;
+  /// The leaves below the node, ascending; provenance names no others. Empty: all leaves.
+  std::vector<LeafId> sources;
 };
 
 /// What rounding to doubles did to a written file.

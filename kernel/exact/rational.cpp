@@ -128,7 +128,7 @@ std::string to_decimal(const Rational& value, int digits) {
     if (sign.size() + plain.size() <= 21) return sign + plain;
   }
   std::string mantissa = text.substr(0, 1);
-  if (count > 1) mantissa += "." + text.substr(1);
+  if (count > 1) mantissa.append(1, '.').append(text, 1);
   return sign + mantissa + "e" + std::to_string(k);
 }
 

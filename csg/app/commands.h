@@ -1,0 +1,31 @@
+// The commands. Each throws what the libraries throw; main.cpp turns that into messages and exit statuses.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cnrg::app {
+
+struct EvalArguments {
+  std::string tree;
+  std::vector<std::string> nodes;
+  std::vector<std::string> files;
+  bool trace = false, raw = false, quiet = false;
+  int threads = 0;
+};
+/// `cnrg eval`: a row per node, a file per `-o`.
+int run_eval(const EvalArguments& arguments);
+
+/// `cnrg check`: reads and validates only.
+int run_check(const std::string& tree);
+
+/// `cnrg locate`: the cell that holds each point of standard input.
+int run_locate(const std::string& tree, const std::string& node, int threads);
+
+/// `cnrg tables`: the tables as the code has them.
+int run_tables();
+
+/// The text of `cnrg --version`.
+std::string version_text();
+
+}  // namespace cnrg::app

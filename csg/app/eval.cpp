@@ -1,0 +1,107 @@
+// `cnrg eval` and `cnrg check`.
+#include <algorithm>
+#include <iostream>
+
+#include "csg/app/commands.h"
+#include "csg/app/exit_status.h"
+#include "csg/app/progress_bar.h"
+#include "csg/app/row_table.h"
+#include "csg/evaluate/evaluate.h"
+#include "csg/output/writer.h"
+
+namespace cnrg::app {
+namespace {
+
+void print(const std::vector<Diagnostic>& diagnostics, bool quiet) {
+  for (const Diagnostic& d : diagnostics) {
+    if (!quiet || d.level == Diagnostic::Level::warning) std::cerr << d.text() << "\n";
+  }
+}
+
+/// Files and the nodes that they show: the result; or the one `--node`; or one `--node` for each file.
+std::vector<NodeId> nodes_of_files(const Tree& tree, const EvalArguments& arguments, const std::vector<NodeId>& nodes) {
+  const std::size_t n = arguments.files.size();
+  if (nodes.empty()) return std::vector<NodeId>(n, tree.result);
+  if (nodes.size() == 1) return std::vector<NodeId>(n, nodes[0]);
+  if (n != 0 && nodes.size() != n) {
+    throw InputError("cnrg: error: " + std::to_string(nodes.size()) + " times --node and " + std::to_string(n) +
+                     " times -o; give no --node (the files show the result), one for all files, or one for each file");
+  }
+  return nodes;
+}
+
+/// The tree's materials, and those that only results read back as leaves bring along.
+std::vector<ResultView::Material> materials_of(const Tree& tree, const Group& group) {
+  std::vector<ResultView::Material> materials;
+  for (const Material& m : tree.materials) materials.push_back({m.name, m.color});
+  for (const RegionAttributes& region : group.regions) {
+    const auto same = [&](const ResultView::Material& m) { return m.name == region.material; };
+    if (region.material.empty() || std::any_of(materials.begin(), materials.end(), same)) continue;
+    materials.push_back({region.material, ""});
+  }
+  return materials;
+}
+
+void write_file(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
+                const std::vector<LeafInfo>& leaves, bool quiet) {
+  const KeptValue& value = evaluation.value(node);
+  ResultView view;
+  view.node = tree.nodes[node].name;
+  view.complex = evaluation.complex.get();
+  view.group = &value.group;
+  view.simplified = &value.simplified;
+  view.leaves = &leaves;
+  view.materials = materials_of(tree, value.group);
+  view.sources = value.leaves;
+  const RoundingReport rounding = write(path, view);
+  if (!rounding.embedded) {
+    std::cerr << path << ": warning: rounding moved " << rounding.moved
+              << " vertices and facets cross in this file; write .json for the exact result\n";
+  } else if (rounding.moved > 0 && !quiet) {
+    std::cerr << path << ": notice: rounding moved " << rounding.moved << " vertices; the facets still meet as they should\n";
+  }
+}
+
+}  // namespace
+
+int run_eval(const EvalArguments& arguments) {
+  const Tree tree = read_tree(arguments.tree);
+  EvaluateOptions options;
+  options.threads = arguments.threads;
+  options.raw = arguments.raw;
+  options.rows = !arguments.quiet;
+  for (const std::string& name : arguments.nodes) options.nodes.push_back(tree.find(name));
+  const std::vector<NodeId> shown = nodes_of_files(tree, arguments, options.nodes);
+  std::vector<NodeId> roots = options.nodes;
+  roots.push_back(tree.result);
+  print(unused_nodes(tree, roots), arguments.quiet);
+
+  ProgressBar bar(arguments.quiet);
+  options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) { bar.show(stage, done, total); };
+  const Evaluation evaluation = evaluate(tree, options);
+  bar.clear();
+  print(evaluation.diagnostics, arguments.quiet);
+  if (!arguments.quiet) std::cout << row_table(evaluation.rows, arguments.raw, arguments.trace);
+  if (!arguments.quiet && arguments.trace) std::cout << refinement_summary(evaluation);
+  std::cout << std::flush;
+
+  std::vector<LeafInfo> leaves;
+  for (const std::string& name : evaluation.leaf_names) leaves.push_back({name});
+  for (std::size_t i = 0; i < arguments.files.size(); ++i) {
+    bar.show("write " + arguments.files[i], 0, 0);
+    bar.clear();
+    write_file(arguments.files[i], tree, evaluation, shown[i], leaves, arguments.quiet);
+  }
+  return kDone;
+}
+
+int run_check(const std::string& path) {
+  const Tree tree = read_tree(path);
+  print(unused_nodes(tree, {tree.result}), false);
+  print(check(tree), false);
+  const auto leaves = std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const Node& n) { return n.op == Operator::leaf; });
+  std::cout << path << ": " << tree.nodes.size() << " nodes, " << leaves << " of them leaves; no faults\n";
+  return kDone;
+}
+
+}  // namespace cnrg::app

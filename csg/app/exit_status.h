@@ -1,0 +1,11 @@
+// How the program ends (the interface's table of exit statuses).
+#pragma once
+
+namespace cnrg::app {
+
+inline constexpr int kDone = 0;
+inline constexpr int kBug = 1;       ///< a broken invariant
+inline constexpr int kBadInput = 2;  ///< tree, points or command line
+inline constexpr int kNoAccess = 3;  ///< a file could not be read or written, or memory ran out
+
+}  // namespace cnrg::app

@@ -1,0 +1,110 @@
+// `cnrg locate`: `dim cell component name` per input line.
+//
+// A cell is named by its letter (v, e, f, r) and its number in the simplified node, `-` where an inactive region
+// touches nothing of the node. Component 0 is inactive and has no name; the entities of a group (walls, wires,
+// points) are one component after its regions.
+#include <array>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "csg/app/commands.h"
+#include "csg/app/exit_status.h"
+#include "csg/app/progress_bar.h"
+#include "csg/evaluate/evaluate.h"
+
+namespace cnrg::app {
+namespace {
+
+/// The words of a line and the columns at which they begin, from 1.
+struct Word {
+  std::string text;
+  int column;
+};
+std::vector<Word> words_of(const std::string& line) {
+  std::vector<Word> words;
+  const char* const kBlank = " \t\r";
+  for (std::size_t begin = line.find_first_not_of(kBlank); begin != std::string::npos;) {
+    const std::size_t end = std::min(line.find_first_of(kBlank, begin), line.size());
+    words.push_back({line.substr(begin, end - begin), static_cast<int>(begin) + 1});
+    begin = line.find_first_not_of(kBlank, end);
+  }
+  return words;
+}
+
+RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
+  RationalPoint point;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k >= words.size()) {
+      throw TreeError("<stdin>", {line, line_end}, "a point has three numbers and this line only " +
+                                                   std::to_string(words.size()) + "; write `x y z`");
+    }
+    const std::optional<Rational> value = parse_rational(words[k].text);
+    if (!value) {
+      throw TreeError("<stdin>", {line, words[k].column},
+                      "`" + words[k].text + "` is no number; write a decimal such as 0.1 or a fraction such as 1/3");
+    }
+    point[k] = *value;
+  }
+  if (words.size() > 3) {
+    throw TreeError("<stdin>", {line, words[3].column}, "a point has three numbers and this line more; write `x y z`");
+  }
+  return point;
+}
+
+Component component_of(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place) {
+  if (place.index == SimplifiedComplex::kNowhere) return 0;
+  switch (place.dimension) {
+    case 0: return simplified.vertices[place.index].component;
+    case 1: return simplified.edges[place.index].component;
+    case 2: return simplified.faces[place.index].component;
+    default: return simplified.regions[place.index].component;
+  }
+}
+
+std::string describe(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place, const Group& group) {
+  constexpr std::array<char, 4> kLetters{'v', 'e', 'f', 'r'};
+  const Component component = component_of(simplified, place);
+  const bool nowhere = place.index == SimplifiedComplex::kNowhere;
+  std::string text = std::to_string(place.dimension) + " ";
+  text += nowhere ? "-" : kLetters[static_cast<std::size_t>(place.dimension)] + std::to_string(place.index);
+  text += " " + std::to_string(component);
+  if (component == 0) return text;
+  const std::string name = component <= group.regions.size() ? group.regions[component - 1].name : "entities";
+  return name.empty() ? text : text + " " + name;
+}
+
+}  // namespace
+
+int run_locate(const std::string& path, const std::string& name, int threads) {
+  const Tree tree = read_tree(path);
+  const NodeId node = name.empty() ? tree.result : tree.find(name);
+  EvaluateOptions options;
+  options.threads = threads;
+  options.rows = false;
+  options.nodes = {node};
+  Evaluation evaluation;
+  {
+    ProgressBar bar(false);
+    options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) { bar.show(stage, done, total); };
+    evaluation = evaluate(tree, options);
+  }
+  for (const Diagnostic& d : evaluation.diagnostics) std::cerr << d.text() << "\n";
+  const KeptValue& value = evaluation.value(node);
+  const Locator locator(*evaluation.complex);
+  std::string line;
+  for (int number = 1; std::getline(std::cin, line); ++number) {
+    const std::vector<Word> words = words_of(line);
+    if (words.empty()) {
+      std::cout << "\n";
+      continue;
+    }
+    const RationalPoint point = point_of(words, number, static_cast<int>(line.size()) + 1);
+    const SimplifiedComplex::Place place = value.simplified.place(*evaluation.complex, locator.locate(point));
+    std::cout << describe(value.simplified, place, value.group) << "\n";
+  }
+  return kDone;
+}
+
+}  // namespace cnrg::app

@@ -1,0 +1,125 @@
+// The command line: what is asked for, and how the program ends.
+//
+// Results go to standard output; everything said about them goes to standard error. A command throws; here each
+// kind of exception becomes one message and its exit status.
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <new>
+
+#include <CLI/CLI.hpp>
+
+#include "csg/app/commands.h"
+#include "csg/app/exit_status.h"
+#include "kernel/base/error.h"
+
+namespace cnrg::app {
+namespace {
+
+/// Messages about files have their place in front; others are told in the program's name.
+int fail(int status, const std::string& message) {
+  const bool placed = message.find(": error: ") != std::string::npos;
+  std::cerr << (placed ? "" : "cnrg: error: ") << message << std::endl;
+  return status;
+}
+
+int guarded(const std::function<int()>& command) {
+  try {
+    const int status = command();
+    std::cout.flush();
+    if (!std::cout) return fail(kNoAccess, "the results could not be written to standard output; is there room?");
+    return status;
+  } catch (const InputError& e) {
+    return fail(kBadInput, e.what());
+  } catch (const FileError& e) {
+    return fail(kNoAccess, e.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kNoAccess, "memory ran out; use fewer segments or a smaller tree, or --threads 1");
+  } catch (const std::exception& e) {
+    return fail(kBug, std::string("broken invariant: ") + e.what() +
+                          "\nThis is a bug of cnrg: please send this message, the tree file with the files that it "
+                          "names, and the output of `cnrg --version`.");
+  }
+}
+
+struct LaterCommand {
+  const char *name, *purpose;
+};
+constexpr LaterCommand kLaterCommands[] = {
+    {"explain", "the way of a cell through the tree"},
+    {"mesh", "tetrahedra that conform to the result"},
+    {"view", "one self-contained page that shows the result"},
+};
+
+int run(int argc, char** argv) {
+  CLI::App program{"Exact Booleans of non-manifold solids, surfaces, wires and points, by tree files.", "cnrg"};
+  program.set_version_flag("--version", version_text(), "Versions of cnrg and of the libraries in it");
+  program.require_subcommand(1);
+  program.footer("Example:\n  cnrg eval model.yaml -o model.vtu\n\nExit status: 0 done, 2 bad input, 3 a file could not be "
+                 "read or written or memory\nran out, 1 a bug.");
+  std::function<int()> command;
+
+  EvalArguments eval;
+  CLI::App* sub = program.add_subcommand("eval", "Evaluates a tree: one row per node, files of the result");
+  sub->add_option("TREE", eval.tree, "Tree file (YAML or JSON)")->required();
+  sub->add_option("--node", eval.nodes, "Evaluate this node too; files show it instead of the result")
+      ->type_name("N")->expected(1)->take_all();
+  sub->add_option("-o", eval.files, "Write this file, in the format of its extension")
+      ->type_name("FILE")->expected(1)->take_all();
+  sub->add_flag("--trace", eval.trace, "Under each row: what each table row removed, volumes of regions");
+  sub->add_flag("--raw", eval.raw, "Keep the unsimplified cells of the refinement");
+  sub->add_option("--threads", eval.threads, "Threads; 0 is one per core")->type_name("K")->check(CLI::Range(0, 4096));
+  sub->add_flag("--quiet", eval.quiet, "No rows and no notices");
+  sub->footer("Example:\n  cnrg eval model.yaml --node split -o split.vtu --trace");
+  sub->callback([&] { command = [&] { return run_eval(eval); }; });
+
+  std::string tree, node;
+  int threads = 0;
+  sub = program.add_subcommand("check", "Reads and validates a tree file without evaluating it");
+  sub->add_option("TREE", tree, "Tree file (YAML or JSON)")->required();
+  sub->footer("Example:\n  cnrg check model.yaml");
+  sub->callback([&] { command = [&] { return run_check(tree); }; });
+
+  sub = program.add_subcommand("locate", "Reads points `x y z` and prints `dim cell component name` for each");
+  sub->add_option("TREE", tree, "Tree file (YAML or JSON)")->required();
+  sub->add_option("--node", node, "Node to look into; the result without it")->type_name("N");
+  sub->add_option("--threads", threads, "Threads; 0 is one per core")->type_name("K")->check(CLI::Range(0, 4096));
+  sub->footer("Example:\n  echo \"1/3 0.5 2\" | cnrg locate model.yaml --node split");
+  sub->callback([&] { command = [&] { return run_locate(tree, node, threads); }; });
+
+  sub = program.add_subcommand("tables", "Prints the tables of the Booleans in Markdown");
+  sub->footer("Example:\n  cnrg tables > tables.md");
+  sub->callback([&] { command = [] { return run_tables(); }; });
+
+  for (const LaterCommand& later : kLaterCommands) {
+    sub = program.add_subcommand(later.name, std::string(later.purpose) + " (not in this version)");
+    sub->allow_extras()->footer(std::string("Example, in a later version:\n  cnrg ") + later.name + " model.yaml");
+    sub->callback([&command, later] {
+      command = [later] {
+        return fail(kBadInput, std::string("`") + later.name + "` is not in this version of cnrg; see `cnrg --help` for "
+                                                               "what is");
+      };
+    });
+  }
+
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return program.exit(e);
+    return fail(kBadInput, std::string(e.what()) + "; see `cnrg --help`");
+  }
+  return guarded(command);
+}
+
+}  // namespace
+}  // namespace cnrg::app
+
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);
+  try {
+    return cnrg::app::run(argc, argv);
+  } catch (const std::exception& e) {
+    std::cerr << "cnrg: error: " << e.what() << std::endl;
+    return cnrg::app::kBug;
+  }
+}

@@ -1,0 +1,29 @@
+// `cnrg tables` and `cnrg --version`.
+#include <gmp.h>
+#include <mpfr.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include <CGAL/version.h>
+#include <boost/version.hpp>
+
+#include "csg/app/commands.h"
+#include "csg/app/exit_status.h"
+#include "csg/operators/tables.h"
+
+namespace cnrg::app {
+
+int run_tables() {
+  std::cout << tables_markdown() << std::flush;
+  return kDone;
+}
+
+std::string version_text() {
+  std::string boost = BOOST_LIB_VERSION;
+  std::replace(boost.begin(), boost.end(), '_', '.');
+  return std::string("cnrg ") + CNRG_VERSION + "\nCGAL " + CGAL_VERSION_STR + "\nGMP " + gmp_version + "\nMPFR " +
+         mpfr_get_version() + "\nBoost " + boost;
+}
+
+}  // namespace cnrg::app

@@ -1,0 +1,229 @@
+// Tree -> instances -> soup -> complex -> a group per leaf -> a group per node, operands first.
+//
+// All leaves are refined together, once; a node then costs what its operands touch. A value lives until its last
+// user has run. Nothing recurses: instances are in an order in which operands come before users.
+#include "csg/evaluate/evaluate.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+#include "csg/evaluate/operate.h"
+#include "csg/evaluate/prepared_leaves.h"
+#include "csg/operators/leaf_group.h"
+#include "kernel/selection/measure.h"
+
+namespace cnrg {
+namespace {
+
+using Values = IdVector<InstanceId, std::optional<Group>>;
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The result and the nodes asked for, each once.
+std::vector<NodeId> roots_of(const Tree& tree, const EvaluateOptions& options) {
+  std::vector<NodeId> roots{tree.result};
+  for (const NodeId node : options.nodes) {
+    if (std::find(roots.begin(), roots.end(), node) == roots.end()) roots.push_back(node);
+  }
+  return roots;
+}
+
+/// Soup and complex of all leaves.
+void refine(const PreparedLeaves& leaves, const EvaluateOptions& options, Evaluation& result) {
+  const Stopwatch stopwatch;
+  RefineOptions refine_options;
+  refine_options.threads = options.threads;
+  leaves.locate_errors([&] {
+    const Soup soup = make_soup(leaves.instances());
+    result.complex = std::make_unique<Complex>(build_complex(soup, refine_options, &result.refine));
+  });
+  if (options.validate) {
+    const std::string violation = validate(*result.complex);
+    require(violation.empty(), "the complex of the leaves is broken: " + violation);
+  }
+  result.leaf_names.resize(result.complex->leaf_count);
+  for (std::size_t i = 0; i < leaves.instances().size(); ++i) result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
+  result.refine_seconds = stopwatch.seconds();
+}
+
+/// Faces without area, counted per leaf node.
+void report_dropped(const Tree& tree, const PreparedLeaves& leaves, Evaluation& result) {
+  std::map<LeafId, std::size_t> dropped;
+  for (const SourceId source : result.refine.zero_area) ++dropped[result.complex->sources[source].leaf];
+  for (const auto& [leaf, count] : dropped) {
+    if (leaf.index() >= leaves.instances().size()) continue;
+    const Node& node = leaves.node_of(leaf);
+    result.diagnostics.push_back({tree.file, node.operator_at, Diagnostic::Level::notice,
+                                  "`" + node.name + "`: faces without area were dropped: " + std::to_string(count)});
+  }
+}
+
+Values leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, const Complex& complex) {
+  std::vector<std::vector<RegionAttributes>> attributes;
+  for (std::size_t i = 0; i < leaves.instances().size(); ++i) {
+    attributes.push_back(leaves.attributes(LeafId(i), complex.leaf_regions[LeafId(i)]));
+  }
+  std::vector<Group> groups = leaf_groups(complex, attributes);
+  Values values(unfolding.instances.size());
+  for (const InstanceId i : IdRange<InstanceId>(values.size())) {
+    const LeafId leaf = leaves.leaf_of(i);
+    if (!leaf.valid()) continue;
+    values[i] = std::move(groups[leaf.index()]);
+    apply_attributes(complex, tree.nodes[unfolding.instances[i].node], *values[i]);
+  }
+  return values;
+}
+
+/// How often each value is still needed: by users, and once more by each root.
+IdVector<InstanceId, std::size_t> count_uses(const Unfolding& unfolding) {
+  IdVector<InstanceId, std::size_t> uses(unfolding.instances.size());
+  for (const Instance& instance : unfolding.instances) {
+    for (const InstanceId operand : instance.operands) ++uses[operand];
+  }
+  for (const InstanceId root : unfolding.roots) ++uses[root];
+  return uses;
+}
+
+/// The leaves below an instance, ascending.
+std::vector<LeafId> leaves_below(const Unfolding& unfolding, const PreparedLeaves& leaves, InstanceId root) {
+  std::vector<char> below(root.index() + 1);
+  below[root.index()] = true;
+  std::vector<LeafId> result;
+  for (std::size_t i = below.size(); i-- > 0;) {  // users come after operands
+    if (!below[i]) continue;
+    const LeafId leaf = leaves.leaf_of(InstanceId(i));
+    if (leaf.valid()) result.push_back(leaf);
+    for (const InstanceId operand : unfolding.instances[InstanceId(i)].operands) below[operand.index()] = true;
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Exact volume of each region of a group; nothing for an unbounded one.
+std::vector<std::optional<Rational>> volumes_of(const Complex& complex, const Group& group) {
+  std::vector<std::vector<RegionId>> cells(group.regions.size());
+  for (const auto& [cell, region] : group.cells) cells[region - 1].push_back(cell);
+  std::vector<std::optional<Rational>> result;
+  for (const std::vector<RegionId>& region : cells) result.push_back(volume(complex, region));
+  return result;
+}
+
+NodeRow row_of(const Tree& tree, const Unfolding& unfolding, InstanceId id) {
+  const Instance& instance = unfolding.instances[id];
+  const Node& node = tree.nodes[instance.node];
+  NodeRow row;
+  row.node = instance.node;
+  row.name = unfolding.count[instance.node] == 1 ? node.name : node.name + "#" + std::to_string(instance.number);
+  row.operator_name = node.operator_name;
+  return row;
+}
+
+/// Fills the numbers of a row; returns the simplified value.
+SimplifiedComplex measure(const Complex& complex, const Group& group, NodeRow& row) {
+  const Selection selection = selection_of(complex, group);
+  row.raw_cells = {selection.vertices.size(), selection.edges.size(), selection.faces.size(), selection.regions.size()};
+  SimplifiedComplex simplified = simplify(complex, selection, group.features);
+  row.cells = active_counts(simplified);
+  row.volumes = volumes_of(complex, group);
+  return simplified;
+}
+
+void report_conflicts(const Tree& tree, const Node& node, const Outcome& outcome, Evaluation& result) {
+  for (const std::string& conflict : outcome.conflicts) {
+    result.diagnostics.push_back(
+        {tree.file, node.operator_at, Diagnostic::Level::warning, "`" + node.name + "`: " + conflict});
+  }
+}
+
+}  // namespace
+
+Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
+  const auto progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
+    if (options.progress) options.progress(stage, done, total);
+  };
+  Evaluation result;
+  const Unfolding unfolding = unfold(tree, roots_of(tree, options));
+
+  progress("leaves", 0, 0);
+  const PreparedLeaves leaves(tree, unfolding);
+  result.diagnostics = leaves.notices();
+
+  progress("refine", 0, 0);
+  refine(leaves, options, result);
+  report_dropped(tree, leaves, result);
+  const Complex& complex = *result.complex;
+
+  Values values = leaf_values(tree, unfolding, leaves, complex);
+  IdVector<InstanceId, std::size_t> uses = count_uses(unfolding);
+  std::map<InstanceId, SimplifiedComplex> shown;
+  for (const InstanceId id : IdRange<InstanceId>(values.size())) {
+    progress("nodes", id.index(), values.size());
+    const Instance& instance = unfolding.instances[id];
+    NodeRow row = row_of(tree, unfolding, id);
+    if (!values[id]) {
+      const Stopwatch stopwatch;
+      std::vector<const Group*> operands;
+      for (const InstanceId operand : instance.operands) operands.push_back(&*values[operand]);
+      Outcome outcome = operate(complex, tree.nodes[instance.node], operands);
+      row.seconds = stopwatch.seconds();
+      row.removals = std::move(outcome.removals);
+      report_conflicts(tree, tree.nodes[instance.node], outcome, result);
+      values[id] = std::move(outcome.group);
+    }
+    const bool is_root = std::find(unfolding.roots.begin(), unfolding.roots.end(), id) != unfolding.roots.end();
+    if (options.rows || is_root) {
+      SimplifiedComplex simplified = measure(complex, *values[id], row);
+      if (is_root) shown.emplace(id, std::move(simplified));
+    }
+    result.rows.push_back(std::move(row));
+    for (const InstanceId operand : instance.operands) {
+      if (--uses[operand] == 0) values[operand].reset();
+    }
+  }
+  progress("nodes", values.size(), values.size());
+
+  for (const InstanceId root : unfolding.roots) {
+    KeptValue kept{unfolding.instances[root].node, std::move(*values[root]), std::move(shown.at(root)),
+                   leaves_below(unfolding, leaves, root)};
+    if (options.raw) {
+      kept.simplified = simplify(complex, selection_of(complex, kept.group), kept.group.features, SimplifyMode::raw);
+    }
+    result.kept.push_back(std::move(kept));
+  }
+  return result;
+}
+
+std::vector<Diagnostic> check(const Tree& tree) {
+  unfold(tree, {tree.result});
+  return PreparedLeaves(tree).notices();
+}
+
+std::size_t NodeRow::removed() const {
+  std::size_t total = 0;
+  for (const auto& [id, count] : removals) total += count;
+  return total;
+}
+
+std::optional<Rational> NodeRow::volume() const {
+  Rational total = 0;
+  for (const std::optional<Rational>& volume : volumes) {
+    if (!volume) return std::nullopt;
+    total += *volume;
+  }
+  return total;
+}
+
+const KeptValue& Evaluation::value(NodeId node) const {
+  const auto it = std::find_if(kept.begin(), kept.end(), [&](const KeptValue& k) { return k.node == node; });
+  require(it != kept.end(), "evaluate: the value of this node was not kept");
+  return *it;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,78 @@
+// The driver over the DAG of a tree: one refinement for all leaves, then one selection per node.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "csg/operators/group.h"
+#include "csg/tree/tree.h"
+#include "kernel/complex/complex.h"
+#include "kernel/selection/simplify.h"
+
+namespace cnrg {
+
+/// Called at the beginning of a stage (done = 0) and after each of its steps; `total` is 0 when it is not known.
+using Progress = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
+
+struct EvaluateOptions {
+  int threads = 0;                   ///< 0: all cores
+  bool validate = false;             ///< check every invariant of the complex; InvariantError when one is broken
+  bool rows = true;                  ///< counts and volumes of all nodes; otherwise of the kept ones only
+  bool raw = false;                  ///< keep unsimplified cells
+  std::vector<NodeId> nodes;         ///< kept besides the result
+  Progress progress;                 ///< may be empty
+};
+
+/// One instance of a node, in numbers.
+struct NodeRow {
+  NodeId node;
+  std::string name;                  ///< of the node; `name#2` for its second instance
+  std::string operator_name;
+  std::array<std::size_t, 4> cells{};      ///< active cells by dimension, simplified
+  std::array<std::size_t, 4> raw_cells{};  ///< active cells by dimension, as the refinement has them
+  /// Entities removed by rows of the tables: id of the row and how many; rows that removed nothing are absent.
+  std::vector<std::pair<std::string, std::size_t>> removals;
+  std::size_t removed() const;
+  /// Exact volumes by region, from region 1, in cubic units; nothing for an unbounded region.
+  std::vector<std::optional<Rational>> volumes;
+  /// The sum of the volumes; nothing when a region is unbounded.
+  std::optional<Rational> volume() const;
+  double seconds = 0;                ///< of the operator alone
+};
+
+/// The value of a node that was asked for.
+struct KeptValue {
+  NodeId node;
+  Group group;
+  SimplifiedComplex simplified;      ///< with mode raw when the options say so
+  std::vector<LeafId> leaves;        ///< the leaves below it, ascending
+};
+
+struct Evaluation {
+  std::unique_ptr<Complex> complex;
+  RefineReport refine;
+  std::vector<NodeRow> rows;         ///< operands before users
+  std::vector<KeptValue> kept;       ///< the result, then `EvaluateOptions::nodes` in their order; each once
+  std::vector<std::string> leaf_names;     ///< by LeafId; empty for the frame
+  std::vector<Diagnostic> diagnostics;     ///< notices of leaves, conflicts of materials
+  double refine_seconds = 0;         ///< soup and complex
+  /// The kept value of a node; the node must have been asked for.
+  const KeptValue& value(NodeId node) const;
+};
+
+/// Evaluates the result of the tree and the nodes asked for, each placed by its own transform.
+/// Throws TreeError for faults with a place in the tree or in a file it names, FileError for files that can not
+/// be read, InvariantError for bugs.
+Evaluation evaluate(const Tree& tree, const EvaluateOptions& options = {});
+
+/// Everything that can be checked without evaluating: leaves (used or not), files, number of instances.
+/// Returns notices; throws as `evaluate` does.
+std::vector<Diagnostic> check(const Tree& tree);
+
+}  // namespace cnrg

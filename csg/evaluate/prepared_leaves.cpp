@@ -1,0 +1,163 @@
+// Preparation of leaves and translation of messages; see the header.
+#include "csg/evaluate/prepared_leaves.h"
+
+#include <optional>
+#include <regex>
+#include <string>
+
+namespace cnrg {
+namespace {
+
+/// The decimal number in `text`, or nothing when it is too long to be an index.
+std::optional<std::size_t> index_in(const std::string& text) {
+  if (text.size() > 9) return std::nullopt;
+  return static_cast<std::size_t>(std::stoul(text));
+}
+
+/// What the reader of `file` said, apart: `file:line:column: error: rest`, `file:line: error: rest` or
+/// `file: rest`, where the fault has no line.
+struct FileFault {
+  Position at;
+  std::string rest;
+};
+std::optional<FileFault> split(const std::string& message, const std::string& file) {
+  if (file.empty() || !message.starts_with(file + ":")) return std::nullopt;
+  static const std::regex kForm(R"(^(?:(\d+):)?(?:(\d+):)? ?(?:error: )?([\s\S]*)$)");
+  const std::string tail = message.substr(file.size() + 1);
+  std::smatch match;
+  if (!std::regex_match(tail, match, kForm)) return std::nullopt;
+  FileFault fault{{}, match[3]};
+  if (const auto line = match[1].matched ? index_in(match[1]) : std::nullopt) fault.at.line = static_cast<int>(*line);
+  if (const auto column = match[2].matched ? index_in(match[2]) : std::nullopt) fault.at.column = static_cast<int>(*column);
+  return fault;
+}
+
+/// The file that a shape reads; empty when it reads none.
+std::string file_of(const Shape& shape) {
+  if (const auto* mesh = std::get_if<MeshShape>(&shape)) return mesh->file;
+  if (const auto* field = std::get_if<HeightfieldShape>(&shape)) return field->file;
+  if (const auto* result = std::get_if<ResultShape>(&shape)) return result->file;
+  return {};
+}
+
+/// Where the tree file has a face of a leaf: the face of a group, else the leaf itself.
+Position position_of(const Node& node, std::optional<std::size_t> face) {
+  const auto* group = node.shape ? std::get_if<GroupShape>(&*node.shape) : nullptr;
+  if (!group || !face || *face >= group->faces.size() || group->faces[*face].line == 0) return node.operator_at;
+  return {group->faces[*face].line, group->faces[*face].column};
+}
+
+/// A leaf or some of its faces in words for people; `faces` is such as `, face 3, face 4`, or empty.
+struct Mention {
+  Position at;                       ///< of the first face
+  std::string words;
+};
+Mention mention_of(const Node& node, const std::string& faces) {
+  static const std::regex kNumber(R"(\d+)");
+  std::optional<Position> first;
+  std::string words;
+  for (std::sregex_iterator it(faces.begin(), faces.end(), kNumber), end; it != end; ++it) {
+    const Position at = position_of(node, index_in(it->str()));
+    words += (first ? ", face " : "face ") + it->str() + " (line " + std::to_string(at.line) + ")";
+    if (!first) first = at;
+  }
+  if (first) return {*first, words + " of `" + node.name + "`"};
+  return {node.operator_at, "`" + node.name + "` (line " + std::to_string(node.operator_at.line) + ")"};
+}
+
+}  // namespace
+
+PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding)
+    : tree_(&tree), prepared_(std::vector<std::unique_ptr<PreparedLeaf>>(tree.nodes.size())) {
+  leaf_of_.resize(unfolding.instances.size());
+  for (const InstanceId i : IdRange<InstanceId>(unfolding.instances.size())) {
+    const Instance& instance = unfolding.instances[i];
+    if (tree.nodes[instance.node].op != Operator::leaf) continue;
+    if (!prepared_[instance.node]) prepare_node(instance.node);
+    leaf_of_[i] = nodes_.push_back(instance.node);
+    instances_.push_back({prepared_[instance.node].get(), instance.transform});
+  }
+}
+
+PreparedLeaves::PreparedLeaves(const Tree& tree)
+    : tree_(&tree), prepared_(std::vector<std::unique_ptr<PreparedLeaf>>(tree.nodes.size())) {
+  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+    if (tree.nodes[id].op == Operator::leaf) prepare_node(id);
+  }
+}
+
+void PreparedLeaves::prepare_node(NodeId id) {
+  const Node& node = tree_->nodes[id];
+  try {
+    prepared_[id] = prepare(*node.shape);
+  } catch (const InputError& e) {
+    const std::string file = file_of(*node.shape);
+    if (const std::optional<FileFault> fault = split(e.what(), file)) {
+      throw TreeError(file, fault->at, fault->rest + " (read for the node `" + node.name + "`, " +
+                                       to_string(tree_->file, node.operator_at) + ")");
+    }
+    static const std::regex kFace(R"(\bface (\d+))");
+    std::cmatch match;
+    std::optional<std::size_t> face;
+    if (std::regex_search(e.what(), match, kFace)) face = index_in(match[1]);
+    throw TreeError(tree_->file, position_of(node, face), e.what());
+  } catch (const FileError& e) {
+    throw FileError(to_string(tree_->file, node.operator_at) + ": error: " + e.what());
+  }
+}
+
+std::vector<RegionAttributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t count) const {
+  const Node& node = node_of(leaf);
+  const std::vector<LeafRegion> own = instances_[leaf.index()].leaf->regions();
+  const std::string& name = node.label.empty() ? node.name : node.label;
+  std::vector<RegionAttributes> result(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (i < own.size()) {
+      result[i].name = own[i].name;
+      result[i].material = own[i].material;
+    }
+    if (result[i].name.empty()) result[i].name = count == 1 ? name : name + "." + std::to_string(i + 1);
+    if (result[i].material.empty()) result[i].material = node.material;
+    result[i].leaves = {leaf};
+  }
+  return result;
+}
+
+void PreparedLeaves::locate_errors(const std::function<void()>& work) const {
+  try {
+    work();
+  } catch (const TreeError&) {
+    throw;
+  } catch (const InputError& e) {
+    static const std::regex kPlace(R"(\bleaf (\d+)((?:, face \d+)*))");
+    const std::string message = e.what();
+    std::optional<Position> first;
+    std::string translated;
+    auto last = message.cbegin();
+    for (std::sregex_iterator it(message.begin(), message.end(), kPlace), end; it != end; ++it) {
+      const std::smatch& match = *it;
+      const auto leaf = index_in(match[1]);
+      if (!leaf || *leaf >= nodes_.size()) continue;
+      const Mention mention = mention_of(node_of(LeafId(*leaf)), match[2]);
+      if (!first) first = mention.at;
+      translated.append(last, match[0].first).append(mention.words);
+      last = match[0].second;
+    }
+    translated.append(last, message.cend());
+    throw TreeError(tree_->file, first.value_or(tree_->nodes_at), translated);
+  }
+}
+
+std::vector<Diagnostic> PreparedLeaves::notices() const {
+  std::vector<Diagnostic> result;
+  for (const NodeId id : IdRange<NodeId>(prepared_.size())) {
+    if (!prepared_[id]) continue;
+    for (const std::string& notice : prepared_[id]->notices()) {
+      result.push_back({tree_->file, tree_->nodes[id].operator_at, Diagnostic::Level::notice,
+                        "`" + tree_->nodes[id].name + "`: " + notice});
+    }
+  }
+  return result;
+}
+
+}  // namespace cnrg

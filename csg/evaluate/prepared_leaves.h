@@ -1,0 +1,50 @@
+// The leaves of a tree, read and checked, and the way back from the geometry's faults to the tree file.
+//
+// Shapes and kernel know no tree file. What they throw is caught here and told with its place: that of the leaf,
+// of the face of a group where the file lists it, or of the line of the mesh file that the fault is in.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "csg/leaves/leaf.h"
+#include "csg/operators/group.h"
+#include "csg/tree/tree.h"
+#include "csg/tree/unfold.h"
+
+namespace cnrg {
+
+/// The leaf instances of an unfolded tree; LeafId(i) is the i-th in the order of the instances.
+class PreparedLeaves {
+ public:
+  /// Prepares each leaf node below the unfolding once. Throws TreeError or FileError with a position.
+  PreparedLeaves(const Tree& tree, const Unfolding& unfolding);
+  /// Prepares every leaf node of the tree, used or not, without instances.
+  explicit PreparedLeaves(const Tree& tree);
+
+  const std::vector<LeafInstance>& instances() const { return instances_; }
+  /// The leaf of an instance; none() for an inner node.
+  LeafId leaf_of(InstanceId instance) const { return leaf_of_[instance]; }
+  const Node& node_of(LeafId leaf) const { return tree_->nodes[nodes_[leaf]]; }
+
+  /// What people say of the regions 1 to `count` of a leaf: the shape's own words, else those of the node.
+  std::vector<RegionAttributes> attributes(LeafId leaf, std::uint32_t count) const;
+
+  /// Runs `work`; an InputError that it throws comes out as TreeError with the place of the leaf or face that its
+  /// message names as `leaf i, face j`, and with the names of nodes in the place of these numbers.
+  void locate_errors(const std::function<void()>& work) const;
+
+  /// What the shapes have to say, one diagnostic per notice.
+  std::vector<Diagnostic> notices() const;
+
+ private:
+  void prepare_node(NodeId id);
+  const Tree* tree_;
+  IdVector<NodeId, std::unique_ptr<PreparedLeaf>> prepared_;
+  std::vector<LeafInstance> instances_;
+  IdVector<InstanceId, LeafId> leaf_of_;
+  IdVector<LeafId, NodeId> nodes_;
+};
+
+}  // namespace cnrg

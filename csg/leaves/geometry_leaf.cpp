@@ -1,0 +1,142 @@
+// Copying a leaf's soup. Most transforms of most leaves stay in doubles: a coordinate is computed in doubles
+// with the error of every step, and only where an error is not zero by rationals.
+#include "csg/leaves/geometry_leaf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "csg/leaves/exact_vectors.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+/// A transform whose entries are doubles, for points that are doubles.
+class DoubleTransform {
+ public:
+  explicit DoubleTransform(const Transform& t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 4; ++j) {
+        const Rational& entry = j < 3 ? t.linear[i][j] : t.offset[i];
+        usable_ = usable_ && is_double(entry);
+        m_[i][j] = to_double(entry);
+      }
+    }
+  }
+
+  /// The image of p if it and every step to it are exact in doubles.
+  bool apply(const double* p, double* image) const {
+    if (!usable_) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      double sum = m_[i][3];
+      for (std::size_t j = 0; j < 3; ++j) {
+        if (m_[i][j] == 0 || p[j] == 0) continue;
+        const double product = m_[i][j] * p[j];
+        // Below 1e-280 the error of the product may vanish though it is not zero.
+        if (!(std::abs(product) > 1e-280) || std::fma(m_[i][j], p[j], -product) != 0) return false;
+        const double next = sum + product;
+        const double part = next - sum;  // two-sum (Knuth): the exact error of the addition
+        if ((sum - (next - part)) + (product - part) != 0) return false;
+        sum = next;
+      }
+      if (!std::isfinite(sum)) return false;
+      image[i] = sum;
+    }
+    return true;
+  }
+
+ private:
+  double m_[3][4];
+  bool usable_ = true;
+};
+
+RationalPoint exact_value(const Soup& soup, PointId p) {
+  if (const RationalPoint* value = soup.rational(p)) return *value;
+  const double* xyz = soup.xyz(p);
+  return {from_double(xyz[0]), from_double(xyz[1]), from_double(xyz[2])};
+}
+
+}  // namespace
+
+GeometryLeaf::GeometryLeaf(Soup geometry, std::vector<LeafRegion> regions, std::vector<std::string> notices)
+    : geometry_(std::move(geometry)), regions_(std::move(regions)), notices_(std::move(notices)) {
+  require(geometry_.leaf_count() == 1 && !geometry_.frame().valid(), "a leaf's geometry is a soup of one leaf");
+}
+
+LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
+  const Soup& from = geometry_;
+  const LeafId leaf = soup.add_leaf(from.fill(LeafId(0)));
+  const bool identity = transform.identity();
+  const bool mirrored = transform.determinant() < 0;
+  const DoubleTransform in_doubles(transform);
+
+  const std::size_t first = soup.point_count();
+  for (PointId p : IdRange<PointId>(from.point_count())) {
+    const double* xyz = from.xyz(p);
+    const RationalPoint* value = from.rational(p);
+    double image[3];
+    if (identity) {
+      value ? soup.add_point(*value) : soup.add_point(xyz[0], xyz[1], xyz[2]);
+    } else if (!value && in_doubles.apply(xyz, image)) {
+      soup.add_point(image[0], image[1], image[2]);
+    } else {
+      soup.add_point(transform.apply(exact_value(from, p)));
+    }
+  }
+  const auto moved = [first](PointId p) { return PointId(p.index() + first); };
+
+  std::vector<std::vector<PointId>> loops;
+  for (SourceId f : IdRange<SourceId>(from.face_count())) {
+    const Soup::Face& face = from.face(f);
+    const std::span<const PointId> corners = from.corners(f);
+    if (corners.size() == 3) {
+      const PointId a = moved(corners[0]), b = moved(corners[1]), c = moved(corners[2]);
+      soup.add_triangle(leaf, a, mirrored ? c : b, mirrored ? b : c, face.leaf_face, face.patch, face.front, face.back);
+      continue;
+    }
+    loops.assign(1, {});
+    for (PointId p : corners) {
+      if (p.valid()) loops.back().push_back(moved(p));
+      else loops.emplace_back();
+    }
+    if (mirrored) {
+      for (auto& loop : loops) std::reverse(loop.begin(), loop.end());
+    }
+    soup.add_face(leaf, loops, face.leaf_face, face.patch, face.front, face.back);
+  }
+  for (const Soup::Wire& wire : from.wires()) soup.add_wire(leaf, moved(wire.a), moved(wire.b), wire.leaf_edge);
+  for (const Soup::Isolated& isolated : from.isolated()) soup.add_isolated(leaf, moved(isolated.point));
+  return leaf;
+}
+
+void LeafBuilder::face(const std::vector<PointId>& loop, std::uint32_t leaf_face) {
+  soup_.add_face(leaf_, std::span(&loop, 1), leaf_face, leaf_face);
+}
+
+void LeafBuilder::face(const std::vector<std::vector<PointId>>& loops, std::uint32_t leaf_face) {
+  soup_.add_face(leaf_, loops, leaf_face, leaf_face);
+}
+
+void LeafBuilder::triangle(PointId a, PointId b, PointId c, std::uint32_t leaf_face) {
+  soup_.add_triangle(leaf_, a, b, c, leaf_face, leaf_face);
+}
+
+void LeafBuilder::facet(PointId a, PointId b, PointId c, PointId d, std::uint32_t leaf_face) {
+  if (a == b) return triangle(a, c, d, leaf_face);
+  if (b == c || c == d) return triangle(a, b, d, leaf_face);
+  if (d == a) return triangle(a, b, c, leaf_face);
+  if (volume6(value(a), value(b), value(c), value(d)) == 0) return face({a, b, c, d}, leaf_face);
+  triangle(a, b, c, leaf_face);
+  triangle(a, c, d, leaf_face);
+}
+
+RationalPoint LeafBuilder::value(PointId p) const { return exact_value(soup_, p); }
+
+std::unique_ptr<PreparedLeaf> LeafBuilder::finish(std::vector<std::string> notices) {
+  std::vector<LeafRegion> regions;
+  if (fill_ == Fill::winding || fill_ == Fill::parity) regions.emplace_back();
+  return std::make_unique<GeometryLeaf>(std::move(soup_), std::move(regions), std::move(notices));
+}
+
+}  // namespace cnrg

@@ -1,0 +1,29 @@
+// Planar polygons with holes, checked exactly.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "kernel/exact/rational.h"
+
+namespace cnrg {
+
+/// How messages name the parts of a polygon. Loop 0 is the outer one; points and edges count from 1, edge i
+/// running from point i to the next.
+struct PolygonNames {
+  std::string polygon = "the polygon";
+  std::function<std::string(std::size_t loop, std::size_t point)> point;  ///< default `point 3 of hole 1`
+};
+
+/// Checks that the loops (the outer one first) make a face: at least three points each, none equal to the next,
+/// all on one plane, every loop simple, holes inside of the outer loop, disjoint and not inside each other.
+/// Returns the normal of the plane, of any length, from whose side the outer loop is seen counter-clockwise.
+/// Throws InputError that names the point or the two edges at fault, and what to do. All decisions are exact;
+/// pairs of edges are found by a sweep, so the cost is near n log n for well-formed polygons.
+RationalPoint check_polygon(const std::vector<std::vector<RationalPoint>>& loops, const PolygonNames& names = {});
+
+/// Twice the area vector of a closed loop (Newell), exact.
+RationalPoint area_vector(const std::vector<RationalPoint>& loop);
+
+}  // namespace cnrg

@@ -1,0 +1,35 @@
+// One function per kind of leaf; `prepare` (leaf.h) dispatches to them. All throw InputError for what is wrong
+// in the shape alone; the message names the parameter and the remedy.
+#pragma once
+
+#include "csg/leaves/leaf.h"
+
+namespace cnrg {
+
+// solids.cpp: closed, outward oriented, Fill::winding.
+std::unique_ptr<PreparedLeaf> prepare_box(const BoxShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_prism(const PrismShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_pyramid(const PyramidShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_tetrahedron(const TetrahedronShape& shape);
+
+// flat.cpp: no regions.
+std::unique_ptr<PreparedLeaf> prepare_polygon(const PolygonShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_polyline(const PolylineShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_points(const PointsShape& shape);
+
+// curved.cpp: tessellated solids, Fill::winding.
+std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_cylinder(const CylinderShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape);
+
+// unbounded.cpp
+std::unique_ptr<PreparedLeaf> prepare_plane(const PlaneShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_halfspace(const HalfspaceShape& shape);
+
+// One file each.
+std::unique_ptr<PreparedLeaf> prepare_heightfield(const HeightfieldShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_mesh(const MeshShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_group(const GroupShape& shape);
+
+}  // namespace cnrg

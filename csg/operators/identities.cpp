@@ -1,0 +1,170 @@
+// Point sets are compared as cell sets of the complex: the support of each group's selection, the algebra of
+// selection.h. Volumes compare two ways to the same number: the faces of the result that bound its regions, and
+// the 3-cells of the operands.
+#include "csg/operators/identities.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "kernel/selection/measure.h"
+#include "kernel/selection/scratch.h"
+#include "kernel/selection/selection.h"
+
+namespace cnrg {
+namespace {
+
+template <class IdT>
+std::string cell_name(const char* kind, IdT id) {
+  return std::string(kind) + ' ' + std::to_string(id.value());
+}
+
+template <class List>
+bool ascending(const List& list) {
+  return std::adjacent_find(list.begin(), list.end(), [](const auto& x, const auto& y) { return !(x < y); }) ==
+         list.end();
+}
+
+// The first cell in which two sets differ.
+std::string first_difference(const CellSet& want, const CellSet& have) {
+  const auto compare = [](const char* kind, const auto& w, const auto& h) -> std::string {
+    auto it = w.begin();
+    auto jt = h.begin();
+    while (it != w.end() && jt != h.end() && *it == *jt) ++it, ++jt;
+    if (it == w.end() && jt == h.end()) return "";
+    const bool missing = jt == h.end() || (it != w.end() && *it < *jt);
+    return cell_name(kind, missing ? *it : *jt) + (missing ? " is missing" : " is too much");
+  };
+  std::string out = compare("region", want.regions, have.regions);
+  if (out.empty()) out = compare("face", want.faces, have.faces);
+  if (out.empty()) out = compare("edge", want.edges, have.edges);
+  if (out.empty()) out = compare("vertex", want.vertices, have.vertices);
+  return out;
+}
+
+std::vector<RegionId> cells_of(const Group& g) {
+  std::vector<RegionId> out;
+  for (const auto& cell : g.cells) out.push_back(cell.first);
+  return out;
+}
+
+CellSet points_of(const Complex& complex, const Group& g) { return support(selection_of(complex, g)); }
+
+}  // namespace
+
+std::string check_group(const Complex& complex, const Group& g) {
+  if (!ascending(g.cells) || !ascending(g.faces) || !ascending(g.edges) || !ascending(g.vertices) ||
+      !ascending(g.features.edges) || !ascending(g.features.vertices)) {
+    return "a list of the group is not ascending";
+  }
+  const auto includes = [](const auto& set, const auto& part) {
+    return std::includes(set.begin(), set.end(), part.begin(), part.end());
+  };
+  if (!includes(g.edges, g.features.edges) || !includes(g.vertices, g.features.vertices)) {
+    return "a feature is no entity";
+  }
+  for (FaceId f : g.faces) {
+    if (complex.on_frame(f)) return cell_name("face", f) + " lies on the frame";
+  }
+  const CellSet entities{g.vertices, g.edges, g.faces, {}};
+  if (const std::string d = first_difference(closure(complex, entities), entities); !d.empty()) {
+    return "entities are not closed under boundary: " + d;
+  }
+  // Walls, and regions that are maximal: across a face that is no entity the region is the same.
+  Scratch<RegionId, std::uint32_t> region(complex.region_count);
+  for (const auto& [cell, number] : g.cells) {
+    if (complex.outside_frame(cell)) return "a region reaches beyond the frame";
+    if (number == 0 || number > g.regions.size()) return cell_name("region", cell) + " has a number out of range";
+    region[cell] = number;
+  }
+  for (FaceId f : IdRange<FaceId>(complex.face_count())) {
+    const auto& [front, back] = complex.face_regions[f];
+    if (!complex.on_frame(f) && region[front] != region[back] && !g.has(f)) {
+      return cell_name("face", f) + " parts regions and is no entity";
+    }
+  }
+  if (detect_regions(complex, cells_of(g), g.faces) != g.cells) return "the regions are not the detected ones";
+  // Around a lower cell that is no entity.
+  std::vector<RegionId> around;
+  const auto one_region = [&](auto cell) {
+    around.clear();
+    complex.star_regions(cell, around);
+    return std::all_of(around.begin(), around.end(), [&](RegionId r) { return region[r] == region[around[0]]; });
+  };
+  for (EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
+    if (!complex.on_frame(e) && !g.has(e) && !one_region(e)) {
+      return cell_name("edge", e) + " is no entity and not inside one region";
+    }
+  }
+  for (VertexId v : complex.vertices) {
+    if (!complex.on_frame(v) && !g.has(v) && !one_region(v)) {
+      return cell_name("vertex", v) + " is no entity and not inside one region";
+    }
+  }
+  return "";
+}
+
+std::string check_point_set(const Complex& complex, BooleanOp op, const Group& a, const Group& b,
+                            const Group& result) {
+  const CellSet in_a = points_of(complex, a), in_b = points_of(complex, b);
+  CellSet want;
+  switch (op) {
+    case BooleanOp::unite: want = unite(in_a, in_b); break;
+    case BooleanOp::intersect: want = intersect(in_a, in_b); break;
+    case BooleanOp::subtract: want = closure(complex, subtract(in_a, in_b)); break;
+  }
+  const std::string d = first_difference(want, points_of(complex, result));
+  return d.empty() ? "" : std::string("the point set is not that of the ") + name(op) + ": " + d;
+}
+
+std::string check_volumes(const Complex& complex, BooleanOp op, const Group& a, const Group& b,
+                          const Group& result) {
+  const std::vector<RegionId> in_a = cells_of(a), in_b = cells_of(b);
+  std::vector<RegionId> common;
+  std::set_intersection(in_a.begin(), in_a.end(), in_b.begin(), in_b.end(), std::back_inserter(common));
+  const auto volume_a = volume(complex, in_a), volume_b = volume(complex, in_b);
+  const auto volume_common = volume(complex, common);
+  if (!volume_a || !volume_b || !volume_common) return "";
+  // The result region by region.
+  std::map<std::uint32_t, std::vector<RegionId>> regions;
+  for (const auto& [cell, number] : result.cells) regions[number].push_back(cell);
+  Rational total = 0;
+  for (const auto& [number, cells] : regions) {
+    const auto one = volume(complex, cells);
+    if (!one) return "a bounded group has an unbounded result";
+    if (*one <= 0) return "region " + std::to_string(number) + " of the result has no volume";
+    total += *one;
+  }
+  Rational want = *volume_common;
+  if (op == BooleanOp::unite) want = *volume_a + *volume_b - *volume_common;
+  if (op == BooleanOp::subtract) want = *volume_a - *volume_common;
+  if (total == want) return "";
+  return std::string("the volume of the ") + name(op) + " is " + to_string(total) + ", not " + to_string(want);
+}
+
+std::string check_boolean(const Complex& complex, BooleanOp op, const Group& a, const Group& b,
+                          const Group& result) {
+  std::string out = check_group(complex, result);
+  if (out.empty()) out = check_point_set(complex, op, a, b, result);
+  if (out.empty()) out = check_volumes(complex, op, a, b, result);
+  if (out.empty()) {
+    const bool bounded = std::none_of(result.cells.begin(), result.cells.end(),
+                                      [&](const auto& cell) { return complex.unbounded(cell.first); });
+    if (bounded && !complex.frame.valid()) out = check_euler(complex, points_of(complex, result));
+  }
+  return out;
+}
+
+std::string check_complement(const Complex& complex, const Group& g, const Group& result) {
+  std::string out = check_group(complex, result);
+  if (!out.empty()) return out;
+  CellSet held;
+  held.regions = cells_of(g);
+  CellSet rest;
+  rest.regions = subtract(all_cells(complex), held).regions;
+  const CellSet want = closure(complex, rest);
+  const std::string d = first_difference(want, points_of(complex, result));
+  return d.empty() ? "" : "the point set is not that of the complement: " + d;
+}
+
+}  // namespace cnrg

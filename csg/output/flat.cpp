@@ -1,0 +1,476 @@
+// Flattening in four steps: which points of chains stay; faces as loops and facets of vertex ids; numbers for
+// points and, from them, an order and an orientation of all cells; triangles.
+#include "csg/output/flat.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "kernel/base/error.h"
+#include "kernel/exact/triangulate.h"
+
+namespace cnrg {
+namespace {
+
+using Index = FlatComplex::Index;
+using Loop = FlatComplex::Loop;
+constexpr Index kNone = FlatComplex::kNone;
+
+/// The least rotation of a cyclic list.
+void rotate_to_least(Loop& loop) {
+  if (loop.empty()) return;
+  const Index least = *std::min_element(loop.begin(), loop.end());
+  std::size_t best = loop.size();
+  const auto at = [&](std::size_t start, std::size_t i) { return loop[(start + i) % loop.size()]; };
+  for (std::size_t s = 0; s < loop.size(); ++s) {
+    if (loop[s] != least) continue;
+    if (best == loop.size()) {
+      best = s;
+      continue;
+    }
+    for (std::size_t i = 1; i < loop.size(); ++i) {
+      if (at(s, i) == at(best, i)) continue;
+      if (at(s, i) < at(best, i)) best = s;
+      break;
+    }
+  }
+  std::rotate(loop.begin(), loop.begin() + std::ptrdiff_t(best), loop.end());
+}
+
+/// Outer loop first (of a planar face it is the one with the least point), then the others in order.
+void put_in_order(std::vector<Loop>& loops) {
+  for (Loop& loop : loops) rotate_to_least(loop);
+  std::sort(loops.begin(), loops.end());
+}
+
+/// Sorts `items` by `less`; returns for each old index the new one.
+template <class T, class Less>
+std::vector<Index> sort_and_map(std::vector<T>& items, Less less) {
+  std::vector<Index> order(items.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return less(items[a], items[b]); });
+  std::vector<T> sorted;
+  sorted.reserve(items.size());
+  std::vector<Index> map(items.size());
+  for (Index i = 0; i < order.size(); ++i) {
+    map[order[i]] = i;
+    sorted.push_back(std::move(items[order[i]]));
+  }
+  items = std::move(sorted);
+  return map;
+}
+
+class Flattener {
+ public:
+  explicit Flattener(const ResultView& view) : view_(view), complex_(*view.complex), simple_(*view.simplified) {}
+
+  FlatComplex run() {
+    mark_curved_edges();
+    mark_dropped();
+    number_points();
+    make_regions();
+    make_faces();
+    make_edges();
+    make_vertices();
+    order_faces();
+    order_regions();
+    return std::move(flat_);
+  }
+
+ private:
+  const ResultView& view_;
+  const Complex& complex_;
+  const SimplifiedComplex& simple_;
+  FlatComplex flat_;
+  IdVector<EdgeId, Index> edge_of_;        // simplified edge that holds an edge of the complex
+  std::vector<char> by_curved_;            // simplified edges on a face that is not flat
+  IdVector<VertexId, char> dropped_;
+  IdVector<VertexId, Index> number_;
+  std::vector<unsigned> walks_;            // how often listed faces walk each simplified edge
+  std::vector<char> slit_;
+  std::vector<unsigned char> flipped_;      // faces whose front is not that of the simplified complex
+
+  bool is_flat(const SimplifiedComplex::Face& face) const {
+    const SheetId sheet = complex_.face_sheet[face.cells[0].face()];
+    return std::all_of(face.cells.begin(), face.cells.end(),
+                       [&](HalfFace f) { return complex_.face_sheet[f.face()] == sheet; });
+  }
+
+  void mark_curved_edges() {
+    edge_of_.assign(complex_.edge_count(), kNone);
+    for (Index i = 0; i < simple_.edges.size(); ++i) {
+      for (const HalfEdge h : simple_.edges[i].chain) edge_of_[h.edge()] = i;
+    }
+    by_curved_.assign(simple_.edges.size(), 0);
+    walks_.assign(simple_.edges.size(), 0);
+    slit_.assign(simple_.edges.size(), 0);
+    for (const auto& face : simple_.faces) {
+      const bool curved = !is_flat(face);
+      std::map<EdgeId, unsigned> here;
+      for (const auto& loop : face.loops) {
+        for (const HalfEdge h : loop) {
+          const Index e = edge_of_[h.edge()];
+          if (e == kNone) continue;        // on the frame
+          ++walks_[e];
+          if (++here[h.edge()] > 1) slit_[e] = 1;
+          if (curved) by_curved_[e] = 1;
+        }
+      }
+    }
+  }
+
+  std::vector<VertexId> chain_vertices(const SimplifiedComplex::Edge& edge) const {
+    std::vector<VertexId> result;
+    for (const HalfEdge h : edge.chain) result.push_back(complex_.origin(h));
+    if (!edge.closed) result.push_back(complex_.target(edge.chain.back()));
+    return result;
+  }
+
+  void mark_dropped() {
+    dropped_.assign(complex_.points.size(), 0);
+    for (Index i = 0; i < simple_.edges.size(); ++i) {
+      const auto& edge = simple_.edges[i];
+      if (by_curved_[i]) continue;
+      const auto v = chain_vertices(edge);
+      const std::size_t n = v.size();
+      for (std::size_t k = edge.closed ? 0 : 1; k + (edge.closed ? 0 : 1) < n; ++k) {
+        if (collinear(complex_.points, v[(k + n - 1) % n], v[k], v[(k + 1) % n])) dropped_[v[k]] = 1;
+      }
+    }
+    for (const auto& vertex : simple_.vertices) dropped_[vertex.cell] = 0;
+  }
+
+  void number_points() {
+    number_.assign(complex_.points.size(), kNone);
+    std::vector<VertexId> used;
+    const auto use = [&](VertexId v) {
+      if (dropped_[v] || number_[v] == 0) return;
+      number_[v] = 0;
+      used.push_back(v);
+    };
+    for (const auto& vertex : simple_.vertices) use(vertex.cell);
+    for (const auto& edge : simple_.edges) {
+      for (const VertexId v : chain_vertices(edge)) use(v);
+    }
+    for (const auto& face : simple_.faces) {
+      for (const VertexId v : face.isolated) use(v);
+      for (const auto& loop : face.loops) {
+        for (const HalfEdge h : loop) use(complex_.origin(h));
+      }
+      if (is_flat(face)) continue;
+      for (const HalfFace cell : face.cells) {
+        for (const LoopId loop : complex_.face_loops[cell.face()]) {
+          for (const HalfEdge h : complex_.loop[loop]) use(complex_.origin(h));
+        }
+        for (const VertexId v : complex_.face_vertices[cell.face()]) use(v);
+      }
+    }
+    std::sort(used.begin(), used.end(),
+              [&](VertexId a, VertexId b) { return compare_lex(complex_.points, a, b) < 0; });
+    for (Index i = 0; i < used.size(); ++i) {
+      number_[used[i]] = i;
+      if (complex_.on_frame(used[i])) flat_.frame_points.push_back(i);
+    }
+    flat_.points = std::move(used);
+  }
+
+  void make_regions() {
+    for (const auto& region : simple_.regions) {
+      flat_.regions.push_back({region.component, region.bounded, region.shells, region.cells});
+    }
+  }
+
+  Loop numbers(const std::vector<VertexId>& vertices) const {
+    Loop loop;
+    for (const VertexId v : vertices) {
+      if (!dropped_[v]) loop.push_back(number_[v]);
+    }
+    return loop;
+  }
+
+  template <class Range>
+  Loop loop_of(const Range& half_edges) const {
+    std::vector<VertexId> vertices;
+    for (const HalfEdge h : half_edges) vertices.push_back(complex_.origin(h));
+    return numbers(vertices);
+  }
+
+  /// One facet of the complex as seen from the face's front (`cell.side()` is that front).
+  FlatComplex::Facet facet_of(HalfFace cell) const {
+    FlatComplex::Facet facet;
+    for (const LoopId id : complex_.face_loops[cell.face()]) {
+      Loop loop = loop_of(complex_.loop[id]);
+      if (cell.side() == 1) std::reverse(loop.begin(), loop.end());
+      facet.loops.push_back(std::move(loop));
+    }
+    put_in_order(facet.loops);
+    for (const VertexId v : complex_.face_vertices[cell.face()]) facet.isolated.push_back(number_[v]);
+    std::sort(facet.isolated.begin(), facet.isolated.end());
+    return facet;
+  }
+
+  /// +1 if the normal on the cell's front is lexicographically positive.
+  int normal_order(HalfFace cell) const {
+    const PlaneId plane = complex_.plane(cell.face());
+    for (int k = 0; k < 3; ++k) {
+      const int s = normal_sign(complex_.points, plane, k);
+      if (s != 0) return cell.side() == 0 ? s : -s;
+    }
+    return 0;
+  }
+
+  /// Along the largest component of the normal on the cell's front: so that the front is seen.
+  Projection projection(HalfFace cell) const {
+    const ExactPlane& plane = complex_.points.exact_plane(complex_.plane(cell.face()));
+    const Integer* n[3] = {&plane.a, &plane.b, &plane.c};
+    int axis = 2;
+    for (int k = 1; k >= 0; --k) {
+      if (cmpabs(*n[k], *n[axis]) > 0) axis = k;
+    }
+    const bool positive = (sgn(*n[axis]) > 0) == (cell.side() == 0);
+    const auto u = std::uint8_t((axis + 1) % 3), v = std::uint8_t((axis + 2) % 3);
+    return positive ? Projection{u, v} : Projection{v, u};
+  }
+  static int cmpabs(const Integer& a, const Integer& b) { return mpz_cmpabs(a.get_mpz_t(), b.get_mpz_t()); }
+
+  void add_triangles(HalfFace cell, const std::vector<Loop>& loops, const std::vector<Index>& isolated,
+                     std::vector<std::array<Index, 3>>& triangles) const {
+    if (loops.size() == 1 && loops[0].size() == 3 && isolated.empty()) {
+      triangles.push_back({loops[0][0], loops[0][1], loops[0][2]});
+      return;
+    }
+    std::vector<std::vector<VertexId>> walks;
+    for (const Loop& loop : loops) {
+      auto& walk = walks.emplace_back();
+      for (const Index p : loop) walk.push_back(flat_.points[p]);
+    }
+    std::vector<VertexId> inner;
+    for (const Index p : isolated) inner.push_back(flat_.points[p]);
+    std::vector<std::array<Index, 3>> here;
+    for (const auto& t : triangulate(complex_.points, projection(cell), walks, inner)) {
+      std::array<Index, 3> n{number_[t[0]], number_[t[1]], number_[t[2]]};
+      std::rotate(n.begin(), std::min_element(n.begin(), n.end()), n.end());
+      here.push_back(n);
+    }
+    std::sort(here.begin(), here.end());
+    triangles.insert(triangles.end(), here.begin(), here.end());
+  }
+
+  void make_faces() {
+    flipped_.assign(simple_.faces.size(), 0);
+    for (const auto& from : simple_.faces) {
+      FlatComplex::Face face;
+      face.component = from.component;
+      face.regions = from.regions;
+      std::vector<HalfFace> cells = from.cells;
+      for (const auto& loop : from.loops) face.loops.push_back(loop_of(loop));
+      put_in_order(face.loops);
+      face.isolated = numbers(from.isolated);
+      std::sort(face.isolated.begin(), face.isolated.end());
+      const bool flat = is_flat(from);
+      std::vector<std::pair<FlatComplex::Facet, HalfFace>> facets;
+      if (flat) {
+        facets.push_back({{face.loops, face.isolated}, cells[0]});
+      } else {
+        for (const HalfFace cell : cells) facets.push_back({facet_of(cell), cell});
+        std::sort(facets.begin(), facets.end(), [](const auto& a, const auto& b) { return key(a.first) < key(b.first); });
+      }
+      if (must_flip(face, facets[0].second)) flip(face, facets, cells);
+      for (auto& [facet, cell] : facets) {
+        add_triangles(cell, facet.loops, facet.isolated, face.triangles);
+        if (!flat) face.facets.push_back(std::move(facet));
+      }
+      face.entity = from.component != 0 && !inside_component(from.component, {from.regions[0], from.regions[1]});
+      add_sources(cells, face.sources);
+      flat_.faces.push_back(std::move(face));
+    }
+  }
+
+  /// Points of a facet, sorted: the same whichever side is the front.
+  static Loop key(const FlatComplex::Facet& facet) {
+    Loop result;
+    for (const Loop& loop : facet.loops) result.insert(result.end(), loop.begin(), loop.end());
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  bool must_flip(const FlatComplex::Face& face, HalfFace first) const {
+    const bool front = flat_.active(face.regions[0]), back = flat_.active(face.regions[1]);
+    if (front != back) return front;
+    return normal_order(first) < 0;
+  }
+
+  void flip(FlatComplex::Face& face, std::vector<std::pair<FlatComplex::Facet, HalfFace>>& facets,
+            std::vector<HalfFace>& cells) {
+    const auto reverse_all = [](std::vector<Loop>& loops) {
+      for (Loop& loop : loops) std::reverse(loop.begin(), loop.end());
+      put_in_order(loops);
+    };
+    reverse_all(face.loops);
+    std::swap(face.regions[0], face.regions[1]);
+    for (auto& [facet, cell] : facets) {
+      reverse_all(facet.loops);
+      cell = cell.opposite();
+    }
+    for (HalfFace& cell : cells) cell = cell.opposite();
+    flipped_[flat_.faces.size()] = 1;
+  }
+
+  bool inside_component(Component component, const std::vector<Index>& regions) const {
+    return std::all_of(regions.begin(), regions.end(), [&](Index r) {
+      return r != kNone && r < simple_.regions.size() && simple_.regions[r].component == component;
+    });
+  }
+
+  Index region_index(RegionId region) const {
+    const auto place = simple_.region_place[region.index()];
+    return place.dimension == 3 && place.index < simple_.regions.size() ? place.index : kNone;
+  }
+  std::vector<Index> region_indices(const std::vector<RegionId>& regions) const {
+    std::vector<Index> result;
+    for (const RegionId r : regions) result.push_back(region_index(r));
+    return result;
+  }
+
+  bool is_source(LeafId leaf) const {
+    return leaf != complex_.frame &&
+           (view_.sources.empty() || std::binary_search(view_.sources.begin(), view_.sources.end(), leaf));
+  }
+
+  void add_sources(const std::vector<HalfFace>& cells, std::vector<FlatComplex::Source>& sources) const {
+    for (const HalfFace cell : cells) {
+      for (const Cover& cover : complex_.cover(cell.face())) {
+        const Soup::Face& face = complex_.sources[cover.source];
+        if (!is_source(face.leaf)) continue;
+        sources.push_back({face.leaf, face.leaf_face, face.patch, cover.same == (cell.side() == 0)});
+      }
+    }
+    std::sort(sources.begin(), sources.end());
+    sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
+  }
+
+  void make_edges() {
+    std::vector<RegionId> regions;
+    for (Index i = 0; i < simple_.edges.size(); ++i) {
+      const auto& from = simple_.edges[i];
+      FlatComplex::Edge edge;
+      edge.points = numbers(chain_vertices(from));
+      edge.closed = from.closed;
+      if (edge.closed) {
+        rotate_to_least(edge.points);
+        if (edge.points.size() > 2 && edge.points.back() < edge.points[1]) {
+          std::reverse(edge.points.begin() + 1, edge.points.end());
+        }
+      } else if (edge.points.back() < edge.points.front() ||
+                 (edge.points.back() == edge.points.front() && edge.points[edge.points.size() - 2] < edge.points[1])) {
+        std::reverse(edge.points.begin(), edge.points.end());
+      }
+      edge.component = from.component;
+      edge.wire = walks_[i] == 0;
+      edge.slit = slit_[i];
+      regions.clear();
+      const EdgeId first = from.chain[0].edge();
+      complex_.star_regions(first, regions);
+      edge.entity = from.component != 0 && !inside_component(from.component, region_indices(regions));
+      if (edge.wire) edge.region = region_index(complex_.some_region(first));
+      if (view_.group != nullptr) {
+        const auto& features = view_.group->features.edges;
+        edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
+          return std::binary_search(features.begin(), features.end(), h.edge());
+        });
+      }
+      for (const SegmentId segment : complex_.edge_segments[first]) {
+        for (const WireId wire : complex_.segment_wires[segment]) {
+          if (is_source(complex_.wires[wire].leaf)) edge.leaves.push_back(complex_.wires[wire].leaf);
+        }
+      }
+      std::sort(edge.leaves.begin(), edge.leaves.end());
+      edge.leaves.erase(std::unique(edge.leaves.begin(), edge.leaves.end()), edge.leaves.end());
+      flat_.edges.push_back(std::move(edge));
+    }
+    std::sort(flat_.edges.begin(), flat_.edges.end(), [](const auto& a, const auto& b) { return a.points < b.points; });
+  }
+
+  void make_vertices() {
+    std::vector<char> on_edge(flat_.points.size(), 0), in_face(flat_.points.size(), 0);
+    for (const auto& edge : flat_.edges) {
+      for (const Index p : edge.points) on_edge[p] = 1;
+    }
+    for (const auto& face : flat_.faces) {
+      for (const Index p : face.isolated) in_face[p] = 1;
+    }
+    std::vector<RegionId> regions;
+    for (const auto& from : simple_.vertices) {
+      FlatComplex::Vertex vertex;
+      vertex.point = number_[from.cell];
+      vertex.component = from.component;
+      vertex.free = !on_edge[vertex.point];
+      regions.clear();
+      complex_.star_regions(from.cell, regions);
+      vertex.entity = from.component != 0 && !inside_component(from.component, region_indices(regions));
+      if (vertex.free && !in_face[vertex.point]) vertex.region = region_index(complex_.some_region(from.cell));
+      if (view_.group != nullptr) {
+        const auto& features = view_.group->features.vertices;
+        vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);
+      }
+      for (const LeafId leaf : complex_.isolated_leaves[from.cell]) {
+        if (is_source(leaf)) vertex.leaves.push_back(leaf);
+      }
+      flat_.vertices.push_back(std::move(vertex));
+    }
+    std::sort(flat_.vertices.begin(), flat_.vertices.end(),
+              [](const auto& a, const auto& b) { return a.point < b.point; });
+  }
+
+  void order_faces() {
+    std::vector<std::pair<Loop, FlatComplex::Face>> keyed;
+    keyed.reserve(flat_.faces.size());
+    for (auto& face : flat_.faces) {
+      Loop k = key({face.loops, {}});
+      for (const auto& facet : face.facets) {
+        const Loop more = key(facet);
+        k.insert(k.end(), more.begin(), more.end());
+      }
+      keyed.emplace_back(std::move(k), std::move(face));
+    }
+    const auto map = sort_and_map(keyed, [](const auto& a, const auto& b) {
+      return a.first != b.first ? a.first < b.first : a.second.loops < b.second.loops;
+    });
+    flat_.faces.clear();
+    for (auto& [k, face] : keyed) flat_.faces.push_back(std::move(face));
+    for (auto& region : flat_.regions) {
+      for (auto& shell : region.shells) {
+        for (Index& side : shell) side = map[side >> 1] * 2 + ((side & 1) ^ flipped_[side >> 1]);
+        std::sort(shell.begin(), shell.end());
+      }
+      std::sort(region.shells.begin(), region.shells.end());
+    }
+  }
+
+  void order_regions() {
+    const auto map = sort_and_map(flat_.regions, [](const auto& a, const auto& b) { return a.shells < b.shells; });
+    const auto renumber = [&](Index& r) {
+      r = r != kNone && r < map.size() ? map[r] : kNone;
+    };
+    for (auto& face : flat_.faces) {
+      for (Index& r : face.regions) renumber(r);
+    }
+    for (auto& edge : flat_.edges) renumber(edge.region);
+    for (auto& vertex : flat_.vertices) renumber(vertex.region);
+  }
+};
+
+}  // namespace
+
+FlatComplex flatten(const ResultView& view) {
+  require(view.complex != nullptr && view.simplified != nullptr, "flatten: a result without a complex");
+  return Flattener(view).run();
+}
+
+const RegionAttributes& attributes_of(const ResultView& view, Component component) {
+  static const RegionAttributes kNothing;
+  const auto* all = view.group != nullptr ? &view.group->regions : view.components;
+  return all != nullptr && component != 0 && component <= all->size() ? (*all)[component - 1] : kNothing;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,40 @@
+// A table of text for terminals: columns aligned, numbers to the right.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cnrg {
+
+class Table {
+ public:
+  enum class Align { left, right };
+  /// Adds a column; rows that were added before are empty there.
+  void add_column(std::string title, Align align = Align::right);
+  /// Adds a row of UTF-8 cells, at most as many as there are columns; missing ones are empty.
+  void add_row(std::vector<std::string> cells);
+  std::size_t columns() const { return columns_.size(); }
+  std::size_t rows() const { return rows_.size(); }
+
+  /// The title line and one line per row, two spaces between columns, no space at the end of a line. A column
+  /// without any text below its title is left out.
+  std::string text() const;
+  /// One row in the widths that `text` uses.
+  std::string line(std::size_t row) const;
+
+ private:
+  struct Column {
+    std::string title;
+    Align align;
+  };
+  std::vector<Column> columns_;
+  std::vector<std::vector<std::string>> rows_;
+
+  std::vector<std::size_t> widths() const;
+  std::string format(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) const;
+};
+
+/// An integer with thin groups for people: 1234567 -> `1,234,567`.
+std::string grouped(std::size_t number);
+
+}  // namespace cnrg

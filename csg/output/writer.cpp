@@ -1,0 +1,41 @@
+#include "csg/output/writer.h"
+
+#include <array>
+#include <string_view>
+
+#include "csg/output/file.h"
+#include "csg/output/formats.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+
+RoundingReport write(const std::string& path, const ResultView& view) {
+  struct Format {
+    std::string_view extension;
+    FileText (*make)(const ResultView&);
+  };
+  static constexpr std::array<Format, 6> kFormats{{{".json", json_text},
+                                                   {".vtu", vtu_text},
+                                                   {".obj", obj_text},
+                                                   {".off", off_text},
+                                                   {".stl", stl_text},
+                                                   {".ply", ply_text}}};
+  const std::string extension = extension_of(path);
+  std::string known;
+  for (const Format& format : kFormats) {
+    if (!known.empty()) known += ' ';
+    known += format.extension;
+    if (format.extension != extension) continue;
+    FileText file;
+    try {
+      file = format.make(view);
+    } catch (const InputError& error) {
+      throw InputError(path + ": " + error.what());
+    }
+    replace_file(path, file.text);
+    return file.rounding;
+  }
+  throw InputError(path + ": no writer for the extension `" + extension + "`; use one of " + known);
+}
+
+}  // namespace cnrg

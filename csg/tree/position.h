@@ -1,0 +1,55 @@
+// Places in a tree file, and what is said about them.
+//
+// Everything that a person can get wrong is told once, as `file:line:column: error: what is wrong; what to do`.
+// Lines and columns count from 1; (1, 1) also stands for the file as a whole.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+
+struct Position {
+  int line = 1, column = 1;
+  friend bool operator==(const Position&, const Position&) = default;
+};
+
+/// `file:line:column`.
+inline std::string to_string(const std::string& file, Position at) {
+  return file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
+}
+
+/// A fault of a tree file at its position; `what()` is the whole line that people read.
+class TreeError : public InputError {
+ public:
+  TreeError(std::string file, Position at, std::string message)
+      : InputError(to_string(file, at) + ": error: " + message),
+        file_(std::move(file)), at_(at), message_(std::move(message)) {}
+  const std::string& file() const { return file_; }
+  int line() const { return at_.line; }
+  int column() const { return at_.column; }
+  /// Without the position.
+  const std::string& message() const { return message_; }
+
+ private:
+  std::string file_;
+  Position at_;
+  std::string message_;
+};
+
+/// Something that people should know and that stops nothing.
+struct Diagnostic {
+  enum class Level { notice, warning };
+  std::string file;
+  Position at;
+  Level level = Level::warning;
+  std::string message;
+  /// `file:line:column: warning: message`, or `notice`.
+  std::string text() const {
+    return to_string(file, at) + (level == Level::warning ? ": warning: " : ": notice: ") + message;
+  }
+};
+
+}  // namespace cnrg

@@ -1,0 +1,284 @@
+// One function per leaf, named in a table. What a shape means is checked by `prepare`; here only its form.
+#include "csg/tree/read_leaf.h"
+
+#include <array>
+#include <filesystem>
+
+namespace cnrg {
+namespace {
+
+constexpr long kMostSegments = 1'000'000;
+constexpr const char* kPoint = "[x, y, z]";
+constexpr const char* kPoints = "[[x, y, z], ...]";
+
+std::string resolve(const std::string& path, const LeafContext& context) {
+  return (std::filesystem::path(context.folder) / path).lexically_normal().string();
+}
+
+int segments(const Fields& fields, const char* key, int otherwise) {
+  const Value* value = fields.find(key);
+  return value ? static_cast<int>(value->integer(fields.name(key), 3, kMostSegments)) : otherwise;
+}
+
+Rational number(const Fields& fields, const char* key) { return fields.at(key, "number").number(fields.name(key)); }
+
+RationalPoint point(const Fields& fields, const char* key) { return fields.at(key, kPoint).point(fields.name(key)); }
+
+Shape read_box(const Value& value, const LeafContext&) {
+  const Fields f(value, "box", {"min", "max"});
+  return BoxShape{point(f, "min"), point(f, "max")};
+}
+
+Shape read_prism(const Value& value, const LeafContext&) {
+  const Fields f(value, "prism", {"base", "holes", "vector"});
+  PrismShape shape;
+  shape.base = f.at("base", kPoints).points(f.name("base"));
+  if (const Value* holes = f.find("holes")) shape.holes = holes->loops(f.name("holes"));
+  shape.vector = point(f, "vector");
+  return shape;
+}
+
+Shape read_pyramid(const Value& value, const LeafContext&) {
+  const Fields f(value, "pyramid", {"base", "apex"});
+  return PyramidShape{f.at("base", kPoints).points(f.name("base")), point(f, "apex")};
+}
+
+Shape read_tetrahedron(const Value& value, const LeafContext&) {
+  const std::vector<RationalPoint> points = value.points("tetrahedron");
+  if (points.size() != 4) value.fail_type("tetrahedron", "a list of four points");
+  return TetrahedronShape{{points[0], points[1], points[2], points[3]}};
+}
+
+Shape read_polygon(const Value& value, const LeafContext&) {
+  PolygonShape shape;
+  if (!value.is_map()) {
+    shape.outer = value.points("polygon");
+    return shape;
+  }
+  const Fields f(value, "polygon", {"outer", "holes"});
+  shape.outer = f.at("outer", kPoints).points(f.name("outer"));
+  if (const Value* holes = f.find("holes")) shape.holes = holes->loops(f.name("holes"));
+  return shape;
+}
+
+Shape read_polyline(const Value& value, const LeafContext&) {
+  PolylineShape shape;
+  if (!value.is_map()) {
+    shape.points = value.points("polyline");
+    return shape;
+  }
+  const Fields f(value, "polyline", {"points", "closed"});
+  shape.points = f.at("points", kPoints).points(f.name("points"));
+  if (const Value* closed = f.find("closed")) shape.closed = closed->boolean(f.name("closed"));
+  return shape;
+}
+
+Shape read_points(const Value& value, const LeafContext&) { return PointsShape{value.points("points")}; }
+
+Shape read_plane(const Value& value, const LeafContext&) {
+  const Fields f(value, "plane", {"point", "normal"});
+  return PlaneShape{point(f, "point"), point(f, "normal")};
+}
+
+Shape read_halfspace(const Value& value, const LeafContext&) {
+  const Fields f(value, "halfspace", {"point", "normal"});
+  return HalfspaceShape{point(f, "point"), point(f, "normal")};
+}
+
+Shape read_sphere(const Value& value, const LeafContext&) {
+  const Fields f(value, "sphere", {"center", "radius", "segments", "rings"});
+  SphereShape shape{point(f, "center"), number(f, "radius")};
+  shape.segments = segments(f, "segments", shape.segments);
+  if (const Value* rings = f.find("rings")) {
+    shape.rings = static_cast<int>(rings->integer(f.name("rings"), 2, kMostSegments));
+  }
+  return shape;
+}
+
+Shape read_cylinder(const Value& value, const LeafContext&) {
+  const Fields f(value, "cylinder", {"from", "to", "radius", "segments"});
+  CylinderShape shape{point(f, "from"), point(f, "to"), number(f, "radius")};
+  shape.segments = segments(f, "segments", shape.segments);
+  return shape;
+}
+
+Shape read_cone(const Value& value, const LeafContext&) {
+  const Fields f(value, "cone", {"from", "to", "radius", "top", "segments"});
+  ConeShape shape{point(f, "from"), point(f, "to"), number(f, "radius")};
+  if (f.has("top")) shape.top = number(f, "top");
+  shape.segments = segments(f, "segments", shape.segments);
+  return shape;
+}
+
+Shape read_torus(const Value& value, const LeafContext&) {
+  const Fields f(value, "torus", {"center", "axis", "radius", "tube", "segments", "rings"});
+  TorusShape shape{point(f, "center"), point(f, "axis"), number(f, "radius"), number(f, "tube")};
+  shape.segments = segments(f, "segments", shape.segments);
+  shape.rings = segments(f, "rings", shape.rings);
+  return shape;
+}
+
+Shape read_heightfield(const Value& value, const LeafContext& context) {
+  const Fields f(value, "heightfield", {"origin", "spacing", "heights", "file", "base"});
+  HeightfieldShape shape;
+  if (f.has("base")) shape.base = number(f, "base");
+  if (const Value* file = f.find("file")) {
+    for (const char* key : {"origin", "spacing", "heights"}) {
+      if (const Value::Entry* e = f.entry(key)) {
+        value.document().fail(e->key_at, "heightfield has `file` and `" + std::string(key) + "`; remove one of them");
+      }
+    }
+    shape.file = resolve(file->text(f.name("file")), context);
+    return shape;
+  }
+  if (const Value* origin = f.find("origin")) {
+    const auto xy = origin->pair(f.name("origin"));
+    shape.origin_x = xy[0];
+    shape.origin_y = xy[1];
+  }
+  if (const Value* spacing = f.find("spacing")) {
+    const auto xy = spacing->pair(f.name("spacing"));
+    shape.spacing_x = xy[0];
+    shape.spacing_y = xy[1];
+  }
+  const std::string what = f.name("heights");
+  for (const Value& row : f.at("heights", "[[z, ...], ...]").list(what, "a list of rows [[z, ...], ...]")) {
+    auto& heights = shape.heights.emplace_back();
+    for (const Value& z : row.list("each row of " + what, "a list of numbers")) heights.push_back(z.number(what));
+    if (heights.size() != shape.heights.front().size()) {
+      row.fail("this row of `heights` has " + std::to_string(heights.size()) + " numbers and the first has " +
+               std::to_string(shape.heights.front().size()) + "; all rows must be equally long");
+    }
+  }
+  return shape;
+}
+
+Fill read_fill(const Value& value, const std::string& what) {
+  const std::string name = value.text(what);
+  if (name == "winding") return Fill::winding;
+  if (name == "parity") return Fill::parity;
+  if (name == "cells") return Fill::cells;
+  if (name == "none") return Fill::none;
+  value.fail_type(what, "one of winding, parity, cells, none");
+}
+
+Shape read_mesh(const Value& value, const LeafContext& context) {
+  const Fields f(value, "mesh", {"file", "fill", "coordinates"});
+  MeshShape shape;
+  shape.file = resolve(f.at("file", "part.off").text(f.name("file")), context);
+  if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
+  if (const Value* coordinates = f.find("coordinates")) {
+    const std::string name = coordinates->text(f.name("coordinates"));
+    if (name != "decimal" && name != "double") coordinates->fail_type(f.name("coordinates"), "one of double, decimal");
+    shape.decimal = name == "decimal";
+  }
+  return shape;
+}
+
+/// A number of a vertex; there are `count`.
+std::uint32_t read_vertex(const Value& value, const std::string& what, std::size_t count) {
+  if (count == 0) value.fail(what + " names a vertex, but `vertices` is empty");
+  return static_cast<std::uint32_t>(value.integer(what, 0, static_cast<long>(count) - 1));
+}
+
+GroupShape::Face read_group_face(const Value& value, std::size_t vertex_count, bool filled) {
+  const Fields f(value, "a face of group", {"loops", "sides"});
+  GroupShape::Face face;
+  face.line = value.at().line;
+  face.column = value.at().column;
+  for (const Value& loop : f.at("loops", "[[0, 1, 2]]").list(f.name("loops"), "a list of loops [[0, 1, 2], ...]")) {
+    auto& numbers = face.loops.emplace_back();
+    for (const Value& v : loop.list("each loop of a face", "a list of vertex numbers [0, 1, 2]")) {
+      numbers.push_back(read_vertex(v, "a vertex of a loop", vertex_count));
+    }
+    if (numbers.size() < 3) loop.fail("a loop needs three vertices or more; use `edges` for a wire");
+  }
+  if (face.loops.empty()) value.fail("a face needs a loop; write `loops: [[0, 1, 2]]`");
+  if (const Value::Entry* sides = f.entry("sides")) {
+    if (filled) value.document().fail(sides->key_at, "this group has `fill`, which decides the sides; remove `sides` or `fill`");
+    const std::vector<Value> pair = sides->value.list(f.name("sides"), "a list of two region numbers");
+    if (pair.size() != 2) sides->value.fail_type(f.name("sides"), "a list of two region numbers");
+    for (int k = 0; k < 2; ++k) {
+      face.sides[k] = static_cast<std::uint32_t>(pair[k].integer(f.name("sides"), 0, 1'000'000'000));
+    }
+  }
+  return face;
+}
+
+Shape read_group(const Value& value, const LeafContext& context) {
+  const Fields f(value, "group", {"vertices", "faces", "edges", "points", "regions", "fill"});
+  GroupShape shape;
+  if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
+  shape.vertices = f.at("vertices", kPoints).points(f.name("vertices"));
+  const std::size_t n = shape.vertices.size();
+  if (const Value* faces = f.find("faces")) {
+    for (const Value& face : faces->list(f.name("faces"), "a list of faces [{loops: [[0, 1, 2]]}, ...]")) {
+      shape.faces.push_back(read_group_face(face, n, shape.fill.has_value()));
+    }
+  }
+  if (const Value* edges = f.find("edges")) {
+    for (const Value& edge : edges->list(f.name("edges"), "a list of pairs [[0, 1], ...]")) {
+      const std::vector<Value> ends = edge.list("each edge of group", "a pair of vertex numbers [0, 1]");
+      if (ends.size() != 2) edge.fail_type("each edge of group", "a pair of vertex numbers [0, 1]");
+      shape.edges.push_back({read_vertex(ends[0], "an end of an edge", n), read_vertex(ends[1], "an end of an edge", n)});
+    }
+  }
+  if (const Value* points = f.find("points")) {
+    for (const Value& p : points->list(f.name("points"), "a list of vertex numbers")) {
+      shape.points.push_back(read_vertex(p, f.name("points"), n));
+    }
+  }
+  if (const Value* regions = f.find("regions")) {
+    for (const Value::Entry& e : regions->entries(f.name("regions"))) {
+      const std::optional<Rational> number = parse_rational(e.key);
+      if (!number || number->get_den() != 1 || *number < 1 || *number > 1'000'000'000) {
+        value.document().fail(e.key_at, "a key of `regions` must be the number of a region, from 1, not `" + e.key + "`");
+      }
+      const Fields attributes(e.value, "a region of group", {"material", "name"});
+      GroupShape::Region& region = shape.regions[static_cast<std::uint32_t>(number->get_num().get_ui())];
+      if (const Value* name = attributes.find("name")) region.name = name->text(attributes.name("name"));
+      if (const Value* material = attributes.find("material")) {
+        region.material = material->text(attributes.name("material"));
+        context.check_material(*material);
+      }
+    }
+  }
+  return shape;
+}
+
+Shape read_result(const Value& value, const LeafContext& context) {
+  return ResultShape{resolve(value.text("`cnrg`, the file of a result,"), context)};
+}
+
+struct Reader {
+  std::string_view name;
+  Shape (*read)(const Value&, const LeafContext&);
+};
+
+constexpr std::array<Reader, 17> kReaders{{
+    {"box", read_box}, {"prism", read_prism}, {"pyramid", read_pyramid}, {"tetrahedron", read_tetrahedron},
+    {"polygon", read_polygon}, {"polyline", read_polyline}, {"points", read_points}, {"halfspace", read_halfspace},
+    {"plane", read_plane}, {"sphere", read_sphere}, {"cylinder", read_cylinder}, {"cone", read_cone},
+    {"torus", read_torus}, {"heightfield", read_heightfield}, {"mesh", read_mesh}, {"group", read_group},
+    {"cnrg", read_result},
+}};
+
+}  // namespace
+
+std::span<const std::string_view> leaf_names() {
+  static const auto names = [] {
+    std::array<std::string_view, kReaders.size()> result;
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = kReaders[i].name;
+    return result;
+  }();
+  return names;
+}
+
+Shape read_leaf(std::string_view name, const Value& value, const LeafContext& context) {
+  for (const Reader& reader : kReaders) {
+    if (reader.name == name) return reader.read(value, context);
+  }
+  throw InvariantError("read_leaf: no leaf is called " + std::string(name));
+}
+
+}  // namespace cnrg

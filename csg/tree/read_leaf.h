@@ -1,0 +1,25 @@
+// Leaves in a tree file: from YAML values to shapes (SEMANTICS 7; the forms are at the structures of shapes.h).
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "csg/leaves/shapes.h"
+#include "csg/tree/yaml_value.h"
+
+namespace cnrg {
+
+struct LeafContext {
+  std::string folder;                                      ///< paths in the file are relative to it
+  std::function<void(const Value&)> check_material;        ///< fails when the material is not declared
+};
+
+/// The names of all leaves that can be read.
+std::span<const std::string_view> leaf_names();
+
+/// The shape of a leaf called `name`, one of `leaf_names()`.
+Shape read_leaf(std::string_view name, const Value& value, const LeafContext& context);
+
+}  // namespace cnrg

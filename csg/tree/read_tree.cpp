@@ -1,0 +1,401 @@
+// The tree file's reader: names first, then nodes, then the graph.
+//
+// All names of `nodes` are known before the first node is read, so an operand resolves where it stands, forwards
+// and backwards, and the position of a fault is that of the mention. Nodes that stand inline are read on the way
+// and remembered by identity: a YAML alias of an inline node is the same node, however often it is repeated, and
+// an alias that contains itself becomes a cycle of the graph, which is found there. yaml-cpp bounds how deep
+// values nest, so the one recursion here (an inline node in an inline node) is bounded too; names may chain
+// without limit.
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <unordered_map>
+
+#include "csg/tree/read_leaf.h"
+#include "csg/tree/suggest.h"
+#include "csg/tree/tree.h"
+#include "csg/tree/yaml_value.h"
+
+namespace cnrg {
+namespace {
+
+struct OperatorName {
+  std::string_view name;
+  Operator op;
+};
+constexpr std::array<OperatorName, 6> kOperators{{
+    {"union", Operator::unite}, {"intersection", Operator::intersect}, {"difference", Operator::subtract},
+    {"complement", Operator::complement}, {"regularize", Operator::regularize}, {"simplify", Operator::simplify},
+}};
+
+/// Names of the tree file that this version does not evaluate.
+constexpr std::array<std::string_view, 8> kLaterOperators{
+    "aggregate", "unify", "sum", "product", "subtract", "interior", "closure", "boundary"};
+constexpr std::array<std::string_view, 4> kLaterLeaves{"extrude", "revolve", "bezier", "bspline"};
+
+constexpr std::array<std::string_view, 7> kAttributes{
+    "material", "dominance", "name", "translate", "rotate", "scale", "mirror"};
+
+template <class Range>
+bool contains(const Range& range, std::string_view name) {
+  return std::find(range.begin(), range.end(), name) != range.end();
+}
+
+const OperatorName* find_operator(std::string_view name) {
+  const auto it = std::find_if(kOperators.begin(), kOperators.end(), [&](const auto& o) { return o.name == name; });
+  return it == kOperators.end() ? nullptr : &*it;
+}
+
+bool is_boolean(Operator op) {
+  return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
+}
+
+bool is_zero(const RationalPoint& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }
+
+/// `#` and six hexadecimal digits.
+bool is_color(const std::string& text) {
+  return text.size() == 7 && text[0] == '#' &&
+         text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+}
+
+class TreeReader {
+ public:
+  TreeReader(Document& document, Tree& tree) : document_(document), tree_(tree) {
+    context_.folder = std::filesystem::path(document.file).parent_path().string();
+    context_.check_material = [this](const Value& value) { check_material(value); };
+  }
+
+  void read(const YAML::Node& root) {
+    const Value top(document_, root, {});
+    const Fields fields(top, "a tree file", {"cnrg", "materials", "nodes", "result"});
+    const Value& version = fields.at("cnrg", "1");
+    if (version.number("`cnrg`") != 1) version.fail("this program reads version 1 of tree files; write `cnrg: 1`");
+    if (const Value* materials = fields.find("materials")) read_materials(*materials);
+    const Value& nodes = fields.at("nodes", "{NAME: {box: {min: [0, 0, 0], max: [1, 1, 1]}}, ...}");
+    tree_.nodes_at = fields.entry("nodes")->key_at;
+    read_nodes(nodes);
+    const Value* result = fields.find("result");
+    if (!result) {
+      top.fail("`result` is missing; add `result: NAME`, such as the last node: `result: " +
+               nodes.entries("`nodes`").back().key + "`");
+    }
+    tree_.result = named(*result, "`result`");
+    check_graph();
+  }
+
+ private:
+  void read_materials(const Value& value) {
+    if (value.is_empty()) return;
+    for (const Value::Entry& e : value.entries("`materials`")) {
+      Material material{e.key, ""};
+      if (!e.value.is_empty()) {
+        const Fields f(e.value, "material `" + e.key + "`", {"color"});
+        if (const Value* color = f.find("color")) {
+          material.color = color->text(f.name("color"));
+          if (!is_color(material.color)) color->fail_type(f.name("color"), "a text such as \"#998877\"");
+        }
+      }
+      tree_.materials.push_back(std::move(material));
+    }
+  }
+
+  void check_material(const Value& value) {
+    std::vector<std::string_view> names;
+    for (const Material& m : tree_.materials) {
+      if (m.name == value.raw()) return;
+      names.push_back(m.name);
+    }
+    const std::string hint = did_you_mean(value.raw(), names);
+    value.fail("the material `" + value.raw() + "` is not declared" +
+               (hint.empty() ? "; add `" + value.raw() + ": {}` to `materials`" : hint));
+  }
+
+  NodeId add_node(std::string name, bool is_inline, Position at) {
+    const NodeId id = tree_.dag.add_node();
+    Node node;
+    node.name = std::move(name);
+    node.is_inline = is_inline;
+    node.at = at;
+    tree_.nodes.push_back(std::move(node));
+    return id;
+  }
+
+  void read_nodes(const Value& value) {
+    const std::vector<Value::Entry> entries = value.entries("`nodes`");
+    if (entries.empty()) value.fail("`nodes` is empty; add a node such as `a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}`");
+    for (const Value::Entry& e : entries) {
+      if (e.key.empty()) document_.fail(e.key_at, "a node needs a name");
+      const NodeId id = add_node(e.key, false, e.key_at);
+      tree_.names.emplace(e.key, id);
+      remember(e.value, id);
+    }
+    for (std::size_t i = 0; i < entries.size(); ++i) read_node(NodeId(i), entries[i].value);
+  }
+
+  /// The node that a text names.
+  NodeId named(const Value& value, const std::string& what) {
+    const std::string name = value.text(what);
+    const auto it = tree_.names.find(name);
+    if (it != tree_.names.end()) return it->second;
+    std::vector<std::string_view> names;
+    for (const auto& [known, id] : tree_.names) names.push_back(known);
+    const std::string hint = did_you_mean(name, names);
+    value.fail("there is no node called `" + name + "`" + (hint.empty() ? "; add it to `nodes` or use another name" : hint));
+  }
+
+  /// An operand by name or inline.
+  void read_operand(NodeId user, const Value& value, std::size_t number) {
+    if (!value.is_map()) {
+      if (!value.is_text()) value.fail_type("an operand of `" + tree_.nodes[user].name + "`", "the name of a node or a node {...}");
+      tree_.dag.add_operand(user, named(value, "an operand"), value.at());
+      return;
+    }
+    if (const NodeId known = recall(value); known.valid()) {
+      tree_.dag.add_operand(user, known, value.at());
+      return;
+    }
+    const NodeId id = add_node(tree_.nodes[user].name + "/" + std::to_string(number), true, value.at());
+    tree_.dag.add_operand(user, id, value.at());
+    remember(value, id);
+    read_node(id, value);
+  }
+
+  // Nodes by the identity of their YAML node: equal nodes stand at one place.
+  static std::size_t place_of(const Value& value) { return static_cast<std::size_t>(value.node().Mark().pos); }
+  void remember(const Value& value, NodeId id) { by_place_.emplace(place_of(value), std::pair(value.node(), id)); }
+  NodeId recall(const Value& value) const {
+    const auto [first, last] = by_place_.equal_range(place_of(value));
+    for (auto it = first; it != last; ++it) {
+      if (it->second.first.is(value.node())) return it->second.second;
+    }
+    return {};
+  }
+
+  /// True for `regularize: true` and for `simplify: points` beside another operator.
+  static bool is_attribute(const Value::Entry& e, bool has_operator) {
+    if (e.key == "regularize") return e.value.as_bool().has_value();
+    if (e.key == "simplify") return has_operator && e.value.is_text() && (e.value.raw() == "points" || e.value.raw() == "features");
+    return contains(kAttributes, e.key);
+  }
+
+  void read_node(NodeId id, const Value& value) {
+    const std::string what = "the node `" + tree_.nodes[id].name + "`";
+    if (!value.is_map()) value.fail_type(what, "a map {OPERATOR: ..., ATTRIBUTE: ...}");
+    const std::vector<Value::Entry> entries = value.entries(what);
+    const bool has_operator = std::any_of(entries.begin(), entries.end(), [](const Value::Entry& e) {
+      return e.key != "simplify" && (contains(leaf_names(), e.key) || find_operator(e.key)) && !is_attribute(e, false);
+    });
+    const Value::Entry* operation = nullptr;
+    for (const Value::Entry& e : entries) {
+      if (is_attribute(e, has_operator)) continue;
+      check_operator_name(e, what);
+      if (operation) {
+        document_.fail(e.key_at, what + " has two operators, `" + operation->key + "` and `" + e.key +
+                                 "`; make one of them a node of its own");
+      }
+      operation = &e;
+    }
+    if (!operation) {
+      document_.fail(tree_.nodes[id].at, what + " has no operator; add one, such as `box` or `union`");
+    }
+    tree_.nodes[id].operator_at = operation->key_at;
+    tree_.nodes[id].operator_name = operation->key;
+    read_operation(id, *operation);
+    for (const Value::Entry& e : entries) {
+      if (&e != operation) read_attribute(tree_.nodes[id], e);
+    }
+  }
+
+  void check_operator_name(const Value::Entry& e, const std::string& what) {
+    if (find_operator(e.key) || contains(leaf_names(), e.key)) return;
+    if (contains(kLaterOperators, e.key)) {
+      document_.fail(e.key_at, "`" + e.key + "` is a CNRG operator that this version of cnrg can not evaluate; use union, "
+                               "intersection, difference, complement, regularize or simplify");
+    }
+    if (contains(kLaterLeaves, e.key)) {
+      document_.fail(e.key_at, "`" + e.key + "` is a leaf that this version of cnrg can not evaluate; use another primitive or a "
+                               "mesh file");
+    }
+    std::vector<std::string_view> known(leaf_names().begin(), leaf_names().end());
+    for (const OperatorName& o : kOperators) known.push_back(o.name);
+    known.insert(known.end(), kAttributes.begin(), kAttributes.end());
+    known.insert(known.end(), kLaterOperators.begin(), kLaterOperators.end());
+    known.insert(known.end(), kLaterLeaves.begin(), kLaterLeaves.end());
+    const std::string hint = did_you_mean(e.key, known);
+    document_.fail(e.key_at, "unknown key `" + e.key + "` in " + what + ": neither an operator nor an attribute" +
+                             (hint.empty() ? "; remove it or write the one that is meant" : hint));
+  }
+
+  void read_operation(NodeId id, const Value::Entry& e) {
+    const OperatorName* known = find_operator(e.key);
+    if (!known) {
+      tree_.nodes[id].shape = read_leaf(e.key, e.value, context_);
+      return;
+    }
+    tree_.nodes[id].op = known->op;
+    if (is_boolean(known->op)) {
+      const std::vector<Value> operands = e.value.list("`" + e.key + "`", "a list of two or more nodes [a, b]");
+      if (operands.size() < 2) e.value.fail_type("`" + e.key + "`", "a list of two or more nodes [a, b]");
+      for (std::size_t i = 0; i < operands.size(); ++i) read_operand(id, operands[i], i + 1);
+      return;
+    }
+    if (e.value.is_list()) e.value.fail_type("`" + e.key + "`", "one node, by name or {...}");
+    if (known->op == Operator::simplify && e.value.is_map()) {
+      const std::vector<Value::Entry> entries = e.value.entries("`simplify`");
+      const auto is_option = [](const Value::Entry& o) { return o.key == "of" || o.key == "mode"; };
+      if (entries.empty() || std::any_of(entries.begin(), entries.end(), is_option)) {
+        const Fields f(e.value, "simplify", {"of", "mode"});
+        read_operand(id, f.at("of", "NAME"), 1);
+        if (const Value* mode = f.find("mode")) tree_.nodes[id].forget_features = read_mode(*mode, f.name("mode"));
+        return;
+      }
+    }
+    read_operand(id, e.value, 1);
+  }
+
+  /// True for `points`.
+  static bool read_mode(const Value& value, const std::string& what) {
+    const std::string mode = value.text(what);
+    if (mode != "points" && mode != "features") value.fail_type(what, "one of features, points");
+    return mode == "points";
+  }
+
+  void read_attribute(Node& node, const Value::Entry& e) {
+    if (e.key == "material") {
+      node.material = e.value.text("`material`");
+      check_material(e.value);
+    } else if (e.key == "name") {
+      node.label = e.value.text("`name`");
+    } else if (e.key == "regularize") {
+      node.regularize = *e.value.as_bool();
+    } else if (e.key == "simplify") {
+      node.forget_features = read_mode(e.value, "`simplify`");
+    } else if (e.key == "dominance") {
+      read_dominance(node, e);
+    } else {
+      const Transform step = read_transform(e);
+      node.transform = node.transform ? step * *node.transform : step;
+    }
+  }
+
+  void read_dominance(Node& node, const Value::Entry& e) {
+    const std::string text = e.value.text("`dominance`");
+    static const std::map<std::string, DominantOperand> kSides{
+        {"left", DominantOperand::left}, {"right", DominantOperand::right}, {"equal", DominantOperand::equal}};
+    if (const auto side = kSides.find(text); side != kSides.end()) {
+      if (!is_boolean(node.op)) {
+        e.value.fail("`dominance: " + text + "` is for union, intersection and difference; give `" + node.operator_name +
+                     "` a number, such as `dominance: 2`");
+      }
+      node.dominant = side->second;
+    } else if (parse_rational(text)) {
+      node.dominance = e.value.number("`dominance`");
+    } else {
+      e.value.fail_type("`dominance`", is_boolean(node.op) ? "left, right, equal or a number" : "a number");
+    }
+  }
+
+  Transform read_transform(const Value::Entry& e) {
+    if (e.key == "translate") return Transform::translation(e.value.point("`translate`"));
+    if (e.key == "scale") {
+      RationalPoint factors;
+      if (e.value.is_text()) {
+        factors.fill(e.value.number("`scale`"));
+      } else {
+        factors = e.value.point("`scale`");
+      }
+      if (factors[0] == 0 || factors[1] == 0 || factors[2] == 0) {
+        e.value.fail("`scale` by zero makes a solid flat: the transform is singular; use factors that are not zero");
+      }
+      return Transform::scaling(factors);
+    }
+    if (e.key == "rotate") {
+      const Fields f(e.value, "rotate", {"axis", "degrees", "center"});
+      const RationalPoint axis = f.at("axis", "[0, 0, 1]").point(f.name("axis"));
+      if (is_zero(axis)) f.at("axis", "").fail("`axis` of rotate has no direction; write one such as [0, 0, 1]");
+      const Rational degrees = f.at("degrees", "90").number(f.name("degrees"));
+      const Value* center = f.find("center");
+      return Transform::rotation(axis, degrees, center ? center->point(f.name("center")) : RationalPoint{0, 0, 0});
+    }
+    const Fields f(e.value, "mirror", {"normal", "point"});
+    const RationalPoint normal = f.at("normal", "[1, 0, 0]").point(f.name("normal"));
+    if (is_zero(normal)) f.at("normal", "").fail("`normal` of mirror has no direction; write one such as [1, 0, 0]");
+    const Value* point = f.find("point");
+    return Transform::reflection(normal, point ? point->point(f.name("point")) : RationalPoint{0, 0, 0});
+  }
+
+  void check_graph() {
+    const Dag::Cycle cycle = tree_.dag.find_cycle();
+    if (!cycle.nodes.empty()) {
+      constexpr std::size_t kListed = 20;
+      std::string way;
+      for (std::size_t i = 0; i < std::min(cycle.nodes.size(), kListed); ++i) {
+        const Node& node = tree_.nodes[cycle.nodes[i]];
+        way += "`" + node.name + "` (line " + std::to_string(node.at.line) + ") -> ";
+      }
+      if (cycle.nodes.size() > kListed) way += std::to_string(cycle.nodes.size() - kListed) + " more -> ";
+      document_.fail(cycle.mention, "these nodes use each other in a cycle: " + way + "`" +
+                                    tree_.nodes[cycle.nodes.front()].name + "`; remove one of the uses");
+    }
+  }
+
+  Document& document_;
+  Tree& tree_;
+  LeafContext context_;
+  std::unordered_multimap<std::size_t, std::pair<YAML::Node, NodeId>> by_place_;
+};
+
+}  // namespace
+
+NodeId Tree::find(const std::string& name) const {
+  const auto it = names.find(name);
+  if (it != names.end()) return it->second;
+  std::vector<std::string_view> known;
+  for (const auto& [key, id] : names) known.push_back(key);
+  for (const NodeId id : IdRange<NodeId>(nodes.size())) {
+    if (nodes[id].is_inline && nodes[id].name == name) return id;
+  }
+  const std::string hint = did_you_mean(name, known);
+  throw TreeError(file, nodes_at, "there is no node called `" + name + "`" +
+                                  (hint.empty() ? "; use one of the names in `nodes`" : hint));
+}
+
+std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots) {
+  std::vector<Diagnostic> result;
+  const std::vector<char> used = tree.dag.reachable(roots);
+  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+    const Node& node = tree.nodes[id];
+    if (used[id.index()] || node.is_inline) continue;
+    result.push_back({tree.file, node.at, Diagnostic::Level::warning,
+                      "the node `" + node.name + "` is not used by the result; use it or remove it"});
+  }
+  return result;
+}
+
+Tree parse_tree(const std::string& text, const std::string& file) {
+  constexpr std::size_t kHonestAliases = 1'000'000;
+  Document document{file, text.size() + kHonestAliases};
+  Tree tree;
+  tree.file = file;
+  TreeReader(document, tree).read(load_yaml(document, text));
+  return tree;
+}
+
+Tree read_tree(const std::string& path) {
+  const auto fail = [&](const std::string& why) {
+    throw FileError(to_string(path, {}) + ": error: the tree file can not be read: " + why + "; check the path");
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) fail("it is a directory");
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) fail(std::strerror(errno));
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (stream.bad()) fail(std::strerror(errno));
+  return parse_tree(text, path);
+}
+
+}  // namespace cnrg

@@ -1,0 +1,72 @@
+// A tree file as data: nodes with their operators and attributes, the graph that they form, the result.
+//
+// Meaning of the attributes:
+//   * Transforms are multiplied in the order in which they are written; they move everything below the node.
+//   * `dominance: number` is the number of the node's value; without it a leaf has 0 and a Boolean the larger
+//     one of its operands. `dominance: left|right|equal` is for a Boolean's own operands.
+//   * `material` and `name` of a leaf are those of its regions that have none of their own; on an inner node
+//     they replace what its regions had.
+//   * Whatever is no operand by name is an inline node; a YAML alias of one is the same node.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "csg/leaves/shapes.h"
+#include "csg/tree/dag.h"
+#include "csg/tree/position.h"
+
+namespace cnrg {
+
+enum class Operator : std::uint8_t { leaf, unite, intersect, subtract, complement, regularize, simplify };
+
+enum class DominantOperand : std::uint8_t { left, right, equal };
+
+struct Node {
+  std::string name;              ///< the key in `nodes`; of an inline node its place, such as `model/2`
+  bool is_inline = false;
+  Position at;                   ///< of the key, or of the inline node
+  Position operator_at;          ///< of the operator's key
+  Operator op = Operator::leaf;
+  std::string operator_name;     ///< as the file has it: `union`, `box`, ...
+  std::optional<Shape> shape;    ///< of a leaf
+  std::optional<Transform> transform;
+  std::string material;          ///< empty: not given
+  std::string label;             ///< the attribute `name`; empty: not given
+  std::optional<Rational> dominance;
+  std::optional<DominantOperand> dominant;
+  bool regularize = false;       ///< the attribute: regularize the node's value
+  bool forget_features = false;  ///< `simplify` with mode `points`
+};
+
+struct Material {
+  std::string name, color;       ///< color `#rrggbb`; empty: not given
+};
+
+struct Tree {
+  std::string file;              ///< as it was given
+  IdVector<NodeId, Node> nodes;
+  Dag dag;                       ///< over the same ids; no cycles
+  std::map<std::string, NodeId> names;  ///< of the nodes that are not inline
+  NodeId result;
+  Position nodes_at;             ///< of the key `nodes`, for what concerns all of them
+  std::vector<Material> materials;      ///< in the order of the file
+
+  /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws TreeError at `nodes`
+  /// with the nearest name when there is none.
+  NodeId find(const std::string& name) const;
+};
+
+/// A warning for each node of `nodes` that none of the roots uses.
+std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots);
+
+/// Reads a tree file (YAML 1.2 or JSON). Throws TreeError for the first fault, FileError when the file can not
+/// be read. Geometry of the leaves and files that they name are not looked at: see `prepare_leaves`.
+Tree read_tree(const std::string& path);
+
+/// The same for a text; `file` is for messages, and paths in the text are relative to its folder.
+Tree parse_tree(const std::string& text, const std::string& file);
+
+}  // namespace cnrg

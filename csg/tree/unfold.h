@@ -1,0 +1,32 @@
+// From the shared nodes of a tree to instances: a node under one accumulated transform.
+//
+// A transform moves everything below its node, so a node that two users place differently is two instances; where
+// the accumulated matrices are equal, exactly, it stays one. Values are computed per instance.
+#pragma once
+
+#include <vector>
+
+#include "csg/tree/tree.h"
+
+namespace cnrg {
+
+using InstanceId = Id<struct InstanceTag>;
+
+struct Instance {
+  NodeId node;
+  Transform transform;                  ///< all transforms from a root down to the node, its own included
+  std::vector<InstanceId> operands;     ///< in the order of the node's operands
+  std::uint32_t number = 1;             ///< from 1 among the instances of the node
+};
+
+struct Unfolding {
+  IdVector<InstanceId, Instance> instances;  ///< operands before users
+  std::vector<InstanceId> roots;             ///< one for each root that was asked for
+  IdVector<NodeId, std::uint32_t> count;     ///< instances of each node
+};
+
+/// The instances below `roots`, each root placed by its own transform alone. Iterative: depth costs memory, not
+/// stack. Throws TreeError when there are more than `most`.
+Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t most = 1'000'000);
+
+}  // namespace cnrg

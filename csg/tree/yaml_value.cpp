@@ -1,0 +1,197 @@
+// Strict reading of YAML values; see the header.
+#include "csg/tree/yaml_value.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+#include <yaml-cpp/depthguard.h>
+
+#include "csg/tree/suggest.h"
+
+namespace cnrg {
+namespace {
+
+Position position_of(const YAML::Mark& mark, Position otherwise) {
+  return mark.is_null() ? otherwise : Position{mark.line + 1, mark.column + 1};
+}
+
+/// A text cut to a length that fits in a message, control characters replaced.
+std::string excerpt(const std::string& text) {
+  constexpr std::size_t kLongest = 40;
+  std::string cut = text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+  for (char& c : cut) {
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  }
+  return "`" + cut + "`";
+}
+
+std::string describe(const YAML::Node& node) {
+  switch (node.Type()) {
+    case YAML::NodeType::Scalar: return "the text " + excerpt(node.Scalar());
+    case YAML::NodeType::Sequence:
+      return node.size() == 1 ? "a list of one" : "a list of " + std::to_string(node.size());
+    case YAML::NodeType::Map: return "a map";
+    default: return "empty";
+  }
+}
+
+}  // namespace
+
+Value::Value(Document& document, const YAML::Node& node, Position key_at)
+    : document_(&document), node_(node),
+      at_(node.IsNull() ? key_at : position_of(node.Mark(), key_at)) {
+  if (document.values_left == 0) {
+    fail("the aliases of this file repeat too much: it yields far more values than it has letters; "
+         "write one node and use it by name instead");
+  }
+  --document.values_left;
+}
+
+void Value::fail_type(const std::string& what, const std::string& wanted) const {
+  fail(what + " must be " + wanted + ", not " + describe(node_));
+}
+
+std::optional<bool> Value::as_bool() const {
+  if (!is_text() || node_.Tag() == "!") return std::nullopt;
+  const std::string& s = raw();
+  if (s == "true" || s == "True" || s == "TRUE") return true;
+  if (s == "false" || s == "False" || s == "FALSE") return false;
+  return std::nullopt;
+}
+
+std::string Value::text(const std::string& what) const {
+  if (!is_text()) fail_type(what, "a text");
+  if (raw().empty()) fail(what + " must not be empty");
+  return raw();
+}
+
+bool Value::boolean(const std::string& what) const {
+  const std::optional<bool> value = as_bool();
+  if (!value) fail_type(what, "true or false");
+  return *value;
+}
+
+Rational Value::number(const std::string& what) const {
+  if (!is_text()) fail_type(what, "a number");
+  const std::optional<Rational> value = parse_rational(raw());
+  if (!value) {
+    fail(what + ": " + excerpt(raw()) + " is no number; write a decimal such as 0.1 or 1.5e-3, or a fraction such as "
+         "\"1/3\"");
+  }
+  return *value;
+}
+
+long Value::integer(const std::string& what, long low, long high) const {
+  const Rational value = number(what);
+  if (value.get_den() != 1 || value < low || value > high) {
+    fail(what + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) + ", not " +
+         excerpt(raw()));
+  }
+  return value.get_num().get_si();
+}
+
+std::vector<Value> Value::list(const std::string& what, const std::string& wanted) const {
+  if (!is_list()) fail_type(what, wanted);
+  std::vector<Value> items;
+  items.reserve(node_.size());
+  for (const auto& item : node_) items.emplace_back(*document_, item, position_of(item.Mark(), at_));
+  return items;
+}
+
+std::vector<Rational> Value::numbers(const std::string& what, std::size_t n, const std::string& wanted) const {
+  const std::vector<Value> items = list(what, wanted);
+  if (items.size() != n) fail_type(what, wanted);
+  std::vector<Rational> result;
+  result.reserve(n);
+  for (const Value& item : items) result.push_back(item.number(what));
+  return result;
+}
+
+RationalPoint Value::point(const std::string& what) const {
+  std::vector<Rational> n = numbers(what, 3, "a list of three numbers [x, y, z]");
+  return {std::move(n[0]), std::move(n[1]), std::move(n[2])};
+}
+
+std::array<Rational, 2> Value::pair(const std::string& what) const {
+  std::vector<Rational> n = numbers(what, 2, "a list of two numbers [x, y]");
+  return {std::move(n[0]), std::move(n[1])};
+}
+
+std::vector<RationalPoint> Value::points(const std::string& what) const {
+  std::vector<RationalPoint> result;
+  const std::string each = "each point of " + what;
+  for (const Value& item : list(what, "a list of points [[x, y, z], ...]")) result.push_back(item.point(each));
+  return result;
+}
+
+std::vector<std::vector<RationalPoint>> Value::loops(const std::string& what) const {
+  std::vector<std::vector<RationalPoint>> result;
+  const std::string each = "each loop of " + what;
+  for (const Value& item : list(what, "a list of loops [[[x, y, z], ...], ...]")) result.push_back(item.points(each));
+  return result;
+}
+
+std::vector<Value::Entry> Value::entries(const std::string& what) const {
+  if (!is_map()) fail_type(what, "a map {key: value, ...}");
+  std::vector<Entry> result;
+  std::unordered_set<std::string> seen;
+  for (const auto& item : node_) {
+    const Position key_at = position_of(item.first.Mark(), at_);
+    if (!item.first.IsScalar()) document_->fail(key_at, "a key of " + what + " must be a text, not " + describe(item.first));
+    const std::string& key = item.first.Scalar();
+    if (!seen.insert(key).second) {
+      document_->fail(key_at, "the key " + excerpt(key) + " is there twice in " + what + "; remove or rename one");
+    }
+    result.push_back({key, key_at, Value(*document_, item.second, key_at)});
+  }
+  return result;
+}
+
+Fields::Fields(const Value& map, std::string what, std::initializer_list<std::string_view> allowed)
+    : map_(map), what_(std::move(what)), entries_(map.entries(what_)) {
+  for (const Value::Entry& e : entries_) {
+    if (std::find(allowed.begin(), allowed.end(), std::string_view(e.key)) != allowed.end()) continue;
+    std::string known;
+    for (const std::string_view key : allowed) known += (known.empty() ? "" : ", ") + std::string(key);
+    const std::string hint = did_you_mean(e.key, std::span(allowed.begin(), allowed.size()));
+    map.document().fail(e.key_at,
+                        "unknown key " + excerpt(e.key) + " in " + what_ + (hint.empty() ? "; known are: " + known : hint));
+  }
+}
+
+const Value::Entry* Fields::entry(std::string_view key) const {
+  for (const Value::Entry& e : entries_) {
+    if (e.key == key) return &e;
+  }
+  return nullptr;
+}
+
+const Value* Fields::find(std::string_view key) const {
+  const Value::Entry* e = entry(key);
+  return e ? &e->value : nullptr;
+}
+
+const Value& Fields::at(std::string_view key, std::string_view hint) const {
+  const Value* value = find(key);
+  if (!value) map_.fail(what_ + " needs `" + std::string(key) + "`; add `" + std::string(key) + ": " + std::string(hint) + "`");
+  return *value;
+}
+
+YAML::Node load_yaml(const Document& document, const std::string& text) {
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.empty()) document.fail({}, "the file is empty; a tree file begins with `cnrg: 1`");
+    if (documents.size() > 1) {
+      document.fail(position_of(documents[1].Mark(), {}), "a second document begins here; a tree file has only one");
+    }
+    return documents.front();
+  } catch (const YAML::DeepRecursion& e) {
+    document.fail(position_of(e.mark, {}), "lists and maps are nested too deep here; give the inner nodes names in "
+                                           "`nodes` and use these as operands");
+  } catch (const YAML::Exception& e) {
+    document.fail(position_of(e.mark, {}), "this is no YAML: " + e.msg + "; mend the brackets, quotes or indentation here "
+                                           "or just before");
+  }
+}
+
+}  // namespace cnrg

@@ -1,0 +1,104 @@
+// Values of a YAML document with the place to blame, read strictly: a value is what is wanted or a TreeError.
+//
+// yaml-cpp neither sees repeated keys nor unknown ones, reads numbers through double, and follows aliases
+// without limit. Here maps check their keys, numbers go to `parse_rational` as text, and a document may yield
+// only so many values: as many as it has bytes, plus a million for honest aliases.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <yaml-cpp/yaml.h>
+
+#include "csg/tree/position.h"
+#include "kernel/exact/rational.h"
+
+namespace cnrg {
+
+/// What all values of one document share.
+struct Document {
+  std::string file;                    ///< for messages
+  std::size_t values_left = 0;         ///< values that may still be read
+  [[noreturn]] void fail(Position at, const std::string& message) const { throw TreeError(file, at, message); }
+};
+
+class Value {
+ public:
+  /// `key_at` is blamed where the value itself is empty.
+  Value(Document& document, const YAML::Node& node, Position key_at);
+  Value(const Value&) = default;
+  Value& operator=(const Value&) = delete;  // YAML::Node's assignment changes the document
+
+  Position at() const { return at_; }
+  const YAML::Node& node() const { return node_; }
+  Document& document() const { return *document_; }
+  bool is_empty() const { return node_.IsNull(); }
+  bool is_text() const { return node_.IsScalar(); }
+  bool is_list() const { return node_.IsSequence(); }
+  bool is_map() const { return node_.IsMap(); }
+  /// The text of a scalar, as it is written.
+  const std::string& raw() const { return node_.Scalar(); }
+  /// The text of a scalar without quotes around it that says true or false.
+  std::optional<bool> as_bool() const;
+
+  [[noreturn]] void fail(const std::string& message) const { document_->fail(at_, message); }
+  /// Fails with `WHAT must be WANTED, not THIS`.
+  [[noreturn]] void fail_type(const std::string& what, const std::string& wanted) const;
+
+  // Typed reading; `what` names the value in messages, such as `radius of sphere`.
+  std::string text(const std::string& what) const;
+  bool boolean(const std::string& what) const;
+  Rational number(const std::string& what) const;
+  /// An integer from `low` to `high`.
+  long integer(const std::string& what, long low, long high) const;
+  std::vector<Value> list(const std::string& what, const std::string& wanted = "a list") const;
+  RationalPoint point(const std::string& what) const;               ///< `[x, y, z]`
+  std::array<Rational, 2> pair(const std::string& what) const;      ///< `[x, y]`
+  std::vector<RationalPoint> points(const std::string& what) const;
+  std::vector<std::vector<RationalPoint>> loops(const std::string& what) const;
+
+  struct Entry;
+  /// Keys and values of a map in the order of the file; a repeated key or one that is no text fails.
+  std::vector<Entry> entries(const std::string& what) const;
+
+ private:
+  /// One list of exactly `n` numbers.
+  std::vector<Rational> numbers(const std::string& what, std::size_t n, const std::string& wanted) const;
+  Document* document_;
+  YAML::Node node_;
+  Position at_;
+};
+
+struct Value::Entry {
+  std::string key;
+  Position key_at;
+  Value value;
+};
+
+/// A map with known keys.
+class Fields {
+ public:
+  /// Fails for a key that is not among `allowed`, naming the nearest.
+  Fields(const Value& map, std::string what, std::initializer_list<std::string_view> allowed);
+  /// The value of a key, or nullptr.
+  const Value* find(std::string_view key) const;
+  const Value::Entry* entry(std::string_view key) const;
+  /// The value of a key that must be there; `hint` says what it is, such as `[x, y, z]`.
+  const Value& at(std::string_view key, std::string_view hint) const;
+  bool has(std::string_view key) const { return find(key) != nullptr; }
+  /// `KEY of WHAT`.
+  std::string name(std::string_view key) const { return "`" + std::string(key) + "` of " + what_; }
+
+ private:
+  Value map_;
+  std::string what_;
+  std::vector<Value::Entry> entries_;
+};
+
+/// Parses the text as one YAML document; TreeError with the parser's mark for what is no YAML.
+YAML::Node load_yaml(const Document& document, const std::string& text);
+
+}  // namespace cnrg

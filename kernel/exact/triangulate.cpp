@@ -1,0 +1,281 @@
+// A constrained triangulation whose points are vertex ids: CGAL does the combinatorics, our staged predicates
+// decide. Parts: the traits class that joins the two; short ways for triangles and quads; the inside by
+// parity, walking across the triangulation; and Lawson's flips with an in-circle test that must be proven by
+// intervals (an unproven one counts as a tie), so that each flip is a true improvement and the flipping ends.
+#include "kernel/exact/triangulate.h"
+
+#include <CGAL/Constrained_triangulation_2.h>
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "kernel/base/error.h"
+#include "kernel/exact/enclosure.h"
+
+namespace cnrg {
+namespace {
+
+using Triangle = std::array<VertexId, 3>;
+using Edge = std::pair<VertexId, VertexId>;  // smaller id first
+
+Edge edge_of(VertexId a, VertexId b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+
+struct Plane2 {
+  const PointTable* table;
+  Projection axes;
+  int turn(VertexId a, VertexId b, VertexId c) const { return orient2d(*table, axes, a, b, c); }
+};
+
+/// What CGAL's triangulations ask of geometry, answered by our predicates on vertex ids.
+struct VertexTraits {
+  struct Point_2 {
+    VertexId id;
+    friend bool operator==(const Point_2&, const Point_2&) = default;
+  };
+  struct Segment_2 {
+    Point_2 a, b;
+  };
+  struct Triangle_2 {
+    Point_2 a, b, c;
+  };
+  struct Construct_point_2 {
+    using result_type = Point_2;
+    const Point_2& operator()(const Point_2& p) const { return p; }
+  };
+  struct Construct_segment_2 {
+    Segment_2 operator()(const Point_2& a, const Point_2& b) const { return {a, b}; }
+  };
+  struct Construct_triangle_2 {
+    Triangle_2 operator()(const Point_2& a, const Point_2& b, const Point_2& c) const { return {a, b, c}; }
+  };
+  struct Compare {
+    Plane2 plane;
+    int axis;
+    CGAL::Comparison_result operator()(const Point_2& a, const Point_2& b) const {
+      return CGAL::Comparison_result(compare(*plane.table, axis, a.id, b.id));
+    }
+  };
+  struct Less : Compare {
+    bool operator()(const Point_2& a, const Point_2& b) const { return Compare::operator()(a, b) == CGAL::SMALLER; }
+  };
+  using Compare_x_2 = Compare;
+  using Compare_y_2 = Compare;
+  using Less_x_2 = Less;
+  using Less_y_2 = Less;
+  struct Orientation_2 {
+    Plane2 plane;
+    CGAL::Orientation operator()(const Point_2& a, const Point_2& b, const Point_2& c) const {
+      return CGAL::Orientation(plane.turn(a.id, b.id, c.id));
+    }
+  };
+  struct Side_of_oriented_circle_2 {  // the triangulation is not a Delaunay one: never asked
+    CGAL::Oriented_side operator()(const Point_2&, const Point_2&, const Point_2&, const Point_2&) const {
+      return CGAL::ON_ORIENTED_BOUNDARY;
+    }
+  };
+
+  Plane2 plane;
+  Construct_point_2 construct_point_2_object() const { return {}; }
+  Construct_segment_2 construct_segment_2_object() const { return {}; }
+  Construct_triangle_2 construct_triangle_2_object() const { return {}; }
+  Compare_x_2 compare_x_2_object() const { return {plane, plane.axes.u}; }
+  Compare_y_2 compare_y_2_object() const { return {plane, plane.axes.v}; }
+  Less_x_2 less_x_2_object() const { return {{plane, plane.axes.u}}; }
+  Less_y_2 less_y_2_object() const { return {{plane, plane.axes.v}}; }
+  Orientation_2 orientation_2_object() const { return {plane}; }
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }
+};
+
+struct FaceMark {
+  bool visited = false;
+};
+/// CGAL's constrained face with our mark: seen by the walk from outside.
+template <class Traits, class Base = CGAL::Constrained_triangulation_face_base_2<Traits>>
+struct MarkedFace : Base, FaceMark {
+  using Base::Base;
+  template <class Tds>
+  struct Rebind_TDS {
+    using Other = MarkedFace<Traits, typename Base::template Rebind_TDS<Tds>::Other>;
+  };
+};
+
+using Tds = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<VertexTraits>,
+                                                 MarkedFace<VertexTraits>>;
+using Triangulation = CGAL::Constrained_triangulation_2<VertexTraits, Tds, CGAL::No_constraint_intersection_tag>;
+
+/// True if the last point certainly lies inside the circle through the counter-clockwise a, b, c.
+bool certainly_in_circle(const Plane2& plane, const Triangle& t, VertexId d) {
+  using enclosure::Interval;
+  const PointView views[4] = {plane.table->view(t[0]), plane.table->view(t[1]), plane.table->view(t[2]),
+                              plane.table->view(d)};
+  enclosure::RoundOutward rounding;
+  const int u = plane.axes.u, v = plane.axes.v;
+  const auto at = [&](int i, int axis) { return Interval(views[i].lo[axis], views[i].hi[axis]); };
+  const Interval du = at(3, u), dv = at(3, v);
+  const Interval au = at(0, u) - du, av = at(0, v) - dv, bu = at(1, u) - du, bv = at(1, v) - dv;
+  const Interval cu = at(2, u) - du, cv = at(2, v) - dv;
+  const Interval lift_a = au * au + av * av, lift_b = bu * bu + bv * bv, lift_c = cu * cu + cv * cv;
+  const Interval det = lift_a * (bu * cv - bv * cu) - lift_b * (au * cv - av * cu) + lift_c * (au * bv - av * bu);
+  return det.inf() > 0;
+}
+
+/// Lawson's flips over the edges that are not in `walked`.
+void make_delaunay(const Plane2& plane, const std::map<Edge, unsigned>& walked, std::vector<Triangle>& triangles) {
+  struct Sides {
+    std::uint32_t side[2] = {UINT32_MAX, UINT32_MAX};
+  };
+  struct Hash {
+    std::size_t operator()(const Edge& e) const {
+      return (std::uint64_t(e.first.value()) << 32 | e.second.value()) * 0x9e3779b97f4a7c15ull;
+    }
+  };
+  std::unordered_map<Edge, Sides, Hash> sides;
+  std::vector<Edge> stack;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const Edge e = edge_of(triangles[i][k], triangles[i][(k + 1) % 3]);
+      Sides& s = sides[e];
+      if (s.side[0] == UINT32_MAX) {
+        s.side[0] = i;
+      } else {
+        s.side[1] = i;
+        if (!walked.contains(e)) stack.push_back(e);
+      }
+    }
+  }
+  const auto apex = [&](std::uint32_t i, const Edge& e) {
+    for (const VertexId v : triangles[i]) {
+      if (v != e.first && v != e.second) return v;
+    }
+    return VertexId::none();
+  };
+  const auto replace_side = [&](VertexId a, VertexId b, std::uint32_t from, std::uint32_t to) {
+    Sides& s = sides[edge_of(a, b)];
+    s.side[s.side[0] == from ? 0 : 1] = to;
+  };
+  while (!stack.empty()) {
+    const Edge e = stack.back();
+    stack.pop_back();
+    const auto found = sides.find(e);
+    if (found == sides.end()) continue;  // flipped away
+    const auto [i, j] = found->second.side;
+    const VertexId p = apex(i, e), q = apex(j, e);
+    if (!certainly_in_circle(plane, triangles[i], q)) continue;
+    // Triangle i is (p, a, b), triangle j is (q, b, a), both counter-clockwise.
+    const int k = int(std::find(triangles[i].begin(), triangles[i].end(), p) - triangles[i].begin());
+    const VertexId a = triangles[i][(k + 1) % 3], b = triangles[i][(k + 2) % 3];
+    triangles[i] = {p, a, q};
+    triangles[j] = {q, b, p};
+    sides.erase(found);
+    sides[edge_of(p, q)] = {{i, j}};
+    replace_side(a, q, j, i);
+    replace_side(b, p, i, j);
+    for (const Edge& next : {edge_of(p, a), edge_of(a, q), edge_of(q, b), edge_of(b, p)}) {
+      if (!walked.contains(next)) stack.push_back(next);
+    }
+  }
+}
+
+/// Two triangles of a quad, or none if neither diagonal works; of two that work the shorter one.
+std::vector<Triangle> split_quad(const Plane2& plane, const std::vector<VertexId>& q) {
+  const auto split = [&](int k) {
+    return std::array<Triangle, 2>{{{q[k], q[k + 1], q[k + 2]}, {q[k], q[k + 2], q[(k + 3) % 4]}}};
+  };
+  const auto fits = [&](const std::array<Triangle, 2>& s) {
+    return plane.turn(s[0][0], s[0][1], s[0][2]) > 0 && plane.turn(s[1][0], s[1][1], s[1][2]) > 0;
+  };
+  const auto length = [&](VertexId a, VertexId b) {
+    const auto p = plane.table->approx(a), r = plane.table->approx(b);
+    return std::hypot(p[plane.axes.u] - r[plane.axes.u], p[plane.axes.v] - r[plane.axes.v]);
+  };
+  const auto first = split(0), second = split(1);
+  const bool first_fits = fits(first), second_fits = fits(second);
+  if (!first_fits && !second_fits) return {};
+  const bool take_first = first_fits && (!second_fits || length(q[0], q[2]) <= length(q[1], q[3]));
+  const auto& chosen = take_first ? first : second;
+  return {chosen.begin(), chosen.end()};
+}
+
+/// Triangles that a walk from infinity reaches through an odd number of odd edges.
+std::vector<Triangle> inside(Triangulation& t, const std::map<Edge, unsigned>& walked) {
+  std::vector<Triangle> result;
+  std::vector<std::pair<Triangulation::Face_handle, bool>> stack{{t.infinite_face(), false}};
+  t.infinite_face()->visited = true;
+  while (!stack.empty()) {
+    const auto [face, is_inside] = stack.back();
+    stack.pop_back();
+    if (is_inside) {
+      require(!t.is_infinite(face), "triangulate: the loops of a face are not closed");
+      result.push_back({face->vertex(0)->point().id, face->vertex(1)->point().id, face->vertex(2)->point().id});
+    }
+    for (int i = 0; i < 3; ++i) {
+      const auto next = face->neighbor(i);
+      if (next->visited) continue;
+      bool crosses = false;
+      if (face->is_constrained(i)) {
+        const auto found = walked.find(edge_of(face->vertex(Triangulation::ccw(i))->point().id,
+                                               face->vertex(Triangulation::cw(i))->point().id));
+        require(found != walked.end(), "triangulate: a point of a face lies inside of one of its edges");
+        crosses = found->second % 2 == 1;
+      }
+      next->visited = true;
+      stack.push_back({next, is_inside != crosses});
+    }
+  }
+  return result;
+}
+
+std::vector<Triangle> general(const Plane2& plane, std::span<const std::vector<VertexId>> loops,
+                              std::span<const VertexId> isolated) {
+  Triangulation t{VertexTraits{plane}};
+  std::unordered_map<VertexId, Triangulation::Vertex_handle> handles;
+  Triangulation::Face_handle hint;
+  const auto insert = [&](VertexId v) {
+    auto& handle = handles[v];
+    if (handle != Triangulation::Vertex_handle()) return handle;
+    handle = t.insert({v}, hint);
+    require(handle->point().id == v, "triangulate: two vertices of a face coincide");
+    hint = handle->face();
+    return handle;
+  };
+  std::map<Edge, unsigned> walked;
+  for (const auto& loop : loops) {
+    for (const VertexId v : loop) insert(v);
+    for (std::size_t i = 0; i < loop.size(); ++i) ++walked[edge_of(loop[i], loop[(i + 1) % loop.size()])];
+  }
+  for (const VertexId v : isolated) insert(v);
+  try {
+    for (const auto& [edge, count] : walked) t.insert_constraint(handles.at(edge.first), handles.at(edge.second));
+  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    throw InvariantError("triangulate: edges of a face cross");
+  }
+  if (t.dimension() < 2) return {};
+  std::vector<Triangle> triangles = inside(t, walked);
+  make_delaunay(plane, walked, triangles);
+  return triangles;
+}
+
+}  // namespace
+
+std::vector<Triangle> triangulate(const PointTable& points, Projection axes,
+                                  std::span<const std::vector<VertexId>> loops, std::span<const VertexId> isolated) {
+  const Plane2 plane{&points, axes};
+  if (loops.size() == 1 && isolated.empty()) {
+    const auto& loop = loops[0];
+    if (loop.size() == 3) {
+      const int turn = plane.turn(loop[0], loop[1], loop[2]);
+      if (turn > 0) return {{loop[0], loop[1], loop[2]}};
+      if (turn < 0) return {{loop[0], loop[2], loop[1]}};
+    }
+    if (loop.size() == 4) {
+      const std::vector<VertexId> reversed(loop.rbegin(), loop.rend());
+      auto triangles = split_quad(plane, loop);
+      if (triangles.empty()) triangles = split_quad(plane, reversed);
+      if (!triangles.empty()) return triangles;
+    }
+  }
+  return general(plane, loops, isolated);
+}
+
+}  // namespace cnrg

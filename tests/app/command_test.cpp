@@ -1,0 +1,251 @@
+// The program from outside: output, messages, exit statuses.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.h"
+
+namespace cnrg {
+namespace {
+
+using Catch::Contains;
+using Catch::StartsWith;
+
+const char* const kBoxes = R"(cnrg: 1
+materials: {rock: {color: "#998877"}}
+nodes:
+  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}, material: rock}
+  b: {box: {min: [1, 1, 1], max: [3, 3, "10/3"]}, dominance: 1}
+  wire: {polyline: [[0, 0, 0], [-1, 0, 0]]}
+  u: {union: [a, b]}
+  d: {difference: [u, {box: {min: [0, 0, 0], max: [1, 1, 1]}}]}
+  r: {union: [d, wire]}
+result: r
+)";
+
+std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+
+/// The words of the row that begins with a name.
+std::vector<std::string> row(const std::string& text, const std::string& name) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream stream(line);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    if (!words.empty() && words[0] == name) return words;
+  }
+  return {};
+}
+
+TEST_CASE("version names the libraries", "[app]") {
+  const Outcome o = Workshop().run("--version");
+  CHECK(o.status == 0);
+  CHECK(o.err.empty());
+  for (const char* name : {"cnrg 0.", "CGAL 5.", "GMP 6.", "MPFR 4.", "Boost 1."}) CHECK_THAT(o.out, Contains(name));
+}
+
+TEST_CASE("every command has help with an example", "[app]") {
+  const Workshop w;
+  CHECK(w.run("--help").status == 0);
+  for (const std::string name : {"eval", "check", "locate", "tables", "explain", "mesh", "view"}) {
+    const Outcome o = w.run(name + " --help");
+    CHECK(o.status == 0);
+    CHECK_THAT(o.out, Contains("Example") && Contains("cnrg " + name));
+  }
+}
+
+TEST_CASE("a command line that makes no sense is bad input", "[app][errors]") {
+  const Workshop w;
+  for (const char* arguments : {"", "evaluate", "eval", "eval t.yaml --thread", "eval t.yaml --threads many", "--what"}) {
+    const Outcome o = w.run(arguments);
+    INFO(arguments);
+    CHECK(o.status == 2);
+    CHECK(o.out.empty());
+    CHECK_THAT(o.err, StartsWith("cnrg: error: "));
+    CHECK(lines_in(o.err) == 1);
+  }
+}
+
+TEST_CASE("commands of later versions say so", "[app][errors]") {
+  const Workshop w;
+  for (const std::string name : {"explain t.yaml --node a --cell f12", "mesh t.yaml -o a.msh", "view t.yaml -o a.html"}) {
+    const Outcome o = w.run(name);
+    CHECK(o.status == 2);
+    CHECK_THAT(o.err, Contains("is not in this version of cnrg"));
+  }
+}
+
+TEST_CASE("faults of the tree: one line, exit status 2; no file: 3", "[app][errors]") {
+  const Workshop w;
+  w.write("bad.yaml", "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, nan]}}\nresult: a\n");
+  w.write("flat.yaml", "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 0]}}\nresult: a\n");
+  for (const std::string command : {"eval", "check", "locate"}) {
+    const Outcome bad = w.run(command + " bad.yaml");
+    CHECK(bad.status == 2);
+    CHECK_THAT(bad.err, StartsWith("bad.yaml:3:41: error: `max` of box: `nan` is no number"));
+    CHECK(lines_in(bad.err) == 1);
+    const Outcome flat = w.run(command + " flat.yaml");
+    CHECK(flat.status == 2);
+    CHECK_THAT(flat.err, StartsWith("flat.yaml:3:7: error: box"));
+    CHECK(lines_in(flat.err) == 1);
+    const Outcome none = w.run(command + " none.yaml");
+    CHECK(none.status == 3);
+    CHECK_THAT(none.err, StartsWith("none.yaml:1:1: error: ") && Contains("No such file"));
+    CHECK(lines_in(none.err) == 1);
+  }
+}
+
+TEST_CASE("eval prints one aligned row per node", "[app]") {
+  const Workshop w;
+  w.write("t.yaml", kBoxes);
+  const Outcome o = w.run("eval t.yaml");
+  INFO(o.err);
+  REQUIRE(o.status == 0);
+  CHECK(o.err.empty());
+  CHECK(lines_in(o.out) == 8);
+  CHECK(row(o.out, "a").back() == "8");
+  CHECK(row(o.out, "b").back() == "28/3");
+  CHECK(row(o.out, "u").back() == "49/3");
+  CHECK(row(o.out, "d").back() == "46/3");
+  CHECK(row(o.out, "r").back() == "46/3");
+  CHECK(row(o.out, "d/2").at(1) == "box");
+  CHECK(row(o.out, "wire").at(1) == "polyline");
+
+  const Outcome trace = w.run("eval t.yaml --trace");
+  CHECK(trace.status == 0);
+  CHECK_THAT(trace.out, Contains("    union.face.") && Contains("\nrefinement: ") && Contains("\npredicates: "));
+  const Outcome raw = w.run("eval t.yaml --raw --threads 1");
+  CHECK(raw.status == 0);
+  CHECK(std::stoi(row(raw.out, "a").at(4)) > 6);
+  CHECK(row(o.out, "a").at(4) == "6");
+  CHECK(w.run("eval t.yaml --threads 1").status == 0);
+}
+
+TEST_CASE("quiet is quiet, warnings aside", "[app]") {
+  const Workshop w;
+  w.write("t.yaml", kBoxes);
+  const Outcome o = w.run("eval t.yaml --quiet");
+  CHECK(o.status == 0);
+  CHECK(o.out.empty());
+  CHECK(o.err.empty());
+  w.write("unused.yaml", "cnrg: 1\nnodes:\n  a: {points: [[0, 0, 0]]}\n  b: {points: [[0, 0, 0]]}\nresult: a\n");
+  const Outcome unused = w.run("eval unused.yaml");
+  CHECK(unused.status == 0);
+  CHECK_THAT(unused.err, StartsWith("unused.yaml:4:3: warning: the node `b` is not used"));
+}
+
+TEST_CASE("files show the result or the nodes asked for", "[app]") {
+  const Workshop w;
+  w.write("t.yaml", kBoxes);
+  REQUIRE(w.run("eval t.yaml -o r.json -o r.vtu").status == 0);
+  CHECK(nlohmann::json::accept(w.read("r.json")));
+  CHECK_THAT(w.read("r.vtu"), Contains("UnstructuredGrid"));
+
+  REQUIRE(w.run("eval t.yaml --node a -o a.json").status == 0);
+  REQUIRE(w.run("eval t.yaml --node a --node u -o a2.json -o u.json").status == 0);
+  CHECK(w.read("a.json") == w.read("a2.json"));
+  CHECK(w.read("u.json") != w.read("a.json"));
+
+  const Outcome uneven = w.run("eval t.yaml --node a --node u -o a.json");
+  CHECK(uneven.status == 2);
+  CHECK_THAT(uneven.err, Contains("2 times --node and 1 times -o"));
+  const Outcome unknown = w.run("eval t.yaml --node wier");
+  CHECK(unknown.status == 2);
+  CHECK_THAT(unknown.err, StartsWith("t.yaml:3:1: error: there is no node called `wier`; did you mean `wire`?"));
+  const Outcome extension = w.run("eval t.yaml -o r.doc");
+  CHECK(extension.status == 2);
+  CHECK_FALSE(std::filesystem::exists(w.path("r.doc")));
+  const Outcome folder = w.run("eval t.yaml -o no/such/folder/r.json");
+  CHECK(folder.status == 3);
+  CHECK_THAT(folder.err, Contains("no/such/folder"));
+}
+
+TEST_CASE("no thread count changes a byte", "[app]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  a: {sphere: {center: [0, 0, 0], radius: 2, segments: 12}}
+  b: {sphere: {center: [1, 1/2, 1/3], radius: 2, segments: 10}, rotate: {axis: [1, 2, 3], degrees: 20}}
+  r: {union: [{difference: [a, b]}, {intersection: [a, b]}], dominance: left}
+result: r
+)");
+  REQUIRE(w.run("eval t.yaml --threads 1 -o one.json").status == 0);
+  REQUIRE(w.run("eval t.yaml --threads 4 -o four.json").status == 0);
+  CHECK(w.read("one.json").size() > 1000);
+  CHECK(w.read("one.json") == w.read("four.json"));
+}
+
+TEST_CASE("results that can not be written are no success", "[app][errors]") {
+  const Workshop w;
+  w.write("t.yaml", kBoxes);
+  if (!std::filesystem::exists("/dev/full")) return;
+  const Outcome o = w.shell("'" CNRG_PROGRAM "' eval t.yaml 2>.err >/dev/full");
+  CHECK(o.status == 3);
+  CHECK_THAT(o.err, Contains("standard output"));
+}
+
+TEST_CASE("a result is read back as a leaf", "[app]") {
+  const Workshop w;
+  w.write("t.yaml", kBoxes);
+  REQUIRE(w.run("eval t.yaml --node d -o d.json").status == 0);
+  w.write("again.yaml", "cnrg: 1\nnodes: {d: {cnrg: d.json}}\nresult: d\n");
+  const Outcome o = w.run("eval again.yaml");
+  INFO(o.err);
+  CHECK(o.status == 0);
+  CHECK(row(o.out, "d").back() == "46/3");
+}
+
+TEST_CASE("check reads and validates only", "[app]") {
+  const Workshop w;
+  w.write("t.yaml", kBoxes);
+  const Outcome o = w.run("check t.yaml");
+  CHECK(o.status == 0);
+  CHECK(o.out == "t.yaml: 7 nodes, 4 of them leaves; no faults\n");
+}
+
+TEST_CASE("locate names cell, component and region", "[app]") {
+  const Workshop w;
+  w.write("t.yaml", kBoxes);
+  const Outcome o = w.run("locate t.yaml --node u", "1/2 0.5 1\n-1 0 0\n2.5 2.5 3\n\n2 2 1/2\n0 1 1\n0 0 0\n");
+  INFO(o.err);
+  REQUIRE(o.status == 0);
+  std::istringstream lines(o.out);
+  std::vector<std::string> line(7);
+  for (std::string& l : line) std::getline(lines, l);
+  CHECK_THAT(line[0], Catch::Matches("3 r[0-9]+ [12] a"));
+  CHECK_THAT(line[1], Catch::Matches("3 (r[0-9]+|-) 0"));
+  CHECK_THAT(line[2], Catch::Matches("3 r[0-9]+ [12] b"));
+  CHECK(line[3].empty());
+  CHECK_THAT(line[4], Catch::Matches("1 e[0-9]+ 3 .*"));
+  CHECK_THAT(line[5], Catch::Matches("2 f[0-9]+ 3 .*"));
+  CHECK_THAT(line[6], Catch::Matches("0 v[0-9]+ 3 .*"));
+}
+
+TEST_CASE("a bad line of points has its place", "[app][errors]") {
+  const Workshop w;
+  w.write("t.yaml", kBoxes);
+  const auto fault = [&](const std::string& input) {
+    const Outcome o = w.run("locate t.yaml", input);
+    CHECK(o.status == 2);
+    CHECK(lines_in(o.err) == 1);
+    return o.err;
+  };
+  CHECK_THAT(fault("0 0 0\n1 zwei 3\n"), StartsWith("<stdin>:2:3: error: `zwei` is no number"));
+  CHECK_THAT(fault("1 2\n"), StartsWith("<stdin>:1:4: error: a point has three numbers"));
+  CHECK_THAT(fault("1 2 3 4\n"), StartsWith("<stdin>:1:7: error: a point has three numbers"));
+  CHECK_THAT(fault("1 2 1/0\n"), StartsWith("<stdin>:1:5: error: `1/0` is no number"));
+}
+
+TEST_CASE("tables are Markdown", "[app]") {
+  const Outcome o = Workshop().run("tables");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.out, Contains("|") && Contains("INTERS") && Contains("union"));
+}
+
+}  // namespace
+}  // namespace cnrg

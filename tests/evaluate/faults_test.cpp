@@ -1,0 +1,72 @@
+// Faults that only geometry can tell, with the places that the tree file has for them.
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "csg/evaluate/evaluate.h"
+
+namespace cnrg {
+namespace {
+
+std::string message_of(const std::string& nodes, bool only_check = false) {
+  const Tree tree = parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: r\n", "t.yaml");
+  try {
+    if (only_check) {
+      check(tree);
+    } else {
+      evaluate(tree);
+    }
+  } catch (const TreeError& e) {
+    return e.what();
+  }
+  return "no fault";
+}
+
+TEST_CASE("a leaf's fault stands at its operator", "[evaluate][errors]") {
+  const std::string flat = "  r: {box: {min: [0, 0, 0], max: [1, 0, 1]}}\n";
+  CHECK_THAT(message_of(flat), Catch::StartsWith("t.yaml:3:7: error: box"));
+  CHECK_THAT(message_of(flat, true), Catch::StartsWith("t.yaml:3:7: error: box"));
+  CHECK_THAT(message_of("  p: {points: [[0, 0, 0]]}\n  r: {union: [p, {name: x, sphere: {center: [0, 0, 0], radius: -1}}]}\n"),
+             Catch::StartsWith("t.yaml:4:28: error: sphere"));
+}
+
+TEST_CASE("check looks at unused leaves too, evaluate does not", "[evaluate][errors]") {
+  const std::string nodes = "  r: {points: [[0, 0, 0]]}\n  z: {box: {min: [0, 0, 0], max: [0, 1, 1]}}\n";
+  CHECK(message_of(nodes) == "no fault");
+  CHECK_THAT(message_of(nodes, true), Catch::StartsWith("t.yaml:4:7: error: box"));
+}
+
+TEST_CASE("sides that contradict each other name the faces and their lines", "[evaluate][errors]") {
+  const std::string message = message_of(R"(  r:
+    group:
+      vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+      faces:
+        - {loops: [[0, 2, 1]], sides: [0, 1]}
+        - {loops: [[0, 1, 3]], sides: [0, 1]}
+        - {loops: [[1, 2, 3]], sides: [0, 2]}
+        - {loops: [[0, 3, 2]], sides: [0, 1]}
+)");
+  INFO(message);
+  CHECK_THAT(message, Catch::Matches("t\\.yaml:(7|8|9|10):11: error: .*face .* \\(line 9\\) of `r`.*"));
+  CHECK_THAT(message, !Catch::Contains("leaf 0"));
+}
+
+TEST_CASE("a mesh file that is missing stands at its node", "[evaluate][errors]") {
+  const Tree tree = parse_tree("cnrg: 1\nnodes: {r: {mesh: {file: no_such.off}}}\nresult: r\n", "t.yaml");
+  CHECK_THROWS_WITH(evaluate(tree), Catch::StartsWith("t.yaml:2:13: error: ") && Catch::Contains("no_such.off"));
+}
+
+TEST_CASE("a fault inside a mesh file stands there and mentions the node", "[evaluate][errors]") {
+  const auto folder = std::filesystem::temp_directory_path() / "cnrg_faults_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "bad.off") << "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n";
+  const Tree tree = parse_tree("cnrg: 1\nnodes: {r: {mesh: {file: bad.off}}}\nresult: r\n", (folder / "t.yaml").string());
+  CHECK_THROWS_WITH(evaluate(tree), Catch::StartsWith((folder / "bad.off").string() + ":4:") &&
+                                        Catch::Contains("the node `r`") && Catch::Contains("t.yaml:2:13"));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace cnrg

@@ -1,0 +1,244 @@
+// Every fault of a tree file: its line, its column, and what it says.
+#include <catch2/catch.hpp>
+
+#include <optional>
+#include <string>
+
+#include "csg/tree/suggest.h"
+#include "csg/tree/tree.h"
+
+namespace cnrg {
+namespace {
+
+std::optional<TreeError> fault(const std::string& text) {
+  try {
+    parse_tree(text, "t.yaml");
+  } catch (const TreeError& e) {
+    return e;
+  }
+  return std::nullopt;
+}
+
+/// The text must fail at (line, column) with a message that holds all `parts`.
+void expect(const std::string& text, int line, int column, std::initializer_list<std::string> parts) {
+  INFO(text);
+  const std::optional<TreeError> error = fault(text);
+  REQUIRE(error);
+  INFO(error->what());
+  CHECK(error->line() == line);
+  CHECK(error->column() == column);
+  const std::string head = "t.yaml:" + std::to_string(line) + ":" + std::to_string(column) + ": error: ";
+  CHECK_THAT(error->what(), Catch::StartsWith(head));
+  CHECK(std::string(error->what()).find('\n') == std::string::npos);
+  for (const std::string& part : parts) CHECK_THAT(error->what(), Catch::Contains(part));
+}
+
+/// The same for the inside of the braces of node `a`, which begins at line 4, column 7.
+void expect_node(const std::string& inside, int column, std::initializer_list<std::string> parts) {
+  expect("cnrg: 1\nmaterials: {rock: {}}\nnodes:\n  a: {" + inside + "}\n  p: {points: [[0, 0, 0]]}\nresult: a\n", 4,
+         6 + column, parts);
+}
+
+TEST_CASE("a missing tree file is a FileError with its path", "[tree][errors]") {
+  CHECK_THROWS_AS(read_tree("no/such/tree.yaml"), FileError);
+  CHECK_THROWS_WITH(read_tree("no/such/tree.yaml"),
+                    Catch::StartsWith("no/such/tree.yaml:1:1: error: ") && Catch::Contains("No such file"));
+  CHECK_THROWS_WITH(read_tree("."), Catch::Contains("directory"));
+}
+
+TEST_CASE("faults of the file as a whole", "[tree][errors]") {
+  expect("", 1, 1, {"empty", "cnrg: 1"});
+  expect("# nothing\n", 1, 1, {"empty"});
+  expect("just text", 1, 1, {"must be a map"});
+  expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}\nresult: a\n", 3, 1, {"no YAML"});
+  expect("cnrg: 1\n---\ncnrg: 1\n", 3, 1, {"second document"});
+  expect("nodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 1, 1, {"`cnrg`", "add `cnrg: 1`"});
+  expect("cnrg: 2\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 1, 7, {"version 1"});
+  expect("cnrg: 1\nresult: a\n", 1, 1, {"needs `nodes`"});
+  expect("cnrg: 1\nnodes: {}\nresult: a\n", 2, 8, {"`nodes` is empty"});
+  expect("cnrg: 1\nnodes: [a, b]\nresult: a\n", 2, 8, {"`nodes` must be a map", "a list of 2"});
+  expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\n", 1, 1, {"`result` is missing", "add `result: NAME`"});
+  expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult:\n", 3, 1, {"`result` must be a text", "empty"});
+  expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: [a]\n", 3, 9, {"`result` must be a text"});
+  expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: b\n", 3, 9, {"no node called `b`", "did you mean `a`"});
+}
+
+TEST_CASE("unknown and repeated keys", "[tree][errors]") {
+  expect("cnrg: 1\nnode: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 2, 1, {"unknown key `node`", "did you mean `nodes`?"});
+  expect("cnrg: 1\nnodes:\n  a: {points: [[0, 0, 0]]}\n  a: {points: [[0, 0, 1]]}\nresult: a\n", 4, 3,
+         {"`a` is there twice", "rename"});
+  expect_node("bxo: {min: [0, 0, 0], max: [1, 1, 1]}", 1, {"unknown key `bxo`", "did you mean `box`?"});
+  expect_node("points: [[0, 0, 0]], materiel: rock", 22, {"unknown key `materiel`", "did you mean `material`?"});
+  expect_node("box: {min: [0, 0, 0], mx: [1, 1, 1]}", 23, {"unknown key `mx` in box", "did you mean `max`?"});
+  expect_node("box: {min: [0, 0, 0], min: [1, 1, 1]}", 23, {"`min` is there twice in box"});
+  expect_node("translate: [1, 2, 3], points: [[0, 0, 0]], translate: [1, 2, 3]", 44, {"`translate` is there twice"});
+  expect_node("frobnicate: 1", 1, {"neither an operator nor an attribute"});
+  expect_node("[1, 2]: 1", 1, {"must be a text"});
+}
+
+TEST_CASE("names of nodes", "[tree][errors]") {
+  expect("cnrg: 1\nnodes:\n  ground: {points: [[0, 0, 0]]}\n  b: {union: [ground, grund]}\nresult: b\n", 4, 23,
+         {"no node called `grund`", "did you mean `ground`?"});
+  expect_node("complement: nobody_at_all", 13, {"no node called `nobody_at_all`", "add it to `nodes`"});
+}
+
+TEST_CASE("a cycle lists its names and lines", "[tree][errors]") {
+  expect(R"(cnrg: 1
+nodes:
+  a: {union: [p, b]}
+  b: {complement: c}
+  c: {union: [p, a]}
+  p: {points: [[0, 0, 0]]}
+result: a
+)", 5, 18, {"cycle: `a` (line 3) -> `b` (line 4) -> `c` (line 5) -> `a`"});
+  expect_node("complement: a", 13, {"cycle: `a` (line 4) -> `a`"});
+  // An alias stands, for yaml-cpp, where its anchor stands.
+  expect("cnrg: 1\nnodes:\n  a: {complement: &x {complement: *x}}\nresult: a\n", 3, 19, {"cycle: `a/1`"});
+}
+
+TEST_CASE("a long cycle is cut in the message and overflows no stack", "[tree][errors]") {
+  std::string text = "cnrg: 1\nnodes:\n  n0: {complement: n19999}\n";
+  for (int i = 1; i < 20000; ++i) text += "  n" + std::to_string(i) + ": {complement: n" + std::to_string(i - 1) + "}\n";
+  const auto error = fault(text + "result: n0\n");
+  REQUIRE(error);
+  CHECK_THAT(error->what(), Catch::Contains("19980 more"));
+}
+
+TEST_CASE("unused nodes are warnings with their place", "[tree][errors]") {
+  const Tree tree = parse_tree(R"(cnrg: 1
+nodes:
+  a: {points: [[0, 0, 0]]}
+  left_over: {complement: {points: [[0, 0, 0]]}}
+result: a
+)", "t.yaml");
+  const std::vector<Diagnostic> warnings = unused_nodes(tree, {tree.result});
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0].text(), Catch::StartsWith("t.yaml:4:3: warning: the node `left_over` is not used"));
+  CHECK(unused_nodes(tree, {tree.result, tree.find("left_over")}).empty());
+}
+
+TEST_CASE("operands of the wrong type or number", "[tree][errors]") {
+  expect_node("union: [p]", 8, {"`union` must be a list of two or more nodes", "a list of one"});
+  expect_node("union: []", 8, {"a list of 0"});
+  expect_node("difference: p", 13, {"`difference` must be a list", "the text `p`"});
+  expect_node("union: {box: {}}", 8, {"`union` must be a list", "a map"});
+  expect_node("union: [p, [p]]", 12, {"an operand", "a list of one"});
+  expect_node("union: [p, ]", 8, {"a list of one"});
+  expect_node("complement: [p]", 13, {"one node"});
+  expect_node("regularize: [p, p]", 13, {"one node"});
+  expect_node("complement:", 1, {"an operand of `a`", "empty"});
+  expect_node("simplify: {of: p, mode: pints}", 25, {"`mode` of simplify must be one of features, points"});
+  expect_node("simplify: {mode: points}", 11, {"simplify needs `of`"});
+  expect_node("material: rock", -3, {"has no operator"});
+  expect_node("regularize: true", -3, {"has no operator"});
+  expect_node("complement: p, union: [p, p]", 16, {"two operators, `complement` and `union`"});
+  expect("cnrg: 1\nnodes:\n  a: box\nresult: a\n", 3, 6, {"the node `a` must be a map"});
+  expect("cnrg: 1\nnodes:\n  a:\nresult: a\n", 3, 3, {"the node `a` must be a map", "empty"});
+}
+
+TEST_CASE("values of the wrong type", "[tree][errors]") {
+  expect_node("box: {min: 0, max: [1, 1, 1]}", 12, {"`min` of box must be a list of three numbers"});
+  expect_node("box: {min: [0, 0], max: [1, 1, 1]}", 12, {"a list of 2"});
+  expect_node("box: {min: [0, 0, [0]], max: [1, 1, 1]}", 19, {"must be a number, not a list of one"});
+  expect_node("box: {max: [1, 1, 1]}", 6, {"box needs `min`", "add `min: [x, y, z]`"});
+  expect_node("box: [0, 1]", 6, {"box must be a map"});
+  expect_node("polygon: [0, 0, 0]", 11, {"each point of polygon must be a list of three numbers"});
+  expect_node("tetrahedron: [[0, 0, 0]]", 14, {"four points"});
+  expect_node("polyline: {points: [[0, 0, 0], [1, 0, 0]], closed: maybe}", 52, {"true or false"});
+  expect_node("cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 2}", 65, {"a whole number from 3"});
+  expect_node("cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 7.5}", 65, {"`7.5`"});
+  expect_node("mesh: {file: [a]}", 14, {"`file` of mesh must be a text"});
+  expect_node("mesh: {file: a.off, fill: full}", 27, {"one of winding, parity, cells, none"});
+  expect_node("heightfield: {heights: [[0, 1], [2]]}", 33, {"all rows must be equally long"});
+  expect_node("heightfield: {file: a.asc, spacing: [1, 1]}", 28, {"`file` and `spacing`"});
+}
+
+TEST_CASE("what is no number", "[tree][errors]") {
+  for (const std::string bad : {"nan", ".inf", "-.inf", "abc", "1/0", "0x10", "1e999999999", "1_000", "''", "--1"}) {
+    expect_node("points: [[0, 0, " + bad + "]]", 17, {"is no number", "1/3"});
+  }
+  expect_node("points: [[0, 0, ]]", 10, {"a list of 2"});
+  expect_node("points: [[0, 0, ~]]", 17, {"must be a number, not empty"});
+}
+
+TEST_CASE("faults of attributes", "[tree][errors]") {
+  expect_node("points: [[0, 0, 0]], material: rok", 32, {"`rok` is not declared", "did you mean `rock`?"});
+  expect_node("points: [[0, 0, 0]], material: granite", 32, {"add `granite: {}` to `materials`"});
+  expect_node("points: [[0, 0, 0]], dominance: left", 33, {"for union, intersection and difference", "dominance: 2"});
+  expect_node("union: [p, p], dominance: both", 27, {"left, right, equal or a number"});
+  expect_node("points: [[0, 0, 0]], dominance: .nan", 33, {"must be a number"});
+  expect_node("points: [[0, 0, 0]], scale: 0", 29, {"singular"});
+  expect_node("points: [[0, 0, 0]], scale: [1, 0, 1]", 29, {"singular"});
+  expect_node("points: [[0, 0, 0]], translate: 1", 33, {"`translate` must be a list of three numbers"});
+  expect_node("points: [[0, 0, 0]], rotate: {degrees: 90}", 30, {"rotate needs `axis`"});
+  expect_node("points: [[0, 0, 0]], rotate: {axis: [0, 0, 0], degrees: 90}", 37, {"no direction"});
+  expect_node("points: [[0, 0, 0]], rotate: {axis: [0, 0, 1], degrees: right}", 57, {"no number"});
+  expect_node("points: [[0, 0, 0]], rotate: {axis: [0, 0, 1], degrees: 90, centre: [0, 0, 0]}", 61, {"did you mean `center`?"});
+  expect_node("points: [[0, 0, 0]], mirror: {normal: [0, 0, 0]}", 39, {"no direction"});
+  expect("cnrg: 1\nmaterials: {rock: {color: red}}\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 2, 27, {"#998877"});
+  expect("cnrg: 1\nmaterials: {rock: {colour: red}}\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 2, 20,
+         {"did you mean `color`?"});
+}
+
+TEST_CASE("faults of groups", "[tree][errors]") {
+  const std::string v = "group: {vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], ";
+  expect_node(v + "faces: [{loops: [[0, 1, 3]]}]}", 78, {"from 0 to 2", "`3`"});
+  expect_node(v + "faces: [{loops: [[0, 1]]}]}", 71, {"three vertices"});
+  expect_node(v + "faces: [{loops: []}]}", 62, {"needs a loop"});
+  expect_node(v + "faces: [{loops: [[0, 1, 2]], sides: [1]}]}", 90, {"two region numbers"});
+  expect_node(v + "fill: cells, faces: [{loops: [[0, 1, 2]], sides: [1, 0]}]}", 96, {"`sides` or `fill`"});
+  expect_node(v + "edges: [[0]]}", 62, {"a pair of vertex numbers"});
+  expect_node(v + "points: [7]}", 63, {"from 0 to 2"});
+  expect_node(v + "regions: {0: {}}}", 64, {"the number of a region, from 1"});
+  expect_node(v + "regions: {1: {material: gold}}}", 78, {"`gold` is not declared"});
+}
+
+TEST_CASE("operators of later versions are known", "[tree][errors]") {
+  for (const std::string name : {"aggregate", "unify", "sum", "product", "subtract", "interior", "closure", "boundary"}) {
+    expect_node(name + ": p", 1, {"`" + name + "` is a CNRG operator that this version of cnrg can not evaluate"});
+  }
+  for (const std::string name : {"extrude", "revolve", "bezier", "bspline"}) {
+    expect_node(name + ": {}", 1, {"`" + name + "` is a leaf that this version of cnrg can not evaluate"});
+  }
+}
+
+TEST_CASE("nesting and aliases are bounded", "[tree][errors]") {
+  std::string deep = "p";
+  for (int i = 0; i < 5000; ++i) deep = "{complement: " + deep + "}";
+  const auto nested = fault("cnrg: 1\nnodes: {p: {points: [[0, 0, 0]]}, a: " + deep + "}\nresult: a\n");
+  REQUIRE(nested);
+  CHECK(nested->line() == 2);
+  CHECK_THAT(nested->what(), Catch::Contains("nested too deep") && Catch::Contains("give the inner nodes names"));
+
+  // Ten lists of ten lists ... of points: a billion from a few lines.
+  std::string bomb = "cnrg: 1\nnodes:\n  a: {polygon: {outer: &l0 [";
+  for (int i = 0; i < 2000; ++i) bomb += "[0, 0, 0], ";
+  bomb += "], holes: &l1 [";
+  for (int i = 0; i < 2000; ++i) bomb += "*l0, ";
+  bomb += "]}}\nresult: a\n";
+  const auto exploded = fault(bomb);
+  REQUIRE(exploded);
+  CHECK_THAT(exploded->what(), Catch::Contains("aliases"));
+
+  // Inline nodes by alias double at each level, but are one node each.
+  std::string doubling = "cnrg: 1\nnodes:\n  n0: {points: [[0, 0, 0]]}\n  n1: &x1 {union: [n0, n0]}\n";
+  for (int i = 2; i < 60; ++i) {
+    const std::string last = "*x" + std::to_string(i - 1);
+    doubling += "  n" + std::to_string(i) + ": &x" + std::to_string(i) + " {union: [" + last + ", " + last + "]}\n";
+  }
+  const Tree tree = parse_tree(doubling + "result: n59\n", "t.yaml");
+  CHECK(tree.nodes.size() == 60);
+}
+
+TEST_CASE("the nearest name", "[tree]") {
+  const std::vector<std::string_view> names{"union", "intersection", "difference", "box"};
+  CHECK(nearest("unoin", names) == "union");
+  CHECK(nearest("Union", names) == "union");
+  CHECK(nearest("intersect", names) == "intersection");
+  CHECK(nearest("boks", names).empty());
+  CHECK(nearest("xyz", names).empty());
+  CHECK(nearest(std::string(1000, 'x'), names).empty());
+}
+
+}  // namespace
+}  // namespace cnrg
