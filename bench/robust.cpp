@@ -1,6 +1,6 @@
 // Evaluates mesh files, each in a process of its own with limits, and says what became of them.
 //
-//   bench_robust [--seconds N] [--gigabytes N] [--fill FILL] [--pairs] PATH...
+//   bench_robust [--seconds N] [--gigabytes N] [--fill FILL] [--pairs | --together] PATH...
 //
 // PATH is a mesh file or a folder (searched through). With --pairs the files of the command line are united two
 // by two: first and second, third and fourth, and so on. A line per case: `ok` with counts and exact volume,
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 struct Options {
   Limits limits{120, std::size_t{4} << 30};
   std::optional<Fill> fill;
-  bool pairs = false;
+  bool pairs = false, together = false;
 };
 
 std::string evaluate(const std::vector<std::string>& files, const Options& options) {
@@ -87,6 +87,8 @@ int run(int argc, char** argv) {
       options.fill = fills.at(value());
     } else if (arg == "--pairs") {
       options.pairs = true;
+    } else if (arg == "--together") {
+      options.together = true;
     } else {
       paths.push_back(arg);
     }
@@ -105,7 +107,10 @@ int run(int argc, char** argv) {
         if (entry.is_regular_file() && is_mesh(entry.path())) files.push_back(entry.path().string());
     }
     std::sort(files.begin(), files.end());
-    for (const std::string& file : files) cases.push_back({file});
+    if (options.together)
+      cases.push_back(files);
+    else
+      for (const std::string& file : files) cases.push_back({file});
   }
   std::map<std::string, int> totals;
   for (const auto& files : cases) {
@@ -119,7 +124,10 @@ int run(int argc, char** argv) {
     }
     ++totals[text.substr(0, text.find(' '))];
     std::string names = files[0];
-    for (std::size_t i = 1; i < files.size(); ++i) names += " + " + files[i];
+    if (files.size() > 3)
+      names += " and " + std::to_string(files.size() - 1) + " more";
+    else
+      for (std::size_t i = 1; i < files.size(); ++i) names += " + " + files[i];
     std::printf("%s: %.2f s, %.0f MB: %s\n", names.c_str(), child.seconds, static_cast<double>(child.peak_bytes) / 1e6,
                 text.c_str());
     std::fflush(stdout);

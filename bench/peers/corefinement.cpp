@@ -24,7 +24,7 @@ Mesh mesh_of(const TriangleMesh& in) {
 
 }  // namespace
 
-Outcome unite_corefinement(const TriangleMesh& a, const TriangleMesh& b) {
+Outcome unite_corefinement(const TriangleMesh& a, const TriangleMesh& b, bool check) {
   Mesh first = mesh_of(a), second = mesh_of(b), result;
   Outcome outcome;
   Stopwatch watch;
@@ -36,7 +36,7 @@ Outcome unite_corefinement(const TriangleMesh& a, const TriangleMesh& b) {
   }
   outcome.vertices = result.number_of_vertices();
   outcome.faces = result.number_of_faces();
-  outcome.volume = CGAL::Polygon_mesh_processing::volume(result);
+  if (check) outcome.volume = CGAL::Polygon_mesh_processing::volume(result);
   outcome.note = "constructed points rounded to doubles";
   return outcome;
 }

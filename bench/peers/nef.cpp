@@ -23,7 +23,7 @@ Mesh mesh_of(const TriangleMesh& in) {
 
 }  // namespace
 
-Outcome unite_nef(const TriangleMesh& a, const TriangleMesh& b) {
+Outcome unite_nef(const TriangleMesh& a, const TriangleMesh& b, bool check) {
   const Mesh first = mesh_of(a), second = mesh_of(b);
   Outcome outcome;
   Stopwatch watch;
@@ -33,6 +33,7 @@ Outcome unite_nef(const TriangleMesh& a, const TriangleMesh& b) {
   outcome.stages.emplace_back("union", watch.lap());
   outcome.vertices = result.number_of_vertices();
   outcome.faces = result.number_of_facets();
+  if (!check) return outcome;
   Mesh surface;
   CGAL::convert_nef_polyhedron_to_polygon_mesh(result, surface, true);
   outcome.volume = CGAL::to_double(CGAL::exact(CGAL::Polygon_mesh_processing::volume(surface)));
