@@ -386,7 +386,8 @@ Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const
   const auto edges = complex.vertex_edges[v];
   const auto faces = complex.vertex_faces[v];
   const auto kept = [&](auto id) { return result.has(id); };
-  const bool bounds = std::any_of(edges.begin(), edges.end(), kept) || std::any_of(faces.begin(), faces.end(), kept);
+  const bool bounds = std::any_of(edges.begin(), edges.end(), kept) ||
+                      std::any_of(faces.begin(), faces.end(), kept);
   return judge(complex, op, dominance, a, b, result, v, 0, bounds);
 }
 

@@ -135,7 +135,8 @@ TEST_CASE("the wall between equal neighbours goes, its rim stays a feature", "[f
 }
 
 TEST_CASE("complement twice, De Morgan, regularize", "[complement]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}) + sheet({7, 0, 0}, {7, 5, 5})});
+  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}),
+                                      box({2, 1, 1}, {6, 3, 3}) + sheet({7, 0, 0}, {7, 5, 5})});
   const auto leaves = leaf_groups(complex);
   const Group &a = leaves[0], &b = leaves[1];
   const Group not_a = complement(complex, a), not_b = complement(complex, b);

@@ -63,7 +63,9 @@ inline Piece parted_box(Point low, Point high, int middle) {
 }
 
 /// A sheet inside a region of its leaf, or outside of all (0).
-inline Piece sheet(Point low, Point high, std::uint32_t region = 0) { return {{{low, high, region, region}}, {}, {}}; }
+inline Piece sheet(Point low, Point high, std::uint32_t region = 0) {
+  return {{{low, high, region, region}}, {}, {}};
+}
 inline Piece wire(Point a, Point b) { return {{}, {{{a, b}}}, {}}; }
 inline Piece point(Point p) { return {{}, {}, {p}}; }
 inline Piece operator+(Piece a, const Piece& b) {

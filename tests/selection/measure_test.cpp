@@ -46,7 +46,10 @@ TEST_CASE("volumes of cells with constructed corners add up exactly", "[measure]
       for (int j = 0; j < 3; ++j) d[k][j] = from_double(corners[i][k + 1][j]) - from_double(corners[i][0][j]);
     }
     Rational det = 0;
-    for (int k = 0; k < 3; ++k) det += d[0][k] * (d[1][(k + 1) % 3] * d[2][(k + 2) % 3] - d[1][(k + 2) % 3] * d[2][(k + 1) % 3]);
+    for (int k = 0; k < 3; ++k) {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      det += d[0][k] * (d[1][i] * d[2][j] - d[1][j] * d[2][i]);
+    }
     return Rational(abs(det));
   };
   for (std::uint32_t leaf : {0u, 1u}) {

@@ -35,9 +35,9 @@ TEST_CASE("closure, interior, boundary and star of a box", "[selection]") {
 }
 
 TEST_CASE("interior tests the whole star, also where the complex is not simplified", "[selection]") {
-  // A wire and a sheet run through the box: their cells are interior to the closed box, but for those on its walls.
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), sheet({0, 0, 2}, {4, 4, 2}), wire({1, 1, 0}, {1, 1, 4}),
-                                      point({3, 3, 3})});
+  // A wire and a sheet run through the box: their cells are interior to it, but for those on its walls.
+  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), sheet({0, 0, 2}, {4, 4, 2}),
+                                      wire({1, 1, 0}, {1, 1, 4}), point({3, 3, 3})});
   REQUIRE(complex.region_count == 3);
   CellSet halves;
   halves.regions = {RegionId(1), RegionId(2)};

@@ -66,8 +66,9 @@ TEST_CASE("the side of a cylinder is one face, its rims are closed curves", "[si
   CHECK(s.regions[0].shells.size() == 1);
   CHECK(s.regions[1].shells.size() == 1);
   CHECK(!s.regions[0].bounded);
-  CHECK(active_counts(simplify(complex, everything(complex, 2), {}, SimplifyMode::points)) == Counts{14, 21, 9, 1});
-  CHECK(active_counts(simplify(complex, everything(complex, 2), {}, SimplifyMode::raw)) == Counts{14, 21, 9, 1});
+  for (const SimplifyMode mode : {SimplifyMode::points, SimplifyMode::raw}) {
+    CHECK(active_counts(simplify(complex, everything(complex, 2), {}, mode)) == Counts{14, 21, 9, 1});
+  }
 }
 
 TEST_CASE("an open tube: both rims are borders of one patch", "[simplify]") {
@@ -102,7 +103,8 @@ TEST_CASE("a vertex where two faces only touch stays", "[simplify]") {
   const PointId tip = soup.add_point(0, 0, 0);
   for (int side : {-1, 1}) {
     const LeafId leaf = soup.add_leaf(Fill::none);
-    const PointId p[3] = {soup.add_point(4, 0, 4 * side), soup.add_point(-4, 3, 4 * side), soup.add_point(-4, -3, 4 * side)};
+    const PointId p[3] = {soup.add_point(4, 0, 4 * side), soup.add_point(-4, 3, 4 * side),
+                          soup.add_point(-4, -3, 4 * side)};
     for (int i = 0; i < 3; ++i) soup.add_triangle(leaf, tip, p[i], p[(i + 1) % 3], 0, 0);
   }
   const Complex complex = built(soup);
@@ -115,7 +117,7 @@ TEST_CASE("a vertex where two faces only touch stays", "[simplify]") {
 }
 
 TEST_CASE("a patch that can not be oriented keeps one seam", "[simplify]") {
-  // A Moebius strip of 5 quadrilaterals, split into triangles: corners a_i, b_i, the last joined the other way round.
+  // A Moebius strip of 5 quadrilaterals, split into triangles; the last rung is joined the other way round.
   Soup soup;
   const LeafId leaf = soup.add_leaf(Fill::none);
   const int n = 5;
@@ -141,7 +143,9 @@ TEST_CASE("a patch that can not be oriented keeps one seam", "[simplify]") {
   const auto s = simplify(complex, everything(complex), {});
   CHECK(s.faces.size() == 1);
   std::size_t kept = 0;
-  for (const auto& edge : s.edges) kept += edge.chain.size() == 1 && complex.edge_uses[edge.chain[0].edge()].size() == 2;
+  for (const auto& edge : s.edges) {
+    kept += edge.chain.size() == 1 && complex.edge_uses[edge.chain[0].edge()].size() == 2;
+  }
   CHECK(kept == 1);
 }
 
@@ -151,7 +155,8 @@ TEST_CASE("wires: straight pieces are one edge, pieces of one curve too", "[simp
   std::vector<PointId> p;
   for (int i = 0; i < 6; ++i) p.push_back(soup.add_point(std::cos(i), std::sin(i), i));
   for (int i = 0; i < 5; ++i) soup.add_wire(leaf, p[i], p[i + 1], 0);
-  const PointId q[4] = {soup.add_point(5, 0, 0), soup.add_point(6, 0, 0), soup.add_point(7, 0, 0), soup.add_point(7, 1, 0)};
+  const PointId q[4] = {soup.add_point(5, 0, 0), soup.add_point(6, 0, 0), soup.add_point(7, 0, 0),
+                        soup.add_point(7, 1, 0)};
   for (int i = 0; i < 3; ++i) soup.add_wire(leaf, q[i], q[i + 1], static_cast<std::uint32_t>(i + 1));
   const Complex complex = built(soup);
   CHECK(active_counts(simplify(complex, everything(complex), {})) == Counts{5, 3, 0, 0});
@@ -165,7 +170,8 @@ TEST_CASE("open sets: missing cells remain as inactive ones", "[simplify]") {
   Selection s;
   for (std::size_t r = 1; r < complex.region_count; ++r) s.regions.emplace_back(RegionId(r), 1);
   for (FaceId f : IdRange<FaceId>(complex.face_count())) {
-    if (complex.face_regions[f][0] != RegionId(0) && complex.face_regions[f][1] != RegionId(0)) s.faces.emplace_back(f, 1);
+    const auto& [front, back] = complex.face_regions[f];
+    if (front != RegionId(0) && back != RegionId(0)) s.faces.emplace_back(f, 1);
   }
   for (VertexId v : complex.vertices) {
     const auto x = complex.points.approx(v);
@@ -196,7 +202,8 @@ TEST_CASE("a slit is walked twice and a puncture is isolated", "[simplify]") {
   CHECK(s.faces[0].loops[0].size() == 4);
   CHECK(s.faces[0].loops[1].size() == 2);
   CHECK(s.faces[0].isolated.size() == 1);
-  CHECK(active_counts(simplify(complex, everything(complex), features, SimplifyMode::points)) == Counts{4, 4, 1, 0});
+  const auto points = simplify(complex, everything(complex), features, SimplifyMode::points);
+  CHECK(active_counts(points) == Counts{4, 4, 1, 0});
 }
 
 }  // namespace
