@@ -72,14 +72,18 @@ int run_eval(const EvalArguments& arguments) {
   options.rows = !arguments.quiet;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(tree.find(name));
   const std::vector<NodeId> shown = nodes_of_files(tree, arguments, options.nodes);
-  print(tree.warnings, arguments.quiet);
+  std::vector<NodeId> roots = options.nodes;
+  roots.push_back(tree.result);
+  print(unused_nodes(tree, roots), arguments.quiet);
 
   ProgressBar bar(arguments.quiet);
   options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) { bar.show(stage, done, total); };
   const Evaluation evaluation = evaluate(tree, options);
   bar.clear();
   print(evaluation.diagnostics, arguments.quiet);
-  if (!arguments.quiet) std::cout << row_table(evaluation.rows, arguments.raw, arguments.trace) << std::flush;
+  if (!arguments.quiet) std::cout << row_table(evaluation.rows, arguments.raw, arguments.trace);
+  if (!arguments.quiet && arguments.trace) std::cout << refinement_summary(evaluation);
+  std::cout << std::flush;
 
   std::vector<LeafInfo> leaves;
   for (const std::string& name : evaluation.leaf_names) leaves.push_back({name});
@@ -93,7 +97,7 @@ int run_eval(const EvalArguments& arguments) {
 
 int run_check(const std::string& path) {
   const Tree tree = read_tree(path);
-  print(tree.warnings, false);
+  print(unused_nodes(tree, {tree.result}), false);
   print(check(tree), false);
   const auto leaves = std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const Node& n) { return n.op == Operator::leaf; });
   std::cout << path << ": " << tree.nodes.size() << " nodes, " << leaves << " of them leaves; no faults\n";

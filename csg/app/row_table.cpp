@@ -15,7 +15,13 @@ std::string seconds_text(double seconds) {
   return text;
 }
 
-std::string volume_text(const std::optional<Rational>& volume) { return volume ? to_string(*volume) : "unbounded"; }
+/// The exact value, and a decimal after one that is too long to be read.
+std::string volume_text(const std::optional<Rational>& volume) {
+  if (!volume) return "unbounded";
+  constexpr std::size_t kReadable = 24;
+  const std::string exact = to_string(*volume);
+  return exact.size() <= kReadable ? exact : exact + " (" + to_decimal(*volume) + ")";
+}
 
 std::string details(const NodeRow& row) {
   std::string text;
@@ -53,6 +59,22 @@ std::string row_table(const std::vector<NodeRow>& rows, bool raw, bool trace) {
     text += line + "\n" + details(row);
   }
   return text;
+}
+
+std::string refinement_summary(const Evaluation& evaluation) {
+  const Complex& complex = *evaluation.complex;
+  const RefineReport& report = evaluation.refine;
+  constexpr const char* kContacts[] = {"face-face", "face-edge", "face-vertex", "edge-edge", "edge-vertex", "vertex-vertex"};
+  std::ostringstream text;
+  text << "\nrefinement: " << complex.vertex_count() << " vertices (" << report.constructed << " constructed), "
+       << complex.edge_count() << " edges, " << complex.face_count() << " faces, " << complex.region_count
+       << " 3-cells; " << seconds_text(evaluation.refine_seconds) << " s\ncontacts: ";
+  for (std::size_t k = 0; k < report.contacts.size(); ++k) {
+    text << (k == 0 ? "" : ", ") << report.contacts[k] << " " << kContacts[k];
+  }
+  text << "; of " << report.candidates << " candidates\npredicates: " << report.stages.filter << " by filter, "
+       << report.stages.interval << " by interval, " << report.stages.exact << " exact\n";
+  return text.str();
 }
 
 }  // namespace cnrg::app

@@ -12,4 +12,7 @@ namespace cnrg::app {
 /// removed something, and a line per region with its volume.
 std::string row_table(const std::vector<NodeRow>& rows, bool raw, bool trace);
 
+/// The one refinement of all leaves in a few lines: cells, contacts, stages of the predicates, seconds.
+std::string refinement_summary(const Evaluation& evaluation);
+
 }  // namespace cnrg::app

@@ -76,7 +76,7 @@ MeshData read_off(const std::string& path, const std::string& text, bool decimal
                   " faces: it is truncated, or the count is wrong");
     }
     const long long corners = cursor.integer("the number of corners of a face");
-    if (corners < 1) cursor.fail("a face with " + std::to_string(corners) + " corners: give at least 3");
+    if (corners < 1) cursor.fail("a face with " + std::to_string(corners) + " corners: give at least 3, or correct the counts");
     for (long long k = 0; k < corners; ++k) {
       const long long index = cursor.integer("the index of a corner");
       if (index < 0 || index >= vertices) {

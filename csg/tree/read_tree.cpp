@@ -341,13 +341,6 @@ class TreeReader {
       document_.fail(cycle.mention, "these nodes use each other in a cycle: " + way + "`" +
                                     tree_.nodes[cycle.nodes.front()].name + "`; remove one of the uses");
     }
-    const std::vector<char> used = tree_.dag.reachable({tree_.result});
-    for (const NodeId id : IdRange<NodeId>(tree_.nodes.size())) {
-      const Node& node = tree_.nodes[id];
-      if (used[id.index()] || node.is_inline) continue;
-      tree_.warnings.push_back({document_.file, node.at, Diagnostic::Level::warning,
-                                "the node `" + node.name + "` is not used by the result; use it or remove it"});
-    }
   }
 
   Document& document_;
@@ -363,9 +356,24 @@ NodeId Tree::find(const std::string& name) const {
   if (it != names.end()) return it->second;
   std::vector<std::string_view> known;
   for (const auto& [key, id] : names) known.push_back(key);
+  for (const NodeId id : IdRange<NodeId>(nodes.size())) {
+    if (nodes[id].is_inline && nodes[id].name == name) return id;
+  }
   const std::string hint = did_you_mean(name, known);
   throw TreeError(file, nodes_at, "there is no node called `" + name + "`" +
                                   (hint.empty() ? "; use one of the names in `nodes`" : hint));
+}
+
+std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots) {
+  std::vector<Diagnostic> result;
+  const std::vector<char> used = tree.dag.reachable(roots);
+  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+    const Node& node = tree.nodes[id];
+    if (used[id.index()] || node.is_inline) continue;
+    result.push_back({tree.file, node.at, Diagnostic::Level::warning,
+                      "the node `" + node.name + "` is not used by the result; use it or remove it"});
+  }
+  return result;
 }
 
 Tree parse_tree(const std::string& text, const std::string& file) {

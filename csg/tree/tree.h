@@ -53,11 +53,14 @@ struct Tree {
   NodeId result;
   Position nodes_at;             ///< of the key `nodes`, for what concerns all of them
   std::vector<Material> materials;      ///< in the order of the file
-  std::vector<Diagnostic> warnings;
 
-  /// The node of that name. Throws TreeError at `nodes` with the nearest name when there is none.
+  /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws TreeError at `nodes`
+  /// with the nearest name when there is none.
   NodeId find(const std::string& name) const;
 };
+
+/// A warning for each node of `nodes` that none of the roots uses.
+std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots);
 
 /// Reads a tree file (YAML 1.2 or JSON). Throws TreeError for the first fault, FileError when the file can not
 /// be read. Geometry of the leaves and files that they name are not looked at: see `prepare_leaves`.

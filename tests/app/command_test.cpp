@@ -1,7 +1,10 @@
 // The program from outside: output, messages, exit statuses.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -115,7 +118,7 @@ TEST_CASE("eval prints one aligned row per node", "[app]") {
 
   const Outcome trace = w.run("eval t.yaml --trace");
   CHECK(trace.status == 0);
-  CHECK_THAT(trace.out, Contains("    union.face."));
+  CHECK_THAT(trace.out, Contains("    union.face.") && Contains("\nrefinement: ") && Contains("\npredicates: "));
   const Outcome raw = w.run("eval t.yaml --raw --threads 1");
   CHECK(raw.status == 0);
   CHECK(std::stoi(row(raw.out, "a").at(4)) > 6);
@@ -160,6 +163,30 @@ TEST_CASE("files show the result or the nodes asked for", "[app]") {
   const Outcome folder = w.run("eval t.yaml -o no/such/folder/r.json");
   CHECK(folder.status == 3);
   CHECK_THAT(folder.err, Contains("no/such/folder"));
+}
+
+TEST_CASE("no thread count changes a byte", "[app]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  a: {sphere: {center: [0, 0, 0], radius: 2, segments: 12}}
+  b: {sphere: {center: [1, 1/2, 1/3], radius: 2, segments: 10}, rotate: {axis: [1, 2, 3], degrees: 20}}
+  r: {union: [{difference: [a, b]}, {intersection: [a, b]}], dominance: left}
+result: r
+)");
+  REQUIRE(w.run("eval t.yaml --threads 1 -o one.json").status == 0);
+  REQUIRE(w.run("eval t.yaml --threads 4 -o four.json").status == 0);
+  CHECK(w.read("one.json").size() > 1000);
+  CHECK(w.read("one.json") == w.read("four.json"));
+}
+
+TEST_CASE("results that can not be written are no success", "[app][errors]") {
+  const Workshop w;
+  w.write("t.yaml", kBoxes);
+  if (!std::filesystem::exists("/dev/full")) return;
+  const Outcome o = w.shell("'" CNRG_PROGRAM "' eval t.yaml 2>.err >/dev/full");
+  CHECK(o.status == 3);
+  CHECK_THAT(o.err, Contains("standard output"));
 }
 
 TEST_CASE("a result is read back as a leaf", "[app]") {

@@ -41,8 +41,11 @@ class Workshop {
   /// `arguments` are for the shell.
   Outcome run(const std::string& arguments, const std::string& input = "") const {
     write(".in", input);
-    const std::string command = "cd '" + folder_.string() + "' && '" CNRG_PROGRAM "' " + arguments + " <.in >.out 2>.err";
-    const int status = std::system(command.c_str());
+    return shell("'" CNRG_PROGRAM "' " + arguments + " <.in >.out 2>.err");
+  }
+  /// Runs a command of the shell that writes to the files `.out` and `.err`.
+  Outcome shell(const std::string& command) const {
+    const int status = std::system(("cd '" + folder_.string() + "' && " + command).c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(".out"), read(".err")};
   }
 

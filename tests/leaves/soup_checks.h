@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 
@@ -120,10 +121,8 @@ inline std::string error_of(const Shape& shape) {
 class Files {
  public:
   Files() {
-    static int number = 0;
-    directory_ = std::filesystem::temp_directory_path() /
-                 ("cnrg_leaves_" + std::to_string(std::hash<std::string>{}(std::filesystem::current_path().string()) % 100000) +
-                  "_" + std::to_string(reinterpret_cast<std::uintptr_t>(&number) % 1000003) + "_" + std::to_string(number++));
+    std::random_device random;
+    directory_ = std::filesystem::temp_directory_path() / ("cnrg_leaves_" + std::to_string(random()) + std::to_string(random()));
     std::filesystem::create_directories(directory_);
   }
   ~Files() { std::filesystem::remove_all(directory_); }

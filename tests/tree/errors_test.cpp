@@ -111,8 +111,10 @@ nodes:
   left_over: {complement: {points: [[0, 0, 0]]}}
 result: a
 )", "t.yaml");
-  REQUIRE(tree.warnings.size() == 1);
-  CHECK_THAT(tree.warnings[0].text(), Catch::StartsWith("t.yaml:4:3: warning: the node `left_over` is not used"));
+  const std::vector<Diagnostic> warnings = unused_nodes(tree, {tree.result});
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0].text(), Catch::StartsWith("t.yaml:4:3: warning: the node `left_over` is not used"));
+  CHECK(unused_nodes(tree, {tree.result, tree.find("left_over")}).empty());
 }
 
 TEST_CASE("operands of the wrong type or number", "[tree][errors]") {
