@@ -15,7 +15,7 @@ OUT = HERE.parent.parent / "out" / "pereira2012"
 COLOURS = {"clay": (0.80, 0.58, 0.38), "marl": (0.93, 0.82, 0.52), "limestone": (0.62, 0.72, 0.62),
            "granite": (0.56, 0.50, 0.60)}
 TUNNEL = (0.27, 0.32, 0.40)
-FAULT = (0.72, 0.22, 0.18)
+FAULT = (0.84, 0.30, 0.22)
 
 
 def read(path):
@@ -57,12 +57,12 @@ def surface(grid, chosen):
     return clean.GetOutput()
 
 
-def actor(poly, colour, shift, smooth):
+def actor(poly, colour, shift):
     normals = vtk.vtkPolyDataNormals()
     normals.SetInputData(poly)
     normals.SetFeatureAngle(28)
     normals.ConsistencyOff()
-    normals.SetSplitting(smooth)
+    normals.SplittingOn()
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputConnection(normals.GetOutputPort())
     mapper.ScalarVisibilityOff()
@@ -72,8 +72,8 @@ def actor(poly, colour, shift, smooth):
     result.SetPosition(*shift)
     look = result.GetProperty()
     look.SetColor(*colour)
-    look.SetAmbient(0.30)
-    look.SetDiffuse(0.72)
+    look.SetAmbient(0.36)
+    look.SetDiffuse(0.74)
     look.SetSpecular(0.05)
     return result
 
@@ -96,57 +96,40 @@ def outlines(poly, shift):
 
 
 def add_model(renderer, grid, apart):
+    """Each region as its boundary, the right side of the fault moved by `apart` along x."""
     dimension, region, material = cells(grid, "dimension"), cells(grid, "region"), cells(grid, "material")
-    front, back, leaf = cells(grid, "region_front"), cells(grid, "region_back"), cells(grid, "source_leaf")
-    face_of, leaves = cells(grid, "source_face"), field(grid, "LeafNames")
     materials = field(grid, "MaterialNames")
-    points = vtk_to_numpy(grid.GetPoints().GetData())
-    regions = sorted(set(region[dimension == 3]))
-    middle = {}
-    for r in regions:
-        p = vtk_to_numpy(surface(grid, (dimension == 3) & (region == r)).GetPoints().GetData())
-        middle[r] = (p[:, 0].min() + p[:, 0].max()) / 2
-    split = 120
-    for r in regions:
+    for r in sorted(set(region[dimension == 3])):
         of_region = (dimension == 3) & (region == r)
-        name = materials[material[of_region][0]]
-        right = middle[r] > split
-        shift = (apart if right else 0, 0, 0)
-        # The faces of the region by what they are: a dark tunnel, a red fault, rock elsewhere.
-        on = (dimension == 2) & ((front == r) | (back == r))
-        kinds = classify(grid, on, r, region, front, back)
-        renderer.AddActor(outlines(surface(grid, of_region), shift))
-        for kind, chosen in kinds.items():
-            colour = {"tunnel": TUNNEL, "fault": FAULT}.get(kind, COLOURS[name])
+        whole = surface(grid, of_region)
+        low, high = whole.GetBounds()[:2]
+        shift = (apart if low + high > 240 else 0, 0, 0)
+        renderer.AddActor(outlines(whole, shift))
+        rock = COLOURS[materials[material[of_region][0]]]
+        for colour, chosen in zip((TUNNEL, FAULT, rock), classify(grid, of_region)):
             if chosen.any():
-                renderer.AddActor(actor(surface(grid, chosen), colour, shift, kind != "rock"))
+                renderer.AddActor(actor(surface(grid, chosen), colour, shift))
 
 
-def classify(grid, on, r, region, front, back):
-    """Splits the triangles `on` a region: walls to the other side of the fault, the tunnel, the rest."""
+def classify(grid, chosen):
+    """The triangles on the tunnel, on the fault, and the others."""
     points = vtk_to_numpy(grid.GetPoints().GetData())
-    kinds = {"tunnel": numpy.zeros(len(on), bool), "fault": numpy.zeros(len(on), bool),
-             "rock": numpy.zeros(len(on), bool)}
-    axis, along = numpy.array([-10.0, 76, 51]), numpy.array([260.0, 12, 7])
+    tunnel, fault = numpy.zeros(len(chosen), bool), numpy.zeros(len(chosen), bool)
+    start, along = numpy.array([-10.0, 76, 51]), numpy.array([260.0, 12, 7])
     along /= numpy.linalg.norm(along)
-    for i in numpy.nonzero(on)[0]:
+    for i in numpy.nonzero(chosen)[0]:
         ids = grid.GetCell(int(i)).GetPointIds()
         p = points[[ids.GetId(k) for k in range(3)]]
-        away = p - axis
+        away = p - start
         distance = numpy.linalg.norm(away - numpy.outer(away @ along, along), axis=1)
-        off_fault = numpy.abs(p[:, 0] - 96 - (p[:, 2] + 20) * 68 / 170)
-        if distance.max() < 9.001 and distance.min() > 8.9:
-            kinds["tunnel"][i] = True
-        elif off_fault.max() < 1e-6:
-            kinds["fault"][i] = True
-        else:
-            kinds["rock"][i] = True
-    return kinds
+        tunnel[i] = 8.9 < distance.min() and distance.max() < 9.001
+        fault[i] = numpy.abs(p[:, 0] - 96 - (p[:, 2] + 20) * 68 / 170).max() < 1e-6
+    return tunnel, fault & ~tunnel, chosen & ~tunnel & ~fault
 
 
 def light(renderer):
     renderer.SetBackground(1, 1, 1)
-    for position, strength in (((-0.5, -1.0, 1.3), 0.75), ((1.0, -0.8, 0.5), 0.35)):
+    for position, strength in (((-0.45, -1.3, 1.0), 0.85), ((1.0, -0.8, 0.6), 0.35)):
         lamp = vtk.vtkLight()
         lamp.SetLightTypeToSceneLight()
         lamp.SetPosition(*(1000 * numpy.array(position)))
@@ -155,18 +138,37 @@ def light(renderer):
         renderer.AddLight(lamp)
 
 
+def label(renderer, text, position, colour):
+    actor_of_text = vtk.vtkBillboardTextActor3D()
+    actor_of_text.SetInput(text)
+    actor_of_text.SetPosition(*position)
+    look = actor_of_text.GetTextProperty()
+    look.SetFontSize(25)
+    look.SetColor(*colour)
+    look.SetJustificationToCentered()
+    look.SetVerticalJustificationToCentered()
+    renderer.AddActor(actor_of_text)
+
+
+INK, WHITE = (0.10, 0.09, 0.09), (1, 1, 1)
+LABELS = (("clay", (235, 70, 102), INK), ("marl", (60, 70, 83), INK), ("limestone", (222, 70, 38), INK),
+          ("granite", (60, 70, 16), INK), ("tunnel", (60, 70, 54.5), WHITE), ("fault", (172, 100, 97), WHITE))
+
+
 def main():
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(1800, 760)
-    views = (("fig10.vtu", (0, 0, 0.44, 1), 0, (-0.62, -1.35, 0.78), 1.40),
-             ("section.vtu", (0.44, 0, 1, 1), 42, (-0.42, -1.5, 0.62), 1.62))
+    window.SetSize(1800, 640)
+    views = (("fig10.vtu", (0, 0, 0.43, 1), 0, (-0.80, -1.35, 0.62), 1.26),
+             ("section.vtu", (0.43, 0, 1, 1), 42, (-0.50, -1.5, 0.50), 1.44))
     for name, viewport, apart, direction, zoom in views:
         renderer = vtk.vtkRenderer()
         renderer.SetViewport(*viewport)
         light(renderer)
         add_model(renderer, read(OUT / name), apart)
+        for text, position, colour in LABELS if apart else ():
+            label(renderer, text, position, colour)
         camera = renderer.GetActiveCamera()
         camera.SetFocalPoint(120 + apart / 2, 80, 55)
         camera.SetPosition(*(numpy.array([120 + apart / 2, 80, 55]) + 400 * numpy.array(direction)))
