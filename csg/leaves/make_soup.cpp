@@ -81,7 +81,9 @@ Soup make_soup(const std::vector<LeafInstance>& instances) {
   std::vector<UnboundedInstance> unbounded;
   for (const LeafInstance& instance : instances) {
     require(instance.leaf != nullptr, "make_soup: an instance without a leaf");
-    require(instance.transform.determinant() != 0, "make_soup: a transform that is not invertible");
+    if (instance.transform.determinant() == 0) {
+      throw InputError("the transforms of a leaf flatten it (their determinant is 0): give invertible ones");
+    }
     const LeafId leaf = instance.leaf->add_to(soup, instance.transform);
     if (!instance.leaf->unbounded()) continue;
     const auto* shape = dynamic_cast<const UnboundedLeaf*>(instance.leaf);

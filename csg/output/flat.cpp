@@ -176,7 +176,7 @@ class Flattener {
 
   void make_regions() {
     for (const auto& region : simple_.regions) {
-      flat_.regions.push_back({region.component, region.bounded, region.shells});
+      flat_.regions.push_back({region.component, region.bounded, region.shells, region.cells});
     }
   }
 
@@ -471,28 +471,6 @@ const RegionAttributes& attributes_of(const ResultView& view, Component componen
   static const RegionAttributes kNothing;
   const auto* all = view.group != nullptr ? &view.group->regions : view.components;
   return all != nullptr && component != 0 && component <= all->size() ? (*all)[component - 1] : kNothing;
-}
-
-Rational volume_of(const ResultView& view, const FlatComplex& flat, Index region) {
-  std::vector<Rational> parts;
-  std::map<Index, RationalPoint> cache;
-  const auto at = [&](Index p) -> const RationalPoint& {
-    const auto [entry, fresh] = cache.try_emplace(p);
-    if (fresh) entry->second = view.complex->points.rational(flat.points[p]);
-    return entry->second;
-  };
-  for (const auto& shell : flat.regions[region].shells) {
-    for (const Index side : shell) {
-      for (const auto& t : flat.faces[side >> 1].triangles) {
-        const RationalPoint &a = at(t[0]), &b = at(t[1]), &c = at(t[2]);
-        Rational det = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-                       a[2] * (b[0] * c[1] - b[1] * c[0]);
-        if ((side & 1) == 0) det = -det;  // the region is on the front: the normal points into it
-        parts.push_back(std::move(det));
-      }
-    }
-  }
-  return sum(std::move(parts)) / 6;
 }
 
 }  // namespace cnrg

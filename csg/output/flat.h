@@ -69,6 +69,7 @@ struct FlatComplex {
     Component component = 0;
     bool bounded = true;
     std::vector<std::vector<Index>> shells;       ///< face * 2 + side (0: front), ascending in each
+    std::vector<RegionId> cells;                  ///< 3-cells of the complex
   };
 
   std::vector<VertexId> points;           ///< ascending by coordinates
@@ -89,8 +90,5 @@ FlatComplex flatten(const ResultView& view);
 
 /// Name, material and leaves of a component; empty where nothing is known.
 const RegionAttributes& attributes_of(const ResultView& view, Component component);
-
-/// The exact volume of a bounded region.
-Rational volume_of(const ResultView& view, const FlatComplex& flat, FlatComplex::Index region);
 
 }  // namespace cnrg

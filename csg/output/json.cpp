@@ -21,6 +21,7 @@
 #include <nlohmann/json.hpp>
 
 #include "csg/output/formats.h"
+#include "kernel/selection/measure.h"
 
 namespace cnrg {
 namespace {
@@ -65,8 +66,7 @@ class JsonWriter {
     list("vertices", flat_.vertices, [&](const auto& v) { return vertex(v); });
     list("edges", flat_.edges, [&](const auto& e) { return edge(e); });
     list("faces", flat_.faces, [&](const auto& f) { return face(f); });
-    Index number = 0;
-    list("regions", flat_.regions, [&](const auto& r) { return region(r, number++); });
+    list("regions", flat_.regions, [&](const auto& r) { return region(r); });
     return std::move(text_) + "\n}\n";
   }
 
@@ -156,11 +156,12 @@ class JsonWriter {
     return result;
   }
 
-  Json region(const FlatComplex::Region& r, Index number) {
+  Json region(const FlatComplex::Region& r) const {
     const RegionAttributes& attributes = attributes_of(view_, r.component);
     Json result{{"component", r.component}, {"name", attributes.name}, {"material", attributes.material},
                 {"bounded", r.bounded}};
-    result["volume"] = r.bounded ? Json(to_string(volume_of(view_, flat_, number))) : Json(nullptr);
+    const std::optional<Rational> size = r.bounded ? volume(*view_.complex, r.cells) : std::nullopt;
+    result["volume"] = size ? Json(to_string(*size)) : Json(nullptr);
     Json& shells = result["shells"] = Json::array();
     for (const auto& shell : r.shells) {
       Json& sides = shells.emplace_back(Json::array());

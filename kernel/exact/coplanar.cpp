@@ -4,12 +4,19 @@
 // than 6 * (15 + 8) u M D^2 + 6 * 5u D^3 <= 198 u M D^2; 256 u M D^2 covers the bound's own rounding. With
 // differences that are not small against M this is about as sharp as bounds get, and two products of a cross
 // product give 64 u M D likewise. Products below 1e-280 go to the exact stage, so underflow does no harm.
+//
+// What passes the filter is mostly nearly zero but not zero: facets of round things. Evaluated modulo the prime
+// 2^61 - 1, on the grid of the coordinates, where a power of two is a rotation of bits, it proves itself not zero;
+// only a zero residue is evaluated in integers: of 128 bits where the differences are short, as they are on faces that
+// were made planar, else of any size.
 #include "kernel/exact/coplanar.h"
 
 #include <gmpxx.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
 
 namespace cnrg {
@@ -28,12 +35,47 @@ int grid_exponent(std::initializer_list<const double*> points) {
   int lowest = 2000;
   for (const double* p : points) {
     for (int k = 0; k < 3; ++k) {
+      if (p[k] == 0) continue;
       int e;
-      if (p[k] != 0) std::frexp(p[k], &e), lowest = std::min(lowest, e - 53);
+      const double mantissa = std::ldexp(std::frexp(std::abs(p[k]), &e), 53);
+      lowest = std::min(lowest, e - 53 + std::countr_zero(static_cast<std::uint64_t>(mantissa)));
     }
   }
   return lowest;
 }
+
+constexpr std::uint64_t kPrime = (std::uint64_t{1} << 61) - 1;
+__extension__ using Wide = unsigned __int128;
+
+/// An integer modulo kPrime.
+struct Residue {
+  std::uint64_t value = 0;
+
+  Residue() = default;
+  explicit Residue(Wide wide) {
+    value = static_cast<std::uint64_t>(wide & kPrime) + static_cast<std::uint64_t>(wide >> 61);
+    if (value >= kPrime) value -= kPrime;
+  }
+  /// x / 2^grid, which is an integer.
+  Residue(double x, int grid) {
+    if (x == 0) return;
+    int e;
+    const double mantissa = std::ldexp(std::frexp(std::abs(x), &e), 53);
+    *this = Residue(static_cast<Wide>(static_cast<std::uint64_t>(mantissa)) << ((e - 53 - grid + 61) % 61));
+    if (x < 0 && value != 0) value = kPrime - value;
+  }
+  friend Residue operator*(Residue a, Residue b) { return Residue(static_cast<Wide>(a.value) * b.value); }
+  friend Residue operator+(Residue a, Residue b) { return Residue(static_cast<Wide>(a.value) + b.value); }
+  friend Residue operator-(Residue a, Residue b) { return Residue(static_cast<Wide>(a.value) + (kPrime - b.value)); }
+};
+
+struct ResidueVector {
+  Residue x, y, z;
+  ResidueVector(const double* from, const double* to, int grid)
+      : x(Residue(to[0], grid) - Residue(from[0], grid)),
+        y(Residue(to[1], grid) - Residue(from[1], grid)),
+        z(Residue(to[2], grid) - Residue(from[2], grid)) {}
+};
 
 /// x / 2^grid, an integer.
 mpz_class scaled(double x, int grid) {
@@ -42,9 +84,29 @@ mpz_class scaled(double x, int grid) {
   int e;
   const double mantissa = std::ldexp(std::frexp(x, &e), 53);
   mpz_set_d(value.get_mpz_t(), mantissa);
-  value <<= static_cast<mp_bitcnt_t>(e - 53 - grid);
+  const int shift = e - 53 - grid;  // negative where the mantissa ends with zeros, which then go
+  if (shift >= 0) value <<= static_cast<mp_bitcnt_t>(shift);
+  else value >>= static_cast<mp_bitcnt_t>(-shift);
   return value;
 }
+
+/// Differences of at most 41 bits on the grid, whose determinant fits into 128.
+struct ShortVector {
+  __extension__ using Value = __int128;
+  Value x = 0, y = 0, z = 0;
+  bool fits = true;
+  ShortVector(const double* from, const double* to, int grid) {
+    Value* const parts[3] = {&x, &y, &z};
+    for (int k = 0; k < 3; ++k) {
+      const double a = std::ldexp(from[k], -grid), b = std::ldexp(to[k], -grid);  // exact, or too large
+      if (!(std::abs(a) < 0x1p53 && std::abs(b) < 0x1p53 && std::abs(b - a) < 0x1p41)) {
+        fits = false;
+        return;
+      }
+      *parts[k] = static_cast<std::int64_t>(b) - static_cast<std::int64_t>(a);
+    }
+  }
+};
 
 struct IntegerVector {
   mpz_class x, y, z;
@@ -86,6 +148,14 @@ bool coplanar(const double* a, const double* b, const double* c, const double* d
   }
   if (!maybe_coplanar(a, b, c, d)) return false;
   const int grid = grid_exponent({a, b, c, d});
+  const ResidueVector p(a, b, grid), q(a, c, grid), r(a, d, grid);
+  const Residue residue =
+      p.x * (q.y * r.z - q.z * r.y) - p.y * (q.x * r.z - q.z * r.x) + p.z * (q.x * r.y - q.y * r.x);
+  if (residue.value != 0) return false;
+  const ShortVector s(a, b, grid), t(a, c, grid), n(a, d, grid);
+  if (s.fits && t.fits && n.fits) {
+    return s.x * (t.y * n.z - t.z * n.y) - s.y * (t.x * n.z - t.z * n.x) + s.z * (t.x * n.y - t.y * n.x) == 0;
+  }
   const IntegerVector u(a, b, grid), v(a, c, grid), w(a, d, grid);
   const mpz_class determinant =
       u.x * (v.y * w.z - v.z * w.y) - u.y * (v.x * w.z - v.z * w.x) + u.z * (v.x * w.y - v.y * w.x);

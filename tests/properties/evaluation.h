@@ -1,0 +1,37 @@
+// Our side of the comparison: an expression evaluated on one complex, and results in forms that oracles know.
+#pragma once
+
+#include <vector>
+
+#include "csg/operators/boolean.h"
+#include "csg/operators/leaf_group.h"
+#include "kernel/selection/simplify.h"
+#include "tests/properties/nef_oracle.h"
+#include "tests/properties/skeleton.h"
+#include "tests/scenes/scene.h"
+
+namespace cnrg::properties {
+
+BooleanOp boolean_op(scenes::Op op);
+Dominance dominance(scenes::Ranking ranking);
+
+/// The group of an expression; `groups` are those of the leaves.
+Group evaluate(const Complex& complex, const std::vector<Group>& groups, const scenes::Expression& expression);
+
+/// |G| as one component.
+Selection point_set(const Complex& complex, const Group& group);
+
+/// The canonical form of |G| as `simplify` makes it in mode `points`.
+Skeleton skeleton(const Complex& complex, const Group& group);
+
+/// |G| as a Nef polyhedron: the closed faces, wires and points of its simplified form, and its regions filled.
+NefSet to_nef(const Complex& complex, const Group& group);
+
+/// The sum of the volumes of the regions of a bounded group.
+Rational volume(const Complex& complex, const Group& group);
+
+/// What is wrong with a group (SEMANTICS 3 and 5.2) in words; empty when nothing is: closed under boundary,
+/// walls complete, regions as detection finds them, features among the entities.
+std::string validate(const Complex& complex, const Group& group);
+
+}  // namespace cnrg::properties

@@ -1,0 +1,186 @@
+// Random trees against Nef polyhedra: equal point sets at every node (SEMANTICS 5.1, 5.2, 5.5).
+#include <catch2/catch.hpp>
+
+#include <exception>
+#include <iostream>
+
+#include "tests/properties/evaluation.h"
+#include "tests/scenes/measure.h"
+#include "tests/scenes/seeds.h"
+
+namespace cnrg::properties {
+namespace {
+
+using scenes::Expression;
+using scenes::Op;
+using scenes::Position;
+using scenes::Scene;
+
+/// A failed comparison: what and where, in words; empty when all is well.
+using Failure = std::string;
+
+class Comparison {
+ public:
+  explicit Comparison(const Scene& scene)
+      : scene_(scene), complex_(build_complex(scenes::make_soup(scene.leaves))), groups_(leaf_groups(complex_)) {}
+
+  Failure run() {
+    if (Failure f = cnrg::validate(complex_); !f.empty()) return "the complex is not valid: " + f;
+    Value root;
+    if (Failure f = node(*scene_.root, root); !f.empty()) return f;
+    if (!(to_nef(complex_, root.ours) == root.nef)) return "the result as a Nef polyhedron is another one";
+    return cells(root);
+  }
+
+ private:
+  struct Value {
+    Group ours;
+    NefSet nef;
+  };
+
+  Failure node(const Expression& e, Value& value) {
+    if (e.op == Op::leaf) {
+      value = {groups_[e.leaf], NefSet::leaf(scene_.leaves[e.leaf])};
+      return compare(value, "leaf " + std::to_string(e.leaf));
+    }
+    Value a, b;
+    if (Failure f = node(*e.left, a); !f.empty()) return f;
+    if (Failure f = node(*e.right, b); !f.empty()) return f;
+    value.ours = apply(complex_, boolean_op(e.op), dominance(e.ranking), a.ours, b.ours).group;
+    switch (e.op) {
+      case Op::unite: value.nef = a.nef.unite(b.nef); break;
+      case Op::intersect: value.nef = a.nef.intersect(b.nef); break;
+      default: value.nef = a.nef.subtract(b.nef); break;
+    }
+    const char* op = e.op == Op::unite ? "a union" : e.op == Op::intersect ? "an intersection" : "a difference";
+    if (Failure f = compare(value, op); !f.empty()) return f;
+    const Group both = apply(complex_, BooleanOp::intersect, Dominance::equal, a.ours, b.ours).group;
+    const Group all = apply(complex_, BooleanOp::unite, Dominance::equal, a.ours, b.ours).group;
+    if (volume(complex_, both) + volume(complex_, all) != volume(complex_, a.ours) + volume(complex_, b.ours))
+      return "volumes of union and intersection do not add up to those of the operands";
+    return {};
+  }
+
+  Failure compare(const Value& value, const std::string& what) {
+    if (Failure f = validate(complex_, value.ours); !f.empty()) return what + " is no group: " + f;
+    const Skeleton ours = skeleton(complex_, value.ours), theirs = value.nef.skeleton();
+    if (Failure f = difference(ours, theirs); !f.empty()) return what + ", ours first, then Nef's:\n" + f;
+    if (volume(complex_, value.ours) != value.nef.volume()) return what + ": volumes differ";
+    return {};
+  }
+
+  /// A point in every cell of the unsimplified complex is in both sets or in none, and is located in its cell.
+  Failure cells(const Value& root) {
+    const Selection set = point_set(complex_, root.ours);
+    const Locator locator(complex_);
+    const auto check = [&](const auto& list, auto cell, const RationalPoint& p, int dimension, auto located) -> Failure {
+      const auto at = std::lower_bound(list.begin(), list.end(), cell,
+                                       [](const auto& entry, auto id) { return entry.first < id; });
+      const bool active = at != list.end() && at->first == cell;
+      const std::string name = "cell " + std::to_string(cell.value()) + " of dimension " + std::to_string(dimension);
+      if (active != root.nef.contains(p)) return name + (active ? " is" : " is not") + " in the result, Nef disagrees";
+      const Location location = locator.locate(p);
+      if (location.dimension != dimension || located(location) != cell)
+        return name + ": its point (" + to_string(p[0]) + ", " + to_string(p[1]) + ", " + to_string(p[2]) +
+               ") is located in dimension " + std::to_string(location.dimension);
+      return {};
+    };
+    for (const VertexId v : complex_.vertices)
+      if (Failure f = check(set.vertices, v, complex_.points.rational(v), 0, [](const Location& l) { return l.vertex; });
+          !f.empty())
+        return f;
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count()))
+      if (Failure f = check(set.edges, e, scenes::point_in(complex_, e), 1, [](const Location& l) { return l.edge; });
+          !f.empty())
+        return f;
+    for (const FaceId x : IdRange<FaceId>(complex_.face_count()))
+      if (Failure f = check(set.faces, x, scenes::point_in(complex_, x), 2, [](const Location& l) { return l.face; });
+          !f.empty())
+        return f;
+    for (const RegionId r : IdRange<RegionId>(complex_.region_count))
+      if (Failure f = check(set.regions, r, scenes::point_in(complex_, r), 3, [](const Location& l) { return l.region; });
+          !f.empty())
+        return f;
+    return {};
+  }
+
+  const Scene& scene_;
+  Complex complex_;
+  std::vector<Group> groups_;
+};
+
+Failure failure_of(const Scene& scene) {
+  try {
+    return Comparison(scene).run();
+  } catch (const std::exception& error) {
+    return std::string("thrown: ") + error.what();
+  }
+}
+
+/// Drops operands and parts while the scene still fails; the failure found last is returned with its scene.
+std::pair<Scene, Failure> shrink(Scene scene, Failure failure) {
+  for (bool smaller = true; smaller;) {
+    smaller = false;
+    for (Scene& candidate : scenes::smaller(scene)) {
+      Failure f = failure_of(candidate);
+      if (f.empty()) continue;
+      scene = std::move(candidate);
+      failure = std::move(f);
+      smaller = true;
+      break;
+    }
+  }
+  return {std::move(scene), std::move(failure)};
+}
+
+void run(Position position, std::uint64_t usual) {
+  const auto [first, last] = scenes::seeds(usual);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    const Scene scene = scenes::random_scene(seed, 2 + static_cast<int>(seed % 4), position);
+    Failure failure = failure_of(scene);
+    if (!failure.empty()) {
+      const auto [least, why] = shrink(scene, failure);
+      FAIL_CHECK("seed " << seed << ": " << failure << "\nshrunk: " << why << "\n" << scenes::tree_file(least));
+    } else {
+      SUCCEED();
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("The oracle knows what it should", "[nef]") {
+  const NefSet cube = NefSet::solid(scenes::box_solid({0, 0, 0}, {2, 2, 2}));
+  CHECK(cube.volume() == 8);
+  CHECK(cube.contains({1, 1, 1}));
+  CHECK(cube.contains({2, 1, 1}));
+  CHECK_FALSE(cube.contains({3, 1, 1}));
+  Skeleton s = cube.skeleton();
+  CHECK(s.vertices.size() == 8);
+  CHECK(s.edges.size() == 12);
+  CHECK(s.facets.size() == 6);
+  CHECK(s.volumes == 2);
+  // The facet below the cube has it above, the facet above has it below.
+  for (const auto& f : s.facets) CHECK(f.above == (f.boundary.front()[0] == 0));
+  const NefSet half = NefSet::solid(scenes::box_solid({0, 0, 0}, {1, 2, 2}));
+  CHECK(cube.subtract(half).unite(half) == cube);
+  CHECK_FALSE(cube.subtract(half) == half);
+  // A sheet that touches itself in a vertex, with a slit into its inside.
+  const NefSet bow = NefSet::polygon({{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {2, 2, 0}, {0, 2, 0}, {1, 1, 0}}});
+  CHECK(bow.skeleton().facets.size() == 2);
+  CHECK(NefSet::polygon({{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}}) ==
+        NefSet::polygon({{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}}));
+  // Filling: the walls of a box become the box.
+  std::vector<NefSet> walls;
+  for (const scenes::Polygon& facet : scenes::box_solid({0, 0, 0}, {2, 2, 2})) walls.push_back(NefSet::polygon({facet}));
+  const NefSet hollow = NefSet::unite_all(walls);
+  CHECK_FALSE(hollow == cube);
+  CHECK(hollow.fill({{1, 1, 1}}) == cube);
+  CHECK_FALSE(difference(hollow.skeleton(), cube.skeleton()).empty());
+}
+
+TEST_CASE("Point sets of trees in general position equal Nef's", "[nef]") { run(Position::general, 120); }
+TEST_CASE("Point sets of degenerate trees equal Nef's", "[nef]") { run(Position::degenerate, 160); }
+TEST_CASE("Point sets of degenerate trees off the axes equal Nef's", "[nef]") { run(Position::tilted, 120); }
+
+}  // namespace cnrg::properties
