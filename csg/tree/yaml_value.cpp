@@ -2,8 +2,11 @@
 #include "csg/tree/yaml_value.h"
 
 #include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
 
 #include <algorithm>
+#include <optional>
+#include <sstream>
 #include <unordered_set>
 
 #include "csg/tree/suggest.h"
@@ -35,6 +38,49 @@ std::string describe(const YAML::Node& node) {
       return "a map";
     default:
       return "empty";
+  }
+}
+
+/// Notes where the content of a document begins.
+class Beginning : public YAML::EventHandler {
+ public:
+  const std::optional<YAML::Mark>& mark() const { return mark_; }
+  void OnDocumentStart(const YAML::Mark&) override { mark_.reset(); }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { note(mark); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { note(mark); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string&) override {
+    note(mark);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    note(mark);
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    note(mark);
+  }
+  void OnMapEnd() override {}
+
+ private:
+  void note(const YAML::Mark& mark) {
+    if (!mark_) mark_ = mark;
+  }
+  std::optional<YAML::Mark> mark_;
+};
+
+/// The text must hold one document and nothing else. `YAML::Load` stops silently after the first one, and
+/// `YAML::LoadAll` never ends where a bracket or comma belongs to nothing, so documents are counted to two here.
+void check_one_document(const Document& document, const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  Beginning beginning;
+  if (!parser.HandleNextDocument(beginning)) {
+    document.fail({}, "the file is empty; a tree file begins with `cnrg: 1`");
+  }
+  if (parser.HandleNextDocument(beginning)) {
+    document.fail(position_of(beginning.mark().value_or(YAML::Mark()), {}),
+                  "a second document begins here, or text that belongs to nothing; a tree file is one map");
   }
 }
 
@@ -187,21 +233,15 @@ const Value& Fields::at(std::string_view key, std::string_view hint) const {
 
 YAML::Node load_yaml(const Document& document, const std::string& text) {
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.empty()) document.fail({}, "the file is empty; a tree file begins with `cnrg: 1`");
-    if (documents.size() > 1) {
-      document.fail(position_of(documents[1].Mark(), {}),
-                    "a second document begins here; a tree file has only one");
-    }
-    return documents.front();
+    check_one_document(document, text);
+    return YAML::Load(text);
   } catch (const YAML::DeepRecursion& e) {
     document.fail(position_of(e.mark, {}),
                   "lists and maps are nested too deep here; give the inner nodes names in "
                   "`nodes` and use these as operands");
   } catch (const YAML::Exception& e) {
-    document.fail(position_of(e.mark, {}), "this is no YAML: " + e.msg +
-                                               "; mend the brackets, quotes or indentation here "
-                                               "or just before");
+    document.fail(position_of(e.mark, {}),
+                  "this is no YAML: " + e.msg + "; mend the brackets, quotes or indentation here or just before");
   }
 }
 

@@ -51,6 +51,9 @@ TEST_CASE("faults of the file as a whole", "[tree][errors]") {
   expect("just text", 1, 1, {"must be a map"});
   expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}\nresult: a\n", 3, 1, {"no YAML"});
   expect("cnrg: 1\n---\ncnrg: 1\n", 3, 1, {"second document"});
+  expect(", \"x: 1\n", 1, 1, {"belongs to nothing"});
+  expect("{cnrg: 1, nodes: {a: {points: [[0, 0, 0]]}}, result: a} }\n", 1, 57, {"no YAML"});
+  expect("{cnrg: 1, nodes: {a: {points: [[0, 0, 0]]}}, result: a} more\n", 1, 57, {"belongs to nothing"});
   expect("nodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 1, 1, {"`cnrg`", "add `cnrg: 1`"});
   expect("cnrg: 2\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 1, 7, {"version 1"});
   expect("cnrg: 1\nresult: a\n", 1, 1, {"needs `nodes`"});
