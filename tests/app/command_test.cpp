@@ -1,12 +1,10 @@
 // The program from outside: output, messages, exit statuses.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "tests/app/program.h"
 
@@ -28,7 +26,9 @@ nodes:
 result: r
 )";
 
-std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+std::size_t lines_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
 
 /// The words of the row that begins with a name.
 std::vector<std::string> row(const std::string& text, const std::string& name) {
@@ -46,7 +46,8 @@ TEST_CASE("version names the libraries", "[app]") {
   const Outcome o = Workshop().run("--version");
   CHECK(o.status == 0);
   CHECK(o.err.empty());
-  for (const char* name : {"cnrg 0.", "CGAL 5.", "GMP 6.", "MPFR 4.", "Boost 1."}) CHECK_THAT(o.out, Contains(name));
+  for (const char* name : {"cnrg 0.", "CGAL 5.", "GMP 6.", "MPFR 4.", "Boost 1."})
+    CHECK_THAT(o.out, Contains(name));
 }
 
 TEST_CASE("every command has help with an example", "[app]") {
@@ -61,7 +62,8 @@ TEST_CASE("every command has help with an example", "[app]") {
 
 TEST_CASE("a command line that makes no sense is bad input", "[app][errors]") {
   const Workshop w;
-  for (const char* arguments : {"", "evaluate", "eval", "eval t.yaml --thread", "eval t.yaml --threads many", "--what"}) {
+  for (const char* arguments :
+       {"", "evaluate", "eval", "eval t.yaml --thread", "eval t.yaml --threads many", "--what"}) {
     const Outcome o = w.run(arguments);
     INFO(arguments);
     CHECK(o.status == 2);
@@ -73,7 +75,8 @@ TEST_CASE("a command line that makes no sense is bad input", "[app][errors]") {
 
 TEST_CASE("commands of later versions say so", "[app][errors]") {
   const Workshop w;
-  for (const std::string name : {"explain t.yaml --node a --cell f12", "mesh t.yaml -o a.msh", "view t.yaml -o a.html"}) {
+  for (const std::string name :
+       {"explain t.yaml --node a --cell f12", "mesh t.yaml -o a.msh", "view t.yaml -o a.html"}) {
     const Outcome o = w.run(name);
     CHECK(o.status == 2);
     CHECK_THAT(o.err, Contains("is not in this version of cnrg"));
