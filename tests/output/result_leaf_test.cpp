@@ -113,9 +113,12 @@ TEST_CASE("round trip: faces with holes, a slit, a bridge and touching loops") {
       ring({{4, 4, 0}, {5, 6, 0}, {6, 5, 0}}),
   };
   soup.add_face(leaf, loops, 0, 0);
-  soup.add_wire(leaf, soup.add_point(RationalPoint{0, 0, 0}), soup.add_point(RationalPoint{2, 2, 0}), 0);  // a bridge
-  soup.add_wire(leaf, soup.add_point(RationalPoint{7, 7, 0}), soup.add_point(RationalPoint{8, 7, 0}), 1);  // a slit
-  soup.add_wire(leaf, soup.add_point(RationalPoint{8, 7, 0}), soup.add_point(RationalPoint{8, 8, 2}), 1);
+  const auto wire = [&](const RationalPoint& a, const RationalPoint& b, std::uint32_t number) {
+    soup.add_wire(leaf, soup.add_point(a), soup.add_point(b), number);
+  };
+  wire({0, 0, 0}, {2, 2, 0}, 0);  // a bridge
+  wire({7, 7, 0}, {8, 7, 0}, 1);  // a slit
+  wire({8, 7, 0}, {8, 8, 2}, 1);
   soup.add_isolated(leaf, soup.add_point(RationalPoint{1, 8, 0}));
   Case c(soup);
   check_round_trip(c);
@@ -150,7 +153,8 @@ TEST_CASE("round trip: a horizon and a fault part a box") {
   Case c(soup, {{}, {}, {{"rock", "", {}}}});
   const Group surfaces = apply(*c.complex, BooleanOp::unite, Dominance::equal, c.leaves[0], c.leaves[1]).group;
   const Group layers = apply(*c.complex, BooleanOp::unite, Dominance::left, surfaces, c.leaves[2]).group;
-  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, layers, complement(*c.complex, c.leaves[2])).group);
+  const Group outside = complement(*c.complex, c.leaves[2]);
+  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, layers, outside).group);
   CHECK(c.group.regions.size() == 4);
   check_round_trip(c);
 }
@@ -183,14 +187,15 @@ TEST_CASE("results that can be no leaf say why") {
   const Scratch dir;
   c.show(complement(*c.complex, c.group));
   write(dir / "unbounded.json", c.view());
-  CHECK_THROWS_WITH(prepare_result({dir / "unbounded.json"}), Catch::Contains("/regions/") && Catch::Contains("no bounds"));
+  using Catch::Contains;
+  CHECK_THROWS_WITH(prepare_result({dir / "unbounded.json"}), Contains("/regions/") && Contains("no bounds"));
   Selection open;
   open.regions = {{c.leaves[0].cells[0].first, 1}};
   c.simplified = simplify(*c.complex, open, {});
   ResultView view = c.view();
   view.group = nullptr;
   write(dir / "open.json", view);
-  CHECK_THROWS_WITH(prepare_result({dir / "open.json"}), Catch::Contains("/faces/0") && Catch::Contains("closure"));
+  CHECK_THROWS_WITH(prepare_result({dir / "open.json"}), Contains("/faces/0") && Contains("closure"));
 }
 
 TEST_CASE("broken files are refused with their place") {

@@ -114,7 +114,10 @@ TEST_CASE("vtu: cells by dimension, volumes by region, tables of names") {
     const double* p[3];
     for (int k = 0; k < 3; ++k) p[k] = points.data() + 3 * connectivity[begin + std::size_t(k)];
     double six = 0;
-    for (int k = 0; k < 3; ++k) six += p[0][k] * (p[1][(k + 1) % 3] * p[2][(k + 2) % 3] - p[1][(k + 2) % 3] * p[2][(k + 1) % 3]);
+    for (int k = 0; k < 3; ++k) {
+      const int m = (k + 1) % 3, n = (k + 2) % 3;
+      six += p[0][k] * (p[1][m] * p[2][n] - p[1][n] * p[2][m]);
+    }
     const std::string name = regions.at(std::size_t(region[i]));
     volume[name] += six / 6;
     CHECK(materials.at(std::size_t(material[i])) == (name == "core" ? "ore" : "granite"));
