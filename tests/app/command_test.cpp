@@ -202,7 +202,7 @@ TEST_CASE("when memory runs out the status is 3, whoever asked for it", "[app][e
     names += (i ? ", s" : "s") + n;
   }
   w.write("t.yaml", "cnrg: 1\nnodes:\n" + nodes + "  r: {union: [" + names + "]}\nresult: r\n");
-  for (int megabytes = 60; megabytes <= 75; megabytes += 5) {
+  for (int megabytes = 60; megabytes <= 70; megabytes += 10) {
     const Outcome o = w.shell("ulimit -v " + std::to_string(megabytes * 1024) +
                               "; '" CNRG_PROGRAM "' eval t.yaml --threads 1 >.out 2>.err");
     INFO(megabytes << " MB: " << o.err);
