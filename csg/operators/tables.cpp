@@ -50,7 +50,7 @@ constexpr TableRow kRows[] = {
     {"intersection.face.AoutB.equal", BooleanOp::intersect, Standing::equal, 2, Relation::a_out_b, Condition::always},
     {"intersection.face.BoutA.equal", BooleanOp::intersect, Standing::equal, 2, Relation::b_out_a, Condition::always},
     {"intersection.edge.AinB.dominant", BooleanOp::intersect, Standing::dominant, 1, Relation::a_in_b, Condition::never},
-    {"intersection.edge.BinA.dominant", BooleanOp::intersect, Standing::dominant, 1, Relation::b_in_a, Condition::inside_region_b},
+    {"intersection.edge.BinA.dominant", BooleanOp::intersect, Standing::dominant, 1, Relation::b_in_a, Condition::inside_b},
     {"intersection.edge.INTERS.dominant", BooleanOp::intersect, Standing::dominant, 1, Relation::common, Condition::never},
     {"intersection.edge.AoutB.dominant", BooleanOp::intersect, Standing::dominant, 1, Relation::a_out_b, Condition::always},
     {"intersection.edge.BoutA.dominant", BooleanOp::intersect, Standing::dominant, 1, Relation::b_out_a, Condition::always},
@@ -60,7 +60,7 @@ constexpr TableRow kRows[] = {
     {"intersection.edge.AoutB.equal", BooleanOp::intersect, Standing::equal, 1, Relation::a_out_b, Condition::always},
     {"intersection.edge.BoutA.equal", BooleanOp::intersect, Standing::equal, 1, Relation::b_out_a, Condition::always},
     {"intersection.vertex.AinB.dominant", BooleanOp::intersect, Standing::dominant, 0, Relation::a_in_b, Condition::never},
-    {"intersection.vertex.BinA.dominant", BooleanOp::intersect, Standing::dominant, 0, Relation::b_in_a, Condition::inside_region_b},
+    {"intersection.vertex.BinA.dominant", BooleanOp::intersect, Standing::dominant, 0, Relation::b_in_a, Condition::inside_b},
     {"intersection.vertex.INTERS.dominant", BooleanOp::intersect, Standing::dominant, 0, Relation::common, Condition::never},
     {"intersection.vertex.AoutB.dominant", BooleanOp::intersect, Standing::dominant, 0, Relation::a_out_b, Condition::always},
     {"intersection.vertex.BoutA.dominant", BooleanOp::intersect, Standing::dominant, 0, Relation::b_out_a, Condition::always},
@@ -166,7 +166,7 @@ const char* words(Condition condition) {
     case Condition::not_free_a: return "not free in A";
     case Condition::not_free_b: return "not free in B";
     case Condition::free_in_neither: return "free in neither";
-    case Condition::inside_region_b: return "inside one region of B";
+    case Condition::inside_b: return "all around it are regions of B";
   }
   throw InvariantError("tables: unknown condition");
 }

@@ -312,6 +312,7 @@ std::optional<EulerTerms> euler_terms(const Complex& complex, const CellSet& set
 }
 
 std::string check_euler(const Complex& complex, const CellSet& set, std::size_t max_faces) {
+  if (closure(complex, set) != set) return "the set is not closed";
   std::string out = check_boundaries(complex, set);
   if (!out.empty()) return out;
   // The walls alone: every term is counted on its own, up to the cycles of faces.

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cases.h"
+#include "csg/leaves/leaf.h"
 #include "csg/leaves/result_leaf.h"
 #include "csg/output/file.h"
 #include "kernel/base/error.h"
@@ -131,6 +132,26 @@ TEST_CASE("round trip: curved patches, cut by others") {
     check_round_trip(c);
   }
   c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group);
+  check_round_trip(c);
+}
+
+TEST_CASE("round trip: a horizon and a fault part a box") {
+  HeightfieldShape horizon;
+  horizon.origin_x = horizon.origin_y = -1;
+  for (int j = 0; j < 8; ++j) {
+    auto& row = horizon.heights.emplace_back();
+    for (int i = 0; i < 8; ++i) row.push_back(3 + Rational((i * 5 + j * 3) % 7 - 3, 10));
+  }
+  const auto leaf = prepare(Shape(horizon));
+  Soup soup;
+  leaf->add_to(soup, {});
+  add_sheet(soup, {{2, -1, -1}, {2, 7, -1}, {4, 7, 8}, {4, -1, 8}});
+  add_box(soup, {0, 0, 0}, {5, 5, 6});
+  Case c(soup, {{}, {}, {{"rock", "", {}}}});
+  const Group surfaces = apply(*c.complex, BooleanOp::unite, Dominance::equal, c.leaves[0], c.leaves[1]).group;
+  const Group layers = apply(*c.complex, BooleanOp::unite, Dominance::left, surfaces, c.leaves[2]).group;
+  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, layers, complement(*c.complex, c.leaves[2])).group);
+  CHECK(c.group.regions.size() == 4);
   check_round_trip(c);
 }
 

@@ -133,7 +133,9 @@ bool lower_goes(const Grid& grid, Op op, bool dominant, const Group& a, const Gr
   }
   if (op == Op::intersect) {
     if (k == Class::a_out_b || k == Class::b_out_a) return true;
-    return k == Class::b_in_a && dominant && region_around(grid, b, c) > 0;
+    const auto& cubes = grid.cubes(c);
+    return k == Class::b_in_a && dominant &&
+           std::all_of(cubes.begin(), cubes.end(), [&](Cell d) { return b.inside[d] != 0; });
   }
   return k != Class::a_out_b;
 }

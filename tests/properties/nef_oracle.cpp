@@ -1,4 +1,5 @@
-// The only translation unit of the tests that includes Nef polyhedra: it takes a minute to compile.
+// The only translation unit of the tests that includes Nef polyhedra: it takes a minute to compile. Built with
+// assertions, since Nef of CGAL 5.5.1 fails on some pairs of sheets and would crash without.
 #include "tests/properties/nef_oracle.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -82,50 +83,19 @@ std::vector<scenes::Polygon> simple_cycles(const scenes::Polygon& walk) {
   return cycles;
 }
 
-Nef convex_polygon(const scenes::Polygon& corners) {
+Nef simple_polygon(const scenes::Polygon& corners) {
   std::vector<Point> points;
   for (const RationalPoint& p : corners) points.push_back(point_of(p));
   return Nef(points.begin(), points.end());
 }
 
-/// Cuts ears until the rest is convex: Nef's constructor makes structures of non-convex cycles on which later
-/// operations crash (CGAL 5.5.1).
-Nef simple_polygon(scenes::Polygon corners) {
-  std::vector<Point> p;
-  for (const RationalPoint& corner : corners) p.push_back(point_of(corner));
-  CGAL::Vector_3<Kernel> normal(0, 0, 0);
-  for (std::size_t i = 0; i < p.size(); ++i)
-    normal = normal + CGAL::cross_product(p[i] - CGAL::ORIGIN, p[(i + 1) % p.size()] - CGAL::ORIGIN);
-  const auto turn = [&](const Point& a, const Point& b, const Point& c) {
-    return CGAL::sign(CGAL::cross_product(b - a, c - b) * normal);
-  };
-  Nef result;
-  for (bool first = true;; first = false) {
-    const std::size_t n = p.size();
-    bool convex = true;
-    std::size_t ear = n;
-    for (std::size_t i = 0; i < n; ++i) {
-      const Point &a = p[(i + n - 1) % n], &b = p[i], &c = p[(i + 1) % n];
-      const auto t = turn(a, b, c);
-      convex = convex && t >= 0;
-      if (ear < n || t <= 0) continue;
-      bool empty = true;
-      for (std::size_t k = 0; empty && k < n - 3; ++k) {
-        const Point& q = p[(i + 2 + k) % n];
-        empty = turn(a, b, q) < 0 || turn(b, c, q) < 0 || turn(c, a, q) < 0;
-      }
-      if (empty) ear = i;
-    }
-    const auto add = [&](const Nef& piece) { result = first ? piece : result + piece; };
-    if (convex) {
-      corners.clear();
-      for (const Point& q : p) corners.push_back(point_of(q));
-      add(convex_polygon(corners));
-      return result;
-    }
-    if (ear == n) throw std::logic_error("the oracle's polygon is not simple");
-    add(convex_polygon({point_of(p[(ear + n - 1) % n]), point_of(p[ear]), point_of(p[(ear + 1) % n])}));
-    p.erase(p.begin() + static_cast<std::ptrdiff_t>(ear));
+/// Runs one operation of Nef; an assertion of CGAL that fails in it is a failure of the oracle.
+template <class Operation>
+auto guarded(Operation operation) {
+  try {
+    return operation();
+  } catch (const CGAL::Failure_exception& error) {
+    throw OracleFailure(error.what());
   }
 }
 
@@ -222,19 +192,19 @@ NefSet NefSet::leaf(const scenes::Leaf& leaf) {
 
 NefSet NefSet::unite(const NefSet& other) const {
   NefSet set;
-  set.data_ = shared<Data>(data_->nef + other.data_->nef);
+  set.data_ = guarded([&] { return shared<Data>(data_->nef + other.data_->nef); });
   return set;
 }
 
 NefSet NefSet::intersect(const NefSet& other) const {
   NefSet set;
-  set.data_ = shared<Data>(data_->nef * other.data_->nef);
+  set.data_ = guarded([&] { return shared<Data>(data_->nef * other.data_->nef); });
   return set;
 }
 
 NefSet NefSet::subtract(const NefSet& other) const {
   NefSet set;
-  set.data_ = shared<Data>((data_->nef - other.data_->nef).closure());
+  set.data_ = guarded([&] { return shared<Data>((data_->nef - other.data_->nef).closure()); });
   return set;
 }
 
@@ -269,7 +239,9 @@ bool NefSet::contains(const RationalPoint& p) const {
   throw std::logic_error("Nef located a point nowhere");
 }
 
-bool NefSet::operator==(const NefSet& other) const { return data_->nef == other.data_->nef; }
+bool NefSet::operator==(const NefSet& other) const {
+  return guarded([&] { return data_->nef == other.data_->nef; });
+}
 
 bool NefSet::valid() const { return Nef(data_->nef).is_valid(); }
 

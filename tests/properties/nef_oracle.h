@@ -5,12 +5,19 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "tests/properties/skeleton.h"
 #include "tests/scenes/scene.h"
 
 namespace cnrg::properties {
+
+/// Nef itself failed (an assertion of CGAL): nothing is known of the set.
+class OracleFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 class NefSet {
  public:

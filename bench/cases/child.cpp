@@ -1,0 +1,85 @@
+#include "bench/cases/child.h"
+
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <new>
+#include <stdexcept>
+
+namespace cnrg::bench {
+namespace {
+
+constexpr int kOutOfMemory = 77;
+
+[[noreturn]] void child(const std::function<std::string()>& work, const Limits& limits, int pipe) {
+  if (limits.bytes != 0) {
+    const rlimit address{limits.bytes, limits.bytes};
+    setrlimit(RLIMIT_AS, &address);
+  }
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  int status = 0;
+  try {
+    const std::string text = work();
+    for (std::size_t at = 0; at < text.size();) {
+      const ssize_t n = write(pipe, text.data() + at, text.size() - at);
+      if (n <= 0) break;
+      at += static_cast<std::size_t>(n);
+    }
+  } catch (const std::bad_alloc&) {
+    status = kOutOfMemory;
+  }
+  _exit(status);
+}
+
+}  // namespace
+
+ChildResult run_child(const std::function<std::string()>& work, const Limits& limits) {
+  using Clock = std::chrono::steady_clock;
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+  const auto begin = Clock::now();
+  const pid_t pid = fork();
+  if (pid < 0) throw std::runtime_error("no process");
+  if (pid == 0) {
+    close(ends[0]);
+    child(work, limits, ends[1]);
+  }
+  close(ends[1]);
+  ChildResult result;
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
+  char buffer[4096];
+  for (;;) {
+    int wait = -1;
+    if (limits.seconds > 0) wait = static_cast<int>(1000 * (limits.seconds - elapsed())) + 1;
+    pollfd ready{ends[0], POLLIN, 0};
+    if ((limits.seconds > 0 && wait <= 0) || poll(&ready, 1, wait) == 0) {
+      kill(pid, SIGKILL);
+      result.end = ChildResult::End::timeout;
+      break;
+    }
+    const ssize_t n = read(ends[0], buffer, sizeof buffer);
+    if (n <= 0) break;
+    result.text.append(buffer, static_cast<std::size_t>(n));
+  }
+  close(ends[0]);
+  int status = 0;
+  rusage usage{};
+  wait4(pid, &status, 0, &usage);
+  result.seconds = elapsed();
+  result.peak_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+  if (result.end == ChildResult::End::timeout) return result;
+  if (WIFSIGNALED(status)) {
+    result.end = ChildResult::End::crash;
+    result.signal = WTERMSIG(status);
+  } else if (WEXITSTATUS(status) == kOutOfMemory) {
+    result.end = ChildResult::End::out_of_memory;
+  }
+  return result;
+}
+
+}  // namespace cnrg::bench
