@@ -55,7 +55,12 @@ void write_file(const std::string& path, const Tree& tree, const Evaluation& eva
   view.leaves = &leaves;
   view.materials = materials_of(tree, value.group);
   view.sources = value.leaves;
-  const RoundingReport rounding = write(path, view);
+  RoundingReport rounding;
+  try {
+    rounding = write(path, view);
+  } catch (const InputError& e) {  // the format can not show this node
+    throw TreeError(tree.file, tree.nodes[node].at, e.what());
+  }
   if (!rounding.embedded) {
     std::cerr << path << ": warning: rounding moved " << rounding.moved
               << " vertices and facets cross in this file; write .json for the exact result\n";

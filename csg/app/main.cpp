@@ -7,9 +7,11 @@
 #include <functional>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
+#include "csg/app/memory.h"
 #include "kernel/base/error.h"
 
 namespace cnrg::app {
@@ -33,7 +35,9 @@ int guarded(const std::function<int()>& command) {
   } catch (const FileError& e) {
     return fail(kNoAccess, e.what());
   } catch (const std::bad_alloc&) {
-    return fail(kNoAccess, "memory ran out; use fewer segments or a smaller tree, or --threads 1");
+    return fail(kNoAccess, kMemoryRanOut);
+  } catch (const std::runtime_error& e) {  // a thread or a folder that the system does not give
+    return fail(kNoAccess, std::string("the system refused: ") + e.what() + "; free memory or use --threads 1");
   } catch (const std::exception& e) {
     return fail(kBug,
                 std::string("broken invariant: ") + e.what() +
@@ -123,6 +127,7 @@ int run(int argc, char** argv) {
 }  // namespace cnrg::app
 
 int main(int argc, char** argv) {
+  cnrg::app::guard_gmp_memory();
   std::ios::sync_with_stdio(false);
   try {
     return cnrg::app::run(argc, argv);
