@@ -19,13 +19,15 @@ void print(const std::vector<Diagnostic>& diagnostics, bool quiet) {
 }
 
 /// Files and the nodes that they show: the result; or the one `--node`; or one `--node` for each file.
-std::vector<NodeId> nodes_of_files(const Tree& tree, const EvalArguments& arguments, const std::vector<NodeId>& nodes) {
+std::vector<NodeId> nodes_of_files(const Tree& tree, const EvalArguments& arguments,
+                                   const std::vector<NodeId>& nodes) {
   const std::size_t n = arguments.files.size();
   if (nodes.empty()) return std::vector<NodeId>(n, tree.result);
   if (nodes.size() == 1) return std::vector<NodeId>(n, nodes[0]);
   if (n != 0 && nodes.size() != n) {
-    throw InputError("cnrg: error: " + std::to_string(nodes.size()) + " times --node and " + std::to_string(n) +
-                     " times -o; give no --node (the files show the result), one for all files, or one for each file");
+    throw InputError(
+        "cnrg: error: " + std::to_string(nodes.size()) + " times --node and " + std::to_string(n) +
+        " times -o; give no --node (the files show the result), one for all files, or one for each file");
   }
   return nodes;
 }
@@ -53,12 +55,18 @@ void write_file(const std::string& path, const Tree& tree, const Evaluation& eva
   view.leaves = &leaves;
   view.materials = materials_of(tree, value.group);
   view.sources = value.leaves;
-  const RoundingReport rounding = write(path, view);
+  RoundingReport rounding;
+  try {
+    rounding = write(path, view);
+  } catch (const InputError& e) {  // the format can not show this node
+    throw TreeError(tree.file, tree.nodes[node].at, e.what());
+  }
   if (!rounding.embedded) {
     std::cerr << path << ": warning: rounding moved " << rounding.moved
               << " vertices and facets cross in this file; write .json for the exact result\n";
   } else if (rounding.moved > 0 && !quiet) {
-    std::cerr << path << ": notice: rounding moved " << rounding.moved << " vertices; the facets still meet as they should\n";
+    std::cerr << path << ": notice: rounding moved " << rounding.moved
+              << " vertices; the facets still meet as they should\n";
   }
 }
 
@@ -77,7 +85,9 @@ int run_eval(const EvalArguments& arguments) {
   print(unused_nodes(tree, roots), arguments.quiet);
 
   ProgressBar bar(arguments.quiet);
-  options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) { bar.show(stage, done, total); };
+  options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
+    bar.show(stage, done, total);
+  };
   const Evaluation evaluation = evaluate(tree, options);
   bar.clear();
   print(evaluation.diagnostics, arguments.quiet);
@@ -99,7 +109,8 @@ int run_check(const std::string& path) {
   const Tree tree = read_tree(path);
   print(unused_nodes(tree, {tree.result}), false);
   print(check(tree), false);
-  const auto leaves = std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const Node& n) { return n.op == Operator::leaf; });
+  const auto leaves =
+      std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const Node& n) { return n.op == Operator::leaf; });
   std::cout << path << ": " << tree.nodes.size() << " nodes, " << leaves << " of them leaves; no faults\n";
   return kDone;
 }

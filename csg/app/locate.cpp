@@ -37,18 +37,21 @@ RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
   RationalPoint point;
   for (std::size_t k = 0; k < 3; ++k) {
     if (k >= words.size()) {
-      throw TreeError("<stdin>", {line, line_end}, "a point has three numbers and this line only " +
-                                                   std::to_string(words.size()) + "; write `x y z`");
+      throw TreeError(
+          "<stdin>", {line, line_end},
+          "a point has three numbers and this line only " + std::to_string(words.size()) + "; write `x y z`");
     }
     const std::optional<Rational> value = parse_rational(words[k].text);
     if (!value) {
-      throw TreeError("<stdin>", {line, words[k].column},
-                      "`" + words[k].text + "` is no number; write a decimal such as 0.1 or a fraction such as 1/3");
+      throw TreeError(
+          "<stdin>", {line, words[k].column},
+          "`" + words[k].text + "` is no number; write a decimal such as 0.1 or a fraction such as 1/3");
     }
     point[k] = *value;
   }
   if (words.size() > 3) {
-    throw TreeError("<stdin>", {line, words[3].column}, "a point has three numbers and this line more; write `x y z`");
+    throw TreeError("<stdin>", {line, words[3].column},
+                    "a point has three numbers and this line more; write `x y z`");
   }
   return point;
 }
@@ -56,14 +59,19 @@ RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
 Component component_of(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place) {
   if (place.index == SimplifiedComplex::kNowhere) return 0;
   switch (place.dimension) {
-    case 0: return simplified.vertices[place.index].component;
-    case 1: return simplified.edges[place.index].component;
-    case 2: return simplified.faces[place.index].component;
-    default: return simplified.regions[place.index].component;
+    case 0:
+      return simplified.vertices[place.index].component;
+    case 1:
+      return simplified.edges[place.index].component;
+    case 2:
+      return simplified.faces[place.index].component;
+    default:
+      return simplified.regions[place.index].component;
   }
 }
 
-std::string describe(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place, const Group& group) {
+std::string describe(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place,
+                     const Group& group) {
   constexpr std::array<char, 4> kLetters{'v', 'e', 'f', 'r'};
   const Component component = component_of(simplified, place);
   const bool nowhere = place.index == SimplifiedComplex::kNowhere;
@@ -87,7 +95,9 @@ int run_locate(const std::string& path, const std::string& name, int threads) {
   Evaluation evaluation;
   {
     ProgressBar bar(false);
-    options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) { bar.show(stage, done, total); };
+    options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
+      bar.show(stage, done, total);
+    };
     evaluation = evaluate(tree, options);
   }
   for (const Diagnostic& d : evaluation.diagnostics) std::cerr << d.text() << "\n";

@@ -2,15 +2,16 @@
 //
 // Results go to standard output; everything said about them goes to standard error. A command throws; here each
 // kind of exception becomes one message and its exit status.
+#include <CLI/CLI.hpp>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <new>
-
-#include <CLI/CLI.hpp>
+#include <stdexcept>
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
+#include "csg/app/memory.h"
 #include "kernel/base/error.h"
 
 namespace cnrg::app {
@@ -34,11 +35,14 @@ int guarded(const std::function<int()>& command) {
   } catch (const FileError& e) {
     return fail(kNoAccess, e.what());
   } catch (const std::bad_alloc&) {
-    return fail(kNoAccess, "memory ran out; use fewer segments or a smaller tree, or --threads 1");
+    return fail(kNoAccess, kMemoryRanOut);
+  } catch (const std::runtime_error& e) {  // a thread or a folder that the system does not give
+    return fail(kNoAccess, std::string("the system refused: ") + e.what() + "; free memory or use --threads 1");
   } catch (const std::exception& e) {
-    return fail(kBug, std::string("broken invariant: ") + e.what() +
-                          "\nThis is a bug of cnrg: please send this message, the tree file with the files that it "
-                          "names, and the output of `cnrg --version`.");
+    return fail(kBug,
+                std::string("broken invariant: ") + e.what() +
+                    "\nThis is a bug of cnrg: please send this message, the tree file with the files that it "
+                    "names, and the output of `cnrg --version`.");
   }
 }
 
@@ -55,20 +59,27 @@ int run(int argc, char** argv) {
   CLI::App program{"Exact Booleans of non-manifold solids, surfaces, wires and points, by tree files.", "cnrg"};
   program.set_version_flag("--version", version_text(), "Versions of cnrg and of the libraries in it");
   program.require_subcommand(1);
-  program.footer("Example:\n  cnrg eval model.yaml -o model.vtu\n\nExit status: 0 done, 2 bad input, 3 a file could not be "
-                 "read or written or memory\nran out, 1 a bug.");
+  program.footer(
+      "Example:\n  cnrg eval model.yaml -o model.vtu\n\nExit status: 0 done, 2 bad input, 3 a file could not be "
+      "read or written or memory\nran out, 1 a bug.");
   std::function<int()> command;
 
   EvalArguments eval;
   CLI::App* sub = program.add_subcommand("eval", "Evaluates a tree: one row per node, files of the result");
   sub->add_option("TREE", eval.tree, "Tree file (YAML or JSON)")->required();
   sub->add_option("--node", eval.nodes, "Evaluate this node too; files show it instead of the result")
-      ->type_name("N")->expected(1)->take_all();
+      ->type_name("N")
+      ->expected(1)
+      ->take_all();
   sub->add_option("-o", eval.files, "Write this file, in the format of its extension")
-      ->type_name("FILE")->expected(1)->take_all();
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all();
   sub->add_flag("--trace", eval.trace, "Under each row: what each table row removed, volumes of regions");
   sub->add_flag("--raw", eval.raw, "Keep the unsimplified cells of the refinement");
-  sub->add_option("--threads", eval.threads, "Threads; 0 is one per core")->type_name("K")->check(CLI::Range(0, 4096));
+  sub->add_option("--threads", eval.threads, "Threads; 0 is one per core")
+      ->type_name("K")
+      ->check(CLI::Range(0, 4096));
   sub->add_flag("--quiet", eval.quiet, "No rows and no notices");
   sub->footer("Example:\n  cnrg eval model.yaml --node split -o split.vtu --trace");
   sub->callback([&] { command = [&] { return run_eval(eval); }; });
@@ -96,8 +107,9 @@ int run(int argc, char** argv) {
     sub->allow_extras()->footer(std::string("Example, in a later version:\n  cnrg ") + later.name + " model.yaml");
     sub->callback([&command, later] {
       command = [later] {
-        return fail(kBadInput, std::string("`") + later.name + "` is not in this version of cnrg; see `cnrg --help` for "
-                                                               "what is");
+        return fail(kBadInput, std::string("`") + later.name +
+                                   "` is not in this version of cnrg; see `cnrg --help` for "
+                                   "what is");
       };
     });
   }
@@ -115,6 +127,7 @@ int run(int argc, char** argv) {
 }  // namespace cnrg::app
 
 int main(int argc, char** argv) {
+  cnrg::app::guard_gmp_memory();
   std::ios::sync_with_stdio(false);
   try {
     return cnrg::app::run(argc, argv);

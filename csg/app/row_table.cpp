@@ -64,7 +64,8 @@ std::string row_table(const std::vector<NodeRow>& rows, bool raw, bool trace) {
 std::string refinement_summary(const Evaluation& evaluation) {
   const Complex& complex = *evaluation.complex;
   const RefineReport& report = evaluation.refine;
-  constexpr const char* kContacts[] = {"face-face", "face-edge", "face-vertex", "edge-edge", "edge-vertex", "vertex-vertex"};
+  constexpr const char* kContacts[] = {"face-face", "face-edge",   "face-vertex",
+                                       "edge-edge", "edge-vertex", "vertex-vertex"};
   std::ostringstream text;
   text << "\nrefinement: " << complex.vertex_count() << " vertices (" << report.constructed << " constructed), "
        << complex.edge_count() << " edges, " << complex.face_count() << " faces, " << complex.region_count

@@ -1,16 +1,16 @@
 // `cnrg tables` and `cnrg --version`.
+#include "csg/operators/tables.h"
+
+#include <CGAL/version.h>
 #include <gmp.h>
 #include <mpfr.h>
 
 #include <algorithm>
-#include <iostream>
-
-#include <CGAL/version.h>
 #include <boost/version.hpp>
+#include <iostream>
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
-#include "csg/operators/tables.h"
 
 namespace cnrg::app {
 

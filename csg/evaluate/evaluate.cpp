@@ -20,7 +20,9 @@ using Values = IdVector<InstanceId, std::optional<Group>>;
 
 class Stopwatch {
  public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -49,7 +51,8 @@ void refine(const PreparedLeaves& leaves, const EvaluateOptions& options, Evalua
     require(violation.empty(), "the complex of the leaves is broken: " + violation);
   }
   result.leaf_names.resize(result.complex->leaf_count);
-  for (std::size_t i = 0; i < leaves.instances().size(); ++i) result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
+  for (std::size_t i = 0; i < leaves.instances().size(); ++i)
+    result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
   result.refine_seconds = stopwatch.seconds();
 }
 
@@ -60,12 +63,14 @@ void report_dropped(const Tree& tree, const PreparedLeaves& leaves, Evaluation& 
   for (const auto& [leaf, count] : dropped) {
     if (leaf.index() >= leaves.instances().size()) continue;
     const Node& node = leaves.node_of(leaf);
-    result.diagnostics.push_back({tree.file, node.operator_at, Diagnostic::Level::notice,
-                                  "`" + node.name + "`: faces without area were dropped: " + std::to_string(count)});
+    result.diagnostics.push_back(
+        {tree.file, node.operator_at, Diagnostic::Level::notice,
+         "`" + node.name + "`: faces without area were dropped: " + std::to_string(count)});
   }
 }
 
-Values leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, const Complex& complex) {
+Values leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
+                   const Complex& complex) {
   std::vector<std::vector<RegionAttributes>> attributes;
   for (std::size_t i = 0; i < leaves.instances().size(); ++i) {
     attributes.push_back(leaves.attributes(LeafId(i), complex.leaf_regions[LeafId(i)]));
@@ -128,7 +133,8 @@ NodeRow row_of(const Tree& tree, const Unfolding& unfolding, InstanceId id) {
 /// Fills the numbers of a row; returns the simplified value.
 SimplifiedComplex measure(const Complex& complex, const Group& group, NodeRow& row) {
   const Selection selection = selection_of(complex, group);
-  row.raw_cells = {selection.vertices.size(), selection.edges.size(), selection.faces.size(), selection.regions.size()};
+  row.raw_cells = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
+                   selection.regions.size()};
   SimplifiedComplex simplified = simplify(complex, selection, group.features);
   row.cells = active_counts(simplified);
   row.volumes = volumes_of(complex, group);
@@ -193,7 +199,8 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     KeptValue kept{unfolding.instances[root].node, std::move(*values[root]), std::move(shown.at(root)),
                    leaves_below(unfolding, leaves, root)};
     if (options.raw) {
-      kept.simplified = simplify(complex, selection_of(complex, kept.group), kept.group.features, SimplifyMode::raw);
+      kept.simplified =
+          simplify(complex, selection_of(complex, kept.group), kept.group.features, SimplifyMode::raw);
     }
     result.kept.push_back(std::move(kept));
   }

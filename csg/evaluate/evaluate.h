@@ -21,18 +21,18 @@ namespace cnrg {
 using Progress = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
 
 struct EvaluateOptions {
-  int threads = 0;                   ///< 0: all cores
-  bool validate = false;             ///< check every invariant of the complex; InvariantError when one is broken
-  bool rows = true;                  ///< counts and volumes of all nodes; otherwise of the kept ones only
-  bool raw = false;                  ///< keep unsimplified cells
-  std::vector<NodeId> nodes;         ///< kept besides the result
-  Progress progress;                 ///< may be empty
+  int threads = 0;            ///< 0: all cores
+  bool validate = false;      ///< check every invariant of the complex; InvariantError when one is broken
+  bool rows = true;           ///< counts and volumes of all nodes; otherwise of the kept ones only
+  bool raw = false;           ///< keep unsimplified cells
+  std::vector<NodeId> nodes;  ///< kept besides the result
+  Progress progress;          ///< may be empty
 };
 
 /// One instance of a node, in numbers.
 struct NodeRow {
   NodeId node;
-  std::string name;                  ///< of the node; `name#2` for its second instance
+  std::string name;  ///< of the node; `name#2` for its second instance
   std::string operator_name;
   std::array<std::size_t, 4> cells{};      ///< active cells by dimension, simplified
   std::array<std::size_t, 4> raw_cells{};  ///< active cells by dimension, as the refinement has them
@@ -43,25 +43,25 @@ struct NodeRow {
   std::vector<std::optional<Rational>> volumes;
   /// The sum of the volumes; nothing when a region is unbounded.
   std::optional<Rational> volume() const;
-  double seconds = 0;                ///< of the operator alone
+  double seconds = 0;  ///< of the operator alone
 };
 
 /// The value of a node that was asked for.
 struct KeptValue {
   NodeId node;
   Group group;
-  SimplifiedComplex simplified;      ///< with mode raw when the options say so
-  std::vector<LeafId> leaves;        ///< the leaves below it, ascending
+  SimplifiedComplex simplified;  ///< with mode raw when the options say so
+  std::vector<LeafId> leaves;    ///< the leaves below it, ascending
 };
 
 struct Evaluation {
   std::unique_ptr<Complex> complex;
   RefineReport refine;
-  std::vector<NodeRow> rows;         ///< operands before users
-  std::vector<KeptValue> kept;       ///< the result, then `EvaluateOptions::nodes` in their order; each once
-  std::vector<std::string> leaf_names;     ///< by LeafId; empty for the frame
-  std::vector<Diagnostic> diagnostics;     ///< notices of leaves, conflicts of materials
-  double refine_seconds = 0;         ///< soup and complex
+  std::vector<NodeRow> rows;            ///< operands before users
+  std::vector<KeptValue> kept;          ///< the result, then `EvaluateOptions::nodes` in their order; each once
+  std::vector<std::string> leaf_names;  ///< by LeafId; empty for the frame
+  std::vector<Diagnostic> diagnostics;  ///< notices of leaves, conflicts of materials
+  double refine_seconds = 0;            ///< soup and complex
   /// The kept value of a node; the node must have been asked for.
   const KeptValue& value(NodeId node) const;
 };

@@ -10,9 +10,12 @@ namespace {
 
 BooleanOp boolean_op(Operator op) {
   switch (op) {
-    case Operator::unite: return BooleanOp::unite;
-    case Operator::intersect: return BooleanOp::intersect;
-    default: return BooleanOp::subtract;
+    case Operator::unite:
+      return BooleanOp::unite;
+    case Operator::intersect:
+      return BooleanOp::intersect;
+    default:
+      return BooleanOp::subtract;
   }
 }
 
@@ -20,9 +23,12 @@ BooleanOp boolean_op(Operator op) {
 Dominance dominance_of(const Node& node, const Group& a, const Group& b) {
   if (node.dominant) {
     switch (*node.dominant) {
-      case DominantOperand::left: return Dominance::left;
-      case DominantOperand::right: return Dominance::right;
-      case DominantOperand::equal: return Dominance::equal;
+      case DominantOperand::left:
+        return Dominance::left;
+      case DominantOperand::right:
+        return Dominance::right;
+      case DominantOperand::equal:
+        return Dominance::equal;
     }
   }
   if (a.dominance == b.dominance) return Dominance::equal;
@@ -55,7 +61,8 @@ Outcome fold(const Complex& complex, const Node& node, std::span<const Group* co
     BooleanResult step = apply(complex, boolean_op(node.op), dominance_of(node, *left, *right), *left, *right);
     step.group.dominance = std::max(left->dominance, right->dominance);
     add_removals(outcome.removals, step.removals);
-    for (const MaterialConflict& conflict : step.conflicts) outcome.conflicts.push_back(words(conflict, step.group));
+    for (const MaterialConflict& conflict : step.conflicts)
+      outcome.conflicts.push_back(words(conflict, step.group));
     outcome.group = std::move(step.group);
     left = &outcome.group;
   }
@@ -69,7 +76,9 @@ Outcome operate(const Complex& complex, const Node& node, std::span<const Group*
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:
-    case Operator::subtract: outcome = fold(complex, node, operands); break;
+    case Operator::subtract:
+      outcome = fold(complex, node, operands);
+      break;
     case Operator::complement:
       outcome.group = complement(complex, *operands[0]);
       outcome.group.dominance = operands[0]->dominance;
@@ -81,8 +90,11 @@ Outcome operate(const Complex& complex, const Node& node, std::span<const Group*
       outcome.group = regularize(complex, *operands[0]);
       outcome.group.dominance = operands[0]->dominance;
       break;
-    case Operator::simplify: outcome.group = *operands[0]; break;
-    case Operator::leaf: throw InvariantError("operate: `" + node.name + "` is a leaf");
+    case Operator::simplify:
+      outcome.group = *operands[0];
+      break;
+    case Operator::leaf:
+      throw InvariantError("operate: `" + node.name + "` is a leaf");
   }
   apply_attributes(complex, node, outcome.group);
   return outcome;

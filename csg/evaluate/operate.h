@@ -15,7 +15,7 @@ namespace cnrg {
 struct Outcome {
   Group group;
   std::vector<std::pair<std::string, std::size_t>> removals;  ///< by row id of the tables, each id once
-  std::vector<std::string> conflicts;                         ///< materials that met under equal dominance, in words
+  std::vector<std::string> conflicts;  ///< materials that met under equal dominance, in words
 };
 
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes.

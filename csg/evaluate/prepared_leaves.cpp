@@ -27,8 +27,10 @@ std::optional<FileFault> split(const std::string& message, const std::string& fi
   std::smatch match;
   if (!std::regex_match(tail, match, kForm)) return std::nullopt;
   FileFault fault{{}, match[3]};
-  if (const auto line = match[1].matched ? index_in(match[1]) : std::nullopt) fault.at.line = static_cast<int>(*line);
-  if (const auto column = match[2].matched ? index_in(match[2]) : std::nullopt) fault.at.column = static_cast<int>(*column);
+  if (const auto line = match[1].matched ? index_in(match[1]) : std::nullopt)
+    fault.at.line = static_cast<int>(*line);
+  if (const auto column = match[2].matched ? index_in(match[2]) : std::nullopt)
+    fault.at.column = static_cast<int>(*column);
   return fault;
 }
 
@@ -49,7 +51,7 @@ Position position_of(const Node& node, std::optional<std::size_t> face) {
 
 /// A leaf or some of its faces in words for people; `faces` is such as `, face 3, face 4`, or empty.
 struct Mention {
-  Position at;                       ///< of the first face
+  Position at;  ///< of the first face
   std::string words;
 };
 Mention mention_of(const Node& node, const std::string& faces) {
@@ -93,8 +95,9 @@ void PreparedLeaves::prepare_node(NodeId id) {
   } catch (const InputError& e) {
     const std::string file = file_of(*node.shape);
     if (const std::optional<FileFault> fault = split(e.what(), file)) {
-      throw TreeError(file, fault->at, fault->rest + " (read for the node `" + node.name + "`, " +
-                                       to_string(tree_->file, node.operator_at) + ")");
+      throw TreeError(file, fault->at,
+                      fault->rest + " (read for the node `" + node.name + "`, " +
+                          to_string(tree_->file, node.operator_at) + ")");
     }
     static const std::regex kFace(R"(\bface (\d+))");
     std::cmatch match;

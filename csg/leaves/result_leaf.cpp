@@ -51,7 +51,8 @@ class Cursor {
     if (!value_->is_number_unsigned()) fail(std::string("the number of a ") + what + " is needed here" + kAgain);
     const auto n = value_->get<std::uint64_t>();
     if (n >= limit) {
-      fail(std::string(what) + " " + std::to_string(n) + " does not exist: there are " + std::to_string(limit) + kAgain);
+      fail(std::string(what) + " " + std::to_string(n) + " does not exist: there are " + std::to_string(limit) +
+           kAgain);
     }
     return Index(n);
   }
@@ -103,7 +104,9 @@ struct Content {
   std::vector<LeafRegion> regions;
 };
 
-RationalPoint minus(const RationalPoint& a, const RationalPoint& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+RationalPoint minus(const RationalPoint& a, const RationalPoint& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Twice the vector area of a loop: along the normal of the side from which it is counter-clockwise.
@@ -188,8 +191,8 @@ class Reader {
             "operands back and apply the operator in the tree");
   }
   [[noreturn]] void not_bounded(const Cursor& at, const std::string& what) const {
-    at.fail(what + " has no bounds, and a leaf must have some; intersect the node with a box before it is written, or "
-            "read its operands back and apply the operator in the tree");
+    at.fail(what + " has no bounds, and a leaf must have some; intersect the node with a box before it is "
+            "written, or read its operands back and apply the operator in the tree");
   }
 
   void read_points() {
@@ -221,7 +224,9 @@ class Reader {
 
   Loop read_loop(const Cursor& list, std::size_t least) const {
     Loop loop;
-    if (list.array().size() < least) list.fail("at least " + std::to_string(least) + " points are needed here" + kAgain);
+    if (list.array().size() < least) {
+      list.fail("at least " + std::to_string(least) + " points are needed here" + kAgain);
+    }
     for (std::size_t i = 0; i < list.size(); ++i) {
       loop.push_back(list.at(i).number(content_.points.size(), "point"));
       if (i > 0 && loop[i] == loop[i - 1]) list.at(i).fail(std::string("the same point twice in a row") + kAgain);
@@ -257,7 +262,8 @@ class Reader {
           for (const Index p : {edge.points.front(), edge.points.back()}) {
             const auto vertex = vertices_.find(p);
             if (vertex == vertices_.end()) e.fail("no vertex at its end, point " + std::to_string(p) + kAgain);
-            if (vertex->second.component == 0) not_closed(e, "its end, point " + std::to_string(p) + ", is missing");
+            if (vertex->second.component != 0) continue;
+            not_closed(e, "its end, point " + std::to_string(p) + ", is missing");
           }
         }
       }
@@ -277,7 +283,9 @@ class Reader {
       const Index component = component_of(f);
       const bool entity = f.member("entity").boolean();
       const Cursor sides = f.member("regions");
-      if (sides.array().size() != 2) sides.fail(std::string("two regions are needed here: in front and behind") + kAgain);
+      if (sides.array().size() != 2) {
+        sides.fail(std::string("two regions are needed here: in front and behind") + kAgain);
+      }
       std::array<Index, 2> labels{};
       for (std::size_t i = 0; i < 2; ++i) {
         if (!sides.at(i).is_null()) {
@@ -321,15 +329,13 @@ class Reader {
         const Index a = walk[i], b = walk[(i + 1) % walk.size()];
         if (frame_[a]) not_bounded(face, "this face");
         const auto found = edge_at_.find(std::minmax(a, b));
-        if (found == edge_at_.end()) {
-          face.fail("no edge joins points " + std::to_string(a) + " and " + std::to_string(b) + kAgain);
-        }
+        const auto between = [&] { return " points " + std::to_string(a) + " and " + std::to_string(b); };
+        if (found == edge_at_.end()) face.fail("no edge joins" + between() + kAgain);
         Edge& edge = edges_[found->second];
-        if (edge.component == 0) {
-          not_closed(face, "its edge between points " + std::to_string(a) + " and " + std::to_string(b) + " is missing");
-        }
+        if (edge.component == 0) not_closed(face, "its edge between" + between() + " is missing");
         const auto [entry, fresh] = first.try_emplace(found->second, a, b);
-        if (!fresh && std::minmax(a, b) == std::minmax(entry->second.first, entry->second.second)) edge.slit = true;
+        const auto& segment = entry->second;
+        if (!fresh && std::minmax(a, b) == std::minmax(segment.first, segment.second)) edge.slit = true;
         if (entity != nullptr && (fresh || edge.slit)) use(edge, *entity);
       }
     }
@@ -444,7 +450,7 @@ std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
     document = Json::parse(text);
   } catch (const Json::parse_error& error) {
     throw LeafFileError(shape.file + ":" + position(text, error.byte) +
-                        ": error: this is no JSON text from here on; is the file cut short? Write it again with `cnrg eval -o`");
+                        ": error: this is no JSON text from here on; is the file cut short?" + kAgain);
   }
   return std::make_unique<ResultLeaf>(Reader(shape.file, document).read());
 }

@@ -144,7 +144,7 @@ class Removal {
       case Condition::not_free_a: return !is_free(cell, kA);
       case Condition::not_free_b: return !is_free(cell, kB);
       case Condition::free_in_neither: return !is_free(cell, kA) && !is_free(cell, kB);
-      case Condition::inside_region_b: return inside_one_region_of_b(cell);
+      case Condition::inside_b: return all_around_in_b(cell);
       default: break;
     }
     throw InvariantError("tables: a condition of faces was asked of an edge or a vertex");
@@ -170,12 +170,10 @@ class Removal {
   }
 
   template <class IdT>
-  bool inside_one_region_of_b(IdT cell) {
+  bool all_around_in_b(IdT cell) {
     around_.clear();
     complex_.star_regions(cell, around_);
-    const std::uint32_t first = in_b_(around_.front());
-    if (first == 0) return false;
-    return std::all_of(around_.begin(), around_.end(), [&](RegionId r) { return in_b_(r) == first; });
+    return std::all_of(around_.begin(), around_.end(), [&](RegionId r) { return in_b_(r) != 0; });
   }
 
   std::vector<RegionId> inside() const {
@@ -388,7 +386,8 @@ Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const
   const auto edges = complex.vertex_edges[v];
   const auto faces = complex.vertex_faces[v];
   const auto kept = [&](auto id) { return result.has(id); };
-  const bool bounds = std::any_of(edges.begin(), edges.end(), kept) || std::any_of(faces.begin(), faces.end(), kept);
+  const bool bounds = std::any_of(edges.begin(), edges.end(), kept) ||
+                      std::any_of(faces.begin(), faces.end(), kept);
   return judge(complex, op, dominance, a, b, result, v, 0, bounds);
 }
 

@@ -6,6 +6,17 @@
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {
+namespace {
+
+// Sorts a list whose first `sorted` entries are sorted already.
+template <class List>
+void merge_tail(List& list, std::size_t sorted) {
+  const auto tail = list.begin() + static_cast<std::ptrdiff_t>(sorted);
+  std::sort(tail, list.end());
+  std::inplace_merge(list.begin(), tail, list.end());
+}
+
+}  // namespace
 
 std::uint32_t Group::region_of(RegionId r) const {
   const auto it = std::lower_bound(cells.begin(), cells.end(), r,
@@ -57,9 +68,9 @@ Selection selection_of(const Complex& complex, const Group& group) {
     for (EdgeId e : complex.region_wires[cell]) add_edge(e, region);
     for (VertexId v : complex.region_vertices[cell]) add_vertex(v, region);
   }
-  std::sort(out.faces.begin(), out.faces.end());
-  std::sort(out.edges.begin(), out.edges.end());
-  std::sort(out.vertices.begin(), out.vertices.end());
+  merge_tail(out.faces, group.faces.size());
+  merge_tail(out.edges, group.edges.size());
+  merge_tail(out.vertices, group.vertices.size());
   return out;
 }
 

@@ -119,7 +119,7 @@ class LeafGroups {
         if (source.leaf != leaf) continue;
         const bool curved = std::binary_search(curved_patches_.begin(), curved_patches_.end(),
                                                std::pair(leaf, source.patch));
-        pieces_.emplace_back(curved, curved ? source.patch : source.leaf_face, use.half_edge);
+        pieces_.emplace_back(curved, curved ? source.patch : source.leaf_face, use.face, use.half_edge);
       }
     }
     sort_unique(pieces_);
@@ -197,7 +197,7 @@ class LeafGroups {
   Csr<SourceSetId, LeafId> cover_leaves_;
   std::vector<std::pair<LeafId, std::uint32_t>> curved_patches_;
   Csr<EdgeId, LeafId> edge_leaves_, feature_leaves_;
-  std::vector<std::tuple<bool, std::uint32_t, HalfEdge>> pieces_;
+  std::vector<std::tuple<bool, std::uint32_t, FaceId, HalfEdge>> pieces_;
 };
 
 }  // namespace

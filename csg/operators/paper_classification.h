@@ -1,8 +1,8 @@
 // The classification of the paper (pereira2012 3), beside the propagation that `apply` uses.
 //
-// The paper locates each vertex among the other group's regions; an edge takes the class of a vertex of its that is
-// not INTERS, a face that of a vertex of its outer loop; an edge or face whose vertices are all INTERS is located
-// by an interior point. A test holds both equal.
+// The paper locates each vertex among the other group's regions; an edge takes the class of one of its vertices
+// that is not INTERS, a face that of such a vertex of its outer loop; an edge or face whose vertices are all
+// INTERS is located by an interior point. A test holds both equal.
 #pragma once
 
 #include <vector>

@@ -272,8 +272,10 @@ class Flattener {
       if (flat) {
         facets.push_back({{face.loops, face.isolated}, cells[0]});
       } else {
-        for (const HalfFace cell : cells) facets.push_back({facet_of(cell), cell});
-        std::sort(facets.begin(), facets.end(), [](const auto& a, const auto& b) { return key(a.first) < key(b.first); });
+        std::vector<std::pair<Loop, HalfFace>> order;
+        for (const HalfFace cell : cells) order.push_back({key(facet_of(cell)), cell});
+        std::sort(order.begin(), order.end());
+        for (const auto& [points, cell] : order) facets.push_back({facet_of(cell), cell});
       }
       if (must_flip(face, facets[0].second)) flip(face, facets, cells);
       for (auto& [facet, cell] : facets) {
@@ -361,9 +363,9 @@ class Flattener {
         if (edge.points.size() > 2 && edge.points.back() < edge.points[1]) {
           std::reverse(edge.points.begin() + 1, edge.points.end());
         }
-      } else if (edge.points.back() < edge.points.front() ||
-                 (edge.points.back() == edge.points.front() && edge.points[edge.points.size() - 2] < edge.points[1])) {
-        std::reverse(edge.points.begin(), edge.points.end());
+      } else {
+        const Loop reversed(edge.points.rbegin(), edge.points.rend());
+        edge.points = std::min(edge.points, reversed);
       }
       edge.component = from.component;
       edge.wire = walks_[i] == 0;
@@ -388,7 +390,8 @@ class Flattener {
       edge.leaves.erase(std::unique(edge.leaves.begin(), edge.leaves.end()), edge.leaves.end());
       flat_.edges.push_back(std::move(edge));
     }
-    std::sort(flat_.edges.begin(), flat_.edges.end(), [](const auto& a, const auto& b) { return a.points < b.points; });
+    std::sort(flat_.edges.begin(), flat_.edges.end(),
+              [](const auto& a, const auto& b) { return a.points < b.points; });
   }
 
   void make_vertices() {

@@ -59,7 +59,8 @@ std::array<double, 3> normal(const RoundedSolid& solid, const std::array<std::ui
 
 FileText off_text(const ResultView& view) {
   const RoundedSolid solid = rounded_solid(view, "OFF");
-  std::string text = "OFF\n" + std::to_string(solid.points.size()) + " " + std::to_string(solid.triangles.size()) + " 0\n";
+  std::string text = "OFF\n" + std::to_string(solid.points.size()) + " " + std::to_string(solid.triangles.size()) +
+                     " 0\n";
   append_points(text, solid);
   append_triangles(text, solid);
   return {std::move(text), solid.rounding};
@@ -69,7 +70,8 @@ FileText ply_text(const ResultView& view) {
   const RoundedSolid solid = rounded_solid(view, "PLY");
   std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(solid.points.size()) +
                      "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
-                     std::to_string(solid.triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+                     std::to_string(solid.triangles.size()) +
+                     "\nproperty list uchar int vertex_indices\nend_header\n";
   append_points(text, solid);
   append_triangles(text, solid);
   return {std::move(text), solid.rounding};

@@ -31,7 +31,9 @@ void append_base64(std::string& text, const std::string& bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
     std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = group << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
     for (std::size_t k = 0; k < 4; ++k) text += k <= n ? kDigits[group >> (18 - 6 * k) & 63] : '=';
   }
 }
@@ -87,7 +89,8 @@ class VtuWriter {
   // One entry per cell of the grid.
   std::vector<std::int64_t> connectivity_, offsets_;
   std::vector<std::uint8_t> types_;
-  std::vector<std::int32_t> dimension_, cell_, component_, region_, front_, back_, bounded_, material_, leaf_, face_;
+  std::vector<std::int32_t> dimension_, cell_, component_, region_, front_, back_, bounded_, material_;
+  std::vector<std::int32_t> leaf_, face_;
 
   struct Attributes {
     std::int32_t dimension = 0, cell = 0, component = 0, region = 0, front = 0, back = 0, bounded = -1;
@@ -236,13 +239,13 @@ class VtuWriter {
     for (const auto& p : points_.xyz) coordinates.insert(coordinates.end(), p.begin(), p.end());
 
     text_ = "<?xml version=\"1.0\"?>\n<!-- " + comment() + " -->\n"
-            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-            "<UnstructuredGrid>\n<FieldData>\n";
+            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+            "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
     names("RegionNames", regions);
     names("MaterialNames", materials);
     names("LeafNames", leaves);
-    text_ += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(points_.xyz.size()) + "\" NumberOfCells=\"" +
-             std::to_string(types_.size()) + "\">\n<Points>\n";
+    text_ += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(points_.xyz.size()) +
+             "\" NumberOfCells=\"" + std::to_string(types_.size()) + "\">\n<Points>\n";
     array("Points", "Float64", coordinates, 3);
     text_ += "</Points>\n<Cells>\n";
     array("connectivity", "Int64", connectivity_);

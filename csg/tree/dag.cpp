@@ -2,12 +2,11 @@
 #include "csg/tree/dag.h"
 
 #include <algorithm>
-#include <iterator>
-
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/breadth_first_search.hpp>
 #include <boost/graph/depth_first_search.hpp>
 #include <boost/graph/topological_sort.hpp>
+#include <iterator>
 
 namespace cnrg {
 namespace {

@@ -31,8 +31,8 @@ class Dag {
 
   /// A way around: each node is an operand of the one before, the first an operand of the last.
   struct Cycle {
-    std::vector<NodeId> nodes;    ///< empty: there is no cycle
-    Position mention;             ///< where the last node names the first
+    std::vector<NodeId> nodes;  ///< empty: there is no cycle
+    Position mention;           ///< where the last node names the first
   };
   /// The first cycle met from the nodes in ascending order. Iterative: depth costs memory, not stack.
   Cycle find_cycle() const;

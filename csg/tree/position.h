@@ -26,7 +26,9 @@ class TreeError : public InputError {
  public:
   TreeError(std::string file, Position at, std::string message)
       : InputError(to_string(file, at) + ": error: " + message),
-        file_(std::move(file)), at_(at), message_(std::move(message)) {}
+        file_(std::move(file)),
+        at_(at),
+        message_(std::move(message)) {}
   const std::string& file() const { return file_; }
   int line() const { return at_.line; }
   int column() const { return at_.column; }

@@ -20,9 +20,13 @@ int segments(const Fields& fields, const char* key, int otherwise) {
   return value ? static_cast<int>(value->integer(fields.name(key), 3, kMostSegments)) : otherwise;
 }
 
-Rational number(const Fields& fields, const char* key) { return fields.at(key, "number").number(fields.name(key)); }
+Rational number(const Fields& fields, const char* key) {
+  return fields.at(key, "number").number(fields.name(key));
+}
 
-RationalPoint point(const Fields& fields, const char* key) { return fields.at(key, kPoint).point(fields.name(key)); }
+RationalPoint point(const Fields& fields, const char* key) {
+  return fields.at(key, kPoint).point(fields.name(key));
+}
 
 Shape read_box(const Value& value, const LeafContext&) {
   const Fields f(value, "box", {"min", "max"});
@@ -125,7 +129,8 @@ Shape read_heightfield(const Value& value, const LeafContext& context) {
   if (const Value* file = f.find("file")) {
     for (const char* key : {"origin", "spacing", "heights"}) {
       if (const Value::Entry* e = f.entry(key)) {
-        value.document().fail(e->key_at, "heightfield has `file` and `" + std::string(key) + "`; remove one of them");
+        value.document().fail(e->key_at,
+                              "heightfield has `file` and `" + std::string(key) + "`; remove one of them");
       }
     }
     shape.file = resolve(file->text(f.name("file")), context);
@@ -169,7 +174,8 @@ Shape read_mesh(const Value& value, const LeafContext& context) {
   if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
   if (const Value* coordinates = f.find("coordinates")) {
     const std::string name = coordinates->text(f.name("coordinates"));
-    if (name != "decimal" && name != "double") coordinates->fail_type(f.name("coordinates"), "one of double, decimal");
+    if (name != "decimal" && name != "double")
+      coordinates->fail_type(f.name("coordinates"), "one of double, decimal");
     shape.decimal = name == "decimal";
   }
   return shape;
@@ -186,7 +192,8 @@ GroupShape::Face read_group_face(const Value& value, std::size_t vertex_count, b
   GroupShape::Face face;
   face.line = value.at().line;
   face.column = value.at().column;
-  for (const Value& loop : f.at("loops", "[[0, 1, 2]]").list(f.name("loops"), "a list of loops [[0, 1, 2], ...]")) {
+  for (const Value& loop :
+       f.at("loops", "[[0, 1, 2]]").list(f.name("loops"), "a list of loops [[0, 1, 2], ...]")) {
     auto& numbers = face.loops.emplace_back();
     for (const Value& v : loop.list("each loop of a face", "a list of vertex numbers [0, 1, 2]")) {
       numbers.push_back(read_vertex(v, "a vertex of a loop", vertex_count));
@@ -195,7 +202,9 @@ GroupShape::Face read_group_face(const Value& value, std::size_t vertex_count, b
   }
   if (face.loops.empty()) value.fail("a face needs a loop; write `loops: [[0, 1, 2]]`");
   if (const Value::Entry* sides = f.entry("sides")) {
-    if (filled) value.document().fail(sides->key_at, "this group has `fill`, which decides the sides; remove `sides` or `fill`");
+    if (filled)
+      value.document().fail(sides->key_at,
+                            "this group has `fill`, which decides the sides; remove `sides` or `fill`");
     const std::vector<Value> pair = sides->value.list(f.name("sides"), "a list of two region numbers");
     if (pair.size() != 2) sides->value.fail_type(f.name("sides"), "a list of two region numbers");
     for (int k = 0; k < 2; ++k) {
@@ -220,7 +229,8 @@ Shape read_group(const Value& value, const LeafContext& context) {
     for (const Value& edge : edges->list(f.name("edges"), "a list of pairs [[0, 1], ...]")) {
       const std::vector<Value> ends = edge.list("each edge of group", "a pair of vertex numbers [0, 1]");
       if (ends.size() != 2) edge.fail_type("each edge of group", "a pair of vertex numbers [0, 1]");
-      shape.edges.push_back({read_vertex(ends[0], "an end of an edge", n), read_vertex(ends[1], "an end of an edge", n)});
+      shape.edges.push_back(
+          {read_vertex(ends[0], "an end of an edge", n), read_vertex(ends[1], "an end of an edge", n)});
     }
   }
   if (const Value* points = f.find("points")) {
@@ -232,7 +242,8 @@ Shape read_group(const Value& value, const LeafContext& context) {
     for (const Value::Entry& e : regions->entries(f.name("regions"))) {
       const std::optional<Rational> number = parse_rational(e.key);
       if (!number || number->get_den() != 1 || *number < 1 || *number > 1'000'000'000) {
-        value.document().fail(e.key_at, "a key of `regions` must be the number of a region, from 1, not `" + e.key + "`");
+        value.document().fail(e.key_at,
+                              "a key of `regions` must be the number of a region, from 1, not `" + e.key + "`");
       }
       const Fields attributes(e.value, "a region of group", {"material", "name"});
       GroupShape::Region& region = shape.regions[static_cast<std::uint32_t>(number->get_num().get_ui())];
@@ -256,10 +267,22 @@ struct Reader {
 };
 
 constexpr std::array<Reader, 17> kReaders{{
-    {"box", read_box}, {"prism", read_prism}, {"pyramid", read_pyramid}, {"tetrahedron", read_tetrahedron},
-    {"polygon", read_polygon}, {"polyline", read_polyline}, {"points", read_points}, {"halfspace", read_halfspace},
-    {"plane", read_plane}, {"sphere", read_sphere}, {"cylinder", read_cylinder}, {"cone", read_cone},
-    {"torus", read_torus}, {"heightfield", read_heightfield}, {"mesh", read_mesh}, {"group", read_group},
+    {"box", read_box},
+    {"prism", read_prism},
+    {"pyramid", read_pyramid},
+    {"tetrahedron", read_tetrahedron},
+    {"polygon", read_polygon},
+    {"polyline", read_polyline},
+    {"points", read_points},
+    {"halfspace", read_halfspace},
+    {"plane", read_plane},
+    {"sphere", read_sphere},
+    {"cylinder", read_cylinder},
+    {"cone", read_cone},
+    {"torus", read_torus},
+    {"heightfield", read_heightfield},
+    {"mesh", read_mesh},
+    {"group", read_group},
     {"cnrg", read_result},
 }};
 

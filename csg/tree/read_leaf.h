@@ -12,8 +12,8 @@
 namespace cnrg {
 
 struct LeafContext {
-  std::string folder;                                      ///< paths in the file are relative to it
-  std::function<void(const Value&)> check_material;        ///< fails when the material is not declared
+  std::string folder;                                ///< paths in the file are relative to it
+  std::function<void(const Value&)> check_material;  ///< fails when the material is not declared
 };
 
 /// The names of all leaves that can be read.

@@ -28,17 +28,21 @@ struct OperatorName {
   Operator op;
 };
 constexpr std::array<OperatorName, 6> kOperators{{
-    {"union", Operator::unite}, {"intersection", Operator::intersect}, {"difference", Operator::subtract},
-    {"complement", Operator::complement}, {"regularize", Operator::regularize}, {"simplify", Operator::simplify},
+    {"union", Operator::unite},
+    {"intersection", Operator::intersect},
+    {"difference", Operator::subtract},
+    {"complement", Operator::complement},
+    {"regularize", Operator::regularize},
+    {"simplify", Operator::simplify},
 }};
 
 /// Names of the tree file that this version does not evaluate.
-constexpr std::array<std::string_view, 8> kLaterOperators{
-    "aggregate", "unify", "sum", "product", "subtract", "interior", "closure", "boundary"};
+constexpr std::array<std::string_view, 8> kLaterOperators{"aggregate", "unify",    "sum",     "product",
+                                                          "subtract",  "interior", "closure", "boundary"};
 constexpr std::array<std::string_view, 4> kLaterLeaves{"extrude", "revolve", "bezier", "bspline"};
 
-constexpr std::array<std::string_view, 7> kAttributes{
-    "material", "dominance", "name", "translate", "rotate", "scale", "mirror"};
+constexpr std::array<std::string_view, 7> kAttributes{"material", "dominance", "name",  "translate",
+                                                      "rotate",   "scale",     "mirror"};
 
 template <class Range>
 bool contains(const Range& range, std::string_view name) {
@@ -46,7 +50,8 @@ bool contains(const Range& range, std::string_view name) {
 }
 
 const OperatorName* find_operator(std::string_view name) {
-  const auto it = std::find_if(kOperators.begin(), kOperators.end(), [&](const auto& o) { return o.name == name; });
+  const auto it =
+      std::find_if(kOperators.begin(), kOperators.end(), [&](const auto& o) { return o.name == name; });
   return it == kOperators.end() ? nullptr : &*it;
 }
 
@@ -126,7 +131,8 @@ class TreeReader {
 
   void read_nodes(const Value& value) {
     const std::vector<Value::Entry> entries = value.entries("`nodes`");
-    if (entries.empty()) value.fail("`nodes` is empty; add a node such as `a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}`");
+    if (entries.empty())
+      value.fail("`nodes` is empty; add a node such as `a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}`");
     for (const Value::Entry& e : entries) {
       if (e.key.empty()) document_.fail(e.key_at, "a node needs a name");
       const NodeId id = add_node(e.key, false, e.key_at);
@@ -144,13 +150,15 @@ class TreeReader {
     std::vector<std::string_view> names;
     for (const auto& [known, id] : tree_.names) names.push_back(known);
     const std::string hint = did_you_mean(name, names);
-    value.fail("there is no node called `" + name + "`" + (hint.empty() ? "; add it to `nodes` or use another name" : hint));
+    value.fail("there is no node called `" + name + "`" +
+               (hint.empty() ? "; add it to `nodes` or use another name" : hint));
   }
 
   /// An operand by name or inline.
   void read_operand(NodeId user, const Value& value, std::size_t number) {
     if (!value.is_map()) {
-      if (!value.is_text()) value.fail_type("an operand of `" + tree_.nodes[user].name + "`", "the name of a node or a node {...}");
+      if (!value.is_text())
+        value.fail_type("an operand of `" + tree_.nodes[user].name + "`", "the name of a node or a node {...}");
       tree_.dag.add_operand(user, named(value, "an operand"), value.at());
       return;
     }
@@ -178,7 +186,8 @@ class TreeReader {
   /// True for `regularize: true` and for `simplify: points` beside another operator.
   static bool is_attribute(const Value::Entry& e, bool has_operator) {
     if (e.key == "regularize") return e.value.as_bool().has_value();
-    if (e.key == "simplify") return has_operator && e.value.is_text() && (e.value.raw() == "points" || e.value.raw() == "features");
+    if (e.key == "simplify")
+      return has_operator && e.value.is_text() && (e.value.raw() == "points" || e.value.raw() == "features");
     return contains(kAttributes, e.key);
   }
 
@@ -187,7 +196,8 @@ class TreeReader {
     if (!value.is_map()) value.fail_type(what, "a map {OPERATOR: ..., ATTRIBUTE: ...}");
     const std::vector<Value::Entry> entries = value.entries(what);
     const bool has_operator = std::any_of(entries.begin(), entries.end(), [](const Value::Entry& e) {
-      return e.key != "simplify" && (contains(leaf_names(), e.key) || find_operator(e.key)) && !is_attribute(e, false);
+      return e.key != "simplify" && (contains(leaf_names(), e.key) || find_operator(e.key)) &&
+             !is_attribute(e, false);
     });
     const Value::Entry* operation = nullptr;
     for (const Value::Entry& e : entries) {
@@ -195,7 +205,7 @@ class TreeReader {
       check_operator_name(e, what);
       if (operation) {
         document_.fail(e.key_at, what + " has two operators, `" + operation->key + "` and `" + e.key +
-                                 "`; make one of them a node of its own");
+                                     "`; make one of them a node of its own");
       }
       operation = &e;
     }
@@ -213,12 +223,15 @@ class TreeReader {
   void check_operator_name(const Value::Entry& e, const std::string& what) {
     if (find_operator(e.key) || contains(leaf_names(), e.key)) return;
     if (contains(kLaterOperators, e.key)) {
-      document_.fail(e.key_at, "`" + e.key + "` is a CNRG operator that this version of cnrg can not evaluate; use union, "
-                               "intersection, difference, complement, regularize or simplify");
+      document_.fail(e.key_at, "`" + e.key +
+                                   "` is a CNRG operator that this version of cnrg can not evaluate; use union, "
+                                   "intersection, difference, complement, regularize or simplify");
     }
     if (contains(kLaterLeaves, e.key)) {
-      document_.fail(e.key_at, "`" + e.key + "` is a leaf that this version of cnrg can not evaluate; use another primitive or a "
-                               "mesh file");
+      document_.fail(e.key_at,
+                     "`" + e.key +
+                         "` is a leaf that this version of cnrg can not evaluate; use another primitive or a "
+                         "mesh file");
     }
     std::vector<std::string_view> known(leaf_names().begin(), leaf_names().end());
     for (const OperatorName& o : kOperators) known.push_back(o.name);
@@ -227,7 +240,7 @@ class TreeReader {
     known.insert(known.end(), kLaterLeaves.begin(), kLaterLeaves.end());
     const std::string hint = did_you_mean(e.key, known);
     document_.fail(e.key_at, "unknown key `" + e.key + "` in " + what + ": neither an operator nor an attribute" +
-                             (hint.empty() ? "; remove it or write the one that is meant" : hint));
+                                 (hint.empty() ? "; remove it or write the one that is meant" : hint));
   }
 
   void read_operation(NodeId id, const Value::Entry& e) {
@@ -288,8 +301,8 @@ class TreeReader {
         {"left", DominantOperand::left}, {"right", DominantOperand::right}, {"equal", DominantOperand::equal}};
     if (const auto side = kSides.find(text); side != kSides.end()) {
       if (!is_boolean(node.op)) {
-        e.value.fail("`dominance: " + text + "` is for union, intersection and difference; give `" + node.operator_name +
-                     "` a number, such as `dominance: 2`");
+        e.value.fail("`dominance: " + text + "` is for union, intersection and difference; give `" +
+                     node.operator_name + "` a number, such as `dominance: 2`");
       }
       node.dominant = side->second;
     } else if (parse_rational(text)) {
@@ -309,7 +322,8 @@ class TreeReader {
         factors = e.value.point("`scale`");
       }
       if (factors[0] == 0 || factors[1] == 0 || factors[2] == 0) {
-        e.value.fail("`scale` by zero makes a solid flat: the transform is singular; use factors that are not zero");
+        e.value.fail(
+            "`scale` by zero makes a solid flat: the transform is singular; use factors that are not zero");
       }
       return Transform::scaling(factors);
     }
@@ -323,7 +337,8 @@ class TreeReader {
     }
     const Fields f(e.value, "mirror", {"normal", "point"});
     const RationalPoint normal = f.at("normal", "[1, 0, 0]").point(f.name("normal"));
-    if (is_zero(normal)) f.at("normal", "").fail("`normal` of mirror has no direction; write one such as [1, 0, 0]");
+    if (is_zero(normal))
+      f.at("normal", "").fail("`normal` of mirror has no direction; write one such as [1, 0, 0]");
     const Value* point = f.find("point");
     return Transform::reflection(normal, point ? point->point(f.name("point")) : RationalPoint{0, 0, 0});
   }
@@ -339,7 +354,7 @@ class TreeReader {
       }
       if (cycle.nodes.size() > kListed) way += std::to_string(cycle.nodes.size() - kListed) + " more -> ";
       document_.fail(cycle.mention, "these nodes use each other in a cycle: " + way + "`" +
-                                    tree_.nodes[cycle.nodes.front()].name + "`; remove one of the uses");
+                                        tree_.nodes[cycle.nodes.front()].name + "`; remove one of the uses");
     }
   }
 
@@ -360,8 +375,9 @@ NodeId Tree::find(const std::string& name) const {
     if (nodes[id].is_inline && nodes[id].name == name) return id;
   }
   const std::string hint = did_you_mean(name, known);
-  throw TreeError(file, nodes_at, "there is no node called `" + name + "`" +
-                                  (hint.empty() ? "; use one of the names in `nodes`" : hint));
+  throw TreeError(
+      file, nodes_at,
+      "there is no node called `" + name + "`" + (hint.empty() ? "; use one of the names in `nodes`" : hint));
 }
 
 std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots) {

@@ -25,16 +25,16 @@ enum class Operator : std::uint8_t { leaf, unite, intersect, subtract, complemen
 enum class DominantOperand : std::uint8_t { left, right, equal };
 
 struct Node {
-  std::string name;              ///< the key in `nodes`; of an inline node its place, such as `model/2`
+  std::string name;  ///< the key in `nodes`; of an inline node its place, such as `model/2`
   bool is_inline = false;
-  Position at;                   ///< of the key, or of the inline node
-  Position operator_at;          ///< of the operator's key
+  Position at;           ///< of the key, or of the inline node
+  Position operator_at;  ///< of the operator's key
   Operator op = Operator::leaf;
-  std::string operator_name;     ///< as the file has it: `union`, `box`, ...
-  std::optional<Shape> shape;    ///< of a leaf
+  std::string operator_name;   ///< as the file has it: `union`, `box`, ...
+  std::optional<Shape> shape;  ///< of a leaf
   std::optional<Transform> transform;
-  std::string material;          ///< empty: not given
-  std::string label;             ///< the attribute `name`; empty: not given
+  std::string material;  ///< empty: not given
+  std::string label;     ///< the attribute `name`; empty: not given
   std::optional<Rational> dominance;
   std::optional<DominantOperand> dominant;
   bool regularize = false;       ///< the attribute: regularize the node's value
@@ -42,17 +42,17 @@ struct Node {
 };
 
 struct Material {
-  std::string name, color;       ///< color `#rrggbb`; empty: not given
+  std::string name, color;  ///< color `#rrggbb`; empty: not given
 };
 
 struct Tree {
-  std::string file;              ///< as it was given
+  std::string file;  ///< as it was given
   IdVector<NodeId, Node> nodes;
-  Dag dag;                       ///< over the same ids; no cycles
+  Dag dag;                              ///< over the same ids; no cycles
   std::map<std::string, NodeId> names;  ///< of the nodes that are not inline
   NodeId result;
-  Position nodes_at;             ///< of the key `nodes`, for what concerns all of them
-  std::vector<Material> materials;      ///< in the order of the file
+  Position nodes_at;                ///< of the key `nodes`, for what concerns all of them
+  std::vector<Material> materials;  ///< in the order of the file
 
   /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws TreeError at `nodes`
   /// with the nearest name when there is none.

@@ -80,8 +80,9 @@ class Walk {
     stack_.pop_back();
     if (result_.instances.size() == most_) {
       const Node& node = tree_.nodes[frame.node];
-      throw TreeError(tree_.file, node.at, "the tree unfolds to more than " + std::to_string(most_) + " instances, many of `" +
-                                           node.name + "`; share nodes under one transform or use fewer copies");
+      throw TreeError(tree_.file, node.at,
+                      "the tree unfolds to more than " + std::to_string(most_) + " instances, many of `" +
+                          node.name + "`; share nodes under one transform or use fewer copies");
     }
     const InstanceId id = result_.instances.push_back(
         {frame.node, transforms_[frame.place], std::move(frame.done), ++result_.count[frame.node]});

@@ -14,9 +14,9 @@ using InstanceId = Id<struct InstanceTag>;
 
 struct Instance {
   NodeId node;
-  Transform transform;                  ///< all transforms from a root down to the node, its own included
-  std::vector<InstanceId> operands;     ///< in the order of the node's operands
-  std::uint32_t number = 1;             ///< from 1 among the instances of the node
+  Transform transform;               ///< all transforms from a root down to the node, its own included
+  std::vector<InstanceId> operands;  ///< in the order of the node's operands
+  std::uint32_t number = 1;          ///< from 1 among the instances of the node
 };
 
 struct Unfolding {

@@ -1,10 +1,13 @@
 // Strict reading of YAML values; see the header.
 #include "csg/tree/yaml_value.h"
 
-#include <algorithm>
-#include <unordered_set>
-
 #include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <unordered_set>
 
 #include "csg/tree/suggest.h"
 
@@ -27,22 +30,68 @@ std::string excerpt(const std::string& text) {
 
 std::string describe(const YAML::Node& node) {
   switch (node.Type()) {
-    case YAML::NodeType::Scalar: return "the text " + excerpt(node.Scalar());
+    case YAML::NodeType::Scalar:
+      return "the text " + excerpt(node.Scalar());
     case YAML::NodeType::Sequence:
       return node.size() == 1 ? "a list of one" : "a list of " + std::to_string(node.size());
-    case YAML::NodeType::Map: return "a map";
-    default: return "empty";
+    case YAML::NodeType::Map:
+      return "a map";
+    default:
+      return "empty";
+  }
+}
+
+/// Notes where the content of a document begins.
+class Beginning : public YAML::EventHandler {
+ public:
+  const std::optional<YAML::Mark>& mark() const { return mark_; }
+  void OnDocumentStart(const YAML::Mark&) override { mark_.reset(); }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { note(mark); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { note(mark); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t, const std::string&) override {
+    note(mark);
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {
+    note(mark);
+  }
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+    note(mark);
+  }
+  void OnMapEnd() override {}
+
+ private:
+  void note(const YAML::Mark& mark) {
+    if (!mark_) mark_ = mark;
+  }
+  std::optional<YAML::Mark> mark_;
+};
+
+/// The text must hold one document and nothing else. `YAML::Load` stops silently after the first one, and
+/// `YAML::LoadAll` never ends where a bracket or comma belongs to nothing, so documents are counted to two here.
+void check_one_document(const Document& document, const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  Beginning beginning;
+  if (!parser.HandleNextDocument(beginning)) {
+    document.fail({}, "the file is empty; a tree file begins with `cnrg: 1`");
+  }
+  if (parser.HandleNextDocument(beginning)) {
+    document.fail(position_of(beginning.mark().value_or(YAML::Mark()), {}),
+                  "a second document begins here, or text that belongs to nothing; a tree file is one map");
   }
 }
 
 }  // namespace
 
 Value::Value(Document& document, const YAML::Node& node, Position key_at)
-    : document_(&document), node_(node),
-      at_(node.IsNull() ? key_at : position_of(node.Mark(), key_at)) {
+    : document_(&document), node_(node), at_(node.IsNull() ? key_at : position_of(node.Mark(), key_at)) {
   if (document.values_left == 0) {
-    fail("the aliases of this file repeat too much: it yields far more values than it has letters; "
-         "write one node and use it by name instead");
+    fail(
+        "the aliases of this file repeat too much: it yields far more values than it has letters; "
+        "write one node and use it by name instead");
   }
   --document.values_left;
 }
@@ -75,7 +124,8 @@ Rational Value::number(const std::string& what) const {
   if (!is_text()) fail_type(what, "a number");
   const std::optional<Rational> value = parse_rational(raw());
   if (!value) {
-    fail(what + ": " + excerpt(raw()) + " is no number; write a decimal such as 0.1 or 1.5e-3, or a fraction such as "
+    fail(what + ": " + excerpt(raw()) +
+         " is no number; write a decimal such as 0.1 or 1.5e-3, or a fraction such as "
          "\"1/3\"");
   }
   return *value;
@@ -127,7 +177,8 @@ std::vector<RationalPoint> Value::points(const std::string& what) const {
 std::vector<std::vector<RationalPoint>> Value::loops(const std::string& what) const {
   std::vector<std::vector<RationalPoint>> result;
   const std::string each = "each loop of " + what;
-  for (const Value& item : list(what, "a list of loops [[[x, y, z], ...], ...]")) result.push_back(item.points(each));
+  for (const Value& item : list(what, "a list of loops [[[x, y, z], ...], ...]"))
+    result.push_back(item.points(each));
   return result;
 }
 
@@ -137,7 +188,8 @@ std::vector<Value::Entry> Value::entries(const std::string& what) const {
   std::unordered_set<std::string> seen;
   for (const auto& item : node_) {
     const Position key_at = position_of(item.first.Mark(), at_);
-    if (!item.first.IsScalar()) document_->fail(key_at, "a key of " + what + " must be a text, not " + describe(item.first));
+    if (!item.first.IsScalar())
+      document_->fail(key_at, "a key of " + what + " must be a text, not " + describe(item.first));
     const std::string& key = item.first.Scalar();
     if (!seen.insert(key).second) {
       document_->fail(key_at, "the key " + excerpt(key) + " is there twice in " + what + "; remove or rename one");
@@ -154,8 +206,8 @@ Fields::Fields(const Value& map, std::string what, std::initializer_list<std::st
     std::string known;
     for (const std::string_view key : allowed) known += (known.empty() ? "" : ", ") + std::string(key);
     const std::string hint = did_you_mean(e.key, std::span(allowed.begin(), allowed.size()));
-    map.document().fail(e.key_at,
-                        "unknown key " + excerpt(e.key) + " in " + what_ + (hint.empty() ? "; known are: " + known : hint));
+    map.document().fail(e.key_at, "unknown key " + excerpt(e.key) + " in " + what_ +
+                                      (hint.empty() ? "; known are: " + known : hint));
   }
 }
 
@@ -173,24 +225,23 @@ const Value* Fields::find(std::string_view key) const {
 
 const Value& Fields::at(std::string_view key, std::string_view hint) const {
   const Value* value = find(key);
-  if (!value) map_.fail(what_ + " needs `" + std::string(key) + "`; add `" + std::string(key) + ": " + std::string(hint) + "`");
+  if (!value)
+    map_.fail(what_ + " needs `" + std::string(key) + "`; add `" + std::string(key) + ": " + std::string(hint) +
+              "`");
   return *value;
 }
 
 YAML::Node load_yaml(const Document& document, const std::string& text) {
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.empty()) document.fail({}, "the file is empty; a tree file begins with `cnrg: 1`");
-    if (documents.size() > 1) {
-      document.fail(position_of(documents[1].Mark(), {}), "a second document begins here; a tree file has only one");
-    }
-    return documents.front();
+    check_one_document(document, text);
+    return YAML::Load(text);
   } catch (const YAML::DeepRecursion& e) {
-    document.fail(position_of(e.mark, {}), "lists and maps are nested too deep here; give the inner nodes names in "
-                                           "`nodes` and use these as operands");
+    document.fail(position_of(e.mark, {}),
+                  "lists and maps are nested too deep here; give the inner nodes names in "
+                  "`nodes` and use these as operands");
   } catch (const YAML::Exception& e) {
-    document.fail(position_of(e.mark, {}), "this is no YAML: " + e.msg + "; mend the brackets, quotes or indentation here "
-                                           "or just before");
+    document.fail(position_of(e.mark, {}),
+                  "this is no YAML: " + e.msg + "; mend the brackets, quotes or indentation here or just before");
   }
 }
 

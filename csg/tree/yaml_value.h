@@ -5,13 +5,13 @@
 // only so many values: as many as it has bytes, plus a million for honest aliases.
 #pragma once
 
+#include <yaml-cpp/yaml.h>
+
 #include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <yaml-cpp/yaml.h>
 
 #include "csg/tree/position.h"
 #include "kernel/exact/rational.h"
@@ -20,8 +20,8 @@ namespace cnrg {
 
 /// What all values of one document share.
 struct Document {
-  std::string file;                    ///< for messages
-  std::size_t values_left = 0;         ///< values that may still be read
+  std::string file;             ///< for messages
+  std::size_t values_left = 0;  ///< values that may still be read
   [[noreturn]] void fail(Position at, const std::string& message) const { throw TreeError(file, at, message); }
 };
 
@@ -55,8 +55,8 @@ class Value {
   /// An integer from `low` to `high`.
   long integer(const std::string& what, long low, long high) const;
   std::vector<Value> list(const std::string& what, const std::string& wanted = "a list") const;
-  RationalPoint point(const std::string& what) const;               ///< `[x, y, z]`
-  std::array<Rational, 2> pair(const std::string& what) const;      ///< `[x, y]`
+  RationalPoint point(const std::string& what) const;           ///< `[x, y, z]`
+  std::array<Rational, 2> pair(const std::string& what) const;  ///< `[x, y]`
   std::vector<RationalPoint> points(const std::string& what) const;
   std::vector<std::vector<RationalPoint>> loops(const std::string& what) const;
 

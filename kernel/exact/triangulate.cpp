@@ -57,7 +57,9 @@ struct VertexTraits {
     }
   };
   struct Less : Compare {
-    bool operator()(const Point_2& a, const Point_2& b) const { return Compare::operator()(a, b) == CGAL::SMALLER; }
+    bool operator()(const Point_2& a, const Point_2& b) const {
+      return Compare::operator()(a, b) == CGAL::SMALLER;
+    }
   };
   using Compare_x_2 = Compare;
   using Compare_y_2 = Compare;
@@ -259,7 +261,8 @@ std::vector<Triangle> general(const Plane2& plane, std::span<const std::vector<V
 }  // namespace
 
 std::vector<Triangle> triangulate(const PointTable& points, Projection axes,
-                                  std::span<const std::vector<VertexId>> loops, std::span<const VertexId> isolated) {
+                                  std::span<const std::vector<VertexId>> loops,
+                                  std::span<const VertexId> isolated) {
   const Plane2 plane{&points, axes};
   if (loops.size() == 1 && isolated.empty()) {
     const auto& loop = loops[0];

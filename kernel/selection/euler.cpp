@@ -3,8 +3,8 @@
 // Handles of a volume. Push its boundary a little into it: a closed surface, one piece per cavity and one outside.
 // Its Euler characteristic is summed over what it is pushed from: each half-face (1 - rings), each sector between
 // two half-faces around an edge (-1), a wire (0), and at each vertex the pieces of the volume's neighbourhood
-// there, seen on a small sphere: a piece with k boundary circles counts 2 - k. Circles are found by following half-
-// faces around the vertex. Where the faces at a vertex fall into several connected parts, their circles bound
+// there, seen on a small sphere: a piece with k boundary circles counts 2 - k. Circles are found by following
+// half-faces around the vertex. Where the faces at a vertex fall into several connected parts, their circles bound
 // common pieces; that is told when one region only lies between these parts.
 #include <algorithm>
 #include <iterator>
@@ -81,7 +81,9 @@ long count_cavities(const Complex& complex, const CellSet& set) {
     if (!wall[f] && !held[front] && !held[back]) sets.unite(front.value(), back.value());
   }
   long count = 0;
-  for (RegionId r : IdRange<RegionId>(complex.region_count)) count += !held[r] && sets.find(r.value()) == r.value();
+  for (RegionId r : IdRange<RegionId>(complex.region_count)) {
+    count += !held[r] && sets.find(r.value()) == r.value();
+  }
   return count - 1;
 }
 
@@ -217,7 +219,7 @@ class InnerSurfaces {
   std::vector<Use> next_, previous_;
 };
 
-// d d over the integers: loops closed, and each edge met by the half-faces of a region as often one way as the other.
+// d d over the integers: loops closed, each edge met by the half-faces of a region as often either way.
 std::string check_boundaries(const Complex& complex, const CellSet& set) {
   for (FaceId f : set.faces) {
     for (LoopId l : complex.face_loops[f]) {
@@ -312,6 +314,7 @@ std::optional<EulerTerms> euler_terms(const Complex& complex, const CellSet& set
 }
 
 std::string check_euler(const Complex& complex, const CellSet& set, std::size_t max_faces) {
+  if (closure(complex, set) != set) return "the set is not closed";
   std::string out = check_boundaries(complex, set);
   if (!out.empty()) return out;
   // The walls alone: every term is counted on its own, up to the cycles of faces.

@@ -45,8 +45,8 @@ struct EulerTerms {
 /// meet in one vertex and nowhere else.
 std::optional<EulerTerms> euler_terms(const Complex& complex, const CellSet& set);
 
-/// Checks a closed set of bounded cells: d d = 0 over its faces and volumes; Ch is possible; the cycles of its
-/// faces (the kernel of d over Z/2, by elimination) are as many as the cavities that they enclose. The
+/// Checks a set of bounded cells: it is closed; d d = 0 over its faces and volumes; Ch is possible; the cycles of
+/// its faces (the kernel of d over Z/2, by elimination) are as many as the cavities that they enclose. The
 /// elimination is left out above `max_faces`. Returns the first violation in words, or an empty string.
 std::string check_euler(const Complex& complex, const CellSet& set, std::size_t max_faces = 20000);
 

@@ -1,12 +1,10 @@
 // The program from outside: output, messages, exit statuses.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "tests/app/program.h"
 
@@ -28,7 +26,9 @@ nodes:
 result: r
 )";
 
-std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+std::size_t lines_in(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
 
 /// The words of the row that begins with a name.
 std::vector<std::string> row(const std::string& text, const std::string& name) {
@@ -46,7 +46,8 @@ TEST_CASE("version names the libraries", "[app]") {
   const Outcome o = Workshop().run("--version");
   CHECK(o.status == 0);
   CHECK(o.err.empty());
-  for (const char* name : {"cnrg 0.", "CGAL 5.", "GMP 6.", "MPFR 4.", "Boost 1."}) CHECK_THAT(o.out, Contains(name));
+  for (const char* name : {"cnrg 0.", "CGAL 5.", "GMP 6.", "MPFR 4.", "Boost 1."})
+    CHECK_THAT(o.out, Contains(name));
 }
 
 TEST_CASE("every command has help with an example", "[app]") {
@@ -61,7 +62,8 @@ TEST_CASE("every command has help with an example", "[app]") {
 
 TEST_CASE("a command line that makes no sense is bad input", "[app][errors]") {
   const Workshop w;
-  for (const char* arguments : {"", "evaluate", "eval", "eval t.yaml --thread", "eval t.yaml --threads many", "--what"}) {
+  for (const char* arguments :
+       {"", "evaluate", "eval", "eval t.yaml --thread", "eval t.yaml --threads many", "--what"}) {
     const Outcome o = w.run(arguments);
     INFO(arguments);
     CHECK(o.status == 2);
@@ -73,7 +75,8 @@ TEST_CASE("a command line that makes no sense is bad input", "[app][errors]") {
 
 TEST_CASE("commands of later versions say so", "[app][errors]") {
   const Workshop w;
-  for (const std::string name : {"explain t.yaml --node a --cell f12", "mesh t.yaml -o a.msh", "view t.yaml -o a.html"}) {
+  for (const std::string name :
+       {"explain t.yaml --node a --cell f12", "mesh t.yaml -o a.msh", "view t.yaml -o a.html"}) {
     const Outcome o = w.run(name);
     CHECK(o.status == 2);
     CHECK_THAT(o.err, Contains("is not in this version of cnrg"));
@@ -159,6 +162,7 @@ TEST_CASE("files show the result or the nodes asked for", "[app]") {
   CHECK_THAT(unknown.err, StartsWith("t.yaml:3:1: error: there is no node called `wier`; did you mean `wire`?"));
   const Outcome extension = w.run("eval t.yaml -o r.doc");
   CHECK(extension.status == 2);
+  CHECK_THAT(extension.err, StartsWith("t.yaml:9:3: error: r.doc: "));
   CHECK_FALSE(std::filesystem::exists(w.path("r.doc")));
   const Outcome folder = w.run("eval t.yaml -o no/such/folder/r.json");
   CHECK(folder.status == 3);
@@ -187,6 +191,28 @@ TEST_CASE("results that can not be written are no success", "[app][errors]") {
   const Outcome o = w.shell("'" CNRG_PROGRAM "' eval t.yaml 2>.err >/dev/full");
   CHECK(o.status == 3);
   CHECK_THAT(o.err, Contains("standard output"));
+}
+
+TEST_CASE("when memory runs out the status is 3, whoever asked for it", "[app][errors]") {
+  const Workshop w;
+  std::string nodes, names;
+  for (int i = 0; i < 200; ++i) {
+    const std::string n = std::to_string(i);
+    nodes += "  s" + n + ": {sphere: {center: [" + n + "/2, 0, " + n + "/7], radius: 1, segments: 16}}\n";
+    names += (i ? ", s" : "s") + n;
+  }
+  w.write("t.yaml", "cnrg: 1\nnodes:\n" + nodes + "  r: {union: [" + names + "]}\nresult: r\n");
+  for (int megabytes = 60; megabytes <= 70; megabytes += 10) {
+    const Outcome o = w.shell("ulimit -v " + std::to_string(megabytes * 1024) +
+                              "; '" CNRG_PROGRAM "' eval t.yaml --threads 1 >.out 2>.err");
+    INFO(megabytes << " MB: " << o.err);
+    if (o.status == 0) break;
+    // Not even room for the libraries, the sanitizer or the stack of a thread: the program had not begun.
+    const auto says = [&](const char* text) { return o.err.find(text) != std::string::npos; };
+    if (says("error while loading") || says("Sanitizer") || says("pthread_create")) continue;
+    CHECK(o.status == 3);
+    CHECK_THAT(o.err, Contains("memory ran out"));
+  }
 }
 
 TEST_CASE("a result is read back as a leaf", "[app]") {

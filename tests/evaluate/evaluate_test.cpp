@@ -1,9 +1,8 @@
 // The driver: volumes, counts, dominance, sharing and attributes of small trees, with every invariant checked.
-#include <catch2/catch.hpp>
-
-#include <string>
-
 #include "csg/evaluate/evaluate.h"
+
+#include <catch2/catch.hpp>
+#include <string>
 
 namespace cnrg {
 namespace {
@@ -22,8 +21,10 @@ struct Run {
 };
 
 Run run(const std::string& nodes, const std::string& result, std::vector<std::string> others = {}) {
-  Run r{parse_tree("cnrg: 1\nmaterials: {rock: {}, ore: {}, air: {}}\nnodes:\n" + nodes + "result: " + result + "\n", "t.yaml"),
-        {}};
+  Run r{
+      parse_tree("cnrg: 1\nmaterials: {rock: {}, ore: {}, air: {}}\nnodes:\n" + nodes + "result: " + result + "\n",
+                 "t.yaml"),
+      {}};
   EvaluateOptions options;
   options.validate = true;
   for (const std::string& name : others) options.nodes.push_back(r.tree.find(name));
@@ -56,7 +57,8 @@ TEST_CASE("volumes of the Booleans are exact and add up", "[evaluate]") {
   i: {intersection: [a, b]}
   d: {difference: [a, b]}
   all: {union: [u, i, d]}
-)", "all", {"u", "i", "d"});
+)",
+                    "all", {"u", "i", "d"});
   CHECK(*r.row("u").volume() == 15);
   CHECK(*r.row("i").volume() == 1);
   CHECK(*r.row("d").volume() == 7);
@@ -93,7 +95,8 @@ TEST_CASE("without a word the numbers of the operands decide, and the larger is 
   c: {complement: r}
   s: {union: [a, a], dominance: 1/2}
   t: {difference: [r, s]}
-)", "t", {"r", "c", "s"});
+)",
+                    "t", {"r", "c", "s"});
   CHECK(r.row("r").volumes.size() == 2);
   CHECK(r.kept("r").group.dominance == 2);
   CHECK(r.kept("c").group.dominance == 2);
@@ -104,7 +107,8 @@ TEST_CASE("without a word the numbers of the operands decide, and the larger is 
 TEST_CASE("more than two operands go from left to right", "[evaluate]") {
   const Run r = run(std::string(kBoxes) + R"(  d: {difference: [a, b, {box: {min: [0, 0, 0], max: [1, 1, 1]}}]}
   u: {union: [a, b, c, d]}
-)", "u", {"d"});
+)",
+                    "u", {"d"});
   CHECK(*r.row("d").volume() == 6);
   CHECK(*r.row("u").volume() == 22);
   CHECK(r.row("d/3").operator_name == "box");
@@ -115,7 +119,8 @@ TEST_CASE("a node under two transforms is two instances, each with a row", "[eva
   b: {simplify: a, translate: [10, 0, 0]}
   c: {simplify: a, scale: [2, -2, 2]}
   r: {union: [a, b, c, a]}
-)", "r");
+)",
+                    "r");
   CHECK(*r.row("a#1").volume() == 1);
   CHECK(*r.row("a#2").volume() == 1);
   CHECK(*r.row("a#3").volume() == 8);
@@ -124,8 +129,9 @@ TEST_CASE("a node under two transforms is two instances, each with a row", "[eva
 }
 
 TEST_CASE("the complement of a box is unbounded", "[evaluate]") {
-  const Run r = run("  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  n: {complement: a, material: air}\n  t: {complement: n}\n",
-                    "t", {"n"});
+  const Run r = run(
+      "  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  n: {complement: a, material: air}\n  t: {complement: n}\n",
+      "t", {"n"});
   CHECK_FALSE(r.row("n").volume().has_value());
   CHECK(r.kept("n").group.regions.at(0).material == "air");
   CHECK(r.kept("n").group.regions.at(0).name == "n");
@@ -139,7 +145,8 @@ TEST_CASE("regularize is an operator and an attribute", "[evaluate]") {
   g: {regularize: u}
   h: {union: [a, s], dominance: right, regularize: true}
   t: {union: [g, h]}
-)", "t", {"u", "g", "h"});
+)",
+                    "t", {"u", "g", "h"});
   CHECK(r.row("u").volumes.size() == 2);
   CHECK(r.row("u").cells[2] > r.row("g").cells[2]);
   CHECK(r.row("g").cells == r.row("h").cells);
@@ -153,7 +160,8 @@ TEST_CASE("simplify with mode points forgets features", "[evaluate]") {
   s: {simplify: u}
   c: {simplify: {of: u, mode: points}}
   k: {union: [s, c]}
-)", "k", {"u", "s", "c"});
+)",
+                    "k", {"u", "s", "c"});
   CHECK(r.row("u").cells == Cells{4, 3, 0, 0});
   CHECK(r.row("s").cells == Cells{4, 3, 0, 0});
   CHECK(r.row("c").cells == Cells{3, 2, 0, 0});
@@ -161,8 +169,10 @@ TEST_CASE("simplify with mode points forgets features", "[evaluate]") {
 }
 
 TEST_CASE("material and name of an inner node replace those of its regions", "[evaluate]") {
-  const Run r = run(std::string(kBoxes) + "  u: {union: [a, c], material: air, name: hall}\n  v: {union: [a, c]}\n  w: {union: [u, v]}\n",
-                    "w", {"u", "v"});
+  const Run r =
+      run(std::string(kBoxes) +
+              "  u: {union: [a, c], material: air, name: hall}\n  v: {union: [a, c]}\n  w: {union: [u, v]}\n",
+          "w", {"u", "v"});
   CHECK(r.kept("u").group.regions.at(0).material == "air");
   CHECK(r.kept("u").group.regions.at(0).name == "hall");
   CHECK(r.kept("v").group.regions.at(0).material == "rock");
@@ -196,8 +206,10 @@ TEST_CASE("a chain of 10,000 nodes evaluates", "[evaluate]") {
 }
 
 TEST_CASE("without rows only the kept nodes are measured", "[evaluate]") {
-  const Tree tree = parse_tree("cnrg: 1\nnodes:\n" + std::string("  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n") +
-                               "  r: {regularize: a}\nresult: r\n", "t.yaml");
+  const Tree tree =
+      parse_tree("cnrg: 1\nnodes:\n" + std::string("  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n") +
+                     "  r: {regularize: a}\nresult: r\n",
+                 "t.yaml");
   EvaluateOptions options;
   options.rows = false;
   options.validate = true;
@@ -213,8 +225,10 @@ TEST_CASE("without rows only the kept nodes are measured", "[evaluate]") {
 }
 
 TEST_CASE("raw keeps the cells of the refinement", "[evaluate]") {
-  const Tree tree = parse_tree(std::string("cnrg: 1\nmaterials: {rock: {}, ore: {}}\nnodes:\n") + kBoxes +
-                               "  d: {difference: [{union: [a, b]}, b]}\n  r: {union: [a, d]}\n  x: {union: [r, c]}\nresult: r\n", "t.yaml");
+  const Tree tree = parse_tree(
+      std::string("cnrg: 1\nmaterials: {rock: {}, ore: {}}\nnodes:\n") + kBoxes +
+          "  d: {difference: [{union: [a, b]}, b]}\n  r: {union: [a, d]}\n  x: {union: [r, c]}\nresult: r\n",
+      "t.yaml");
   EvaluateOptions options;
   options.raw = true;
   options.validate = true;

@@ -1,6 +1,5 @@
 // Faults that only geometry can tell, with the places that the tree file has for them.
 #include <catch2/catch.hpp>
-
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -28,8 +27,10 @@ TEST_CASE("a leaf's fault stands at its operator", "[evaluate][errors]") {
   const std::string flat = "  r: {box: {min: [0, 0, 0], max: [1, 0, 1]}}\n";
   CHECK_THAT(message_of(flat), Catch::StartsWith("t.yaml:3:7: error: box"));
   CHECK_THAT(message_of(flat, true), Catch::StartsWith("t.yaml:3:7: error: box"));
-  CHECK_THAT(message_of("  p: {points: [[0, 0, 0]]}\n  r: {union: [p, {name: x, sphere: {center: [0, 0, 0], radius: -1}}]}\n"),
-             Catch::StartsWith("t.yaml:4:28: error: sphere"));
+  CHECK_THAT(
+      message_of(
+          "  p: {points: [[0, 0, 0]]}\n  r: {union: [p, {name: x, sphere: {center: [0, 0, 0], radius: -1}}]}\n"),
+      Catch::StartsWith("t.yaml:4:28: error: sphere"));
 }
 
 TEST_CASE("check looks at unused leaves too, evaluate does not", "[evaluate][errors]") {
@@ -62,7 +63,8 @@ TEST_CASE("a fault inside a mesh file stands there and mentions the node", "[eva
   const auto folder = std::filesystem::temp_directory_path() / "cnrg_faults_test";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "bad.off") << "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n";
-  const Tree tree = parse_tree("cnrg: 1\nnodes: {r: {mesh: {file: bad.off}}}\nresult: r\n", (folder / "t.yaml").string());
+  const Tree tree =
+      parse_tree("cnrg: 1\nnodes: {r: {mesh: {file: bad.off}}}\nresult: r\n", (folder / "t.yaml").string());
   CHECK_THROWS_WITH(evaluate(tree), Catch::StartsWith((folder / "bad.off").string() + ":4:") &&
                                         Catch::Contains("the node `r`") && Catch::Contains("t.yaml:2:13"));
   std::filesystem::remove_all(folder);

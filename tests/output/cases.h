@@ -23,7 +23,8 @@ inline LeafId add_box(Soup& soup, const RationalPoint& low, const RationalPoint&
   const LeafId leaf = soup.add_leaf(Fill::winding);
   PointId p[8];
   for (int i = 0; i < 8; ++i) {
-    p[i] = soup.add_point(RationalPoint{i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]});
+    const RationalPoint at{i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]};
+    p[i] = soup.add_point(at);
   }
   const int faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   std::uint32_t number = 0;

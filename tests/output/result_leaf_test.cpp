@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cases.h"
+#include "csg/leaves/leaf.h"
 #include "csg/leaves/result_leaf.h"
 #include "csg/output/file.h"
 #include "kernel/base/error.h"
@@ -112,9 +113,12 @@ TEST_CASE("round trip: faces with holes, a slit, a bridge and touching loops") {
       ring({{4, 4, 0}, {5, 6, 0}, {6, 5, 0}}),
   };
   soup.add_face(leaf, loops, 0, 0);
-  soup.add_wire(leaf, soup.add_point(RationalPoint{0, 0, 0}), soup.add_point(RationalPoint{2, 2, 0}), 0);  // a bridge
-  soup.add_wire(leaf, soup.add_point(RationalPoint{7, 7, 0}), soup.add_point(RationalPoint{8, 7, 0}), 1);  // a slit
-  soup.add_wire(leaf, soup.add_point(RationalPoint{8, 7, 0}), soup.add_point(RationalPoint{8, 8, 2}), 1);
+  const auto wire = [&](const RationalPoint& a, const RationalPoint& b, std::uint32_t number) {
+    soup.add_wire(leaf, soup.add_point(a), soup.add_point(b), number);
+  };
+  wire({0, 0, 0}, {2, 2, 0}, 0);  // a bridge
+  wire({7, 7, 0}, {8, 7, 0}, 1);  // a slit
+  wire({8, 7, 0}, {8, 8, 2}, 1);
   soup.add_isolated(leaf, soup.add_point(RationalPoint{1, 8, 0}));
   Case c(soup);
   check_round_trip(c);
@@ -131,6 +135,27 @@ TEST_CASE("round trip: curved patches, cut by others") {
     check_round_trip(c);
   }
   c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group);
+  check_round_trip(c);
+}
+
+TEST_CASE("round trip: a horizon and a fault part a box") {
+  HeightfieldShape horizon;
+  horizon.origin_x = horizon.origin_y = -1;
+  for (int j = 0; j < 8; ++j) {
+    auto& row = horizon.heights.emplace_back();
+    for (int i = 0; i < 8; ++i) row.push_back(3 + Rational((i * 5 + j * 3) % 7 - 3, 10));
+  }
+  const auto leaf = prepare(Shape(horizon));
+  Soup soup;
+  leaf->add_to(soup, {});
+  add_sheet(soup, {{2, -1, -1}, {2, 7, -1}, {4, 7, 8}, {4, -1, 8}});
+  add_box(soup, {0, 0, 0}, {5, 5, 6});
+  Case c(soup, {{}, {}, {{"rock", "", {}}}});
+  const Group surfaces = apply(*c.complex, BooleanOp::unite, Dominance::equal, c.leaves[0], c.leaves[1]).group;
+  const Group layers = apply(*c.complex, BooleanOp::unite, Dominance::left, surfaces, c.leaves[2]).group;
+  const Group outside = complement(*c.complex, c.leaves[2]);
+  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, layers, outside).group);
+  CHECK(c.group.regions.size() == 4);
   check_round_trip(c);
 }
 
@@ -162,14 +187,15 @@ TEST_CASE("results that can be no leaf say why") {
   const Scratch dir;
   c.show(complement(*c.complex, c.group));
   write(dir / "unbounded.json", c.view());
-  CHECK_THROWS_WITH(prepare_result({dir / "unbounded.json"}), Catch::Contains("/regions/") && Catch::Contains("no bounds"));
+  using Catch::Contains;
+  CHECK_THROWS_WITH(prepare_result({dir / "unbounded.json"}), Contains("/regions/") && Contains("no bounds"));
   Selection open;
   open.regions = {{c.leaves[0].cells[0].first, 1}};
   c.simplified = simplify(*c.complex, open, {});
   ResultView view = c.view();
   view.group = nullptr;
   write(dir / "open.json", view);
-  CHECK_THROWS_WITH(prepare_result({dir / "open.json"}), Catch::Contains("/faces/0") && Catch::Contains("closure"));
+  CHECK_THROWS_WITH(prepare_result({dir / "open.json"}), Contains("/faces/0") && Contains("closure"));
 }
 
 TEST_CASE("broken files are refused with their place") {

@@ -108,7 +108,8 @@ TEST_CASE("holes, holes that touch, a slit, a bridge and isolated vertices") {
 
 TEST_CASE("constructed points are corners like any other") {
   PointTable t;
-  const VertexId a = t.add(RationalPoint{0, 0, 0}), b = t.add(RationalPoint{3, 0, 0}), c = t.add(RationalPoint{0, 7, 1});
+  const VertexId a = t.add(RationalPoint{0, 0, 0}), b = t.add(RationalPoint{3, 0, 0});
+  const VertexId c = t.add(RationalPoint{0, 7, 1});
   const VertexId d = t.add(RationalPoint{Rational(1, 3), Rational(1, 7), Rational(1, 49)});
   check(t, kXY, {{a, b, c}}, {d});
 }
@@ -177,7 +178,8 @@ TEST_CASE("triangles are Delaunay where doubles can tell") {
     }
     double in_circle = 0;
     for (int k = 0; k < 3; ++k) {
-      in_circle += row[k][2] * (row[(k + 1) % 3][0] * row[(k + 2) % 3][1] - row[(k + 1) % 3][1] * row[(k + 2) % 3][0]);
+      const auto &p = row[(k + 1) % 3], &q = row[(k + 2) % 3];
+      in_circle += row[k][2] * (p[0] * q[1] - p[1] * q[0]);
     }
     CHECK(in_circle < 1e-9);
   }

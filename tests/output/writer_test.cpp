@@ -42,7 +42,9 @@ Triangles read_off_text(const std::string& text) {
 }
 
 Triangles read_ply_text(const std::string& text) {
-  const auto number_after = [&](const std::string& key) { return std::stoul(text.substr(text.find(key) + key.size())); };
+  const auto number_after = [&](const std::string& key) {
+    return std::stoul(text.substr(text.find(key) + key.size()));
+  };
   Triangles mesh;
   mesh.points.resize(number_after("element vertex "));
   mesh.triangles.resize(number_after("element face "));

@@ -133,7 +133,9 @@ bool lower_goes(const Grid& grid, Op op, bool dominant, const Group& a, const Gr
   }
   if (op == Op::intersect) {
     if (k == Class::a_out_b || k == Class::b_out_a) return true;
-    return k == Class::b_in_a && dominant && region_around(grid, b, c) > 0;
+    const auto& cubes = grid.cubes(c);
+    return k == Class::b_in_a && dominant &&
+           std::all_of(cubes.begin(), cubes.end(), [&](Cell d) { return b.inside[d] != 0; });
   }
   return k != Class::a_out_b;
 }
@@ -301,7 +303,8 @@ std::array<std::size_t, 4> canonical_counts(const Grid& grid, const std::vector<
       if (up.size() != 2 || s[c] != s[up[0]] || s[c] != s[up[1]]) continue;
       const int axis = normal_axis(grid, up[0], true);
       if (axis != normal_axis(grid, up[1], true)) continue;
-      if (std::any_of(faces.begin(), faces.end(), [&](Cell f) { return normal_axis(grid, f, false) == axis; })) continue;
+      const auto across = [&](Cell f) { return normal_axis(grid, f, false) == axis; };
+      if (std::any_of(faces.begin(), faces.end(), across)) continue;
       stays[c] = 0;
       sets.unite(up[0], up[1]);
     }

@@ -62,8 +62,8 @@ Group regularize(const Grid& grid, const Group& g);
 /// cell, 0: inactive (the rim must be inactive).
 std::array<std::size_t, 4> canonical_counts(const Grid& grid, const std::vector<int>& state);
 
-/// A face as a rectangle of the grid: position of its lower corner, extents in units (0 along its normal), regions on
-/// the side of the positive axis and of the negative one.
+/// A face as a rectangle of the grid: position of its lower corner, extents in units (0 along its normal), regions
+/// on the side of the positive axis and of the negative one.
 struct Rectangle {
   std::array<int, 3> low, extent;
   int axis, front, back;

@@ -113,7 +113,9 @@ class Kernel {
       if (entity) continue;
       const int region = region_around(grid_, want, c);
       const std::uint32_t mine = have.region_of(region_at(places_[i]));
-      if ((region == 0) != (mine == 0)) return name(grid_, c) + (region ? " should be inside" : " should be outside");
+      if ((region == 0) != (mine == 0)) {
+        return name(grid_, c) + (region ? " should be inside" : " should be outside");
+      }
       if (region == 0) continue;
       if (!to.emplace(region, mine).second && to[region] != mine) return name(grid_, c) + " splits a region";
       if (!from.emplace(mine, region).second && from[mine] != region) return name(grid_, c) + " joins regions";
@@ -215,7 +217,7 @@ class Kernel {
     // Loops are closed walks; each side of a face is in one shell of the region that it names.
     std::size_t sides = 0;
     for (const auto& face : s.faces) {
-      sides += (face.regions[0] != cnrg::SimplifiedComplex::kNowhere) + (face.regions[1] != cnrg::SimplifiedComplex::kNowhere);
+      for (std::uint32_t r : face.regions) sides += r != cnrg::SimplifiedComplex::kNowhere;
       for (const auto& loop : face.loops) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
           if (complex_.target(loop[i]) != complex_.origin(loop[(i + 1) % loop.size()])) return "an open loop";
@@ -241,7 +243,8 @@ class Kernel {
   std::vector<cnrg::Location> places_;
 };
 
-std::string compare_operations(const Grid& grid, const Kernel& kernel, const Group& a, const Group& b, bool thorough) {
+std::string compare_operations(const Grid& grid, const Kernel& kernel, const Group& a, const Group& b,
+                               bool thorough) {
   const auto &ka = kernel.leaf(0), &kb = kernel.leaf(1);
   const cnrg::BooleanOp ops[] = {cnrg::BooleanOp::unite, cnrg::BooleanOp::intersect, cnrg::BooleanOp::subtract};
   for (int op = 0; op < 3; ++op) {
@@ -258,7 +261,8 @@ std::string compare_operations(const Grid& grid, const Kernel& kernel, const Gro
       }
       if (!wrong.empty()) {
         const char* names[] = {"left", "right", "equal"};
-        return std::string(cnrg::name(ops[op])) + ", dominance " + names[static_cast<int>(dominance)] + ": " + wrong;
+        return std::string(cnrg::name(ops[op])) + ", dominance " + names[static_cast<int>(dominance)] + ": " +
+               wrong;
       }
     }
   }
@@ -325,9 +329,8 @@ Pair shrink(const Grid& grid, Pair pair) {
           next.inside[c] = 0;
         } else {
           const auto& up = grid.around(c);
-          if (!g->entity[c] || std::any_of(up.begin(), up.end(), [&](Cell d) { return grid.dimension(c) < 2 && g->entity[d]; })) {
-            continue;
-          }
+          const auto bounded_by_it = [&](Cell d) { return grid.dimension(c) < 2 && g->entity[d]; };
+          if (!g->entity[c] || std::any_of(up.begin(), up.end(), bounded_by_it)) continue;
           next.entity[c] = 0;
         }
         complete(grid, next);

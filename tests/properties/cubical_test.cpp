@@ -1,4 +1,4 @@
-// The kernel against a brute-force run of the paper's rules on cubical complexes, cell for cell (SEMANTICS 3 to 6).
+// The kernel against a brute-force run of the rules on cubical complexes, cell for cell (SEMANTICS 3 to 6).
 //
 // CNRG_SEEDS sets the number of pairs of each case, CNRG_FIRST_SEED where they start.
 #include <catch2/catch.hpp>
@@ -43,13 +43,13 @@ TEST_CASE("cubical pairs: every operator and dominance as by brute force", "[cub
 }
 
 TEST_CASE("cubical pairs: identities, classification, complement, simplified counts", "[cubical]") {
-  const std::string wrong = run(250, false, true);
+  const std::string wrong = run(300, false, true);
   INFO(wrong);
   CHECK(wrong.empty());
 }
 
 TEST_CASE("cubical pairs under a rational rotation", "[cubical]") {
-  const std::string wrong = run(200, true, false);
+  const std::string wrong = run(400, true, false);
   INFO(wrong);
   CHECK(wrong.empty());
 }

@@ -1,6 +1,5 @@
 // Every fault of a tree file: its line, its column, and what it says.
 #include <catch2/catch.hpp>
-
 #include <optional>
 #include <string>
 
@@ -35,8 +34,8 @@ void expect(const std::string& text, int line, int column, std::initializer_list
 
 /// The same for the inside of the braces of node `a`, which begins at line 4, column 7.
 void expect_node(const std::string& inside, int column, std::initializer_list<std::string> parts) {
-  expect("cnrg: 1\nmaterials: {rock: {}}\nnodes:\n  a: {" + inside + "}\n  p: {points: [[0, 0, 0]]}\nresult: a\n", 4,
-         6 + column, parts);
+  expect("cnrg: 1\nmaterials: {rock: {}}\nnodes:\n  a: {" + inside + "}\n  p: {points: [[0, 0, 0]]}\nresult: a\n",
+         4, 6 + column, parts);
 }
 
 TEST_CASE("a missing tree file is a FileError with its path", "[tree][errors]") {
@@ -52,6 +51,9 @@ TEST_CASE("faults of the file as a whole", "[tree][errors]") {
   expect("just text", 1, 1, {"must be a map"});
   expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}\nresult: a\n", 3, 1, {"no YAML"});
   expect("cnrg: 1\n---\ncnrg: 1\n", 3, 1, {"second document"});
+  expect(", \"x: 1\n", 1, 1, {"belongs to nothing"});
+  expect("{cnrg: 1, nodes: {a: {points: [[0, 0, 0]]}}, result: a} }\n", 1, 57, {"no YAML"});
+  expect("{cnrg: 1, nodes: {a: {points: [[0, 0, 0]]}}, result: a} more\n", 1, 57, {"belongs to nothing"});
   expect("nodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 1, 1, {"`cnrg`", "add `cnrg: 1`"});
   expect("cnrg: 2\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 1, 7, {"version 1"});
   expect("cnrg: 1\nresult: a\n", 1, 1, {"needs `nodes`"});
@@ -60,18 +62,21 @@ TEST_CASE("faults of the file as a whole", "[tree][errors]") {
   expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\n", 1, 1, {"`result` is missing", "add `result: NAME`"});
   expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult:\n", 3, 1, {"`result` must be a text", "empty"});
   expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: [a]\n", 3, 9, {"`result` must be a text"});
-  expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: b\n", 3, 9, {"no node called `b`", "did you mean `a`"});
+  expect("cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: b\n", 3, 9,
+         {"no node called `b`", "did you mean `a`"});
 }
 
 TEST_CASE("unknown and repeated keys", "[tree][errors]") {
-  expect("cnrg: 1\nnode: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 2, 1, {"unknown key `node`", "did you mean `nodes`?"});
+  expect("cnrg: 1\nnode: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 2, 1,
+         {"unknown key `node`", "did you mean `nodes`?"});
   expect("cnrg: 1\nnodes:\n  a: {points: [[0, 0, 0]]}\n  a: {points: [[0, 0, 1]]}\nresult: a\n", 4, 3,
          {"`a` is there twice", "rename"});
   expect_node("bxo: {min: [0, 0, 0], max: [1, 1, 1]}", 1, {"unknown key `bxo`", "did you mean `box`?"});
   expect_node("points: [[0, 0, 0]], materiel: rock", 22, {"unknown key `materiel`", "did you mean `material`?"});
   expect_node("box: {min: [0, 0, 0], mx: [1, 1, 1]}", 23, {"unknown key `mx` in box", "did you mean `max`?"});
   expect_node("box: {min: [0, 0, 0], min: [1, 1, 1]}", 23, {"`min` is there twice in box"});
-  expect_node("translate: [1, 2, 3], points: [[0, 0, 0]], translate: [1, 2, 3]", 44, {"`translate` is there twice"});
+  expect_node("translate: [1, 2, 3], points: [[0, 0, 0]], translate: [1, 2, 3]", 44,
+              {"`translate` is there twice"});
   expect_node("frobnicate: 1", 1, {"neither an operator nor an attribute"});
   expect_node("[1, 2]: 1", 1, {"must be a text"});
 }
@@ -90,7 +95,8 @@ nodes:
   c: {union: [p, a]}
   p: {points: [[0, 0, 0]]}
 result: a
-)", 5, 18, {"cycle: `a` (line 3) -> `b` (line 4) -> `c` (line 5) -> `a`"});
+)",
+         5, 18, {"cycle: `a` (line 3) -> `b` (line 4) -> `c` (line 5) -> `a`"});
   expect_node("complement: a", 13, {"cycle: `a` (line 4) -> `a`"});
   // An alias stands, for yaml-cpp, where its anchor stands.
   expect("cnrg: 1\nnodes:\n  a: {complement: &x {complement: *x}}\nresult: a\n", 3, 19, {"cycle: `a/1`"});
@@ -98,7 +104,8 @@ result: a
 
 TEST_CASE("a long cycle is cut in the message and overflows no stack", "[tree][errors]") {
   std::string text = "cnrg: 1\nnodes:\n  n0: {complement: n19999}\n";
-  for (int i = 1; i < 20000; ++i) text += "  n" + std::to_string(i) + ": {complement: n" + std::to_string(i - 1) + "}\n";
+  for (int i = 1; i < 20000; ++i)
+    text += "  n" + std::to_string(i) + ": {complement: n" + std::to_string(i - 1) + "}\n";
   const auto error = fault(text + "result: n0\n");
   REQUIRE(error);
   CHECK_THAT(error->what(), Catch::Contains("19980 more"));
@@ -110,7 +117,8 @@ nodes:
   a: {points: [[0, 0, 0]]}
   left_over: {complement: {points: [[0, 0, 0]]}}
 result: a
-)", "t.yaml");
+)",
+                               "t.yaml");
   const std::vector<Diagnostic> warnings = unused_nodes(tree, {tree.result});
   REQUIRE(warnings.size() == 1);
   CHECK_THAT(warnings[0].text(), Catch::StartsWith("t.yaml:4:3: warning: the node `left_over` is not used"));
@@ -154,7 +162,8 @@ TEST_CASE("values of the wrong type", "[tree][errors]") {
 }
 
 TEST_CASE("what is no number", "[tree][errors]") {
-  for (const std::string bad : {"nan", ".inf", "-.inf", "abc", "1/0", "0x10", "1e999999999", "1_000", "''", "--1"}) {
+  for (const std::string bad :
+       {"nan", ".inf", "-.inf", "abc", "1/0", "0x10", "1e999999999", "1_000", "''", "--1"}) {
     expect_node("points: [[0, 0, " + bad + "]]", 17, {"is no number", "1/3"});
   }
   expect_node("points: [[0, 0, ]]", 10, {"a list of 2"});
@@ -164,7 +173,8 @@ TEST_CASE("what is no number", "[tree][errors]") {
 TEST_CASE("faults of attributes", "[tree][errors]") {
   expect_node("points: [[0, 0, 0]], material: rok", 32, {"`rok` is not declared", "did you mean `rock`?"});
   expect_node("points: [[0, 0, 0]], material: granite", 32, {"add `granite: {}` to `materials`"});
-  expect_node("points: [[0, 0, 0]], dominance: left", 33, {"for union, intersection and difference", "dominance: 2"});
+  expect_node("points: [[0, 0, 0]], dominance: left", 33,
+              {"for union, intersection and difference", "dominance: 2"});
   expect_node("union: [p, p], dominance: both", 27, {"left, right, equal or a number"});
   expect_node("points: [[0, 0, 0]], dominance: .nan", 33, {"must be a number"});
   expect_node("points: [[0, 0, 0]], scale: 0", 29, {"singular"});
@@ -173,9 +183,11 @@ TEST_CASE("faults of attributes", "[tree][errors]") {
   expect_node("points: [[0, 0, 0]], rotate: {degrees: 90}", 30, {"rotate needs `axis`"});
   expect_node("points: [[0, 0, 0]], rotate: {axis: [0, 0, 0], degrees: 90}", 37, {"no direction"});
   expect_node("points: [[0, 0, 0]], rotate: {axis: [0, 0, 1], degrees: right}", 57, {"no number"});
-  expect_node("points: [[0, 0, 0]], rotate: {axis: [0, 0, 1], degrees: 90, centre: [0, 0, 0]}", 61, {"did you mean `center`?"});
+  expect_node("points: [[0, 0, 0]], rotate: {axis: [0, 0, 1], degrees: 90, centre: [0, 0, 0]}", 61,
+              {"did you mean `center`?"});
   expect_node("points: [[0, 0, 0]], mirror: {normal: [0, 0, 0]}", 39, {"no direction"});
-  expect("cnrg: 1\nmaterials: {rock: {color: red}}\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 2, 27, {"#998877"});
+  expect("cnrg: 1\nmaterials: {rock: {color: red}}\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 2, 27,
+         {"#998877"});
   expect("cnrg: 1\nmaterials: {rock: {colour: red}}\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 2, 20,
          {"did you mean `color`?"});
 }
@@ -194,7 +206,8 @@ TEST_CASE("faults of groups", "[tree][errors]") {
 }
 
 TEST_CASE("operators of later versions are known", "[tree][errors]") {
-  for (const std::string name : {"aggregate", "unify", "sum", "product", "subtract", "interior", "closure", "boundary"}) {
+  for (const std::string name :
+       {"aggregate", "unify", "sum", "product", "subtract", "interior", "closure", "boundary"}) {
     expect_node(name + ": p", 1, {"`" + name + "` is a CNRG operator that this version of cnrg can not evaluate"});
   }
   for (const std::string name : {"extrude", "revolve", "bezier", "bspline"}) {
@@ -224,7 +237,8 @@ TEST_CASE("nesting and aliases are bounded", "[tree][errors]") {
   std::string doubling = "cnrg: 1\nnodes:\n  n0: {points: [[0, 0, 0]]}\n  n1: &x1 {union: [n0, n0]}\n";
   for (int i = 2; i < 60; ++i) {
     const std::string last = "*x" + std::to_string(i - 1);
-    doubling += "  n" + std::to_string(i) + ": &x" + std::to_string(i) + " {union: [" + last + ", " + last + "]}\n";
+    doubling +=
+        "  n" + std::to_string(i) + ": &x" + std::to_string(i) + " {union: [" + last + ", " + last + "]}\n";
   }
   const Tree tree = parse_tree(doubling + "result: n59\n", "t.yaml");
   CHECK(tree.nodes.size() == 60);

@@ -1,6 +1,5 @@
 // The tree file's reader: what it makes of good files, number by number.
 #include <catch2/catch.hpp>
-
 #include <string>
 
 #include "csg/tree/tree.h"
@@ -63,14 +62,16 @@ TEST_CASE("the tree file of the interface reads as it is written", "[tree]") {
 
 TEST_CASE("JSON is read too", "[tree]") {
   const Tree tree = parse_tree(
-      R"({"cnrg": 1, "nodes": {"a": {"box": {"min": [0,0,0], "max": [1, 1, 0.5]}}, "b": {"complement": "a"}}, "result": "b"})",
+      R"({"cnrg": 1, "nodes": {"a": {"box": {"min": [0,0,0], "max": [1, 1, 0.5]}}, "b": {"complement": "a"}},
+          "result": "b"})",
       "t.json");
   CHECK(shape<BoxShape>(tree, "a").max[2] == Rational(1, 2));
 }
 
 TEST_CASE("numbers are exact", "[tree]") {
-  const Tree tree = single("points: [[0.1, \"121/3\", 1.5e-3], [-.5, 1e20, 7/14], "
-                           "[0.1234567890123456789012345678901234567890, 9007199254740993, -0]]");
+  const Tree tree = single(
+      "points: [[0.1, \"121/3\", 1.5e-3], [-.5, 1e20, 7/14], "
+      "[0.1234567890123456789012345678901234567890, 9007199254740993, -0]]");
   const auto& points = shape<PointsShape>(tree, "a").points;
   CHECK(points[0][0] == Rational(1, 10));
   CHECK(points[0][1] == Rational(121, 3));
@@ -104,15 +105,22 @@ TEST_CASE("transforms multiply in the order in which they are written", "[tree]"
 TEST_CASE("every leaf has its form", "[tree]") {
   const auto read = [](const std::string& inside) { return *node(single(inside), "a").shape; };
   CHECK(std::get<PrismShape>(read("prism: {base: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], vector: [0, 0, 1], "
-                                  "holes: [[[1/8, 1/8, 0], [1/4, 1/8, 0], [1/8, 1/4, 0]]]}")).holes.size() == 1);
-  CHECK(std::get<PyramidShape>(read("pyramid: {base: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], apex: [0, 0, 1]}")).apex[2] == 1);
-  CHECK(std::get<TetrahedronShape>(read("tetrahedron: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 7]]")).points[3][2] == 7);
-  CHECK(std::get<PolygonShape>(read("polygon: {outer: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], holes: []}")).outer.size() == 3);
-  CHECK(std::get<PolylineShape>(read("polyline: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], closed: true}")).closed);
+                                  "holes: [[[1/8, 1/8, 0], [1/4, 1/8, 0], [1/8, 1/4, 0]]]}"))
+            .holes.size() == 1);
+  CHECK(std::get<PyramidShape>(read("pyramid: {base: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], apex: [0, 0, 1]}"))
+            .apex[2] == 1);
+  CHECK(
+      std::get<TetrahedronShape>(read("tetrahedron: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 7]]")).points[3][2] ==
+      7);
+  CHECK(std::get<PolygonShape>(read("polygon: {outer: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], holes: []}"))
+            .outer.size() == 3);
+  CHECK(
+      std::get<PolylineShape>(read("polyline: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], closed: true}")).closed);
   CHECK(std::get<PointsShape>(read("points: [[0, 0, 0]]")).points.size() == 1);
   CHECK(std::get<PlaneShape>(read("plane: {point: [0, 0, 1], normal: [0, 0, 1]}")).point[2] == 1);
   CHECK(std::get<HalfspaceShape>(read("halfspace: {point: [0, 0, 1], normal: [0, 0, 2]}")).normal[2] == 2);
-  const auto sphere = std::get<SphereShape>(read("sphere: {center: [0, 0, 0], radius: 1/2, segments: 8, rings: 4}"));
+  const auto sphere =
+      std::get<SphereShape>(read("sphere: {center: [0, 0, 0], radius: 1/2, segments: 8, rings: 4}"));
   CHECK(sphere.radius == Rational(1, 2));
   CHECK(sphere.segments == 8);
   CHECK(sphere.rings == 4);
@@ -146,7 +154,8 @@ nodes:
       points: [2]
       regions: {1: {material: rock, name: lower}}
 result: layers
-)", "t.yaml");
+)",
+                               "t.yaml");
   const auto& group = shape<GroupShape>(tree, "layers");
   REQUIRE(group.faces.size() == 2);
   CHECK(group.faces[0].loops[0] == std::vector<std::uint32_t>{0, 3, 2, 1});
@@ -176,7 +185,8 @@ nodes:
   a: {union: [&p {points: [[0, 0, 0]]}, *p]}
   b: {union: [a, *p]}
 result: b
-)", "t.yaml");
+)",
+                               "t.yaml");
   CHECK(tree.nodes.size() == 3);
   CHECK(tree.dag.operands(tree.find("a")) == std::vector<NodeId>{NodeId(2), NodeId(2)});
   CHECK(tree.dag.operands(tree.find("b")) == std::vector<NodeId>{NodeId(0), NodeId(2)});
@@ -193,7 +203,8 @@ nodes:
   side:  {union: [plain, forms, keeps, inner], simplify: points, regularize: true}
   last:  {regularize: side}
 result: last
-)", "t.yaml");
+)",
+                               "t.yaml");
   CHECK(node(tree, "plain").op == Operator::simplify);
   CHECK_FALSE(node(tree, "plain").forget_features);
   CHECK(tree.dag.operands(tree.find("plain")) == std::vector<NodeId>{tree.find("points")});
@@ -213,7 +224,8 @@ nodes:
   b: {union: [a, a], dominance: equal}
   c: {union: [a, b], dominance: -3}
 result: c
-)", "t.yaml");
+)",
+                               "t.yaml");
   CHECK(*node(tree, "a").dominance == Rational(1, 2));
   CHECK(node(tree, "b").dominant == DominantOperand::equal);
   CHECK(*node(tree, "c").dominance == -3);

@@ -1,9 +1,8 @@
 // Sharing: which nodes become how many instances, and under which matrices.
-#include <catch2/catch.hpp>
-
-#include <string>
-
 #include "csg/tree/unfold.h"
+
+#include <catch2/catch.hpp>
+#include <string>
 
 namespace cnrg {
 namespace {
@@ -58,7 +57,8 @@ nodes:
   a: {points: [[0, 0, 0]]}
   b: {points: [[1, 0, 0]], translate: [1, 0, 0]}
 result: r
-)", "t.yaml");
+)",
+                               "t.yaml");
   const Unfolding u = unfold(tree, {tree.result, tree.find("b"), tree.find("u")});
   CHECK(u.instances.size() == 4);
   REQUIRE(u.roots.size() == 3);
