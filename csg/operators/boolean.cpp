@@ -144,7 +144,7 @@ class Removal {
       case Condition::not_free_a: return !is_free(cell, kA);
       case Condition::not_free_b: return !is_free(cell, kB);
       case Condition::free_in_neither: return !is_free(cell, kA) && !is_free(cell, kB);
-      case Condition::inside_b: return all_around_in_b(cell);
+      case Condition::inside_region_b: return inside_region_of_b(cell);
       default: break;
     }
     throw InvariantError("tables: a condition of faces was asked of an edge or a vertex");
@@ -170,10 +170,27 @@ class Removal {
   }
 
   template <class IdT>
-  bool all_around_in_b(IdT cell) {
+  bool inside_region_of_b(IdT cell) {
     around_.clear();
     complex_.star_regions(cell, around_);
-    return std::all_of(around_.begin(), around_.end(), [&](RegionId r) { return in_b_(r) != 0; });
+    const std::uint32_t first = in_b_(around_.front());
+    bool one = first != 0, all = first != 0;
+    for (RegionId r : around_) {
+      const std::uint32_t region = in_b_(r);
+      one = one && region == first;
+      all = all && region != 0;
+    }
+    return one || (all && only_cut_in_b(cell));
+  }
+
+  // Made by the common refinement: no feature of B, nor an end of one.
+  bool only_cut_in_b(EdgeId e) const {
+    return !std::binary_search(b_.features.edges.begin(), b_.features.edges.end(), e);
+  }
+  bool only_cut_in_b(VertexId v) const {
+    const auto edges = complex_.vertex_edges[v];
+    return !std::binary_search(b_.features.vertices.begin(), b_.features.vertices.end(), v) &&
+           std::all_of(edges.begin(), edges.end(), [&](EdgeId e) { return only_cut_in_b(e); });
   }
 
   std::vector<RegionId> inside() const {

@@ -55,7 +55,7 @@ constexpr TableRow kRows[] = {
     {"intersection.face.AoutB.equal", intersect, equal, 2, a_out_b, always},
     {"intersection.face.BoutA.equal", intersect, equal, 2, b_out_a, always},
     {"intersection.edge.AinB.dominant", intersect, dominant, 1, a_in_b, never},
-    {"intersection.edge.BinA.dominant", intersect, dominant, 1, b_in_a, inside_b},
+    {"intersection.edge.BinA.dominant", intersect, dominant, 1, b_in_a, inside_region_b},
     {"intersection.edge.INTERS.dominant", intersect, dominant, 1, common, never},
     {"intersection.edge.AoutB.dominant", intersect, dominant, 1, a_out_b, always},
     {"intersection.edge.BoutA.dominant", intersect, dominant, 1, b_out_a, always},
@@ -65,7 +65,7 @@ constexpr TableRow kRows[] = {
     {"intersection.edge.AoutB.equal", intersect, equal, 1, a_out_b, always},
     {"intersection.edge.BoutA.equal", intersect, equal, 1, b_out_a, always},
     {"intersection.vertex.AinB.dominant", intersect, dominant, 0, a_in_b, never},
-    {"intersection.vertex.BinA.dominant", intersect, dominant, 0, b_in_a, inside_b},
+    {"intersection.vertex.BinA.dominant", intersect, dominant, 0, b_in_a, inside_region_b},
     {"intersection.vertex.INTERS.dominant", intersect, dominant, 0, common, never},
     {"intersection.vertex.AoutB.dominant", intersect, dominant, 0, a_out_b, always},
     {"intersection.vertex.BoutA.dominant", intersect, dominant, 0, b_out_a, always},
@@ -170,7 +170,7 @@ const char* words(Condition condition) {
     case Condition::not_free_a: return "not free in A";
     case Condition::not_free_b: return "not free in B";
     case Condition::free_in_neither: return "free in neither";
-    case Condition::inside_b: return "all around it are regions of B";
+    case Condition::inside_region_b: return "it lies inside one region of B";
   }
   throw InvariantError("tables: unknown condition");
 }

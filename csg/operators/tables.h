@@ -20,14 +20,14 @@
 //                 BinA     | always                                       | not free in B
 //                 INTERS   | never                                        | free in neither
 //                 out      | never                                        | never
-//   intersection  BinA     | all around it are regions of B (see below)   | never
+//   intersection  BinA     | inside one region of B (see below)           | never
 //                 AinB, INTERS | never                                    | never
 //                 out      | always                                       | always
 //   difference    AoutB never; all others always
 //
-// SEMANTICS 4 has "inside one region of B" for the edges of the intersection. Then an edge in the interior of a
-// removed wall between two regions of B would stay as a wire, and the result would depend on how other operands
-// cut that wall. The paper removes it (dangOrLoose, loose); so does the row here. The point set is the same.
+// A cell inside of a wall between two regions of B lies in none of them; SEMANTICS 4 keeps it. That is meant for
+// features of B (a border between two leaf faces, a wire on the wall). Where only the common refinement cut the
+// wall, the cell goes with it, or the result would depend on what other leaves of the tree happen to cross there.
 #pragma once
 
 #include <cstdint>
@@ -68,7 +68,7 @@ enum class Condition : std::uint8_t {
   not_free_a,           ///< edge, vertex: it bounds something of A
   not_free_b,           ///< edge, vertex: it bounds something of B
   free_in_neither,      ///< edge, vertex: not free in A and not free in B
-  inside_b,             ///< edge, vertex: all around it are regions of B
+  inside_region_b,      ///< edge, vertex: all around it is one region of B; also a mere cut of a wall inside of B
 };
 /// The condition in the words of SEMANTICS 4.
 const char* words(Condition condition);

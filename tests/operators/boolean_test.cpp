@@ -182,6 +182,25 @@ TEST_CASE("idempotence and order of equal unions", "[boolean]") {
   CHECK(volume_of(left) == 64 + 16 + 32 - 8 - (3 * 2 * 2) - (3 * 2 * 1) + (2 * 2 * 1));
 }
 
+TEST_CASE("in a removed wall a border of leaf faces stays, a mere cut by another leaf does not", "[boolean]") {
+  // The wall at x = 2, of four pieces or of one; a third leaf crosses it along y at z = 1.
+  const Piece large = box({-2, -2, -2}, {8, 8, 8}), crossing = sheet({1, 1, 1}, {3, 3, 1});
+  for (const int cuts : {1, 2}) {
+    const Complex complex = complex_of({large, parted_box({1, 0, 0}, {3, 4, 4}, 2, cuts), crossing});
+    const auto leaves = leaf_groups(complex);
+    const BooleanResult result = apply(complex, BooleanOp::intersect, Dominance::left, leaves[0], leaves[1]);
+    CHECK(check_boolean(complex, BooleanOp::intersect, leaves[0], leaves[1], result.group) == "");
+    CHECK(result.group.regions.size() == 1);
+    std::size_t wires = 0;
+    for (const EdgeId e : result.group.edges) {
+      const auto uses = complex.edge_uses[e];
+      wires += std::none_of(uses.begin(), uses.end(), [&](const FaceUse& u) { return result.group.has(u.face); });
+    }
+    // The cross of the four pieces has four arms; the third leaf cuts none of them.
+    CHECK(wires == (cuts == 1 ? 0 : 4 + 1));
+  }
+}
+
 TEST_CASE("the paper's classification is that of propagation", "[classification]") {
   const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}),
                                       parted_box({1, 0, 0}, {3, 4, 4}, 2), sheet({2, 0, 0}, {2, 8, 8})});

@@ -50,9 +50,10 @@ inline Piece box(Point low, Point high, std::uint32_t region = 1, int cut_axis =
   return out;
 }
 
-/// A box of two regions, parted at x = `middle` by a wall of 2 x 2 pieces.
-inline Piece parted_box(Point low, Point high, int middle) {
-  Piece out = box(low, {middle, high[1], high[2]}, 1, 0), right = box({middle, low[1], low[2]}, high, 2, 0);
+/// A box of two regions, parted at x = `middle` by a wall of `cuts` x `cuts` pieces.
+inline Piece parted_box(Point low, Point high, int middle, int cuts = 2) {
+  Piece out = box(low, {middle, high[1], high[2]}, 1, 0, cuts);
+  const Piece right = box({middle, low[1], low[2]}, high, 2, 0, cuts);
   for (Rectangle& r : out.faces) {
     if (r.low[0] == middle && r.high[0] == middle) r.front = 2;
   }

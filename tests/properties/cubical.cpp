@@ -133,8 +133,11 @@ bool lower_goes(const Grid& grid, Op op, bool dominant, const Group& a, const Gr
   }
   if (op == Op::intersect) {
     if (k == Class::a_out_b || k == Class::b_out_a) return true;
+    if (k != Class::b_in_a || !dominant) return false;
+    if (region_around(grid, b, c) > 0) return true;
+    // Of a wall between two regions: it stays if it is a feature, a mere cut goes.
     const auto& cubes = grid.cubes(c);
-    return k == Class::b_in_a && dominant &&
+    return !b.cut.empty() && b.cut[c] &&
            std::all_of(cubes.begin(), cubes.end(), [&](Cell d) { return b.inside[d] != 0; });
   }
   return k != Class::a_out_b;
@@ -356,6 +359,30 @@ std::vector<Rectangle> rectangles(const Grid& grid, const Group& g, bool large) 
     out.push_back(r);
   }
   return out;
+}
+
+void mark_cuts(const Grid& grid, Group& g) {
+  std::vector<char> feature(grid.cells(), 0);
+  for (const Rectangle& r : rectangles(grid, g, true)) {
+    const int u = (r.axis + 1) % 3, v = (r.axis + 2) % 3;
+    for (int i = 0; i <= 2 * r.extent[u]; ++i) {
+      for (int j = 0; j <= 2 * r.extent[v]; ++j) {
+        if (i != 0 && j != 0 && i != 2 * r.extent[u] && j != 2 * r.extent[v]) continue;
+        std::array<int, 3> p{2 * r.low[0], 2 * r.low[1], 2 * r.low[2]};
+        p[u] += i;
+        p[v] += j;
+        feature[grid.at(p[0], p[1], p[2])] = 1;
+      }
+    }
+  }
+  g.cut.assign(grid.cells(), 0);
+  for (Cell c = 0; c < grid.cells(); ++c) {
+    if (grid.dimension(c) > 1 || !g.entity[c] || feature[c] || is_free(grid, g, c)) continue;
+    // The end of a wire is named too.
+    const auto& up = grid.around(c);
+    g.cut[c] = grid.dimension(c) == 1 ||
+               std::none_of(up.begin(), up.end(), [&](Cell e) { return is_free(grid, g, e) || feature[e]; });
+  }
 }
 
 std::vector<Segment> wires(const Grid& grid, const Group& g, bool large) {

@@ -41,6 +41,7 @@ struct Group {
   std::vector<char> inside;    // by cell; cubes only
   std::vector<char> entity;    // by cell; dimensions 0 to 2, closed
   std::vector<int> region;     // by cell; cubes only; detected, from 1
+  std::vector<char> cut;       // by cell, or empty: entities in the interior of a maximal rectangle, no features
   int region_count = 0;
   friend bool operator==(const Group&, const Group&) = default;
 };
@@ -70,6 +71,9 @@ struct Rectangle {
 };
 /// Faces of the group as rectangles, maximal ones if `large` (their regions are the same all over).
 std::vector<Rectangle> rectangles(const Grid& grid, const Group& g, bool large);
+/// Marks as `cut` the edges and vertices that lie in the interior of a maximal rectangle and on no border of one,
+/// nor on a wire: what a group of maximal rectangles does not name.
+void mark_cuts(const Grid& grid, Group& g);
 /// Edges that bound no face of the group, as unit segments or maximal ones (start, axis, length).
 struct Segment {
   std::array<int, 3> low;

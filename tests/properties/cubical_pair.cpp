@@ -302,7 +302,10 @@ std::string compare_pair(const Grid& grid, const Group& a, const Group& b, const
         }
       }
     }
-    return compare_operations(grid, kernel, a, b, how.thorough);
+    Group cut_a = a, cut_b = b;
+    if (how.large_a) mark_cuts(grid, cut_a);
+    if (how.large_b) mark_cuts(grid, cut_b);
+    return compare_operations(grid, kernel, cut_a, cut_b, how.thorough);
   } catch (const std::exception& error) {
     return std::string("an exception: ") + error.what();
   }
