@@ -177,7 +177,7 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
       const Stopwatch stopwatch;
       std::vector<const Group*> operands;
       for (const InstanceId operand : instance.operands) operands.push_back(&*values[operand]);
-      Outcome outcome = operate(complex, tree.nodes[instance.node], operands);
+      Outcome outcome = operate(complex, tree.nodes[instance.node], operands, options.validate);
       row.seconds = stopwatch.seconds();
       row.removals = std::move(outcome.removals);
       report_conflicts(tree, tree.nodes[instance.node], outcome, result);

@@ -22,7 +22,7 @@ using Progress = std::function<void(std::string_view stage, std::size_t done, st
 
 struct EvaluateOptions {
   int threads = 0;            ///< 0: all cores
-  bool validate = false;      ///< check every invariant of the complex; InvariantError when one is broken
+  bool validate = false;      ///< check the complex and the identities of every node; InvariantError says what broke
   bool rows = true;           ///< counts and volumes of all nodes; otherwise of the kept ones only
   bool raw = false;           ///< keep unsimplified cells
   std::vector<NodeId> nodes;  ///< kept besides the result

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "csg/operators/boolean.h"
+#include "csg/operators/identities.h"
+#include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {
@@ -53,12 +55,19 @@ std::string words(const MaterialConflict& conflict, const Group& group) {
          "` where `" + conflict.other + "` has equal dominance; give one of the operands a greater `dominance`";
 }
 
+void require_identity(const Node& node, const std::string& violation) {
+  if (!violation.empty()) throw InvariantError("`" + node.name + "`: " + violation);
+}
+
 /// ((a op b) op c) op ...
-Outcome fold(const Complex& complex, const Node& node, std::span<const Group* const> operands) {
+Outcome fold(const Complex& complex, const Node& node, std::span<const Group* const> operands, bool validate) {
   Outcome outcome;
   const Group* left = operands[0];
   for (const Group* right : operands.subspan(1)) {
     BooleanResult step = apply(complex, boolean_op(node.op), dominance_of(node, *left, *right), *left, *right);
+    if (validate) {
+      require_identity(node, check_boolean(complex, boolean_op(node.op), *left, *right, step.group));
+    }
     step.group.dominance = std::max(left->dominance, right->dominance);
     add_removals(outcome.removals, step.removals);
     for (const MaterialConflict& conflict : step.conflicts)
@@ -71,16 +80,17 @@ Outcome fold(const Complex& complex, const Node& node, std::span<const Group* co
 
 }  // namespace
 
-Outcome operate(const Complex& complex, const Node& node, std::span<const Group* const> operands) {
+Outcome operate(const Complex& complex, const Node& node, std::span<const Group* const> operands, bool validate) {
   Outcome outcome;
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:
     case Operator::subtract:
-      outcome = fold(complex, node, operands);
+      outcome = fold(complex, node, operands, validate);
       break;
     case Operator::complement:
       outcome.group = complement(complex, *operands[0]);
+      if (validate) require_identity(node, check_complement(complex, *operands[0], outcome.group));
       outcome.group.dominance = operands[0]->dominance;
       for (RegionAttributes& region : outcome.group.regions) {
         if (region.name.empty()) region.name = node.name;

@@ -196,7 +196,7 @@ TEST_CASE("in a removed wall a border of leaf faces stays, a mere cut by another
       const auto uses = complex.edge_uses[e];
       wires += std::none_of(uses.begin(), uses.end(), [&](const FaceUse& u) { return result.group.has(u.face); });
     }
-    // The cross of the four pieces has four arms; the third leaf cuts none of them.
+    // The cross of the four pieces has four arms; the third leaf cuts one of them in two.
     CHECK(wires == (cuts == 1 ? 0 : 4 + 1));
   }
 }
