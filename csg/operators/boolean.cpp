@@ -17,22 +17,16 @@ namespace {
 
 constexpr std::uint8_t kA = 1, kB = 2, kKept = 4, kFeature = 8;
 
-// Group::region_of with a memory of the last answer: neighbours in the order of ids share regions.
+// Group::region_of in one step, at the cost of the group's cells.
 class RegionLookup {
  public:
-  explicit RegionLookup(const Group& group) : group_(group) {}
-  std::uint32_t operator()(RegionId r) {
-    if (r != last_) {
-      last_ = r;
-      region_ = group_.region_of(r);
-    }
-    return region_;
+  RegionLookup(const Complex& complex, const Group& group) : region_(complex.region_count) {
+    for (const auto& [cell, region] : group.cells) region_[cell] = region;
   }
+  std::uint32_t operator()(RegionId r) const { return region_[r]; }
 
  private:
-  const Group& group_;
-  RegionId last_;
-  std::uint32_t region_ = 0;
+  Scratch<RegionId, std::uint32_t> region_;
 };
 
 template <class IdT>
@@ -53,7 +47,7 @@ Relation relation_of(std::uint8_t flags, bool in_other) {
 class Removal {
  public:
   Removal(const Complex& complex, BooleanOp op, bool dominant, const Group& a, const Group& b)
-      : complex_(complex), op_(op), dominant_(dominant), a_(a), b_(b), in_a_(a), in_b_(b),
+      : complex_(complex), op_(op), dominant_(dominant), a_(a), b_(b), in_a_(complex, a), in_b_(complex, b),
         faces_(complex.face_count()), edges_(complex.edge_count()), vertices_(complex.points.size()),
         removed_(table_rows().size(), 0) {
     flag(a.faces, faces_, kA);
@@ -374,7 +368,7 @@ Group complement(const Complex& complex, const Group& g) {
 
 Group regularize(const Complex& complex, const Group& g) {
   Group out;
-  RegionLookup in(g);
+  const RegionLookup in(complex, g);
   for (FaceId f : g.faces) {
     const auto& [front, back] = complex.face_regions[f];
     const auto a = in(front), b = in(back);
