@@ -3,7 +3,8 @@
 //   bench_first_mark A B [--rounds N] [--nef-rounds N] [--angle RADIANS] [--move X Y Z] [--no-nef]
 //
 // Every run is a process of its own; the systems take turns, so that a slow minute of the machine meets all of
-// them. Medians and least times are of the timed part (peer.h); peak memory is of the whole process, with the input.
+// them. Medians and least times are of the timed part (peer.h); peak memory is of the whole process, with the
+// input.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -99,7 +100,8 @@ int run(int argc, char** argv) {
     else if (arg == "--no-nef") nef = false;
     else files.push_back(arg);
   }
-  if (files.size() != 2) throw std::runtime_error("usage: bench_first_mark A B [options]; see the head of first_mark.cpp");
+  if (files.size() != 2)
+    throw std::runtime_error("usage: bench_first_mark A B [options]; see the head of first_mark.cpp");
   const TriangleMesh a = read_mesh(files[0]), b = turned(read_mesh(files[1]), angle, move);
   std::printf("%zu + %zu triangles\n", a.triangles.size(), b.triangles.size());
 
@@ -113,8 +115,8 @@ int run(int argc, char** argv) {
       if (round < row.rounds && row.failure.empty()) run_once(row, a, b);
 
   const double base = median(rows[0].seconds);
-  std::printf("%-20s %9s %9s %9s %10s %9s %9s  %s\n", "", "median s", "least s", "ratio", "peak MB", "vertices", "faces",
-              "volume");
+  std::printf("%-20s %9s %9s %9s %10s %9s %9s  %s\n", "", "median s", "least s", "ratio", "peak MB", "vertices",
+              "faces", "volume");
   for (const Row& row : rows) {
     if (!row.failure.empty()) {
       std::printf("%-20s failed: %s\n", row.peer.name, row.failure.c_str());

@@ -3,8 +3,9 @@
 //   bench_robust [--seconds N] [--gigabytes N] [--fill FILL] [--pairs | --together] PATH...
 //
 // PATH is a mesh file or a folder (searched through). With --pairs the files of the command line are united two
-// by two: first and second, third and fourth, and so on. A line per case: `ok` with counts and exact volume,
-// `error` with the message, or CRASH, TIMEOUT, OOM, INVALID, BUG (a broken invariant). Exit status 1 if any of those.
+// by two: first and second, third and fourth, and so on. A line per case: `ok` with volume and counts,
+// `error` with the message, or CRASH, TIMEOUT, OOM, INVALID, BUG (a broken invariant). Exit status 1 if any of
+// those.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "csg/operators/boolean.h"
 #include "csg/operators/leaf_group.h"
 #include "kernel/base/error.h"
+#include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg::bench {
@@ -48,11 +50,14 @@ std::string evaluate(const std::vector<std::string>& files, const Options& optio
       group = apply(complex, BooleanOp::unite, Dominance::equal, group, groups[i]).group;
     const SimplifiedComplex s = simplify(complex, selection_of(complex, group), group.features);
     const auto counts = active_counts(s);
+    std::vector<RegionId> cells;
+    for (const auto& [cell, region] : group.cells) cells.push_back(cell);
+    const std::optional<Rational> volume = cnrg::volume(complex, cells);
     std::ostringstream out;
-    out << "ok cells " << complex.vertex_count() << " " << complex.edge_count() << " " << complex.face_count() << " "
-        << complex.region_count << ", result " << counts[0] << " " << counts[1] << " " << counts[2] << " "
-        << group.regions.size() << ", constructed " << report.constructed << ", zero area " << report.zero_area.size()
-        << notices;
+    out << "ok volume " << (volume ? to_decimal(*volume) : "unbounded") << ", cells " << complex.vertex_count() << " " << complex.edge_count() << " " << complex.face_count()
+        << " " << complex.region_count << ", result " << counts[0] << " " << counts[1] << " " << counts[2] << " "
+        << group.regions.size() << ", constructed " << report.constructed << ", zero area "
+        << report.zero_area.size() << notices;
     return out.str();
   } catch (const InvariantError& error) {
     return std::string("BUG ") + error.what();
@@ -128,8 +133,8 @@ int run(int argc, char** argv) {
       names += " and " + std::to_string(files.size() - 1) + " more";
     else
       for (std::size_t i = 1; i < files.size(); ++i) names += " + " + files[i];
-    std::printf("%s: %.2f s, %.0f MB: %s\n", names.c_str(), child.seconds, static_cast<double>(child.peak_bytes) / 1e6,
-                text.c_str());
+    std::printf("%s: %.2f s, %.0f MB: %s\n", names.c_str(), child.seconds,
+                static_cast<double>(child.peak_bytes) / 1e6, text.c_str());
     std::fflush(stdout);
   }
   int bad = 0;

@@ -17,7 +17,8 @@ Mesh mesh_of(const TriangleMesh& in) {
   Mesh mesh;
   for (const auto& p : in.points) mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
   for (const auto& t : in.triangles)
-    if (mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2])) == Mesh::null_face())
+    if (mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2])) ==
+        Mesh::null_face())
       throw std::runtime_error("the mesh is no 2-manifold");
   return mesh;
 }

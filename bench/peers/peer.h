@@ -15,7 +15,7 @@ namespace cnrg::bench {
 struct Outcome {
   std::vector<std::pair<std::string, double>> stages;  ///< seconds
   std::size_t vertices = 0, faces = 0;                 ///< of the result, as the system counts them
-  double volume = 0;                                   ///< of the result if checked, rounded from the exact value if any
+  double volume = 0;  ///< of the result if checked, rounded from the exact value if any
   std::string note;
   double seconds() const;
 };
@@ -28,7 +28,7 @@ struct Peer {
 Outcome unite_ours(const TriangleMesh& a, const TriangleMesh& b, bool check);          ///< all threads
 Outcome unite_ours_one_thread(const TriangleMesh& a, const TriangleMesh& b, bool check);
 Outcome unite_corefinement(const TriangleMesh& a, const TriangleMesh& b, bool check);  ///< CGAL, EPICK, in place
-Outcome unite_nef(const TriangleMesh& a, const TriangleMesh& b, bool check);           ///< CGAL, conversion and Boolean
+Outcome unite_nef(const TriangleMesh& a, const TriangleMesh& b, bool check);  ///< CGAL, conversion and Boolean
 
 /// Seconds since the last call, or since construction.
 class Stopwatch {

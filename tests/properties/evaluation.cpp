@@ -24,7 +24,8 @@ bool front_is_up(const Complex& c, HalfFace front) {
   return ((x != 0 ? x : y != 0 ? y : z) > 0) == (front.side() == 0);
 }
 
-std::vector<scenes::Polygon> loops_of(const Complex& c, const SimplifiedComplex& s, const SimplifiedComplex::Face& f) {
+std::vector<scenes::Polygon> loops_of(const Complex& c, const SimplifiedComplex& s,
+                                      const SimplifiedComplex::Face& f) {
   std::vector<scenes::Polygon> loops;
   for (const auto& walk : f.loops) {
     loops.emplace_back();
@@ -79,8 +80,9 @@ Skeleton skeleton(const Complex& complex, const Group& group) {
     result.vertices.push_back({complex.points.rational(v.cell), v.component != 0});
   }
   for (const auto& e : s.edges)
-    result.edges.push_back({{number.at(complex.origin(e.chain.front())), number.at(complex.target(e.chain.back()))},
-                            e.component != 0});
+    result.edges.push_back(
+        {{number.at(complex.origin(e.chain.front())), number.at(complex.target(e.chain.back()))},
+         e.component != 0});
   for (const auto& f : s.faces) {
     Skeleton::Facet facet;
     facet.mark = f.component != 0;

@@ -138,7 +138,8 @@ TEST_CASE("The number of threads changes no byte", "[invariance]") {
   scenes::Random random(7);
   for (int i = 0; i < 150; ++i) {
     const RationalPoint low{random.below(12), random.below(12), random.below(12)};
-    many.push_back(scenes::solid_leaf(scenes::box_solid(low, {low[0] + 3, low[1] + 3, low[2] + 3}), Fill::winding));
+    many.push_back(
+        scenes::solid_leaf(scenes::box_solid(low, {low[0] + 3, low[1] + 3, low[2] + 3}), Fill::winding));
   }
   const Complex one = build(many, {}, 1);
   for (const int threads : {2, 3, 8}) CHECK(scenes::same_arrays(one, build(many, {}, threads)));

@@ -73,12 +73,15 @@ class Comparison {
   Failure cells(const Value& root) {
     const Selection set = point_set(complex_, root.ours);
     const Locator locator(complex_);
-    const auto check = [&](const auto& list, auto cell, const RationalPoint& p, int dimension, auto located) -> Failure {
+    const auto check = [&](const auto& list, auto cell, const RationalPoint& p, int dimension,
+                           auto located) -> Failure {
       const auto at = std::lower_bound(list.begin(), list.end(), cell,
                                        [](const auto& entry, auto id) { return entry.first < id; });
       const bool active = at != list.end() && at->first == cell;
-      const std::string name = "cell " + std::to_string(cell.value()) + " of dimension " + std::to_string(dimension);
-      if (active != root.nef.contains(p)) return name + (active ? " is" : " is not") + " in the result, Nef disagrees";
+      const std::string name =
+          "cell " + std::to_string(cell.value()) + " of dimension " + std::to_string(dimension);
+      if (active != root.nef.contains(p))
+        return name + (active ? " is" : " is not") + " in the result, Nef disagrees";
       const Location location = locator.locate(p);
       if (location.dimension != dimension || located(location) != cell)
         return name + ": its point (" + to_string(p[0]) + ", " + to_string(p[1]) + ", " + to_string(p[2]) +
@@ -86,19 +89,23 @@ class Comparison {
       return {};
     };
     for (const VertexId v : complex_.vertices)
-      if (Failure f = check(set.vertices, v, complex_.points.rational(v), 0, [](const Location& l) { return l.vertex; });
+      if (Failure f =
+              check(set.vertices, v, complex_.points.rational(v), 0, [](const Location& l) { return l.vertex; });
           !f.empty())
         return f;
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count()))
-      if (Failure f = check(set.edges, e, scenes::point_in(complex_, e), 1, [](const Location& l) { return l.edge; });
+      if (Failure f =
+              check(set.edges, e, scenes::point_in(complex_, e), 1, [](const Location& l) { return l.edge; });
           !f.empty())
         return f;
     for (const FaceId x : IdRange<FaceId>(complex_.face_count()))
-      if (Failure f = check(set.faces, x, scenes::point_in(complex_, x), 2, [](const Location& l) { return l.face; });
+      if (Failure f =
+              check(set.faces, x, scenes::point_in(complex_, x), 2, [](const Location& l) { return l.face; });
           !f.empty())
         return f;
     for (const RegionId r : IdRange<RegionId>(complex_.region_count))
-      if (Failure f = check(set.regions, r, scenes::point_in(complex_, r), 3, [](const Location& l) { return l.region; });
+      if (Failure f =
+              check(set.regions, r, scenes::point_in(complex_, r), 3, [](const Location& l) { return l.region; });
           !f.empty())
         return f;
     return {};
@@ -181,7 +188,8 @@ TEST_CASE("The oracle knows what it should", "[nef]") {
         NefSet::polygon({{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}}));
   // Filling: the walls of a box become the box.
   std::vector<NefSet> walls;
-  for (const scenes::Polygon& facet : scenes::box_solid({0, 0, 0}, {2, 2, 2})) walls.push_back(NefSet::polygon({facet}));
+  for (const scenes::Polygon& facet : scenes::box_solid({0, 0, 0}, {2, 2, 2}))
+    walls.push_back(NefSet::polygon({facet}));
   const NefSet hollow = NefSet::unite_all(walls);
   CHECK_FALSE(hollow == cube);
   CHECK(hollow.fill({{1, 1, 1}}) == cube);

@@ -270,9 +270,11 @@ Skeleton NefSet::skeleton() const {
     for (auto cycle = f->facet_cycles_begin(); cycle != f->facet_cycles_end(); ++cycle) {
       if (cycle.is_shalfedge()) {
         Nef::SHalfedge_around_facet_const_circulator at(cycle), end(at);
-        CGAL_For_all(at, end) facet.boundary.push_back(ends(at->source()->source(), at->source()->twin()->source()));
+        CGAL_For_all(at, end)
+            facet.boundary.push_back(ends(at->source()->source(), at->source()->twin()->source()));
       } else if (cycle.is_shalfloop()) {
-        facet.isolated.push_back(number.at(&*Nef::SHalfloop_const_handle(cycle)->incident_sface()->center_vertex()));
+        facet.isolated.push_back(
+            number.at(&*Nef::SHalfloop_const_handle(cycle)->incident_sface()->center_vertex()));
       }
     }
     s.facets.push_back(std::move(facet));

@@ -19,7 +19,8 @@ std::string text(const Skeleton& s, const Skeleton::Edge& e) {
 std::string text(const Skeleton& s, const Skeleton::Facet& f) {
   std::ostringstream out;
   out << "facet mark " << f.mark << " above " << f.above << " below " << f.below << ", boundary";
-  for (const auto& e : f.boundary) out << " " << text(s.vertices[e[0]].point) << "-" << text(s.vertices[e[1]].point);
+  for (const auto& e : f.boundary)
+    out << " " << text(s.vertices[e[0]].point) << "-" << text(s.vertices[e[1]].point);
   if (!f.isolated.empty()) out << " and " << f.isolated.size() << " isolated vertices";
   return out.str();
 }

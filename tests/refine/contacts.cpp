@@ -22,7 +22,8 @@ std::uint64_t contacts(const std::string& fixture, Kind kind) {
 
 TEST_CASE("Face and face cross", "[contacts]") {
   const char* f = "leaf none\nface 0 0 0, 4 0 0, 0 4 0\nleaf none\nface 1 1 -1, 1 1 3, 1 -5 1";
-  // The segment from (1, 1, 0) - on the edge of the second - to the border (1, 0, 0) of the first; the second goes on.
+  // The segment from (1, 1, 0) - on the edge of the second - to the border (1, 0, 0) of the first; the second goes
+  // on.
   expect(f, {3 + 3 + 2, 4 + 4 + 1 + 0, 2, 1});
   CHECK(contacts(f, face_face) + contacts(f, face_edge) + contacts(f, edge_edge) > 0);
 }

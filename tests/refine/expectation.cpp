@@ -36,7 +36,8 @@ std::vector<Leaf> moved(std::vector<Leaf> leaves, const Motion& motion) {
 
 }  // namespace
 
-Complex valid_complex(const std::vector<Leaf>& leaves, const SoupOptions& options, RefineReport* report, int threads) {
+Complex valid_complex(const std::vector<Leaf>& leaves, const SoupOptions& options, RefineReport* report,
+                      int threads) {
   Complex complex = build_complex(make_soup(leaves, options), {.threads = threads}, report);
   REQUIRE(validate(complex) == "");
   return complex;

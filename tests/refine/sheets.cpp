@@ -27,7 +27,8 @@ TEST_CASE("Duplicate triangles are one face with two covers", "[sheets]") {
 
 TEST_CASE("T-junction within a plane", "[sheets]") {
   // The long edge from 0 to 2 is cut at 1 by the two small triangles below it.
-  expect("leaf none\nface 0 0 0, 2 0 0, 1 2 0\nface 0 0 0, 1 -1 0, 1 0 0\nface 1 0 0, 1 -1 0, 2 0 0", {5, 7, 3, 1});
+  expect("leaf none\nface 0 0 0, 2 0 0, 1 2 0\nface 0 0 0, 1 -1 0, 1 0 0\nface 1 0 0, 1 -1 0, 2 0 0",
+         {5, 7, 3, 1});
 }
 
 TEST_CASE("T-junction across planes", "[sheets]") {
@@ -68,17 +69,19 @@ TEST_CASE("Two holes that touch each other and the outer loop part the face", "[
 TEST_CASE("Overlapping frames", "[sheets]") {
   // Two square frames shifted along x by 2: outer squares [0,6] and [2,8], holes [1,5] and [3,7].
   // Vertical lines x = 0 1 2 3 5 6 7 8; rows y = 0 1 5 6 hold edges of both frames where they overlap.
-  expect("leaf none\nface 0 0 0, 6 0 0, 6 6 0, 0 6 0 | 1 1 0, 5 1 0, 5 5 0, 1 5 0\n"
-         "leaf none\nface 2 0 0, 8 0 0, 8 6 0, 2 6 0 | 3 1 0, 7 1 0, 7 5 0, 3 5 0",
-         // Faces: two C shapes, the strips on top and bottom, two bars.
-         // y = 0 and 6: x = 0 2 6 8; y = 1 and 5: x = 1 2 3 5 6 7. The verticals x = 2 and x = 6 pass through y = 1
-         // and 5 from border to border. Edges: 2 * 3 on the outer rows, 2 * 5 on the inner ones, x = 0 and 8: one
-         // each, x = 1, 3, 5, 7: one each, x = 2 and 6: three each.
-         {8 + 12, 6 + 10 + 2 + 4 + 6, 6, 1});
+  expect(
+      "leaf none\nface 0 0 0, 6 0 0, 6 6 0, 0 6 0 | 1 1 0, 5 1 0, 5 5 0, 1 5 0\n"
+      "leaf none\nface 2 0 0, 8 0 0, 8 6 0, 2 6 0 | 3 1 0, 7 1 0, 7 5 0, 3 5 0",
+      // Faces: two C shapes, the strips on top and bottom, two bars.
+      // y = 0 and 6: x = 0 2 6 8; y = 1 and 5: x = 1 2 3 5 6 7. The verticals x = 2 and x = 6 pass through y = 1
+      // and 5 from border to border. Edges: 2 * 3 on the outer rows, 2 * 5 on the inner ones, x = 0 and 8: one
+      // each, x = 1, 3, 5, 7: one each, x = 2 and 6: three each.
+      {8 + 12, 6 + 10 + 2 + 4 + 6, 6, 1});
 }
 
 TEST_CASE("A sliver crossed by a triangle", "[sheets]") {
-  expect("leaf none\nface 0 0 0, 1 0 0, 1/2 0x1p-60 0\nleaf none\nface 1/2 -1 -1, 1/2 1 -1, 1/2 0 1", {7, 8, 3, 1});
+  expect("leaf none\nface 0 0 0, 1 0 0, 1/2 0x1p-60 0\nleaf none\nface 1/2 -1 -1, 1/2 1 -1, 1/2 0 1",
+         {7, 8, 3, 1});
 }
 
 TEST_CASE("A stack of slivers that share an edge", "[sheets]") {
@@ -117,7 +120,8 @@ TEST_CASE("Three planes through one point", "[sheets]") {
 TEST_CASE("A fan of many faces about one edge keeps its radial order", "[sheets]") {
   // Twelve half-planes about the z axis as triangles; opposite ones are coplanar.
   std::string fan = "leaf none\n";
-  for (const char* p : {"3 0", "3 1", "1 3", "0 3", "-1 3", "-3 1", "-3 0", "-3 -1", "-1 -3", "0 -3", "1 -3", "3 -1"})
+  for (const char* p :
+       {"3 0", "3 1", "1 3", "0 3", "-1 3", "-3 1", "-3 0", "-3 -1", "-1 -3", "0 -3", "1 -3", "3 -1"})
     fan += "face 0 0 -1, 0 0 1, " + std::string(p) + " 0\n";
   expect(fan, {14, 25, 12, 1});
   const Complex c = valid_complex(fan);

@@ -144,8 +144,10 @@ TEST_CASE("Shells nested three deep", "[solids]") {
   CHECK(labelled(valid_complex("leaf parity\n" + boxes), {0}) == 27 + 218);
   CHECK(labelled(valid_complex("leaf winding\n" + boxes), {0}) == 343);
   // Two nests beside each other in the outermost one.
-  expect("leaf parity\nbox 0 0 0, 20 10 10\nbox 1 1 1, 9 9 9\nbox 11 1 1, 19 9 9\nbox 2 2 2, 3 3 3\nbox 12 2 2, 13 3 3",
-         {40, 60, 30, 6, {1, 1, 511, 511, 2000 - 1024}});
+  expect(
+      "leaf parity\nbox 0 0 0, 20 10 10\nbox 1 1 1, 9 9 9\nbox 11 1 1, 19 9 9\nbox 2 2 2, 3 3 3\n"
+      "box 12 2 2, 13 3 3",
+      {40, 60, 30, 6, {1, 1, 511, 511, 2000 - 1024}});
 }
 
 TEST_CASE("Linked square tori", "[solids]") {
@@ -197,8 +199,9 @@ TEST_CASE("A sheet through a box", "[solids]") {
 }
 
 TEST_CASE("Wires and points hang in regions", "[solids]") {
-  const std::string f = "leaf sides\nbox 0 0 0, 2 2 2\nleaf none\nwire 1/2 1 1, 3/2 1 1\npoint 1 1/2 1\npoint 5 5 5\n"
-                        "wire 2 2 2, 1 3/2 3/2\n";
+  const std::string f =
+      "leaf sides\nbox 0 0 0, 2 2 2\nleaf none\nwire 1/2 1 1, 3/2 1 1\npoint 1 1/2 1\npoint 5 5 5\n"
+      "wire 2 2 2, 1 3/2 3/2\n";
   expect(f, {8 + 2 + 2 + 1, 12 + 2, 6, 2, {8}});
   const Complex c = valid_complex(f);
   CHECK(c.region_wires[RegionId(1)].size() == 2);
@@ -208,8 +211,9 @@ TEST_CASE("Wires and points hang in regions", "[solids]") {
 
 TEST_CASE("A box of walls without some of them", "[solids]") {
   // Open: no region. With a lid whose border is short of the walls: none either.
-  const std::string open = "leaf cells\nface 0 0 0, 0 3 0, 3 3 0, 3 0 0\nface 0 0 0, 3 0 0, 3 0 3, 0 0 3\n"
-                           "face 3 0 0, 3 3 0, 3 3 3, 3 0 3\nface 3 3 0, 0 3 0, 0 3 3, 3 3 3\nface 0 3 0, 0 0 0, 0 0 3, 0 3 3\n";
+  const std::string open =
+      "leaf cells\nface 0 0 0, 0 3 0, 3 3 0, 3 0 0\nface 0 0 0, 3 0 0, 3 0 3, 0 0 3\n"
+      "face 3 0 0, 3 3 0, 3 3 3, 3 0 3\nface 3 3 0, 0 3 0, 0 3 3, 3 3 3\nface 0 3 0, 0 0 0, 0 0 3, 0 3 3\n";
   expect(open, {8, 12, 5, 1});
   expect(open + "face 1 1 3, 2 1 3, 2 2 3, 1 2 3", {12, 16, 6, 1});
   expect(open + "face 0 0 3, 3 0 3, 3 3 3, 0 3 3 | 1 1 3, 2 1 3, 2 2 3, 1 2 3", {12, 16, 6, 1});
@@ -269,8 +273,9 @@ TEST_CASE("Menger sponge, from its surface", "[solids]") {
 
 TEST_CASE("Menger sponge of level 1 by tunnels", "[solids]") {
   // Three prisms through a box of side 3, crossing in the middle cube: every piece is a union of unit cubes.
-  const std::string f = "leaf sides\nbox 0 0 0, 3 3 3\nleaf sides\nbox 1 1 0, 2 2 3\nleaf sides\nbox 1 0 1, 2 3 2\n"
-                        "leaf sides\nbox 0 1 1, 3 2 2";
+  const std::string f =
+      "leaf sides\nbox 0 0 0, 3 3 3\nleaf sides\nbox 1 1 0, 2 2 3\nleaf sides\nbox 1 0 1, 2 3 2\n"
+      "leaf sides\nbox 0 1 1, 3 2 2";
   const Complex c = valid_complex(f);
   CHECK(labelled(c, {0}) == 20);
   CHECK(labelled(c, {0, 1}) == 2);

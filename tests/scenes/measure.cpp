@@ -32,7 +32,9 @@ RationalPoint vector_area(const Complex& c, FaceId f) {
   return sum;
 }
 
-RationalPoint corner(const Complex& c, FaceId f) { return c.points.rational(c.origin(c.loop[c.face_loops[f][0]][0])); }
+RationalPoint corner(const Complex& c, FaceId f) {
+  return c.points.rational(c.origin(c.loop[c.face_loops[f][0]][0]));
+}
 
 }  // namespace
 

@@ -41,7 +41,8 @@ std::array<RationalPoint, 4> random_tetrahedron(Random& random, int size) {
 Polygon random_base(Random& random, const RationalPoint& o, int unit) {
   const int u = unit * random.between(1, 2), v = unit * random.between(1, 2);
   if (random.one_in(2)) return {o, plus(o, u, 0, 0), plus(o, 0, v, 0)};
-  return {o, plus(o, 2 * u, 0, 0), plus(o, 2 * u, v, 0), plus(o, u, v, 0), plus(o, u, 2 * v, 0), plus(o, 0, 2 * v, 0)};
+  return {
+      o, plus(o, 2 * u, 0, 0), plus(o, 2 * u, v, 0), plus(o, u, v, 0), plus(o, u, 2 * v, 0), plus(o, 0, 2 * v, 0)};
 }
 
 void cycle_axes(Leaf& leaf, int times) {
@@ -117,7 +118,8 @@ Leaf random_leaf(Random& random, int size) {
       break;
     case 5: {
       const RationalPoint o = grid_point(random, size / 2);
-      leaf = solid_leaf(prism_solid(random_base(random, o, unit), {0, 0, unit * random.between(1, 3)}), random_fill(random));
+      leaf = solid_leaf(prism_solid(random_base(random, o, unit), {0, 0, unit * random.between(1, 3)}),
+                        random_fill(random));
       break;
     }
     case 6: {
@@ -141,7 +143,8 @@ Leaf random_leaf(Random& random, int size) {
 
 Motion random_rotation(Random& random) {
   for (;;) {
-    const int w = random.between(1, 4), x = random.between(-3, 3), y = random.between(-3, 3), z = random.between(-3, 3);
+    const int w = random.between(1, 4), x = random.between(-3, 3), y = random.between(-3, 3),
+              z = random.between(-3, 3);
     if (x * x + y * y + z * z > 0) return Motion::rotation(w, x, y, z);
   }
 }
