@@ -73,6 +73,7 @@ void write_file(const std::string& path, const Tree& tree, const Evaluation& eva
 }  // namespace
 
 int run_eval(const EvalArguments& arguments) {
+  for (const std::string& path : arguments.files) check_extension(path);  // before the work, not after it
   const Tree tree = read_tree(arguments.tree);
   EvaluateOptions options;
   options.threads = arguments.threads;

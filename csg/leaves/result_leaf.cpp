@@ -451,6 +451,8 @@ std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
   } catch (const Json::parse_error& error) {
     throw LeafFileError(shape.file + ":" + position(text, error.byte) +
                         ": error: this is no JSON text from here on; is the file cut short?" + kAgain);
+  } catch (const Json::exception&) {
+    throw LeafFileError(shape.file + ":1:1: error: a number in this file is beyond the range of double" + kAgain);
   }
   return std::make_unique<ResultLeaf>(Reader(shape.file, document).read());
 }

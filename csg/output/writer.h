@@ -37,6 +37,9 @@ struct RoundingReport {
   bool embedded = true;                   ///< the rounded facets still meet only in shared vertices and edges
 };
 
+/// Throws InputError if no writer knows the extension of `path`: to be asked before long work.
+void check_extension(const std::string& path);
+
 /// Writes `view` to `path` in the format of its extension (.json .vtu .obj .off .stl .ply), beside and renamed.
 /// Throws InputError for an unknown extension or a result that the format can not represent (the message says
 /// why and what to use instead), FileError if the file can not be written; the old file is then untouched.

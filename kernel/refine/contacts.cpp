@@ -89,23 +89,25 @@ PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& 
   return positive || negative ? Contact::possible : Contact::coplanar;
 }
 
-/// True if f touches the plane of g from one side, in corners (and at most one side of a triangle) that g shares:
-/// then the contact is in both complexes already.
+/// True if f touches the plane of g from one side, in corners and sides that g shares: then the contact is a corner
+/// or a side of both faces already.
 bool PairTester::only_shared(SourceId f, SourceId g, const std::vector<int>& sign) const {
   const auto corners = in_.corners[f], other = in_.corners[g];
   bool positive = false, negative = false;
-  int zeros = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (!corners[i].valid()) continue;
     if (sign[i] > 0) positive = true;
     if (sign[i] < 0) negative = true;
-    if (sign[i] == 0) {
-      ++zeros;
-      if (std::find(other.begin(), other.end(), corners[i]) == other.end()) return false;
-    }
+    if (sign[i] == 0 && std::find(other.begin(), other.end(), corners[i]) == other.end()) return false;
   }
   if (positive && negative) return false;
-  return zeros == 1 || (zeros == 2 && corners.size() == 3 && other.size() == 3);
+  const auto sides = in_.sides[f], other_sides = in_.sides[g];
+  bool shared = true;
+  for_each_side(corners, [&](std::size_t i, std::size_t j) {
+    if (sign[i] != 0 || sign[j] != 0) return;
+    shared = shared && std::find(other_sides.begin(), other_sides.end(), sides[i]) != other_sides.end();
+  });
+  return shared;
 }
 
 /// True if two triangles, each with corners on both sides of the other's plane and none on it, do not meet: their
@@ -207,6 +209,7 @@ void PairTester::choose_axis() {
 }
 
 void PairTester::faces(SourceId f, SourceId g) {
+  if (in_.corners[f].size() > in_.corners[g].size()) std::swap(f, g);  // the small face decides most pairs alone
   const Contact cf = signs(f, g, sign_f_);
   if (cf == Contact::none) return;
   if (cf == Contact::coplanar) {

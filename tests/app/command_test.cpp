@@ -162,8 +162,12 @@ TEST_CASE("files show the result or the nodes asked for", "[app]") {
   CHECK_THAT(unknown.err, StartsWith("t.yaml:3:1: error: there is no node called `wier`; did you mean `wire`?"));
   const Outcome extension = w.run("eval t.yaml -o r.doc");
   CHECK(extension.status == 2);
-  CHECK_THAT(extension.err, StartsWith("t.yaml:9:3: error: r.doc: "));
+  CHECK_THAT(extension.err, StartsWith("cnrg: error: r.doc: "));
+  CHECK(extension.out.empty());  // before any work, and before any other file
   CHECK_FALSE(std::filesystem::exists(w.path("r.doc")));
+  const Outcome second = w.run("eval t.yaml -o good.json -o r.doc");
+  CHECK(second.status == 2);
+  CHECK_FALSE(std::filesystem::exists(w.path("good.json")));
   const Outcome folder = w.run("eval t.yaml -o no/such/folder/r.json");
   CHECK(folder.status == 3);
   CHECK_THAT(folder.err, Contains("no/such/folder"));
