@@ -381,10 +381,14 @@ class Reader {
 
   void make_wires() {
     std::vector<Index> at(content_.points.size(), 0), features(content_.points.size(), 0);  // edges at a point
+    std::map<Index, Index> facets_of;  // by patch
+    for (const Facet& facet : content_.facets) ++facets_of[facet.patch];
     for (Edge& edge : edges_) {
       for (const Index p : edge.points) ++at[p];
       for (const Index p : {edge.points.front(), edge.points.back()}) features[p] += edge.feature;
-      if (edge.entity && (edge.uses == 0 || edge.slit || (edge.feature && !edge.implied()))) {
+      // The bent rim of a flat face is one curve that no curved patch beside it tells of: a wire does.
+      const bool rim = edge.uses == 1 && edge.points.size() > 2 && facets_of[edge.patch] == 1;
+      if (edge.entity && (edge.uses == 0 || edge.slit || rim || (edge.feature && !edge.implied()))) {
         content_.wires.push_back(std::move(edge.points));
       }
     }

@@ -138,6 +138,22 @@ TEST_CASE("round trip: curved patches, cut by others") {
   check_round_trip(c);
 }
 
+TEST_CASE("round trip: a flat face whose rim is a curve") {
+  Soup soup;
+  add_drum(soup, 12, -4, 4);
+  const LeafId sheet = soup.add_leaf(Fill::none);
+  const std::vector<std::vector<PointId>> square{
+      {soup.add_point(-90, -90, 0), soup.add_point(90, -90, 0), soup.add_point(90, 90, 0), soup.add_point(-90, 90, 0)}};
+  soup.add_face(sheet, square, 0, 0);
+  Case c(soup, {{{"drum", "", {}}}});
+  c.show(apply(*c.complex, BooleanOp::intersect, Dominance::equal, c.leaves[1], c.leaves[0]).group);
+  CHECK(active_counts(c.simplified) == std::array<std::size_t, 4>{0, 1, 1, 0});
+  check_round_trip(c);
+  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[1], c.leaves[0]).group);
+  CHECK(active_counts(c.simplified) == std::array<std::size_t, 4>{4, 5, 1, 0});
+  check_round_trip(c);
+}
+
 TEST_CASE("round trip: a horizon and a fault part a box") {
   HeightfieldShape horizon;
   horizon.origin_x = horizon.origin_y = -1;
