@@ -24,6 +24,15 @@ void check_count(const char* shape, const char* what, int count, int least) {
                    (count < least ? "at least " + std::to_string(least) : std::string("at most 1000000")));
 }
 
+/// A grid of facets that no machine of today holds is refused before it is begun.
+void check_facets(const char* shape, int segments, int rings) {
+  constexpr long kMost = 10'000'000;
+  const long facets = static_cast<long>(segments) * rings;
+  if (facets <= kMost) return;
+  throw InputError(std::string(shape) + ": " + std::to_string(segments) + " segments by " + std::to_string(rings) +
+                   " rings are " + std::to_string(facets) + " facets: give at most " + std::to_string(kMost));
+}
+
 void check_positive(const char* shape, const char* what, const Rational& value) {
   if (value > 0) return;
   throw InputError(std::string(shape) + ": " + what + " is " + to_decimal(value) + ": give a positive length");
@@ -105,6 +114,7 @@ std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape) {
   check_count("sphere", "segments", shape.segments, 3);
   const int rings = shape.rings == 0 ? std::max(2, shape.segments / 2) : shape.rings;
   check_count("sphere", "rings", rings, 2);
+  check_facets("sphere", shape.segments, rings);
   LeafBuilder builder(Fill::winding);
   const std::size_t n = static_cast<std::size_t>(shape.segments);
   const RationalPoint& c = shape.center;
@@ -141,6 +151,7 @@ std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape) {
   }
   check_count("torus", "segments", shape.segments, 3);
   check_count("torus", "rings", shape.rings, 3);
+  check_facets("torus", shape.segments, shape.rings);
   if (is_zero(shape.axis)) throw InputError("torus: the axis is [0, 0, 0]: give a direction");
   const CircleFrame frame(shape.axis);
   // Unit vectors to 52 bits, scaled exactly and rounded once more at the end.
