@@ -9,15 +9,10 @@
 
 #include "csg/operators/boolean.h"
 #include "kernel/selection/curve.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
-
-template <class T>
-void sort_unique(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 class LeafGroups {
  public:

@@ -203,14 +203,16 @@ void ComplexBuilder::join_shells() {
   edge_node_ = static_cast<std::uint32_t>(halves);
   vertex_node_ = edge_node_ + static_cast<std::uint32_t>(c_.edge_ends.size());
   infinity_ = vertex_node_ + static_cast<std::uint32_t>(c_.points.size());
-  space_ = UnionFind(infinity_ + 1);
+  shells_ = UnionFind(halves);
   for (const EdgeId e : IdRange<EdgeId>(c_.edge_ends.size())) {
     const auto uses = std::as_const(c_.edge_uses)[e];
     for (std::size_t i = 0; i < uses.size(); ++i) {
       const FaceUse &x = uses[i], &y = uses[i + 1 < uses.size() ? i + 1 : 0];
-      space_.unite(HalfFace(x.face, x.half_edge.direction()).code(), HalfFace(y.face, 1 - y.half_edge.direction()).code());
+      shells_.unite(HalfFace(x.face, x.half_edge.direction()).code(), HalfFace(y.face, 1 - y.half_edge.direction()).code());
     }
   }
+  space_ = UnionFind(infinity_ + 1);
+  for (std::uint32_t h = 0; h < halves; ++h) space_.unite(h, shells_.find(h));
 }
 
 void ComplexBuilder::nest_shells() {
@@ -310,18 +312,9 @@ void ComplexBuilder::number_regions() {
     c_.vertex_region[v] = region(vertex_node_ + v.value());
     points.push_back({c_.vertex_region[v], v});
   }
-  // Shells: half-faces that edges connect.
-  UnionFind shell(2 * c_.face_sheet.size());
-  for (const EdgeId e : IdRange<EdgeId>(c_.edge_ends.size())) {
-    const auto uses = std::as_const(c_.edge_uses)[e];
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-      const FaceUse &x = uses[i], &y = uses[i + 1 < uses.size() ? i + 1 : 0];
-      shell.unite(HalfFace(x.face, x.half_edge.direction()).code(), HalfFace(y.face, 1 - y.half_edge.direction()).code());
-    }
-  }
   std::vector<std::pair<std::pair<RegionId, std::uint32_t>, HalfFace>> by_shell;
   by_shell.reserve(faces.size());
-  for (const auto& [r, h] : faces) by_shell.push_back({{r, shell.find(h.code())}, h});
+  for (const auto& [r, h] : faces) by_shell.push_back({{r, shells_.find(h.code())}, h});
   tbb::parallel_sort(by_shell.begin(), by_shell.end());
   for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = {by_shell[i].first.first, by_shell[i].second};
   c_.region_count = number.size();

@@ -27,6 +27,7 @@ class ComplexBuilder {
   const Soup& soup_;
   Refinement r_;
   Complex c_;
+  UnionFind shells_;                             // half-faces that edges connect
   UnionFind space_;                              // half-faces, then one node per wire edge and vertex, then infinity
   std::uint32_t edge_node_ = 0, vertex_node_ = 0, infinity_ = 0;
 };

@@ -3,16 +3,11 @@
 #include <algorithm>
 
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 
 namespace {
-
-template <class T>
-void sort_unique(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 const Rational& at(const RationalPoint& p, int k) { return p[static_cast<std::size_t>(k)]; }
 

@@ -10,23 +10,12 @@ namespace cnrg {
 struct Locator::Data {
   const Complex& c;
   RayCaster caster;
-  BoxTree faces, edges, vertices;
+  BoxTree edges, vertices;
   std::vector<VertexId> vertex_ids;
   explicit Data(const Complex& complex);
 };
 
 namespace {
-
-std::vector<Box> face_boxes(const Complex& c) {
-  std::vector<Box> boxes(c.face_count());
-  for (const FaceId f : IdRange<FaceId>(c.face_count())) {
-    for (const HalfEdge h : c.loop[c.face_loops[f].front()]) {
-      const PointView p = c.points.view(c.origin(h));
-      boxes[f.index()].extend(p.lo, p.hi);
-    }
-  }
-  return boxes;
-}
 
 std::vector<Box> edge_boxes(const Complex& c) {
   std::vector<Box> boxes(c.edge_count());
@@ -73,7 +62,6 @@ bool in_face(const Complex& c, FaceId f, const PointView& p) {
 Locator::Data::Data(const Complex& complex)
     : c(complex),
       caster(complex, true),
-      faces(face_boxes(complex)),
       edges(edge_boxes(complex)),
       vertices(vertex_boxes(complex)),
       vertex_ids(complex.vertices) {}
@@ -106,7 +94,7 @@ Location Locator::locate(const RationalPoint& point) const {
     found.dimension = 1;
     return found;
   }
-  data_->faces.query(near, [&](std::uint32_t i) {
+  data_->caster.faces().query(near, [&](std::uint32_t i) {
     const FaceId f(i);
     if (!found.face.valid() && side_of_plane(c.points, c.plane(f), p) == 0 && in_face(c, f, p)) found.face = f;
   });

@@ -25,6 +25,8 @@ class RayCaster {
   /// The ray from `origin`. If the origin lies in the interior of a face, that face is `own`; it is no hit.
   /// `accept` (by face, if not empty) restricts the faces that are looked at.
   Ray cast(const ExactPoint& origin, FaceId own = FaceId::none(), const std::vector<char>& accept = {}) const;
+  /// The tree of the faces' boxes; there is one if the caster was built with it.
+  const BoxTree& faces() const { return *tree_; }
   /// The side of a face to which a ray of this direction leaves it.
   HalfFace leaving(FaceId f, const Ray& ray) const;
 

@@ -1,4 +1,5 @@
 #include "kernel/selection/curve.h"
+#include "kernel/base/sorted.h"
 
 #include <algorithm>
 #include <tuple>
@@ -12,12 +13,6 @@ using Surface = std::tuple<bool, LeafId, std::uint32_t>;
 VertexId other_end(const Complex& complex, EdgeId e, VertexId v) {
   const auto& ends = complex.edge_ends[e];
   return ends[0] == v ? ends[1] : ends[0];
-}
-
-template <class T>
-void sort_unique(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 void collect(const Complex& complex, EdgeId e, LeafId leaf, std::vector<Surface>& surfaces,

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "kernel/selection/scratch.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
@@ -25,12 +26,6 @@ std::vector<IdT> ids(const std::vector<std::pair<IdT, Component>>& list, Compone
     if (component == wanted) out.push_back(id);
   }
   return out;
-}
-
-template <class IdT>
-void sort_unique(std::vector<IdT>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 void sort_unique(CellSet& set) {
