@@ -33,13 +33,14 @@ std::vector<NodeId> nodes_of_files(const Tree& tree, const EvalArguments& argume
 }
 
 /// The tree's materials, and those that only results read back as leaves bring along.
-std::vector<ResultView::Material> materials_of(const Tree& tree, const Group& group) {
+std::vector<ResultView::Material> materials_of(const Tree& tree, const NodeValue& value) {
   std::vector<ResultView::Material> materials;
   for (const Material& m : tree.materials) materials.push_back({m.name, m.color});
-  for (const RegionAttributes& region : group.regions) {
-    const auto same = [&](const ResultView::Material& m) { return m.name == region.material; };
-    if (region.material.empty() || std::any_of(materials.begin(), materials.end(), same)) continue;
-    materials.push_back({region.material, ""});
+  for (Component i = 1; i <= value.component_count(); ++i) {
+    const std::string& name = value.attributes(i).material;
+    const auto same = [&](const ResultView::Material& m) { return m.name == name; };
+    if (name.empty() || std::any_of(materials.begin(), materials.end(), same)) continue;
+    materials.push_back({name, ""});
   }
   return materials;
 }
@@ -50,10 +51,10 @@ void write_file(const std::string& path, const Tree& tree, const Evaluation& eva
   ResultView view;
   view.node = tree.nodes[node].name;
   view.complex = evaluation.complex.get();
-  view.group = &value.group;
+  view.value = value.value.get();
   view.simplified = &value.simplified;
   view.leaves = &leaves;
-  view.materials = materials_of(tree, value.group);
+  view.materials = materials_of(tree, *value.value);
   view.sources = value.leaves;
   RoundingReport rounding;
   try {

@@ -3,7 +3,6 @@
 // A cell is named by its letter (v, e, f, r) and its number in the simplified node, `-` where an inactive region
 // touches nothing of the node. Component 0 is inactive and has no name; the entities of a group (walls, wires,
 // points) are one component after its regions.
-#include <array>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -56,30 +55,13 @@ RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
   return point;
 }
 
-Component component_of(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place) {
-  if (place.index == SimplifiedComplex::kNowhere) return 0;
-  switch (place.dimension) {
-    case 0:
-      return simplified.vertices[place.index].component;
-    case 1:
-      return simplified.edges[place.index].component;
-    case 2:
-      return simplified.faces[place.index].component;
-    default:
-      return simplified.regions[place.index].component;
-  }
-}
-
 std::string describe(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place,
-                     const Group& group) {
-  constexpr std::array<char, 4> kLetters{'v', 'e', 'f', 'r'};
+                     const NodeValue& value) {
   const Component component = component_of(simplified, place);
-  const bool nowhere = place.index == SimplifiedComplex::kNowhere;
-  std::string text = std::to_string(place.dimension) + " ";
-  text += nowhere ? "-" : kLetters[static_cast<std::size_t>(place.dimension)] + std::to_string(place.index);
-  text += " " + std::to_string(component);
+  const std::string text = std::to_string(place.dimension) + " " + cell_name(place.dimension, place.index) + " " +
+                           std::to_string(component);
   if (component == 0) return text;
-  const std::string name = component <= group.regions.size() ? group.regions[component - 1].name : "entities";
+  const std::string& name = value.attributes(component).name;
   return name.empty() ? text : text + " " + name;
 }
 
@@ -112,7 +94,7 @@ int run_locate(const std::string& path, const std::string& name, int threads) {
     }
     const RationalPoint point = point_of(words, number, static_cast<int>(line.size()) + 1);
     const SimplifiedComplex::Place place = value.simplified.place(*evaluation.complex, locator.locate(point));
-    std::cout << describe(value.simplified, place, value.group) << "\n";
+    std::cout << describe(value.simplified, place, *value.value) << "\n";
   }
   return kDone;
 }

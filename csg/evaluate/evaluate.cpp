@@ -7,16 +7,18 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <set>
 
 #include "csg/evaluate/operate.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/operators/leaf_group.h"
+#include "kernel/base/sorted.h"
 #include "kernel/selection/measure.h"
 
 namespace cnrg {
 namespace {
 
-using Values = IdVector<InstanceId, std::optional<Group>>;
+using Values = IdVector<InstanceId, std::shared_ptr<const NodeValue>>;
 
 class Stopwatch {
  public:
@@ -80,8 +82,9 @@ Values leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedL
   for (const InstanceId i : IdRange<InstanceId>(values.size())) {
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
-    values[i] = std::move(groups[leaf.index()]);
-    apply_attributes(complex, tree.nodes[unfolding.instances[i].node], *values[i]);
+    NodeValue value(std::move(groups[leaf.index()]));
+    apply_attributes(complex, tree.nodes[unfolding.instances[i].node], value);
+    values[i] = std::make_shared<const NodeValue>(std::move(value));
   }
   return values;
 }
@@ -111,12 +114,30 @@ std::vector<LeafId> leaves_below(const Unfolding& unfolding, const PreparedLeave
   return result;
 }
 
-/// Exact volume of each region of a group; nothing for an unbounded one.
-std::vector<std::optional<Rational>> volumes_of(const Complex& complex, const Group& group) {
-  std::vector<std::vector<RegionId>> cells(group.regions.size());
-  for (const auto& [cell, region] : group.cells) cells[region - 1].push_back(cell);
+/// The operator of an inner instance on its operands' values; faults of the input come at the operator's place.
+Outcome value_of(const Tree& tree, const Unfolding& unfolding, const Values& values, const Complex& complex,
+                 InstanceId id, bool validate) {
+  const Instance& instance = unfolding.instances[id];
+  const Node& node = tree.nodes[instance.node];
+  std::vector<const NodeValue*> operands;
+  std::vector<std::string> names;
+  for (const InstanceId operand : instance.operands) {
+    operands.push_back(values[operand].get());
+    names.push_back(tree.nodes[unfolding.instances[operand].node].name);
+  }
+  try {
+    return operate(complex, node, operands, names, validate);
+  } catch (const InputError& e) {
+    throw TreeError(tree.file, node.operator_at, e.what());
+  }
+}
+
+/// Exact volume of each component with 3-cells; nothing for an unbounded one.
+std::vector<std::optional<Rational>> volumes_of(const Complex& complex, const Selection& selection) {
+  std::map<Component, std::vector<RegionId>> cells;
+  for (const auto& [cell, component] : selection.regions) cells[component].push_back(cell);
   std::vector<std::optional<Rational>> result;
-  for (const std::vector<RegionId>& region : cells) result.push_back(volume(complex, region));
+  for (const auto& [component, list] : cells) result.push_back(volume(complex, list));
   return result;
 }
 
@@ -131,20 +152,62 @@ NodeRow row_of(const Tree& tree, const Unfolding& unfolding, InstanceId id) {
 }
 
 /// Fills the numbers of a row; returns the simplified value.
-SimplifiedComplex measure(const Complex& complex, const Group& group, NodeRow& row) {
-  const Selection selection = selection_of(complex, group);
+SimplifiedComplex measure(const Complex& complex, const NodeValue& value, NodeRow& row) {
+  const Selection selection = selection_of(complex, value);
   row.raw_cells = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
                    selection.regions.size()};
-  SimplifiedComplex simplified = simplify(complex, selection, group.features);
+  SimplifiedComplex simplified = simplify(complex, selection, value.features());
   row.cells = active_counts(simplified);
-  row.volumes = volumes_of(complex, group);
+  row.is_group = value.is_group();
+  row.components = value.component_count();
+  row.volumes = volumes_of(complex, selection);
   return simplified;
 }
 
-void report_conflicts(const Tree& tree, const Node& node, const Outcome& outcome, Evaluation& result) {
-  for (const std::string& conflict : outcome.conflicts) {
-    result.diagnostics.push_back(
-        {tree.file, node.operator_at, Diagnostic::Level::warning, "`" + node.name + "`: " + conflict});
+/// The simplified cells that hold the cells of a set, largest dimension first.
+std::vector<SimplifiedComplex::Place> places_of(const SimplifiedComplex& simplified, const CellSet& cells) {
+  std::vector<SimplifiedComplex::Place> places;
+  const auto add = [&](const auto& list, const std::vector<SimplifiedComplex::Place>& map) {
+    for (const auto cell : list) places.push_back(map[cell.index()]);
+  };
+  add(cells.regions, simplified.region_place);
+  add(cells.faces, simplified.face_place);
+  add(cells.edges, simplified.edge_place);
+  add(cells.vertices, simplified.vertex_place);
+  const auto key = [](const SimplifiedComplex::Place& p) { return std::pair(-p.dimension, p.index); };
+  std::sort(places.begin(), places.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  places.erase(std::unique(places.begin(), places.end(), [&](const auto& a, const auto& b) { return key(a) == key(b); }),
+               places.end());
+  return places;
+}
+
+/// As `cnrg locate` names them, the first eight.
+std::string cell_names(const std::vector<SimplifiedComplex::Place>& places) {
+  constexpr std::size_t kListed = 8;
+  std::string text = places.size() == 1 ? "cell " : "cells ";
+  for (std::size_t i = 0; i < std::min(places.size(), kListed); ++i) {
+    text += (i == 0 ? "" : ", ") + cell_name(places[i].dimension, places[i].index);
+  }
+  return places.size() > kListed ? text + " and " + std::to_string(places.size() - kListed) + " more" : text;
+}
+
+void report_conflicts(const Tree& tree, const Node& node, const Complex& complex, const Outcome& outcome,
+                      Evaluation& result) {
+  if (outcome.conflicts.empty()) return;
+  const NodeValue& value = outcome.value;
+  const SimplifiedComplex simplified = simplify(complex, selection_of(complex, value), value.features());
+  std::set<std::string> said;  // a fold may meet the same materials in the same cells more than once
+  for (const MaterialConflict& conflict : outcome.conflicts) {
+    const std::vector<SimplifiedComplex::Place> places = places_of(simplified, conflict.cells);
+    const Component component = component_of(simplified, places.front());
+    const std::string message =
+        "`" + node.name + "`: " +
+        (component == 0 ? "" : "the region `" + value.attributes(component).name + "` keeps ") + "the material `" +
+        conflict.kept + "` " + (component == 0 ? "is kept " : "") + "where `" + conflict.other +
+        "` has equal dominance (" + cell_names(places) +
+        "); give one of the operands a greater `dominance`";
+    if (!said.insert(message).second) continue;
+    result.diagnostics.push_back({tree.file, node.operator_at, Diagnostic::Level::warning, message});
   }
 }
 
@@ -175,13 +238,11 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     NodeRow row = row_of(tree, unfolding, id);
     if (!values[id]) {
       const Stopwatch stopwatch;
-      std::vector<const Group*> operands;
-      for (const InstanceId operand : instance.operands) operands.push_back(&*values[operand]);
-      Outcome outcome = operate(complex, tree.nodes[instance.node], operands, options.validate);
+      Outcome outcome = value_of(tree, unfolding, values, complex, id, options.validate);
       row.seconds = stopwatch.seconds();
       row.removals = std::move(outcome.removals);
-      report_conflicts(tree, tree.nodes[instance.node], outcome, result);
-      values[id] = std::move(outcome.group);
+      report_conflicts(tree, tree.nodes[instance.node], complex, outcome, result);
+      values[id] = std::make_shared<const NodeValue>(std::move(outcome.value));
     }
     const bool is_root = std::find(unfolding.roots.begin(), unfolding.roots.end(), id) != unfolding.roots.end();
     if (options.rows || is_root) {
@@ -190,19 +251,23 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     }
     result.rows.push_back(std::move(row));
     for (const InstanceId operand : instance.operands) {
-      if (--uses[operand] == 0) values[operand].reset();
+      if (--uses[operand] == 0 && !options.keep_all) values[operand].reset();
     }
   }
   progress("nodes", values.size(), values.size());
 
   for (const InstanceId root : unfolding.roots) {
-    KeptValue kept{unfolding.instances[root].node, std::move(*values[root]), std::move(shown.at(root)),
+    KeptValue kept{unfolding.instances[root].node, values[root], std::move(shown.at(root)),
                    leaves_below(unfolding, leaves, root)};
     if (options.raw) {
       kept.simplified =
-          simplify(complex, selection_of(complex, kept.group), kept.group.features, SimplifyMode::raw);
+          simplify(complex, selection_of(complex, *kept.value), kept.value->features(), SimplifyMode::raw);
     }
     result.kept.push_back(std::move(kept));
+  }
+  if (options.keep_all) {
+    result.instances = unfolding.instances;
+    result.values = std::move(values);
   }
   return result;
 }

@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "csg/operators/group.h"
+#include "csg/operators/node_value.h"
 #include "csg/tree/tree.h"
+#include "csg/tree/unfold.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/simplify.h"
 
@@ -25,6 +26,7 @@ struct EvaluateOptions {
   bool validate = false;      ///< check the complex and the identities of every node; InvariantError says what broke
   bool rows = true;           ///< counts and volumes of all nodes; otherwise of the kept ones only
   bool raw = false;           ///< keep unsimplified cells
+  bool keep_all = false;      ///< keep the values of all instances in `Evaluation::values`
   std::vector<NodeId> nodes;  ///< kept besides the result
   Progress progress;          ///< may be empty
 };
@@ -39,9 +41,12 @@ struct NodeRow {
   /// Entities removed by rows of the tables: id of the row and how many; rows that removed nothing are absent.
   std::vector<std::pair<std::string, std::size_t>> removals;
   std::size_t removed() const;
-  /// Exact volumes by region, from region 1, in cubic units; nothing for an unbounded region.
+  bool is_group = true;
+  std::size_t components = 0;  ///< as NodeValue::component_count has it
+  /// Exact volumes in cubic units of the components that hold 3-cells, ascending (in a group: its regions); nothing
+  /// for an unbounded one.
   std::vector<std::optional<Rational>> volumes;
-  /// The sum of the volumes; nothing when a region is unbounded.
+  /// The sum of the volumes; nothing when one is unbounded.
   std::optional<Rational> volume() const;
   double seconds = 0;  ///< of the operator alone
 };
@@ -49,9 +54,11 @@ struct NodeRow {
 /// The value of a node that was asked for.
 struct KeptValue {
   NodeId node;
-  Group group;
+  std::shared_ptr<const NodeValue> value;
   SimplifiedComplex simplified;  ///< with mode raw when the options say so
   std::vector<LeafId> leaves;    ///< the leaves below it, ascending
+  /// The value as a group; InvariantError when it is components.
+  const Group& group() const { return value->group(); }
 };
 
 struct Evaluation {
@@ -62,6 +69,9 @@ struct Evaluation {
   std::vector<std::string> leaf_names;  ///< by LeafId; empty for the frame
   std::vector<Diagnostic> diagnostics;  ///< notices of leaves, conflicts of materials
   double refine_seconds = 0;            ///< soup and complex
+  /// With `keep_all`: every instance below the roots, operands before users, and its value.
+  IdVector<InstanceId, Instance> instances;
+  IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
   /// The kept value of a node; the node must have been asked for.
   const KeptValue& value(NodeId node) const;
 };

@@ -6,24 +6,27 @@
 #include <utility>
 #include <vector>
 
-#include "csg/operators/group.h"
+#include "csg/operators/node_value.h"
+#include "csg/operators/boolean.h"
 #include "csg/tree/tree.h"
 
 namespace cnrg {
 
 /// What came of one operator.
 struct Outcome {
-  Group group;
+  NodeValue value;
   std::vector<std::pair<std::string, std::size_t>> removals;  ///< by row id of the tables, each id once
-  std::vector<std::string> conflicts;  ///< materials that met under equal dominance, in words
+  std::vector<MaterialConflict> conflicts;  ///< materials that met under equal dominance; `region`: a component
 };
 
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes. With
-/// `validate` each Boolean and complement is checked against the identities of SEMANTICS 5; InvariantError names
-/// the node and the first violation.
-Outcome operate(const Complex& complex, const Node& node, std::span<const Group* const> operands, bool validate);
+/// `validate` each Boolean, complement and CNRG operator is checked against the identities of SEMANTICS 2 and 5;
+/// InvariantError names the node and the first violation. InputError when the operands do not suit the operator:
+/// the message names the operator to insert. `names` are those of the operands, for messages.
+Outcome operate(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
+                std::span<const std::string> names, bool validate);
 
 /// The attributes of a node on its value: regularize, simplify, material, name, dominance.
-void apply_attributes(const Complex& complex, const Node& node, Group& group);
+void apply_attributes(const Complex& complex, const Node& node, NodeValue& value);
 
 }  // namespace cnrg

@@ -6,6 +6,26 @@
 #include <tuple>
 
 namespace cnrg {
+namespace {
+
+// The 3-cells of a region of the result where an operand has the material.
+CellSet cells_of(const Group& result, std::uint32_t region, const std::vector<const Group*>& operands,
+                 const std::string& material) {
+  CellSet out;
+  for (const auto& [cell, number] : result.cells) {
+    if (number != region) continue;
+    const RegionId c = cell;
+    if (std::any_of(operands.begin(), operands.end(), [&](const Group* operand) {
+          const std::uint32_t at = operand->region_of(c);
+          return at != 0 && operand->regions[at - 1].material == material;
+        })) {
+      out.regions.push_back(cell);
+    }
+  }
+  return out;
+}
+
+}  // namespace
 
 std::vector<MaterialConflict> combine_attributes(Group& result, const std::vector<const Group*>& operands,
                                                  bool strict) {
@@ -52,7 +72,9 @@ std::vector<MaterialConflict> combine_attributes(Group& result, const std::vecto
                             attributes.leaves.end());
     std::sort(others.begin(), others.end());
     others.erase(std::unique(others.begin(), others.end()), others.end());
-    for (const std::string& other : others) conflicts.push_back({region, attributes.material, other});
+    for (const std::string& other : others) {
+      conflicts.push_back({region, attributes.material, other, cells_of(result, region, operands, other)});
+    }
     begin = end;
   }
   return conflicts;

@@ -9,6 +9,7 @@
 
 #include "csg/operators/attributes.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
 #include "kernel/selection/scratch.h"
 
@@ -43,6 +44,37 @@ Relation relation_of(std::uint8_t flags, bool in_other) {
   return in_other ? Relation::b_in_a : Relation::b_out_a;
 }
 
+// Lists of two groups as one: each cell once, in the order of ids, with the leaves that it came from.
+template <class IdT>
+class MergedList {
+ public:
+  MergedList(const std::vector<IdT>& a, const std::vector<LeafSetId>& a_origins, const std::vector<IdT>& b,
+             const std::vector<LeafSetId>& b_origins)
+      : a_(a), b_(b), a_origins_(a_origins), b_origins_(b_origins) {}
+  /// Appends the cells that `keep` keeps, and their origins.
+  template <class Keep>
+  void filter(Keep keep, LeafSetMap& from_a, LeafSetMap& from_b, LeafSets& sets, std::vector<IdT>& cells,
+              std::vector<LeafSetId>& origins) const {
+    for (std::size_t i = 0, j = 0; i < a_.size() || j < b_.size();) {
+      const bool in_a = i < a_.size() && (j == b_.size() || !(b_[j] < a_[i]));
+      const bool in_b = j < b_.size() && (i == a_.size() || !(a_[i] < b_[j]));
+      const IdT cell = in_a ? a_[i] : b_[j];
+      if (keep(cell)) {
+        LeafSetId origin(0);
+        if (in_a) origin = from_a(a_origins_[i]);
+        if (in_b) origin = sets.unite(origin, from_b(b_origins_[j]));
+        cells.push_back(cell);
+        origins.push_back(origin);
+      }
+      i += in_a, j += in_b;
+    }
+  }
+
+ private:
+  const std::vector<IdT>&a_, &b_;
+  const std::vector<LeafSetId>&a_origins_, &b_origins_;
+};
+
 // One evaluation of A op B.
 class Removal {
  public:
@@ -59,19 +91,18 @@ class Removal {
   }
 
   void run(Group& result) {
-    for (FaceId f : merged(a_.faces, b_.faces)) {
-      if (keep(f)) result.faces.push_back(f);
-    }
+    Origins& o = result.origins;
+    LeafSetMap from_a(a_.origins.sets, o.sets), from_b(b_.origins.sets, o.sets);
+    const auto filter = [&](const auto& a, const auto& oa, const auto& b, const auto& ob, auto& cells, auto& origins) {
+      MergedList(a, oa, b, ob).filter([&](auto cell) { return keep(cell); }, from_a, from_b, o.sets, cells, origins);
+    };
+    filter(a_.faces, a_.origins.faces, b_.faces, b_.origins.faces, result.faces, o.faces);
     for (FaceId f : result.faces) keep_closure(f);
-    for (EdgeId e : merged(a_.edges, b_.edges)) {
-      if (keep(e)) result.edges.push_back(e);
-    }
+    filter(a_.edges, a_.origins.edges, b_.edges, b_.origins.edges, result.edges, o.edges);
     for (EdgeId e : result.edges) {
       for (VertexId v : complex_.edge_ends[e]) vertices_[v] |= kKept;
     }
-    for (VertexId v : merged(a_.vertices, b_.vertices)) {
-      if (keep(v)) result.vertices.push_back(v);
-    }
+    filter(a_.vertices, a_.origins.vertices, b_.vertices, b_.origins.vertices, result.vertices, o.vertices);
     result.features = features(result);
     result.cells = detect_regions(complex_, inside(), result.faces);
   }
@@ -261,15 +292,28 @@ void keep_walls(const Complex& complex, const Group& g, Group& out) {
     }
     for (VertexId v : complex.face_vertices[f]) vertices[v] = 1;
   }
-  const auto pick = [](const auto& from, const auto& marks, auto& to) {
+  LeafSetMap map(g.origins.sets, out.origins.sets);
+  const auto pick = [&](const auto& from, const auto& from_origins, const auto& marks, auto& to, auto& origins) {
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      if (!marks[from[k]]) continue;
+      to.push_back(from[k]);
+      origins.push_back(map(from_origins[k]));
+    }
+  };
+  pick(g.edges, g.origins.edges, edges, out.edges, out.origins.edges);
+  pick(g.vertices, g.origins.vertices, vertices, out.vertices, out.origins.vertices);
+  std::size_t k = 0;
+  for (FaceId f : out.faces) {
+    while (g.faces[k] != f) ++k;
+    out.origins.faces.push_back(map(g.origins.faces[k]));
+  }
+  const auto still = [](const auto& from, const auto& marks, auto& to) {
     for (auto id : from) {
       if (marks[id]) to.push_back(id);
     }
   };
-  pick(g.edges, edges, out.edges);
-  pick(g.vertices, vertices, out.vertices);
-  pick(g.features.edges, edges, out.features.edges);
-  pick(g.features.vertices, vertices, out.features.vertices);
+  still(g.features.edges, edges, out.features.edges);
+  still(g.features.vertices, vertices, out.features.vertices);
   out.dominance = g.dominance;
 }
 
@@ -363,6 +407,12 @@ Group complement(const Complex& complex, const Group& g) {
   keep_walls(complex, g, out);
   out.cells = detect_regions(complex, inside, out.faces);
   combine_attributes(out, {}, true);
+  std::vector<LeafId> leaves;
+  for (const RegionAttributes& region : g.regions) {
+    leaves.insert(leaves.end(), region.leaves.begin(), region.leaves.end());
+  }
+  sort_unique(leaves);
+  for (RegionAttributes& region : out.regions) region.leaves = leaves;
   return out;
 }
 

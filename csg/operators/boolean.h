@@ -18,6 +18,7 @@ namespace cnrg {
 struct MaterialConflict {
   std::uint32_t region = 0;      ///< region of the result, from 1
   std::string kept, other;       ///< materials; `kept` is the left operand's
+  CellSet cells;                 ///< where `other` gave way
 };
 
 struct BooleanResult {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/operators/origins.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/selection.h"
 
@@ -28,6 +29,8 @@ struct Group {
   std::vector<EdgeId> edges;
   std::vector<VertexId> vertices;
   Features features;                                      ///< subsets of `edges` and `vertices`
+  /// Parallel to `vertices`, `edges` and `faces`; cells inside of regions came from the region's leaves.
+  Origins origins;
   Rational dominance = 0;
 
   /// The region of the group that holds a 3-cell; 0: outside.

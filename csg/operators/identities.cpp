@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 
+#include "csg/operators/component_lists.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/scratch.h"
 #include "kernel/selection/selection.h"
@@ -165,6 +167,76 @@ std::string check_complement(const Complex& complex, const Group& g, const Group
   const CellSet want = closure(complex, rest);
   const std::string d = first_difference(want, points_of(complex, result));
   return d.empty() ? "" : "the point set is not that of the complement: " + d;
+}
+
+std::string check_components(const Complex& complex, const Components& x) {
+  std::vector<char> used(x.attributes.size(), 0);
+  std::string out;
+  for_each_list(x, [&](const auto& list, const auto& origins) {
+    if (list.size() != origins.size()) out = "origins are not parallel to the cells";
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (k > 0 && !(list[k - 1].first < list[k].first)) out = "a list of components is not ascending";
+      const Component c = list[k].second;
+      if (c == 0 || c > used.size()) out = "a component has no attributes";
+      else used[c - 1] = 1;
+    }
+  });
+  if (!out.empty()) return out;
+  if (std::find(used.begin(), used.end(), 0) != used.end()) return "a component has no cells";
+  for (const auto& [face, component] : x.selection.faces) {
+    if (complex.on_frame(face)) return cell_name("face", face) + " lies on the frame";
+  }
+  const Features features = active(x.selection, x.features);
+  if (features.edges != x.features.edges || features.vertices != x.features.vertices) {
+    return "a feature is not active";
+  }
+  return "";
+}
+
+std::string check_overlay(OverlayLaw law, const Complex& complex, const Components& x, const Components& y,
+                          const Components& result) {
+  std::string out = check_components(complex, result);
+  if (!out.empty()) return out;
+  const CellSet a = support(x.selection), b = support(y.selection);
+  const CellSet want = law == OverlayLaw::sum       ? unite(a, b)
+                       : law == OverlayLaw::product ? intersect(a, b)
+                                                    : subtract(a, b);
+  out = first_difference(want, support(result.selection));
+  if (!out.empty()) return "the point set is not that of the operator: " + out;
+  // All cells of a component have one component of X and one of Y.
+  std::vector<std::optional<std::pair<Component, Component>>> seen(result.attributes.size());
+  const auto check = [&](const auto& list, const auto& in_x, const auto& in_y) {
+    for (const auto& [id, component] : list) {
+      const std::size_t i = place_in(in_x, id), j = place_in(in_y, id);
+      const std::pair pair(i == in_x.size() ? 0 : in_x[i].second, j == in_y.size() ? 0 : in_y[j].second);
+      auto& known = seen[component - 1];
+      if (known && *known != pair) out = "a component holds cells of two components of an operand";
+      known = pair;
+    }
+  };
+  check(result.selection.vertices, x.selection.vertices, y.selection.vertices);
+  check(result.selection.edges, x.selection.edges, y.selection.edges);
+  check(result.selection.faces, x.selection.faces, y.selection.faces);
+  check(result.selection.regions, x.selection.regions, y.selection.regions);
+  std::sort(seen.begin(), seen.end());
+  if (out.empty() && std::adjacent_find(seen.begin(), seen.end()) != seen.end()) {
+    out = "two components of the result are one pair of components of the operands";
+  }
+  return out;
+}
+
+std::string check_topological(const Complex& complex, Topological op, bool each, const Components& x,
+                              const Components& result) {
+  std::string out = check_components(complex, result);
+  if (!out.empty()) return out;
+  CellSet want;
+  if (each) {
+    for (const CellSet& one : supports(x)) want = unite(want, apply(complex, op, one));
+  } else {
+    want = apply(complex, op, support(x.selection));
+  }
+  const std::string d = first_difference(want, support(result.selection));
+  return d.empty() ? "" : std::string("the point set is not that of ") + name(op) + ": " + d;
 }
 
 }  // namespace cnrg

@@ -26,6 +26,7 @@ class LeafGroups {
     edges();
     vertices();
     regions(attributes);
+    origins();
     return std::move(groups_);
   }
 
@@ -184,6 +185,16 @@ class LeafGroups {
         region.leaves = {LeafId(leaf)};
         group.regions.push_back(std::move(region));
       }
+    }
+  }
+
+  void origins() {
+    for (std::size_t leaf = 0; leaf < groups_.size(); ++leaf) {
+      Group& group = groups_[leaf];
+      const LeafSetId own = group.origins.sets.intern(LeafId(leaf));
+      group.origins.faces.assign(group.faces.size(), own);
+      group.origins.edges.assign(group.edges.size(), own);
+      group.origins.vertices.assign(group.vertices.size(), own);
     }
   }
 

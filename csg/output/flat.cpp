@@ -375,12 +375,10 @@ class Flattener {
       complex_.star_regions(first, regions);
       edge.entity = from.component != 0 && !inside_component(from.component, region_indices(regions));
       if (edge.wire) edge.region = region_index(complex_.some_region(first));
-      if (view_.group != nullptr) {
-        const auto& features = view_.group->features.edges;
-        edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
-          return std::binary_search(features.begin(), features.end(), h.edge());
-        });
-      }
+      const auto& features = view_.value->features().edges;
+      edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
+        return std::binary_search(features.begin(), features.end(), h.edge());
+      });
       for (const SegmentId segment : complex_.edge_segments[first]) {
         for (const WireId wire : complex_.segment_wires[segment]) {
           if (is_source(complex_.wires[wire].leaf)) edge.leaves.push_back(complex_.wires[wire].leaf);
@@ -412,10 +410,8 @@ class Flattener {
       complex_.star_regions(from.cell, regions);
       vertex.entity = from.component != 0 && !inside_component(from.component, region_indices(regions));
       if (vertex.free && !in_face[vertex.point]) vertex.region = region_index(complex_.some_region(from.cell));
-      if (view_.group != nullptr) {
-        const auto& features = view_.group->features.vertices;
-        vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);
-      }
+      const auto& features = view_.value->features().vertices;
+      vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);
       for (const LeafId leaf : complex_.isolated_leaves[from.cell]) {
         if (is_source(leaf)) vertex.leaves.push_back(leaf);
       }
@@ -466,14 +462,13 @@ class Flattener {
 }  // namespace
 
 FlatComplex flatten(const ResultView& view) {
-  require(view.complex != nullptr && view.simplified != nullptr, "flatten: a result without a complex");
+  require(view.complex != nullptr && view.simplified != nullptr && view.value != nullptr, "flatten: a result without a complex");
   return Flattener(view).run();
 }
 
 const RegionAttributes& attributes_of(const ResultView& view, Component component) {
   static const RegionAttributes kNothing;
-  const auto* all = view.group != nullptr ? &view.group->regions : view.components;
-  return all != nullptr && component != 0 && component <= all->size() ? (*all)[component - 1] : kNothing;
+  return component == 0 ? kNothing : view.value->attributes(component);
 }
 
 }  // namespace cnrg

@@ -88,7 +88,7 @@ struct FlatComplex {
 
 FlatComplex flatten(const ResultView& view);
 
-/// Name, material and leaves of a component; empty where nothing is known.
+/// Name, material and leaves of a component; empty for 0.
 const RegionAttributes& attributes_of(const ResultView& view, Component component);
 
 }  // namespace cnrg

@@ -52,7 +52,7 @@ class JsonWriter {
 
   std::string run() {
     text_ = "{\n\"format\": \"cnrg result\",\n\"version\": 1,\n\"node\": " + line_of(view_.node) +
-            ",\n\"group\": " + (view_.group != nullptr ? "true" : "false");
+            ",\n\"group\": " + (view_.value->is_group() ? "true" : "false");
     leaves();
     list("materials", view_.materials, [](const auto& m) { return Json{{"name", m.name}, {"color", m.color}}; });
     list("components", components(), [&](const RegionAttributes& a) {
@@ -104,10 +104,11 @@ class JsonWriter {
     });
   }
 
-  const std::vector<RegionAttributes>& components() const {
-    static const std::vector<RegionAttributes> kNone;
-    if (view_.group != nullptr) return view_.group->regions;
-    return view_.components != nullptr ? *view_.components : kNone;
+  /// Regions of a group, all components of other values.
+  std::vector<RegionAttributes> components() const {
+    if (view_.value->is_group()) return view_.value->group().regions;
+    const auto& attributes = view_.value->components().attributes;
+    return {attributes.begin(), attributes.end()};
   }
 
   Json leaf_numbers(const std::vector<LeafId>& leaves) const {

@@ -231,8 +231,9 @@ class VtuWriter {
 
   std::string file() {
     std::vector<std::string> regions{"outside"}, materials{"none"}, leaves;
-    const auto* components = view_.group != nullptr ? &view_.group->regions : view_.components;
-    if (components != nullptr) for (const auto& a : *components) regions.push_back(a.name);
+    const std::size_t named =
+        view_.value->is_group() ? view_.value->group().regions.size() : view_.value->component_count();
+    for (Component i = 1; i <= named; ++i) regions.push_back(view_.value->attributes(i).name);
     for (const auto& m : view_.materials) materials.push_back(m.name);
     if (view_.leaves != nullptr) for (const auto& leaf : *view_.leaves) leaves.push_back(leaf.name);
     std::vector<double> coordinates;

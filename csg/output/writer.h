@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "csg/operators/group.h"
+#include "csg/operators/node_value.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg {
@@ -18,15 +18,13 @@ struct LeafInfo {
 struct ResultView {
   std::string node;                       ///< name of the node
   const Complex* complex = nullptr;
-  const Group* group = nullptr;           ///< null for the value of a CNRG operator
+  const NodeValue* value = nullptr;
   const SimplifiedComplex* simplified = nullptr;
   const std::vector<LeafInfo>* leaves = nullptr;  ///< by LeafId
   struct Material {
     std::string name, color;
   };
   std::vector<Material> materials;
-  /// Without a group: the attributes of component i are `(*components)[i - 1]`. May be null.
-  const std::vector<RegionAttributes>* components = nullptr;
   /// The leaves below the node, ascending; provenance names no others. Empty: all leaves.
   std::vector<LeafId> sources;
 };

@@ -27,22 +27,28 @@ struct OperatorName {
   std::string_view name;
   Operator op;
 };
-constexpr std::array<OperatorName, 6> kOperators{{
+constexpr std::array<OperatorName, 14> kOperators{{
     {"union", Operator::unite},
     {"intersection", Operator::intersect},
     {"difference", Operator::subtract},
+    {"aggregate", Operator::aggregate},
+    {"unify", Operator::unify},
+    {"sum", Operator::sum},
+    {"product", Operator::product},
+    {"subtract", Operator::cnrg_subtract},
     {"complement", Operator::complement},
+    {"interior", Operator::interior},
+    {"closure", Operator::closure},
+    {"boundary", Operator::boundary},
     {"regularize", Operator::regularize},
     {"simplify", Operator::simplify},
 }};
 
 /// Names of the tree file that this version does not evaluate.
-constexpr std::array<std::string_view, 8> kLaterOperators{"aggregate", "unify",    "sum",     "product",
-                                                          "subtract",  "interior", "closure", "boundary"};
 constexpr std::array<std::string_view, 4> kLaterLeaves{"extrude", "revolve", "bezier", "bspline"};
 
-constexpr std::array<std::string_view, 7> kAttributes{"material", "dominance", "name",  "translate",
-                                                      "rotate",   "scale",     "mirror"};
+constexpr std::array<std::string_view, 8> kAttributes{"material",  "dominance", "name",  "each",
+                                                      "translate", "rotate",    "scale", "mirror"};
 
 template <class Range>
 bool contains(const Range& range, std::string_view name) {
@@ -57,6 +63,20 @@ const OperatorName* find_operator(std::string_view name) {
 
 bool is_boolean(Operator op) {
   return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
+}
+
+/// Operators on two or more operands.
+bool takes_a_list(Operator op) {
+  return is_boolean(op) || op == Operator::aggregate || op == Operator::sum || op == Operator::product ||
+         op == Operator::cnrg_subtract;
+}
+
+/// Operators whose operands meet, so that one of them may dominate.
+bool has_sides(Operator op) { return is_boolean(op) || op == Operator::sum || op == Operator::product; }
+
+bool may_act_on_each(Operator op) {
+  return op == Operator::interior || op == Operator::closure || op == Operator::boundary ||
+         op == Operator::regularize;
 }
 
 bool is_zero(const RationalPoint& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }
@@ -222,11 +242,6 @@ class TreeReader {
 
   void check_operator_name(const Value::Entry& e, const std::string& what) {
     if (find_operator(e.key) || contains(leaf_names(), e.key)) return;
-    if (contains(kLaterOperators, e.key)) {
-      document_.fail(e.key_at, "`" + e.key +
-                                   "` is a CNRG operator that this version of cnrg can not evaluate; use union, "
-                                   "intersection, difference, complement, regularize or simplify");
-    }
     if (contains(kLaterLeaves, e.key)) {
       document_.fail(e.key_at,
                      "`" + e.key +
@@ -236,7 +251,6 @@ class TreeReader {
     std::vector<std::string_view> known(leaf_names().begin(), leaf_names().end());
     for (const OperatorName& o : kOperators) known.push_back(o.name);
     known.insert(known.end(), kAttributes.begin(), kAttributes.end());
-    known.insert(known.end(), kLaterOperators.begin(), kLaterOperators.end());
     known.insert(known.end(), kLaterLeaves.begin(), kLaterLeaves.end());
     const std::string hint = did_you_mean(e.key, known);
     document_.fail(e.key_at, "unknown key `" + e.key + "` in " + what + ": neither an operator nor an attribute" +
@@ -250,9 +264,10 @@ class TreeReader {
       return;
     }
     tree_.nodes[id].op = known->op;
-    if (is_boolean(known->op)) {
+    if (takes_a_list(known->op)) {
       const std::vector<Value> operands = e.value.list("`" + e.key + "`", "a list of two or more nodes [a, b]");
-      if (operands.size() < 2) e.value.fail_type("`" + e.key + "`", "a list of two or more nodes [a, b]");
+      const std::size_t least = known->op == Operator::aggregate ? 1 : 2;
+      if (operands.size() < least) e.value.fail_type("`" + e.key + "`", "a list of two or more nodes [a, b]");
       for (std::size_t i = 0; i < operands.size(); ++i) read_operand(id, operands[i], i + 1);
       return;
     }
@@ -285,6 +300,14 @@ class TreeReader {
       node.label = e.value.text("`name`");
     } else if (e.key == "regularize") {
       node.regularize = *e.value.as_bool();
+    } else if (e.key == "each") {
+      const std::optional<bool> each = e.value.as_bool();
+      if (!each) e.value.fail_type("`each`", "true or false");
+      if (*each && !may_act_on_each(node.op)) {
+        document_.fail(e.key_at, "`each` is for interior, closure, boundary and regularize; remove it from `" +
+                                     node.operator_name + "`");
+      }
+      node.each = *each;
     } else if (e.key == "simplify") {
       node.forget_features = read_mode(e.value, "`simplify`");
     } else if (e.key == "dominance") {
@@ -300,15 +323,15 @@ class TreeReader {
     static const std::map<std::string, DominantOperand> kSides{
         {"left", DominantOperand::left}, {"right", DominantOperand::right}, {"equal", DominantOperand::equal}};
     if (const auto side = kSides.find(text); side != kSides.end()) {
-      if (!is_boolean(node.op)) {
-        e.value.fail("`dominance: " + text + "` is for union, intersection and difference; give `" +
+      if (!has_sides(node.op)) {
+        e.value.fail("`dominance: " + text + "` is for union, intersection, difference, sum and product; give `" +
                      node.operator_name + "` a number, such as `dominance: 2`");
       }
       node.dominant = side->second;
     } else if (parse_rational(text)) {
       node.dominance = e.value.number("`dominance`");
     } else {
-      e.value.fail_type("`dominance`", is_boolean(node.op) ? "left, right, equal or a number" : "a number");
+      e.value.fail_type("`dominance`", has_sides(node.op) ? "left, right, equal or a number" : "a number");
     }
   }
 

@@ -20,7 +20,12 @@
 
 namespace cnrg {
 
-enum class Operator : std::uint8_t { leaf, unite, intersect, subtract, complement, regularize, simplify };
+enum class Operator : std::uint8_t {
+  leaf,
+  unite, intersect, subtract,  ///< group Booleans: `union`, `intersection`, `difference`
+  aggregate, unify, sum, product, cnrg_subtract, complement, interior, closure, boundary, regularize,  ///< CNRG
+  simplify,
+};
 
 enum class DominantOperand : std::uint8_t { left, right, equal };
 
@@ -39,6 +44,7 @@ struct Node {
   std::optional<DominantOperand> dominant;
   bool regularize = false;       ///< the attribute: regularize the node's value
   bool forget_features = false;  ///< `simplify` with mode `points`
+  bool each = false;             ///< interior, closure, boundary, regularize: every component by itself
 };
 
 struct Material {

@@ -271,6 +271,24 @@ SimplifiedComplex simplify(const Complex& complex, const Selection& selection, c
   return Assembly(complex, merging).run();
 }
 
+std::string cell_name(int dimension, std::uint32_t index) {
+  return index == kNowhere ? "-" : std::string(1, "vefr"[dimension]) + std::to_string(index);
+}
+
+Component component_of(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place) {
+  if (place.index == kNowhere) return 0;
+  switch (place.dimension) {
+    case 0:
+      return simplified.vertices[place.index].component;
+    case 1:
+      return simplified.edges[place.index].component;
+    case 2:
+      return simplified.faces[place.index].component;
+    default:
+      return simplified.regions[place.index].component;
+  }
+}
+
 std::array<std::size_t, 4> active_counts(const SimplifiedComplex& simplified) {
   const auto count = [](const auto& cells) {
     return static_cast<std::size_t>(

@@ -65,6 +65,12 @@ enum class SimplifyMode {
 SimplifiedComplex simplify(const Complex& complex, const Selection& selection, const Features& features,
                            SimplifyMode mode = SimplifyMode::features);
 
+/// What people call a simplified cell: `v3`, `e0`, `f12`, `r1`; `-` for an inactive region that is not listed.
+std::string cell_name(int dimension, std::uint32_t index);
+
+/// The component of the cell at a place; 0 when it is inactive or not listed.
+Component component_of(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place);
+
 /// Counts of active cells by dimension, 0 to 3.
 std::array<std::size_t, 4> active_counts(const SimplifiedComplex& simplified);
 

@@ -84,6 +84,7 @@ struct Case {
   std::unique_ptr<Complex> complex;
   std::vector<Group> leaves;
   Group group;
+  NodeValue value;
   SimplifiedComplex simplified;
   std::vector<LeafInfo> infos;
   std::vector<ResultView::Material> materials;
@@ -94,9 +95,14 @@ struct Case {
     for (std::size_t i = 0; i < leaves.size(); ++i) infos.push_back({"leaf" + std::to_string(i)});
     show(leaves[0]);
   }
-  void show(Group value, SimplifyMode mode = SimplifyMode::features) {
-    group = std::move(value);
+  void show(Group shown, SimplifyMode mode = SimplifyMode::features) {
+    group = std::move(shown);
+    value = group;
     simplified = simplify(*complex, selection_of(*complex, group), group.features, mode);
+  }
+  void show(Components shown) {
+    value = std::move(shown);
+    simplified = simplify(*complex, selection_of(*complex, value), value.features());
   }
   Group unite(Dominance dominance = Dominance::equal) const {
     Group all = leaves[0];
@@ -109,7 +115,7 @@ struct Case {
     ResultView v;
     v.node = "model";
     v.complex = complex.get();
-    v.group = &group;
+    v.value = &value;
     v.simplified = &simplified;
     v.leaves = &infos;
     v.materials = materials;

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "cases.h"
+#include "csg/operators/cnrg.h"
 #include "csg/output/file.h"
 #include "csg/output/flat.h"
 #include "kernel/base/error.h"
@@ -220,11 +221,8 @@ TEST_CASE("an open set is refused by formats of closed ones") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {1, 1, 1});
   Case c(soup);
-  Selection open;
-  open.regions = {{c.group.cells[0].first, 1}};
-  c.simplified = simplify(*c.complex, open, {});
-  ResultView view = c.view();
-  view.group = nullptr;
+  c.show(apply(*c.complex, Topological::interior, components_of(*c.complex, c.group)).value);
+  const ResultView view = c.view();
   const Scratch dir;
   CHECK(has(message_of(dir / "m.obj", view), "closure"));
   CHECK(has(message_of(dir / "m.off", view), "6 boundary faces"));

@@ -174,7 +174,7 @@ TEST_CASE("faults of attributes", "[tree][errors]") {
   expect_node("points: [[0, 0, 0]], material: rok", 32, {"`rok` is not declared", "did you mean `rock`?"});
   expect_node("points: [[0, 0, 0]], material: granite", 32, {"add `granite: {}` to `materials`"});
   expect_node("points: [[0, 0, 0]], dominance: left", 33,
-              {"for union, intersection and difference", "dominance: 2"});
+              {"for union, intersection, difference, sum and product", "dominance: 2"});
   expect_node("union: [p, p], dominance: both", 27, {"left, right, equal or a number"});
   expect_node("points: [[0, 0, 0]], dominance: .nan", 33, {"must be a number"});
   expect_node("points: [[0, 0, 0]], scale: 0", 29, {"singular"});
@@ -205,11 +205,18 @@ TEST_CASE("faults of groups", "[tree][errors]") {
   expect_node(v + "regions: {1: {material: gold}}}", 78, {"`gold` is not declared"});
 }
 
-TEST_CASE("operators of later versions are known", "[tree][errors]") {
-  for (const std::string name :
-       {"aggregate", "unify", "sum", "product", "subtract", "interior", "closure", "boundary"}) {
-    expect_node(name + ": p", 1, {"`" + name + "` is a CNRG operator that this version of cnrg can not evaluate"});
+TEST_CASE("operators say how many operands they take", "[tree][errors]") {
+  for (const std::string name : {"aggregate", "sum", "product", "subtract"}) {
+    expect_node(name + ": p", static_cast<int>(name.size()) + 3, {"a list of two or more nodes"});
   }
+  for (const std::string name : {"unify", "interior", "closure", "boundary"}) {
+    expect_node(name + ": [p, p]", static_cast<int>(name.size()) + 3, {"one node"});
+  }
+  expect_node("unify: p, each: true", 11, {"`each` is for interior, closure, boundary and regularize"});
+  expect_node("closure: p, each: 3", 19, {"true or false"});
+}
+
+TEST_CASE("leaves of later versions are known", "[tree][errors]") {
   for (const std::string name : {"extrude", "revolve", "bezier", "bspline"}) {
     expect_node(name + ": {}", 1, {"`" + name + "` is a leaf that this version of cnrg can not evaluate"});
   }

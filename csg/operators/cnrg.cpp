@@ -1,0 +1,467 @@
+// Every operator is one of three passes over sorted lists: an overlay of two selections (a cell goes to the pair
+// of its components), a restriction of one selection to a set with one component more, or, component by component,
+// a list of memberships. Then components that have cells are numbered.
+#include "csg/operators/cnrg.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "csg/operators/component_lists.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+using Pair = std::pair<Component, Component>;  // components of X and of Y; 0: none
+
+bool left_wins(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
+  return dominance ? *dominance == Dominance::left : a.dominance > b.dominance;
+}
+bool right_wins(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
+  return dominance ? *dominance == Dominance::right : b.dominance > a.dominance;
+}
+
+std::vector<std::string> parts_of(const std::string& name) {
+  std::vector<std::string> out;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find(" & ", begin), name.size());
+    out.push_back(name.substr(begin, end - begin));
+    begin = end + 3;
+  }
+  return out;
+}
+
+// Names joined, each once; what the entities of a group are called yields to a name that somebody gave.
+std::string joined(const std::string& a, const std::string& b) {
+  if (b.empty() || b == kEntitiesName || a == b) return a.empty() ? b : a;
+  if (a.empty() || a == kEntitiesName) return b;
+  std::vector<std::string> parts = parts_of(a);
+  std::string out = a;
+  for (const std::string& part : parts_of(b)) {
+    if (std::find(parts.begin(), parts.end(), part) == parts.end()) out += " & " + part;
+  }
+  return out;
+}
+
+int dimension(const CellSet& set) {
+  return !set.regions.empty() ? 3 : !set.faces.empty() ? 2 : !set.edges.empty() ? 1 : set.vertices.empty() ? -1 : 0;
+}
+
+struct Combined {
+  ComponentAttributes attributes;
+  std::string other;  // a material that lost without dominance
+};
+
+Combined combine(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
+  Combined out;
+  if (left_wins(a, b, dominance)) {
+    out.attributes = a;
+  } else if (right_wins(a, b, dominance)) {
+    out.attributes = b;
+  } else {
+    out.attributes.name = joined(a.name, b.name);
+    out.attributes.material = a.material.empty() ? b.material : a.material;
+    if (!b.material.empty() && b.material != out.attributes.material) out.other = b.material;
+  }
+  out.attributes.dominance = std::max(a.dominance, b.dominance);
+  return out;
+}
+
+std::string text_of(const RationalPoint& p) {
+  return "(" + to_string(p[0]) + ", " + to_string(p[1]) + ", " + to_string(p[2]) + ")";
+}
+
+// How many cells, and where one of them is.
+std::string words_of(const Complex& complex, const CellSet& set) {
+  const std::string count = std::to_string(set.size()) + (set.size() == 1 ? " cell" : " cells");
+  if (!set.regions.empty()) {
+    const FaceId wall = complex.region_faces[set.regions[0]].front().face();
+    return count + ", among them the region behind the face at " +
+           text_of(interior_point(complex, wall).rational());
+  }
+  if (!set.faces.empty()) return count + ", among them the face at " + text_of(interior_point(complex, set.faces[0]).rational());
+  if (!set.edges.empty()) return count + ", among them the edge at " + text_of(interior_point(complex, set.edges[0]).rational());
+  return count + ", among them the vertex at " + text_of(complex.points.rational(set.vertices[0]));
+}
+
+// Numbers keys of components in their order, and gives each its attributes.
+template <class Key>
+class Numbering {
+ public:
+  void see(const Key& key) { numbers_.emplace(key, 0); }
+  void number() {
+    Component next = 0;
+    for (auto& [key, number] : numbers_) number = ++next;
+  }
+  Component operator[](const Key& key) const { return numbers_.at(key); }
+  const std::map<Key, Component>& all() const { return numbers_; }
+
+ private:
+  std::map<Key, Component> numbers_;
+};
+
+// Sets the leaves of each component from the origins of its cells.
+void collect_leaves(Components& x) {
+  std::vector<std::vector<char>> used(x.attributes.size(), std::vector<char>(x.origins.sets.size(), 0));
+  for_each_list(x, [&](const auto& list, const auto& origins) {
+    for (std::size_t k = 0; k < list.size(); ++k) used[list[k].second - 1][origins[k].index()] = 1;
+  });
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    std::vector<LeafId>& leaves = x.attributes[i].leaves;
+    leaves.clear();
+    for (std::size_t s = 0; s < used[i].size(); ++s) {
+      if (!used[i][s]) continue;
+      const auto set = x.origins.sets[LeafSetId(s)];
+      leaves.insert(leaves.end(), set.begin(), set.end());
+    }
+    sort_unique(leaves);
+  }
+}
+
+// --- overlays of two selections
+
+/// Order of the pairs in a result: those of X alone, of both, of Y alone.
+struct PairKey {
+  int kind;  // 0, 1, 2
+  Pair pair;
+  friend auto operator<=>(const PairKey&, const PairKey&) = default;
+};
+PairKey key_of(Pair pair) {
+  return {pair.second == 0 ? 0 : pair.first != 0 ? 1 : 2, pair};
+}
+
+class Overlay {
+ public:
+  Overlay(const Components& x, const Components& y, bool x_alone, bool both, bool y_alone)
+      : x_(x), y_(y), wanted_{x_alone, both, y_alone}, from_x_(x.origins.sets, out_.value.origins.sets),
+        from_y_(y.origins.sets, out_.value.origins.sets) {}
+
+  ComponentsResult run(std::optional<Dominance> dominance) {
+    Selection& s = out_.value.selection;
+    Origins& o = out_.value.origins;
+    overlay(x_.selection.vertices, x_.origins.vertices, y_.selection.vertices, y_.origins.vertices, vertices_,
+            o.vertices);
+    overlay(x_.selection.edges, x_.origins.edges, y_.selection.edges, y_.origins.edges, edges_, o.edges);
+    overlay(x_.selection.faces, x_.origins.faces, y_.selection.faces, y_.origins.faces, faces_, o.faces);
+    overlay(x_.selection.regions, x_.origins.regions, y_.selection.regions, y_.origins.regions, regions_,
+            o.regions);
+    numbering_.number();
+    assign(vertices_, s.vertices);
+    assign(edges_, s.edges);
+    assign(faces_, s.faces);
+    assign(regions_, s.regions);
+    attributes(dominance);
+    out_.value.features = active(s, unite(x_.features, y_.features));
+    collect_leaves(out_.value);
+    return std::move(out_);
+  }
+
+ private:
+  template <class IdT>
+  using Pairs = std::vector<std::pair<IdT, Pair>>;
+
+  template <class IdT>
+  void overlay(const std::vector<std::pair<IdT, Component>>& x, const std::vector<LeafSetId>& x_origins,
+               const std::vector<std::pair<IdT, Component>>& y, const std::vector<LeafSetId>& y_origins,
+               Pairs<IdT>& pairs, std::vector<LeafSetId>& origins) {
+    LeafSets& sets = out_.value.origins.sets;
+    for (std::size_t i = 0, j = 0; i < x.size() || j < y.size();) {
+      const bool in_x = i < x.size() && (j == y.size() || !(y[j].first < x[i].first));
+      const bool in_y = j < y.size() && (i == x.size() || !(x[i].first < y[j].first));
+      const IdT id = in_x ? x[i].first : y[j].first;
+      const Pair pair(in_x ? x[i].second : 0, in_y ? y[j].second : 0);
+      const PairKey key = key_of(pair);
+      if (wanted_[key.kind]) {
+        LeafSetId origin(0);
+        if (in_x) origin = from_x_(x_origins[i]);
+        if (in_y) origin = sets.unite(origin, from_y_(y_origins[j]));
+        pairs.emplace_back(id, pair);
+        origins.push_back(origin);
+        numbering_.see(key);
+      }
+      i += in_x, j += in_y;
+    }
+  }
+
+  template <class IdT>
+  void assign(const Pairs<IdT>& pairs, std::vector<std::pair<IdT, Component>>& list) const {
+    list.reserve(pairs.size());
+    for (const auto& [id, pair] : pairs) list.emplace_back(id, numbering_[key_of(pair)]);
+  }
+
+  // Two materials meet where the common part is as large as one of the components: a wall where two solids touch
+  // is no conflict.
+  void attributes(std::optional<Dominance> dominance) {
+    const std::vector<int> in_x = dimensions(x_), in_y = dimensions(y_);
+    for (const auto& [key, number] : numbering_.all()) {
+      const auto [i, j] = key.pair;
+      if (j == 0) {
+        out_.value.attributes.push_back(x_.attributes[i - 1]);
+      } else if (i == 0) {
+        out_.value.attributes.push_back(y_.attributes[j - 1]);
+      } else {
+        Combined c = combine(x_.attributes[i - 1], y_.attributes[j - 1], dominance);
+        CellSet cells;
+        if (!c.other.empty()) cells = support(out_.value.selection, number);
+        if (!cells.empty() && dimension(cells) >= std::min(in_x[i - 1], in_y[j - 1])) {
+          out_.conflicts.push_back({number, c.attributes.material, c.other, std::move(cells)});
+        }
+        out_.value.attributes.push_back(std::move(c.attributes));
+      }
+    }
+  }
+
+  const Components &x_, &y_;
+  std::array<bool, 3> wanted_;
+  ComponentsResult out_;
+  LeafSetMap from_x_, from_y_;
+  Numbering<PairKey> numbering_;
+  Pairs<VertexId> vertices_;
+  Pairs<EdgeId> edges_;
+  Pairs<FaceId> faces_;
+  Pairs<RegionId> regions_;
+};
+
+// --- one selection, restricted
+
+// One component made of all of `x`: strongest attributes first, conflicts with the first of them.
+ComponentAttributes strongest(const Components& x, std::vector<MaterialConflict>& conflicts) {
+  ComponentAttributes out;
+  if (x.attributes.empty()) return out;
+  out.dominance = largest_dominance(x);
+  for (std::size_t i = 0; i < x.attributes.size(); ++i) {
+    const ComponentAttributes& a = x.attributes[i];
+    if (a.dominance != out.dominance) continue;
+    out.name = joined(out.name, a.name);
+    if (out.material.empty()) {
+      out.material = a.material;
+    } else if (!a.material.empty() && a.material != out.material) {
+      conflicts.push_back({1, out.material, a.material, support(x.selection, static_cast<Component>(i + 1))});
+    }
+  }
+  return out;
+}
+
+// Drops components without cells and numbers the others from 1.
+void renumber(Components& x) {
+  std::vector<Component> number(x.attributes.size() + 1, 0);
+  for_each_list(x, [&](const auto& list, const auto&) {
+    for (const auto& entry : list) number[entry.second] = 1;
+  });
+  std::vector<ComponentAttributes> kept;
+  for (std::size_t c = 1; c < number.size(); ++c) {
+    if (number[c] == 0) continue;
+    kept.push_back(std::move(x.attributes[c - 1]));
+    number[c] = static_cast<Component>(kept.size());
+  }
+  x.attributes = std::move(kept);
+  for_each_list(x, [&](auto& list, const auto&) {
+    for (auto& entry : list) entry.second = number[entry.second];
+  });
+}
+
+// The sets of cells that X lacks: the union of those of its cells next to them.
+class NearbyOrigins {
+ public:
+  NearbyOrigins(const Complex& complex, const Components& x, LeafSets& sets)
+      : complex_(complex), x_(x), sets_(sets), map_(x.origins.sets, sets) {}
+
+  LeafSetId of(VertexId v) {
+    begin();
+    for (const EdgeId e : complex_.vertex_edges[v]) add(x_.selection.edges, x_.origins.edges, e);
+    faces_.clear();
+    complex_.star_faces(v, faces_);
+    add_faces();
+    complex_.star_regions(v, regions_);
+    return end();
+  }
+  LeafSetId of(EdgeId e) {
+    begin();
+    faces_.clear();
+    complex_.star_faces(e, faces_);
+    add_faces();
+    complex_.star_regions(e, regions_);
+    return end();
+  }
+  LeafSetId of(FaceId f) {
+    begin();
+    regions_.assign(complex_.face_regions[f].begin(), complex_.face_regions[f].end());
+    return end();
+  }
+  LeafSetId of(RegionId) { return LeafSetId(0); }
+
+ private:
+  void begin() {
+    out_ = LeafSetId(0);
+    regions_.clear();
+  }
+  LeafSetId end() {
+    for (const RegionId r : regions_) add(x_.selection.regions, x_.origins.regions, r);
+    return out_;
+  }
+  void add_faces() {
+    for (const FaceId f : faces_) add(x_.selection.faces, x_.origins.faces, f);
+  }
+  template <class List, class IdT>
+  void add(const List& list, const std::vector<LeafSetId>& origins, IdT id) {
+    const std::size_t k = place_in(list, id);
+    if (k != list.size()) out_ = sets_.unite(out_, map_(origins[k]));
+  }
+
+  const Complex& complex_;
+  const Components& x_;
+  LeafSets& sets_;
+  LeafSetMap map_;
+  LeafSetId out_;
+  std::vector<FaceId> faces_;
+  std::vector<RegionId> regions_;
+};
+
+// Cells of X keep theirs, others take those of the cells of X next to them.
+void inherit_origins(const Complex& complex, const Components& x, Components& value) {
+  LeafSetMap map(x.origins.sets, value.origins.sets);
+  NearbyOrigins nearby(complex, x, value.origins.sets);
+  for_each_list(value, x, [&](const auto& list, auto& origins, const auto& from, const auto& from_origins) {
+    std::size_t k = 0;
+    for (const auto& [id, component] : list) {
+      while (k < from.size() && from[k].first < id) ++k;
+      const bool own = k < from.size() && from[k].first == id;
+      origins.push_back(own ? map(from_origins[k]) : nearby.of(id));
+    }
+  });
+}
+
+// The union of all origins.
+std::vector<LeafId> all_leaves(const Components& x) {
+  std::vector<LeafId> out;
+  for (const ComponentAttributes& a : x.attributes) out.insert(out.end(), a.leaves.begin(), a.leaves.end());
+  sort_unique(out);
+  return out;
+}
+
+}  // namespace
+
+const char* name(Topological op) {
+  switch (op) {
+    case Topological::interior: return "interior";
+    case Topological::closure: return "closure";
+    case Topological::boundary: return "boundary";
+    default: return "regularize";
+  }
+}
+
+CellSet apply(const Complex& complex, Topological op, const CellSet& set) {
+  switch (op) {
+    case Topological::interior: return interior(complex, set);
+    case Topological::closure: return closure(complex, set);
+    case Topological::boundary: return boundary(complex, set);
+    default: return closure(complex, interior(complex, set));
+  }
+}
+
+ComponentsResult aggregate(const Complex& complex, std::span<const Components* const> operands,
+                           std::span<const std::string> names) {
+  require(!operands.empty() && names.size() == operands.size(), "aggregate: operands without names");
+  ComponentsResult out;
+  out.value = *operands[0];
+  for (std::size_t k = 1; k < operands.size(); ++k) {
+    for (std::size_t i = 0; i < k; ++i) {
+      const CellSet overlap = intersect(support(operands[i]->selection), support(operands[k]->selection));
+      if (overlap.empty()) continue;
+      throw InputError("aggregate: the operands `" + names[i] + "` and `" + names[k] + "` overlap in " +
+                       words_of(complex, overlap) + "; use `sum`, or insert `subtract`: {subtract: [" + names[k] +
+                       ", " + names[i] + "]}");
+    }
+    out.value = Overlay(out.value, *operands[k], true, true, true).run({}).value;
+  }
+  return out;
+}
+
+ComponentsResult unify(const Complex&, const Components& x) {
+  ComponentsResult out;
+  out.value = x;
+  out.value.attributes.clear();
+  if (!x.attributes.empty()) {
+    out.value.attributes.push_back(strongest(x, out.conflicts));
+    out.value.attributes[0].leaves = all_leaves(x);
+  }
+  for_each_list(out.value, [](auto& list, const auto&) {
+    for (auto& entry : list) entry.second = 1;
+  });
+  return out;
+}
+
+ComponentsResult sum(const Complex&, const Components& x, const Components& y, std::optional<Dominance> dominance) {
+  return Overlay(x, y, true, true, true).run(dominance);
+}
+
+ComponentsResult product(const Complex&, const Components& x, const Components& y,
+                         std::optional<Dominance> dominance) {
+  return Overlay(x, y, false, true, false).run(dominance);
+}
+
+ComponentsResult subtract(const Complex&, const Components& x, const Components& y) {
+  return Overlay(x, y, true, false, false).run({});
+}
+
+ComponentsResult complement(const Complex& complex, const Components& x) {
+  ComponentsResult out;
+  const CellSet rest = subtract(all_cells(complex), support(x.selection));
+  if (rest.empty()) return out;
+  Components& value = out.value;
+  value.selection = add_component({}, rest, 1);
+  value.attributes.emplace_back();
+  value.attributes[0].leaves = all_leaves(x);
+  value.attributes[0].dominance = largest_dominance(x);
+  const LeafSetId origin = value.origins.sets.intern(value.attributes[0].leaves);
+  value.origins.vertices.assign(rest.vertices.size(), origin);
+  value.origins.edges.assign(rest.edges.size(), origin);
+  value.origins.faces.assign(rest.faces.size(), origin);
+  value.origins.regions.assign(rest.regions.size(), origin);
+  return out;
+}
+
+ComponentsResult apply(const Complex& complex, Topological op, const Components& x) {
+  const CellSet have = support(x.selection);
+  const CellSet want = apply(complex, op, have);
+  const auto extra = static_cast<Component>(x.attributes.size() + 1);
+  ComponentsResult out;
+  Components& value = out.value;
+  value.selection = add_component(restrict_to(x.selection, want), subtract(want, have), extra);
+  value.attributes = x.attributes;
+  value.attributes.emplace_back();
+  value.attributes.back().name = name(op);
+  inherit_origins(complex, x, value);
+  value.features = active(value.selection, x.features);
+  value.attributes.back().dominance = largest_dominance(x);
+  renumber(value);
+  collect_leaves(value);
+  return out;
+}
+
+// Atoms of several components are boundaries that they share: no conflict of materials.
+ComponentsResult apply_each(const Complex& complex, Topological op, const Components& x) {
+  Memberships memberships;
+  const std::vector<CellSet> own = supports(x);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    memberships.add(apply(complex, op, own[i]), static_cast<Component>(i + 1));
+  }
+  ComponentsResult out;
+  Components& value = out.value;
+  std::vector<std::vector<Component>> atoms = memberships.atoms(value.selection);
+  inherit_origins(complex, x, value);
+  for (std::size_t a = 0; a < atoms.size(); ++a) {
+    ComponentAttributes attributes = x.attributes[atoms[a][0] - 1];
+    for (std::size_t k = 1; k < atoms[a].size(); ++k) {
+      Combined c = combine(attributes, x.attributes[atoms[a][k] - 1], {});
+      attributes = std::move(c.attributes);
+    }
+    value.attributes.push_back(std::move(attributes));
+  }
+  value.features = active(value.selection, x.features);
+  collect_leaves(value);
+  return out;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,61 @@
+// The operators of Constructive Non-Regularized Geometry (rossignac1991; SEMANTICS 2) on one complex.
+//
+//   aggregate   all components of all operands; an overlap is an error
+//   unify       one component: |X|
+//   sum         Xi - |Y|, Xi and Yj, Yj - |X|
+//   product     Xi and Yj
+//   subtract    Xi - |Y|
+//   complement  one component: space - |X|
+//   interior    Xi and int|X|
+//   closure     the Xi; cl|X| - |X|
+//   boundary    Xi and bd|X|; bd|X| - |X|
+//   regularize  Xi and cl int|X|; cl int|X| - |X|
+//
+// Components come in the order of the table, (i, j) by i, then j; empty ones vanish. With `each` the topological
+// operators act on every component by itself: a result component is the set of cells that belong to the results
+// of one and the same set of components, ordered by that set.
+//
+// Attributes (cavalcanti1997: a region gets its material by itself): a component of the result has the name and
+// material of the component of the operand with the greater dominance; with equal dominance the left one's, a
+// missing one from the other, names joined by ` & `. Materials that differ under equal dominance are reported with
+// the cells. The dominance is the larger one.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "csg/operators/boolean.h"
+#include "csg/operators/components.h"
+
+namespace cnrg {
+
+struct ComponentsResult {
+  Components value;
+  std::vector<MaterialConflict> conflicts;  ///< `region` is the component of the result
+};
+
+/// Throws InputError when operands overlap; the message names the two operands (their `names`, parallel) and one
+/// cell that both have.
+ComponentsResult aggregate(const Complex& complex, std::span<const Components* const> operands,
+                           std::span<const std::string> names);
+ComponentsResult unify(const Complex& complex, const Components& x);
+/// `dominance` overrides that of the components.
+ComponentsResult sum(const Complex& complex, const Components& x, const Components& y,
+                     std::optional<Dominance> dominance = {});
+ComponentsResult product(const Complex& complex, const Components& x, const Components& y,
+                         std::optional<Dominance> dominance = {});
+ComponentsResult subtract(const Complex& complex, const Components& x, const Components& y);
+ComponentsResult complement(const Complex& complex, const Components& x);
+
+enum class Topological : std::uint8_t { interior, closure, boundary, regularize };
+const char* name(Topological op);
+ComponentsResult apply(const Complex& complex, Topological op, const Components& x);
+/// The operator on every component by itself.
+ComponentsResult apply_each(const Complex& complex, Topological op, const Components& x);
+
+/// What the operator does to a point set.
+CellSet apply(const Complex& complex, Topological op, const CellSet& set);
+
+}  // namespace cnrg

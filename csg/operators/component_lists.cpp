@@ -1,0 +1,110 @@
+#include "csg/operators/component_lists.h"
+
+namespace cnrg {
+namespace {
+
+template <class IdT>
+std::vector<IdT> active_ones(const std::vector<std::pair<IdT, Component>>& list, const std::vector<IdT>& features) {
+  std::vector<IdT> out;
+  auto it = list.begin();
+  for (const IdT id : features) {
+    while (it != list.end() && it->first < id) ++it;
+    if (it != list.end() && it->first == id) out.push_back(id);
+  }
+  return out;
+}
+
+// Calls f(cell, components of it) in the order of cells.
+template <class IdT, class F>
+void for_each_cell(const std::vector<std::pair<IdT, Component>>& list, F f) {
+  std::vector<Component> components;
+  for (std::size_t begin = 0; begin < list.size();) {
+    components.clear();
+    std::size_t end = begin;
+    for (; end < list.size() && list[end].first == list[begin].first; ++end) components.push_back(list[end].second);
+    f(list[begin].first, components);
+    begin = end;
+  }
+}
+
+}  // namespace
+
+std::vector<int> dimensions(const Components& x) {
+  std::vector<int> out(x.attributes.size(), -1);
+  const auto see = [&](const auto& list, int dimension) {
+    for (const auto& entry : list) out[entry.second - 1] = dimension;
+  };
+  see(x.selection.vertices, 0);
+  see(x.selection.edges, 1);
+  see(x.selection.faces, 2);
+  see(x.selection.regions, 3);
+  return out;
+}
+
+Rational largest_dominance(const Components& x) {
+  if (x.attributes.empty()) return 0;
+  return std::max_element(x.attributes.begin(), x.attributes.end(), [](const auto& a, const auto& b) {
+           return a.dominance < b.dominance;
+         })->dominance;
+}
+
+std::vector<CellSet> supports(const Components& x) {
+  std::vector<CellSet> out(x.attributes.size());
+  for (const auto& [id, c] : x.selection.vertices) out[c - 1].vertices.push_back(id);
+  for (const auto& [id, c] : x.selection.edges) out[c - 1].edges.push_back(id);
+  for (const auto& [id, c] : x.selection.faces) out[c - 1].faces.push_back(id);
+  for (const auto& [id, c] : x.selection.regions) out[c - 1].regions.push_back(id);
+  return out;
+}
+
+Features unite(const Features& a, const Features& b) {
+  Features out;
+  std::set_union(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(), std::back_inserter(out.edges));
+  std::set_union(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
+                 std::back_inserter(out.vertices));
+  return out;
+}
+
+Features active(const Selection& selection, const Features& features) {
+  return {active_ones(selection.edges, features.edges), active_ones(selection.vertices, features.vertices)};
+}
+
+void Memberships::add(const CellSet& set, Component component) {
+  const auto append = [&](const auto& cells, auto& list) {
+    for (const auto cell : cells) list.emplace_back(cell, component);
+  };
+  append(set.vertices, vertices_);
+  append(set.edges, edges_);
+  append(set.faces, faces_);
+  append(set.regions, regions_);
+}
+
+std::vector<std::vector<Component>> Memberships::atoms(Selection& selection) {
+  std::sort(vertices_.begin(), vertices_.end());
+  std::sort(edges_.begin(), edges_.end());
+  std::sort(faces_.begin(), faces_.end());
+  std::sort(regions_.begin(), regions_.end());
+  std::map<std::vector<Component>, Component> numbers;
+  const auto see = [&](auto, const std::vector<Component>& components) { numbers.emplace(components, 0); };
+  for_each_cell(vertices_, see);
+  for_each_cell(edges_, see);
+  for_each_cell(faces_, see);
+  for_each_cell(regions_, see);
+  std::vector<std::vector<Component>> out;
+  for (auto& [components, number] : numbers) {
+    out.push_back(components);
+    number = static_cast<Component>(out.size());
+  }
+  const auto assign = [&](const auto& from, auto& to) {
+    for_each_cell(from, [&](auto cell, const std::vector<Component>& components) {
+      to.emplace_back(cell, numbers.at(components));
+    });
+  };
+  assign(vertices_, selection.vertices);
+  assign(edges_, selection.edges);
+  assign(faces_, selection.faces);
+  assign(regions_, selection.regions);
+  return out;
+}
+
+}  // namespace cnrg

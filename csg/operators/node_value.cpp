@@ -1,0 +1,44 @@
+#include "csg/operators/node_value.h"
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+
+const Group& NodeValue::group() const {
+  require(is_group(), "a group was asked of a value of components");
+  return std::get<Group>(held);
+}
+
+const Components& NodeValue::components() const {
+  require(!is_group(), "components were asked of a group");
+  return std::get<Components>(held);
+}
+
+const Features& NodeValue::features() const {
+  return is_group() ? group().features : components().features;
+}
+
+const Origins& NodeValue::origins() const {
+  return is_group() ? group().origins : components().origins;
+}
+
+std::size_t NodeValue::component_count() const {
+  if (!is_group()) return components().attributes.size();
+  return group().regions.size() + (group().vertices.empty() ? 0 : 1);
+}
+
+const RegionAttributes& NodeValue::attributes(Component i) const {
+  static const RegionAttributes entities{kEntitiesName, "", {}};
+  if (!is_group()) return components().attributes.at(i - 1);
+  return i <= group().regions.size() ? group().regions[i - 1] : entities;
+}
+
+Selection selection_of(const Complex& complex, const NodeValue& value) {
+  return value.is_group() ? selection_of(complex, value.group()) : value.components().selection;
+}
+
+Components components_of(const Complex& complex, const NodeValue& value) {
+  return value.is_group() ? components_of(complex, value.group()) : value.components();
+}
+
+}  // namespace cnrg

@@ -1,0 +1,40 @@
+// The value of a node: a group or the components of a CNRG operator, and what each is to the other family.
+//
+// A leaf, a group Boolean, and regularize and closure of a group give a group. Every other operator gives
+// components. The complement of a group is the open set space - |X|, as CNRG has it; where a group Boolean takes it
+// directly it stands for the group of its closure, whose unbounded region is a region (pereira2012 4, Fig. 10: a
+// surface minus the complement of a box).
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "csg/operators/components.h"
+
+namespace cnrg {
+
+struct NodeValue {
+  std::variant<Group, Components> held;
+  std::optional<Group> stands_for;  ///< the closed complement, of the complement of a group
+
+  NodeValue() = default;
+  NodeValue(Group group) : held(std::move(group)) {}
+  NodeValue(Components components) : held(std::move(components)) {}
+
+  bool is_group() const { return std::holds_alternative<Group>(held); }
+  /// Throw InvariantError when the value is of the other family.
+  const Group& group() const;
+  const Components& components() const;
+
+  const Features& features() const;
+  const Origins& origins() const;
+  /// How many components: the regions of a group and, if it has any, its entities as the last.
+  std::size_t component_count() const;
+  /// Name, material and leaves of component i from 1. The entities of a group are `entities`.
+  const RegionAttributes& attributes(Component i) const;
+};
+
+Selection selection_of(const Complex& complex, const NodeValue& value);
+Components components_of(const Complex& complex, const NodeValue& value);
+
+}  // namespace cnrg

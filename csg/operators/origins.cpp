@@ -1,0 +1,104 @@
+#include "csg/operators/origins.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "kernel/base/sorted.h"
+
+namespace cnrg {
+namespace {
+
+bool among(std::span<const LeafId> leaves, LeafId leaf) {
+  return std::binary_search(leaves.begin(), leaves.end(), leaf);
+}
+
+void add_cover(const Complex& complex, FaceId f, std::span<const LeafId> leaves, std::vector<LeafCell>& out) {
+  for (const Cover& cover : complex.cover(f)) {
+    const Soup::Face& face = complex.sources[cover.source];
+    if (among(leaves, face.leaf)) out.push_back({face.leaf, 2, face.leaf_face});
+  }
+}
+
+void add_wires(const Complex& complex, EdgeId e, std::span<const LeafId> leaves, std::vector<LeafCell>& out) {
+  for (const SegmentId s : complex.edge_segments[e]) {
+    for (const WireId w : complex.segment_wires[s]) {
+      const Soup::Wire& wire = complex.wires[w];
+      if (among(leaves, wire.leaf)) out.push_back({wire.leaf, 1, wire.leaf_edge});
+    }
+  }
+}
+
+void add_labels(const Complex& complex, RegionId r, std::span<const LeafId> leaves, std::vector<LeafCell>& out) {
+  for (const Label& label : complex.labels(r)) {
+    if (among(leaves, label.leaf)) out.push_back({label.leaf, 3, label.region});
+  }
+}
+
+}  // namespace
+
+LeafSets::LeafSets() { intern(std::span<const LeafId>()); }
+
+LeafSetId LeafSets::intern(std::span<const LeafId> leaves) {
+  std::vector<LeafId> key(leaves.begin(), leaves.end());
+  const auto it = known_.find(key);
+  if (it != known_.end()) return it->second;
+  const LeafSetId id = sets_.push_back(key);
+  known_.emplace(std::move(key), id);
+  return id;
+}
+
+LeafSetId LeafSets::unite(LeafSetId a, LeafSetId b) {
+  if (a == b || b == LeafSetId(0)) return a;
+  if (a == LeafSetId(0)) return b;
+  const auto [it, fresh] = united_.try_emplace(std::minmax(a, b));
+  if (fresh) {
+    std::vector<LeafId> both;
+    std::set_union(sets_[a].begin(), sets_[a].end(), sets_[b].begin(), sets_[b].end(), std::back_inserter(both));
+    it->second = intern(both);
+  }
+  return it->second;
+}
+
+std::vector<LeafCell> leaf_cells(const Complex& complex, VertexId v, std::span<const LeafId> leaves) {
+  std::vector<LeafCell> out;
+  for (const EdgeId e : complex.vertex_edges[v]) {
+    for (const FaceUse& use : complex.edge_uses[e]) add_cover(complex, use.face, leaves, out);
+    add_wires(complex, e, leaves, out);
+  }
+  for (const FaceId f : complex.vertex_faces[v]) add_cover(complex, f, leaves, out);
+  for (const LeafId leaf : complex.isolated_leaves[v]) {
+    if (among(leaves, leaf)) out.push_back({leaf, 0, 0});
+  }
+  std::vector<RegionId> around;
+  complex.star_regions(v, around);
+  for (const RegionId r : around) add_labels(complex, r, leaves, out);
+  sort_unique(out);
+  return out;
+}
+
+std::vector<LeafCell> leaf_cells(const Complex& complex, EdgeId e, std::span<const LeafId> leaves) {
+  std::vector<LeafCell> out;
+  for (const FaceUse& use : complex.edge_uses[e]) add_cover(complex, use.face, leaves, out);
+  add_wires(complex, e, leaves, out);
+  std::vector<RegionId> around;
+  complex.star_regions(e, around);
+  for (const RegionId r : around) add_labels(complex, r, leaves, out);
+  sort_unique(out);
+  return out;
+}
+
+std::vector<LeafCell> leaf_cells(const Complex& complex, FaceId f, std::span<const LeafId> leaves) {
+  std::vector<LeafCell> out;
+  add_cover(complex, f, leaves, out);
+  for (const RegionId r : complex.face_regions[f]) add_labels(complex, r, leaves, out);
+  sort_unique(out);
+  return out;
+}
+
+std::vector<LeafCell> leaf_cells(const Complex& complex, RegionId r, std::span<const LeafId> leaves) {
+  std::vector<LeafCell> out;
+  add_labels(complex, r, leaves, out);
+  return out;
+}
+
+}  // namespace cnrg

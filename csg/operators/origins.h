@@ -1,0 +1,76 @@
+// Origins: the leaves that each cell of a value came from, through any depth of the DAG.
+//
+// Values have few distinct sets of leaves and many cells: sets are interned in the value's own table, a cell
+// carries a 4-byte id. A cell that two operands have came from both. Which faces of these leaves it lies in is
+// read off the covers of the complex (`leaf_faces`).
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "kernel/complex/complex.h"
+#include "kernel/selection/selection.h"
+
+namespace cnrg {
+
+using LeafSetId = Id<struct LeafSetTag>;  ///< an interned set of leaves
+
+/// Sets of leaves, each stored once. LeafSetId(0) is the empty set.
+class LeafSets {
+ public:
+  LeafSets();
+  /// The id of a set of leaves (ascending, unique).
+  LeafSetId intern(std::span<const LeafId> leaves);
+  LeafSetId intern(LeafId leaf) { return intern(std::span(&leaf, 1)); }
+  /// The union of two sets of this table; pairs are remembered.
+  LeafSetId unite(LeafSetId a, LeafSetId b);
+  std::span<const LeafId> operator[](LeafSetId set) const { return sets_[set]; }
+  std::size_t size() const { return sets_.size(); }
+
+ private:
+  Csr<LeafSetId, LeafId> sets_;
+  std::map<std::vector<LeafId>, LeafSetId> known_;
+  std::map<std::pair<LeafSetId, LeafSetId>, LeafSetId> united_;
+};
+
+/// Brings sets of one table into another, each when it is first met: tables hold no more than their values need.
+class LeafSetMap {
+ public:
+  LeafSetMap(const LeafSets& from, LeafSets& to)
+      : from_(from), to_(to), known_(from.size(), LeafSetId::none()) {}
+  LeafSetId operator()(LeafSetId set) {
+    LeafSetId& id = known_[set.index()];
+    if (!id.valid()) id = to_.intern(from_[set]);
+    return id;
+  }
+
+ private:
+  const LeafSets& from_;
+  LeafSets& to_;
+  std::vector<LeafSetId> known_;
+};
+
+/// The set of each listed cell of a value: parallel to its lists of vertices, edges, faces and 3-cells.
+struct Origins {
+  LeafSets sets;
+  std::vector<LeafSetId> vertices, edges, faces, regions;
+};
+
+/// A face, a wire, an isolated point or a region of a leaf that a cell lies in.
+struct LeafCell {
+  LeafId leaf;
+  std::uint8_t dimension = 2;  ///< 0 isolated point, 1 wire, 2 face, 3 region
+  std::uint32_t number = 0;    ///< of the face or wire in its leaf (Soup::Face::leaf_face, Soup::Wire::leaf_edge), of the
+                               ///< region from 1; 0 for a point
+  friend auto operator<=>(const LeafCell&, const LeafCell&) = default;
+};
+
+/// The cells of the given leaves (ascending) whose point sets, boundaries included, hold the cell; ascending.
+std::vector<LeafCell> leaf_cells(const Complex& complex, VertexId v, std::span<const LeafId> leaves);
+std::vector<LeafCell> leaf_cells(const Complex& complex, EdgeId e, std::span<const LeafId> leaves);
+std::vector<LeafCell> leaf_cells(const Complex& complex, FaceId f, std::span<const LeafId> leaves);
+std::vector<LeafCell> leaf_cells(const Complex& complex, RegionId r, std::span<const LeafId> leaves);
+
+}  // namespace cnrg
