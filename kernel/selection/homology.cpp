@@ -3,10 +3,10 @@
 //
 // Euler characteristic. Cut small open neighbourhoods of the missing vertices off the set, then of the missing
 // edges, then of the missing faces. What remains is a compact set K that the set shrinks to. It is made up of the
-// rests of the cells, so chi(K) = sum of w(c), the Euler characteristic with compact support of the rest of c. Take
-// c with a collar inside of all its boundary, a compact manifold M. Of the boundary of M the rest of c lacks what
-// lies along cells that are there, so w(c) = chi(M) - chi(what lies along cells that are there), and this is again
-// a sum over rests, once for each germ of c along a cell:
+// rests of the cells, so chi(K) = sum of w(c), the Euler characteristic with compact support of the rest of c.
+// Take c with a collar inside of all its boundary, a compact manifold M. Of the boundary of M the rest of c lacks
+// what lies along cells that are there, so w(c) = chi(M) - chi(what lies along cells that are there), and this is
+// again a sum over rests, once for each germ of c along a cell:
 //   w(v) = 1
 //   w(e) = 1 - (ends that are there)
 //   w(f) = 1 - rings - sum of w(e) over the steps of its loops - (corners at vertices that are there)
@@ -282,18 +282,19 @@ BettiNumbers betti_numbers(const Complex& complex, const CellSet& set) {
   return betti_numbers(complex, set, neighbourhoods);
 }
 
-std::vector<BettiNumbers> betti_numbers(const Complex& complex, const Selection& selection, Component components,
-                                        Neighbourhoods& neighbourhoods) {
-  std::vector<CellSet> sets(components + 1);
+std::vector<BettiNumbers> betti_numbers(const Complex& complex, const Selection& selection,
+                                        const std::vector<Component>& components, Neighbourhoods& neighbourhoods) {
+  std::vector<CellSet> sets(components.size());
   const auto deal = [&](const auto& cells, auto member) {
     for (const auto& [cell, c] : cells) {
-      require(c >= 1 && c <= components, "homology: a component beyond the number given");
-      (sets[0].*member).push_back(cell), (sets[c].*member).push_back(cell);
+      const auto at = std::lower_bound(components.begin(), components.end(), c);
+      require(at != components.end() && *at == c, "homology: a component that is not listed");
+      (sets[static_cast<std::size_t>(at - components.begin())].*member).push_back(cell);
     }
   };
   deal(selection.vertices, &CellSet::vertices), deal(selection.edges, &CellSet::edges);
   deal(selection.faces, &CellSet::faces), deal(selection.regions, &CellSet::regions);
-  std::vector<BettiNumbers> out;
+  std::vector<BettiNumbers> out{betti_numbers(complex, support(selection), neighbourhoods)};
   for (const CellSet& set : sets) out.push_back(betti_numbers(complex, set, neighbourhoods));
   return out;
 }

@@ -4,10 +4,10 @@
 // homology; higher ones vanish in space). They are read off incidence, without elimination; see homology.cpp.
 //
 // Z/2 and Q agree. |S| is homotopy equivalent to a compact polyhedron K in the 3-sphere (what remains when small
-// open neighbourhoods of the missing cells are cut away), and by Alexander duality the reduced H_i(K) is isomorphic
-// to the reduced cohomology H^(2-i) of the complement, for i = 1 and 2 to H^1 and H^0. These have no torsion for any
-// space (universal coefficients), nor has H_0. So the ranks do not depend on the field (hatcher2002 3.44, 3.45).
-// Both are returned all the same: people ask for one or the other.
+// open neighbourhoods of the missing cells are cut away), and by Alexander duality the reduced H_i(K) is
+// isomorphic to the reduced cohomology H^(2-i) of the complement, for i = 1 and 2 to H^1 and H^0. These have no
+// torsion for any space (universal coefficients), nor has H_0. So the ranks do not depend on the field
+// (hatcher2002 3.44, 3.45). Both are returned all the same: people ask for one or the other.
 #pragma once
 
 #include <array>
@@ -31,9 +31,10 @@ struct BettiNumbers {
 BettiNumbers betti_numbers(const Complex& complex, const CellSet& set, Neighbourhoods& neighbourhoods);
 BettiNumbers betti_numbers(const Complex& complex, const CellSet& set);
 
-/// The Betti numbers of every component, `[0]` those of the whole point set; as many as `components` says.
-std::vector<BettiNumbers> betti_numbers(const Complex& complex, const Selection& selection, Component components,
-                                        Neighbourhoods& neighbourhoods);
+/// The Betti numbers of the whole point set, then those of each of `components` (ascending), which are all that
+/// the selection has.
+std::vector<BettiNumbers> betti_numbers(const Complex& complex, const Selection& selection,
+                                        const std::vector<Component>& components, Neighbourhoods& neighbourhoods);
 
 /// The Euler characteristics of the surfaces just inside of each of some regions (ascending): closed surfaces, one
 /// per piece of the region's boundary. A region is a ball with handles and cavities: the sum over its surfaces of

@@ -28,8 +28,8 @@ std::string radial_order_text(const Complex& complex, EdgeId e) {
   std::string out;
   for (const RadialStep& step : steps) {
     if (!out.empty()) out += ", ";
-    out += "f" + std::to_string(step.face.face().value()) + (step.face.side() == 0 ? " (front), r" : " (back), r") +
-           std::to_string(step.region.value());
+    out += "f" + std::to_string(step.face.face().value());
+    out += (step.face.side() == 0 ? " (front), r" : " (back), r") + std::to_string(step.region.value());
   }
   return out;
 }

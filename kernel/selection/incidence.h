@@ -1,4 +1,5 @@
-// Questions of incidence that people ask: the link of cells, the radial order about an edge, the shells of a region.
+// Questions of incidence that people ask: the link of cells, the radial order about an edge, the shells of a
+// region.
 #pragma once
 
 #include <string>
@@ -12,8 +13,8 @@ namespace cnrg {
 /// around the set passes. Cells on the frame are left out.
 CellSet link(const Complex& complex, const CellSet& set);
 
-/// A step about an edge: a face that is met, by the side that is seen first when turning counter-clockwise (as seen
-/// with the edge pointing towards the viewer), and the region behind it (weiler1986, the radial cycle).
+/// A step about an edge: a face that is met, by the side that is seen first when turning counter-clockwise (as
+/// seen with the edge pointing towards the viewer), and the region behind it (weiler1986, the radial cycle).
 struct RadialStep {
   HalfFace face;
   RegionId region;
@@ -25,9 +26,9 @@ std::vector<RadialStep> radial_order(const Complex& complex, EdgeId e);
 /// In words: `f3 (front), r1, f7 (back), r0`; for a wire `a wire in r1`.
 std::string radial_order_text(const Complex& complex, EdgeId e);
 
-/// The half-faces of a region by shell, those that see each other over an edge in one; each ascending, shells in the
-/// order of their first half-face. Wires and isolated vertices of the region are in `Complex::region_wires` and
-/// `region_vertices`.
+/// The half-faces of a region by shell, those that see each other over an edge in one; each ascending, shells in
+/// the order of their first half-face. Wires and isolated vertices of the region are in `Complex::region_wires`
+/// and `region_vertices`.
 std::vector<std::vector<HalfFace>> shells(const Complex& complex, RegionId r);
 
 }  // namespace cnrg

@@ -75,7 +75,8 @@ LocalShape shape_of(const Complex& complex, const ClosedSet& set, EdgeId e) {
   if (sectors == 1) {
     return {LocalForm::non_manifold, number(sheets, "a sheet hangs", "sheets hang") + " on the solid"};
   }
-  std::string reason = std::to_string(2 * sectors) + " boundary faces meet: " + std::to_string(sectors) + " solid sectors";
+  std::string reason = std::to_string(2 * sectors) + " boundary faces meet: ";
+  reason += std::to_string(sectors) + " solid sectors";
   if (sheets > 0) reason += ", and " + number(sheets, "a sheet", "sheets");
   return {LocalForm::non_manifold, reason};
 }
@@ -106,9 +107,9 @@ class VertexShape {
     const Census c = census();
     if (c.total() == 0) return {LocalForm::isolated_point, ""};
     if (c.total() == 1 && c.pierced == 0) {
-      return {c.disks ? LocalForm::manifold
-                      : (c.circles ? LocalForm::surface : (c.arcs ? LocalForm::surface_border : LocalForm::wire_end)),
-              ""};
+      if (c.disks > 0) return {LocalForm::manifold, ""};
+      if (c.circles > 0) return {LocalForm::surface, ""};
+      return {c.arcs > 0 ? LocalForm::surface_border : LocalForm::wire_end, ""};
     }
     if (c.total() == 2 && c.points == 2) return {LocalForm::wire, ""};
     return {LocalForm::non_manifold, meeting(c)};

@@ -1,9 +1,9 @@
 // What a point set looks like around its edges and vertices: manifold, with boundary, or neither and how.
 //
-// Asked of the closure of a set (what is missing from an open set is the business of its Betti numbers). A vertex is
-// seen by what the closure leaves on its small sphere: a closed set of germs, arcs and nodes; an edge by the same
-// on a circle, the sectors and uses around it. The terms are weiler1986's: a set is a manifold with boundary where
-// that is all of the sphere, a disk (of solid), a circle (a sheet), an arc (its border).
+// Asked of the closure of a set (what is missing from an open set is the business of its Betti numbers). A vertex
+// is seen by what the closure leaves on its small sphere: a closed set of germs, arcs and nodes; an edge by the
+// same on a circle, the sectors and uses around it. The terms are weiler1986's: a set is a manifold with boundary
+// where that is all of the sphere, a disk (of solid), a circle (a sheet), an arc (its border).
 #pragma once
 
 #include <string>

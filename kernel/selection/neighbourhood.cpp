@@ -1,12 +1,12 @@
-// Incidence gives nodes, arcs and circles: an arc joins two uses that follow each other in a loop of a face, a walk
-// turns at a node to the next dart of the radial order. Each connected part of the graph is a planar graph of its
-// own whose circles bound disks.
+// Incidence gives nodes, arcs and circles: an arc joins two uses that follow each other in a loop of a face, a
+// walk turns at a node to the next dart of the radial order. Each connected part of the graph is a planar graph
+// of its own whose circles bound disks.
 //
 // Which disks of different parts are one germ, incidence does not tell (a part may lie on either of two disks that
-// belong to one region). So a path is drawn on the sphere from each part to the first one, over a way point that is
-// in general position; between two crossings with arcs it stays in one germ, whose circles on either side of the
-// path are joined. Parts and germs form a tree, as the sphere falls apart along every part; a path from a part to
-// the first one passes every germ in between. Directions are integers, so all signs are exact.
+// belong to one region). So a path is drawn on the sphere from each part to the first one, over a way point that
+// is in general position; between two crossings with arcs it stays in one germ, whose circles on either side of
+// the path are joined. Parts and germs form a tree, as the sphere falls apart along every part; a path from a
+// part to the first one passes every germ in between. Directions are integers, so all signs are exact.
 #include "kernel/selection/neighbourhood.h"
 
 #include <algorithm>
@@ -298,7 +298,8 @@ Neighbourhood Neighbourhoods::at(VertexId v) {
 
 void Neighbourhoods::at(VertexId v, Neighbourhood& out) {
   out.vertex = v;
-  out.nodes.clear(), out.darts.clear(), out.arcs.clear(), out.circles.clear(), out.sides.clear(), out.germs.clear();
+  out.nodes.clear(), out.darts.clear(), out.arcs.clear();
+  out.circles.clear(), out.sides.clear(), out.germs.clear();
   out.parts = 0;
   const auto& uses = complex_.edge_uses.values();
   for (EdgeId e : complex_.vertex_edges[v]) {

@@ -4,9 +4,9 @@
 // Notation, all seen from outside of the sphere:
 //   node    the germ of an edge that ends in the vertex
 //   arc     the germ of a face: one corner of it. From the node of the half-edge that leaves the vertex (its tail)
-//           to that of the one that arrives (its head), counter-clockwise as seen from the front of the face, which
-//           lies to its left. The tip of a slit is an arc from a node to itself; a vertex in the interior of a face
-//           has there an arc without nodes, a full circle.
+//           to that of the one that arrives (its head), counter-clockwise as seen from the front of the face,
+//           which lies to its left. The tip of a slit is an arc from a node to itself; a vertex in the interior of
+//           a face has there an arc without nodes, a full circle.
 //   dart    an end of an arc at a node; darts around a node are listed counter-clockwise
 //   side    a side of an arc (0: the face's front), as code arc * 2 + side
 //   circle  a closed walk of sides with one germ to the left, or a node without arcs (a wire) walked around

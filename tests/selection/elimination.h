@@ -73,8 +73,8 @@ long rank(const std::vector<Column<T>>& columns, std::size_t rows) {
   return static_cast<long>(kept.size());
 }
 
-/// Chains of cells: `above[i]` lists the cells whose boundary holds cell i. Simplices of dimensions 0 to 3, each by
-/// the numbers of its cells in order of inclusion.
+/// Chains of cells: `above[i]` lists the cells whose boundary holds cell i. Simplices of dimensions 0 to 3, each
+/// by the numbers of its cells in order of inclusion.
 using Simplex = std::vector<std::uint32_t>;
 inline std::array<std::vector<Simplex>, 4> order_complex(const std::vector<std::vector<std::uint32_t>>& above) {
   std::array<std::vector<Simplex>, 4> out;

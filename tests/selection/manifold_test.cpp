@@ -94,7 +94,8 @@ TEST_CASE("shapes of sheets, wires and points", "[manifold]") {
                                       wire({0, 0, 0}, {-1, -1, 0}), point({1, 1, 0})});
   const Shapes at_pierced = shapes(pierced, bounded(pierced));
   CHECK(at_pierced.edges == Counts{{"wire", 3}, {"surface border", 4}});
-  CHECK(at_pierced.vertices == Counts{{"2 wires and a sheet meet in a point", 1}, {"a wire and a sheet meet in a point", 1},
+  CHECK(at_pierced.vertices == Counts{{"2 wires and a sheet meet in a point", 1},
+                                      {"a wire and a sheet meet in a point", 1},
                                       {"surface", 1}, {"surface border", 3}, {"wire end", 3}});
 
   const Complex slit = complex_of({sheet({0, 0, 0}, {4, 4, 0}), wire({1, 1, 0}, {2, 2, 0})});
@@ -102,13 +103,16 @@ TEST_CASE("shapes of sheets, wires and points", "[manifold]") {
   CHECK(at_slit.edges == Counts{{"surface border", 4}, {"surface", 1}});
   CHECK(at_slit.vertices == Counts{{"surface border", 4}, {"surface", 2}});
 
-  const Complex hung = complex_of({box({0, 0, 0}, {4, 4, 4}), sheet({4, 1, 1}, {6, 3, 1}), wire({0, 0, 0}, {-1, 0, 0}),
-                                   wire({1, 1, 1}, {2, 2, 2}), sheet({1, 1, 3}, {2, 2, 3})});
+  const Complex hung =
+      complex_of({box({0, 0, 0}, {4, 4, 4}), sheet({4, 1, 1}, {6, 3, 1}), wire({0, 0, 0}, {-1, 0, 0}),
+                  wire({1, 1, 1}, {2, 2, 2}), sheet({1, 1, 3}, {2, 2, 3})});
   const Shapes at_hung = shapes(hung, bounded(hung));
   CHECK(at_hung.edges ==
-        Counts{{"manifold", 12}, {"a sheet hangs on the solid", 1}, {"surface border", 3}, {"wire", 1}, {"interior", 5}});
-  CHECK(at_hung.vertices == Counts{{"manifold", 7}, {"a wire and a solid cone meet in a point", 1}, {"wire end", 1},
-                                   {"a non-manifold edge ends here", 2}, {"surface border", 2}, {"interior", 6}});
+        Counts{{"manifold", 12}, {"a sheet hangs on the solid", 1}, {"surface border", 3}, {"wire", 1},
+               {"interior", 5}});
+  CHECK(at_hung.vertices ==
+        Counts{{"manifold", 7}, {"a wire and a solid cone meet in a point", 1}, {"wire end", 1},
+               {"a non-manifold edge ends here", 2}, {"surface border", 2}, {"interior", 6}});
   // Two sheets tip to tip.
   const Complex tips = complex_of({sheet({0, 0, 0}, {1, 1, 0}), sheet({1, 1, 0}, {2, 2, 0})});
   CHECK(shapes(tips, bounded(tips)).vertices["2 sheets touch in a point"] == 1);
@@ -140,12 +144,14 @@ TEST_CASE("shapes at the centre of a grid are those that counting octants gives"
     CellSet set;
     set.vertices = {centre};
     const auto pick = [&](const auto& from, auto& to, int chance) {
-      std::copy_if(from.begin(), from.end(), std::back_inserter(to), [&](auto) { return random.below(100) < chance; });
+      std::copy_if(from.begin(), from.end(), std::back_inserter(to),
+                   [&](auto) { return random.below(100) < chance; });
     };
     pick(around.edges, set.edges, lower), pick(around.faces, set.faces, lower);
     pick(around.regions, set.regions, percent);
     const Manifoldness m = manifoldness(complex, set, neighbourhoods);
-    const auto at = std::find_if(m.vertices.begin(), m.vertices.end(), [&](const auto& x) { return x.first == centre; });
+    const auto at = std::find_if(m.vertices.begin(), m.vertices.end(),
+                                 [&](const auto& entry) { return entry.first == centre; });
     REQUIRE(at != m.vertices.end());
     const LocalForm form = at->second.form;
     ++seen[form];
@@ -205,8 +211,9 @@ TEST_CASE("one-sided sheets", "[manifold]") {
       const bool seam = turned && i == n - 1;
       const PointId a = low[i], b = high[i];
       const PointId c = seam ? high[0] : low[(i + 1) % n], d = seam ? low[0] : high[(i + 1) % n];
-      soup.add_triangle(leaf, a, c, b, static_cast<std::uint32_t>(2 * i), static_cast<std::uint32_t>(2 * i));
-      soup.add_triangle(leaf, b, c, d, static_cast<std::uint32_t>(2 * i + 1), static_cast<std::uint32_t>(2 * i + 1));
+      const auto number = static_cast<std::uint32_t>(2 * i);
+      soup.add_triangle(leaf, a, c, b, number, number);
+      soup.add_triangle(leaf, b, c, d, number + 1, number + 1);
     }
     const Complex complex = build_complex(soup);
     REQUIRE(complex.edge_count() == 24);
@@ -230,8 +237,8 @@ TEST_CASE("one-sided sheets", "[manifold]") {
 }
 
 TEST_CASE("links, radial order and shells", "[incidence]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2}), sheet({4, 0, 4}, {6, 4, 4}),
-                                      wire({3, 3, 3}, {3, 3, 2})});
+  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2}),
+                                      sheet({4, 0, 4}, {6, 4, 4}), wire({3, 3, 3}, {3, 3, 2})});
   EdgeId hinge, hanging;
   for (EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
     if (complex.edge_uses[e].size() == 3) hinge = e;
@@ -244,7 +251,8 @@ TEST_CASE("links, radial order and shells", "[incidence]") {
     CHECK(complex.region(steps[i].face.opposite()) == steps[i].region);
     CHECK(complex.region(steps[(i + 1) % 3].face) == steps[i].region);
   }
-  CHECK(radial_order_text(complex, hanging) == "a wire in r" + std::to_string(complex.edge_region[hanging].value()));
+  CHECK(radial_order_text(complex, hanging) ==
+        "a wire in r" + std::to_string(complex.edge_region[hanging].value()));
   CHECK(radial_order_text(complex, hinge).find("(front), r") != std::string::npos);
   for (RegionId r : IdRange<RegionId>(complex.region_count)) {
     const auto found = shells(complex, r);
