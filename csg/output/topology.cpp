@@ -21,8 +21,19 @@ namespace {
 using Index = std::uint32_t;
 constexpr std::size_t kNamesPerReason = 12;
 
+/// True if a cell of a closed set reaches infinity (the frame).
 bool unbounded(const Complex& complex, const CellSet& set) {
-  return std::any_of(set.regions.begin(), set.regions.end(), [&](RegionId r) { return complex.unbounded(r); });
+  const auto reaches = [&](EdgeId e) {
+    const auto& [a, b] = complex.edge_ends[e];
+    return complex.on_frame(a) || complex.on_frame(b);
+  };
+  const auto any = [](const auto& cells, auto test) { return std::any_of(cells.begin(), cells.end(), test); };
+  return any(set.regions, [&](RegionId r) { return complex.unbounded(r); }) || any(set.edges, reaches) ||
+         any(set.faces, [&](FaceId f) {
+           return any(complex.face_loops[f], [&](LoopId l) {
+             return any(complex.loop[l], [&](HalfEdge h) { return reaches(h.edge()); });
+           });
+         });
 }
 
 template <class IdT>

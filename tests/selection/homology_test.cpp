@@ -324,5 +324,69 @@ TEST_CASE("betti numbers of a shell, a dangling sheet, and components", "[homolo
   CHECK(each[0].z2[0] == 3);
 }
 
+/// Planes z = 0 and x = 0 and a box across both, in a frame.
+Complex framed() {
+  Soup soup;
+  const auto quad = [&](LeafId leaf, std::uint32_t number, std::array<std::array<int, 3>, 4> corners) {
+    std::vector<std::vector<PointId>> loops(1);
+    for (const auto& p : corners) loops[0].push_back(soup.add_point(p[0], p[1], p[2]));
+    soup.add_face(leaf, loops, number, number, 0, 0);
+  };
+  const auto walls = [&](LeafId leaf, int low, int high) {
+    const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (std::uint32_t f = 0; f < 6; ++f) {
+      std::array<std::array<int, 3>, 4> corners;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const int code = faces[f][i];
+        corners[i] = {code & 1 ? high : low, code & 2 ? high : low, code & 4 ? high : low};
+      }
+      quad(leaf, f, corners);
+    }
+  };
+  quad(soup.add_leaf(Fill::none), 0, {{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}}});
+  quad(soup.add_leaf(Fill::none), 0, {{{0, -8, -8}, {0, 8, -8}, {0, 8, 8}, {0, -8, 8}}});
+  walls(soup.add_leaf(Fill::none), -1, 1);
+  const LeafId frame = soup.add_leaf(Fill::none);
+  walls(frame, -8, 8);
+  soup.set_frame(frame, soup.add_point(-8, -8, -8), {});
+  return build_complex(soup);
+}
+
+TEST_CASE("betti numbers of sets that reach the frame", "[homology]") {
+  const Complex complex = framed();
+  REQUIRE(complex.region_count == 1 + 8);
+  const CellSet all = all_cells(complex);
+  CHECK(numbers(complex, all) == Numbers{1, 0, 0});
+  CellSet inside, outside, planes;
+  for (RegionId r : all.regions) (complex.unbounded(r) ? outside : inside).regions.push_back(r);
+  REQUIRE(inside.regions.size() == 4);
+  CHECK(numbers(complex, outside) == Numbers{4, 0, 0});
+  CHECK(numbers(complex, closure(complex, outside)) == Numbers{1, 0, 1});
+  CHECK(numbers(complex, subtract(all, closure(complex, inside))) == Numbers{1, 0, 1});
+  // The planes as far as they bound two unbounded regions: around a hole, and with the line of both off.
+  for (FaceId f : all.faces) {
+    const auto [p, q] = complex.face_regions[f];
+    if (complex.unbounded(p) && complex.unbounded(q)) planes.faces.push_back(f);
+  }
+  CHECK(numbers(complex, planes) == Numbers{4, 0, 0});
+  CHECK(numbers(complex, closure(complex, planes)) == Numbers{1, 3, 0});
+  CellSet line;
+  for (EdgeId e : all.edges) {
+    const auto [a, b] = complex.edge_ends[e];
+    if (complex.on_frame(a) || complex.on_frame(b)) line.edges.push_back(e);
+  }
+  CHECK(numbers(complex, line) == Numbers{2, 0, 0});
+  Neighbourhoods neighbourhoods(complex);
+  const auto [begin, end] = scenes::seeds(200);
+  for (std::uint64_t seed = begin; seed < end; ++seed) {
+    scenes::Random random(seed);
+    const CellSet set = random_set(complex, random);
+    CAPTURE(seed);
+    if (!set.empty()) {
+      REQUIRE(betti_numbers(complex, set, neighbourhoods).z2[2] == complement_pieces(complex, set) - 1);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cnrg
