@@ -1,0 +1,24 @@
+// The union of two overlapping boxes under each dominance: the walls that remain, and what each row of the tables
+// removed. The dominant operand keeps its walls inside of the other; equal ones melt into one region.
+#include <cnrg.h>
+
+#include <iostream>
+
+using namespace cnrg;
+
+int main() {
+  const auto a = prepare(BoxShape{{0, 0, 0}, {2, 2, 2}});
+  const auto b = prepare(BoxShape{{1, 1, 1}, {3, 3, 3}});
+  const Complex complex = build_complex(make_soup({{a.get(), {}}, {b.get(), {}}}));
+  const std::vector<Group> groups = leaf_groups(complex, {{{.name = "a"}}, {{.name = "b"}}});
+  for (const Dominance dominance : {Dominance::left, Dominance::right, Dominance::equal}) {
+    const BooleanResult result = apply(complex, BooleanOp::unite, dominance, groups[0], groups[1]);
+    const Selection selection = selection_of(complex, result.group);
+    std::cout << (dominance == Dominance::left ? "left" : dominance == Dominance::right ? "right" : "equal") << "\n";
+    for (Component i = 1; i <= result.group.regions.size(); ++i) {
+      std::cout << "  region " << result.group.regions[i - 1].name << ", volume "
+                << volume(complex, support(selection, i).regions).value() << "\n";
+    }
+    for (const auto& [row, count] : result.removals) std::cout << "  " << row << " removed " << count << "\n";
+  }
+}
