@@ -29,3 +29,24 @@ int main() {
   print("product", complex, product(complex, x, y).value);
   print("unify(sum)", complex, unify(complex, sum(complex, x, y).value).value);
 }
+
+// Output:
+// a
+//   a: 1 vertices, 3 edges, 3 faces, volume 8
+//   entities: 14 vertices, 21 edges, 9 faces, volume 0
+// sum
+//   a: 0 vertices, 0 edges, 0 faces, volume 7
+//   entities: 7 vertices, 12 edges, 6 faces, volume 0
+//   a & b: 0 vertices, 0 edges, 0 faces, volume 1
+//   a: 1 vertices, 3 edges, 3 faces, volume 0
+//   b: 1 vertices, 3 edges, 3 faces, volume 0
+//   entities: 6 vertices, 6 edges, 0 faces, volume 0
+//   b: 0 vertices, 0 edges, 0 faces, volume 7
+//   entities: 7 vertices, 12 edges, 6 faces, volume 0
+// product
+//   a & b: 0 vertices, 0 edges, 0 faces, volume 1
+//   a: 1 vertices, 3 edges, 3 faces, volume 0
+//   b: 1 vertices, 3 edges, 3 faces, volume 0
+//   entities: 6 vertices, 6 edges, 0 faces, volume 0
+// unify(sum)
+//   a & b: 22 vertices, 36 edges, 18 faces, volume 15

@@ -1,7 +1,7 @@
 // A tree as a text, evaluated: one row per node, operands before users.
 //
-// `read_tree("model.yaml")` does the same for a file. Faults of the text are TreeErrors, whose `what()` begins with
-// file, line and column.
+// `read_tree("model.yaml")` does the same for a file. Faults of the text are TreeErrors, whose `what()` begins
+// with file, line and column.
 #include <cnrg.h>
 
 #include <iostream>
@@ -30,3 +30,11 @@ int main() {
     std::cout << e.what() << "\n";
   }
 }
+
+// Output:
+// sheet (polygon): 4 4 1 0, removed 0, volume 0
+// block (box): 8 12 6 1, removed 0, volume 64
+// split (union): 12 20 11 2, removed 0, volume 64
+// shaft (box): 8 12 6 1, removed 0, volume 2
+// model (difference): 20 32 15 2, removed 36, volume 188/3
+// faulty.yaml:2:21: error: there is no node called `b`; did you mean `a`?

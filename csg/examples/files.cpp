@@ -33,3 +33,9 @@ int main() {
               << volume(again, support(selection, i).regions).value() << "\n";
   }
 }
+
+// Output:
+// both.json: rounding moved 0 vertices
+// both.vtu: rounding moved 4 vertices
+// region a (clay): volume 8
+// region b (): volume 25/3

@@ -1,6 +1,6 @@
 // Exact point location: the cell of a node that holds a point with rational coordinates, and its component.
 //
-// 1/3 of a wall's width is on the wall; a billionth beside it is not.
+// A sloped seam parts a block of ground. The middle of the block is on the seam, a billionth beside it is not.
 #include <cnrg.h>
 
 #include <iostream>
@@ -30,3 +30,13 @@ result: model
               << (component == 0 ? "inactive" : model.value->attributes(component).name) << "\n";
   }
 }
+
+// Output:
+// 0 0 0: dimension 0, v6, entities
+// 1/3 1/2 0: dimension 1, e1, entities
+// 1/2 1/2 1/2: dimension 2, f0, entities
+// 500000001/1000000000 1/2 1/2: dimension 3, r1, ground
+// 1/3 1/3 1/3: dimension 3, r2, ground
+// 4/3 1/2 1/2: dimension 1, e0, entities
+// 1 1/3 1/3: dimension 2, f2, entities
+// 2 2 2: dimension 3, r0, inactive

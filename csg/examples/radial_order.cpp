@@ -21,8 +21,10 @@ int main() {
     for (const Rational& x : complex.points.rational(to)) std::cout << " " << x;
     std::cout << "\n";
     for (const FaceUse& use : uses) {
+      const LeafId leaf = complex.sources[complex.cover(use.face).front().source].leaf;
       const RationalPoint normal = area_vector(complex, use.face);  // of the front
-      std::cout << "  face with normal " << normal[0] << " " << normal[1] << " " << normal[2];
+      std::cout << "  face of box " << leaf.value() << ", normal " << normal[0] << " " << normal[1] << " "
+                << normal[2];
       const RegionId wedge = complex.region(use.after());
       if (complex.labels(wedge).empty()) std::cout << ", then outside";
       for (const Label& label : complex.labels(wedge)) std::cout << ", then box " << label.leaf.value();
@@ -30,3 +32,10 @@ int main() {
     }
   }
 }
+
+// Output:
+// edge from 1 1 0 to 1 1 1
+//   face of box 0, normal 1 0 0, then outside
+//   face of box 1, normal 0 1 0, then box 1
+//   face of box 1, normal 1 0 0, then outside
+//   face of box 0, normal 0 1 0, then box 0

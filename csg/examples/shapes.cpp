@@ -14,7 +14,8 @@ int main() {
                                         .vector = {0, 0, Rational(1, 3)}});
   const auto roof = prepare(TetrahedronShape{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}});
   const Transform turn = Transform::rotation({0, 0, 1}, 30, {0, 0, 0});
-  const Soup soup = make_soup({{plate.get(), {}}, {plate.get(), turn}, {roof.get(), Transform::translation({9, 0, 0})}});
+  const Transform shift = Transform::translation({9, 0, 0});
+  const Soup soup = make_soup({{plate.get(), {}}, {plate.get(), turn}, {roof.get(), shift}});
   const Complex complex = build_complex(soup);
   for (const Group& group : leaf_groups(complex)) {
     std::vector<RegionId> cells;  // of the leaf's one region: others cut it into several
@@ -22,3 +23,8 @@ int main() {
     std::cout << cells.size() << " cells, volume " << volume(complex, cells).value() << "\n";
   }
 }
+
+// Output:
+// 4 cells, volume 8/3
+// 4 cells, volume 8/3
+// 1 cells, volume 1/6

@@ -18,8 +18,8 @@ int main() {
   soup.add_isolated(point, soup.add_point({Rational(1, 3), Rational(1, 3), 0}));
 
   const Complex complex = build_complex(soup);
-  std::cout << complex.vertex_count() << " vertices, " << complex.edge_count() << " edges, " << complex.face_count()
-            << " faces, " << complex.region_count << " regions\n";
+  std::cout << complex.vertex_count() << " vertices, " << complex.edge_count() << " edges, "
+            << complex.face_count() << " faces, " << complex.region_count << " regions\n";
   for (const VertexId v : complex.face_vertices[FaceId(0)]) {  // isolated in the interior of the sheet
     const RationalPoint p = complex.points.rational(v);
     std::cout << "in the sheet: " << p[0] << " " << p[1] << " " << p[2] << ", wires there: "
@@ -27,3 +27,9 @@ int main() {
   }
   std::cout << "faults: `" << validate(complex) << "`\n";
 }
+
+// Output:
+// 8 vertices, 6 edges, 1 faces, 1 regions
+// in the sheet: 1/3 1/3 0, wires there: 0
+// in the sheet: 1 1 0, wires there: 2
+// faults: ``

@@ -23,9 +23,18 @@ int main() {
   print("interior", interior(complex, set));
   print("closure", closure(complex, set));
   print("boundary", boundary(complex, set));
-  for (const Topological op : {Topological::closure, Topological::regularize}) {  // with components and their names
+  // The same on components, which keep their names.
+  for (const Topological op : {Topological::closure, Topological::regularize}) {
     const Components result = apply(complex, op, cracked).value;
     std::cout << name(op) << " has " << result.attributes.size() << " components, " << cracked.attributes.size()
               << " before\n";
   }
 }
+
+// Output:
+// box - sheet: 8 vertices, 14 edges, 7 faces, 1 regions
+// interior: 0 vertices, 0 edges, 0 faces, 1 regions
+// closure: 12 vertices, 18 edges, 8 faces, 1 regions
+// boundary: 12 vertices, 18 edges, 8 faces, 0 regions
+// closure has 3 components, 2 before
+// regularize has 3 components, 2 before

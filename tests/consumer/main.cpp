@@ -19,7 +19,8 @@ result: m
             << center.dimension << "\n";
   cnrg::write("m.json", tree, evaluation, tree.result);
   cnrg::write("m.off", tree, evaluation, tree.result);
-  for (const cnrg::Shape& shape : {cnrg::Shape(cnrg::ResultShape{"m.json"}), cnrg::Shape(cnrg::MeshShape{"m.off", {}})}) {
+  const std::vector<cnrg::Shape> shapes{cnrg::ResultShape{"m.json"}, cnrg::MeshShape{"m.off", {}}};
+  for (const cnrg::Shape& shape : shapes) {
     const auto leaf = cnrg::prepare(shape);
     const cnrg::Complex complex = cnrg::build_complex(cnrg::make_soup({{leaf.get(), {}}}));
     std::cout << complex.region_count << " regions, " << cnrg::validate(complex) << "\n";
