@@ -1,10 +1,11 @@
 // `cnrg explain`: the life of a cell, or of what holds a point.
+#include "csg/evaluate/explain.h"
+
 #include <iostream>
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
 #include "csg/app/progress_bar.h"
-#include "csg/evaluate/explain.h"
 
 namespace cnrg::app {
 namespace {
@@ -16,7 +17,9 @@ RationalPoint parse_point(const std::string& text) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
     const std::optional<Rational> value = parse_rational(word);
-    if (!value) throw InputError("--point: `" + word + "` is no number; write x,y,z with decimals or fractions, such as 1/3,0.5,2");
+    if (!value)
+      throw InputError("--point: `" + word +
+                       "` is no number; write x,y,z with decimals or fractions, such as 1/3,0.5,2");
     point[k] = *value;
     begin = end + 1;
   }

@@ -98,7 +98,8 @@ int run(int argc, char** argv) {
   sub->callback([&] { command = [&] { return run_locate(tree, node, threads); }; });
 
   ExplainArguments explain;
-  sub = program.add_subcommand("explain", "Tells the way of a cell through the tree: what kept or removed it, and why");
+  sub = program.add_subcommand("explain",
+                               "Tells the way of a cell through the tree: what kept or removed it, and why");
   sub->add_option("TREE", explain.tree, "Tree file (YAML or JSON)")->required();
   sub->add_option("--node", explain.node, "Node to look into; the result without it")->type_name("N");
   sub->add_option("--cell", explain.cell, "Cell of the node, as `cnrg locate` names it: v3, e0, f12, r1")
@@ -108,7 +109,8 @@ int run(int argc, char** argv) {
   sub->add_option("--threads", explain.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));
-  sub->footer("Example:\n  cnrg explain model.yaml --node split --cell f12\n  cnrg explain model.yaml --point 1/3,0.5,2");
+  sub->footer(
+      "Example:\n  cnrg explain model.yaml --node split --cell f12\n  cnrg explain model.yaml --point 1/3,0.5,2");
   sub->callback([&] { command = [&] { return run_explain(explain); }; });
 
   sub = program.add_subcommand("tables", "Prints the tables of the Booleans in Markdown");

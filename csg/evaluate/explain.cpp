@@ -28,7 +28,8 @@ Place parse_cell(const std::string& text, const std::string& node, const Simplif
   const auto parsed = std::from_chars(text.data() + std::min<std::size_t>(1, text.size()), end, index);
   const bool overflow = parsed.ec == std::errc::result_out_of_range;
   if (dimension == std::string::npos || parsed.ptr != end || (parsed.ec != std::errc() && !overflow)) {
-    throw InputError("`" + text + "` names no cell; write v, e, f or r and a number, such as f12, as `cnrg locate` does");
+    throw InputError("`" + text +
+                     "` names no cell; write v, e, f or r and a number, such as f12, as `cnrg locate` does");
   }
   const std::size_t count = count_of(simplified, static_cast<int>(dimension));
   if (overflow || index >= count) {
@@ -44,7 +45,9 @@ Place parse_cell(const std::string& text, const std::string& node, const Simplif
 std::vector<Piece> pieces_of(const SimplifiedComplex& s, const Place& place) {
   std::vector<Piece> out;
   switch (place.dimension) {
-    case 0: out.push_back({{0, s.vertices[place.index].cell, {}, {}, {}}, 0}); break;
+    case 0:
+      out.push_back({{0, s.vertices[place.index].cell, {}, {}, {}}, 0});
+      break;
     case 1:
       for (const HalfEdge h : s.edges[place.index].chain) out.push_back({{1, {}, h.edge(), {}, {}}, 0});
       break;
@@ -113,7 +116,9 @@ RationalPoint point_in(const Complex& complex, const Locator& locator, RegionId 
 class Classes {
  public:
   Classes(const Tree& tree, const Evaluation& evaluation, NodeId node, const Locator& locator)
-      : evaluation_(evaluation), value_(*evaluation.value(node).value), locator_(locator),
+      : evaluation_(evaluation),
+        value_(*evaluation.value(node).value),
+        locator_(locator),
         lives_(tree, evaluation, node) {}
 
   void explain(const std::vector<Piece>& pieces, std::size_t most, Explanation& out) {
@@ -150,13 +155,18 @@ class Classes {
     out.pieces = count;
     out.example = piece.cell;
     switch (piece.cell.dimension) {
-      case 0: out.point = complex.points.rational(piece.cell.vertex); break;
-      case 1: out.point = interior_point(complex, piece.cell.edge).rational(); break;
+      case 0:
+        out.point = complex.points.rational(piece.cell.vertex);
+        break;
+      case 1:
+        out.point = interior_point(complex, piece.cell.edge).rational();
+        break;
       case 2:
         out.point = interior_point(complex, piece.cell.face).rational();
         out.normal = normal_of(complex, piece);
         break;
-      default: out.point = point_in(complex, locator_, piece.cell.region);
+      default:
+        out.point = point_in(complex, locator_, piece.cell.region);
     }
     out.origins = leaf_cells_at(complex, piece.cell, origins_in(complex, value_, piece.cell));
     return out;
@@ -203,8 +213,9 @@ Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node,
                       (at.dimension == 1 && complex.on_frame(at.edge)) ||
                       (at.dimension == 0 && complex.on_frame(at.vertex));
   if (beyond) {
-    throw InputError("the point lies beyond the box to which planes and half-spaces are cut, where nothing is "
-                     "computed; ask for a point nearer to the other leaves");
+    throw InputError(
+        "the point lies beyond the box to which planes and half-spaces are cut, where nothing is "
+        "computed; ask for a point nearer to the other leaves");
   }
   const Place place = kept.simplified.place(complex, at);
   Explanation out = head(tree, evaluation, node, place);

@@ -30,15 +30,16 @@ struct CellState {
 
 /// A cell as a group Boolean sees it in one of its operands (pereira2012 3).
 struct OperandFacts {
-  std::string name;                ///< of the operand; of a result so far its expression, such as `(a union b)`
+  std::string name;                ///< of the operand; `step 1` for the result of a step before
   bool closed_complement = false;  ///< the group that a complement stands for
   CellState state;
   /// Of a face: the regions on the side that the normal points to and on the other one.
   std::array<CellState, 2> sides;
-  int regions = 0;         ///< of a face: numReg
-  std::size_t bounds = 0;  ///< of an edge: faces of the operand that it bounds (numFace), of a vertex: edges (numEdge)
-  bool free = false;       ///< of an edge or a vertex that is an entity
-  std::size_t walls = 0;   ///< of an edge or a vertex: how many faces with numReg > 0 it bounds
+  int regions = 0;  ///< of a face: numReg
+  std::size_t bounds =
+      0;              ///< of an edge: faces of the operand that it bounds (numFace), of a vertex: edges (numEdge)
+  bool free = false;  ///< of an edge or a vertex that is an entity
+  std::size_t walls = 0;          ///< of an edge or a vertex: how many faces with numReg > 0 it bounds
   std::vector<CellState> around;  ///< of an edge or a vertex: the regions around it, ascending; outside is one
   friend bool operator==(const OperandFacts&, const OperandFacts&) = default;
 };
@@ -54,7 +55,7 @@ struct BooleanFacts {
   friend bool operator==(const BooleanFacts&, const BooleanFacts&) = default;
 };
 
-/// The star of a cell against the set that a topological operator is applied to.
+/// The star of a cell (itself included) against the set that a topological operator is applied to.
 struct StarFacts {
   Component component = 0;  ///< with `each`: the component that is the set; otherwise 0, the set is |X|
   std::string name;         ///< of that component
@@ -80,8 +81,8 @@ struct Regularization {
 /// A cell at one instance of a node.
 struct LifeStep {
   NodeId node;
-  std::string name;  ///< `name#2` for the second instance
-  CellState state;   ///< in the value of the node
+  std::string name;                                         ///< `name#2` for the second instance
+  CellState state;                                          ///< in the value of the node
   std::vector<LeafCell> leaf_cells;                         ///< of a leaf: where in it the cell lies
   std::vector<std::pair<std::string, CellState>> operands;  ///< of all but leaves
   std::vector<BooleanFacts> booleans;                       ///< of a Boolean: each step of the fold
@@ -105,10 +106,10 @@ struct LifeClass {
 struct Explanation {
   NodeId node;
   std::string node_name;
-  std::string cell;    ///< the simplified cell's name; `-` for an inactive region that touches nothing of the node
-  int dimension = 0;   ///< of the simplified cell
-  CellState state;     ///< in the node
-  std::size_t pieces = 0;  ///< cells of its dimension in the refinement that it unites
+  std::string cell;   ///< the simplified cell's name; `-` for an inactive region that touches nothing of the node
+  int dimension = 0;  ///< of the simplified cell
+  CellState state;    ///< in the node
+  std::size_t pieces = 0;              ///< cells of its dimension in the refinement that it unites
   std::optional<RationalPoint> asked;  ///< the point asked about; then the one piece is what holds it
   std::vector<LifeClass> classes;      ///< in the order of their first pieces
   std::size_t classes_left_out = 0, pieces_left_out = 0;

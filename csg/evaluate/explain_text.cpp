@@ -11,6 +11,7 @@ namespace cnrg {
 namespace {
 
 const char* const kKinds[] = {"vertex", "edge", "face", "region"};
+const char* const kArticles[] = {"a vertex", "an edge", "a face", "a 3-cell"};
 const char* const kManyKinds[] = {"vertices", "edges", "faces", "regions"};
 
 std::string counted(std::size_t n, const std::string& one, const std::string& many) {
@@ -108,13 +109,15 @@ std::string face_words(const OperandFacts& o, char operand) {
 }
 
 std::string operand_words(const OperandFacts& o, char operand, int dimension) {
-  const std::string letter(1, operand), made = o.closed_complement ? "(the closed complement) " : "";
-  if (!o.state.entity) return made + state_words(o.state, dimension);
-  if (dimension == 2) return made + face_words(o, operand);
-  const std::string count = std::string(dimension == 1 ? "numFace" : "numEdge") + letter + " = " + std::to_string(o.bounds);
+  const std::string letter(1, operand);
+  const std::string made = o.closed_complement ? "; " + letter + " is the closed complement" : "";
+  if (!o.state.entity) return state_words(o.state, dimension) + made;
+  if (dimension == 2) return face_words(o, operand) + made;
+  const std::string count =
+      std::string(dimension == 1 ? "numFace" : "numEdge") + letter + " = " + std::to_string(o.bounds);
   const bool in_face = dimension == 0 && o.bounds == 0 && !o.free;
-  return made + kKinds[dimension] + ": " + count + (in_face ? ", in the interior of a face" : "") +
-         (o.free ? ", free" : ", not free");
+  return std::string(kKinds[dimension]) + ": " + count + (in_face ? ", in the interior of a face" : "") +
+         (o.free ? ", free" : ", not free") + made;
 }
 
 /// The facts of a condition that the operands' lines do not tell.
@@ -123,7 +126,8 @@ std::string reason_words(const BooleanFacts& f) {
   if (condition == Condition::no_side_survives) {
     std::vector<std::string> sides;
     for (const std::size_t s : {0u, 1u}) {
-      if (f.a.sides[s].component != 0 && f.b.sides[s].component == 0) sides.push_back(s == 0 ? "where n points" : "behind");
+      if (f.a.sides[s].component != 0 && f.b.sides[s].component == 0)
+        sides.push_back(s == 0 ? "where n points" : "behind");
     }
     return "in A and out of B: " + (sides.empty() ? "no side" : listed(sides));
   }
@@ -140,17 +144,20 @@ std::string row_words(const BooleanFacts& f, int dimension) {
   const TableRow& row = *f.verdict.row;
   const std::string id = row.id;
   if (f.verdict.bounds_kept) {
-    const std::string what = f.kept_around > 0 ? "bounds " + counted(f.kept_around, "kept ", "kept ") +
-                                                     (dimension == 1 ? (f.kept_around == 1 ? "face" : "faces")
-                                                                     : (f.kept_around == 1 ? "edge" : "edges"))
-                                               : "lies in a kept face";
+    const std::string kind = dimension == 1 ? "face" : "edge";
+    const std::string what = f.kept_around == 0
+                                 ? "lies in a kept face"
+                                 : "bounds " + counted(f.kept_around, "kept " + kind, "kept " + kind + "s");
     return "kept, since it " + what + "; " + id + " is not asked";
   }
-  std::string out = (f.verdict.removed ? "removed by " : "kept by ") + id + ", which removes ";
+  std::string out = (f.verdict.removed ? "removed by " : "kept by ") + id + ", which ";
   switch (row.condition) {
-    case Condition::never: return out + "never";
-    case Condition::always: return out + "always";
-    default: out += (f.verdict.removed ? "when " : "only when ") + std::string(words(row.condition));
+    case Condition::never:
+      return out + "never removes";
+    case Condition::always:
+      return out + "always removes";
+    default:
+      out += (f.verdict.removed ? "removes when " : "removes only when ") + std::string(words(row.condition));
   }
   return out;
 }
@@ -160,13 +167,18 @@ std::string point_set_words(const BooleanFacts& f) {
   const bool a = f.a.state.component != 0, b = f.b.state.component != 0;
   switch (f.op) {
     case BooleanOp::unite:
-      return a || b ? std::string("inside, since it is in ") + (a && b ? "both" : a ? "A" : "B")
+      return a || b ? std::string("inside, since it is in ") + (a && b ? "both"
+                                                                : a    ? "A"
+                                                                       : "B")
                     : "outside, since it is in neither";
     case BooleanOp::intersect:
       return a && b ? "inside, since it is in both"
-                    : std::string("outside, since it is not in ") + (a ? "B" : b ? "A" : "A and not in B");
+                    : std::string("outside, since it is not in ") + (a   ? "B"
+                                                                     : b ? "A"
+                                                                         : "A and not in B");
     case BooleanOp::subtract:
-      return a && !b ? "inside, since it is in A and not in B" : std::string("outside, since it is ") + (a ? "in B" : "not in A");
+      return a && !b ? "inside, since it is in A and not in B"
+                     : std::string("outside, since it is ") + (a && b ? "in B" : "not in A");
   }
   throw InvariantError("explain: unknown operator");
 }
@@ -208,9 +220,13 @@ std::string decision_words(Operator op, const StarFacts& s, int dimension, const
   const std::size_t in = total(s.inside), out = total(s.outside);
   const std::string star = std::to_string(out) + " of the " + std::to_string(in + out) + " cells of its star " +
                            (out == 1 ? "is" : "are") + " not in " + set;
-  const std::string all = dimension == 3 ? "a 3-cell of " + set + " is interior"
-                                         : "all " + std::to_string(in + out) + " cells of its star are in " + set + ": interior";
-  const std::string touching = "in the closure of " + std::string(s.inside[3] ? "a 3-cell" : s.inside[2] ? "a face" : "an edge") +
+  const std::string all =
+      dimension == 3 ? "a 3-cell of " + set + " is interior"
+                     : "all " + std::to_string(in + out) + " cells of its star are in " + set + ": interior";
+  const std::string touching = "in the closure of " +
+                               std::string(s.inside[3]   ? "a 3-cell"
+                                           : s.inside[2] ? "a face"
+                                                         : "an edge") +
                                " of " + set;
   const std::string far = "nothing of its star is in " + set;
   switch (op) {
@@ -225,15 +241,18 @@ std::string decision_words(Operator op, const StarFacts& s, int dimension, const
       if (s.whole) return "removed: " + all;
       return s.in_set ? "kept: in " + set + ", and " + star : "added: not in " + set + ", and " + touching;
     default:
-      if (s.solid) return std::string(s.in_set ? "kept" : "added") + ": in the closure of the interior, by a 3-cell of " + set;
-      return s.in_set ? "removed: no 3-cell of " + set + " is in its star" : "not in " + set + ", and no 3-cell of its star is";
+      if (s.solid)
+        return std::string(s.in_set ? "kept" : "added") + ": in the closure of the interior, by a 3-cell of " +
+               set;
+      return s.in_set ? "removed: no 3-cell of " + set + " is in its star"
+                      : "not in " + set + ", and no 3-cell of its star is";
   }
 }
 
 void add_stars(Operator op, const std::vector<StarFacts>& stars, int dimension, std::vector<Line>& lines) {
   for (const StarFacts& s : stars) {
     const std::string set = s.component == 0 ? "X" : "component " + std::to_string(s.component) + quoted(s.name);
-    if (dimension < 3) {
+    if (dimension < 3 && s.touched) {
       lines.push_back({"star", star_part(s.inside, s.named_inside) + " in " + set + "; " +
                                    star_part(s.outside, s.named_outside) + " not"});
     }
@@ -263,12 +282,15 @@ std::string overlay_words(Operator op, const LifeStep& step) {
   const std::vector<std::string> in = names_where(step, true), out = names_where(step, false);
   const bool first = step.operands.front().second.component != 0, two = step.operands.size() == 2;
   const bool last = step.operands.back().second.component != 0;
-  if (op == Operator::product) return out.empty() ? (two ? "kept: Xi and Yj" : "kept: in all") : "nothing: not in " + listed(out);
+  if (op == Operator::product)
+    return out.empty() ? (two ? "kept: Xi and Yj" : "kept: in all") : "left out: not in " + listed(out);
   if (op == Operator::cnrg_subtract) {
-    if (!first) return "nothing: not in X";
-    return in.size() > 1 ? "removed: in " + listed({in.begin() + 1, in.end()}) : two ? "kept: Xi - |Y|" : "kept: in no other";
+    if (!first) return "left out: not in X";
+    return in.size() > 1 ? "removed: it is in " + listed({in.begin() + 1, in.end()})
+           : two         ? "kept: Xi - |Y|"
+                         : "kept: in no other";
   }
-  if (in.empty()) return "nothing: in no operand";
+  if (in.empty()) return "left out: in no operand";
   if (two) return first && last ? "kept: Xi and Yj" : first ? "kept: Xi - |Y|" : "kept: Yj - |X|";
   return "kept: in " + listed(in) + (out.empty() ? "" : ", not in " + listed(out));
 }
@@ -276,12 +298,18 @@ std::string overlay_words(Operator op, const LifeStep& step) {
 std::string cnrg_words(const Node& node, const LifeStep& step) {
   const bool in = step.operands.front().second.component != 0;
   switch (node.op) {
-    case Operator::aggregate: return names_where(step, true).empty() ? "nothing: in no operand" : "kept as it is";
-    case Operator::unify: return in ? "kept: |X| is one component" : "nothing: not in X";
-    case Operator::complement: return in ? "nothing: it is in X" : "kept: space - |X|";
-    case Operator::closure: return "a group is closed: it stays as it is";
-    case Operator::simplify: return node.forget_features ? "the same cells; features are forgotten" : "the same cells";
-    default: return overlay_words(node.op, step);
+    case Operator::aggregate:
+      return names_where(step, true).empty() ? "left out: in no operand" : "kept as it is";
+    case Operator::unify:
+      return in ? "kept: |X| is one component" : "left out: not in X";
+    case Operator::complement:
+      return in ? "left out: it is in X" : "kept: space - |X|";
+    case Operator::closure:
+      return "a group is closed: it stays as it is";
+    case Operator::simplify:
+      return node.forget_features ? "the same cells; features are forgotten" : "the same cells";
+    default:
+      return overlay_words(node.op, step);
   }
 }
 
@@ -289,7 +317,7 @@ void add_cnrg(const Node& node, const LifeStep& step, int dimension, std::vector
   for (std::size_t k = 0; k < step.operands.size(); ++k) {
     const auto& [name, state] = step.operands[k];
     const std::string letter = step.operands.size() > 2 ? "X" + std::to_string(k + 1) : k == 0 ? "X" : "Y";
-    const std::string kind = state.entity ? std::string(" (a ") + kKinds[dimension] + ")" : "";
+    const std::string kind = state.entity ? std::string(", ") + kArticles[dimension] : "";
     lines.push_back({letter + " = " + name, state_words(state, dimension) + kind});
   }
   if (step.regularized) {
@@ -306,20 +334,18 @@ void add_cnrg(const Node& node, const LifeStep& step, int dimension, std::vector
 std::vector<Line> details(const Node& node, const LifeStep& step, int dimension) {
   std::vector<Line> lines;
   if (node.op == Operator::leaf) return lines;
-  const bool dull = step.state.component == 0 && names_where(step, true).empty() && step.booleans.size() < 2;
-  const bool group_complement = std::any_of(step.booleans.begin(), step.booleans.end(), [](const BooleanFacts& f) {
-    return f.a.state.component != 0 || f.b.state.component != 0;
-  });
-  if (dull && !group_complement && step.stars.empty()) return lines;
   for (std::size_t k = 0; k < step.booleans.size(); ++k) {
     const BooleanFacts& f = step.booleans[k];
+    if (f.a.state.component == 0 && f.b.state.component == 0) continue;
     if (step.booleans.size() > 1) {
-      lines.push_back({"step " + std::to_string(k + 1), standing_words(f) + ": " + state_words(f.result, dimension)});
+      lines.push_back(
+          {"step " + std::to_string(k + 1), standing_words(f) + "; result: " + state_words(f.result, dimension)});
     }
     add_boolean(f, dimension, lines);
   }
-  if (step.booleans.empty()) add_cnrg(node, step, dimension, lines);
-  if (step.attribute) {
+  const bool dull = step.state.component == 0 && names_where(step, true).empty() && step.stars.empty();
+  if (step.booleans.empty() && !dull) add_cnrg(node, step, dimension, lines);
+  if (step.attribute && !dull) {
     const Regularization& r = *step.attribute;
     lines.push_back({"regularize", "before: " + state_words(r.before, dimension)});
     if (r.group) lines.push_back({"", regularized_words(*r.group, dimension)});
@@ -340,7 +366,8 @@ std::string outcome(const Node& node, const LifeStep& step, int dimension) {
 
 std::string operator_words(const Node& node, const LifeStep& step) {
   std::string out = node.operator_name;
-  if (step.booleans.size() == 1 && node.op != Operator::subtract) out += ", " + standing_words(step.booleans.front());
+  if (step.booleans.size() == 1 && node.op != Operator::subtract)
+    out += ", " + standing_words(step.booleans.front());
   if (node.each) out += ", each";
   if (node.regularize) out += ", regularized";
   return out;
@@ -353,7 +380,9 @@ std::string padded(std::string text, std::size_t width) {
 
 void add_life(const Tree& tree, const Life& life, int dimension, std::string& out) {
   std::size_t names = 0, operators = 0, places = 0;
-  const auto place = [&](const LifeStep& s) { return "line " + std::to_string(tree.nodes[s.node].operator_at.line); };
+  const auto place = [&](const LifeStep& s) {
+    return "line " + std::to_string(tree.nodes[s.node].operator_at.line);
+  };
   for (const LifeStep& step : life) {
     names = std::max(names, step.name.size());
     operators = std::max(operators, operator_words(tree.nodes[step.node], step).size());
@@ -390,15 +419,18 @@ void add_class(const Tree& tree, const Evaluation& evaluation, const Explanation
   const bool asked = e.asked.has_value();
   out += "\n";
   if (!asked && e.pieces > 1) {
-    out += c.pieces == e.pieces ? "All " + counted(c.pieces, dimension) + ", such as the one\n"
-                                : std::to_string(c.pieces) + " of the " + counted(e.pieces, dimension) + ", such as the one\n";
+    out += (c.pieces == e.pieces ? "All " : std::to_string(c.pieces) + " of the ") + counted(e.pieces, dimension) +
+           (c.pieces > 1 ? " live alike; one of them:\n" : ":\n");
   }
   const std::string exact = point_words(c.point);
   constexpr std::size_t kShort = 60;
-  if (!asked) out += "at    " + (exact.size() > kShort ? decimal_words(c.point) + ", rounded; exactly " : "") + exact + "\n";
-  if (c.normal) out += "n     " + normal_words(*c.normal) + ", its normal\n";
-  if (!c.origins.empty()) out += "from  " + origins_words(evaluation, c.origins) + "\n";
-  out += "\n";
+  if (!asked) {
+    out +=
+        "at      " + (exact.size() > kShort ? decimal_words(c.point) + ", rounded; exactly " : "") + exact + "\n";
+  }
+  if (c.normal) out += "normal  n = " + normal_words(*c.normal) + "\n";
+  if (!c.origins.empty()) out += "from    " + origins_words(evaluation, c.origins) + "\n";
+  if (!asked || c.normal || !c.origins.empty()) out += "\n";
   add_life(tree, c.life, dimension, out);
 }
 
@@ -419,9 +451,9 @@ std::string explanation_text(const Tree& tree, const Evaluation& evaluation, con
   std::string out;
   if (e.asked) {
     const int dimension = e.classes.front().example.dimension;
-    const std::string exact = point_words(*e.asked);
-    out += exact + " in `" + e.node_name + "`: in a" + (dimension == 1 ? "n " : " ") + kKinds[dimension] +
-           " of the refinement, " + (e.cell == "-" ? "" : "of " + e.cell + ", ") + state_words(e.state, dimension) + "\n";
+    const std::string part = e.cell == "-" ? "" : "part of " + e.cell + " of ";
+    out += point_words(*e.asked) + ": " + kArticles[dimension] + " of the refinement; " + part + "`" +
+           e.node_name + "`: " + state_words(e.state, dimension) + "\n";
   } else {
     out += e.cell + " of `" + e.node_name + "`: " + kKinds[e.dimension] + ", " + state_words(e.state, e.dimension);
     out += (e.pieces > 1 ? "; unites " + counted(e.pieces, e.dimension) + " of the refinement" : "") + "\n";
@@ -432,8 +464,9 @@ std::string explanation_text(const Tree& tree, const Evaluation& evaluation, con
            counted(e.classes_left_out, "other life", "other lives") + " left out; ask for one by `--point`\n";
   }
   if (asks_tables(e)) {
-    out += "\nThe rows are our reading of Fig. 3 of Pereira et al. (2012), whose cells its text does not carry: see "
-           "`cnrg tables`.\n";
+    out +=
+        "\nThe rows are our reading of Fig. 3 of Pereira et al. (2012), whose cells its text does not carry: see "
+        "`cnrg tables`.\n";
   }
   return out;
 }

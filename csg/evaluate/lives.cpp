@@ -1,5 +1,5 @@
-// Instances outside, pieces inside: what a step needs of a whole value (its components, a Boolean's groups) is made
-// once for all pieces, and lives no longer than its instance.
+// Instances outside, pieces inside: what a step needs of a whole value (its components, a Boolean's groups) is
+// made once for all pieces, and lives no longer than its instance.
 #include "csg/evaluate/lives.h"
 
 #include <algorithm>
@@ -15,28 +15,40 @@ namespace {
 template <class F>
 decltype(auto) with_id(const Location& at, F f) {
   switch (at.dimension) {
-    case 0: return f(at.vertex);
-    case 1: return f(at.edge);
-    case 2: return f(at.face);
-    default: return f(at.region);
+    case 0:
+      return f(at.vertex);
+    case 1:
+      return f(at.edge);
+    case 2:
+      return f(at.face);
+    default:
+      return f(at.region);
   }
 }
 
 bool has(const Group& group, const Location& cell) {
   switch (cell.dimension) {
-    case 0: return group.has(cell.vertex);
-    case 1: return group.has(cell.edge);
-    case 2: return group.has(cell.face);
-    default: return false;
+    case 0:
+      return group.has(cell.vertex);
+    case 1:
+      return group.has(cell.edge);
+    case 2:
+      return group.has(cell.face);
+    default:
+      return false;
   }
 }
 
 RegionId region_at(const Complex& complex, const Location& cell) {
   switch (cell.dimension) {
-    case 0: return complex.some_region(cell.vertex);
-    case 1: return complex.some_region(cell.edge);
-    case 2: return complex.some_region(cell.face);
-    default: return cell.region;
+    case 0:
+      return complex.some_region(cell.vertex);
+    case 1:
+      return complex.some_region(cell.edge);
+    case 2:
+      return complex.some_region(cell.face);
+    default:
+      return cell.region;
   }
 }
 
@@ -51,10 +63,14 @@ std::size_t place_of(const Selection& selection, const Location& cell, bool& fou
     return k;
   };
   switch (cell.dimension) {
-    case 0: return search(selection.vertices, cell.vertex);
-    case 1: return search(selection.edges, cell.edge);
-    case 2: return search(selection.faces, cell.face);
-    default: return search(selection.regions, cell.region);
+    case 0:
+      return search(selection.vertices, cell.vertex);
+    case 1:
+      return search(selection.edges, cell.edge);
+    case 2:
+      return search(selection.faces, cell.face);
+    default:
+      return search(selection.regions, cell.region);
   }
 }
 
@@ -63,10 +79,14 @@ Component component_at(const Selection& selection, const Location& cell) {
   const std::size_t k = place_of(selection, cell, found);
   if (!found) return 0;
   switch (cell.dimension) {
-    case 0: return selection.vertices[k].second;
-    case 1: return selection.edges[k].second;
-    case 2: return selection.faces[k].second;
-    default: return selection.regions[k].second;
+    case 0:
+      return selection.vertices[k].second;
+    case 1:
+      return selection.edges[k].second;
+    case 2:
+      return selection.faces[k].second;
+    default:
+      return selection.regions[k].second;
   }
 }
 
@@ -112,7 +132,8 @@ void add_star_facts(const Complex& complex, const Group& group, const Location& 
   out.free = out.state.entity && faces.empty();
   if (cell.dimension == 1) return;
   const auto edges = complex.vertex_edges[cell.vertex];
-  out.bounds = static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [&](EdgeId e) { return group.has(e); }));
+  out.bounds =
+      static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [&](EdgeId e) { return group.has(e); }));
   out.free = out.free && out.bounds == 0;
 }
 
@@ -144,20 +165,31 @@ Verdict verdict_of(const Complex& complex, const BooleanStep& step, const Locati
     return verdict(complex, step.op, step.dominance, step.left, step.right, step.result, id);
   };
   switch (cell.dimension) {
-    case 0: return ask(cell.vertex);
-    case 1: return ask(cell.edge);
-    case 2: return ask(cell.face);
-    default: return {};
+    case 0:
+      return ask(cell.vertex);
+    case 1:
+      return ask(cell.edge);
+    case 2:
+      return ask(cell.face);
+    default:
+      return {};
   }
 }
 
 CellSet only(const Location& cell) {
   CellSet out;
   switch (cell.dimension) {
-    case 0: out.vertices = {cell.vertex}; break;
-    case 1: out.edges = {cell.edge}; break;
-    case 2: out.faces = {cell.face}; break;
-    default: out.regions = {cell.region};
+    case 0:
+      out.vertices = {cell.vertex};
+      break;
+    case 1:
+      out.edges = {cell.edge};
+      break;
+    case 2:
+      out.faces = {cell.face};
+      break;
+    default:
+      out.regions = {cell.region};
   }
   return out;
 }
@@ -200,13 +232,17 @@ std::vector<LeafId> origins_in(const Complex& complex, const NodeValue& value, c
   return {leaves.begin(), leaves.end()};
 }
 
-std::vector<LeafCell> leaf_cells_at(const Complex& complex, const Location& cell, const std::vector<LeafId>& leaves) {
+std::vector<LeafCell> leaf_cells_at(const Complex& complex, const Location& cell,
+                                    const std::vector<LeafId>& leaves) {
   return with_id(cell, [&](auto id) { return leaf_cells(complex, id, leaves); });
 }
 
 Lives::Lives(const Tree& tree, const Evaluation& evaluation, NodeId node)
-    : tree_(tree), evaluation_(evaluation), complex_(*evaluation.complex),
-      leaf_of_(evaluation.instances.size()), count_(tree.nodes.size()) {
+    : tree_(tree),
+      evaluation_(evaluation),
+      complex_(*evaluation.complex),
+      leaf_of_(evaluation.instances.size()),
+      count_(tree.nodes.size()) {
   require(!evaluation.values.empty(), "explain: the evaluation has not kept all values");
   const NodeValue* value = evaluation.value(node).value.get();
   InstanceId root;
@@ -254,7 +290,8 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
     step.state = state_in(complex_, *evaluation_.values[id], pieces[p].cell);
     if (node.op == Operator::leaf) step.leaf_cells = leaf_cells_at(complex_, pieces[p].cell, {leaf_of_[id]});
     for (const InstanceId operand : instance.operands) {
-      step.operands.emplace_back(name_of(operand), state_in(complex_, *evaluation_.values[operand], pieces[p].cell));
+      step.operands.emplace_back(name_of(operand),
+                                 state_in(complex_, *evaluation_.values[operand], pieces[p].cell));
     }
   }
   switch (node.op) {
@@ -267,7 +304,8 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
     case Operator::closure:
     case Operator::boundary:
     case Operator::regularize:
-      add_topology(topological(node.op), node.each, *evaluation_.values[instance.operands[0]], pieces, named, steps);
+      add_topology(topological(node.op), node.each, *evaluation_.values[instance.operands[0]], pieces, named,
+                   steps);
       break;
     default:
       break;
@@ -283,28 +321,27 @@ void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Piec
     operands.push_back(evaluation_.values[operand].get());
     names.push_back(name_of(operand));
   }
-  std::string so_far = names[0];
   for_each_step(complex_, node, operands, names, [&](const BooleanStep& s) {
     const bool first = s.operand == 1;
+    const std::string left = first ? names[0] : "step " + std::to_string(s.operand - 1);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       BooleanFacts facts;
       facts.op = s.op;
       facts.dominant = s.op != BooleanOp::subtract && s.dominance != Dominance::equal;
-      facts.a = facts_of(complex_, s.left, pieces[p], so_far, first && is_closed_complement(*operands[0]));
-      facts.b = facts_of(complex_, s.right, pieces[p], names[s.operand], is_closed_complement(*operands[s.operand]));
+      facts.a = facts_of(complex_, s.left, pieces[p], left, first && is_closed_complement(*operands[0]));
+      facts.b =
+          facts_of(complex_, s.right, pieces[p], names[s.operand], is_closed_complement(*operands[s.operand]));
       if (s.op != BooleanOp::subtract && s.dominance == Dominance::right) std::swap(facts.a, facts.b);
       facts.verdict = verdict_of(complex_, s, pieces[p].cell);
       facts.kept_around = kept_around(complex_, s.result, pieces[p].cell);
       facts.result = state_in(complex_, s.result, pieces[p].cell);
       steps[p].booleans.push_back(std::move(facts));
     }
-    so_far = (first ? "(" + so_far : so_far.substr(0, so_far.size() - 1)) + " " + name(s.op) + " " +
-             names[s.operand] + ")";
   });
 }
 
-void Lives::add_topology(Topological op, bool each, const NodeValue& x, const std::vector<Piece>& pieces, bool named,
-                         std::vector<LifeStep>& steps) {
+void Lives::add_topology(Topological op, bool each, const NodeValue& x, const std::vector<Piece>& pieces,
+                         bool named, std::vector<LifeStep>& steps) {
   if (x.is_group() && !each && op == Topological::closure) return;  // a group is closed
   if (x.is_group() && !each && op == Topological::regularize) {
     for (std::size_t p = 0; p < pieces.size(); ++p) {
@@ -318,7 +355,9 @@ void Lives::add_topology(Topological op, bool each, const NodeValue& x, const st
     const Location& cell = pieces[p].cell;
     const CellSet around = star(complex_, only(cell));
     std::vector<Component> sets;
-    if (each) {
+    if (each && op == Topological::interior) {
+      sets = {component_at(components.selection, cell)};
+    } else if (each) {
       for_each_cell(around, [&](const Location& c) {
         if (const Component found = component_at(components.selection, c)) sets.push_back(found);
       });
@@ -370,15 +409,16 @@ void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Pie
   std::vector<LifeStep> after(pieces.size());
   add_topology(Topological::regularize, false, before, pieces, named, after);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    steps[p].attribute = Regularization{state_in(complex_, before, pieces[p].cell), std::move(after[p].regularized),
-                                        std::move(after[p].stars)};
+    steps[p].attribute = Regularization{state_in(complex_, before, pieces[p].cell),
+                                        std::move(after[p].regularized), std::move(after[p].stars)};
   }
 }
 
 const SimplifiedComplex& Lives::simplified(const NodeValue& value) {
   const auto it = simplified_.find(&value);
   if (it != simplified_.end()) return it->second;
-  return simplified_.emplace(&value, simplify(complex_, selection_of(complex_, value), value.features())).first->second;
+  return simplified_.emplace(&value, simplify(complex_, selection_of(complex_, value), value.features()))
+      .first->second;
 }
 
 }  // namespace cnrg

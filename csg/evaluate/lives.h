@@ -24,7 +24,8 @@ CellState state_in(const Complex& complex, const NodeValue& value, const Locatio
 /// The leaves that a cell of a value came from; empty when it is inactive.
 std::vector<LeafId> origins_in(const Complex& complex, const NodeValue& value, const Location& cell);
 /// As `leaf_cells` has it, by location.
-std::vector<LeafCell> leaf_cells_at(const Complex& complex, const Location& cell, const std::vector<LeafId>& leaves);
+std::vector<LeafCell> leaf_cells_at(const Complex& complex, const Location& cell,
+                                    const std::vector<LeafId>& leaves);
 
 class Lives {
  public:
@@ -36,7 +37,8 @@ class Lives {
 
  private:
   void add_steps(InstanceId id, const std::vector<Piece>& pieces, bool named, std::vector<LifeStep>& steps);
-  void add_booleans(const Node& node, InstanceId id, const std::vector<Piece>& pieces, std::vector<LifeStep>& steps);
+  void add_booleans(const Node& node, InstanceId id, const std::vector<Piece>& pieces,
+                    std::vector<LifeStep>& steps);
   void add_topology(Topological op, bool each, const NodeValue& x, const std::vector<Piece>& pieces, bool named,
                     std::vector<LifeStep>& steps);
   void add_attribute(const Node& node, InstanceId id, const std::vector<Piece>& pieces, bool named,
@@ -49,9 +51,9 @@ class Lives {
   const Tree& tree_;
   const Evaluation& evaluation_;
   const Complex& complex_;
-  std::vector<InstanceId> below_;           ///< ascending, the root last
-  IdVector<InstanceId, LeafId> leaf_of_;    ///< none() for inner nodes
-  IdVector<NodeId, std::uint32_t> count_;   ///< instances of each node
+  std::vector<InstanceId> below_;          ///< ascending, the root last
+  IdVector<InstanceId, LeafId> leaf_of_;   ///< none() for inner nodes
+  IdVector<NodeId, std::uint32_t> count_;  ///< instances of each node
   std::map<const NodeValue*, SimplifiedComplex> simplified_;
   std::vector<std::unique_ptr<NodeValue>> made_;  ///< values before the attribute `regularize`
 };

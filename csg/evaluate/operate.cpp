@@ -148,7 +148,9 @@ Outcome aggregate_all(const Complex& complex, const Node& node, std::span<const 
   return outcome;
 }
 
-Outcome of_components(ComponentsResult result) { return {std::move(result.value), {}, std::move(result.conflicts)}; }
+Outcome of_components(ComponentsResult result) {
+  return {std::move(result.value), {}, std::move(result.conflicts)};
+}
 
 /// One component of one name keeps it; where there is none or several were joined it is called after the node.
 void name_after(const Node& node, Outcome& outcome) {
