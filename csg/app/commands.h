@@ -22,6 +22,13 @@ int run_check(const std::string& tree);
 /// `cnrg locate`: the cell that holds each point of standard input.
 int run_locate(const std::string& tree, const std::string& node, int threads);
 
+struct ExplainArguments {
+  std::string tree, node, cell, point;  ///< one of cell and point is empty
+  int threads = 0;
+};
+/// `cnrg explain`: the way of a cell, or of what holds a point, through the tree.
+int run_explain(const ExplainArguments& arguments);
+
 /// `cnrg tables`: the tables as the code has them.
 int run_tables();
 

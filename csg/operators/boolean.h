@@ -49,6 +49,7 @@ struct Verdict {
   bool bounds_kept = false;      ///< kept since it bounds a kept face or edge; the row was not asked
   bool removed = false;
   const TableRow* row = nullptr; ///< the row of its relation
+  friend bool operator==(const Verdict&, const Verdict&) = default;
 };
 Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& a, const Group& b,
                 const Group& result, FaceId f);
