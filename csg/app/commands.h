@@ -10,7 +10,7 @@ struct EvalArguments {
   std::string tree;
   std::vector<std::string> nodes;
   std::vector<std::string> files;
-  bool trace = false, raw = false, quiet = false;
+  bool trace = false, raw = false, topology = false, quiet = false;
   int threads = 0;
 };
 /// `cnrg eval`: a row per node, a file per `-o`.

@@ -8,6 +8,7 @@
 #include "csg/app/row_table.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/output/node_file.h"
+#include "csg/output/topology.h"
 
 namespace cnrg::app {
 namespace {
@@ -44,15 +45,28 @@ void write_file(const std::string& path, const Tree& tree, const Evaluation& eva
   }
 }
 
+/// Of the nodes asked for; of the result when there are none.
+std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vector<NodeId> nodes) {
+  if (nodes.empty()) nodes = {tree.result};
+  std::string text;
+  for (const NodeId node : nodes) {
+    const KeptValue& kept = evaluation.value(node);
+    text += "\ntopology of " + tree.nodes[node].name + "\n" +
+            topology_text(*evaluation.complex, selection_of(*evaluation.complex, *kept.value), kept.simplified,
+                          kept.value->attributes());
+  }
+  return text;
+}
+
 }  // namespace
 
 int run_eval(const EvalArguments& arguments) {
-  for (const std::string& path : arguments.files) check_extension(path);  // before the work, not after it
+  for (const std::string& path : arguments.files) check_file_name(path);  // before the work, not after it
   const Tree tree = read_tree(arguments.tree);
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.raw = arguments.raw;
-  options.rows = !arguments.quiet;
+  options.rows = !arguments.quiet || std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
   for (const std::string& name : arguments.nodes) options.nodes.push_back(tree.find(name));
   const std::vector<NodeId> shown = nodes_of_files(tree, arguments, options.nodes);
   std::vector<NodeId> roots = options.nodes;
@@ -68,6 +82,7 @@ int run_eval(const EvalArguments& arguments) {
   print(evaluation.diagnostics, arguments.quiet);
   if (!arguments.quiet) std::cout << row_table(evaluation.rows, arguments.raw, arguments.trace);
   if (!arguments.quiet && arguments.trace) std::cout << refinement_summary(evaluation);
+  if (arguments.topology) std::cout << topology_of(tree, evaluation, options.nodes);
   std::cout << std::flush;
 
   for (std::size_t i = 0; i < arguments.files.size(); ++i) {

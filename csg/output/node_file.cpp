@@ -3,6 +3,10 @@
 
 #include <algorithm>
 
+#include "csg/output/dag_graph.h"
+#include "csg/output/file.h"
+#include "csg/output/region_graph.h"
+
 namespace cnrg {
 namespace {
 
@@ -19,10 +23,25 @@ std::vector<ResultView::Material> materials_of(const Tree& tree, const NodeValue
   return materials;
 }
 
+bool shows_regions(const std::string& path) {
+  return extension_of(path) == ".dot" && extension_of(path.substr(0, path.size() - 4)) == ".regions";
+}
+
 }  // namespace
+
+bool shows_dag(const std::string& path) { return extension_of(path) == ".dot" && !shows_regions(path); }
+
+void check_file_name(const std::string& path) {
+  if (extension_of(path) != ".dot") check_extension(path);
+}
 
 RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node) {
   const KeptValue& value = evaluation.value(node);
+  if (extension_of(path) == ".dot") {
+    replace_file(path, shows_dag(path) ? dag_dot(evaluation)
+                                       : region_graph(value.simplified, value.value->attributes()).dot());
+    return {};
+  }
   std::vector<LeafInfo> leaves;
   for (const std::string& name : evaluation.leaf_names) leaves.push_back({name});
   ResultView view;

@@ -8,6 +8,8 @@
 #include <map>
 #include <sstream>
 
+#include "csg/output/graphviz.h"
+
 namespace cnrg {
 namespace {
 
@@ -15,16 +17,6 @@ struct Wall {
   std::size_t faces = 0;
 };
 using Adjacency = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, Wall>;
-
-/// Inside of the quotes of a .dot file.
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out;
-}
 
 Adjacency adjacency(const RegionGraph& graph, bool skip_outside) {
   Adjacency out(graph.nodes.size());
@@ -82,7 +74,7 @@ std::string RegionGraph::dot() const {
   const Adjacency graph = adjacency(*this, false);
   const auto node = [&](std::ostream& stream, std::size_t i) {
     const Node& n = nodes[i];
-    stream << "[label=\"" << escaped(n.name) << (n.material.empty() ? "" : "\\n" + escaped(n.material)) << "\""
+    stream << "[label=\"" << graphviz_text(n.material.empty() ? n.name : n.name + "\n" + n.material) << "\""
            << (n.component == 0 ? ", style=dashed]" : "]");
   };
   const auto edge = [&](std::ostream& stream, const auto& e) {
