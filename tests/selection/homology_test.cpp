@@ -157,7 +157,7 @@ Complex random_grid(scenes::Random& random, int n) {
 }
 
 TEST_CASE("betti numbers of random sets of cells are those of elimination", "[homology]") {
-  const auto [begin, end] = scenes::seeds(150);
+  const auto [begin, end] = scenes::seeds(100);
   for (std::uint64_t seed = begin; seed < end; ++seed) {
     scenes::Random random(seed);
     const int n = seed % 4 == 3 ? 5 : 4;
