@@ -64,8 +64,14 @@ struct United {
   }
 };
 
+bool is_flat(const Complex& complex, const SimplifiedComplex::Face& face) {
+  const SheetId sheet = complex.face_sheet[face.cells.front().face()];
+  return std::all_of(face.cells.begin(), face.cells.end(),
+                     [&](HalfFace h) { return complex.face_sheet[h.face()] == sheet; });
+}
+
 SimplifiedEuler euler_of(const Complex& complex, const CellSet& closed, const SimplifiedComplex& simplified,
-                         Neighbourhoods& neighbourhoods) {
+                         BettiCounter& counter) {
   const United united(complex, simplified);
   SimplifiedEuler t;
   for (const auto& vertex : simplified.vertices) t.v += has(closed.vertices, vertex.cell);
@@ -76,19 +82,24 @@ SimplifiedEuler euler_of(const Complex& complex, const CellSet& closed, const Si
   }
   for (std::size_t i = 0; i < simplified.faces.size(); ++i) {
     if (!has(closed.faces, simplified.faces[i].cells.front().face())) continue;
-    const auto b = betti_numbers(complex, united.faces[i], neighbourhoods).z2;
+    const auto& face = simplified.faces[i];
     ++t.f;
+    if (is_flat(complex, face)) {
+      t.r += static_cast<long>(face.loops.size() - 1 + face.isolated.size());
+      continue;
+    }
+    const auto b = counter.of(united.faces[i]).z2;
     t.r += b[1];
     t.closed_faces += b[2];
   }
   for (std::size_t i = 0; i < simplified.regions.size(); ++i) {
     if (!has(closed.regions, simplified.regions[i].cells.front())) continue;
-    const auto b = betti_numbers(complex, united.regions[i], neighbourhoods).z2;
+    const auto b = counter.of(united.regions[i]).z2;
     ++t.volumes;
     t.volume_holes += b[1];
     t.volume_cavities += b[2];
   }
-  const auto b = betti_numbers(complex, closed, neighbourhoods).z2;
+  const auto b = counter.of(closed).z2;
   t.pieces = b[0], t.holes = b[1], t.cavities = b[2];
   return t;
 }
@@ -212,7 +223,8 @@ SimplifiedEuler simplified_euler(const Complex& complex, const Selection& select
   const CellSet closed = closure(complex, support(selection));
   require(!unbounded(complex, closed), "simplified_euler: the set is not bounded");
   Neighbourhoods neighbourhoods(complex);
-  return euler_of(complex, closed, simplified, neighbourhoods);
+  BettiCounter counter(neighbourhoods);
+  return euler_of(complex, closed, simplified, counter);
 }
 
 std::string topology_text(const Complex& complex, const Selection& selection, const SimplifiedComplex& simplified,
@@ -220,16 +232,17 @@ std::string topology_text(const Complex& complex, const Selection& selection, co
   const CellSet set = support(selection);
   if (set.empty()) return "the point set is empty\n";
   Neighbourhoods neighbourhoods(complex);
+  BettiCounter counter(neighbourhoods);
   const CellSet closed = closure(complex, set);
   const CellSet missing = subtract(closed, set);
   std::string out;
   if (unbounded(complex, closed)) {
     out += "Euler-Poincaré: not stated, the point set is unbounded\n";
   } else {
-    out += euler_text(euler_of(complex, closed, simplified, neighbourhoods), missing.empty());
+    out += euler_text(euler_of(complex, closed, simplified, counter), missing.empty());
   }
   const std::vector<Component> active = components_of(selection);
-  out += betti_text(betti_numbers(complex, selection, active, neighbourhoods), active, components);
+  out += betti_text(betti_numbers(selection, active, counter), active, components);
   out += shapes_text(Shapes(complex, set, simplified, neighbourhoods));
   out += sheets_text(sheets(complex, set));
   out += adjacency_text(region_graph(simplified, components));

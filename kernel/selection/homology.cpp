@@ -32,6 +32,40 @@
 #include "kernel/base/union_find.h"
 
 namespace cnrg {
+
+/// The cells of a set, numbered from 1 as they are listed; 0: not in the set.
+struct BettiCounter::Members {
+  explicit Members(const Complex& complex)
+      : vertices(complex.points.size()), edges(complex.edge_count()), faces(complex.face_count()),
+        regions(complex.region_count) {}
+  std::uint32_t operator()(VertexId v) const { return vertices[v]; }
+  std::uint32_t operator()(EdgeId e) const { return edges[e]; }
+  std::uint32_t operator()(FaceId f) const { return faces[f]; }
+  std::uint32_t operator()(RegionId r) const { return regions[r]; }
+
+  void enter(const CellSet& set) {
+    std::uint32_t count = 0;
+    number(set, [&] { return ++count; });
+  }
+  void clear(const CellSet& set) {
+    number(set, [] { return 0u; });
+  }
+
+  Scratch<VertexId, std::uint32_t> vertices;
+  Scratch<EdgeId, std::uint32_t> edges;
+  Scratch<FaceId, std::uint32_t> faces;
+  Scratch<RegionId, std::uint32_t> regions;
+
+ private:
+  template <class Next>
+  void number(const CellSet& set, Next next) {
+    for (VertexId v : set.vertices) vertices[v] = next();
+    for (EdgeId e : set.edges) edges[e] = next();
+    for (FaceId f : set.faces) faces[f] = next();
+    for (RegionId r : set.regions) regions[r] = next();
+  }
+};
+
 namespace {
 
 long rings(const Complex& complex, FaceId f) {
@@ -75,35 +109,10 @@ RegionId sector_region(const Complex& complex, const FaceUse& use) {
   return complex.face_regions[use.face][use.half_edge.direction()];
 }
 
-/// The cells of a set, numbered from 1 as they are listed; 0: not in the set.
-class Members {
- public:
-  Members(const Complex& complex, const CellSet& set)
-      : vertices_(complex.points.size()), edges_(complex.edge_count()), faces_(complex.face_count()),
-        regions_(complex.region_count) {
-    const auto number = [&](const auto& cells, auto& numbers) {
-      for (auto c : cells) numbers[c] = ++count_;
-    };
-    number(set.vertices, vertices_), number(set.edges, edges_);
-    number(set.faces, faces_), number(set.regions, regions_);
-  }
-  std::uint32_t operator()(VertexId v) const { return vertices_[v]; }
-  std::uint32_t operator()(EdgeId e) const { return edges_[e]; }
-  std::uint32_t operator()(FaceId f) const { return faces_[f]; }
-  std::uint32_t operator()(RegionId r) const { return regions_[r]; }
-  std::uint32_t count() const { return count_; }
-
- private:
-  Scratch<VertexId, std::uint32_t> vertices_;
-  Scratch<EdgeId, std::uint32_t> edges_;
-  Scratch<FaceId, std::uint32_t> faces_;
-  Scratch<RegionId, std::uint32_t> regions_;
-  std::uint32_t count_ = 0;
-};
-
+template <class Members>
 long count_pieces(const Complex& complex, const CellSet& set, const Members& in) {
-  UnionFind sets(in.count() + 1);
-  long pieces = in.count();
+  UnionFind sets(set.size() + 1);
+  auto pieces = static_cast<long>(set.size());
   const auto join = [&](std::uint32_t cell, const auto& others) {
     for (auto other : others) {
       if (in(other) != 0) pieces -= sets.unite(cell, in(other));
@@ -156,11 +165,12 @@ class Frontier {
   std::vector<std::pair<Pair, Pair>> joints_;
 };
 
+template <class Members>
 class Counting {
  public:
-  Counting(const Complex& complex, const CellSet& set, Neighbourhoods& neighbourhoods)
-      : complex_(complex), set_(set), neighbourhoods_(neighbourhoods), in_(complex, set),
-        closure_(full_closure(complex, set)) {}
+  Counting(const CellSet& set, const Members& members, Neighbourhoods& neighbourhoods)
+      : complex_(neighbourhoods.complex()), set_(set), neighbourhoods_(neighbourhoods), in_(members),
+        closure_(full_closure(complex_, set)) {}
 
   BettiNumbers run() {
     BettiNumbers out;
@@ -263,7 +273,7 @@ class Counting {
   const Complex& complex_;
   const CellSet& set_;
   Neighbourhoods& neighbourhoods_;
-  const Members in_;
+  const Members& in_;
   const FullClosure closure_;
   Neighbourhood around_;
   Frontier frontier_;
@@ -273,17 +283,24 @@ class Counting {
 
 }  // namespace
 
-BettiNumbers betti_numbers(const Complex& complex, const CellSet& set, Neighbourhoods& neighbourhoods) {
-  return Counting(complex, set, neighbourhoods).run();
+BettiCounter::BettiCounter(Neighbourhoods& neighbourhoods)
+    : neighbourhoods_(neighbourhoods), members_(std::make_unique<Members>(neighbourhoods.complex())) {}
+BettiCounter::~BettiCounter() = default;
+
+BettiNumbers BettiCounter::of(const CellSet& set) {
+  members_->enter(set);
+  const BettiNumbers out = Counting(set, *members_, neighbourhoods_).run();
+  members_->clear(set);
+  return out;
 }
 
 BettiNumbers betti_numbers(const Complex& complex, const CellSet& set) {
   Neighbourhoods neighbourhoods(complex);
-  return betti_numbers(complex, set, neighbourhoods);
+  return BettiCounter(neighbourhoods).of(set);
 }
 
-std::vector<BettiNumbers> betti_numbers(const Complex& complex, const Selection& selection,
-                                        const std::vector<Component>& components, Neighbourhoods& neighbourhoods) {
+std::vector<BettiNumbers> betti_numbers(const Selection& selection, const std::vector<Component>& components,
+                                        BettiCounter& counter) {
   std::vector<CellSet> sets(components.size());
   const auto deal = [&](const auto& cells, auto member) {
     for (const auto& [cell, c] : cells) {
@@ -294,8 +311,8 @@ std::vector<BettiNumbers> betti_numbers(const Complex& complex, const Selection&
   };
   deal(selection.vertices, &CellSet::vertices), deal(selection.edges, &CellSet::edges);
   deal(selection.faces, &CellSet::faces), deal(selection.regions, &CellSet::regions);
-  std::vector<BettiNumbers> out{betti_numbers(complex, support(selection), neighbourhoods)};
-  for (const CellSet& set : sets) out.push_back(betti_numbers(complex, set, neighbourhoods));
+  std::vector<BettiNumbers> out{counter.of(support(selection))};
+  for (const CellSet& set : sets) out.push_back(counter.of(set));
   return out;
 }
 

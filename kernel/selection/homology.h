@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "kernel/selection/neighbourhood.h"
@@ -26,15 +27,28 @@ struct BettiNumbers {
   friend bool operator==(const BettiNumbers&, const BettiNumbers&) = default;
 };
 
-/// The Betti numbers of |S|. Cells on the frame are never in a set, so what reaches the frame counts as it would
-/// without one. The cost is that of the closure and the stars of the set's cells. The empty set has zeros.
-BettiNumbers betti_numbers(const Complex& complex, const CellSet& set, Neighbourhoods& neighbourhoods);
+/// Counts set after set; not for several threads at once.
+class BettiCounter {
+ public:
+  explicit BettiCounter(Neighbourhoods& neighbourhoods);
+  ~BettiCounter();
+  /// The Betti numbers of |S|. Cells on the frame are never in a set, so what reaches the frame counts as it would
+  /// without one. The cost is that of the closure and the stars of the set's cells. The empty set has zeros.
+  BettiNumbers of(const CellSet& set);
+
+ private:
+  Neighbourhoods& neighbourhoods_;
+  struct Members;
+  std::unique_ptr<Members> members_;
+};
+
+/// The Betti numbers of one set.
 BettiNumbers betti_numbers(const Complex& complex, const CellSet& set);
 
 /// The Betti numbers of the whole point set, then those of each of `components` (ascending), which are all that
 /// the selection has.
-std::vector<BettiNumbers> betti_numbers(const Complex& complex, const Selection& selection,
-                                        const std::vector<Component>& components, Neighbourhoods& neighbourhoods);
+std::vector<BettiNumbers> betti_numbers(const Selection& selection, const std::vector<Component>& components,
+                                        BettiCounter& counter);
 
 /// The Euler characteristics of the surfaces just inside of each of some regions (ascending): closed surfaces, one
 /// per piece of the region's boundary. A region is a ball with handles and cavities: the sum over its surfaces of
