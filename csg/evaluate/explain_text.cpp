@@ -343,7 +343,8 @@ std::vector<Line> details(const Node& node, const LifeStep& step, int dimension)
     }
     add_boolean(f, dimension, lines);
   }
-  const bool dull = step.state.component == 0 && names_where(step, true).empty() && step.stars.empty();
+  const bool dull = step.state.component == 0 && names_where(step, true).empty() &&
+                    std::none_of(step.stars.begin(), step.stars.end(), [](const StarFacts& x) { return x.touched; });
   if (step.booleans.empty() && !dull) add_cnrg(node, step, dimension, lines);
   if (step.attribute && !dull) {
     const Regularization& r = *step.attribute;
