@@ -7,7 +7,7 @@
 #include "csg/app/progress_bar.h"
 #include "csg/app/row_table.h"
 #include "csg/evaluate/evaluate.h"
-#include "csg/output/writer.h"
+#include "csg/output/node_file.h"
 
 namespace cnrg::app {
 namespace {
@@ -32,36 +32,9 @@ std::vector<NodeId> nodes_of_files(const Tree& tree, const EvalArguments& argume
   return nodes;
 }
 
-/// The tree's materials, and those that only results read back as leaves bring along.
-std::vector<ResultView::Material> materials_of(const Tree& tree, const NodeValue& value) {
-  std::vector<ResultView::Material> materials;
-  for (const Material& m : tree.materials) materials.push_back({m.name, m.color});
-  for (Component i = 1; i <= value.component_count(); ++i) {
-    const std::string& name = value.attributes(i).material;
-    const auto same = [&](const ResultView::Material& m) { return m.name == name; };
-    if (name.empty() || std::any_of(materials.begin(), materials.end(), same)) continue;
-    materials.push_back({name, ""});
-  }
-  return materials;
-}
-
 void write_file(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
-                const std::vector<LeafInfo>& leaves, bool quiet) {
-  const KeptValue& value = evaluation.value(node);
-  ResultView view;
-  view.node = tree.nodes[node].name;
-  view.complex = evaluation.complex.get();
-  view.value = value.value.get();
-  view.simplified = &value.simplified;
-  view.leaves = &leaves;
-  view.materials = materials_of(tree, *value.value);
-  view.sources = value.leaves;
-  RoundingReport rounding;
-  try {
-    rounding = write(path, view);
-  } catch (const InputError& e) {  // the format can not show this node
-    throw TreeError(tree.file, tree.nodes[node].at, e.what());
-  }
+                bool quiet) {
+  const RoundingReport rounding = write(path, tree, evaluation, node);
   if (!rounding.embedded) {
     std::cerr << path << ": warning: rounding moved " << rounding.moved
               << " vertices and facets cross in this file; write .json for the exact result\n";
@@ -97,12 +70,10 @@ int run_eval(const EvalArguments& arguments) {
   if (!arguments.quiet && arguments.trace) std::cout << refinement_summary(evaluation);
   std::cout << std::flush;
 
-  std::vector<LeafInfo> leaves;
-  for (const std::string& name : evaluation.leaf_names) leaves.push_back({name});
   for (std::size_t i = 0; i < arguments.files.size(); ++i) {
     bar.show("write " + arguments.files[i], 0, 0);
     bar.clear();
-    write_file(arguments.files[i], tree, evaluation, shown[i], leaves, arguments.quiet);
+    write_file(arguments.files[i], tree, evaluation, shown[i], arguments.quiet);
   }
   return kDone;
 }

@@ -15,7 +15,8 @@ const Components& NodeValue::components() const {
 }
 
 const Features& NodeValue::features() const {
-  return is_group() ? group().features : components().features;
+  static const Features none;
+  return is_group() ? group().features : none;
 }
 
 const Origins& NodeValue::origins() const {

@@ -26,6 +26,8 @@ struct NodeValue {
   const Group& group() const;
   const Components& components() const;
 
+  /// What `simplify` keeps: the features of a group. The state of a cell of components is its component alone
+  /// (SEMANTICS 6).
   const Features& features() const;
   const Origins& origins() const;
   /// How many components: the regions of a group and, if it has any, its entities as the last.
