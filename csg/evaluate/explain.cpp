@@ -122,18 +122,14 @@ class Classes {
         lives_(tree, evaluation, node) {}
 
   void explain(const std::vector<Piece>& pieces, std::size_t most, Explanation& out) {
-    const std::vector<Life> lives = lives_.of(pieces, false);
-    std::vector<std::size_t> first;
-    std::vector<std::size_t> count;
+    std::vector<std::size_t> first, count;
+    const std::vector<std::uint32_t> classes = lives_.classes(pieces);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-      const auto same = [&](std::size_t q) { return lives[q] == lives[p]; };
-      const auto it = std::find_if(first.begin(), first.end(), same);
-      if (it != first.end()) {
-        ++count[static_cast<std::size_t>(it - first.begin())];
-      } else {
+      if (classes[p] == first.size()) {
         first.push_back(p);
-        count.push_back(1);
+        count.push_back(0);
       }
+      ++count[classes[p]];
     }
     std::vector<Piece> examples;
     for (std::size_t c = 0; c < std::min(most, first.size()); ++c) examples.push_back(pieces[first[c]]);

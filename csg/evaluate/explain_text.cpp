@@ -10,9 +10,9 @@
 namespace cnrg {
 namespace {
 
-const char* const kKinds[] = {"vertex", "edge", "face", "region"};
+const char* const kKinds[] = {"vertex", "edge", "face", "3-cell"};
 const char* const kArticles[] = {"a vertex", "an edge", "a face", "a 3-cell"};
-const char* const kManyKinds[] = {"vertices", "edges", "faces", "regions"};
+const char* const kManyKinds[] = {"vertices", "edges", "faces", "3-cells"};
 
 std::string counted(std::size_t n, const std::string& one, const std::string& many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
@@ -343,7 +343,9 @@ std::vector<Line> details(const Node& node, const LifeStep& step, int dimension)
     }
     add_boolean(f, dimension, lines);
   }
-  const bool dull = step.state.component == 0 && names_where(step, true).empty() && step.stars.empty();
+  const bool dull =
+      step.state.component == 0 && names_where(step, true).empty() &&
+      std::none_of(step.stars.begin(), step.stars.end(), [](const StarFacts& x) { return x.touched; });
   if (step.booleans.empty() && !dull) add_cnrg(node, step, dimension, lines);
   if (step.attribute && !dull) {
     const Regularization& r = *step.attribute;
@@ -455,7 +457,8 @@ std::string explanation_text(const Tree& tree, const Evaluation& evaluation, con
     out += point_words(*e.asked) + ": " + kArticles[dimension] + " of the refinement; " + part + "`" +
            e.node_name + "`: " + state_words(e.state, dimension) + "\n";
   } else {
-    out += e.cell + " of `" + e.node_name + "`: " + kKinds[e.dimension] + ", " + state_words(e.state, e.dimension);
+    out += e.cell + " of `" + e.node_name + "`: " + (e.dimension == 3 ? "region" : kKinds[e.dimension]) + ", " +
+           state_words(e.state, e.dimension);
     out += (e.pieces > 1 ? "; unites " + counted(e.pieces, e.dimension) + " of the refinement" : "") + "\n";
   }
   for (const LifeClass& c : e.classes) add_class(tree, evaluation, e, c, out);

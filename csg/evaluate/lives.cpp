@@ -280,6 +280,27 @@ std::vector<Life> Lives::of(const std::vector<Piece>& pieces, bool named) {
   return out;
 }
 
+std::vector<std::uint32_t> Lives::classes(const std::vector<Piece>& pieces) {
+  std::vector<std::uint32_t> of(pieces.size(), 0);
+  std::size_t count = 1;
+  for (const InstanceId id : below_) {
+    std::vector<LifeStep> steps(pieces.size());
+    add_steps(id, pieces, false, steps);
+    std::vector<std::vector<std::size_t>> parts(count);  // of each class: the first piece of each new class in it
+    std::vector<std::uint32_t> finer(pieces.size());
+    count = 0;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      std::vector<std::size_t>& firsts = parts[of[p]];
+      const auto same = [&](std::size_t first) { return steps[first] == steps[p]; };
+      const auto it = std::find_if(firsts.begin(), firsts.end(), same);
+      finer[p] = it != firsts.end() ? finer[*it] : static_cast<std::uint32_t>(count++);
+      if (it == firsts.end()) firsts.push_back(p);
+    }
+    of = std::move(finer);
+  }
+  return of;
+}
+
 void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool named, std::vector<LifeStep>& steps) {
   const Instance& instance = evaluation_.instances[id];
   const Node& node = tree_.nodes[instance.node];

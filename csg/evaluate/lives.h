@@ -35,6 +35,10 @@ class Lives {
   /// The lives of the pieces, in their order. `named`: fill what StarFacts fills for lives that are shown.
   std::vector<Life> of(const std::vector<Piece>& pieces, bool named);
 
+  /// Which pieces live alike: a class for each piece, numbered from 0 in the order of their first pieces. No life
+  /// is held for longer than its node.
+  std::vector<std::uint32_t> classes(const std::vector<Piece>& pieces);
+
  private:
   void add_steps(InstanceId id, const std::vector<Piece>& pieces, bool named, std::vector<LifeStep>& steps);
   void add_booleans(const Node& node, InstanceId id, const std::vector<Piece>& pieces,

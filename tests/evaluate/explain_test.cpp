@@ -180,6 +180,20 @@ bool decided(Operator op, const StarFacts& s) {
   }
 }
 
+/// Free is what bounds nothing of the operand: no face around an edge, no edge or face around a vertex.
+bool is_free(const Complex& complex, const Group& group, const Location& cell) {
+  const Selection s = selection_of(complex, group);
+  const CellSet around =
+      star(complex, cell.dimension == 0 ? CellSet{{cell.vertex}, {}, {}, {}} : CellSet{{}, {cell.edge}, {}, {}});
+  const auto entities = static_cast<Component>(group.regions.size() + 1);
+  const auto among = [&](const auto& list, const auto& cells) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& entry) {
+      return entry.second == entities && std::binary_search(cells.begin(), cells.end(), entry.first);
+    });
+  };
+  return !among(s.faces, around.faces) && (cell.dimension == 1 || !among(s.edges, around.edges));
+}
+
 std::string check_boolean_facts(const BooleanFacts& f) {
   const Verdict& v = f.verdict;
   if (v.entity != (f.a.state.entity || f.b.state.entity)) return "an entity of an operand has no verdict";
@@ -218,6 +232,14 @@ std::string check(const Run& r, std::set<std::string>& rows) {
         if (!fault.empty()) return name + ": " + fault;
         if (f.verdict.entity && !f.verdict.bounds_kept) rows.insert(f.verdict.row->id);
         if (f.verdict.removed) ++removals[f.verdict.row->id];
+      }
+      if (node.op != Operator::leaf && pieces[p].cell.dimension < 2 && !step.booleans.empty()) {
+        const BooleanFacts& f = step.booleans.front();
+        const NodeValue& left = *r.evaluation.values[r.evaluation.instances[InstanceId(i)].operands[0]];
+        const OperandFacts& told = f.a.name == step.operands[0].first ? f.a : f.b;
+        if (told.state.entity && left.is_group() && told.free != is_free(complex, left.group(), pieces[p].cell)) {
+          return name + ": free is told wrongly";
+        }
       }
       if (step.booleans.empty() && !step.stars.empty()) {
         const bool active = std::any_of(step.stars.begin(), step.stars.end(),
@@ -295,6 +317,45 @@ TEST_CASE("a wall that vanished: the row and the facts that removed it", "[expla
   const bool outward = *e.classes[0].normal == std::array<Integer, 3>{-1, 0, 0};
   CHECK(f.b.sides[outward ? 0 : 1].component == 0);
   CHECK(f.b.sides[outward ? 1 : 0].component == 1);
+}
+
+TEST_CASE("n points to the side that is told first, on every facet of a curved face too", "[explain]") {
+  const Run r = run(R"(  s: {sphere: {center: [0, 0, 0], radius: 3, segments: 12}}
+  c: {cylinder: {from: [0, 0, -5], to: [0, 0, 5], radius: 1, segments: 12}}
+  u: {union: [s, c], dominance: left}
+)",
+                    "u");
+  const Complex& complex = *r.evaluation.complex;
+  const Locator locator(complex);
+  const SimplifiedComplex& simplified = r.evaluation.value(r.tree.result).simplified;
+  std::vector<Piece> pieces;
+  for (const SimplifiedComplex::Face& face : simplified.faces) {
+    for (const HalfFace h : face.cells) {
+      pieces.push_back({{2, {}, {}, h.face(), {}}, h.side()});
+      pieces.push_back({{2, {}, {}, h.face(), {}}, h.opposite().side()});
+    }
+  }
+  const std::vector<Life> lives = Lives(r.tree, r.evaluation, r.tree.result).of(pieces, false);
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const BooleanFacts& f = lives[p].back().booleans.at(0);
+    for (const std::size_t side : {0u, 1u}) {
+      const RegionId next =
+          complex.region(HalfFace(pieces[p].cell.face, pieces[p].side ^ static_cast<unsigned>(side)));
+      CHECK(f.a.sides[side].component == r.evaluation.values[InstanceId(0)]->group().region_of(next));
+      CHECK(f.b.sides[side].component == r.evaluation.values[InstanceId(1)]->group().region_of(next));
+    }
+  }
+  for (std::size_t k = 0; k < simplified.faces.size(); ++k) {
+    for (const LifeClass& c : explain(r.tree, r.evaluation, r.tree.result, "f" + std::to_string(k)).classes) {
+      RationalPoint off = c.point;
+      Integer size = 0;
+      for (const Integer& n : *c.normal) size += abs(n);
+      for (std::size_t i = 0; i < 3; ++i) off[i] += Rational((*c.normal)[i], size * 1000000);
+      const RegionId there = locator.locate(off).region;
+      const OperandFacts& a = c.life.back().booleans[0].a;
+      CHECK(a.sides[0].component == r.evaluation.values[InstanceId(0)]->group().region_of(there));
+    }
+  }
 }
 
 TEST_CASE("pieces of a simplified cell are told in classes", "[explain]") {
