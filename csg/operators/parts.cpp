@@ -20,7 +20,10 @@ namespace {
 using Parts = std::vector<std::shared_ptr<const Part>>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool empty(const Group& g) { return g.cells.empty() && g.vertices.empty(); }
+// A plane has no vertex but those on the frame, which are no entities.
+bool empty(const Group& g) {
+  return g.cells.empty() && g.faces.empty() && g.edges.empty() && g.vertices.empty();
+}
 
 bool reaches_frame(const Complex& complex, const Group& g) {
   if (!complex.frame.valid()) return false;
@@ -56,10 +59,10 @@ Box box_of(const Complex& complex, const Group& g) {
 }
 
 bool before(const std::shared_ptr<const Part>& a, const std::shared_ptr<const Part>& b) {
-  const auto key = [](const Part& part) {
+  const auto first = []<class IdT>(const std::vector<IdT>& list) { return list.empty() ? IdT() : list.front(); };
+  const auto key = [&](const Part& part) {
     const Group& g = part.group();
-    return std::pair(g.cells.empty() ? RegionId::none() : g.cells.front().first,
-                     g.vertices.empty() ? VertexId::none() : g.vertices.front());
+    return std::tuple(first(part.first_cells()), first(g.vertices), first(g.edges), first(g.faces));
   };
   return key(*a) < key(*b);
 }

@@ -55,7 +55,7 @@ class Part {
   mutable Measures measures_;
 };
 
-/// Parts in the order of their smallest 3-cells, those without any at the end, by their smallest vertices.
+/// Parts in the order of their smallest 3-cells; those without any at the end, by vertices, edges, then faces.
 struct PartedGroup {
   std::vector<std::shared_ptr<const Part>> parts;
   Rational dominance = 0;
