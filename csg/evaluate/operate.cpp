@@ -2,6 +2,8 @@
 #include "csg/evaluate/operate.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "csg/operators/identities.h"
 #include "kernel/base/error.h"
@@ -33,7 +35,7 @@ std::optional<Dominance> stated_dominance(const Node& node) {
 }
 
 /// What the node says; without a word the greater number dominates.
-Dominance dominance_of(const Node& node, const Group& a, const Group& b) {
+Dominance dominance_of(const Node& node, const PartedGroup& a, const PartedGroup& b) {
   if (const auto stated = stated_dominance(node)) return *stated;
   if (a.dominance == b.dominance) return Dominance::equal;
   return a.dominance > b.dominance ? Dominance::left : Dominance::right;
@@ -57,52 +59,41 @@ void require_identity(const Node& node, const std::string& violation) {
 }
 
 /// An operand of a group Boolean.
-class GroupOperand {
- public:
-  GroupOperand(const Complex& complex, const Node& node, const NodeValue& value, const std::string& name) {
-    if (value.is_group()) {
-      group_ = &value.group();
-    } else if (value.stands_for) {
-      group_ = &*value.stands_for;
-    } else {
-      const CellSet missing = missing_boundary(complex, value.components());
-      if (!missing.empty()) {
-        throw InputError("`" + node.operator_name + "` of `" + node.name + "` takes closed values and `" + name +
-                         "` is not closed: " + std::to_string(missing.size()) +
-                         " cells of its boundary are missing; insert `closure`: {closure: " + name + "}");
-      }
-      made_ = group_of(complex, value.components());
-      group_ = &made_;
-    }
+PartedGroup group_operand(const Complex& complex, const Node& node, const NodeValue& value,
+                          const std::string& name) {
+  if (value.is_group()) return value.parts();
+  if (value.stands_for) return parted(complex, *value.stands_for);
+  const CellSet missing = missing_boundary(complex, value.components());
+  if (!missing.empty()) {
+    throw InputError("`" + node.operator_name + "` of `" + node.name + "` takes closed values and `" + name +
+                     "` is not closed: " + std::to_string(missing.size()) +
+                     " cells of its boundary are missing; insert `closure`: {closure: " + name + "}");
   }
-  const Group& operator*() const { return *group_; }
-
- private:
-  Group made_;
-  const Group* group_;
-};
+  return parted(complex, group_of(complex, value.components()));
+}
 
 /// ((a op b) op c) op ...
 Outcome fold(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
              std::span<const std::string> names, bool validate,
              const std::function<void(const BooleanStep&)>& see = {}) {
   Outcome outcome;
-  const GroupOperand first(complex, node, *operands[0], names[0]);
-  Group value;
-  const Group* left = &*first;
+  const BooleanOp op = boolean_op(node.op);
+  PartedGroup value = group_operand(complex, node, *operands[0], names[0]);
   for (std::size_t k = 1; k < operands.size(); ++k) {
-    const GroupOperand right(complex, node, *operands[k], names[k]);
-    const Dominance dominance = dominance_of(node, *left, *right);
-    BooleanResult step = apply(complex, boolean_op(node.op), dominance, *left, *right);
-    if (see) see({boolean_op(node.op), dominance, *left, *right, step.group, k});
-    if (validate) {
-      require_identity(node, check_boolean(complex, boolean_op(node.op), *left, *right, step.group));
+    PartedGroup right = group_operand(complex, node, *operands[k], names[k]);
+    const Dominance dominance = dominance_of(node, value, right);
+    std::optional<std::array<Group, 2>> whole_operands;
+    if (see || validate) whole_operands = {whole(value), whole(right)};
+    PartedResult step = apply(complex, op, dominance, std::move(value), std::move(right));
+    if (whole_operands) {
+      const auto& [a, b] = *whole_operands;
+      const Group result = whole(step.group);
+      if (see) see({op, dominance, a, b, result, k});
+      if (validate) require_identity(node, check_boolean(complex, op, a, b, result));
     }
-    step.group.dominance = std::max(left->dominance, (*right).dominance);
     add_removals(outcome.removals, step.removals);
-    outcome.conflicts.insert(outcome.conflicts.end(), step.conflicts.begin(), step.conflicts.end());
+    for (auto& [part, conflict] : step.conflicts) outcome.conflicts.push_back(std::move(conflict));
     value = std::move(step.group);
-    left = &value;
   }
   outcome.value = std::move(value);
   return outcome;
@@ -154,7 +145,7 @@ Outcome of_components(ComponentsResult result) {
 
 /// One component of one name keeps it; where there is none or several were joined it is called after the node.
 void name_after(const Node& node, Outcome& outcome) {
-  for (ComponentAttributes& a : std::get<Components>(outcome.value.held).attributes) {
+  for (ComponentAttributes& a : outcome.value.components().attributes) {
     if (a.name.empty() || a.name == kEntitiesName || a.name.find(" & ") != std::string::npos) a.name = node.name;
   }
 }
@@ -173,15 +164,15 @@ Outcome complement_of(const Complex& complex, const Node& node, const NodeValue&
   return outcome;
 }
 
+PartedGroup regularized(const Complex& complex, const PartedGroup& value) {
+  return changed(complex, value, [&](Group& group) { group = regularize(complex, group); });
+}
+
 Outcome topology_of(const Complex& complex, const Node& node, const NodeValue& operand, bool validate) {
   const Topological op = topological(node.op);
   if (operand.is_group() && !node.each) {
-    if (op == Topological::closure) return {operand.group(), {}, {}};
-    if (op == Topological::regularize) {
-      Group group = regularize(complex, operand.group());
-      group.dominance = operand.group().dominance;
-      return {std::move(group), {}, {}};
-    }
+    if (op == Topological::closure) return {operand.parts(), {}, {}};
+    if (op == Topological::regularize) return {regularized(complex, operand.parts()), {}, {}};
   }
   const Components x = components_of(complex, operand);
   ComponentsResult result = node.each ? apply_each(complex, op, x) : apply(complex, op, x);
@@ -195,15 +186,15 @@ void set_attributes(const Node& node, RegionAttributes& attributes) {
 }
 
 /// The attributes of a node on a group; a leaf's regions have names and materials already.
-void apply_attributes(const Complex& complex, const Node& node, Group& group) {
-  if (node.regularize) {
-    Rational dominance = group.dominance;
-    group = regularize(complex, group);
-    group.dominance = std::move(dominance);
-  }
-  if (node.forget_features) group.features = {};
-  if (node.op != Operator::leaf) {
-    for (RegionAttributes& region : group.regions) set_attributes(node, region);
+void apply_attributes(const Complex& complex, const Node& node, PartedGroup& group) {
+  if (node.regularize) group = regularized(complex, group);
+  const bool names = node.op != Operator::leaf && !(node.material.empty() && node.label.empty());
+  if (node.forget_features || names) {
+    group = changed(complex, group, [&](Group& part) {
+      if (node.forget_features) part.features = {};
+      if (!names) return;
+      for (RegionAttributes& region : part.regions) set_attributes(node, region);
+    });
   }
   if (node.dominance) group.dominance = *node.dominance;
 }
@@ -268,7 +259,8 @@ Outcome operate(const Complex& complex, const Node& node, std::span<const NodeVa
       outcome = topology_of(complex, node, *operands[0], validate);
       break;
     case Operator::simplify:
-      outcome.value = *operands[0];
+      if (operands[0]->is_group()) outcome.value = operands[0]->parts();
+      else outcome.value = operands[0]->components();
       break;
     case Operator::leaf:
       throw InvariantError("operate: `" + node.name + "` is a leaf");
@@ -278,13 +270,19 @@ Outcome operate(const Complex& complex, const Node& node, std::span<const NodeVa
 }
 
 void apply_attributes(const Complex& complex, const Node& node, NodeValue& value) {
-  std::visit([&](auto& held) { apply_attributes(complex, node, held); }, value.held);
+  if (value.is_group()) {
+    apply_attributes(complex, node, value.parts());
+    return;
+  }
+  apply_attributes(complex, node, value.components());
   if (!value.stands_for) return;
   if (node.regularize) {
     value.stands_for.reset();
-  } else {
-    apply_attributes(complex, node, *value.stands_for);
+    return;
   }
+  PartedGroup closed = parted(complex, std::move(*value.stands_for));
+  apply_attributes(complex, node, closed);
+  value.stands_for = whole(closed);
 }
 
 }  // namespace cnrg

@@ -4,14 +4,34 @@
 
 namespace cnrg {
 
-const Group& NodeValue::group() const {
+const PartedGroup& NodeValue::parts() const {
   require(is_group(), "a group was asked of a value of components");
-  return std::get<Group>(held);
+  return std::get<PartedGroup>(held_);
+}
+
+PartedGroup& NodeValue::parts() {
+  require(is_group(), "a group was asked of a value of components");
+  whole_ = std::make_unique<Whole>();  // what was made of the parts may not be what they become
+  return std::get<PartedGroup>(held_);
+}
+
+const Group& NodeValue::group() const {
+  const PartedGroup& value = parts();
+  if (value.parts.size() == 1 && value.parts[0]->group().dominance == value.dominance) {
+    return value.parts[0]->group();
+  }
+  std::call_once(whole_->once, [&] { whole_->group = whole(value); });
+  return *whole_->group;
 }
 
 const Components& NodeValue::components() const {
   require(!is_group(), "components were asked of a group");
-  return std::get<Components>(held);
+  return std::get<Components>(held_);
+}
+
+Components& NodeValue::components() {
+  require(!is_group(), "components were asked of a group");
+  return std::get<Components>(held_);
 }
 
 const Features& NodeValue::features() const {

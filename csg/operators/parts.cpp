@@ -130,6 +130,16 @@ auto merged(const std::vector<const Part*>& parts, List list) {
   return MergeOrder(parts, list).gather(list);
 }
 
+// One kind of entities with their origins, whose sets are each part's own.
+template <class List, class OriginList, class IdT>
+void merge_entities(const std::vector<const Part*>& parts, std::vector<LeafSetMap>& sets, List list,
+                    OriginList origins, std::vector<IdT>& out, std::vector<LeafSetId>& out_origins) {
+  const MergeOrder order(parts, list);
+  out = order.gather(list);
+  out_origins = order.gather(origins);
+  for (std::size_t i = 0; i < out.size(); ++i) out_origins[i] = sets[order.part(i)](out_origins[i]);
+}
+
 // One group of parts that share no point; two parts at least.
 Group merge(const std::vector<const Part*>& parts) {
   Group out;
@@ -146,9 +156,17 @@ Group merge(const std::vector<const Part*>& parts) {
     std::uint32_t& region = out.cells[i].second;
     region = number[cell_order.part(i)][region - 1];
   }
-  out.faces = merged(parts, [](const Group& g) -> const auto& { return g.faces; });
-  out.edges = merged(parts, [](const Group& g) -> const auto& { return g.edges; });
-  out.vertices = merged(parts, [](const Group& g) -> const auto& { return g.vertices; });
+  std::vector<LeafSetMap> sets;
+  for (const Part* part : parts) sets.emplace_back(part->group().origins.sets, out.origins.sets);
+  merge_entities(
+      parts, sets, [](const Group& g) -> const auto& { return g.faces; },
+      [](const Group& g) -> const auto& { return g.origins.faces; }, out.faces, out.origins.faces);
+  merge_entities(
+      parts, sets, [](const Group& g) -> const auto& { return g.edges; },
+      [](const Group& g) -> const auto& { return g.origins.edges; }, out.edges, out.origins.edges);
+  merge_entities(
+      parts, sets, [](const Group& g) -> const auto& { return g.vertices; },
+      [](const Group& g) -> const auto& { return g.origins.vertices; }, out.vertices, out.origins.vertices);
   out.features.edges = merged(parts, [](const Group& g) -> const auto& { return g.features.edges; });
   out.features.vertices = merged(parts, [](const Group& g) -> const auto& { return g.features.vertices; });
   return out;
@@ -208,16 +226,22 @@ class PartedBoolean {
                         std::move(result.conflicts));
     }
     const auto [swapped, dominant] = roles(op_, dominance_);
-    carry(left.parts, swapped ? Relation::b_out_a : Relation::a_out_b, dominant);
-    carry(right.parts, swapped ? Relation::a_out_b : Relation::b_out_a, dominant);
+    const bool left_stays = carry(left.parts, swapped ? Relation::b_out_a : Relation::a_out_b, dominant);
+    const bool right_stays = carry(right.parts, swapped ? Relation::a_out_b : Relation::b_out_a, dominant);
+    if (measured(left) && measured(right)) {
+      const bool from_right = right_stays && (!left_stays || right.parts.size() > left.parts.size());
+      out.group.totals = from_right    ? carried(right, busy_right_, left.parts)
+                         : left_stays ? carried(left, busy_left_, right.parts)
+                                      : Totals{};
+    }
 
     Parts& parts = out.group.parts;
     parts = std::move(left.parts);
     add(parts, std::move(right.parts));
-    Parts fresh;
+    Parts& fresh = out.group.fresh;
     for (const auto& [part, conflicts] : made) fresh.push_back(part);
     std::sort(fresh.begin(), fresh.end(), before);
-    add(parts, std::move(fresh));
+    add(parts, fresh);
     for (auto& [part, conflicts] : made) {
       const auto at = std::lower_bound(parts.begin(), parts.end(), part, before);
       for (MaterialConflict& conflict : conflicts) {
@@ -256,15 +280,15 @@ class PartedBoolean {
         number[root] = static_cast<std::uint32_t>(clusters.size());
       }
       clusters[number[root] - 1].right.push_back(right[r].get());
-      busy_.push_back(std::move(right[r]));
+      busy_right_.push_back(std::move(right[r]));
     }
     for (std::uint32_t l = 0; l < split; ++l) {
       const std::uint32_t root = sets.find(l);
       if (number[root] == 0) continue;
       clusters[number[root] - 1].left.push_back(left[l].get());
-      busy_.push_back(std::move(left[l]));
+      busy_left_.push_back(std::move(left[l]));
     }
-    if (!busy_.empty()) {
+    if (!clusters.empty()) {
       std::erase(left, nullptr);
       std::erase(right, nullptr);
     }
@@ -289,12 +313,22 @@ class PartedBoolean {
     return result;
   }
 
-  // Parts off the other operand: the rows of this relation keep all of them, or remove all.
-  void carry(Parts& parts, Relation relation, bool dominant) {
+  static bool measured(const PartedGroup& value) { return value.totals && value.fresh.empty(); }
+
+  // The totals of the parts that are carried: those of `most` without its busy ones, and `others`.
+  Totals carried(PartedGroup& most, const Parts& busy, const Parts& others) const {
+    Totals out = std::move(*most.totals);
+    for (const auto& part : busy) out.remove(part->measures(complex_));
+    for (const auto& part : others) out.add(part->measures(complex_));
+    return out;
+  }
+
+  // Parts off the other operand: the rows of this relation keep all of them (true), or remove all.
+  bool carry(Parts& parts, Relation relation, bool dominant) {
     for (int dimension = 0; dimension <= 2; ++dimension) {
       const std::size_t row = table_row(op_, dominant, dimension, relation);
       const Condition condition = table_rows()[row].condition;
-      if (condition == Condition::never) return;
+      if (condition == Condition::never) return true;
       require(condition == Condition::always, "parts: a row decides about entities outside of the other operand");
       for (const auto& part : parts) {
         const Group& g = part->group();
@@ -302,9 +336,15 @@ class PartedBoolean {
       }
     }
     parts.clear();
+    return false;
   }
 
+  // A few are put in one by one.
   static void add(Parts& parts, Parts more) {
+    if (more.size() < 8) {
+      for (auto& part : more) parts.insert(std::upper_bound(parts.begin(), parts.end(), part, before), std::move(part));
+      return;
+    }
     const auto middle = static_cast<std::ptrdiff_t>(parts.size());
     parts.insert(parts.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     std::inplace_merge(parts.begin(), parts.begin() + middle, parts.end(), before);
@@ -314,7 +354,7 @@ class PartedBoolean {
   BooleanOp op_;
   Dominance dominance_;
   std::vector<std::size_t> removed_;  // by row
-  Parts busy_;                        // keeps the parts of clusters alive
+  Parts busy_left_, busy_right_;      // the parts of clusters
 };
 
 std::vector<const Part*> pointers(const Parts& parts) {
@@ -373,17 +413,44 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> region_order(const PartedGr
   return order_regions(pointers(value.parts));
 }
 
-Measures measures(const Complex& complex, const PartedGroup& value) {
-  Measures out;
-  for (const auto& part : value.parts) {
-    const Measures& m = part->measures(complex);
-    for (std::size_t d = 0; d < 4; ++d) {
-      out.raw[d] += m.raw[d];
-      out.simplified[d] += m.simplified[d];
-    }
+void Totals::add(const Measures& m) {
+  for (std::size_t d = 0; d < 4; ++d) {
+    raw[d] += m.raw[d];
+    simplified[d] += m.simplified[d];
   }
+  regions += m.volumes.size();
+  for (const std::optional<Rational>& v : m.volumes) {
+    if (v) volume += *v;
+    else ++unbounded;
+  }
+}
+
+void Totals::remove(const Measures& m) {
+  for (std::size_t d = 0; d < 4; ++d) {
+    raw[d] -= m.raw[d];
+    simplified[d] -= m.simplified[d];
+  }
+  regions -= m.volumes.size();
+  for (const std::optional<Rational>& v : m.volumes) {
+    if (v) volume -= *v;
+    else --unbounded;
+  }
+}
+
+const Totals& measure(const Complex& complex, PartedGroup& value) {
+  if (!value.totals) {
+    value.totals.emplace();
+    value.fresh = value.parts;
+  }
+  for (const auto& part : value.fresh) value.totals->add(part->measures(complex));
+  value.fresh.clear();
+  return *value.totals;
+}
+
+std::vector<std::optional<Rational>> volumes(const Complex& complex, const PartedGroup& value) {
+  std::vector<std::optional<Rational>> out;
   for (const auto& [part, region] : region_order(value)) {
-    out.volumes.push_back(value.parts[part]->measures(complex).volumes[region - 1]);
+    out.push_back(value.parts[part]->measures(complex).volumes[region - 1]);
   }
   return out;
 }

@@ -55,14 +55,44 @@ class Part {
   mutable Measures measures_;
 };
 
+/// Sums of the measures of parts.
+struct Totals {
+  std::array<std::size_t, 4> raw{}, simplified{};
+  std::size_t regions = 0, unbounded = 0;  ///< all of them; those without a volume
+  Rational volume = 0;                     ///< of the bounded ones
+  void add(const Measures& m);
+  void remove(const Measures& m);
+};
+
 /// Parts in the order of their smallest 3-cells; those without any at the end, by vertices, edges, then faces.
 struct PartedGroup {
   std::vector<std::shared_ptr<const Part>> parts;
   Rational dominance = 0;
+  /// The sums over all parts but those in `fresh`; nothing when they are not known. An operator passes them on, so
+  /// that measuring a value costs what is new in it.
+  std::optional<Totals> totals;
+  std::vector<std::shared_ptr<const Part>> fresh;
 };
+
+/// The sums over all parts, kept in the value.
+const Totals& measure(const Complex& complex, PartedGroup& value);
 
 /// The group as one part, or none if it is empty.
 PartedGroup parted(const Complex& complex, Group group);
+
+/// Each part changed by `change(Group&)`, which must leave it a part: it may drop entities, not add any.
+template <class Change>
+PartedGroup changed(const Complex& complex, const PartedGroup& value, Change change) {
+  PartedGroup out;
+  out.dominance = value.dominance;
+  for (const auto& part : value.parts) {
+    Group group = part->group();
+    change(group);
+    PartedGroup one = parted(complex, std::move(group));
+    out.parts.insert(out.parts.end(), one.parts.begin(), one.parts.end());
+  }
+  return out;
+}
 
 /// The group of all parts: lists sorted, regions in the order of their smallest 3-cells.
 Group whole(const PartedGroup& value);
@@ -70,8 +100,8 @@ Group whole(const PartedGroup& value);
 /// Region i + 1 of `whole(value)` as (index of the part, region of its group).
 std::vector<std::pair<std::uint32_t, std::uint32_t>> region_order(const PartedGroup& value);
 
-/// The measures of `whole(value)`: sums over the parts, volumes in the order of regions.
-Measures measures(const Complex& complex, const PartedGroup& value);
+/// Exact volumes by region of `whole(value)`, from region 1; nothing for an unbounded one.
+std::vector<std::optional<Rational>> volumes(const Complex& complex, const PartedGroup& value);
 
 struct PartedResult {
   PartedGroup group;

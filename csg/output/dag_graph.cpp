@@ -13,15 +13,15 @@ namespace {
 struct Use {
   std::size_t number = 0;  // of the operand, from 1; 0: the only one
 };
-using Uses = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, Use>;
+using Uses = boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS, boost::no_property, Use>;
 
 std::string label_of(const NodeRow& row) {
   const auto& [v, e, f, r] = row.cells;
   std::string text = row.name + "\n" + row.operator_name + "\n" + std::to_string(v) + " v  " + std::to_string(e) +
                      " e  " + std::to_string(f) + " f  " + std::to_string(r) + " r";
   if (!row.is_group) text += "\n" + std::to_string(row.components) + " components";
-  if (row.volumes.empty()) return text;
-  const std::optional<Rational> volume = row.volume();
+  if (row.regions == 0) return text;
+  const std::optional<Rational>& volume = row.volume();
   return text + "\nvolume " + (volume ? to_decimal(*volume) : "unbounded");
 }
 

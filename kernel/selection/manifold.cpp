@@ -235,11 +235,8 @@ std::vector<Sheet> sheets(const Complex& complex, const CellSet& set) {
     const auto& [front, back] = complex.face_regions[f];
     if (!closed.regions[front] && !closed.regions[back]) faces.push_back(f);
   }
-  const auto place = [&](FaceId f) {
-    return static_cast<std::uint32_t>(std::lower_bound(faces.begin(), faces.end(), f) - faces.begin());
-  };
-  OrientedSets joined(faces.size());
-  std::vector<std::uint32_t> one_sided, bordered;
+  OrientedSets joined(complex.face_count());
+  std::vector<FaceId> one_sided, bordered;
   for (EdgeId e : closed.cells.edges) {
     const LocalForm form = shape_of(complex, closed, e).form;
     std::vector<FaceUse> uses;
@@ -247,23 +244,23 @@ std::vector<Sheet> sheets(const Complex& complex, const CellSet& set) {
       if (std::binary_search(faces.begin(), faces.end(), use.face)) uses.push_back(use);
     }
     if (form != LocalForm::surface) {
-      for (const FaceUse& use : uses) bordered.push_back(place(use.face));
+      for (const FaceUse& use : uses) bordered.push_back(use.face);
       continue;
     }
     require(uses.size() == 2, "sheets: an edge inside a sheet has not two faces");
     // Faces with one orientation pass the edge in opposite directions.
     const bool turned = uses[0].half_edge == uses[1].half_edge;
-    if (!joined.unite(place(uses[0].face), place(uses[1].face), turned)) one_sided.push_back(place(uses[0].face));
+    if (!joined.unite(uses[0].face, uses[1].face, turned)) one_sided.push_back(uses[0].face);
   }
   std::vector<Sheet> out;
-  std::map<std::uint32_t, std::size_t> numbers;
-  for (std::uint32_t i = 0; i < faces.size(); ++i) {
-    const auto [at, fresh] = numbers.try_emplace(joined.find(i).first, out.size());
+  std::map<FaceId, std::size_t> numbers;
+  for (FaceId f : faces) {
+    const auto [at, fresh] = numbers.try_emplace(joined.find(f).first, out.size());
     if (fresh) out.emplace_back();
-    out[at->second].faces.push_back(faces[i]);
+    out[at->second].faces.push_back(f);
   }
-  for (std::uint32_t i : one_sided) out[numbers[joined.find(i).first]].orientable = false;
-  for (std::uint32_t i : bordered) out[numbers[joined.find(i).first]].closed = false;
+  for (FaceId f : one_sided) out[numbers[joined.find(f).first]].orientable = false;
+  for (FaceId f : bordered) out[numbers[joined.find(f).first]].closed = false;
   return out;
 }
 
