@@ -199,6 +199,10 @@ class PartedBoolean {
   PartedResult run(PartedGroup left, PartedGroup right) {
     PartedResult out;
     out.group.dominance = std::max(left.dominance, right.dominance);
+    if (left.totals && right.totals) {
+      totals_ = std::move(left.totals);
+      totals_->add(*right.totals);
+    }
     const std::vector<Cluster> clusters = find_clusters(left.parts, right.parts);
     std::vector<std::pair<std::shared_ptr<const Part>, std::vector<MaterialConflict>>> made;
     for (const Cluster& cluster : clusters) {
@@ -206,11 +210,14 @@ class PartedBoolean {
       if (empty(result.group)) continue;
       made.emplace_back(std::make_shared<const Part>(complex_, std::move(result.group)),
                         std::move(result.conflicts));
+      if (totals_) totals_->add(made.back().first->measures(complex_));
     }
+    for (const auto& part : busy_) take_off(*part);
     const auto [swapped, dominant] = roles(op_, dominance_);
     carry(left.parts, swapped ? Relation::b_out_a : Relation::a_out_b, dominant);
     carry(right.parts, swapped ? Relation::a_out_b : Relation::b_out_a, dominant);
 
+    out.group.totals = std::move(totals_);
     Parts& parts = out.group.parts;
     parts = std::move(left.parts);
     add(parts, std::move(right.parts));
@@ -301,7 +308,12 @@ class PartedBoolean {
         removed_[row] += dimension == 0 ? g.vertices.size() : dimension == 1 ? g.edges.size() : g.faces.size();
       }
     }
+    for (const auto& part : parts) take_off(*part);
     parts.clear();
+  }
+
+  void take_off(const Part& part) {
+    if (totals_) totals_->subtract(part.measures(complex_));
   }
 
   static void add(Parts& parts, Parts more) {
@@ -315,6 +327,7 @@ class PartedBoolean {
   Dominance dominance_;
   std::vector<std::size_t> removed_;  // by row
   Parts busy_;                        // keeps the parts of clusters alive
+  std::optional<Totals> totals_;
 };
 
 std::vector<const Part*> pointers(const Parts& parts) {
@@ -373,17 +386,48 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> region_order(const PartedGr
   return order_regions(pointers(value.parts));
 }
 
-Measures measures(const Complex& complex, const PartedGroup& value) {
-  Measures out;
-  for (const auto& part : value.parts) {
-    const Measures& m = part->measures(complex);
-    for (std::size_t d = 0; d < 4; ++d) {
-      out.raw[d] += m.raw[d];
-      out.simplified[d] += m.simplified[d];
-    }
+std::optional<Rational> Totals::volume() const {
+  return unbounded_regions == 0 ? std::optional(bounded_volume) : std::nullopt;
+}
+
+void Totals::add(const Measures& part) {
+  for (std::size_t d = 0; d < 4; ++d) raw[d] += part.raw[d], simplified[d] += part.simplified[d];
+  regions += part.volumes.size();
+  for (const auto& volume : part.volumes) {
+    if (volume) bounded_volume += *volume;
+    else ++unbounded_regions;
   }
+}
+
+void Totals::subtract(const Measures& part) {
+  for (std::size_t d = 0; d < 4; ++d) raw[d] -= part.raw[d], simplified[d] -= part.simplified[d];
+  regions -= part.volumes.size();
+  for (const auto& volume : part.volumes) {
+    if (volume) bounded_volume -= *volume;
+    else --unbounded_regions;
+  }
+}
+
+void Totals::add(const Totals& other) {
+  for (std::size_t d = 0; d < 4; ++d) raw[d] += other.raw[d], simplified[d] += other.simplified[d];
+  regions += other.regions;
+  unbounded_regions += other.unbounded_regions;
+  bounded_volume += other.bounded_volume;
+}
+
+const Totals& measure(const Complex& complex, PartedGroup& value) {
+  if (!value.totals) {
+    Totals totals;
+    for (const auto& part : value.parts) totals.add(part->measures(complex));
+    value.totals = std::move(totals);
+  }
+  return *value.totals;
+}
+
+std::vector<std::optional<Rational>> volumes(const Complex& complex, const PartedGroup& value) {
+  std::vector<std::optional<Rational>> out;
   for (const auto& [part, region] : region_order(value)) {
-    out.volumes.push_back(value.parts[part]->measures(complex).volumes[region - 1]);
+    out.push_back(value.parts[part]->measures(complex).volumes[region - 1]);
   }
   return out;
 }

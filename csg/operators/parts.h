@@ -26,12 +26,25 @@ struct Box {
   bool meets(const Box& other) const;
 };
 
-/// What a row says of a value.
+/// The numbers of one part.
 struct Measures {
   std::array<std::size_t, 4> raw{};         ///< active cells by dimension, as the refinement has them
   std::array<std::size_t, 4> simplified{};  ///< active cells by dimension, simplified
   /// Exact volumes by region, from region 1; nothing for an unbounded one.
   std::vector<std::optional<Rational>> volumes;
+};
+
+/// What a row says of a value: sums over its parts.
+struct Totals {
+  std::array<std::size_t, 4> raw{}, simplified{};
+  std::size_t regions = 0, unbounded_regions = 0;
+  Rational bounded_volume = 0;
+  /// The sum of the volumes; nothing when a region is unbounded.
+  std::optional<Rational> volume() const;
+
+  void add(const Measures& part);
+  void subtract(const Measures& part);
+  void add(const Totals& other);
 };
 
 /// A closed piece of a group that shares no point with the other parts of the same value; not empty. Its own
@@ -59,6 +72,8 @@ class Part {
 struct PartedGroup {
   std::vector<std::shared_ptr<const Part>> parts;
   Rational dominance = 0;
+  /// Set by `measure`; `apply` keeps them up to date at the cost of the parts touched if both operands have them.
+  std::optional<Totals> totals;
 };
 
 /// The group as one part, or none if it is empty.
@@ -70,8 +85,11 @@ Group whole(const PartedGroup& value);
 /// Region i + 1 of `whole(value)` as (index of the part, region of its group).
 std::vector<std::pair<std::uint32_t, std::uint32_t>> region_order(const PartedGroup& value);
 
-/// The measures of `whole(value)`: sums over the parts, volumes in the order of regions.
-Measures measures(const Complex& complex, const PartedGroup& value);
+/// Sets the totals if they are not yet there.
+const Totals& measure(const Complex& complex, PartedGroup& value);
+
+/// The exact volume of each region of `whole(value)`; nothing for an unbounded one.
+std::vector<std::optional<Rational>> volumes(const Complex& complex, const PartedGroup& value);
 
 struct PartedResult {
   PartedGroup group;

@@ -75,19 +75,25 @@ std::vector<Conflict> conflicts(const PartedResult& result) {
   return out;
 }
 
-void check_measures(const Complex& complex, const PartedGroup& parts, const Group& plain) {
-  const Measures m = measures(complex, parts);
+void check_measures(const Complex& complex, PartedGroup& parts, const Group& plain) {
+  const Totals& totals = measure(complex, parts);
   const Selection s = selection_of(complex, plain);
-  CHECK((m.raw == std::array{s.vertices.size(), s.edges.size(), s.faces.size(), s.regions.size()}));
-  CHECK((m.simplified == active_counts(simplify(complex, s, plain.features))));
-  REQUIRE(m.volumes.size() == plain.regions.size());
-  for (std::size_t i = 0; i < m.volumes.size(); ++i) {
+  CHECK((totals.raw == std::array{s.vertices.size(), s.edges.size(), s.faces.size(), s.regions.size()}));
+  CHECK((totals.simplified == active_counts(simplify(complex, s, plain.features))));
+  CHECK(totals.regions == plain.regions.size());
+  const auto by_region = volumes(complex, parts);
+  REQUIRE(by_region.size() == plain.regions.size());
+  std::optional<Rational> sum = 0;
+  for (std::size_t i = 0; i < by_region.size(); ++i) {
     std::vector<RegionId> cells;
     for (const auto& [cell, region] : plain.cells) {
       if (region == i + 1) cells.push_back(cell);
     }
-    CHECK((m.volumes[i] == cnrg::volume(complex, cells)));
+    CHECK((by_region[i] == cnrg::volume(complex, cells)));
+    if (!by_region[i]) sum.reset();
+    else if (sum) *sum += *by_region[i];
   }
+  CHECK((totals.volume() == sum));
 }
 
 struct Value {
@@ -101,6 +107,7 @@ std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, 
   for (Group& leaf : leaves) {
     leaf.dominance = random.below(3);
     values.push_back({leaf, parted(complex, leaf)});
+    if (random.one_in(2)) measure(complex, values.back().parts);  // totals are kept up to date or made later
   }
   std::size_t most = 0;
   const std::size_t count = leaves.size();
@@ -111,10 +118,11 @@ std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, 
     const auto dominance = static_cast<Dominance>(random.below(3));
     INFO(i << ": " << name(op) << ' ' << static_cast<int>(dominance) << " of " << left << ", " << right);
     const BooleanResult plain = apply(complex, op, dominance, values[left].plain, values[right].plain);
-    const PartedResult parts = apply(complex, op, dominance, values[left].parts, values[right].parts);
+    PartedResult parts = apply(complex, op, dominance, values[left].parts, values[right].parts);
     check_same(whole(parts.group), plain.group);
     CHECK((parts.removals == plain.removals));
     CHECK((conflicts(parts) == conflicts(plain.conflicts)));
+    if (random.one_in(3)) parts.group.totals.reset();
     check_measures(complex, parts.group, plain.group);
     most = std::max(most, parts.group.parts.size());
     values.push_back({plain.group, parts.group});
