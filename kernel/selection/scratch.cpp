@@ -9,7 +9,7 @@
 namespace cnrg {
 namespace {
 
-constexpr std::size_t kMapped = std::size_t(1) << 17;
+constexpr std::size_t kMapped = std::size_t(1) << 18;
 
 }  // namespace
 

@@ -15,7 +15,7 @@
 
 namespace cnrg {
 
-/// Zeroed bytes; throws std::bad_alloc. Above some 100 kB only the pages that are touched cost anything.
+/// Zeroed bytes; throws std::bad_alloc. Above some 256 kB only the pages that are touched cost anything.
 class ZeroedBlock {
  public:
   explicit ZeroedBlock(std::size_t bytes);
