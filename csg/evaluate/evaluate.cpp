@@ -115,18 +115,20 @@ std::vector<LeafId> leaves_below(const Unfolding& unfolding, const PreparedLeave
 }
 
 /// The operator of an inner instance on its operands' values; faults of the input come at the operator's place.
+/// `last(operand)`: nobody needs the operand's value after this.
+template <class Last>
 Outcome value_of(const Tree& tree, const Unfolding& unfolding, const Values& values, const Complex& complex,
-                 InstanceId id, bool validate) {
+                 InstanceId id, bool validate, Last last) {
   const Instance& instance = unfolding.instances[id];
   const Node& node = tree.nodes[instance.node];
-  std::vector<const NodeValue*> operands;
-  std::vector<std::string> names;
+  std::vector<Operand> operands;
   for (const InstanceId operand : instance.operands) {
-    operands.push_back(values[operand].get());
-    names.push_back(tree.nodes[unfolding.instances[operand].node].name);
+    NodeValue* const value = values[operand].get();
+    operands.push_back(
+        {value, tree.nodes[unfolding.instances[operand].node].name, last(operand) ? value : nullptr});
   }
   try {
-    return operate(complex, node, operands, names, validate);
+    return operate(complex, node, operands, validate);
   } catch (const InputError& e) {
     throw TreeError(tree.file, node.operator_at, e.what());
   }
@@ -159,7 +161,7 @@ void measure(const Complex& complex, NodeValue& value, bool region_volumes, Node
     row.raw_cells = totals.raw;
     row.cells = totals.simplified;
     row.regions = totals.regions;
-    if (totals.unbounded == 0) row.total = totals.volume;
+    row.total = totals.volume();
     if (region_volumes) row.volumes = volumes(complex, value.parts());
     return;
   }
@@ -252,7 +254,8 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     std::shared_ptr<NodeValue> value = std::move(values[id]);
     if (!value) {
       const Stopwatch stopwatch;
-      Outcome outcome = value_of(tree, unfolding, values, complex, id, options.validate);
+      const auto last = [&](InstanceId operand) { return uses[operand] == 1 && !options.keep_all; };
+      Outcome outcome = value_of(tree, unfolding, values, complex, id, options.validate, last);
       row.seconds = stopwatch.seconds();
       row.removals = std::move(outcome.removals);
       report_conflicts(tree, tree.nodes[instance.node], complex, outcome, result);

@@ -334,24 +334,27 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
   if (node.regularize && node.op != Operator::leaf) add_attribute(node, id, pieces, named, steps);
 }
 
+std::vector<Operand> Lives::operands_of(InstanceId id) const {
+  std::vector<Operand> out;
+  for (const InstanceId operand : evaluation_.instances[id].operands) {
+    out.push_back({evaluation_.values[operand].get(), name_of(operand)});
+  }
+  return out;
+}
+
 void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Piece>& pieces,
                          std::vector<LifeStep>& steps) {
-  std::vector<const NodeValue*> operands;
-  std::vector<std::string> names;
-  for (const InstanceId operand : evaluation_.instances[id].operands) {
-    operands.push_back(evaluation_.values[operand].get());
-    names.push_back(name_of(operand));
-  }
-  for_each_step(complex_, node, operands, names, [&](const BooleanStep& s) {
+  const std::vector<Operand> operands = operands_of(id);
+  for_each_step(complex_, node, operands, [&](const BooleanStep& s) {
     const bool first = s.operand == 1;
-    const std::string left = first ? names[0] : "step " + std::to_string(s.operand - 1);
+    const std::string left = first ? operands[0].name : "step " + std::to_string(s.operand - 1);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       BooleanFacts facts;
       facts.op = s.op;
       facts.dominant = s.op != BooleanOp::subtract && s.dominance != Dominance::equal;
-      facts.a = facts_of(complex_, s.left, pieces[p], left, first && is_closed_complement(*operands[0]));
+      facts.a = facts_of(complex_, s.left, pieces[p], left, first && is_closed_complement(*operands[0].value));
       facts.b =
-          facts_of(complex_, s.right, pieces[p], names[s.operand], is_closed_complement(*operands[s.operand]));
+          facts_of(complex_, s.right, pieces[p], operands[s.operand].name, is_closed_complement(*operands[s.operand].value));
       if (s.op != BooleanOp::subtract && s.dominance == Dominance::right) std::swap(facts.a, facts.b);
       facts.verdict = verdict_of(complex_, s, pieces[p].cell);
       facts.kept_around = kept_around(complex_, s.result, pieces[p].cell);
@@ -419,13 +422,8 @@ void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Pie
                           std::vector<LifeStep>& steps) {
   Node without = node;
   without.regularize = false;
-  std::vector<const NodeValue*> operands;
-  std::vector<std::string> names;
-  for (const InstanceId operand : evaluation_.instances[id].operands) {
-    operands.push_back(evaluation_.values[operand].get());
-    names.push_back(name_of(operand));
-  }
-  made_.push_back(std::make_unique<NodeValue>(operate(complex_, without, operands, names, false).value));
+  const std::vector<Operand> operands = operands_of(id);
+  made_.push_back(std::make_unique<NodeValue>(operate(complex_, without, operands, false).value));
   const NodeValue& before = *made_.back();
   std::vector<LifeStep> after(pieces.size());
   add_topology(Topological::regularize, false, before, pieces, named, after);

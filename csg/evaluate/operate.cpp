@@ -59,28 +59,27 @@ void require_identity(const Node& node, const std::string& violation) {
 }
 
 /// An operand of a group Boolean.
-PartedGroup group_operand(const Complex& complex, const Node& node, const NodeValue& value,
-                          const std::string& name) {
-  if (value.is_group()) return value.parts();
+PartedGroup group_operand(const Complex& complex, const Node& node, const Operand& operand) {
+  const NodeValue& value = *operand.value;
+  if (value.is_group()) return operand.spent != nullptr ? std::move(operand.spent->parts()) : value.parts();
   if (value.stands_for) return parted(complex, *value.stands_for);
   const CellSet missing = missing_boundary(complex, value.components());
   if (!missing.empty()) {
-    throw InputError("`" + node.operator_name + "` of `" + node.name + "` takes closed values and `" + name +
-                     "` is not closed: " + std::to_string(missing.size()) +
-                     " cells of its boundary are missing; insert `closure`: {closure: " + name + "}");
+    throw InputError("`" + node.operator_name + "` of `" + node.name + "` takes closed values and `" +
+                     operand.name + "` is not closed: " + std::to_string(missing.size()) +
+                     " cells of its boundary are missing; insert `closure`: {closure: " + operand.name + "}");
   }
   return parted(complex, group_of(complex, value.components()));
 }
 
 /// ((a op b) op c) op ...
-Outcome fold(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
-             std::span<const std::string> names, bool validate,
+Outcome fold(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate,
              const std::function<void(const BooleanStep&)>& see = {}) {
   Outcome outcome;
   const BooleanOp op = boolean_op(node.op);
-  PartedGroup value = group_operand(complex, node, *operands[0], names[0]);
+  PartedGroup value = group_operand(complex, node, operands[0]);
   for (std::size_t k = 1; k < operands.size(); ++k) {
-    PartedGroup right = group_operand(complex, node, *operands[k], names[k]);
+    PartedGroup right = group_operand(complex, node, operands[k]);
     const Dominance dominance = dominance_of(node, value, right);
     std::optional<std::array<Group, 2>> whole_operands;
     if (see || validate) whole_operands = {whole(value), whole(right)};
@@ -100,12 +99,12 @@ Outcome fold(const Complex& complex, const Node& node, std::span<const NodeValue
 }
 
 /// sum, product and subtract from left to right.
-Outcome fold_components(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
+Outcome fold_components(const Complex& complex, const Node& node, std::span<const Operand> operands,
                         bool validate) {
   Outcome outcome;
-  Components value = components_of(complex, *operands[0]);
-  for (const NodeValue* operand : operands.subspan(1)) {
-    const Components right = components_of(complex, *operand);
+  Components value = components_of(complex, *operands[0].value);
+  for (const Operand& operand : operands.subspan(1)) {
+    const Components right = components_of(complex, *operand.value);
     ComponentsResult step;
     OverlayLaw law = OverlayLaw::subtract;
     switch (node.op) {
@@ -128,10 +127,13 @@ Outcome fold_components(const Complex& complex, const Node& node, std::span<cons
   return outcome;
 }
 
-Outcome aggregate_all(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
-                      std::span<const std::string> names) {
+Outcome aggregate_all(const Complex& complex, std::span<const Operand> operands) {
   std::vector<Components> values;
-  for (const NodeValue* operand : operands) values.push_back(components_of(complex, *operand));
+  std::vector<std::string> names;
+  for (const Operand& operand : operands) {
+    values.push_back(components_of(complex, *operand.value));
+    names.push_back(operand.name);
+  }
   std::vector<const Components*> pointers;
   for (const Components& value : values) pointers.push_back(&value);
   Outcome outcome;
@@ -210,9 +212,9 @@ void apply_attributes(const Complex& complex, const Node& node, Components& comp
 
 }  // namespace
 
-void for_each_step(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
-                   std::span<const std::string> names, const std::function<void(const BooleanStep&)>& see) {
-  fold(complex, node, operands, names, false, see);
+void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
+                   const std::function<void(const BooleanStep&)>& see) {
+  fold(complex, node, operands, false, see);
 }
 
 Topological topological(Operator op) {
@@ -228,14 +230,13 @@ Topological topological(Operator op) {
   }
 }
 
-Outcome operate(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
-                std::span<const std::string> names, bool validate) {
+Outcome operate(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate) {
   Outcome outcome;
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:
     case Operator::subtract:
-      outcome = fold(complex, node, operands, names, validate);
+      outcome = fold(complex, node, operands, validate);
       break;
     case Operator::sum:
     case Operator::product:
@@ -243,24 +244,24 @@ Outcome operate(const Complex& complex, const Node& node, std::span<const NodeVa
       outcome = fold_components(complex, node, operands, validate);
       break;
     case Operator::aggregate:
-      outcome = aggregate_all(complex, node, operands, names);
+      outcome = aggregate_all(complex, operands);
       break;
     case Operator::unify:
-      outcome = of_components(unify(complex, components_of(complex, *operands[0])));
+      outcome = of_components(unify(complex, components_of(complex, *operands[0].value)));
       name_after(node, outcome);
       break;
     case Operator::complement:
-      outcome = complement_of(complex, node, *operands[0], validate);
+      outcome = complement_of(complex, node, *operands[0].value, validate);
       break;
     case Operator::interior:
     case Operator::closure:
     case Operator::boundary:
     case Operator::regularize:
-      outcome = topology_of(complex, node, *operands[0], validate);
+      outcome = topology_of(complex, node, *operands[0].value, validate);
       break;
     case Operator::simplify:
-      if (operands[0]->is_group()) outcome.value = operands[0]->parts();
-      else outcome.value = operands[0]->components();
+      if (operands[0].value->is_group()) outcome.value = operands[0].value->parts();
+      else outcome.value = operands[0].value->components();
       break;
     case Operator::leaf:
       throw InvariantError("operate: `" + node.name + "` is a leaf");

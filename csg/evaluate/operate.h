@@ -21,12 +21,17 @@ struct Outcome {
   std::vector<MaterialConflict> conflicts;  ///< materials that met under equal dominance; `region`: a component
 };
 
+struct Operand {
+  const NodeValue* value = nullptr;
+  std::string name;              ///< of its node, for messages
+  NodeValue* spent = nullptr;    ///< the same value where nobody needs it any more: it may be moved from
+};
+
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes. With
 /// `validate` each Boolean, complement and CNRG operator is checked against the identities of SEMANTICS 2 and 5;
 /// InvariantError names the node and the first violation. InputError when the operands do not suit the operator:
-/// the message names the operator to insert. `names` are those of the operands, for messages.
-Outcome operate(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
-                std::span<const std::string> names, bool validate);
+/// the message names the operator to insert.
+Outcome operate(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate);
 
 /// One step of the fold ((a op b) op c) of a Boolean node, before the node's attributes.
 struct BooleanStep {
@@ -37,8 +42,8 @@ struct BooleanStep {
 };
 
 /// Evaluates a Boolean node as `operate` does and shows every step.
-void for_each_step(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
-                   std::span<const std::string> names, const std::function<void(const BooleanStep&)>& see);
+void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
+                   const std::function<void(const BooleanStep&)>& see);
 
 /// The operator of a node that is interior, closure, boundary or regularize.
 Topological topological(Operator op);

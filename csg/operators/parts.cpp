@@ -420,7 +420,7 @@ void Totals::add(const Measures& m) {
   }
   regions += m.volumes.size();
   for (const std::optional<Rational>& v : m.volumes) {
-    if (v) volume += *v;
+    if (v) bounded_volume += *v;
     else ++unbounded;
   }
 }
@@ -432,7 +432,7 @@ void Totals::remove(const Measures& m) {
   }
   regions -= m.volumes.size();
   for (const std::optional<Rational>& v : m.volumes) {
-    if (v) volume -= *v;
+    if (v) bounded_volume -= *v;
     else --unbounded;
   }
 }

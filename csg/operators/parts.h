@@ -59,7 +59,11 @@ class Part {
 struct Totals {
   std::array<std::size_t, 4> raw{}, simplified{};
   std::size_t regions = 0, unbounded = 0;  ///< all of them; those without a volume
-  Rational volume = 0;                     ///< of the bounded ones
+  Rational bounded_volume = 0;
+  /// Of all regions; nothing when one is unbounded.
+  std::optional<Rational> volume() const {
+    return unbounded == 0 ? std::optional(bounded_volume) : std::nullopt;
+  }
   void add(const Measures& m);
   void remove(const Measures& m);
 };

@@ -1,13 +1,12 @@
 // A zeroed array over all cells of one kind, whose cost is that of the cells touched.
 //
-// A node of a tree touches few cells of a large complex; filling an array of the complex' size per node would
-// cost more than the node. Large blocks are untouched pages of the system. They are not asked of calloc, which
-// hands out freed memory again and then clears all of it.
+// A node of a tree touches few cells of a large complex; clearing an array of the complex' size per node, or
+// asking the system for its pages, would cost more than the node. So a block notes which of its pages were
+// touched, clears these when it is released, and is used again.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <type_traits>
 #include <utility>
 
@@ -15,38 +14,46 @@
 
 namespace cnrg {
 
-/// Zeroed bytes; throws std::bad_alloc. Above some 100 kB only the pages that are touched cost anything.
+/// Zeroed bytes that are handed on within a thread. Whoever writes calls `touch` first.
 class ZeroedBlock {
  public:
+  static constexpr std::size_t kPage = 4096;
+
+  /// Throws std::bad_alloc.
   explicit ZeroedBlock(std::size_t bytes);
   ~ZeroedBlock();
   ZeroedBlock(ZeroedBlock&& other) noexcept
-      : data_(std::exchange(other.data_, nullptr)), bytes_(std::exchange(other.bytes_, 0)) {}
+      : data_(std::exchange(other.data_, nullptr)), pages_(std::exchange(other.pages_, 0)) {}
   ZeroedBlock& operator=(ZeroedBlock&& other) noexcept {
     std::swap(data_, other.data_);
-    std::swap(bytes_, other.bytes_);
+    std::swap(pages_, other.pages_);
     return *this;
   }
-  void* data() const { return data_; }
+  std::byte* data() const { return data_; }
+  /// The bytes of the page at `offset` may be written from now on.
+  void touch(std::size_t offset) { data_[pages_ * kPage + offset / kPage] = std::byte{1}; }
 
  private:
-  void* data_ = nullptr;
-  std::size_t bytes_ = 0;
+  std::byte* data_ = nullptr;  // pages_ pages, then a byte for each that says if it was touched
+  std::size_t pages_ = 0;
 };
 
 template <class IdT, class T>
 class Scratch {
-  static_assert(std::is_trivially_copyable_v<T>);
+  static_assert(std::is_trivially_copyable_v<T> && ZeroedBlock::kPage % sizeof(T) == 0);
 
  public:
   /// Zeros for the ids 0 .. n-1.
-  explicit Scratch(std::size_t n) : block_(n * sizeof(T)), data_(static_cast<T*>(block_.data())) {}
-  T& operator[](IdT id) { return data_[id.index()]; }
-  const T& operator[](IdT id) const { return data_[id.index()]; }
+  explicit Scratch(std::size_t n) : block_(n * sizeof(T)) {}
+  T& operator[](IdT id) {
+    block_.touch(id.index() * sizeof(T));
+    return data()[id.index()];
+  }
+  const T& operator[](IdT id) const { return data()[id.index()]; }
 
  private:
+  T* data() const { return reinterpret_cast<T*>(block_.data()); }
   ZeroedBlock block_;
-  T* data_;
 };
 
 /// One byte of flags per cell.

@@ -88,24 +88,62 @@ std::vector<Conflict> conflicts(const PartedResult& result) {
 }
 
 void check_measures(const Complex& complex, PartedGroup& parts, const Group& plain) {
-  const Totals m = measure(complex, parts);
-  const std::vector<std::optional<Rational>> exact = volumes(complex, parts);
+  const Totals& totals = measure(complex, parts);
   const Selection s = selection_of(complex, plain);
-  CHECK((m.raw == std::array{s.vertices.size(), s.edges.size(), s.faces.size(), s.regions.size()}));
-  CHECK((m.simplified == active_counts(simplify(complex, s, plain.features))));
-  REQUIRE(exact.size() == plain.regions.size());
-  CHECK(m.regions == exact.size());
-  Rational sum = 0;
-  std::size_t unbounded = 0;
-  for (const auto& one : exact) one ? void(sum += *one) : void(++unbounded);
-  CHECK(m.volume == sum);
-  CHECK(m.unbounded == unbounded);
-  for (std::size_t i = 0; i < exact.size(); ++i) {
+  CHECK((totals.raw == std::array{s.vertices.size(), s.edges.size(), s.faces.size(), s.regions.size()}));
+  CHECK((totals.simplified == active_counts(simplify(complex, s, plain.features))));
+  CHECK(totals.regions == plain.regions.size());
+  const auto by_region = volumes(complex, parts);
+  REQUIRE(by_region.size() == plain.regions.size());
+  std::optional<Rational> sum = 0;
+  for (std::size_t i = 0; i < by_region.size(); ++i) {
     std::vector<RegionId> cells;
     for (const auto& [cell, region] : plain.cells) {
       if (region == i + 1) cells.push_back(cell);
     }
-    CHECK((exact[i] == cnrg::volume(complex, cells)));
+    CHECK((by_region[i] == cnrg::volume(complex, cells)));
+    if (!by_region[i]) sum.reset();
+    else if (sum) *sum += *by_region[i];
+  }
+  CHECK((totals.volume() == sum));
+}
+
+template <class IdT>
+Component state_of(const std::vector<std::pair<IdT, Component>>& list, IdT id) {
+  const auto it = std::lower_bound(list.begin(), list.end(), std::pair(id, Component(0)));
+  return it != list.end() && it->first == id ? it->second : 0;
+}
+
+/// What SEMANTICS 6 says of each cell of the complex that needs no merged neighbour to tell, in mode `features`.
+void check_places(const Complex& c, const Selection& s, const Features& features) {
+  const SimplifiedComplex simplified = simplify(c, s, features);
+  for (FaceId f : IdRange<FaceId>(c.face_count())) {
+    const Component state = state_of(s.faces, f);
+    const auto& [front, back] = c.face_regions[f];
+    const bool vanishes = state == state_of(s.regions, front) && state == state_of(s.regions, back);
+    CHECK(simplified.face_place[f.index()].dimension == (vanishes ? 3 : 2));
+  }
+  for (EdgeId e : IdRange<EdgeId>(c.edge_count())) {
+    const auto uses = c.edge_uses[e];
+    const auto faces = std::count_if(uses.begin(), uses.end(), [&](const FaceUse& use) {
+      return simplified.face_place[use.face.index()].dimension == 2;
+    });
+    const bool inside = faces == 0 && state_of(s.edges, e) == state_of(s.regions, c.some_region(e));
+    const int dimension = simplified.edge_place[e.index()].dimension;
+    if (std::binary_search(features.edges.begin(), features.edges.end(), e)) CHECK(dimension == 1);
+    else if (faces == 2) CHECK(dimension <= 2);
+    else CHECK(dimension == (inside ? 3 : 1));
+  }
+  for (VertexId v : c.vertices) {
+    const auto edges = c.vertex_edges[v];
+    const auto kept = std::count_if(edges.begin(), edges.end(), [&](EdgeId e) {
+      return simplified.edge_place[e.index()].dimension == 1;
+    });
+    const int dimension = simplified.vertex_place[v.index()].dimension;
+    const bool feature = std::binary_search(features.vertices.begin(), features.vertices.end(), v);
+    if (feature || kept == 1 || kept > 2) CHECK(dimension == 0);
+    else if (kept == 2) CHECK(dimension <= 1);
+    else CHECK(dimension != 1);
   }
 }
 
@@ -120,6 +158,7 @@ std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, 
   for (Group& leaf : leaves) {
     leaf.dominance = random.below(3);
     values.push_back({leaf, parted(complex, leaf)});
+    if (random.one_in(2)) measure(complex, values.back().parts);  // totals are kept up to date or made later
   }
   std::size_t most = 0;
   const std::size_t count = leaves.size();
@@ -134,6 +173,7 @@ std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, 
     check_same(whole(parts.group), plain.group);
     CHECK((parts.removals == plain.removals));
     CHECK((conflicts(parts) == conflicts(plain.conflicts)));
+    if (random.one_in(3)) parts.group.totals.reset();
     check_measures(complex, parts.group, plain.group);
     most = std::max(most, parts.group.parts.size());
     values.push_back({plain.group, parts.group});
@@ -233,6 +273,7 @@ TEST_CASE("Simplified counts are those of the simplified complex", "[simplify]")
       const auto leaves = scattered_leaves(seed, 4, position, static_cast<int>(seed % 3));
       const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
       const auto check = [&](const Selection& s, const Features& features) {
+        check_places(complex, s, features);
         for (const SimplifyMode mode : kModes) {
           CHECK((simplified_counts(complex, s, features, mode) ==
                  active_counts(simplify(complex, s, features, mode))));
