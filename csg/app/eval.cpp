@@ -55,7 +55,6 @@ void write_file(const std::string& path, const Tree& tree, const Evaluation& eva
   view.simplified = &value.simplified;
   view.leaves = &leaves;
   view.materials = materials_of(tree, *value.value);
-  view.sources = value.leaves;
   RoundingReport rounding;
   try {
     rounding = write(path, view);
