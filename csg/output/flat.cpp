@@ -187,13 +187,14 @@ class Flattener {
       for (const RegionId r : region.cells) {
         add_origin(value_.selection.regions, value_.origins.regions, r, origin);
       }
-      flat_.regions.push_back({region.component, region.bounded, region.shells, region.cells, unique(std::move(origin))});
+      flat_.regions.push_back(
+          {region.component, region.bounded, region.shells, region.cells, unique(std::move(origin))});
     }
   }
 
   template <class IdT>
-  void add_origin(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& sets, IdT cell,
-                  FlatComplex::Provenance& origin) const {
+  void add_origin(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& sets,
+                  IdT cell, FlatComplex::Provenance& origin) const {
     const std::size_t k = place_in(list, cell);
     if (k == list.size()) return;
     const auto leaves = value_.origins.sets[sets[k]];
@@ -362,6 +363,7 @@ class Flattener {
     return result;
   }
 
+  /// The first patch that covers all cells of the face, one of `leaves` if there is any.
   std::optional<FlatComplex::Patch> patch_of(const SimplifiedComplex::Face& face,
                                              const std::vector<LeafId>& leaves) const {
     std::vector<FlatComplex::Patch> common, here, both;
@@ -410,7 +412,7 @@ class Flattener {
       complex_.star_regions(first, regions);
       edge.entity = from.component != 0 && !inside_component(from.component, region_indices(regions));
       if (edge.wire) edge.region = region_index(complex_.some_region(first));
-      const auto& features = view_.value->features().edges;
+      const auto& features = value_.features.edges;
       edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
         return std::binary_search(features.begin(), features.end(), h.edge());
       });
@@ -442,7 +444,7 @@ class Flattener {
       complex_.star_regions(from.cell, regions);
       vertex.entity = from.component != 0 && !inside_component(from.component, region_indices(regions));
       if (vertex.free && !in_face[vertex.point]) vertex.region = region_index(complex_.some_region(from.cell));
-      const auto& features = view_.value->features().vertices;
+      const auto& features = value_.features.vertices;
       vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);
       add_origin(value_.selection.vertices, value_.origins.vertices, from.cell, vertex.origin);
       flat_.vertices.push_back(std::move(vertex));
@@ -492,7 +494,8 @@ class Flattener {
 }  // namespace
 
 FlatComplex flatten(const ResultView& view) {
-  require(view.complex != nullptr && view.simplified != nullptr && view.value != nullptr, "flatten: a result without a complex");
+  require(view.complex != nullptr && view.simplified != nullptr && view.value != nullptr,
+          "flatten: a result without a complex");
   return Flattener(view).run();
 }
 

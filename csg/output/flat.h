@@ -38,7 +38,7 @@ struct FlatComplex {
     Index point = 0;
     Component component = 0;
     bool entity = false;                  ///< active, and not just the interior of a region of its component
-    bool feature = false;
+    bool feature = false;                 ///< of the group; of components: of the groups they were made of
     bool free = false;                    ///< no listed edge ends there (it may lie inside of a face)
     Index region = kNone;                 ///< the region that holds a vertex on no edge and no face
     Provenance origin;
