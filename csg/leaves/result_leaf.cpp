@@ -236,7 +236,7 @@ class Reader {
         labels_.push_back(Index(table_.regions.size() - 1));
         return;
       }
-      if (unbounded) r.fail(std::string("two regions without bounds") + kAgain);
+      if (unbounded) not_bounded(r, "what parts this region from another one");
       unbounded = true;
       labels_.push_back(0);
       table_.regions[0] = component;
@@ -332,17 +332,10 @@ class Reader {
     });
   }
 
-  /// A facet of a face that is not flat. Points that others put on it are isolated.
   void add_curved(const Cursor& at, const Facet& facet) {
     const std::vector<Loop> walks = read_walks(at);
     for (const Loop& walk : walks) {
       for (const Index p : walk) use(p, at, "this face");
-    }
-    if (at.has("isolated")) {
-      for (const Index p : read_loop(at.member("isolated"), 1)) {
-        use(p, at, "this face");
-        content_.isolated.push_back(p);
-      }
     }
     add_facet(at, walks, facet);
   }

@@ -166,10 +166,9 @@ class Flattener {
       }
       if (is_flat(face)) continue;
       for (const HalfFace cell : face.cells) {
-        for (const LoopId loop : complex_.face_loops[cell.face()]) {
-          for (const HalfEdge h : complex_.loop[loop]) use(complex_.origin(h));
+        for (const auto& walk : facet_walks(cell.face())) {
+          for (const VertexId v : walk) use(v);
         }
-        for (const VertexId v : complex_.face_vertices[cell.face()]) use(v);
       }
     }
     std::sort(used.begin(), used.end(),
@@ -223,16 +222,51 @@ class Flattener {
     return numbers(vertices);
   }
 
+  /// The loops of a facet without the slits that simplification removed. A walk passes a slit in both directions;
+  /// slits nest like parentheses, and each closed part between them is a walk of its own.
+  std::vector<std::vector<VertexId>> facet_walks(FaceId f) const {
+    std::vector<std::vector<VertexId>> walks;
+    std::vector<EdgeId> vanished, slits;
+    for (const LoopId id : complex_.face_loops[f]) {
+      vanished.clear(), slits.clear();
+      for (const HalfEdge h : complex_.loop[id]) {
+        if (edge_of_[h.edge()] == kNone) vanished.push_back(h.edge());
+      }
+      std::sort(vanished.begin(), vanished.end());
+      for (std::size_t i = 1; i < vanished.size(); ++i) {
+        if (vanished[i] == vanished[i - 1]) slits.push_back(vanished[i]);
+      }
+      std::vector<std::pair<EdgeId, std::vector<VertexId>>> open(1);
+      const auto close = [&] {
+        if (!open.back().second.empty()) walks.push_back(std::move(open.back().second));
+        open.pop_back();
+      };
+      for (const HalfEdge h : complex_.loop[id]) {
+        if (!std::binary_search(slits.begin(), slits.end(), h.edge())) {
+          open.back().second.push_back(complex_.origin(h));
+        } else if (open.size() > 1 && open.back().first == h.edge()) {
+          close();
+        } else {
+          open.push_back({h.edge(), {}});
+        }
+      }
+      while (!open.empty()) close();
+    }
+    return walks;
+  }
+
   /// One facet of the complex as seen from the face's front (`cell.side()` is that front).
   FlatComplex::Facet facet_of(HalfFace cell) const {
     FlatComplex::Facet facet;
-    for (const LoopId id : complex_.face_loops[cell.face()]) {
-      Loop loop = loop_of(complex_.loop[id]);
+    for (const auto& walk : facet_walks(cell.face())) {
+      Loop loop = numbers(walk);
       if (cell.side() == 1) std::reverse(loop.begin(), loop.end());
       facet.loops.push_back(std::move(loop));
     }
     put_in_order(facet.loops);
-    for (const VertexId v : complex_.face_vertices[cell.face()]) facet.isolated.push_back(number_[v]);
+    for (const VertexId v : complex_.face_vertices[cell.face()]) {
+      if (simple_.vertex_place[v.index()].dimension == 0) facet.isolated.push_back(number_[v]);
+    }
     std::sort(facet.isolated.begin(), facet.isolated.end());
     return facet;
   }

@@ -215,7 +215,8 @@ TEST_CASE("a group without bounds is read back, a plane is not") {
   for (const Topological op : {Topological::interior, Topological::closure}) {
     half.show(apply(*half.complex, op, components_of(*half.complex, half.leaves[0])).value);
     write(dir / "half.json", half.view());
-    CHECK_THROWS_WITH(prepare_result({dir / "half.json"}), Catch::Contains("no bounds") && Catch::Contains("product"));
+    using Catch::Contains;
+    CHECK_THROWS_WITH(prepare_result({dir / "half.json"}), Contains("no bounds") && Contains("product"));
   }
 }
 
@@ -232,7 +233,7 @@ TEST_CASE("round trip: components that are open, closed, neither; of every dimen
   c.materials = {{"rock", ""}};
   std::vector<Components> leaves;
   for (std::size_t i = 0; i < 6; ++i) {
-    c.leaves[i].dominance = Rational(int(i), 3);
+    c.leaves[i].dominance = Rational(int(i)) / 3;
     leaves.push_back(components_of(*c.complex, c.leaves[i]));
   }
   for (const Topological op : {Topological::interior, Topological::closure, Topological::boundary}) {
@@ -325,12 +326,13 @@ void check_random_scene(std::uint64_t seed, scenes::Position position) {
   write(dir / "b.json", cut.view());
   const bool same = comparable(dir / "a.json") == comparable(dir / "b.json");
   CHECK(same);
-  const Components with_box = sum(*cut.complex, cut.value.components(), components_of(*cut.complex, cut.leaves[1])).value;
   c.show(sum(complex, value, box).value);
-  cut.show(with_box);
+  cut.show(sum(*cut.complex, cut.value.components(), components_of(*cut.complex, cut.leaves[1])).value);
   write(dir / "a.json", c.view());
   write(dir / "b.json", cut.view());
-  const bool same_sum = comparable(dir / "a.json", {"patch", "feature"}) == comparable(dir / "b.json", {"patch", "feature"});
+  // Patches and features are those of the leaves; which diagonal halves a rectangle depends on roundings.
+  const std::vector<std::string> of_leaves{"patch", "feature", "triangles"};
+  const bool same_sum = comparable(dir / "a.json", of_leaves) == comparable(dir / "b.json", of_leaves);
   CHECK(same_sum);
 }
 
