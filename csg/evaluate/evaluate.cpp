@@ -280,10 +280,8 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     }
     result.kept.push_back(std::move(kept));
   }
-  if (options.keep_all) {
-    result.instances = unfolding.instances;
-    result.values = std::move(values);
-  }
+  result.instances = unfolding.instances;
+  if (options.keep_all) result.values = std::move(values);
   return result;
 }
 

@@ -69,8 +69,8 @@ struct Evaluation {
   std::vector<std::string> leaf_names;  ///< by LeafId; empty for the frame
   std::vector<Diagnostic> diagnostics;  ///< notices of leaves, conflicts of materials
   double refine_seconds = 0;            ///< soup and complex
-  /// With `keep_all`: every instance below the roots, operands before users, and its value.
-  IdVector<InstanceId, Instance> instances;
+  IdVector<InstanceId, Instance> instances;  ///< below the roots, operands before users; as `rows`
+  /// With `keep_all`: the value of each.
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
   /// The kept value of a node; the node must have been asked for.
   const KeptValue& value(NodeId node) const;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "csg/operators/cnrg.h"
 #include "csg/operators/identities.h"
 #include "kernel/base/error.h"
 
@@ -85,15 +84,17 @@ class GroupOperand {
 
 /// ((a op b) op c) op ...
 Outcome fold(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
-             std::span<const std::string> names, bool validate) {
+             std::span<const std::string> names, bool validate,
+             const std::function<void(const BooleanStep&)>& see = {}) {
   Outcome outcome;
   const GroupOperand first(complex, node, *operands[0], names[0]);
   Group value;
   const Group* left = &*first;
   for (std::size_t k = 1; k < operands.size(); ++k) {
     const GroupOperand right(complex, node, *operands[k], names[k]);
-    BooleanResult step =
-        apply(complex, boolean_op(node.op), dominance_of(node, *left, *right), *left, *right);
+    const Dominance dominance = dominance_of(node, *left, *right);
+    BooleanResult step = apply(complex, boolean_op(node.op), dominance, *left, *right);
+    if (see) see({boolean_op(node.op), dominance, *left, *right, step.group, k});
     if (validate) {
       require_identity(node, check_boolean(complex, boolean_op(node.op), *left, *right, step.group));
     }
@@ -147,20 +148,9 @@ Outcome aggregate_all(const Complex& complex, const Node& node, std::span<const 
   return outcome;
 }
 
-Topological topological(Operator op) {
-  switch (op) {
-    case Operator::interior:
-      return Topological::interior;
-    case Operator::closure:
-      return Topological::closure;
-    case Operator::boundary:
-      return Topological::boundary;
-    default:
-      return Topological::regularize;
-  }
+Outcome of_components(ComponentsResult result) {
+  return {std::move(result.value), {}, std::move(result.conflicts)};
 }
-
-Outcome of_components(ComponentsResult result) { return {std::move(result.value), {}, std::move(result.conflicts)}; }
 
 /// One component of one name keeps it; where there is none or several were joined it is called after the node.
 void name_after(const Node& node, Outcome& outcome) {
@@ -204,8 +194,7 @@ void set_attributes(const Node& node, RegionAttributes& attributes) {
   if (!node.label.empty()) attributes.name = node.label;
 }
 
-/// The attributes of a node on a group; a leaf's regions and components have names and materials
-/// already.
+/// The attributes of a node on a group; a leaf's regions and components have names and materials already.
 void apply_attributes(const Complex& complex, const Node& node, Group& group) {
   if (node.regularize) {
     Rational dominance = group.dominance;
@@ -229,6 +218,24 @@ void apply_attributes(const Complex& complex, const Node& node, Components& comp
 }
 
 }  // namespace
+
+void for_each_step(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
+                   std::span<const std::string> names, const std::function<void(const BooleanStep&)>& see) {
+  fold(complex, node, operands, names, false, see);
+}
+
+Topological topological(Operator op) {
+  switch (op) {
+    case Operator::interior:
+      return Topological::interior;
+    case Operator::closure:
+      return Topological::closure;
+    case Operator::boundary:
+      return Topological::boundary;
+    default:
+      return Topological::regularize;
+  }
+}
 
 Outcome operate(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
                 std::span<const std::string> names, bool validate) {

@@ -1,13 +1,15 @@
 // One node: from the values of its operands to its own.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "csg/operators/node_value.h"
 #include "csg/operators/boolean.h"
+#include "csg/operators/cnrg.h"
+#include "csg/operators/node_value.h"
 #include "csg/tree/tree.h"
 
 namespace cnrg {
@@ -25,6 +27,21 @@ struct Outcome {
 /// the message names the operator to insert. `names` are those of the operands, for messages.
 Outcome operate(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
                 std::span<const std::string> names, bool validate);
+
+/// One step of the fold ((a op b) op c) of a Boolean node, before the node's attributes.
+struct BooleanStep {
+  BooleanOp op;
+  Dominance dominance;
+  const Group &left, &right, &result;
+  std::size_t operand;  ///< the place of the right operand
+};
+
+/// Evaluates a Boolean node as `operate` does and shows every step.
+void for_each_step(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
+                   std::span<const std::string> names, const std::function<void(const BooleanStep&)>& see);
+
+/// The operator of a node that is interior, closure, boundary or regularize.
+Topological topological(Operator op);
 
 /// The attributes of a node on its value: regularize, simplify, material, name, dominance.
 void apply_attributes(const Complex& complex, const Node& node, NodeValue& value);

@@ -210,24 +210,6 @@ class LeafValue {
   Components out_;
 };
 
-/// Regions in the order of the file.
-void restore_order(const Components& from, Group& group) {
-  std::vector<std::pair<Component, Index>> order(group.regions.size());
-  for (std::size_t i = 0; i < group.cells.size(); ++i) {
-    const Index region = group.cells[i].second - 1;
-    order[region] = {from.selection.regions[i].second, region};
-  }
-  std::sort(order.begin(), order.end());
-  std::vector<RegionAttributes> regions;
-  std::vector<Index> number(order.size());
-  for (const auto& [component, region] : order) {
-    regions.push_back(std::move(group.regions[region]));
-    number[region] = static_cast<Index>(regions.size());
-  }
-  group.regions = std::move(regions);
-  for (auto& [cell, region] : group.cells) region = number[region - 1];
-}
-
 }  // namespace
 
 NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, const CellTable& table,
@@ -243,7 +225,6 @@ NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, co
   }
   Group group = group_of(complex, components);
   group.dominance = table.dominances[0];
-  restore_order(components, group);
   return group;
 }
 

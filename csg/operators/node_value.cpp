@@ -34,6 +34,12 @@ const RegionAttributes& NodeValue::attributes(Component i) const {
   return i <= group().regions.size() ? group().regions[i - 1] : entities;
 }
 
+std::vector<RegionAttributes> NodeValue::attributes() const {
+  std::vector<RegionAttributes> out;
+  for (Component i = 1; i <= component_count(); ++i) out.push_back(attributes(i));
+  return out;
+}
+
 Selection selection_of(const Complex& complex, const NodeValue& value) {
   return value.is_group() ? selection_of(complex, value.group()) : value.components().selection;
 }

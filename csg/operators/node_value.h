@@ -34,6 +34,8 @@ struct NodeValue {
   std::size_t component_count() const;
   /// Name, material and leaves of component i from 1. The entities of a group are `entities`.
   const RegionAttributes& attributes(Component i) const;
+  /// Those of all components; of component i at i - 1.
+  std::vector<RegionAttributes> attributes() const;
 };
 
 Selection selection_of(const Complex& complex, const NodeValue& value);

@@ -98,7 +98,8 @@ SolidBoundary solid_boundary(const FlatComplex& flat, const std::string& format)
   if (!list.empty()) {
     const bool joins = walls > 0 || cracks > 0 || inner, drops = dangling > 0 || outer;
     std::string remedy = drops ? "`regularize` (it drops what bounds no region)" : "";
-    if (joins) remedy += (drops ? " and `unify`" : "`unify`") + std::string(" (it joins regions with what is in them)");
+    if (joins && drops) remedy += " and ";
+    if (joins) remedy += "`unify` (it joins regions with what is in them)";
     throw InputError(format + " holds the outer boundary of solids only, and the result has " + list +
                      "; write .obj, .vtu or .json, which hold everything, or apply " + remedy);
   }

@@ -16,7 +16,7 @@ struct LeafInfo {
 
 /// One node of an evaluated tree, as writers see it.
 struct ResultView {
-  std::string node;                       ///< name of the node
+  std::string node{};                     ///< name of the node
   const Complex* complex = nullptr;
   const NodeValue* value = nullptr;
   const SimplifiedComplex* simplified = nullptr;
@@ -24,7 +24,7 @@ struct ResultView {
   struct Material {
     std::string name, color;
   };
-  std::vector<Material> materials;
+  std::vector<Material> materials{};
 };
 
 /// What rounding to doubles did to a written file.

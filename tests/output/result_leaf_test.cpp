@@ -18,17 +18,30 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// A result file without what tells where it came from; also without `more` of each cell.
+/// A result file without what tells where it came from; also without `more` of each cell. Regions of groups are
+/// numbered as they come.
 Json comparable(const std::string& path, const std::vector<std::string>& more = {}) {
   Json json = Json::parse(text_of(path));
   json.erase("leaves");
   for (auto& component : json["components"]) component.erase("leaves");
+  std::vector<std::size_t> number(json["components"].size() + 2, 0);
+  Json components = Json::array();
+  const auto renumber = [&](std::size_t component) {
+    if (component == 0 || component == number.size() - 1 || !json["group"]) return component;
+    if (number[component] == 0) {
+      components.push_back(json["components"][component - 1]);
+      number[component] = components.size();
+    }
+    return number[component];
+  };
   for (const char* kind : {"regions", "faces", "edges", "vertices"}) {
     for (auto& cell : json[kind]) {
       cell.erase("origin");
+      cell["component"] = renumber(cell["component"]);
       for (const std::string& key : more) cell.erase(key);
     }
   }
+  if (json["group"]) json["components"] = components;
   return json;
 }
 

@@ -257,10 +257,9 @@ TEST_CASE("formats of closed sets name the operator that helps, and it does") {
     return enclosed(read_off_text(text_of(dir / "m.off")));
   };
   // A sheet without its rim, and a face without an inner edge, are not closed.
-  const Components sheet = subtract(complex, leaves[2], apply(complex, Topological::closure, leaves[0]).value).value;
-  for (const std::string format : {"obj", "off", "stl", "ply"}) {
-    CHECK(has(says(sheet, format), "1 boundary edge, 2 boundary vertices; write .json or .vtu, or apply `closure`"));
-  }
+  const Components sheet = subtract(complex, leaves[2], leaves[0]).value;
+  const std::string lacks = "lacks 1 boundary edge, 2 boundary vertices; write .json or .vtu, or apply `closure`";
+  for (const std::string format : {"obj", "off", "stl", "ply"}) CHECK(has(says(sheet, format), lacks));
   CHECK(has(says(apply(complex, Topological::closure, sheet).value, "stl"), "apply `regularize`"));
   CHECK(says(apply(complex, Topological::closure, sheet).value, "obj") == "");
 
