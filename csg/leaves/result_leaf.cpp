@@ -419,13 +419,14 @@ class Reader {
       const Loop& p = edge.points;
       for (const Index point : p) on_edge[point] = 1;
       edge.wire = edge.uses == 0 || edge.slit || bent(edge);
-      if (edge.closed || !edge.curved) continue;
+      if (edge.closed) continue;
       ends[p.front()].emplace_back(i, p[1]);
       ends[p.back()].emplace_back(i, p[p.size() - 2]);
     }
     for (const auto& [point, list] : ends) {
       if (list.size() != 2 || straight(list[0].second, point, list[1].second)) continue;
-      edges_[list[0].first].wire = true;
+      Edge &a = edges_[list[0].first], &b = edges_[list[1].first];
+      a.wire = a.wire || (a.curved && b.curved);
     }
     for (const auto& [point, vertex] : table_.vertices) {
       if (!on_edge[point]) content_.isolated.push_back(point);
