@@ -162,8 +162,8 @@ TEST_CASE("round trip: a flat face whose rim is a curve") {
   Soup soup;
   add_drum(soup, 12, -4, 4);
   const LeafId sheet = soup.add_leaf(Fill::none);
-  const std::vector<std::vector<PointId>> square{
-      {soup.add_point(-90, -90, 0), soup.add_point(90, -90, 0), soup.add_point(90, 90, 0), soup.add_point(-90, 90, 0)}};
+  const std::vector<std::vector<PointId>> square{{soup.add_point(-90, -90, 0), soup.add_point(90, -90, 0),
+                                                  soup.add_point(90, 90, 0), soup.add_point(-90, 90, 0)}};
   soup.add_face(sheet, square, 0, 0);
   Case c(soup, {{{"drum", "", {}}}});
   c.show(apply(*c.complex, BooleanOp::intersect, Dominance::equal, c.leaves[1], c.leaves[0]).group);
