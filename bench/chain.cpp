@@ -66,7 +66,8 @@ std::string chain(const Settings& s) {
     const std::string left = i == 1 ? "s0" : "u" + std::to_string(i - 1);
     text += "  u" + std::to_string(i) + ": {union: [" + left + ", s" + std::to_string(i) + "]}\n";
   }
-  return text + "result: u" + std::to_string(s.nodes) + "\n";
+  // Volumes by region are made for the result alone: it is a node of its own.
+  return text + "  all: {simplify: u" + std::to_string(s.nodes) + "}\nresult: all\n";
 }
 
 std::string pairs(const Settings& s) {

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
@@ -17,8 +18,8 @@
 namespace cnrg {
 namespace {
 
-using Parts = std::vector<std::shared_ptr<const Part>>;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using Parts = std::vector<PartRef>;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // A plane has no vertex but those on the frame, which are no entities.
 bool empty(const Group& g) {
@@ -40,6 +41,15 @@ bool reaches_frame(const Complex& complex, const Group& g) {
   });
 }
 
+float rounded_down(double x) {
+  const auto f = static_cast<float>(x);  // infinite when it is out of range
+  return f <= x ? f : std::nextafter(f, -kInfinity);
+}
+float rounded_up(double x) {
+  const auto f = static_cast<float>(x);
+  return f >= x ? f : std::nextafter(f, kInfinity);
+}
+
 // Entities and bounded regions lie in the hull of the vertices.
 Box box_of(const Complex& complex, const Group& g) {
   const bool unbounded = std::any_of(g.cells.begin(), g.cells.end(),
@@ -51,20 +61,20 @@ Box box_of(const Complex& complex, const Group& g) {
   for (VertexId v : g.vertices) {
     const PointView p = complex.points.view(v);
     for (int k = 0; k < 3; ++k) {
-      box.low[k] = std::min(box.low[k], p.lo[k]);
-      box.high[k] = std::max(box.high[k], p.hi[k]);
+      box.low[k] = std::min(box.low[k], rounded_down(p.lo[k]));
+      box.high[k] = std::max(box.high[k], rounded_up(p.hi[k]));
     }
   }
   return box;
 }
 
-bool before(const std::shared_ptr<const Part>& a, const std::shared_ptr<const Part>& b) {
+bool before(const PartRef& a, const PartRef& b) {
   const auto first = []<class IdT>(const std::vector<IdT>& list) { return list.empty() ? IdT() : list.front(); };
   const auto key = [&](const Part& part) {
     const Group& g = part.group();
     return std::tuple(first(part.first_cells()), first(g.vertices), first(g.edges), first(g.faces));
   };
-  return key(*a) < key(*b);
+  return key(*a.get()) < key(*b.get());
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> order_regions(const std::vector<const Part*>& parts) {
@@ -178,29 +188,37 @@ template <class Found>
 void find_meetings(const Parts& few, const Parts& many, Found found) {
   if (few.empty()) return;
   int axis = 0;
-  double widest = -1;
+  float widest = -1;
   for (int k = 0; k < 3; ++k) {
-    double low = kInfinity, high = -kInfinity;
+    float low = kInfinity, high = -kInfinity;
     for (const auto& part : few) {
-      const double at = part->box().low[k];
+      const float at = part.box().low[k];
       if (!std::isfinite(at)) continue;
       low = std::min(low, at);
       high = std::max(high, at);
     }
     if (high - low > widest) widest = high - low, axis = k;
   }
-  std::vector<std::pair<double, std::uint32_t>> sorted;
-  for (std::uint32_t i = 0; i < few.size(); ++i) sorted.emplace_back(few[i]->box().low[axis], i);
+  std::vector<std::pair<float, std::uint32_t>> sorted;
+  for (std::uint32_t i = 0; i < few.size(); ++i) sorted.emplace_back(few[i].box().low[axis], i);
   std::sort(sorted.begin(), sorted.end());
-  std::vector<double> reach;
-  double furthest = -kInfinity;
-  for (const auto& [low, i] : sorted) reach.push_back(furthest = std::max(furthest, few[i]->box().high[axis]));
+  std::vector<float> reach;
+  float furthest = -kInfinity;
+  Box hull = few[0].box();
+  for (const PartRef& part : few) {
+    for (int k = 0; k < 3; ++k) {
+      hull.low[k] = std::min(hull.low[k], part.box().low[k]);
+      hull.high[k] = std::max(hull.high[k], part.box().high[k]);
+    }
+  }
+  for (const auto& [low, i] : sorted) reach.push_back(furthest = std::max(furthest, few[i].box().high[axis]));
   for (std::uint32_t j = 0; j < many.size(); ++j) {
-    const Box& box = many[j]->box();
+    const Box& box = many[j].box();
+    if (!box.meets(hull)) continue;
     const auto end = std::upper_bound(sorted.begin(), sorted.end(), box.high[axis],
-                                      [](double x, const auto& entry) { return x < entry.first; });
+                                      [](float x, const auto& entry) { return x < entry.first; });
     for (auto n = static_cast<std::size_t>(end - sorted.begin()); n-- > 0 && reach[n] >= box.low[axis];) {
-      if (few[sorted[n].second]->box().meets(box)) found(sorted[n].second, j);
+      if (few[sorted[n].second].box().meets(box)) found(sorted[n].second, j);
     }
   }
 }
@@ -218,11 +236,11 @@ class PartedBoolean {
     PartedResult out;
     out.group.dominance = std::max(left.dominance, right.dominance);
     const std::vector<Cluster> clusters = find_clusters(left.parts, right.parts);
-    std::vector<std::pair<std::shared_ptr<const Part>, std::vector<MaterialConflict>>> made;
+    std::vector<std::pair<PartRef, std::vector<MaterialConflict>>> made;
     for (const Cluster& cluster : clusters) {
       BooleanResult result = operate(cluster);
       if (empty(result.group)) continue;
-      made.emplace_back(std::make_shared<const Part>(complex_, std::move(result.group)),
+      made.emplace_back(PartRef(std::make_shared<const Part>(complex_, std::move(result.group))),
                         std::move(result.conflicts));
     }
     const auto [swapped, dominant] = roles(op_, dominance_);
@@ -262,36 +280,41 @@ class PartedBoolean {
  private:
   // Takes the parts that are in a cluster out of the lists, which keep the others; in the order of the left ones.
   std::vector<Cluster> find_clusters(Parts& left, Parts& right) {
-    const auto split = static_cast<std::uint32_t>(left.size());
-    UnionFind sets(left.size() + right.size());
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> meetings;  // left, right
     if (left.size() < right.size()) {
-      find_meetings(left, right, [&](std::uint32_t l, std::uint32_t r) { sets.unite(l, split + r); });
+      find_meetings(left, right, [&](std::uint32_t l, std::uint32_t r) { meetings.emplace_back(l, r); });
     } else {
-      find_meetings(right, left, [&](std::uint32_t r, std::uint32_t l) { sets.unite(l, split + r); });
+      find_meetings(right, left, [&](std::uint32_t r, std::uint32_t l) { meetings.emplace_back(l, r); });
     }
-    // A cluster is named by its smallest part, a left one; right parts are never the smallest of two.
+    if (meetings.empty()) return {};
+    std::vector<std::uint32_t> lefts, rights;
+    for (const auto& [l, r] : meetings) lefts.push_back(l), rights.push_back(r);
+    sort_unique(lefts), sort_unique(rights);
+    const auto place = [](const std::vector<std::uint32_t>& list, std::uint32_t i) {
+      return static_cast<std::uint32_t>(std::lower_bound(list.begin(), list.end(), i) - list.begin());
+    };
+    // Left ones first: a cluster is named by its smallest part, a left one.
+    const auto split = static_cast<std::uint32_t>(lefts.size());
+    UnionFind sets(lefts.size() + rights.size());
+    for (const auto& [l, r] : meetings) sets.unite(place(lefts, l), split + place(rights, r));
     std::vector<std::uint32_t> number(split, 0);  // 1 + index
     std::vector<Cluster> clusters;
-    for (std::uint32_t r = 0; r < right.size(); ++r) {
-      const std::uint32_t root = sets.find(split + r);
-      if (root >= split) continue;
-      if (number[root] == 0) {
+    for (std::uint32_t i = 0; i < split; ++i) {
+      std::uint32_t& n = number[sets.find(i)];
+      if (n == 0) {
         clusters.emplace_back();
-        number[root] = static_cast<std::uint32_t>(clusters.size());
+        n = static_cast<std::uint32_t>(clusters.size());
       }
-      clusters[number[root] - 1].right.push_back(right[r].get());
-      busy_right_.push_back(std::move(right[r]));
+      clusters[n - 1].left.push_back(left[lefts[i]].get());
+      busy_left_.push_back(std::move(left[lefts[i]]));
     }
-    for (std::uint32_t l = 0; l < split; ++l) {
-      const std::uint32_t root = sets.find(l);
-      if (number[root] == 0) continue;
-      clusters[number[root] - 1].left.push_back(left[l].get());
-      busy_left_.push_back(std::move(left[l]));
+    for (std::uint32_t i = 0; i < rights.size(); ++i) {
+      clusters[number[sets.find(split + i)] - 1].right.push_back(right[rights[i]].get());
+      busy_right_.push_back(std::move(right[rights[i]]));
     }
-    if (!clusters.empty()) {
-      std::erase(left, nullptr);
-      std::erase(right, nullptr);
-    }
+    const auto taken = [](const PartRef& part) { return part.get() == nullptr; };
+    std::erase_if(left, taken);
+    std::erase_if(right, taken);
     return clusters;
   }
 
@@ -365,13 +388,6 @@ std::vector<const Part*> pointers(const Parts& parts) {
 }
 
 }  // namespace
-
-bool Box::meets(const Box& other) const {
-  for (int k = 0; k < 3; ++k) {
-    if (low[k] > other.high[k] || other.low[k] > high[k]) return false;
-  }
-  return true;
-}
 
 Part::Part(const Complex& complex, Group group) : group_(std::move(group)), box_(box_of(complex, group_)) {
   first_cells_.reserve(group_.regions.size());

@@ -20,10 +20,13 @@
 
 namespace cnrg {
 
-/// A closed axis-parallel box; it may be infinite.
+/// A closed axis-parallel box, rounded outward; it may be infinite.
 struct Box {
-  std::array<double, 3> low, high;
-  bool meets(const Box& other) const;
+  std::array<float, 3> low, high;
+  bool meets(const Box& other) const {
+    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
+           other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
+  }
 };
 
 /// What a row says of a value.
@@ -68,14 +71,28 @@ struct Totals {
   void remove(const Measures& m);
 };
 
+/// A part in a list, with its box at hand: most parts are passed over by their boxes.
+class PartRef {
+ public:
+  PartRef() = default;
+  PartRef(std::shared_ptr<const Part> part) : box_(part->box()), part_(std::move(part)) {}
+  const Part* operator->() const { return part_.get(); }
+  const Part* get() const { return part_.get(); }
+  const Box& box() const { return box_; }
+
+ private:
+  Box box_{};
+  std::shared_ptr<const Part> part_;
+};
+
 /// Parts in the order of their smallest 3-cells; those without any at the end, by vertices, edges, then faces.
 struct PartedGroup {
-  std::vector<std::shared_ptr<const Part>> parts;
+  std::vector<PartRef> parts;
   Rational dominance = 0;
   /// The sums over all parts but those in `fresh`; nothing when they are not known. An operator passes them on, so
   /// that measuring a value costs what is new in it.
   std::optional<Totals> totals;
-  std::vector<std::shared_ptr<const Part>> fresh;
+  std::vector<PartRef> fresh;
 };
 
 /// The sums over all parts, kept in the value.
