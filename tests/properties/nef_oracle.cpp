@@ -99,6 +99,22 @@ auto guarded(Operation operation) {
   }
 }
 
+/// A result of a binary operation whose unbounded volume has this mark. CGAL reads the mark off a vertex, and
+/// there may be none.
+Nef with_unbounded(Nef nef, bool mark) {
+  if (nef.volumes_begin()->mark() == mark) return nef;
+  if (nef.number_of_vertices() > 0) throw OracleFailure("the mark of the unbounded volume is wrong");
+  return Nef(mark ? Nef::COMPLETE : Nef::EMPTY);
+}
+
+bool unbounded_mark(const Nef& nef) { return nef.volumes_begin()->mark(); }
+
+Nef united(const Nef& a, const Nef& b) { return with_unbounded(a + b, unbounded_mark(a) || unbounded_mark(b)); }
+Nef common(const Nef& a, const Nef& b) { return with_unbounded(a * b, unbounded_mark(a) && unbounded_mark(b)); }
+Nef difference(const Nef& a, const Nef& b) {
+  return with_unbounded(a - b, unbounded_mark(a) && !unbounded_mark(b));
+}
+
 /// Marks the volumes that it was told, and the sphere faces in them.
 class Filler : public CGAL::Modifier_base<Nef::SNC_structure> {
  public:
@@ -153,7 +169,9 @@ NefSet NefSet::polygon(const std::vector<scenes::Polygon>& loops) {
   bool first = true;
   for (const scenes::Polygon& loop : loops)
     for (const scenes::Polygon& cycle : simple_cycles(loop)) {
-      result = first ? simple_polygon(cycle) : result.symmetric_difference(simple_polygon(cycle));
+      result = guarded([&] {
+        return first ? simple_polygon(cycle) : result.symmetric_difference(simple_polygon(cycle));
+      });
       first = false;
     }
   NefSet set;
@@ -192,21 +210,59 @@ NefSet NefSet::leaf(const scenes::Leaf& leaf) {
 
 NefSet NefSet::unite(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(data_->nef + other.data_->nef); });
+  set.data_ = guarded([&] { return shared<Data>(united(data_->nef, other.data_->nef)); });
   return set;
 }
 
 NefSet NefSet::intersect(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(data_->nef * other.data_->nef); });
+  set.data_ = guarded([&] { return shared<Data>(common(data_->nef, other.data_->nef)); });
   return set;
 }
 
 NefSet NefSet::subtract(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>((data_->nef - other.data_->nef).closure()); });
+  set.data_ = guarded([&] { return shared<Data>(difference(data_->nef, other.data_->nef).closure()); });
   return set;
 }
+
+NefSet NefSet::without(const NefSet& other) const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(difference(data_->nef, other.data_->nef)); });
+  return set;
+}
+
+NefSet NefSet::complement() const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(data_->nef.complement()); });
+  return set;
+}
+
+NefSet NefSet::interior() const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(data_->nef.interior()); });
+  return set;
+}
+
+NefSet NefSet::closure() const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(data_->nef.closure()); });
+  return set;
+}
+
+NefSet NefSet::boundary() const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(data_->nef.boundary()); });
+  return set;
+}
+
+NefSet NefSet::regularization() const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(data_->nef.regularization()); });
+  return set;
+}
+
+bool NefSet::unbounded() const { return unbounded_mark(data_->nef); }
 
 NefSet NefSet::fill(const std::vector<RationalPoint>& inside) const {
   Nef nef = data_->nef;
@@ -227,7 +283,7 @@ NefSet NefSet::fill(const std::vector<RationalPoint>& inside) const {
 }
 
 bool NefSet::contains(const RationalPoint& p) const {
-  const Nef::Object_handle o = data_->nef.locate(point_of(p));
+  const Nef::Object_handle o = guarded([&] { return data_->nef.locate(point_of(p)); });
   Nef::Vertex_const_handle v;
   Nef::Halfedge_const_handle e;
   Nef::Halffacet_const_handle f;
@@ -240,6 +296,9 @@ bool NefSet::contains(const RationalPoint& p) const {
 }
 
 bool NefSet::operator==(const NefSet& other) const {
+  // The symmetric difference of space and another set is empty to CGAL 5.5.1.
+  if (data_->nef.is_space() || other.data_->nef.is_space())
+    return data_->nef.is_space() == other.data_->nef.is_space();
   return guarded([&] { return data_->nef == other.data_->nef; });
 }
 
@@ -289,7 +348,7 @@ Rational NefSet::volume() const {
   Rational sum = 0;
   const Nef& nef = data_->nef;
   for (auto f = nef.halffacets_begin(); f != nef.halffacets_end(); ++f) {
-    if (!f->incident_volume()->mark()) continue;
+    if (!f->incident_volume()->mark() || f->incident_volume() == nef.volumes_begin()) continue;
     RationalPoint area{0, 0, 0}, base;
     for (auto cycle = f->facet_cycles_begin(); cycle != f->facet_cycles_end(); ++cycle) {
       if (!cycle.is_shalfedge()) continue;
