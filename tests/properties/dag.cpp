@@ -183,9 +183,10 @@ class Maker {
   void add() {
     constexpr Operator kMany[] = {Operator::unite, Operator::intersect, Operator::subtract,
                                   Operator::sum,   Operator::product,   Operator::cnrg_subtract};
-    constexpr Operator kOne[] = {Operator::unify,    Operator::complement, Operator::complement, Operator::interior,
-                                 Operator::closure,  Operator::boundary,   Operator::regularize,
-                                 Operator::simplify, Operator::interior,   Operator::boundary};
+    constexpr Operator kOne[] = {Operator::unify,    Operator::complement, Operator::complement,
+                                 Operator::interior, Operator::interior,   Operator::closure,
+                                 Operator::boundary, Operator::boundary,   Operator::regularize,
+                                 Operator::simplify};
     const int kind = random_.below(12);
     if (kind < 6) {
       add_many(kMany[random_.below(6)]);
@@ -315,10 +316,9 @@ std::vector<Standing> standings(const RandomDag& dag) {
 
 bool well_formed(const RandomDag& dag) {
   const std::vector<Standing> standing = standings(dag);
+  const auto open = [&](std::size_t i) { return standing[i] == Standing::open; };
   return std::all_of(dag.nodes.begin(), dag.nodes.end(), [&](const DagNode& node) {
-    return !is_group_boolean(node.op) || std::none_of(node.operands.begin(), node.operands.end(), [&](std::size_t i) {
-             return standing[i] == Standing::open;
-           });
+    return !is_group_boolean(node.op) || std::none_of(node.operands.begin(), node.operands.end(), open);
   });
 }
 

@@ -1,9 +1,9 @@
-// Random dags against Nef polyhedra, node by node: the point set of every value, open, unbounded or neither, equals
-// Nef's for the same expression (SEMANTICS 2, 5.5), and components are those of the definitions.
+// Random dags against Nef polyhedra, node by node: the point set of every value, open, unbounded or neither,
+// equals Nef's for the same expression (SEMANTICS 2, 5.5), and components are those of the definitions.
 #include <catch2/catch.hpp>
 
 #include <exception>
-#include <optional>
+#include <sstream>
 
 #include "tests/properties/dag_reference.h"
 #include "tests/properties/dag_values.h"
@@ -36,8 +36,9 @@ class Comparison {
       volumes_.push_back(complex_.unbounded(r) ? Rational(0) : scenes::volume(complex_, r));
     for (std::size_t i = 0; i < dag_.nodes.size(); ++i) {
       const DagNode& node = dag_.nodes[i];
-      if (Failure f = compare_by_definition(complex_, incidence_, node, values_.operands(node), *values_.values[i]);
-          !f.empty())
+      const NodeValue& value = *values_.values[i];
+      const std::vector<const NodeValue*> operands = values_.operands(node);
+      if (Failure f = compare_by_definition(complex_, incidence_, node, operands, value); !f.empty())
         return words(i) + f;
       nefs_.push_back(nef_of(node, i));
       if (Failure f = compare(i); !f.empty()) return words(i) + f;
@@ -133,7 +134,7 @@ class Comparison {
     return subtract(closure(complex_, own), own);
   }
 
-  /// A point in every cell of the common refinement is in both sets or in none: the symmetric difference is empty.
+  /// A point in every cell of the common refinement is in both sets or in none: no symmetric difference.
   Failure cells(const Selection& set) {
     const CellIncidence::Labels active = incidence_.labels(set);
     const NefSet& nef = nefs_.back();
@@ -227,12 +228,12 @@ TEST_CASE("Every value of random dags equals Nef's", "[dag]") {
     const auto [least, why] = shrink(dag, failure, [&](const RandomDag& d) { return failure_of(d, unused); });
     FAIL_CHECK("seed " << seed << ": " << failure << "\nshrunk: " << why << "\n" << tree_file(least));
   }
-  const std::string report = tally.coverage.text() + "\n" + std::to_string(tally.nodes) + " values equal Nef's, " +
-                             std::to_string(tally.open) + " of them not closed, " +
-                             std::to_string(tally.unbounded) + " unbounded; " + std::to_string(tally.each_by_nef) +
-                             " nodes with `each` by components of Nef; " + std::to_string(tally.cells) +
-                             " cells of results located; " + std::to_string(tally.oracle_failures) +
-                             " dags on which Nef itself failed";
+  std::ostringstream out;
+  out << tally.coverage.text() << "\n"
+      << tally.nodes << " values equal Nef's, " << tally.open << " of them not closed, " << tally.unbounded
+      << " unbounded; " << tally.each_by_nef << " nodes with `each` by components of Nef; " << tally.cells
+      << " cells of results located; " << tally.oracle_failures << " dags on which Nef itself failed";
+  const std::string report = out.str();
   INFO(report);
   if (last - first >= 100) CHECK(tally.coverage.complete());
   CHECK(tally.oracle_failures <= 1 + (last - first) / 50);

@@ -199,7 +199,9 @@ std::string compare_by_definition(const Complex& complex, const CellIncidence& c
   std::vector<Labels> x;
   for (const NodeValue* operand : operands) x.push_back(cells.labels(selection_of(complex, *operand)));
   Labels want = by_definition(cells, node, x);
-  if (node.regularize) want = restricted(want, topological(cells, Operator::regularize, CellIncidence::support(want)));
+  if (node.regularize) {
+    want = restricted(want, topological(cells, Operator::regularize, CellIncidence::support(want)));
+  }
   Labels have = cells.labels(selection_of(complex, value));
   if (value.is_group()) {  // closure and regularize stay groups: their regions are detected again
     for (auto& c : want) c = c != 0;

@@ -34,8 +34,9 @@ class CellIncidence {
   std::vector<std::vector<std::size_t>> closure_;    ///< the cell itself not listed
 };
 
-/// What is wrong with the value of an inner node that is no group Boolean, given those of its operands: a cell and
-/// its component by definition and by the operator. Empty when nothing is. Group Booleans are the tables' matter.
+/// What is wrong with the value of an inner node that is no group Boolean, given those of its operands: a cell
+/// and its component by definition and by the operator. Empty when nothing is. Group Booleans are the matter of the
+/// tables.
 std::string compare_by_definition(const Complex& complex, const CellIncidence& cells, const DagNode& node,
                                   const std::vector<const NodeValue*>& operands, const NodeValue& value);
 

@@ -28,8 +28,8 @@ Selection joined(Selection selection);
 /// The canonical form of |X| as `simplify` makes it in mode `points`, with unmarked cells where X is not closed.
 Skeleton skeleton(const Complex& complex, const Selection& set);
 
-/// |X| as a Nef polyhedron, open, unbounded or neither: the regions filled, then the cells of each lower dimension
-/// of the simplified form taken off or put back.
+/// |X| as a Nef polyhedron, open, unbounded or neither: the regions filled, then the cells of each lower
+/// dimension of the simplified form taken off or put back.
 NefSet to_nef(const Complex& complex, const Selection& set);
 
 /// The canonical form of |G| as `simplify` makes it in mode `points`.

@@ -42,7 +42,7 @@ class NefSet {
   NefSet intersect(const NefSet& other) const;
   NefSet subtract(const NefSet& other) const;      ///< cl(this - other)
   NefSet without(const NefSet& other) const;       ///< this - other, which need not be closed
-  NefSet complement() const;                       ///< space - this; the outer volume is marked or not like others
+  NefSet complement() const;                       ///< space - this; the outer volume is marked like others
   NefSet interior() const;
   NefSet closure() const;
   NefSet boundary() const;
