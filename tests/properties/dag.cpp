@@ -95,6 +95,7 @@ class Maker {
   RandomDag make() {
     const std::size_t most = dag_.leaves.size() + 3 + static_cast<std::size_t>(random_.below(9));
     while (dag_.nodes.size() < most) add();
+    for (int k = random_.below(3); k > 0; --k) join();
     return compact(std::move(dag_));
   }
 
@@ -180,16 +181,28 @@ class Maker {
     }
   }
 
+  /// The last node with one that nobody uses.
+  void join() {
+    const std::size_t last = dag_.nodes.size() - 1;
+    for (std::size_t i = last; i-- > 0;) {
+      if (uses_[i] > 0 || std::max(depth_[i], depth_[last]) > kMostDepth - 1) continue;
+      constexpr Operator kOps[] = {Operator::sum, Operator::sum, Operator::product, Operator::cnrg_subtract};
+      push(kOps[random_.below(4)], {last, i});
+      return;
+    }
+  }
+
   void add() {
-    constexpr Operator kMany[] = {Operator::unite, Operator::intersect, Operator::subtract,
-                                  Operator::sum,   Operator::product,   Operator::cnrg_subtract};
+    constexpr Operator kMany[] = {Operator::unite,    Operator::unite, Operator::intersect,
+                                  Operator::subtract, Operator::sum,   Operator::sum,
+                                  Operator::product,  Operator::cnrg_subtract};
     constexpr Operator kOne[] = {Operator::unify,    Operator::complement, Operator::complement,
                                  Operator::interior, Operator::interior,   Operator::closure,
                                  Operator::boundary, Operator::boundary,   Operator::regularize,
                                  Operator::simplify};
     const int kind = random_.below(12);
     if (kind < 6) {
-      add_many(kMany[random_.below(6)]);
+      add_many(kMany[random_.below(8)]);
     } else if (kind < 11) {
       add_one(kOne[random_.below(10)]);
     } else {
