@@ -215,6 +215,16 @@ TEST_CASE("Nef's unbounded and open sets are what the tests take them for", "[da
   CHECK(space.without(outside) == cube);
   CHECK(NefSet().complement() == space);
   CHECK_FALSE(cube.intersect(outside).unbounded());
+  // Where an edge of what is taken off meets a facet of an open set.
+  const NefSet bar = NefSet::solid(scenes::box_solid({1, 1, 1}, {5, Rational(3, 2), Rational(3, 2)}));
+  CHECK_FALSE(outside.without(bar).contains({2, 1, 1}));
+  CHECK_FALSE(cube.interior().without(bar).contains({2, 1, 1}));
+  CHECK(outside.without(bar) == cube.unite(bar).complement());
+  // The unbounded volume is the same after two volumes have become one.
+  const NefSet plate = NefSet::solid(scenes::box_solid({0, 1, 1}, {3, 2, 4}));
+  const NefSet hollow = NefSet::solid(scenes::box_solid({1, 0, 3}, {2, 3, 5})).boundary();
+  CHECK(plate.unite(hollow).regularization() == plate);
+  CHECK_FALSE(plate.unite(hollow).regularization().unbounded());
   // A sheet has no interior; regularization is the closure of the interior.
   const NefSet sheet = NefSet::polygon({{{0, 0, 5}, {2, 0, 5}, {2, 2, 5}, {0, 2, 5}}});
   CHECK(sheet.interior() == NefSet());
