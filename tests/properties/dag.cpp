@@ -401,6 +401,11 @@ std::vector<RandomDag> smaller(const RandomDag& dag) {
       }
     }
   }
+  // One leaf for two; leaves come before all inner nodes.
+  for (std::size_t a = 0; a < dag.nodes.size(); ++a)
+    for (std::size_t b = 0; b < dag.nodes.size(); ++b)
+      if (a != b && dag.nodes[a].op == Operator::leaf && dag.nodes[b].op == Operator::leaf)
+        out.push_back(replaced(dag, a, b));
   for (RandomDag& less : out) less = compact(std::move(less));
   smaller_leaves(dag, out);
   std::erase_if(out, [](const RandomDag& less) { return !well_formed(less); });

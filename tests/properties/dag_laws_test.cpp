@@ -1,6 +1,7 @@
 // The laws of the CNRG algebra on the values of random dags (SEMANTICS 2, 5.4): no oracle, so many more dags.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 
 #include "csg/operators/cnrg.h"
@@ -214,6 +215,39 @@ TEST_CASE("The laws of the algebra hold on the values of random dags", "[dag]") 
   INFO(coverage.text());
   if (last - first >= 100) CHECK(coverage.complete());
   SUCCEED(coverage.text());
+}
+
+TEST_CASE("A failing dag shrinks to what fails", "[dag]") {
+  // Stands for a fault of `interior` on values with a wire, which only shows below another node.
+  const FailureOf fault = [](const RandomDag& dag) -> Failure {
+    const std::vector<int> depth = depths(dag);
+    for (std::size_t i = 0; i < dag.nodes.size(); ++i) {
+      if (dag.nodes[i].op != Operator::interior || depth[i] < 2) continue;
+      for (const scenes::Leaf& leaf : dag.leaves)
+        if (!leaf.wires.empty()) return name_of(dag, i) + " is wrong";
+    }
+    return {};
+  };
+  int found = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const RandomDag dag = random_dag(seed, position_of(seed));
+    const Failure failure = fault(dag);
+    if (failure.empty()) continue;
+    ++found;
+    const auto [least, why] = shrink(dag, failure, fault);
+    INFO(tree_file(least));
+    CHECK_FALSE(why.empty());
+    CHECK(well_formed(least));
+    CHECK(attempt(least).failure == "");
+    CHECK(least.nodes.back().op == Operator::interior);
+    CHECK(depths(least).back() == 2);
+    std::size_t wires = 0;
+    for (const scenes::Leaf& leaf : least.leaves) wires += leaf.wires.size();
+    CHECK(wires == 1);
+    CHECK(std::count_if(least.nodes.begin(), least.nodes.end(),
+                        [](const DagNode& n) { return n.op != Operator::leaf; }) == 2);
+  }
+  CHECK(found > 3);
 }
 
 TEST_CASE("A group Boolean takes closed values and asks for `closure` of others", "[dag]") {

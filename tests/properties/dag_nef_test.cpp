@@ -249,7 +249,8 @@ TEST_CASE("Every value of random dags equals Nef's", "[dag]") {
   std::ostringstream out;
   out << tally.coverage.text() << "\n"
       << tally.nodes << " values equal Nef's, " << tally.open << " of them not closed, " << tally.unbounded
-      << " unbounded, " << tally.empty << " empty; " << tally.each_by_nef << " nodes with `each` by components of Nef; " << tally.cells
+      << " unbounded, " << tally.empty << " empty; " << tally.each_by_nef
+      << " nodes with `each` by components of Nef; " << tally.cells
       << " cells of results located; " << tally.oracle_failures << " dags on which Nef itself failed";
   const std::string report = out.str();
   INFO(report);

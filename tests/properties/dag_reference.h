@@ -35,8 +35,8 @@ class CellIncidence {
 };
 
 /// What is wrong with the value of an inner node that is no group Boolean, given those of its operands: a cell
-/// and its component by definition and by the operator. Empty when nothing is. Group Booleans are the matter of the
-/// tables.
+/// and its component by definition and by the operator. Empty when nothing is. Group Booleans are the tables'
+/// matter.
 std::string compare_by_definition(const Complex& complex, const CellIncidence& cells, const DagNode& node,
                                   const std::vector<const NodeValue*>& operands, const NodeValue& value);
 

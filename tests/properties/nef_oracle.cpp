@@ -160,8 +160,8 @@ Nef united(const Nef& a, const Nef& b) { return with_unbounded(a + b, unbounded_
 
 Nef common(const Nef& a, const Nef& b) { return with_unbounded(a * b, unbounded_mark(a) && unbounded_mark(b)); }
 
-/// As an intersection: where an edge meets a facet, the difference of CGAL 5.5.1 takes the marks of edge and facet
-/// in this order whichever is of `a` (SNC_constructor::create_edge_facet_overlay), which is wrong for open sets.
+/// As an intersection: where an edge meets a facet, the difference of CGAL 5.5.1 takes the marks of edge and
+/// facet in this order, whichever is of `a` (create_edge_facet_overlay): that is wrong for open sets.
 Nef difference(const Nef& a, const Nef& b) { return common(a, b.complement()); }
 
 }  // namespace
