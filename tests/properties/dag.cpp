@@ -80,11 +80,48 @@ Standing standing(const DagNode& node, const std::vector<Standing>& below) {
   return node.regularize && value != Standing::group ? Standing::closed : value;
 }
 
+RationalPoint middle(const RationalPoint& p, const RationalPoint& q) {
+  return {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
+}
+
+/// Corners, edges, middles of edges and facets of other leaves as points, wires and sheets: what the operators
+/// take off and put back in the same places.
+scenes::Leaf echo(Random& random, const std::vector<scenes::Leaf>& leaves) {
+  scenes::Leaf out;
+  for (int k = random.between(1, 4); k > 0; --k) {
+    const scenes::Leaf& leaf = leaves[static_cast<std::size_t>(random.below(static_cast<int>(leaves.size())))];
+    scenes::Polygon corners;  // one after another along an edge
+    if (leaf.faces.empty() || (!leaf.wires.empty() && random.one_in(2))) {
+      if (leaf.wires.empty()) {
+        out.points.push_back(leaf.points.front());
+        continue;
+      }
+      const auto& wire = leaf.wires[static_cast<std::size_t>(random.below(static_cast<int>(leaf.wires.size())))];
+      corners = {wire[0], wire[1]};
+    } else {
+      corners = leaf.faces[static_cast<std::size_t>(random.below(static_cast<int>(leaf.faces.size())))].loops[0];
+    }
+    const auto at = static_cast<std::size_t>(random.below(static_cast<int>(corners.size())));
+    const RationalPoint &p = corners[at], &q = corners[(at + 1) % corners.size()];
+    switch (random.below(5)) {
+      case 0: out.points.push_back(p); break;
+      case 1: out.points.push_back(middle(p, q)); break;
+      case 2: out.wires.push_back({p, random.one_in(2) ? q : middle(p, q)}); break;
+      case 3: out.wires.push_back({p, q}); break;
+      default:
+        if (corners.size() > 2) scenes::add_sheet(out, {corners});
+        else out.points.push_back(q);
+    }
+  }
+  return out;
+}
+
 class Maker {
  public:
   Maker(std::uint64_t seed, scenes::Position position) : random_(seed * 31 + 7) {
     const int leaves = 2 + (random_.one_in(2) ? 1 : 0) + (random_.one_in(4) ? 1 : 0);
     dag_.leaves = scenes::random_scene(seed + 500000, leaves, position).leaves;
+    for (int k = random_.below(3); k > 0; --k) dag_.leaves.push_back(echo(random_, dag_.leaves));
     for (std::size_t i = 0; i < dag_.leaves.size(); ++i) {
       DagNode node;
       node.leaf = i;

@@ -50,8 +50,9 @@ std::vector<Standing> standings(const RandomDag& dag);
 /// No group Boolean has an operand of standing `open`.
 bool well_formed(const RandomDag& dag);
 
-/// Two to four leaves of all dimensions, `inner` to twice as many inner nodes before what no path reaches is
-/// dropped, depth at most 8. Aggregates are made of operands that are disjoint.
+/// Two to four leaves of all dimensions, up to two more whose parts are corners, edges and facets of the others,
+/// three to about a dozen inner nodes of which the result reaches most, depth at most 8. Aggregates are made of
+/// operands that are disjoint.
 RandomDag random_dag(std::uint64_t seed, scenes::Position position);
 /// The position of a seed: half of them degenerate, a quarter tilted, a quarter general.
 scenes::Position position_of(std::uint64_t seed);

@@ -40,8 +40,11 @@ class Comparison {
       const std::vector<const NodeValue*> operands = values_.operands(node);
       if (Failure f = compare_by_definition(complex_, incidence_, node, operands, value); !f.empty())
         return words(i) + f;
-      nefs_.push_back(nef_of(node, i));
-      if (Failure f = compare(i); !f.empty()) return words(i) + f;
+      nefs_.push_back(nef_of(node, nefs_, i));
+      if (Failure f = compare(i); !f.empty()) {
+        if (contradicted(node, i)) throw OracleFailure("Nef contradicts itself");
+        return words(i) + f;
+      }
     }
     const Selection root = point_set(dag_.nodes.size() - 1);
     if (!(to_nef(complex_, root) == nefs_.back())) return "the result as a Nef polyhedron is another one";
@@ -55,23 +58,38 @@ class Comparison {
 
   Selection point_set(std::size_t i) const { return joined(selection_of(complex_, *values_.values[i])); }
 
-  NefSet nef_of(const DagNode& node, std::size_t i) {
+  using Nefs = std::vector<NefSet>;
+
+  NefSet nef_of(const DagNode& node, const Nefs& nefs, std::size_t i) const {
     if (node.op == Operator::leaf) return NefSet::leaf(dag_.leaves[node.leaf]);
-    NefSet result = node.each ? each(node, i) : applied(node);
+    NefSet result = node.each ? each(node, i) : applied(node, nefs);
     return node.regularize ? result.regularization() : result;
   }
 
-  /// An operand of a group Boolean: a complement stands for its closure.
-  NefSet group_operand(std::size_t i) const {
-    return standings_[i] == Standing::complement ? nefs_[i].closure() : nefs_[i];
+  /// Nef gives our value when it gets the same operands, by its own equality, in another form: operations
+  /// of CGAL 5.5.1 now and then give a broken structure without an assertion.
+  bool contradicted(const DagNode& node, std::size_t i) {
+    if (node.op == Operator::leaf || node.each) return false;
+    Nefs again = nefs_;
+    for (const std::size_t k : node.operands) {
+      again[k] = to_nef(complex_, point_set(k));
+      if (!(again[k] == nefs_[k])) return false;
+    }
+    nefs_[i] = nef_of(node, again, i);
+    return compare(i).empty();
   }
 
-  NefSet applied(const DagNode& node) const {
-    const NefSet& x = nefs_[node.operands[0]];
+  /// An operand of a group Boolean: a complement stands for its closure.
+  NefSet group_operand(const Nefs& nefs, std::size_t i) const {
+    return standings_[i] == Standing::complement ? nefs[i].closure() : nefs[i];
+  }
+
+  NefSet applied(const DagNode& node, const Nefs& nefs) const {
+    const NefSet& x = nefs[node.operands[0]];
     const auto fold = [&](bool groups, auto op) {
-      NefSet all = groups ? group_operand(node.operands[0]) : x;
+      NefSet all = groups ? group_operand(nefs, node.operands[0]) : x;
       for (std::size_t k = 1; k < node.operands.size(); ++k)
-        all = op(all, groups ? group_operand(node.operands[k]) : nefs_[node.operands[k]]);
+        all = op(all, groups ? group_operand(nefs, node.operands[k]) : nefs[node.operands[k]]);
       return all;
     };
     const auto unite = [](const NefSet& a, const NefSet& b) { return a.unite(b); };
@@ -174,7 +192,7 @@ class Comparison {
   Tally& tally_;
   CellIncidence incidence_;
   std::vector<Rational> volumes_;
-  std::vector<NefSet> nefs_;
+  Nefs nefs_;
 };
 
 Failure failure_of(const RandomDag& dag, Tally& tally) {

@@ -164,6 +164,11 @@ Nef common(const Nef& a, const Nef& b) { return with_unbounded(a * b, unbounded_
 /// facet in this order, whichever is of `a` (create_edge_facet_overlay): that is wrong for open sets.
 Nef difference(const Nef& a, const Nef& b) { return common(a, b.complement()); }
 
+/// Of closed sets, where all marks are equal.
+Nef closed_difference(const Nef& a, const Nef& b) {
+  return with_unbounded(a - b, unbounded_mark(a) && !unbounded_mark(b));
+}
+
 }  // namespace
 
 struct NefSet::Data {
@@ -251,7 +256,7 @@ NefSet NefSet::intersect(const NefSet& other) const {
 
 NefSet NefSet::subtract(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(settled(difference(data_->nef, other.data_->nef).closure())); });
+  set.data_ = guarded([&] { return shared<Data>(settled(closed_difference(data_->nef, other.data_->nef).closure())); });
   return set;
 }
 

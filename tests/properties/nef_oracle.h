@@ -40,7 +40,7 @@ class NefSet {
 
   NefSet unite(const NefSet& other) const;
   NefSet intersect(const NefSet& other) const;
-  NefSet subtract(const NefSet& other) const;      ///< cl(this - other)
+  NefSet subtract(const NefSet& other) const;      ///< cl(this - other) of closed sets
   NefSet without(const NefSet& other) const;       ///< this - other, which need not be closed
   NefSet complement() const;                       ///< space - this; the outer volume is marked like others
   NefSet interior() const;
