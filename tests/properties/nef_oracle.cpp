@@ -256,7 +256,10 @@ NefSet NefSet::intersect(const NefSet& other) const {
 
 NefSet NefSet::subtract(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(settled(closed_difference(data_->nef, other.data_->nef).closure())); });
+  set.data_ = guarded([&] {
+    const Nef open = closed_difference(data_->nef, other.data_->nef);
+    return shared<Data>(settled(open.closure()));
+  });
   return set;
 }
 
