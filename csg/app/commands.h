@@ -10,7 +10,7 @@ struct EvalArguments {
   std::string tree;
   std::vector<std::string> nodes;
   std::vector<std::string> files;
-  bool trace = false, raw = false, quiet = false;
+  bool trace = false, raw = false, topology = false, quiet = false;
   int threads = 0;
 };
 /// `cnrg eval`: a row per node, a file per `-o`.
@@ -21,6 +21,13 @@ int run_check(const std::string& tree);
 
 /// `cnrg locate`: the cell that holds each point of standard input.
 int run_locate(const std::string& tree, const std::string& node, int threads);
+
+struct ExplainArguments {
+  std::string tree, node, cell, point;  ///< one of cell and point is empty
+  int threads = 0;
+};
+/// `cnrg explain`: the way of a cell, or of what holds a point, through the tree.
+int run_explain(const ExplainArguments& arguments);
 
 /// `cnrg tables`: the tables as the code has them.
 int run_tables();

@@ -7,7 +7,8 @@
 #include "csg/app/progress_bar.h"
 #include "csg/app/row_table.h"
 #include "csg/evaluate/evaluate.h"
-#include "csg/output/writer.h"
+#include "csg/output/node_file.h"
+#include "csg/output/topology.h"
 
 namespace cnrg::app {
 namespace {
@@ -32,36 +33,9 @@ std::vector<NodeId> nodes_of_files(const Tree& tree, const EvalArguments& argume
   return nodes;
 }
 
-/// The tree's materials, and those that only results read back as leaves bring along.
-std::vector<ResultView::Material> materials_of(const Tree& tree, const NodeValue& value) {
-  std::vector<ResultView::Material> materials;
-  for (const Material& m : tree.materials) materials.push_back({m.name, m.color});
-  for (Component i = 1; i <= value.component_count(); ++i) {
-    const std::string& name = value.attributes(i).material;
-    const auto same = [&](const ResultView::Material& m) { return m.name == name; };
-    if (name.empty() || std::any_of(materials.begin(), materials.end(), same)) continue;
-    materials.push_back({name, ""});
-  }
-  return materials;
-}
-
 void write_file(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
-                const std::vector<LeafInfo>& leaves, bool quiet) {
-  const KeptValue& value = evaluation.value(node);
-  ResultView view;
-  view.node = tree.nodes[node].name;
-  view.complex = evaluation.complex.get();
-  view.value = value.value.get();
-  view.simplified = &value.simplified;
-  view.leaves = &leaves;
-  view.materials = materials_of(tree, *value.value);
-  view.sources = value.leaves;
-  RoundingReport rounding;
-  try {
-    rounding = write(path, view);
-  } catch (const InputError& e) {  // the format can not show this node
-    throw TreeError(tree.file, tree.nodes[node].at, e.what());
-  }
+                bool quiet) {
+  const RoundingReport rounding = write(path, tree, evaluation, node);
   if (!rounding.embedded) {
     std::cerr << path << ": warning: rounding moved " << rounding.moved
               << " vertices and facets cross in this file; write .json for the exact result\n";
@@ -71,15 +45,29 @@ void write_file(const std::string& path, const Tree& tree, const Evaluation& eva
   }
 }
 
+/// Of the nodes asked for; of the result when there are none.
+std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vector<NodeId> nodes) {
+  if (nodes.empty()) nodes = {tree.result};
+  std::string text;
+  for (const NodeId node : nodes) {
+    const KeptValue& kept = evaluation.value(node);
+    text += "\ntopology of " + tree.nodes[node].name + "\n" +
+            topology_text(*evaluation.complex, selection_of(*evaluation.complex, *kept.value), kept.simplified,
+                          kept.value->attributes());
+  }
+  return text;
+}
+
 }  // namespace
 
 int run_eval(const EvalArguments& arguments) {
-  for (const std::string& path : arguments.files) check_extension(path);  // before the work, not after it
+  for (const std::string& path : arguments.files) check_file_name(path);  // before the work, not after it
   const Tree tree = read_tree(arguments.tree);
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.raw = arguments.raw;
-  options.rows = !arguments.quiet;
+  options.rows = !arguments.quiet || std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
+  options.region_volumes = arguments.trace;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(tree.find(name));
   const std::vector<NodeId> shown = nodes_of_files(tree, arguments, options.nodes);
   std::vector<NodeId> roots = options.nodes;
@@ -95,14 +83,13 @@ int run_eval(const EvalArguments& arguments) {
   print(evaluation.diagnostics, arguments.quiet);
   if (!arguments.quiet) std::cout << row_table(evaluation.rows, arguments.raw, arguments.trace);
   if (!arguments.quiet && arguments.trace) std::cout << refinement_summary(evaluation);
+  if (arguments.topology) std::cout << topology_of(tree, evaluation, options.nodes);
   std::cout << std::flush;
 
-  std::vector<LeafInfo> leaves;
-  for (const std::string& name : evaluation.leaf_names) leaves.push_back({name});
   for (std::size_t i = 0; i < arguments.files.size(); ++i) {
     bar.show("write " + arguments.files[i], 0, 0);
     bar.clear();
-    write_file(arguments.files[i], tree, evaluation, shown[i], leaves, arguments.quiet);
+    write_file(arguments.files[i], tree, evaluation, shown[i], arguments.quiet);
   }
   return kDone;
 }

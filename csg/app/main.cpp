@@ -50,7 +50,6 @@ struct LaterCommand {
   const char *name, *purpose;
 };
 constexpr LaterCommand kLaterCommands[] = {
-    {"explain", "the way of a cell through the tree"},
     {"mesh", "tetrahedra that conform to the result"},
     {"view", "one self-contained page that shows the result"},
 };
@@ -77,6 +76,8 @@ int run(int argc, char** argv) {
       ->take_all();
   sub->add_flag("--trace", eval.trace, "Under each row: what each table row removed, volumes of regions");
   sub->add_flag("--raw", eval.raw, "Keep the unsimplified cells of the refinement");
+  sub->add_flag("--topology", eval.topology,
+                "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions touch");
   sub->add_option("--threads", eval.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));
@@ -97,6 +98,22 @@ int run(int argc, char** argv) {
   sub->add_option("--threads", threads, "Threads; 0 is one per core")->type_name("K")->check(CLI::Range(0, 4096));
   sub->footer("Example:\n  echo \"1/3 0.5 2\" | cnrg locate model.yaml --node split");
   sub->callback([&] { command = [&] { return run_locate(tree, node, threads); }; });
+
+  ExplainArguments explain;
+  sub = program.add_subcommand("explain",
+                               "Tells the way of a cell through the tree: what kept or removed it, and why");
+  sub->add_option("TREE", explain.tree, "Tree file (YAML or JSON)")->required();
+  sub->add_option("--node", explain.node, "Node to look into; the result without it")->type_name("N");
+  sub->add_option("--cell", explain.cell, "Cell of the node, as `cnrg locate` names it: v3, e0, f12, r1")
+      ->type_name("NAME");
+  sub->add_option("--point", explain.point, "Instead of a cell: what holds this point, active or not")
+      ->type_name("X,Y,Z");
+  sub->add_option("--threads", explain.threads, "Threads; 0 is one per core")
+      ->type_name("K")
+      ->check(CLI::Range(0, 4096));
+  sub->footer(
+      "Example:\n  cnrg explain model.yaml --node split --cell f12\n  cnrg explain model.yaml --point 1/3,0.5,2");
+  sub->callback([&] { command = [&] { return run_explain(explain); }; });
 
   sub = program.add_subcommand("tables", "Prints the tables of the Booleans in Markdown");
   sub->footer("Example:\n  cnrg tables > tables.md");

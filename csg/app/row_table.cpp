@@ -39,7 +39,7 @@ std::string row_table(const std::vector<NodeRow>& rows, bool raw, bool trace) {
   Table table;
   table.add_column("node", Table::Align::left);
   table.add_column("operator", Table::Align::left);
-  for (const char* title : {"vertices", "edges", "faces", "3-cells", "removed", "regions", "seconds"}) {
+  for (const char* title : {"vertices", "edges", "faces", "3-cells", "removed", "regions", "components", "seconds"}) {
     table.add_column(title);
   }
   table.add_column("volume", Table::Align::left);
@@ -47,7 +47,8 @@ std::string row_table(const std::vector<NodeRow>& rows, bool raw, bool trace) {
     const auto& cells = raw ? row.raw_cells : row.cells;
     table.add_row({row.name, row.operator_name, std::to_string(cells[0]), std::to_string(cells[1]),
                    std::to_string(cells[2]), std::to_string(cells[3]), std::to_string(row.removed()),
-                   std::to_string(row.volumes.size()), seconds_text(row.seconds), volume_text(row.volume())});
+                   std::to_string(row.regions), row.is_group ? "" : std::to_string(row.components),
+                   seconds_text(row.seconds), volume_text(row.volume())});
   }
   if (!trace) return table.text();
   std::istringstream lines(table.text());

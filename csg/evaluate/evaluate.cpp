@@ -18,7 +18,7 @@
 namespace cnrg {
 namespace {
 
-using Values = IdVector<InstanceId, std::shared_ptr<const NodeValue>>;
+using Values = IdVector<InstanceId, std::shared_ptr<NodeValue>>;
 
 class Stopwatch {
  public:
@@ -82,9 +82,9 @@ Values leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedL
   for (const InstanceId i : IdRange<InstanceId>(values.size())) {
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
-    NodeValue value(std::move(groups[leaf.index()]));
+    NodeValue value(complex, std::move(groups[leaf.index()]));
     apply_attributes(complex, tree.nodes[unfolding.instances[i].node], value);
-    values[i] = std::make_shared<const NodeValue>(std::move(value));
+    values[i] = std::make_shared<NodeValue>(std::move(value));
   }
   return values;
 }
@@ -115,18 +115,20 @@ std::vector<LeafId> leaves_below(const Unfolding& unfolding, const PreparedLeave
 }
 
 /// The operator of an inner instance on its operands' values; faults of the input come at the operator's place.
+/// `last(operand)`: nobody needs the operand's value after this.
+template <class Last>
 Outcome value_of(const Tree& tree, const Unfolding& unfolding, const Values& values, const Complex& complex,
-                 InstanceId id, bool validate) {
+                 InstanceId id, bool validate, Last last) {
   const Instance& instance = unfolding.instances[id];
   const Node& node = tree.nodes[instance.node];
-  std::vector<const NodeValue*> operands;
-  std::vector<std::string> names;
+  std::vector<Operand> operands;
   for (const InstanceId operand : instance.operands) {
-    operands.push_back(values[operand].get());
-    names.push_back(tree.nodes[unfolding.instances[operand].node].name);
+    NodeValue* const value = values[operand].get();
+    operands.push_back(
+        {value, tree.nodes[unfolding.instances[operand].node].name, last(operand) ? value : nullptr});
   }
   try {
-    return operate(complex, node, operands, names, validate);
+    return operate(complex, node, operands, validate);
   } catch (const InputError& e) {
     throw TreeError(tree.file, node.operator_at, e.what());
   }
@@ -151,17 +153,31 @@ NodeRow row_of(const Tree& tree, const Unfolding& unfolding, InstanceId id) {
   return row;
 }
 
-/// Fills the numbers of a row; returns the simplified value.
-SimplifiedComplex measure(const Complex& complex, const NodeValue& value, NodeRow& row) {
-  const Selection selection = selection_of(complex, value);
+/// Fills the numbers of a row. A group's are kept with its parts: measured once, whichever values share them.
+void measure(const Complex& complex, NodeValue& value, bool region_volumes, NodeRow& row) {
+  row.is_group = value.is_group();
+  if (value.is_group()) {
+    const Totals& totals = cnrg::measure(complex, value.parts());
+    row.raw_cells = totals.raw;
+    row.cells = totals.simplified;
+    row.regions = totals.regions;
+    row.total = totals.volume();
+    if (region_volumes) row.volumes = volumes(complex, value.parts());
+    return;
+  }
+  const Selection& selection = value.components().selection;
+  row.components = value.component_count();
   row.raw_cells = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
                    selection.regions.size()};
-  SimplifiedComplex simplified = simplify(complex, selection, value.features());
-  row.cells = active_counts(simplified);
-  row.is_group = value.is_group();
-  row.components = value.component_count();
-  row.volumes = volumes_of(complex, selection);
-  return simplified;
+  row.cells = simplified_counts(complex, selection, value.features());
+  std::vector<std::optional<Rational>> all = volumes_of(complex, selection);
+  row.regions = all.size();
+  row.total = Rational(0);
+  for (const std::optional<Rational>& one : all) {
+    if (row.total && one) *row.total += *one;
+    else row.total.reset();
+  }
+  if (region_volumes) row.volumes = std::move(all);
 }
 
 /// The simplified cells that hold the cells of a set, largest dimension first.
@@ -231,24 +247,27 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
 
   Values values = leaf_values(tree, unfolding, leaves, complex);
   IdVector<InstanceId, std::size_t> uses = count_uses(unfolding);
-  std::map<InstanceId, SimplifiedComplex> shown;
   for (const InstanceId id : IdRange<InstanceId>(values.size())) {
     progress("nodes", id.index(), values.size());
     const Instance& instance = unfolding.instances[id];
     NodeRow row = row_of(tree, unfolding, id);
-    if (!values[id]) {
+    std::shared_ptr<NodeValue> value = std::move(values[id]);
+    if (!value) {
       const Stopwatch stopwatch;
-      Outcome outcome = value_of(tree, unfolding, values, complex, id, options.validate);
+      const auto last = [&](InstanceId operand) { return uses[operand] == 1 && !options.keep_all; };
+      Outcome outcome = value_of(tree, unfolding, values, complex, id, options.validate, last);
       row.seconds = stopwatch.seconds();
       row.removals = std::move(outcome.removals);
       report_conflicts(tree, tree.nodes[instance.node], complex, outcome, result);
-      values[id] = std::make_shared<const NodeValue>(std::move(outcome.value));
+      value = std::make_shared<NodeValue>(std::move(outcome.value));
     }
     const bool is_root = std::find(unfolding.roots.begin(), unfolding.roots.end(), id) != unfolding.roots.end();
     if (options.rows || is_root) {
-      SimplifiedComplex simplified = measure(complex, *values[id], row);
-      if (is_root) shown.emplace(id, std::move(simplified));
+      const Stopwatch stopwatch;
+      measure(complex, *value, options.region_volumes || is_root, row);
+      row.measure_seconds = stopwatch.seconds();
     }
+    values[id] = std::move(value);
     result.rows.push_back(std::move(row));
     for (const InstanceId operand : instance.operands) {
       if (--uses[operand] == 0 && !options.keep_all) values[operand].reset();
@@ -257,17 +276,15 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
   progress("nodes", values.size(), values.size());
 
   for (const InstanceId root : unfolding.roots) {
-    KeptValue kept{unfolding.instances[root].node, values[root], std::move(shown.at(root)),
-                   leaves_below(unfolding, leaves, root)};
-    if (options.raw) {
-      kept.simplified =
-          simplify(complex, selection_of(complex, *kept.value), kept.value->features(), SimplifyMode::raw);
-    }
-    result.kept.push_back(std::move(kept));
+    const NodeValue& value = *values[root];
+    SimplifiedComplex simplified = simplify(complex, selection_of(complex, value), value.features(),
+                                            options.raw ? SimplifyMode::raw : SimplifyMode::features);
+    result.kept.push_back({unfolding.instances[root].node, values[root], std::move(simplified),
+                           leaves_below(unfolding, leaves, root)});
   }
+  result.instances = unfolding.instances;
   if (options.keep_all) {
-    result.instances = unfolding.instances;
-    result.values = std::move(values);
+    for (std::shared_ptr<NodeValue>& value : values) result.values.push_back(std::move(value));
   }
   return result;
 }
@@ -280,15 +297,6 @@ std::vector<Diagnostic> check(const Tree& tree) {
 std::size_t NodeRow::removed() const {
   std::size_t total = 0;
   for (const auto& [id, count] : removals) total += count;
-  return total;
-}
-
-std::optional<Rational> NodeRow::volume() const {
-  Rational total = 0;
-  for (const std::optional<Rational>& volume : volumes) {
-    if (!volume) return std::nullopt;
-    total += *volume;
-  }
   return total;
 }
 

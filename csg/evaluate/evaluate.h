@@ -25,6 +25,7 @@ struct EvaluateOptions {
   int threads = 0;            ///< 0: all cores
   bool validate = false;      ///< check the complex and the identities of every node; InvariantError says what broke
   bool rows = true;           ///< counts and volumes of all nodes; otherwise of the kept ones only
+  bool region_volumes = false;  ///< in rows: the volume of every region of every node
   bool raw = false;           ///< keep unsimplified cells
   bool keep_all = false;      ///< keep the values of all instances in `Evaluation::values`
   std::vector<NodeId> nodes;  ///< kept besides the result
@@ -43,12 +44,14 @@ struct NodeRow {
   std::size_t removed() const;
   bool is_group = true;
   std::size_t components = 0;  ///< as NodeValue::component_count has it
-  /// Exact volumes in cubic units of the components that hold 3-cells, ascending (in a group: its regions); nothing
-  /// for an unbounded one.
+  std::size_t regions = 0;     ///< components that hold 3-cells; in a group its regions
+  /// Exact volume in cubic units of all of them together; nothing when one is unbounded.
+  std::optional<Rational> total;
+  const std::optional<Rational>& volume() const { return total; }
+  /// Of each, ascending by component; filled for the kept nodes, and for all with `EvaluateOptions::region_volumes`.
   std::vector<std::optional<Rational>> volumes;
-  /// The sum of the volumes; nothing when one is unbounded.
-  std::optional<Rational> volume() const;
-  double seconds = 0;  ///< of the operator alone
+  double seconds = 0;          ///< of the operator alone
+  double measure_seconds = 0;  ///< of counts and volumes
 };
 
 /// The value of a node that was asked for.
@@ -69,8 +72,8 @@ struct Evaluation {
   std::vector<std::string> leaf_names;  ///< by LeafId; empty for the frame
   std::vector<Diagnostic> diagnostics;  ///< notices of leaves, conflicts of materials
   double refine_seconds = 0;            ///< soup and complex
-  /// With `keep_all`: every instance below the roots, operands before users, and its value.
-  IdVector<InstanceId, Instance> instances;
+  IdVector<InstanceId, Instance> instances;  ///< below the roots, operands before users; as `rows`
+  /// With `keep_all`: the value of each.
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
   /// The kept value of a node; the node must have been asked for.
   const KeptValue& value(NodeId node) const;

@@ -2,8 +2,9 @@
 #include "csg/evaluate/operate.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
-#include "csg/operators/cnrg.h"
 #include "csg/operators/identities.h"
 #include "kernel/base/error.h"
 
@@ -34,7 +35,7 @@ std::optional<Dominance> stated_dominance(const Node& node) {
 }
 
 /// What the node says; without a word the greater number dominates.
-Dominance dominance_of(const Node& node, const Group& a, const Group& b) {
+Dominance dominance_of(const Node& node, const PartedGroup& a, const PartedGroup& b) {
   if (const auto stated = stated_dominance(node)) return *stated;
   if (a.dominance == b.dominance) return Dominance::equal;
   return a.dominance > b.dominance ? Dominance::left : Dominance::right;
@@ -58,62 +59,52 @@ void require_identity(const Node& node, const std::string& violation) {
 }
 
 /// An operand of a group Boolean.
-class GroupOperand {
- public:
-  GroupOperand(const Complex& complex, const Node& node, const NodeValue& value, const std::string& name) {
-    if (value.is_group()) {
-      group_ = &value.group();
-    } else if (value.stands_for) {
-      group_ = &*value.stands_for;
-    } else {
-      const CellSet missing = missing_boundary(complex, value.components());
-      if (!missing.empty()) {
-        throw InputError("`" + node.operator_name + "` of `" + node.name + "` takes closed values and `" + name +
-                         "` is not closed: " + std::to_string(missing.size()) +
-                         " cells of its boundary are missing; insert `closure`: {closure: " + name + "}");
-      }
-      made_ = group_of(complex, value.components());
-      group_ = &made_;
-    }
+PartedGroup group_operand(const Complex& complex, const Node& node, const Operand& operand) {
+  const NodeValue& value = *operand.value;
+  if (value.is_group()) return operand.spent != nullptr ? std::move(operand.spent->parts()) : value.parts();
+  if (value.stands_for) return parted(complex, *value.stands_for);
+  const CellSet missing = missing_boundary(complex, value.components());
+  if (!missing.empty()) {
+    throw InputError("`" + node.operator_name + "` of `" + node.name + "` takes closed values and `" +
+                     operand.name + "` is not closed: " + std::to_string(missing.size()) +
+                     " cells of its boundary are missing; insert `closure`: {closure: " + operand.name + "}");
   }
-  const Group& operator*() const { return *group_; }
-
- private:
-  Group made_;
-  const Group* group_;
-};
+  return parted(complex, group_of(complex, value.components()));
+}
 
 /// ((a op b) op c) op ...
-Outcome fold(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
-             std::span<const std::string> names, bool validate) {
+Outcome fold(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate,
+             const std::function<void(const BooleanStep&)>& see = {}) {
   Outcome outcome;
-  const GroupOperand first(complex, node, *operands[0], names[0]);
-  Group value;
-  const Group* left = &*first;
+  const BooleanOp op = boolean_op(node.op);
+  PartedGroup value = group_operand(complex, node, operands[0]);
   for (std::size_t k = 1; k < operands.size(); ++k) {
-    const GroupOperand right(complex, node, *operands[k], names[k]);
-    BooleanResult step =
-        apply(complex, boolean_op(node.op), dominance_of(node, *left, *right), *left, *right);
-    if (validate) {
-      require_identity(node, check_boolean(complex, boolean_op(node.op), *left, *right, step.group));
+    PartedGroup right = group_operand(complex, node, operands[k]);
+    const Dominance dominance = dominance_of(node, value, right);
+    std::optional<std::array<Group, 2>> whole_operands;
+    if (see || validate) whole_operands = {whole(value), whole(right)};
+    PartedResult step = apply(complex, op, dominance, std::move(value), std::move(right));
+    if (whole_operands) {
+      const auto& [a, b] = *whole_operands;
+      const Group result = whole(step.group);
+      if (see) see({op, dominance, a, b, result, k});
+      if (validate) require_identity(node, check_boolean(complex, op, a, b, result));
     }
-    step.group.dominance = std::max(left->dominance, (*right).dominance);
     add_removals(outcome.removals, step.removals);
-    outcome.conflicts.insert(outcome.conflicts.end(), step.conflicts.begin(), step.conflicts.end());
+    for (auto& [part, conflict] : step.conflicts) outcome.conflicts.push_back(std::move(conflict));
     value = std::move(step.group);
-    left = &value;
   }
   outcome.value = std::move(value);
   return outcome;
 }
 
 /// sum, product and subtract from left to right.
-Outcome fold_components(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
+Outcome fold_components(const Complex& complex, const Node& node, std::span<const Operand> operands,
                         bool validate) {
   Outcome outcome;
-  Components value = components_of(complex, *operands[0]);
-  for (const NodeValue* operand : operands.subspan(1)) {
-    const Components right = components_of(complex, *operand);
+  Components value = components_of(complex, *operands[0].value);
+  for (const Operand& operand : operands.subspan(1)) {
+    const Components right = components_of(complex, *operand.value);
     ComponentsResult step;
     OverlayLaw law = OverlayLaw::subtract;
     switch (node.op) {
@@ -136,10 +127,13 @@ Outcome fold_components(const Complex& complex, const Node& node, std::span<cons
   return outcome;
 }
 
-Outcome aggregate_all(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
-                      std::span<const std::string> names) {
+Outcome aggregate_all(const Complex& complex, std::span<const Operand> operands) {
   std::vector<Components> values;
-  for (const NodeValue* operand : operands) values.push_back(components_of(complex, *operand));
+  std::vector<std::string> names;
+  for (const Operand& operand : operands) {
+    values.push_back(components_of(complex, *operand.value));
+    names.push_back(operand.name);
+  }
   std::vector<const Components*> pointers;
   for (const Components& value : values) pointers.push_back(&value);
   Outcome outcome;
@@ -147,24 +141,13 @@ Outcome aggregate_all(const Complex& complex, const Node& node, std::span<const 
   return outcome;
 }
 
-Topological topological(Operator op) {
-  switch (op) {
-    case Operator::interior:
-      return Topological::interior;
-    case Operator::closure:
-      return Topological::closure;
-    case Operator::boundary:
-      return Topological::boundary;
-    default:
-      return Topological::regularize;
-  }
+Outcome of_components(ComponentsResult result) {
+  return {std::move(result.value), {}, std::move(result.conflicts)};
 }
-
-Outcome of_components(ComponentsResult result) { return {std::move(result.value), {}, std::move(result.conflicts)}; }
 
 /// One component of one name keeps it; where there is none or several were joined it is called after the node.
 void name_after(const Node& node, Outcome& outcome) {
-  for (ComponentAttributes& a : std::get<Components>(outcome.value.held).attributes) {
+  for (ComponentAttributes& a : outcome.value.components().attributes) {
     if (a.name.empty() || a.name == kEntitiesName || a.name.find(" & ") != std::string::npos) a.name = node.name;
   }
 }
@@ -183,15 +166,15 @@ Outcome complement_of(const Complex& complex, const Node& node, const NodeValue&
   return outcome;
 }
 
+PartedGroup regularized(const Complex& complex, const PartedGroup& value) {
+  return changed(complex, value, [&](Group& group) { group = regularize(complex, group); });
+}
+
 Outcome topology_of(const Complex& complex, const Node& node, const NodeValue& operand, bool validate) {
   const Topological op = topological(node.op);
   if (operand.is_group() && !node.each) {
-    if (op == Topological::closure) return {operand.group(), {}, {}};
-    if (op == Topological::regularize) {
-      Group group = regularize(complex, operand.group());
-      group.dominance = operand.group().dominance;
-      return {std::move(group), {}, {}};
-    }
+    if (op == Topological::closure) return {operand.parts(), {}, {}};
+    if (op == Topological::regularize) return {regularized(complex, operand.parts()), {}, {}};
   }
   const Components x = components_of(complex, operand);
   ComponentsResult result = node.each ? apply_each(complex, op, x) : apply(complex, op, x);
@@ -205,15 +188,15 @@ void set_attributes(const Node& node, RegionAttributes& attributes) {
 }
 
 /// The attributes of a node on a group; a leaf's regions have names and materials already.
-void apply_attributes(const Complex& complex, const Node& node, Group& group) {
-  if (node.regularize) {
-    Rational dominance = group.dominance;
-    group = regularize(complex, group);
-    group.dominance = std::move(dominance);
-  }
-  if (node.forget_features) group.features = {};
-  if (node.op != Operator::leaf) {
-    for (RegionAttributes& region : group.regions) set_attributes(node, region);
+void apply_attributes(const Complex& complex, const Node& node, PartedGroup& group) {
+  if (node.regularize) group = regularized(complex, group);
+  const bool names = node.op != Operator::leaf && !(node.material.empty() && node.label.empty());
+  if (node.forget_features || names) {
+    group = changed(complex, group, [&](Group& part) {
+      if (node.forget_features) part.features = {};
+      if (!names) return;
+      for (RegionAttributes& region : part.regions) set_attributes(node, region);
+    });
   }
   if (node.dominance) group.dominance = *node.dominance;
 }
@@ -229,14 +212,31 @@ void apply_attributes(const Complex& complex, const Node& node, Components& comp
 
 }  // namespace
 
-Outcome operate(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
-                std::span<const std::string> names, bool validate) {
+void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
+                   const std::function<void(const BooleanStep&)>& see) {
+  fold(complex, node, operands, false, see);
+}
+
+Topological topological(Operator op) {
+  switch (op) {
+    case Operator::interior:
+      return Topological::interior;
+    case Operator::closure:
+      return Topological::closure;
+    case Operator::boundary:
+      return Topological::boundary;
+    default:
+      return Topological::regularize;
+  }
+}
+
+Outcome operate(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate) {
   Outcome outcome;
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:
     case Operator::subtract:
-      outcome = fold(complex, node, operands, names, validate);
+      outcome = fold(complex, node, operands, validate);
       break;
     case Operator::sum:
     case Operator::product:
@@ -244,23 +244,24 @@ Outcome operate(const Complex& complex, const Node& node, std::span<const NodeVa
       outcome = fold_components(complex, node, operands, validate);
       break;
     case Operator::aggregate:
-      outcome = aggregate_all(complex, node, operands, names);
+      outcome = aggregate_all(complex, operands);
       break;
     case Operator::unify:
-      outcome = of_components(unify(complex, components_of(complex, *operands[0])));
+      outcome = of_components(unify(complex, components_of(complex, *operands[0].value)));
       name_after(node, outcome);
       break;
     case Operator::complement:
-      outcome = complement_of(complex, node, *operands[0], validate);
+      outcome = complement_of(complex, node, *operands[0].value, validate);
       break;
     case Operator::interior:
     case Operator::closure:
     case Operator::boundary:
     case Operator::regularize:
-      outcome = topology_of(complex, node, *operands[0], validate);
+      outcome = topology_of(complex, node, *operands[0].value, validate);
       break;
     case Operator::simplify:
-      outcome.value = *operands[0];
+      if (operands[0].value->is_group()) outcome.value = operands[0].value->parts();
+      else outcome.value = operands[0].value->components();
       break;
     case Operator::leaf:
       throw InvariantError("operate: `" + node.name + "` is a leaf");
@@ -270,13 +271,19 @@ Outcome operate(const Complex& complex, const Node& node, std::span<const NodeVa
 }
 
 void apply_attributes(const Complex& complex, const Node& node, NodeValue& value) {
-  std::visit([&](auto& held) { apply_attributes(complex, node, held); }, value.held);
+  if (value.is_group()) {
+    apply_attributes(complex, node, value.parts());
+    return;
+  }
+  apply_attributes(complex, node, value.components());
   if (!value.stands_for) return;
   if (node.regularize) {
     value.stands_for.reset();
-  } else {
-    apply_attributes(complex, node, *value.stands_for);
+    return;
   }
+  PartedGroup closed = parted(complex, std::move(*value.stands_for));
+  apply_attributes(complex, node, closed);
+  value.stands_for = whole(closed);
 }
 
 }  // namespace cnrg

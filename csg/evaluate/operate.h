@@ -1,13 +1,15 @@
 // One node: from the values of its operands to its own.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "csg/operators/node_value.h"
 #include "csg/operators/boolean.h"
+#include "csg/operators/cnrg.h"
+#include "csg/operators/node_value.h"
 #include "csg/tree/tree.h"
 
 namespace cnrg {
@@ -19,12 +21,32 @@ struct Outcome {
   std::vector<MaterialConflict> conflicts;  ///< materials that met under equal dominance; `region`: a component
 };
 
+struct Operand {
+  const NodeValue* value = nullptr;
+  std::string name;              ///< of its node, for messages
+  NodeValue* spent = nullptr;    ///< the same value where nobody needs it any more: it may be moved from
+};
+
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes. With
 /// `validate` each Boolean, complement and CNRG operator is checked against the identities of SEMANTICS 2 and 5;
 /// InvariantError names the node and the first violation. InputError when the operands do not suit the operator:
-/// the message names the operator to insert. `names` are those of the operands, for messages.
-Outcome operate(const Complex& complex, const Node& node, std::span<const NodeValue* const> operands,
-                std::span<const std::string> names, bool validate);
+/// the message names the operator to insert.
+Outcome operate(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate);
+
+/// One step of the fold ((a op b) op c) of a Boolean node, before the node's attributes.
+struct BooleanStep {
+  BooleanOp op;
+  Dominance dominance;
+  const Group &left, &right, &result;
+  std::size_t operand;  ///< the place of the right operand
+};
+
+/// Evaluates a Boolean node as `operate` does and shows every step.
+void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
+                   const std::function<void(const BooleanStep&)>& see);
+
+/// The operator of a node that is interior, closure, boundary or regularize.
+Topological topological(Operator op);
 
 /// The attributes of a node on its value: regularize, simplify, material, name, dominance.
 void apply_attributes(const Complex& complex, const Node& node, NodeValue& value);

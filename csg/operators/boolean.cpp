@@ -317,14 +317,6 @@ void keep_walls(const Complex& complex, const Group& g, Group& out) {
   out.dominance = g.dominance;
 }
 
-struct Roles {
-  bool swapped, dominant;
-};
-Roles roles(BooleanOp op, Dominance dominance) {
-  if (op == BooleanOp::subtract) return {false, true};
-  return {dominance == Dominance::right, dominance != Dominance::equal};
-}
-
 template <class IdT>
 Verdict judge(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left, const Group& right,
               const Group& result, IdT cell, int dimension, bool bounds_kept) {
@@ -372,6 +364,11 @@ std::vector<std::pair<RegionId, std::uint32_t>> detect_regions(const Complex& co
     out.emplace_back(inside[i], n);
   }
   return out;
+}
+
+Roles roles(BooleanOp op, Dominance dominance) {
+  if (op == BooleanOp::subtract) return {false, true};
+  return {dominance == Dominance::right, dominance != Dominance::equal};
 }
 
 BooleanResult apply(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left,

@@ -28,6 +28,13 @@ struct BooleanResult {
   std::vector<MaterialConflict> conflicts;
 };
 
+/// Which operand is A in the rows, and whether it is dominant there.
+struct Roles {
+  bool swapped;   ///< A is the right operand
+  bool dominant;  ///< the rows of A > B, and those of the difference
+};
+Roles roles(BooleanOp op, Dominance dominance);
+
 /// A op B. `dominance` names the dominant operand; for union and intersection the operands swap roles when it
 /// is the right one, so that A in a row id is the dominant operand. The difference ignores it.
 /// The result takes the larger dominance number. Attributes of regions: SEMANTICS 4, end; with equal dominance
@@ -49,6 +56,7 @@ struct Verdict {
   bool bounds_kept = false;      ///< kept since it bounds a kept face or edge; the row was not asked
   bool removed = false;
   const TableRow* row = nullptr; ///< the row of its relation
+  friend bool operator==(const Verdict&, const Verdict&) = default;
 };
 Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& a, const Group& b,
                 const Group& result, FaceId f);

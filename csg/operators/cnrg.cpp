@@ -85,20 +85,26 @@ std::string words_of(const Complex& complex, const CellSet& set) {
   return count + ", among them the vertex at " + text_of(complex.points.rational(set.vertices[0]));
 }
 
-// Numbers keys of components in their order, and gives each its attributes.
+// Numbers keys of components in their order. Neighbouring cells mostly have one key: the last one is remembered.
 template <class Key>
 class Numbering {
  public:
-  void see(const Key& key) { numbers_.emplace(key, 0); }
+  void see(const Key& key) {
+    if (last_ == numbers_.end() || last_->first != key) last_ = numbers_.try_emplace(key, 0).first;
+  }
   void number() {
     Component next = 0;
     for (auto& [key, number] : numbers_) number = ++next;
   }
-  Component operator[](const Key& key) const { return numbers_.at(key); }
+  Component operator[](const Key& key) {
+    if (last_ == numbers_.end() || last_->first != key) last_ = numbers_.find(key);
+    return last_->second;
+  }
   const std::map<Key, Component>& all() const { return numbers_; }
 
  private:
   std::map<Key, Component> numbers_;
+  typename std::map<Key, Component>::iterator last_ = numbers_.end();
 };
 
 // Sets the leaves of each component from the origins of its cells.
@@ -185,7 +191,7 @@ class Overlay {
   }
 
   template <class IdT>
-  void assign(const Pairs<IdT>& pairs, std::vector<std::pair<IdT, Component>>& list) const {
+  void assign(const Pairs<IdT>& pairs, std::vector<std::pair<IdT, Component>>& list) {
     list.reserve(pairs.size());
     for (const auto& [id, pair] : pairs) list.emplace_back(id, numbering_[key_of(pair)]);
   }

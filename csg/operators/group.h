@@ -17,9 +17,9 @@ namespace cnrg {
 
 /// What people say of a region; combined by dominance.
 struct RegionAttributes {
-  std::string name;                ///< may be empty
-  std::string material;            ///< empty: none
-  std::vector<LeafId> leaves;      ///< provenance: leaves with a region there, ascending
+  std::string name{};              ///< may be empty
+  std::string material{};          ///< empty: none
+  std::vector<LeafId> leaves{};    ///< provenance: leaves with a region there, ascending
 };
 
 struct Group {

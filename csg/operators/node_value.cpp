@@ -4,18 +4,39 @@
 
 namespace cnrg {
 
-const Group& NodeValue::group() const {
+const PartedGroup& NodeValue::parts() const {
   require(is_group(), "a group was asked of a value of components");
-  return std::get<Group>(held);
+  return std::get<PartedGroup>(held_);
+}
+
+PartedGroup& NodeValue::parts() {
+  require(is_group(), "a group was asked of a value of components");
+  whole_ = std::make_unique<Whole>();  // what was made of the parts may not be what they become
+  return std::get<PartedGroup>(held_);
+}
+
+const Group& NodeValue::group() const {
+  const PartedGroup& value = parts();
+  if (value.parts.size() == 1 && value.parts[0]->group().dominance == value.dominance) {
+    return value.parts[0]->group();
+  }
+  std::call_once(whole_->once, [&] { whole_->group = whole(value); });
+  return *whole_->group;
 }
 
 const Components& NodeValue::components() const {
   require(!is_group(), "components were asked of a group");
-  return std::get<Components>(held);
+  return std::get<Components>(held_);
+}
+
+Components& NodeValue::components() {
+  require(!is_group(), "components were asked of a group");
+  return std::get<Components>(held_);
 }
 
 const Features& NodeValue::features() const {
-  return is_group() ? group().features : components().features;
+  static const Features none;
+  return is_group() ? group().features : none;
 }
 
 const Origins& NodeValue::origins() const {
@@ -31,6 +52,12 @@ const RegionAttributes& NodeValue::attributes(Component i) const {
   static const RegionAttributes entities{kEntitiesName, "", {}};
   if (!is_group()) return components().attributes.at(i - 1);
   return i <= group().regions.size() ? group().regions[i - 1] : entities;
+}
+
+std::vector<RegionAttributes> NodeValue::attributes() const {
+  std::vector<RegionAttributes> out;
+  for (Component i = 1; i <= component_count(); ++i) out.push_back(attributes(i));
+  return out;
 }
 
 Selection selection_of(const Complex& complex, const NodeValue& value) {

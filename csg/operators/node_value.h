@@ -6,32 +6,53 @@
 // surface minus the complement of a box).
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "csg/operators/components.h"
+#include "csg/operators/parts.h"
 
 namespace cnrg {
 
-struct NodeValue {
-  std::variant<Group, Components> held;
-  std::optional<Group> stands_for;  ///< the closed complement, of the complement of a group
+class NodeValue {
+ public:
+  NodeValue() : NodeValue(PartedGroup()) {}
+  NodeValue(PartedGroup group) : held_(std::move(group)), whole_(std::make_unique<Whole>()) {}
+  NodeValue(const Complex& complex, Group group) : NodeValue(parted(complex, std::move(group))) {}
+  NodeValue(Components components) : held_(std::move(components)) {}
 
-  NodeValue() = default;
-  NodeValue(Group group) : held(std::move(group)) {}
-  NodeValue(Components components) : held(std::move(components)) {}
-
-  bool is_group() const { return std::holds_alternative<Group>(held); }
-  /// Throw InvariantError when the value is of the other family.
+  bool is_group() const { return std::holds_alternative<PartedGroup>(held_); }
+  /// These throw InvariantError when the value is of the other family. The parts are what operators work on; the
+  /// group as a whole is made when it is first asked for (thread-safe).
+  const PartedGroup& parts() const;
   const Group& group() const;
   const Components& components() const;
+  PartedGroup& parts();
+  Components& components();
 
+  std::optional<Group> stands_for;  ///< the closed complement, of the complement of a group
+
+  /// What `simplify` keeps: the features of a group. The state of a cell of components is its component alone
+  /// (SEMANTICS 6).
   const Features& features() const;
   const Origins& origins() const;
   /// How many components: the regions of a group and, if it has any, its entities as the last.
   std::size_t component_count() const;
   /// Name, material and leaves of component i from 1. The entities of a group are `entities`.
   const RegionAttributes& attributes(Component i) const;
+  /// Those of all components; of component i at i - 1.
+  std::vector<RegionAttributes> attributes() const;
+
+ private:
+  struct Whole {
+    std::once_flag once;
+    std::optional<Group> group;
+  };
+  std::variant<PartedGroup, Components> held_;
+  mutable std::unique_ptr<Whole> whole_;
 };
 
 Selection selection_of(const Complex& complex, const NodeValue& value);

@@ -16,7 +16,7 @@ struct LeafInfo {
 
 /// One node of an evaluated tree, as writers see it.
 struct ResultView {
-  std::string node;                       ///< name of the node
+  std::string node{};                     ///< name of the node
   const Complex* complex = nullptr;
   const NodeValue* value = nullptr;
   const SimplifiedComplex* simplified = nullptr;
@@ -24,9 +24,9 @@ struct ResultView {
   struct Material {
     std::string name, color;
   };
-  std::vector<Material> materials;
+  std::vector<Material> materials{};
   /// The leaves below the node, ascending; provenance names no others. Empty: all leaves.
-  std::vector<LeafId> sources;
+  std::vector<LeafId> sources{};
 };
 
 /// What rounding to doubles did to a written file.

@@ -208,7 +208,7 @@ void ComplexBuilder::join_shells() {
     const auto uses = std::as_const(c_.edge_uses)[e];
     for (std::size_t i = 0; i < uses.size(); ++i) {
       const FaceUse &x = uses[i], &y = uses[i + 1 < uses.size() ? i + 1 : 0];
-      shells_.unite(HalfFace(x.face, x.half_edge.direction()).code(), HalfFace(y.face, 1 - y.half_edge.direction()).code());
+      shells_.unite(x.after().code(), y.before().code());
     }
   }
   space_ = UnionFind(infinity_ + 1);

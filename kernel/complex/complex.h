@@ -38,6 +38,9 @@ struct Label {
 struct FaceUse {
   FaceId face;
   HalfEdge half_edge;
+  /// The side of the face that looks into the wedge before the face in radial order, and into that after it.
+  HalfFace before() const { return {face, 1 - half_edge.direction()}; }
+  HalfFace after() const { return {face, half_edge.direction()}; }
   friend auto operator<=>(const FaceUse&, const FaceUse&) = default;
 };
 

@@ -135,8 +135,7 @@ class Validator {
       const auto uses = c_.edge_uses[e];
       for (std::size_t i = 0; i < uses.size(); ++i) {
         const FaceUse &x = uses[i], &y = uses[i + 1 < uses.size() ? i + 1 : 0];
-        if (c_.region(HalfFace(x.face, x.half_edge.direction())) !=
-            c_.region(HalfFace(y.face, 1 - y.half_edge.direction()))) {
+        if (c_.region(x.after()) != c_.region(y.before())) {
           fail(name("e", e.value()) + ": two regions between neighbours in radial order");
         }
       }
@@ -233,8 +232,8 @@ class Validator {
       const auto uses = c_.edge_uses[e];
       for (std::size_t i = 0; i < uses.size(); ++i) {
         const FaceUse &x = uses[i], &y = uses[i + 1 < uses.size() ? i + 1 : 0];
-        const std::uint32_t hx = HalfFace(x.face, x.half_edge.direction()).code();
-        const std::uint32_t hy = HalfFace(y.face, 1 - y.half_edge.direction()).code();
+        const std::uint32_t hx = x.after().code();
+        const std::uint32_t hy = y.before().code();
         shell.unite(hx, hy);
         const auto corner = [&](const FaceUse& u, std::uint32_t half, VertexId v) {
           const std::uint32_t at = place[{u.face, u.half_edge}];

@@ -1,25 +1,18 @@
-// Euler-Poincare for closed sets of cells, each term counted on its own where incidence can tell it.
+// Euler-Poincare for closed sets of cells, each term counted on its own.
 //
-// Handles of a volume. Push its boundary a little into it: a closed surface, one piece per cavity and one outside.
-// Its Euler characteristic is summed over what it is pushed from: each half-face (1 - rings), each sector between
-// two half-faces around an edge (-1), a wire (0), and at each vertex the pieces of the volume's neighbourhood
-// there, seen on a small sphere: a piece with k boundary circles counts 2 - k. Circles are found by following
-// half-faces around the vertex. Where the faces at a vertex fall into several connected parts, their circles bound
-// common pieces; that is told when one region only lies between these parts.
+// Handles of a volume. Push its boundary a little into it: a closed surface, one piece per cavity and one outside,
+// whose Euler characteristic is summed over what it is pushed from (`inner_surfaces`).
 #include <algorithm>
 #include <iterator>
-#include <map>
-#include <set>
 
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
+#include "kernel/selection/homology.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {
 namespace {
-
-using Use = std::uint32_t;  // index into Complex::edge_uses.values()
 
 long rings(const Complex& complex, FaceId f) {
   return static_cast<long>(complex.face_loops[f].size() - 1 + complex.face_vertices[f].size());
@@ -99,126 +92,6 @@ long boundary_pieces(const Complex& complex, RegionId r) {
   return count_pieces(complex, closure(complex, boundary));
 }
 
-// The surfaces just inside of regions: their Euler characteristics.
-class InnerSurfaces {
- public:
-  explicit InnerSurfaces(const Complex& complex)
-      : complex_(complex), next_(complex.edge_uses.value_count()), previous_(next_.size()) {
-    for (FaceId f : IdRange<FaceId>(complex.face_count())) {
-      for (LoopId l : complex.face_loops[f]) {
-        const auto loop = complex.loop[l];
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-          const Use u = find(f, loop[i]), w = find(f, loop[(i + 1) % loop.size()]);
-          next_[u] = w;
-          previous_[w] = u;
-        }
-      }
-    }
-  }
-
-  /// The characteristics of the regions' surfaces by region, or false where incidence does not tell.
-  bool characteristics(const std::vector<RegionId>& regions, std::vector<long>& out) const {
-    Scratch<RegionId, std::uint32_t> place(complex_.region_count);  // 1 + index
-    for (std::size_t i = 0; i < regions.size(); ++i) place[regions[i]] = static_cast<std::uint32_t>(i + 1);
-    out.assign(regions.size(), 0);
-    const auto add = [&](RegionId r, long value) {
-      if (place[r] != 0) out[place[r] - 1] += value;
-    };
-    for (FaceId f : IdRange<FaceId>(complex_.face_count())) {
-      for (RegionId r : complex_.face_regions[f]) add(r, 1 - rings(complex_, f));
-    }
-    for (Use u = 0; u < next_.size(); ++u) add(region(u, ahead(u)), -1);
-    bool told = true;
-    std::map<RegionId, long> pieces;
-    for (VertexId v : complex_.vertices) {
-      pieces.clear();
-      const bool clear = at_vertex(v, pieces);
-      for (const auto& [r, value] : pieces) {
-        if (place[r] == 0) continue;
-        told = told && clear;
-        add(r, value);
-      }
-    }
-    return told;
-  }
-
- private:
-  const FaceUse& use(Use u) const { return complex_.edge_uses.values()[u]; }
-  RegionId region(Use u, unsigned side) const { return complex_.face_regions[use(u).face][side]; }
-  /// The side of the use's face that looks counter-clockwise around its edge.
-  unsigned ahead(Use u) const { return use(u).half_edge.direction(); }
-
-  Use find(FaceId f, HalfEdge h) const {
-    const Use first = complex_.edge_uses.offsets()[h.edge().index()];
-    const Use end = complex_.edge_uses.offsets()[h.edge().index() + 1];
-    for (Use u = first; u != end; ++u) {
-      if (use(u) == FaceUse{f, h}) return u;
-    }
-    throw InvariantError("euler: a loop passes an edge that does not know its face");
-  }
-
-  // The sum of 2 - k over the pieces at v, by region.
-  bool at_vertex(VertexId v, std::map<RegionId, long>& out) const {
-    std::vector<Use> uses;
-    const auto edges = complex_.vertex_edges[v];
-    std::vector<std::uint32_t> part_of_use;
-    for (std::uint32_t i = 0; i < edges.size(); ++i) {
-      for (Use u = complex_.edge_uses.offsets()[edges[i].index()];
-           u != complex_.edge_uses.offsets()[edges[i].index() + 1]; ++u) {
-        uses.push_back(u);
-        part_of_use.push_back(i);
-      }
-    }
-    const auto place = [&](Use u) {
-      return static_cast<std::uint32_t>(std::lower_bound(uses.begin(), uses.end(), u) - uses.begin());
-    };
-    UnionFind parts(edges.size()), circles(uses.size() * 2);
-    for (std::uint32_t i = 0; i < uses.size(); ++i) {
-      const Use other = complex_.target(use(uses[i]).half_edge) == v ? next_[uses[i]] : previous_[uses[i]];
-      const std::uint32_t j = place(other);
-      parts.unite(part_of_use[i], part_of_use[j]);
-      for (unsigned side : {0u, 1u}) circles.unite(2 * i + side, 2 * j + side);
-      // The use that follows around the same edge.
-      const std::size_t e = edges[part_of_use[i]].index();
-      const Use first = complex_.edge_uses.offsets()[e], end = complex_.edge_uses.offsets()[e + 1];
-      const Use after = uses[i] + 1 == end ? first : uses[i] + 1;
-      circles.unite(2 * i + ahead(uses[i]), 2 * place(after) + 1 - ahead(after));
-    }
-    // (region, part) of each circle.
-    std::vector<std::pair<RegionId, std::uint32_t>> found;
-    for (std::uint32_t code = 0; code < circles.size(); ++code) {
-      if (circles.find(code) != code) continue;
-      found.emplace_back(region(uses[code / 2], code & 1), parts.find(part_of_use[code / 2]));
-    }
-    std::uint32_t part_count = 0;
-    for (std::uint32_t i = 0; i < edges.size(); ++i) {
-      part_count += parts.find(i) == i;
-      if (complex_.edge_uses[edges[i]].empty()) found.emplace_back(complex_.some_region(edges[i]), i);
-    }
-    auto part = static_cast<std::uint32_t>(edges.size());
-    for (FaceId f : complex_.vertex_faces[v]) {
-      for (RegionId r : complex_.face_regions[f]) found.emplace_back(r, part);
-      ++part, ++part_count;
-    }
-    if (part_count == 0) {
-      out[complex_.some_region(v)] = 2;
-      return true;
-    }
-    for (const auto& [r, p] : found) out[r] += 1;
-    if (part_count == 1) return true;
-    // The pieces between parts: a tree of parts, so that part_count - 1 circles are not the first of their piece.
-    std::map<RegionId, std::set<std::uint32_t>> between;
-    for (const auto& [r, p] : found) between[r].insert(p);
-    std::erase_if(between, [](const auto& entry) { return entry.second.size() < 2; });
-    if (between.size() != 1) return false;
-    out[between.begin()->first] -= 2 * static_cast<long>(part_count - 1);
-    return true;
-  }
-
-  const Complex& complex_;
-  std::vector<Use> next_, previous_;
-};
-
 // d d over the integers: loops closed, each edge met by the half-faces of a region as often either way.
 std::string check_boundaries(const Complex& complex, const CellSet& set) {
   for (FaceId f : set.faces) {
@@ -291,7 +164,7 @@ std::size_t count_cycles(const Complex& complex, const std::vector<FaceId>& face
 
 }  // namespace
 
-std::optional<EulerTerms> euler_terms(const Complex& complex, const CellSet& set) {
+EulerTerms euler_terms(const Complex& complex, const CellSet& set) {
   EulerTerms t;
   t.v = static_cast<long>(set.vertices.size());
   t.e = static_cast<long>(set.edges.size());
@@ -301,8 +174,8 @@ std::optional<EulerTerms> euler_terms(const Complex& complex, const CellSet& set
   t.pieces = count_pieces(complex, set);
   t.cavities = count_cavities(complex, set);
   if (!set.regions.empty()) {
-    std::vector<long> characteristic;
-    if (!InnerSurfaces(complex).characteristics(set.regions, characteristic)) return std::nullopt;
+    Neighbourhoods neighbourhoods(complex);
+    const std::vector<long> characteristic = inner_surfaces(complex, set.regions, neighbourhoods);
     for (std::size_t i = 0; i < set.regions.size(); ++i) {
       const long surfaces = boundary_pieces(complex, set.regions[i]);
       t.volume_cavities += surfaces - 1;
@@ -319,7 +192,7 @@ std::string check_euler(const Complex& complex, const CellSet& set, std::size_t 
   if (!out.empty()) return out;
   // The walls alone: every term is counted on its own, up to the cycles of faces.
   const CellSet walls{set.vertices, set.edges, set.faces, {}};
-  const EulerTerms flat = *euler_terms(complex, walls);
+  const EulerTerms flat = euler_terms(complex, walls);
   if (flat.holes < 0) return "the walls have " + std::to_string(flat.holes) + " holes";
   if (set.faces.size() <= max_faces) {
     const auto cycles = static_cast<long>(count_cycles(complex, set.faces));
@@ -328,12 +201,11 @@ std::string check_euler(const Complex& complex, const CellSet& set, std::size_t 
              std::to_string(flat.cavities) + " cavities";
     }
   }
-  const auto full = euler_terms(complex, set);
-  if (!full) return "";
+  const EulerTerms full = euler_terms(complex, set);
   // Filling volumes closes holes of the walls, at most one per handle.
-  if (full->volume_holes < 0) return "volumes with a negative number of handles";
-  if (full->holes < 0 || full->holes > flat.holes || full->holes < flat.holes - full->volume_holes) {
-    return "the volumes leave " + std::to_string(full->holes) + " holes of " + std::to_string(flat.holes);
+  if (full.volume_holes < 0) return "volumes with a negative number of handles";
+  if (full.holes < 0 || full.holes > flat.holes || full.holes < flat.holes - full.volume_holes) {
+    return "the volumes leave " + std::to_string(full.holes) + " holes of " + std::to_string(flat.holes);
   }
   return "";
 }

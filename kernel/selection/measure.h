@@ -41,9 +41,8 @@ struct EulerTerms {
 
 /// The terms of a closed set of bounded cells (closed: `closure(set) == set`). Pieces and cavities are counted by
 /// incidence in the set and in its complement, handles and cavities of each volume on its boundary; Ch follows
-/// from the formula. Nothing when the handles can not be told by incidence: several shells of several regions
-/// meet in one vertex and nowhere else.
-std::optional<EulerTerms> euler_terms(const Complex& complex, const CellSet& set);
+/// from the formula.
+EulerTerms euler_terms(const Complex& complex, const CellSet& set);
 
 /// Checks a set of bounded cells: it is closed; d d = 0 over its faces and volumes; Ch is possible; the cycles of
 /// its faces (the kernel of d over Z/2, by elimination) are as many as the cavities that they enclose. The

@@ -9,42 +9,42 @@
 #include <algorithm>
 
 #include "kernel/base/error.h"
+#include "kernel/base/union_find.h"
 #include "kernel/selection/curve.h"
 
 namespace cnrg {
 
-std::pair<std::uint32_t, bool> OrientedSets::find(std::uint32_t x) {
-  std::uint32_t root = x;
+std::pair<FaceId, bool> OrientedSets::find(FaceId x) {
+  FaceId root = x;
   bool flip = false;
-  while (parent_[root].first != root) {
-    flip ^= parent_[root].second;
-    root = parent_[root].first;
+  while (links_[root].parent != 0) {
+    flip ^= links_[root].flip;
+    root = FaceId(links_[root].parent - 1);
   }
   bool rest = flip;
-  while (parent_[x].first != root && x != root) {
-    const auto [up, up_flip] = parent_[x];
-    parent_[x] = {root, rest};
-    rest ^= up_flip;
-    x = up;
+  while (x != root) {
+    const Link up = links_[x];
+    links_[x] = {root.value() + 1, rest};
+    rest ^= up.flip;
+    x = FaceId(up.parent - 1);
   }
   return {root, flip};
 }
 
-bool OrientedSets::unite(std::uint32_t a, std::uint32_t b, bool flip) {
+bool OrientedSets::unite(FaceId a, FaceId b, bool flip) {
   const auto [root_a, flip_a] = find(a);
   const auto [root_b, flip_b] = find(b);
   const bool turned = flip_a ^ flip_b ^ flip;
   if (root_a == root_b) return !turned;
-  if (root_a < root_b) parent_[root_b] = {root_a, turned};
-  else parent_[root_a] = {root_b, turned};
+  if (root_a < root_b) links_[root_b] = {root_a.value() + 1, turned};
+  else links_[root_a] = {root_b.value() + 1, turned};
   return true;
 }
 
 Merging::Merging(const Complex& complex, const Selection& selection, const Features& features, SimplifyMode mode)
     : complex_(complex), mode_(mode), vertex_state_(complex.points.size()), edge_state_(complex.edge_count()),
-      face_state_(complex.face_count()), region_state_(complex.region_count),
-      face_fate_(complex.face_count(), Fate::kept), edge_fate_(complex.edge_count(), Fate::kept),
-      vertex_fate_(complex.points.size(), Fate::kept), vertex_host_(complex.points.size()),
+      face_state_(complex.face_count()), region_state_(complex.region_count), face_fate_(complex.face_count()),
+      edge_fate_(complex.edge_count()), vertex_fate_(complex.points.size()), vertex_host_(complex.points.size()),
       regions_(complex.region_count), faces_(complex.face_count()), next_(complex.edge_uses.value_count()),
       previous_(complex.edge_uses.value_count()) {
   for (const auto& [v, c] : selection.vertices) vertex_state_[v] = c;
@@ -53,29 +53,72 @@ Merging::Merging(const Complex& complex, const Selection& selection, const Featu
   for (const auto& [r, c] : selection.regions) region_state_[r] = c;
   static const Features none;
   const Features& kept = mode == SimplifyMode::points ? none : features;
+  collect_domain(selection, kept);
   decide_faces();
   link_loops();
   decide_edges(kept.edges);
   decide_vertices(kept.vertices);
 }
 
-void Merging::decide_faces() {
-  for (FaceId f : IdRange<FaceId>(complex_.face_count())) {
-    if (complex_.on_frame(f)) {
-      face_fate_[f] = Fate::hidden;
-      continue;
+// The closure, with a mark per cell so that each is listed once. Cells on the frame are never active.
+void Merging::collect_domain(const Selection& selection, const Features& features) {
+  Marks<VertexId> vertices(complex_.points.size());
+  Marks<EdgeId> edges(complex_.edge_count());
+  Marks<FaceId> faces(complex_.face_count());
+  const auto add_to = [&](auto& list, auto& marks) {
+    return [&](auto id) {
+      if (marks[id]) return;
+      marks[id] = 1;
+      if (!complex_.on_frame(id)) list.push_back(id);
+    };
+  };
+  const auto add_vertex = add_to(domain_.vertices, vertices);
+  const auto add_edge = add_to(domain_.edges, edges);
+  const auto add_face = add_to(domain_.faces, faces);
+  for (const auto& [v, c] : selection.vertices) add_vertex(v);
+  for (VertexId v : features.vertices) add_vertex(v);
+  for (const auto& [e, c] : selection.edges) add_edge(e);
+  for (EdgeId e : features.edges) add_edge(e);
+  for (const auto& [f, c] : selection.faces) add_face(f);
+  for (const auto& [r, c] : selection.regions) {
+    domain_.regions.push_back(r);
+    for (HalfFace h : complex_.region_faces[r]) add_face(h.face());
+    for (EdgeId e : complex_.region_wires[r]) add_edge(e);
+    for (VertexId v : complex_.region_vertices[r]) add_vertex(v);
+  }
+  for (FaceId f : domain_.faces) {
+    for (LoopId l : complex_.face_loops[f]) {
+      for (HalfEdge h : complex_.loop[l]) add_edge(h.edge());
     }
+    for (VertexId v : complex_.face_vertices[f]) add_vertex(v);
+  }
+  for (EdgeId e : domain_.edges) {
+    for (VertexId v : complex_.edge_ends[e]) add_vertex(v);
+  }
+  std::sort(domain_.vertices.begin(), domain_.vertices.end());
+  std::sort(domain_.edges.begin(), domain_.edges.end());
+  std::sort(domain_.faces.begin(), domain_.faces.end());
+}
+
+void Merging::decide_faces() {
+  for (FaceId f : domain_.faces) {
     const auto& [front, back] = complex_.face_regions[f];
     const Component s = state(f);
-    if (s != state(front) || s != state(back) || !mergeable(s)) continue;
-    face_fate_[f] = Fate::in_region;
-    regions_.unite(front.value(), back.value());
+    if (s != state(front) || s != state(back) || !mergeable(s)) face_fate_[f] = Fate::kept;
+    else regions_.unite(front, back);
+  }
+}
+
+void Merging::merge_inactive_regions() {
+  for (FaceId f : IdRange<FaceId>(complex_.face_count())) {
+    const auto& [front, back] = complex_.face_regions[f];
+    if (fate(f) == Fate::in_region) regions_.unite(front, back);
   }
 }
 
 // The order of the uses of each remaining face along its loops.
 void Merging::link_loops() {
-  for (FaceId f : IdRange<FaceId>(complex_.face_count())) {
+  for (FaceId f : domain_.faces) {
     if (fate(f) != Fate::kept) continue;
     for (LoopId l : complex_.face_loops[f]) {
       const auto find_use = [&](HalfEdge h) {
@@ -101,13 +144,10 @@ void Merging::link_loops() {
 
 void Merging::decide_edges(const std::vector<EdgeId>& features) {
   auto feature = features.begin();
-  for (EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+  for (EdgeId e : domain_.edges) {
     while (feature != features.end() && *feature < e) ++feature;
-    if (complex_.on_frame(e)) {
-      edge_fate_[e] = Fate::hidden;
-    } else if ((feature == features.end() || *feature != e) && mergeable(state(e))) {
-      edge_fate_[e] = decide(e);
-    }
+    const bool free = (feature == features.end() || *feature != e) && mergeable(state(e));
+    edge_fate_[e] = free ? decide(e) : Fate::kept;
   }
 }
 
@@ -120,14 +160,14 @@ Merging::Fate Merging::decide(EdgeId e) {
     if (n == 2) return Fate::kept;
     pair[n++] = u;
   }
-  if (n == 0) return s == state(region(complex_.some_region(e))) ? Fate::in_region : Fate::kept;
+  if (n == 0) return s == state(complex_.some_region(e)) ? Fate::in_region : Fate::kept;
   if (n == 1) return Fate::kept;
   const auto& [f, hf] = use(pair[0]);
   const auto& [g, hg] = use(pair[1]);
   if (s != state(f) || s != state(g)) return Fate::kept;
   const bool coplanar = complex_.face_sheet[f] == complex_.face_sheet[g];
   if (!coplanar && (mode_ == SimplifyMode::points || !share_patch(complex_, f, g))) return Fate::kept;
-  return faces_.unite(f.value(), g.value(), hf == hg) ? Fate::in_face : Fate::kept;
+  return faces_.unite(f, g, hf == hg) ? Fate::in_face : Fate::kept;
 }
 
 Merging::Use Merging::neighbour(Use u, VertexId v) const {
@@ -188,13 +228,10 @@ void Merging::isolating_faces(VertexId v, std::vector<FaceId>& out) {
 
 void Merging::decide_vertices(const std::vector<VertexId>& features) {
   auto feature = features.begin();
-  for (VertexId v : complex_.vertices) {
+  for (VertexId v : domain_.vertices) {
     while (feature != features.end() && *feature < v) ++feature;
-    if (complex_.on_frame(v)) {
-      vertex_fate_[v] = Fate::hidden;
-    } else if ((feature == features.end() || *feature != v) && mergeable(state(v))) {
-      vertex_fate_[v] = decide(v);
-    }
+    const bool free = (feature == features.end() || *feature != v) && mergeable(state(v));
+    vertex_fate_[v] = free ? decide(v) : Fate::kept;
   }
 }
 
@@ -211,7 +248,7 @@ Merging::Fate Merging::decide(VertexId v) {
   if (n == 2 && (s != state(pair[0]) || s != state(pair[1]))) return Fate::kept;
   isolating_faces(v, around_);
   if (n == 2) return around_.empty() && continues(v, pair[0], pair[1]) ? Fate::in_edge : Fate::kept;
-  if (around_.empty()) return s == state(region(complex_.some_region(v))) ? Fate::in_region : Fate::kept;
+  if (around_.empty()) return s == state(complex_.some_region(v)) ? Fate::in_region : Fate::kept;
   if (around_.size() > 1 || s != state(around_[0])) return Fate::kept;
   vertex_host_[v] = around_[0];
   return Fate::in_face;

@@ -1,5 +1,10 @@
 // Which cells of a selection merge into which: the decisions of `simplify`.
 //
+// Only the *domain* is looked at: the closure of the active cells and of the features. Every other cell is
+// inactive with an inactive star in which nothing is kept, so it lies in the interior of a merged inactive region
+// (or on the frame), whatever happens elsewhere. The cost is that of the domain and its incidences: an inactive
+// region may bound a whole complex.
+//
 // Notation: the *state* of a cell is its component. Faces are decided first, then edges, then vertices; a face
 // that stays *remains*, an edge or vertex that is not in the interior of something larger is *kept*.
 // A *use* is an entry of Complex::edge_uses: one face along one half-edge of its loops. `next` and `previous`
@@ -10,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/union_find.h"
 #include "kernel/selection/scratch.h"
 #include "kernel/selection/simplify.h"
 
@@ -19,47 +23,50 @@ namespace cnrg {
 /// Disjoint sets of faces, each member with or against the orientation of the smallest one.
 class OrientedSets {
  public:
-  explicit OrientedSets(std::size_t n) : parent_(n) {
-    for (std::size_t i = 0; i < n; ++i) parent_[i] = {static_cast<std::uint32_t>(i), false};
-  }
+  explicit OrientedSets(std::size_t n) : links_(n) {}
   /// The smallest member of the set of x, and whether x is oriented against it.
-  std::pair<std::uint32_t, bool> find(std::uint32_t x);
+  std::pair<FaceId, bool> find(FaceId x);
   /// Joins the sets of a and b, `flip`: a and b are oriented against each other. False if they are in one set
   /// already with the other orientation (the union would not be orientable).
-  bool unite(std::uint32_t a, std::uint32_t b, bool flip);
+  bool unite(FaceId a, FaceId b, bool flip);
 
  private:
-  std::vector<std::pair<std::uint32_t, bool>> parent_;
+  struct Link {
+    std::uint32_t parent;  // 1 + the parent; 0: none
+    bool flip;
+  };
+  Scratch<FaceId, Link> links_;
 };
 
 class Merging {
  public:
   enum class Fate : std::uint8_t {
-    kept,       ///< a cell of the result
-    in_edge,    ///< in the interior of a chain of edges
+    in_region,  ///< in the interior of a merged region; so are all cells off the domain
     in_face,    ///< in the interior of a merged face
-    in_region,  ///< in the interior of a merged region
+    in_edge,    ///< in the interior of a chain of edges
+    kept,       ///< a cell of the result
     hidden,     ///< on the frame
   };
   using Use = std::uint32_t;  ///< index into Complex::edge_uses.values()
 
   Merging(const Complex& complex, const Selection& selection, const Features& features, SimplifyMode mode);
 
-  Fate fate(FaceId f) const { return face_fate_[f]; }
-  Fate fate(EdgeId e) const { return edge_fate_[e]; }
-  Fate fate(VertexId v) const { return vertex_fate_[v]; }
+  /// The closure of the active cells and the features, but for the frame.
+  const CellSet& domain() const { return domain_; }
+  Fate fate(FaceId f) const { return complex_.on_frame(f) ? Fate::hidden : face_fate_[f]; }
+  Fate fate(EdgeId e) const { return complex_.on_frame(e) ? Fate::hidden : edge_fate_[e]; }
+  Fate fate(VertexId v) const { return complex_.on_frame(v) ? Fate::hidden : vertex_fate_[v]; }
   Component state(VertexId v) const { return vertex_state_[v]; }
   Component state(EdgeId e) const { return edge_state_[e]; }
   Component state(FaceId f) const { return face_state_[f]; }
   Component state(RegionId r) const { return region_state_[r]; }
 
-  /// The smallest cell of the merged region.
-  RegionId region(RegionId r) { return RegionId(regions_.find(r.value())); }
+  /// Merges the inactive regions, too: a pass over the faces of the complex.
+  void merge_inactive_regions();
+  /// The smallest cell of the merged region; an inactive one by itself before `merge_inactive_regions`.
+  RegionId region(RegionId r) { return regions_.find(r); }
   /// The smallest face of the merged face, and whether f is oriented against it.
-  std::pair<FaceId, bool> face(FaceId f) {
-    const auto [root, flip] = faces_.find(f.value());
-    return {FaceId(root), flip};
-  }
+  std::pair<FaceId, bool> face(FaceId f) { return faces_.find(f); }
   /// A face in whose interior a vertex of fate in_face vanished.
   FaceId host(VertexId v) const { return vertex_host_[v]; }
   /// The faces in whose interior a kept vertex is isolated: merged ones by their smallest face, ascending.
@@ -76,6 +83,7 @@ class Merging {
  private:
   struct UseTag;
   bool mergeable(Component state) const { return mode_ != SimplifyMode::raw || state == 0; }
+  void collect_domain(const Selection& selection, const Features& features);
   void decide_faces();
   void link_loops();
   void decide_edges(const std::vector<EdgeId>& features);
@@ -92,11 +100,12 @@ class Merging {
   Scratch<EdgeId, Component> edge_state_;
   Scratch<FaceId, Component> face_state_;
   Scratch<RegionId, Component> region_state_;
-  IdVector<FaceId, Fate> face_fate_;
-  IdVector<EdgeId, Fate> edge_fate_;
-  IdVector<VertexId, Fate> vertex_fate_;
+  CellSet domain_;
+  Scratch<FaceId, Fate> face_fate_;
+  Scratch<EdgeId, Fate> edge_fate_;
+  Scratch<VertexId, Fate> vertex_fate_;
   Scratch<VertexId, FaceId> vertex_host_;
-  UnionFind regions_;
+  SparseSets<RegionId> regions_;
   OrientedSets faces_;
   Scratch<Id<UseTag>, Use> next_, previous_;
   std::vector<FaceId> around_;

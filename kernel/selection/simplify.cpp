@@ -22,6 +22,7 @@ class Assembly {
   Assembly(const Complex& complex, Merging& merging) : complex_(complex), merging_(merging) {}
 
   SimplifiedComplex run() {
+    merging_.merge_inactive_regions();
     list_faces();
     list_regions();
     list_vertices();
@@ -295,6 +296,35 @@ std::array<std::size_t, 4> active_counts(const SimplifiedComplex& simplified) {
         std::count_if(cells.begin(), cells.end(), [](const auto& cell) { return cell.component != 0; }));
   };
   return {count(simplified.vertices), count(simplified.edges), count(simplified.faces), count(simplified.regions)};
+}
+
+std::array<std::size_t, 4> simplified_counts(const Complex& complex, const Selection& selection,
+                                             const Features& features, SimplifyMode mode) {
+  Merging merging(complex, selection, features, mode);
+  std::array<std::size_t, 4> out{};
+  // A chain is counted at the smallest of its edges, as joined at the vertices inside of it.
+  SparseSets<EdgeId> chains(complex.edge_count());
+  for (VertexId v : merging.domain().vertices) {
+    if (merging.state(v) == 0) continue;
+    out[0] += merging.fate(v) == Fate::kept;
+    if (merging.fate(v) != Fate::in_edge) continue;
+    EdgeId before;
+    for (EdgeId e : complex.vertex_edges[v]) {
+      if (!merging.walkable(e)) continue;
+      if (before.valid()) chains.unite(before, e);
+      before = e;
+    }
+  }
+  for (EdgeId e : merging.domain().edges) {
+    out[1] += merging.fate(e) == Fate::kept && merging.state(e) != 0 && chains.find(e) == e;
+  }
+  for (FaceId f : merging.domain().faces) {
+    out[2] += merging.fate(f) == Fate::kept && merging.state(f) != 0 && merging.face(f).first == f;
+  }
+  for (RegionId r : merging.domain().regions) {
+    out[3] += merging.state(r) != 0 && !complex.outside_frame(r) && merging.region(r) == r;
+  }
+  return out;
 }
 
 }  // namespace cnrg

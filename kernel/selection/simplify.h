@@ -62,6 +62,7 @@ enum class SimplifyMode {
   raw,       ///< merge nothing but what is inactive on both sides: every active cell stays a cell
 };
 
+/// Decides at the cost of the selection; the result with its maps takes a pass over the complex.
 SimplifiedComplex simplify(const Complex& complex, const Selection& selection, const Features& features,
                            SimplifyMode mode = SimplifyMode::features);
 
@@ -73,5 +74,10 @@ Component component_of(const SimplifiedComplex& simplified, const SimplifiedComp
 
 /// Counts of active cells by dimension, 0 to 3.
 std::array<std::size_t, 4> active_counts(const SimplifiedComplex& simplified);
+
+/// `active_counts(simplify(...))`, at the cost of the active cells, the features and their closure.
+std::array<std::size_t, 4> simplified_counts(const Complex& complex, const Selection& selection,
+                                             const Features& features,
+                                             SimplifyMode mode = SimplifyMode::features);
 
 }  // namespace cnrg

@@ -92,15 +92,14 @@ TEST_CASE("terms of Euler and Poincare", "[euler]") {
   SECTION("a box") {
     const Complex complex = complex_of({box({0, 0, 0}, {1, 1, 1})});
     const auto t = euler_terms(complex, closed(complex, bounded_regions(complex)));
-    REQUIRE(t);
-    CHECK(t->volume_holes == 0);
-    CHECK(t->pieces == 1);
-    CHECK(t->holes == 0);
-    CHECK(t->cavities == 0);
+    CHECK(t.volume_holes == 0);
+    CHECK(t.pieces == 1);
+    CHECK(t.holes == 0);
+    CHECK(t.cavities == 0);
     // Its boundary alone is a sphere.
     CellSet walls = closed(complex, bounded_regions(complex));
     walls.regions.clear();
-    CHECK(euler_terms(complex, walls)->cavities == 1);
+    CHECK(euler_terms(complex, walls).cavities == 1);
     CHECK(check_euler(complex, walls) == "");
   }
   SECTION("a frame of boxes around a hole, with a cavity in one of them") {
@@ -113,15 +112,14 @@ TEST_CASE("terms of Euler and Poincare", "[euler]") {
     REQUIRE(ring.size() == 1);
     const CellSet set = closed(complex, ring);
     const auto t = euler_terms(complex, set);
-    REQUIRE(t);
-    CHECK(t->r == 2);
-    CHECK(t->volumes == 1);
-    CHECK(t->volume_holes == 1);
-    CHECK(t->volume_cavities == 1);
-    CHECK(t->pieces == 1);
-    CHECK(t->holes == 1);
-    CHECK(t->cavities == 1);
-    CHECK(t->left() == t->right());
+    CHECK(t.r == 2);
+    CHECK(t.volumes == 1);
+    CHECK(t.volume_holes == 1);
+    CHECK(t.volume_cavities == 1);
+    CHECK(t.pieces == 1);
+    CHECK(t.holes == 1);
+    CHECK(t.cavities == 1);
+    CHECK(t.left() == t.right());
     CHECK(check_euler(complex, set) == "");
     CellSet broken = set;
     broken.faces.pop_back();
@@ -135,18 +133,17 @@ TEST_CASE("terms of Euler and Poincare", "[euler]") {
     CellSet bounded = set;
     bounded.regions = bounded_regions(complex);
     const auto t = euler_terms(complex, bounded);
-    REQUIRE(t);
-    CHECK(t->pieces == 2);
-    CHECK(t->volume_cavities == 1);
-    CHECK(t->volume_holes == 1);   // around the loop
-    CHECK(t->holes == 0);          // the loop is filled by its region
-    CHECK(t->cavities == 0);
+    CHECK(t.pieces == 2);
+    CHECK(t.volume_cavities == 1);
+    CHECK(t.volume_holes == 1);   // around the loop
+    CHECK(t.holes == 0);          // the loop is filled by its region
+    CHECK(t.cavities == 0);
     CHECK(check_euler(complex, bounded) == "");
     CellSet walls = bounded;
     walls.regions.clear();
     const auto flat = euler_terms(complex, walls);
-    CHECK(flat->holes == 1);
-    CHECK(flat->cavities == 2);
+    CHECK(flat.holes == 1);
+    CHECK(flat.cavities == 2);
   }
 }
 

@@ -1,0 +1,62 @@
+// `cnrg explain`: the life of a cell, or of what holds a point.
+#include "csg/evaluate/explain.h"
+
+#include <iostream>
+
+#include "csg/app/commands.h"
+#include "csg/app/exit_status.h"
+#include "csg/app/progress_bar.h"
+
+namespace cnrg::app {
+namespace {
+
+RationalPoint parse_point(const std::string& text) {
+  RationalPoint point;
+  std::size_t begin = 0, k = 0;
+  for (; k < 3 && begin <= text.size(); ++k) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const std::optional<Rational> value = parse_rational(word);
+    if (!value)
+      throw InputError("--point: `" + word +
+                       "` is no number; write x,y,z with decimals or fractions, such as 1/3,0.5,2");
+    point[k] = *value;
+    begin = end + 1;
+  }
+  if (k < 3 || begin <= text.size()) {
+    throw InputError("--point: `" + text + "` has not three numbers; write x,y,z, such as 1/3,0.5,2");
+  }
+  return point;
+}
+
+}  // namespace
+
+int run_explain(const ExplainArguments& arguments) {
+  if (arguments.cell.empty() == arguments.point.empty()) {
+    throw InputError("give one of --cell and --point: a cell of the node, such as --cell f12, or --point x,y,z");
+  }
+  RationalPoint point;
+  if (!arguments.point.empty()) point = parse_point(arguments.point);
+  const Tree tree = read_tree(arguments.tree);
+  const NodeId node = arguments.node.empty() ? tree.result : tree.find(arguments.node);
+  EvaluateOptions options;
+  options.threads = arguments.threads;
+  options.rows = false;
+  options.keep_all = true;
+  options.nodes = {node};
+  Evaluation evaluation;
+  {
+    ProgressBar bar(false);
+    options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
+      bar.show(stage, done, total);
+    };
+    evaluation = evaluate(tree, options);
+  }
+  for (const Diagnostic& d : evaluation.diagnostics) std::cerr << d.text() << "\n";
+  const Explanation explanation = arguments.point.empty() ? explain(tree, evaluation, node, arguments.cell)
+                                                          : explain(tree, evaluation, node, point);
+  std::cout << explanation_text(tree, evaluation, explanation);
+  return kDone;
+}
+
+}  // namespace cnrg::app

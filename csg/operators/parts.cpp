@@ -1,0 +1,463 @@
+// Boxes tell which parts of the two operands may meet; sets of parts connected by such pairs are *clusters*. Per
+// cluster the parts of either side are merged into one group and go through `apply`; the rest is carried.
+#include "csg/operators/parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <tuple>
+
+#include "kernel/base/error.h"
+#include "kernel/base/union_find.h"
+#include "kernel/selection/measure.h"
+#include "kernel/selection/simplify.h"
+
+namespace cnrg {
+namespace {
+
+using Parts = std::vector<std::shared_ptr<const Part>>;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// A plane has no vertex but those on the frame, which are no entities.
+bool empty(const Group& g) {
+  return g.cells.empty() && g.faces.empty() && g.edges.empty() && g.vertices.empty();
+}
+
+bool reaches_frame(const Complex& complex, const Group& g) {
+  if (!complex.frame.valid()) return false;
+  for (FaceId f : g.faces) {
+    for (LoopId l : complex.face_loops[f]) {
+      for (HalfEdge h : complex.loop[l]) {
+        if (complex.on_frame(complex.origin(h))) return true;
+      }
+    }
+  }
+  return std::any_of(g.edges.begin(), g.edges.end(), [&](EdgeId e) {
+    const auto& ends = complex.edge_ends[e];
+    return complex.on_frame(ends[0]) || complex.on_frame(ends[1]);
+  });
+}
+
+// Entities and bounded regions lie in the hull of the vertices.
+Box box_of(const Complex& complex, const Group& g) {
+  const bool unbounded = std::any_of(g.cells.begin(), g.cells.end(),
+                                     [&](const auto& cell) { return complex.unbounded(cell.first); });
+  if (unbounded || reaches_frame(complex, g)) {
+    return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
+  }
+  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  for (VertexId v : g.vertices) {
+    const PointView p = complex.points.view(v);
+    for (int k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], p.lo[k]);
+      box.high[k] = std::max(box.high[k], p.hi[k]);
+    }
+  }
+  return box;
+}
+
+bool before(const std::shared_ptr<const Part>& a, const std::shared_ptr<const Part>& b) {
+  const auto first = []<class IdT>(const std::vector<IdT>& list) { return list.empty() ? IdT() : list.front(); };
+  const auto key = [&](const Part& part) {
+    const Group& g = part.group();
+    return std::tuple(first(part.first_cells()), first(g.vertices), first(g.edges), first(g.faces));
+  };
+  return key(*a) < key(*b);
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> order_regions(const std::vector<const Part*>& parts) {
+  std::vector<std::tuple<RegionId, std::uint32_t, std::uint32_t>> regions;
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    std::uint32_t number = 0;
+    for (RegionId cell : parts[i]->first_cells()) regions.emplace_back(cell, i, ++number);
+  }
+  if (!std::is_sorted(regions.begin(), regions.end())) std::sort(regions.begin(), regions.end());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
+  out.reserve(regions.size());
+  for (const auto& [cell, part, number] : regions) out.emplace_back(part, number);
+  return out;
+}
+
+// The merge of one list of ids over several parts: which part the next element is of. `gather` merges any list
+// that runs parallel to the ids. `list(group)` is the list of a group.
+class MergeOrder {
+ public:
+  template <class List>
+  MergeOrder(const std::vector<const Part*>& parts, List list) : parts_(parts) {
+    using Ids = std::decay_t<decltype(list(parts[0]->group()))>;
+    using Entry = std::pair<typename Ids::value_type, std::uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
+    std::vector<std::size_t> place(parts.size(), 0);
+    std::size_t size = 0;
+    const auto push = [&](std::uint32_t i) {
+      const Ids& ids = list(parts[i]->group());
+      if (place[i] < ids.size()) next.emplace(ids[place[i]], i);
+    };
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+      size += list(parts[i]->group()).size();
+      push(i);
+    }
+    order_.reserve(size);
+    while (!next.empty()) {
+      const std::uint32_t i = next.top().second;
+      next.pop();
+      order_.push_back(i);
+      ++place[i];
+      push(i);
+    }
+  }
+
+  template <class List>
+  auto gather(List list) const {
+    std::decay_t<decltype(list(parts_[0]->group()))> out;
+    out.reserve(order_.size());
+    std::vector<std::size_t> place(parts_.size(), 0);
+    for (std::uint32_t i : order_) out.push_back(list(parts_[i]->group())[place[i]++]);
+    return out;
+  }
+
+  std::uint32_t part(std::size_t i) const { return order_[i]; }
+
+ private:
+  const std::vector<const Part*>& parts_;
+  std::vector<std::uint32_t> order_;
+};
+
+template <class List>
+auto merged(const std::vector<const Part*>& parts, List list) {
+  return MergeOrder(parts, list).gather(list);
+}
+
+// One kind of entities with their origins, whose sets are each part's own.
+template <class List, class OriginList, class IdT>
+void merge_entities(const std::vector<const Part*>& parts, std::vector<LeafSetMap>& sets, List list,
+                    OriginList origins, std::vector<IdT>& out, std::vector<LeafSetId>& out_origins) {
+  const MergeOrder order(parts, list);
+  out = order.gather(list);
+  out_origins = order.gather(origins);
+  for (std::size_t i = 0; i < out.size(); ++i) out_origins[i] = sets[order.part(i)](out_origins[i]);
+}
+
+// One group of parts that share no point; two parts at least.
+Group merge(const std::vector<const Part*>& parts) {
+  Group out;
+  const auto cells = [](const Group& g) -> const auto& { return g.cells; };
+  const MergeOrder cell_order(parts, cells);
+  out.cells = cell_order.gather(cells);
+  std::vector<std::vector<std::uint32_t>> number(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) number[i].resize(parts[i]->group().regions.size());
+  for (const auto& [part, region] : order_regions(parts)) {
+    out.regions.push_back(parts[part]->group().regions[region - 1]);
+    number[part][region - 1] = static_cast<std::uint32_t>(out.regions.size());
+  }
+  for (std::size_t i = 0; i < out.cells.size(); ++i) {
+    std::uint32_t& region = out.cells[i].second;
+    region = number[cell_order.part(i)][region - 1];
+  }
+  std::vector<LeafSetMap> sets;
+  for (const Part* part : parts) sets.emplace_back(part->group().origins.sets, out.origins.sets);
+  merge_entities(
+      parts, sets, [](const Group& g) -> const auto& { return g.faces; },
+      [](const Group& g) -> const auto& { return g.origins.faces; }, out.faces, out.origins.faces);
+  merge_entities(
+      parts, sets, [](const Group& g) -> const auto& { return g.edges; },
+      [](const Group& g) -> const auto& { return g.origins.edges; }, out.edges, out.origins.edges);
+  merge_entities(
+      parts, sets, [](const Group& g) -> const auto& { return g.vertices; },
+      [](const Group& g) -> const auto& { return g.origins.vertices; }, out.vertices, out.origins.vertices);
+  out.features.edges = merged(parts, [](const Group& g) -> const auto& { return g.features.edges; });
+  out.features.vertices = merged(parts, [](const Group& g) -> const auto& { return g.features.vertices; });
+  return out;
+}
+
+// Calls `found(i, j)` for each part i of `few` and j of `many` whose boxes meet: `few` sorted along one axis, with
+// the furthest reach of all before.
+template <class Found>
+void find_meetings(const Parts& few, const Parts& many, Found found) {
+  if (few.empty()) return;
+  int axis = 0;
+  double widest = -1;
+  for (int k = 0; k < 3; ++k) {
+    double low = kInfinity, high = -kInfinity;
+    for (const auto& part : few) {
+      const double at = part->box().low[k];
+      if (!std::isfinite(at)) continue;
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    if (high - low > widest) widest = high - low, axis = k;
+  }
+  std::vector<std::pair<double, std::uint32_t>> sorted;
+  for (std::uint32_t i = 0; i < few.size(); ++i) sorted.emplace_back(few[i]->box().low[axis], i);
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> reach;
+  double furthest = -kInfinity;
+  for (const auto& [low, i] : sorted) reach.push_back(furthest = std::max(furthest, few[i]->box().high[axis]));
+  for (std::uint32_t j = 0; j < many.size(); ++j) {
+    const Box& box = many[j]->box();
+    const auto end = std::upper_bound(sorted.begin(), sorted.end(), box.high[axis],
+                                      [](double x, const auto& entry) { return x < entry.first; });
+    for (auto n = static_cast<std::size_t>(end - sorted.begin()); n-- > 0 && reach[n] >= box.low[axis];) {
+      if (few[sorted[n].second]->box().meets(box)) found(sorted[n].second, j);
+    }
+  }
+}
+
+struct Cluster {
+  std::vector<const Part*> left, right;
+};
+
+class PartedBoolean {
+ public:
+  PartedBoolean(const Complex& complex, BooleanOp op, Dominance dominance)
+      : complex_(complex), op_(op), dominance_(dominance), removed_(table_rows().size(), 0) {}
+
+  PartedResult run(PartedGroup left, PartedGroup right) {
+    PartedResult out;
+    out.group.dominance = std::max(left.dominance, right.dominance);
+    const std::vector<Cluster> clusters = find_clusters(left.parts, right.parts);
+    std::vector<std::pair<std::shared_ptr<const Part>, std::vector<MaterialConflict>>> made;
+    for (const Cluster& cluster : clusters) {
+      BooleanResult result = operate(cluster);
+      if (empty(result.group)) continue;
+      made.emplace_back(std::make_shared<const Part>(complex_, std::move(result.group)),
+                        std::move(result.conflicts));
+    }
+    const auto [swapped, dominant] = roles(op_, dominance_);
+    const bool left_stays = carry(left.parts, swapped ? Relation::b_out_a : Relation::a_out_b, dominant);
+    const bool right_stays = carry(right.parts, swapped ? Relation::a_out_b : Relation::b_out_a, dominant);
+    if (measured(left) && measured(right)) {
+      const bool from_right = right_stays && (!left_stays || right.parts.size() > left.parts.size());
+      out.group.totals = from_right    ? carried(right, busy_right_, left.parts)
+                         : left_stays ? carried(left, busy_left_, right.parts)
+                                      : Totals{};
+    }
+
+    Parts& parts = out.group.parts;
+    parts = std::move(left.parts);
+    add(parts, std::move(right.parts));
+    Parts& fresh = out.group.fresh;
+    for (const auto& [part, conflicts] : made) fresh.push_back(part);
+    std::sort(fresh.begin(), fresh.end(), before);
+    add(parts, fresh);
+    for (auto& [part, conflicts] : made) {
+      const auto at = std::lower_bound(parts.begin(), parts.end(), part, before);
+      for (MaterialConflict& conflict : conflicts) {
+        out.conflicts.emplace_back(at - parts.begin(), std::move(conflict));
+      }
+    }
+    // Stable: those of one region stay as they are.
+    std::stable_sort(out.conflicts.begin(), out.conflicts.end(), [&](const auto& a, const auto& b) {
+      return parts[a.first]->first_cells()[a.second.region - 1] <
+             parts[b.first]->first_cells()[b.second.region - 1];
+    });
+    for (std::size_t i = 0; i < removed_.size(); ++i) {
+      if (removed_[i] != 0) out.removals.emplace_back(table_rows()[i].id, removed_[i]);
+    }
+    return out;
+  }
+
+ private:
+  // Takes the parts that are in a cluster out of the lists, which keep the others; in the order of the left ones.
+  std::vector<Cluster> find_clusters(Parts& left, Parts& right) {
+    const auto split = static_cast<std::uint32_t>(left.size());
+    UnionFind sets(left.size() + right.size());
+    if (left.size() < right.size()) {
+      find_meetings(left, right, [&](std::uint32_t l, std::uint32_t r) { sets.unite(l, split + r); });
+    } else {
+      find_meetings(right, left, [&](std::uint32_t r, std::uint32_t l) { sets.unite(l, split + r); });
+    }
+    // A cluster is named by its smallest part, a left one; right parts are never the smallest of two.
+    std::vector<std::uint32_t> number(split, 0);  // 1 + index
+    std::vector<Cluster> clusters;
+    for (std::uint32_t r = 0; r < right.size(); ++r) {
+      const std::uint32_t root = sets.find(split + r);
+      if (root >= split) continue;
+      if (number[root] == 0) {
+        clusters.emplace_back();
+        number[root] = static_cast<std::uint32_t>(clusters.size());
+      }
+      clusters[number[root] - 1].right.push_back(right[r].get());
+      busy_right_.push_back(std::move(right[r]));
+    }
+    for (std::uint32_t l = 0; l < split; ++l) {
+      const std::uint32_t root = sets.find(l);
+      if (number[root] == 0) continue;
+      clusters[number[root] - 1].left.push_back(left[l].get());
+      busy_left_.push_back(std::move(left[l]));
+    }
+    if (!clusters.empty()) {
+      std::erase(left, nullptr);
+      std::erase(right, nullptr);
+    }
+    return clusters;
+  }
+
+  BooleanResult operate(const Cluster& cluster) {
+    Group merged_left, merged_right;
+    const auto one = [](const std::vector<const Part*>& parts, Group& space) -> const Group& {
+      if (parts.size() == 1) return parts[0]->group();
+      space = merge(parts);
+      return space;
+    };
+    const Group& left = one(cluster.left, merged_left);
+    const Group& right = one(cluster.right, merged_right);
+    BooleanResult result = apply(complex_, op_, dominance_, left, right);
+    std::size_t row = 0;  // removals come in the order of rows
+    for (const auto& [id, count] : result.removals) {
+      while (table_rows()[row].id != id) ++row;
+      removed_[row] += count;
+    }
+    return result;
+  }
+
+  static bool measured(const PartedGroup& value) { return value.totals && value.fresh.empty(); }
+
+  // The totals of the parts that are carried: those of `most` without its busy ones, and `others`.
+  Totals carried(PartedGroup& most, const Parts& busy, const Parts& others) const {
+    Totals out = std::move(*most.totals);
+    for (const auto& part : busy) out.remove(part->measures(complex_));
+    for (const auto& part : others) out.add(part->measures(complex_));
+    return out;
+  }
+
+  // Parts off the other operand: the rows of this relation keep all of them (true), or remove all.
+  bool carry(Parts& parts, Relation relation, bool dominant) {
+    for (int dimension = 0; dimension <= 2; ++dimension) {
+      const std::size_t row = table_row(op_, dominant, dimension, relation);
+      const Condition condition = table_rows()[row].condition;
+      if (condition == Condition::never) return true;
+      require(condition == Condition::always, "parts: a row decides about entities outside of the other operand");
+      for (const auto& part : parts) {
+        const Group& g = part->group();
+        removed_[row] += dimension == 0 ? g.vertices.size() : dimension == 1 ? g.edges.size() : g.faces.size();
+      }
+    }
+    parts.clear();
+    return false;
+  }
+
+  // A few are put in one by one.
+  static void add(Parts& parts, Parts more) {
+    if (more.size() < 8) {
+      for (auto& part : more) parts.insert(std::upper_bound(parts.begin(), parts.end(), part, before), std::move(part));
+      return;
+    }
+    const auto middle = static_cast<std::ptrdiff_t>(parts.size());
+    parts.insert(parts.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    std::inplace_merge(parts.begin(), parts.begin() + middle, parts.end(), before);
+  }
+
+  const Complex& complex_;
+  BooleanOp op_;
+  Dominance dominance_;
+  std::vector<std::size_t> removed_;  // by row
+  Parts busy_left_, busy_right_;      // the parts of clusters
+};
+
+std::vector<const Part*> pointers(const Parts& parts) {
+  std::vector<const Part*> out;
+  out.reserve(parts.size());
+  for (const auto& part : parts) out.push_back(part.get());
+  return out;
+}
+
+}  // namespace
+
+bool Box::meets(const Box& other) const {
+  for (int k = 0; k < 3; ++k) {
+    if (low[k] > other.high[k] || other.low[k] > high[k]) return false;
+  }
+  return true;
+}
+
+Part::Part(const Complex& complex, Group group) : group_(std::move(group)), box_(box_of(complex, group_)) {
+  first_cells_.reserve(group_.regions.size());
+  for (const auto& [cell, region] : group_.cells) {
+    if (region > first_cells_.size()) first_cells_.push_back(cell);
+  }
+  require(first_cells_.size() == group_.regions.size(), "parts: regions are not in the order of their cells");
+}
+
+const Measures& Part::measures(const Complex& complex) const {
+  std::call_once(measured_, [&] {
+    const Selection selection = selection_of(complex, group_);
+    measures_.raw = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
+                     selection.regions.size()};
+    measures_.simplified = simplified_counts(complex, selection, group_.features);
+    std::vector<std::vector<RegionId>> cells(group_.regions.size());
+    for (const auto& [cell, region] : group_.cells) cells[region - 1].push_back(cell);
+    for (const auto& region : cells) measures_.volumes.push_back(volume(complex, region));
+  });
+  return measures_;
+}
+
+PartedGroup parted(const Complex& complex, Group group) {
+  PartedGroup out;
+  out.dominance = group.dominance;
+  if (!empty(group)) out.parts.push_back(std::make_shared<const Part>(complex, std::move(group)));
+  return out;
+}
+
+Group whole(const PartedGroup& value) {
+  Group out;
+  if (value.parts.size() == 1) out = value.parts.front()->group();
+  else if (!value.parts.empty()) out = merge(pointers(value.parts));
+  out.dominance = value.dominance;
+  return out;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> region_order(const PartedGroup& value) {
+  return order_regions(pointers(value.parts));
+}
+
+void Totals::add(const Measures& m) {
+  for (std::size_t d = 0; d < 4; ++d) {
+    raw[d] += m.raw[d];
+    simplified[d] += m.simplified[d];
+  }
+  regions += m.volumes.size();
+  for (const std::optional<Rational>& v : m.volumes) {
+    if (v) bounded_volume += *v;
+    else ++unbounded;
+  }
+}
+
+void Totals::remove(const Measures& m) {
+  for (std::size_t d = 0; d < 4; ++d) {
+    raw[d] -= m.raw[d];
+    simplified[d] -= m.simplified[d];
+  }
+  regions -= m.volumes.size();
+  for (const std::optional<Rational>& v : m.volumes) {
+    if (v) bounded_volume -= *v;
+    else --unbounded;
+  }
+}
+
+const Totals& measure(const Complex& complex, PartedGroup& value) {
+  if (!value.totals) {
+    value.totals.emplace();
+    value.fresh = value.parts;
+  }
+  for (const auto& part : value.fresh) value.totals->add(part->measures(complex));
+  value.fresh.clear();
+  return *value.totals;
+}
+
+std::vector<std::optional<Rational>> volumes(const Complex& complex, const PartedGroup& value) {
+  std::vector<std::optional<Rational>> out;
+  for (const auto& [part, region] : region_order(value)) {
+    out.push_back(value.parts[part]->measures(complex).volumes[region - 1]);
+  }
+  return out;
+}
+
+PartedResult apply(const Complex& complex, BooleanOp op, Dominance dominance, PartedGroup left,
+                   PartedGroup right) {
+  return PartedBoolean(complex, op, dominance).run(std::move(left), std::move(right));
+}
+
+}  // namespace cnrg

@@ -1,0 +1,122 @@
+// A group as a set of independent parts, so that an operator touches only the parts that meet.
+//
+// The tables decide about an entity by what lies around it. An entity of a part that shares no point with the
+// other operand is outside of all its regions (AoutB, BoutA), whose rows keep always or remove always: such a part
+// is carried over or dropped as a whole, and never read. Only parts whose boxes meet go through `apply` of
+// groups. A chain of unions of solids scattered in space so costs per node what one union costs, and pointers.
+//
+// Parts are immutable and shared between values.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "csg/operators/boolean.h"
+
+namespace cnrg {
+
+/// A closed axis-parallel box; it may be infinite.
+struct Box {
+  std::array<double, 3> low, high;
+  bool meets(const Box& other) const;
+};
+
+/// What a row says of a value.
+struct Measures {
+  std::array<std::size_t, 4> raw{};         ///< active cells by dimension, as the refinement has them
+  std::array<std::size_t, 4> simplified{};  ///< active cells by dimension, simplified
+  /// Exact volumes by region, from region 1; nothing for an unbounded one.
+  std::vector<std::optional<Rational>> volumes;
+};
+
+/// A closed piece of a group that shares no point with the other parts of the same value; not empty. Its own
+/// `dominance` means nothing, that of the value counts.
+class Part {
+ public:
+  Part(const Complex& complex, Group group);
+  const Group& group() const { return group_; }
+  /// Holds the part; infinite if that is unbounded or reaches the frame.
+  const Box& box() const { return box_; }
+  /// The smallest 3-cell of each region, ascending.
+  const std::vector<RegionId>& first_cells() const { return first_cells_; }
+  /// Computed when it is first asked for; `complex` is that of the constructor. Thread-safe.
+  const Measures& measures(const Complex& complex) const;
+
+ private:
+  Group group_;
+  Box box_;
+  std::vector<RegionId> first_cells_;
+  mutable std::once_flag measured_;
+  mutable Measures measures_;
+};
+
+/// Sums of the measures of parts.
+struct Totals {
+  std::array<std::size_t, 4> raw{}, simplified{};
+  std::size_t regions = 0, unbounded = 0;  ///< all of them; those without a volume
+  Rational bounded_volume = 0;
+  /// Of all regions; nothing when one is unbounded.
+  std::optional<Rational> volume() const {
+    return unbounded == 0 ? std::optional(bounded_volume) : std::nullopt;
+  }
+  void add(const Measures& m);
+  void remove(const Measures& m);
+};
+
+/// Parts in the order of their smallest 3-cells; those without any at the end, by vertices, edges, then faces.
+struct PartedGroup {
+  std::vector<std::shared_ptr<const Part>> parts;
+  Rational dominance = 0;
+  /// The sums over all parts but those in `fresh`; nothing when they are not known. An operator passes them on, so
+  /// that measuring a value costs what is new in it.
+  std::optional<Totals> totals;
+  std::vector<std::shared_ptr<const Part>> fresh;
+};
+
+/// The sums over all parts, kept in the value.
+const Totals& measure(const Complex& complex, PartedGroup& value);
+
+/// The group as one part, or none if it is empty.
+PartedGroup parted(const Complex& complex, Group group);
+
+/// Each part changed by `change(Group&)`, which must leave it a part: it may drop entities, not add any.
+template <class Change>
+PartedGroup changed(const Complex& complex, const PartedGroup& value, Change change) {
+  PartedGroup out;
+  out.dominance = value.dominance;
+  for (const auto& part : value.parts) {
+    Group group = part->group();
+    change(group);
+    PartedGroup one = parted(complex, std::move(group));
+    out.parts.insert(out.parts.end(), one.parts.begin(), one.parts.end());
+  }
+  return out;
+}
+
+/// The group of all parts: lists sorted, regions in the order of their smallest 3-cells.
+Group whole(const PartedGroup& value);
+
+/// Region i + 1 of `whole(value)` as (index of the part, region of its group).
+std::vector<std::pair<std::uint32_t, std::uint32_t>> region_order(const PartedGroup& value);
+
+/// Exact volumes by region of `whole(value)`, from region 1; nothing for an unbounded one.
+std::vector<std::optional<Rational>> volumes(const Complex& complex, const PartedGroup& value);
+
+struct PartedResult {
+  PartedGroup group;
+  std::vector<std::pair<std::string, std::size_t>> removals;  ///< as in BooleanResult
+  /// Each with the index of its part; `region` is that of the part's group. In the order of `whole`'s regions.
+  std::vector<std::pair<std::size_t, MaterialConflict>> conflicts;
+};
+
+/// A op B as `apply` has it for whole groups, with the same removals and conflicts. Operands that are not needed
+/// any more are to be moved in.
+PartedResult apply(const Complex& complex, BooleanOp op, Dominance dominance, PartedGroup left,
+                   PartedGroup right);
+
+}  // namespace cnrg

@@ -1,0 +1,14 @@
+// The DAG of an evaluated tree with its counts, for Graphviz.
+#pragma once
+
+#include <string>
+
+#include "csg/evaluate/evaluate.h"
+
+namespace cnrg {
+
+/// One box per instance: name, operator, active cells by dimension, regions or components, volume; arrows from
+/// operands to users, numbered where an operator has more than one. The evaluation must have rows.
+std::string dag_dot(const Evaluation& evaluation);
+
+}  // namespace cnrg

@@ -1,0 +1,39 @@
+// The topology of a node's value in words and numbers, for `cnrg eval --topology`.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "csg/operators/group.h"
+#include "kernel/selection/simplify.h"
+
+namespace cnrg {
+
+/// The terms of Euler-Poincare counted on the cells that simplification leaves (masuda1993 3), with two more that
+/// only cells of curved patches need:
+///   v - (e - eh) + (f - r + fc) - (V - Vh + Vc) = C - Ch + Cc
+/// eh: edges that close on themselves without a vertex; r: independent loops of faces (the rings of a flat face);
+/// fc: faces without any boundary that enclose a cavity (all of a sphere).
+struct SimplifiedEuler {
+  long v = 0, e = 0, edge_loops = 0, f = 0, r = 0, closed_faces = 0;
+  long volumes = 0, volume_holes = 0, volume_cavities = 0;
+  long pieces = 0, holes = 0, cavities = 0;
+  long left() const {
+    return v - (e - edge_loops) + (f - r + closed_faces) - (volumes - volume_holes + volume_cavities);
+  }
+  long right() const { return pieces - holes + cavities; }
+};
+
+/// The terms of the closure of a selection's point set, which must be bounded. Each is counted on its own, those
+/// of a cell by its Betti numbers; `left() == right()` is a theorem.
+SimplifiedEuler simplified_euler(const Complex& complex, const Selection& selection,
+                                 const SimplifiedComplex& simplified);
+
+/// Lines of text: Euler-Poincare with its terms; Betti numbers of the point set and of each component over Z/2 and
+/// Q; vertices and edges by their local shape, each way not to be a manifold with the cells concerned (named as
+/// `cnrg locate` names them); sheets; adjacency of regions. `simplified` is that of `selection`; what is known of
+/// component i is `components[i - 1]`, there may be fewer.
+std::string topology_text(const Complex& complex, const Selection& selection, const SimplifiedComplex& simplified,
+                          std::span<const RegionAttributes> components);
+
+}  // namespace cnrg

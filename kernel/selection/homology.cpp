@@ -1,0 +1,344 @@
+// Why the alternating count of cells is not it: for a set that is not closed it is the Euler characteristic with
+// compact support (an open edge has -1, but it is a ball up to homotopy), and cells need not be balls.
+//
+// Euler characteristic. Cut small open neighbourhoods of the missing vertices off the set, then of the missing
+// edges, then of the missing faces. What remains is a compact set K that the set shrinks to. It is made up of the
+// rests of the cells, so chi(K) = sum of w(c), the Euler characteristic with compact support of the rest of c.
+// Take c with a collar inside of all its boundary, a compact manifold M. Of the boundary of M the rest of c lacks
+// what lies along cells that are there, so w(c) = chi(M) - chi(what lies along cells that are there), and this is
+// again a sum over rests, once for each germ of c along a cell:
+//   w(v) = 1
+//   w(e) = 1 - (ends that are there)
+//   w(f) = 1 - rings - sum of w(e) over the steps of its loops - (corners at vertices that are there)
+//   w(R) = chi(surfaces just inside) / 2 - sum of w(f) over its half-faces - sum of w(e) over its sectors
+//          - sum of 2 - k over its germs with k circles at vertices that are there
+// A vertex inside of a face (a circle), and a wire in a region (a tube), add nothing. For R0 without a frame, the
+// sphere at infinity is one more surface, missing.
+//
+// Cavities. The boundary of a small neighbourhood of K is a closed surface; of a connected K it has one piece for
+// each piece of the complement on the sphere with the point at infinity. In the barycentric subdivision that
+// surface runs between cells of the set and cells that are not: it has a point on each incident pair of a cell
+// inside and a cell outside, and an edge on each incident triple of three dimensions that has two such pairs. The
+// neighbourhoods of vertices name these pairs and triples one by one, also where cells are no balls: an edge end,
+// a corner, a germ, a use, a sector, a half-face. So b2 = pieces of the surface - b0.
+//
+// Loops then follow: b1 = b0 + b2 - chi.
+#include "kernel/selection/homology.h"
+
+#include <algorithm>
+
+#include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
+#include "kernel/base/union_find.h"
+
+namespace cnrg {
+
+/// The cells of a set, numbered from 1 as they are listed; 0: not in the set.
+struct BettiCounter::Members {
+  explicit Members(const Complex& complex)
+      : vertices(complex.points.size()), edges(complex.edge_count()), faces(complex.face_count()),
+        regions(complex.region_count) {}
+  std::uint32_t operator()(VertexId v) const { return vertices[v]; }
+  std::uint32_t operator()(EdgeId e) const { return edges[e]; }
+  std::uint32_t operator()(FaceId f) const { return faces[f]; }
+  std::uint32_t operator()(RegionId r) const { return regions[r]; }
+
+  void enter(const CellSet& set) {
+    std::uint32_t count = 0;
+    number(set, [&] { return ++count; });
+  }
+  void clear(const CellSet& set) {
+    number(set, [] { return 0u; });
+  }
+
+  Scratch<VertexId, std::uint32_t> vertices;
+  Scratch<EdgeId, std::uint32_t> edges;
+  Scratch<FaceId, std::uint32_t> faces;
+  Scratch<RegionId, std::uint32_t> regions;
+
+ private:
+  template <class Next>
+  void number(const CellSet& set, Next next) {
+    for (VertexId v : set.vertices) vertices[v] = next();
+    for (EdgeId e : set.edges) edges[e] = next();
+    for (FaceId f : set.faces) faces[f] = next();
+    for (RegionId r : set.regions) regions[r] = next();
+  }
+};
+
+namespace {
+
+long rings(const Complex& complex, FaceId f) {
+  return static_cast<long>(complex.face_loops[f].size() - 1 + complex.face_vertices[f].size());
+}
+
+/// The boundary of regions, faces and edges, with what lies on the frame.
+struct FullClosure {
+  std::vector<FaceId> faces;
+  std::vector<EdgeId> edges;
+  std::vector<VertexId> vertices;
+};
+
+FullClosure full_closure(const Complex& complex, const CellSet& set) {
+  FullClosure out{set.faces, set.edges, set.vertices};
+  for (RegionId r : set.regions) {
+    for (HalfFace h : complex.region_faces[r]) out.faces.push_back(h.face());
+    const auto wires = complex.region_wires[r];
+    const auto points = complex.region_vertices[r];
+    out.edges.insert(out.edges.end(), wires.begin(), wires.end());
+    out.vertices.insert(out.vertices.end(), points.begin(), points.end());
+  }
+  sort_unique(out.faces);
+  for (FaceId f : out.faces) {
+    for (LoopId l : complex.face_loops[f]) {
+      for (HalfEdge h : complex.loop[l]) out.edges.push_back(h.edge());
+    }
+    const auto points = complex.face_vertices[f];
+    out.vertices.insert(out.vertices.end(), points.begin(), points.end());
+  }
+  sort_unique(out.edges);
+  for (EdgeId e : out.edges) {
+    out.vertices.insert(out.vertices.end(), complex.edge_ends[e].begin(), complex.edge_ends[e].end());
+  }
+  sort_unique(out.vertices);
+  return out;
+}
+
+/// The region of the sector that follows a use in radial order.
+RegionId sector_region(const Complex& complex, const FaceUse& use) {
+  return complex.face_regions[use.face][use.half_edge.direction()];
+}
+
+template <class Members>
+long count_pieces(const Complex& complex, const CellSet& set, const Members& in) {
+  UnionFind sets(set.size() + 1);
+  auto pieces = static_cast<long>(set.size());
+  const auto join = [&](std::uint32_t cell, const auto& others) {
+    for (auto other : others) {
+      if (in(other) != 0) pieces -= sets.unite(cell, in(other));
+    }
+  };
+  std::vector<FaceId> faces;
+  std::vector<RegionId> regions;
+  for (VertexId v : set.vertices) {
+    complex.star_faces(v, faces), complex.star_regions(v, regions);
+    join(in(v), complex.vertex_edges[v]), join(in(v), faces), join(in(v), regions);
+  }
+  for (EdgeId e : set.edges) {
+    complex.star_faces(e, faces), complex.star_regions(e, regions);
+    join(in(e), faces), join(in(e), regions);
+  }
+  for (FaceId f : set.faces) join(in(f), complex.face_regions[f]);
+  return pieces;
+}
+
+/// The surface between the set and its complement: incident pairs, joined along incident triples.
+class Frontier {
+ public:
+  enum class Kind : std::uint64_t { edge_end, corner, germ, use, sector, half_face, tube, circle };
+  using Pair = std::uint64_t;
+  static Pair pair(Kind kind, std::uint64_t first, std::uint64_t second = 0) {
+    return static_cast<std::uint64_t>(kind) << 60 | first << 28 | second;
+  }
+
+  void add(Pair pair) { pairs_.push_back(pair); }
+  /// Three cells of ascending dimension, which of them are in the set, and the pairs ab, ac, bc.
+  void add(bool a, bool b, bool c, Pair ab, Pair ac, Pair bc) {
+    if (a == b && b == c) return;
+    const Pair first = a == b ? ac : ab, second = a == c ? bc : (a == b ? bc : ac);
+    pairs_.push_back(first), pairs_.push_back(second);
+    joints_.emplace_back(first, second);
+  }
+  long pieces() {
+    sort_unique(pairs_);
+    UnionFind sets(pairs_.size());
+    const auto place = [&](Pair p) {
+      return static_cast<std::uint32_t>(std::lower_bound(pairs_.begin(), pairs_.end(), p) - pairs_.begin());
+    };
+    auto count = static_cast<long>(pairs_.size());
+    for (const auto& [p, q] : joints_) count -= sets.unite(place(p), place(q));
+    return count;
+  }
+
+ private:
+  std::vector<Pair> pairs_;
+  std::vector<std::pair<Pair, Pair>> joints_;
+};
+
+template <class Members>
+class Counting {
+ public:
+  Counting(const CellSet& set, const Members& members, Neighbourhoods& neighbourhoods)
+      : complex_(neighbourhoods.complex()), set_(set), neighbourhoods_(neighbourhoods), in_(members),
+        closure_(full_closure(complex_, set)) {}
+
+  BettiNumbers run() {
+    BettiNumbers out;
+    if (set_.empty()) return out;
+    for (VertexId v : closure_.vertices) at_vertex(v);
+    for (EdgeId e : closure_.edges) at_edge(e);
+    for (FaceId f : closure_.faces) at_face(f);
+    const bool infinity = !complex_.frame.valid() && in_(RegionId(0)) != 0;
+    if (infinity) surfaces_ += 2;
+    require(surfaces_ % 2 == 0, "homology: the surfaces inside of regions have an odd Euler characteristic");
+    const long euler = sum_ + surfaces_ / 2;
+    const long b0 = count_pieces(complex_, set_, in_);
+    const long b2 = frontier_.pieces() + (infinity ? 1 : 0) - b0;
+    out.z2 = {b0, b0 + b2 - euler, b2};
+    require(b2 >= 0 && out.z2[1] >= 0, "homology: a negative Betti number");
+    out.q = out.z2;
+    return out;
+  }
+
+ private:
+  using Kind = Frontier::Kind;
+  bool has(auto cell) const { return in_(cell) != 0; }
+
+  long weight(EdgeId e) const {
+    if (!has(e)) return 0;
+    return 1 - (has(complex_.edge_ends[e][0]) ? 1 : 0) - (has(complex_.edge_ends[e][1]) ? 1 : 0);
+  }
+  long weight(FaceId f) const {
+    if (!has(f)) return 0;
+    long w = 1 - rings(complex_, f);
+    for (LoopId l : complex_.face_loops[f]) {
+      for (HalfEdge h : complex_.loop[l]) w -= weight(h.edge()) + (has(complex_.target(h)) ? 1 : 0);
+    }
+    return w;
+  }
+
+  void at_vertex(VertexId v) {
+    neighbourhoods_.at(v, around_);
+    const bool in = has(v);
+    if (in) sum_ += 1;
+    const auto germ = [&](std::uint32_t i) { return Frontier::pair(Kind::germ, v.value(), i); };
+    for (const auto& g : around_.germs) {
+      if (!has(g.region)) continue;
+      surfaces_ += g.euler();
+      if (in) sum_ -= g.euler();
+    }
+    if (around_.circles.empty() && in != has(around_.germs[0].region)) frontier_.add(germ(0));
+    for (const auto& node : around_.nodes) {
+      const EdgeId e = node.edge.edge();
+      const auto end = Frontier::pair(Kind::edge_end, node.edge.code());
+      if (node.count == 0) {
+        frontier_.add(in, has(e), has(around_.germs[node.germ].region), end, germ(node.germ),
+                      Frontier::pair(Kind::tube, e.value()));
+      }
+      for (const auto& dart : around_.around(node)) {
+        const auto& arc = around_.arcs[dart.arc];
+        frontier_.add(in, has(e), has(arc.face), end, Frontier::pair(Kind::corner, arc.use),
+                      Frontier::pair(Kind::use, dart.use));
+        frontier_.add(in, has(e), has(around_.germs[dart.germ].region), end, germ(dart.germ),
+                      Frontier::pair(Kind::sector, dart.sector));
+      }
+    }
+    for (std::uint32_t k = 0; k < around_.arcs.size(); ++k) {
+      const auto& arc = around_.arcs[k];
+      const auto corner = arc.full_circle() ? Frontier::pair(Kind::circle, v.value(), k)
+                                            : Frontier::pair(Kind::corner, arc.use);
+      for (unsigned side : {0u, 1u}) {
+        frontier_.add(in, has(arc.face), has(around_.germs[arc.germs[side]].region), corner, germ(arc.germs[side]),
+                      Frontier::pair(Kind::half_face, HalfFace(arc.face, side).code()));
+      }
+    }
+  }
+
+  void at_edge(EdgeId e) {
+    const long w = weight(e);
+    sum_ += w;
+    const auto uses = complex_.edge_uses[e];
+    const std::uint32_t first = complex_.edge_uses.offsets()[e.index()];
+    for (std::uint32_t i = 0; i < uses.size(); ++i) {
+      const std::uint32_t before = i == 0 ? static_cast<std::uint32_t>(uses.size()) - 1 : i - 1;
+      const unsigned ahead = uses[i].half_edge.direction();
+      if (has(sector_region(complex_, uses[i]))) surfaces_ -= 1, sum_ -= w;
+      for (unsigned side : {0u, 1u}) {
+        frontier_.add(has(e), has(uses[i].face), has(complex_.face_regions[uses[i].face][side]),
+                      Frontier::pair(Kind::use, first + i),
+                      Frontier::pair(Kind::sector, first + (side == ahead ? i : before)),
+                      Frontier::pair(Kind::half_face, HalfFace(uses[i].face, side).code()));
+      }
+    }
+  }
+
+  void at_face(FaceId f) {
+    const long w = weight(f);
+    sum_ += w;
+    for (RegionId r : complex_.face_regions[f]) {
+      if (has(r)) surfaces_ += 1 - rings(complex_, f), sum_ -= w;
+    }
+  }
+
+  const Complex& complex_;
+  const CellSet& set_;
+  Neighbourhoods& neighbourhoods_;
+  const Members& in_;
+  const FullClosure closure_;
+  Neighbourhood around_;
+  Frontier frontier_;
+  long surfaces_ = 0;  // twice the first terms of w(R)
+  long sum_ = 0;       // all other terms
+};
+
+}  // namespace
+
+BettiCounter::BettiCounter(Neighbourhoods& neighbourhoods)
+    : neighbourhoods_(neighbourhoods), members_(std::make_unique<Members>(neighbourhoods.complex())) {}
+BettiCounter::~BettiCounter() = default;
+
+BettiNumbers BettiCounter::of(const CellSet& set) {
+  members_->enter(set);
+  const BettiNumbers out = Counting(set, *members_, neighbourhoods_).run();
+  members_->clear(set);
+  return out;
+}
+
+BettiNumbers betti_numbers(const Complex& complex, const CellSet& set) {
+  Neighbourhoods neighbourhoods(complex);
+  return BettiCounter(neighbourhoods).of(set);
+}
+
+std::vector<BettiNumbers> betti_numbers(const Selection& selection, const std::vector<Component>& components,
+                                        BettiCounter& counter) {
+  std::vector<CellSet> sets(components.size());
+  const auto deal = [&](const auto& cells, auto member) {
+    for (const auto& [cell, c] : cells) {
+      const auto at = std::lower_bound(components.begin(), components.end(), c);
+      require(at != components.end() && *at == c, "homology: a component that is not listed");
+      (sets[static_cast<std::size_t>(at - components.begin())].*member).push_back(cell);
+    }
+  };
+  deal(selection.vertices, &CellSet::vertices), deal(selection.edges, &CellSet::edges);
+  deal(selection.faces, &CellSet::faces), deal(selection.regions, &CellSet::regions);
+  std::vector<BettiNumbers> out{counter.of(support(selection))};
+  for (const CellSet& set : sets) out.push_back(counter.of(set));
+  return out;
+}
+
+std::vector<long> inner_surfaces(const Complex& complex, const std::vector<RegionId>& regions,
+                                 Neighbourhoods& neighbourhoods) {
+  Scratch<RegionId, std::uint32_t> place(complex.region_count);  // 1 + index
+  for (std::size_t i = 0; i < regions.size(); ++i) place[regions[i]] = static_cast<std::uint32_t>(i + 1);
+  std::vector<long> out(regions.size(), 0);
+  const auto add = [&](RegionId r, long value) {
+    if (place[r] != 0) out[place[r] - 1] += value;
+  };
+  CellSet set;
+  set.regions = regions;
+  const FullClosure boundary = full_closure(complex, set);
+  for (FaceId f : boundary.faces) {
+    for (RegionId r : complex.face_regions[f]) add(r, 1 - rings(complex, f));
+  }
+  for (EdgeId e : boundary.edges) {
+    for (const FaceUse& use : complex.edge_uses[e]) add(sector_region(complex, use), -1);
+  }
+  Neighbourhood around;
+  for (VertexId v : boundary.vertices) {
+    neighbourhoods.at(v, around);
+    for (const auto& germ : around.germs) add(germ.region, germ.euler());
+  }
+  return out;
+}
+
+}  // namespace cnrg

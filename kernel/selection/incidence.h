@@ -1,0 +1,34 @@
+// Questions of incidence that people ask: the link of cells, the radial order about an edge, the shells of a
+// region.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kernel/selection/selection.h"
+
+namespace cnrg {
+
+/// The cells of the closure of the star of a set whose closure does not meet the closure of the set: what a walk
+/// around the set passes. Cells on the frame are left out.
+CellSet link(const Complex& complex, const CellSet& set);
+
+/// A step about an edge: a face that is met, by the side that is seen first when turning counter-clockwise (as
+/// seen with the edge pointing towards the viewer), and the region behind it (weiler1986, the radial cycle).
+struct RadialStep {
+  HalfFace face;
+  RegionId region;
+  friend bool operator==(const RadialStep&, const RadialStep&) = default;
+};
+
+/// The faces about an edge in radial order, a slit twice; empty for a wire.
+std::vector<RadialStep> radial_order(const Complex& complex, EdgeId e);
+/// In words: `f3 (front), r1, f7 (back), r0`; for a wire `a wire in r1`.
+std::string radial_order_text(const Complex& complex, EdgeId e);
+
+/// The half-faces of a region by shell, those that see each other over an edge in one; each ascending, shells in
+/// the order of their first half-face. Wires and isolated vertices of the region are in `Complex::region_wires`
+/// and `region_vertices`.
+std::vector<std::vector<HalfFace>> shells(const Complex& complex, RegionId r);
+
+}  // namespace cnrg

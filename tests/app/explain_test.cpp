@@ -1,0 +1,105 @@
+// `cnrg explain` from outside: the text of a small tree, and command lines that make no sense.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "tests/app/program.h"
+
+namespace cnrg {
+namespace {
+
+using Catch::Contains;
+using Catch::StartsWith;
+
+const char* const kSplit = R"(cnrg: 1
+nodes:
+  block: {box: {min: [0, 0, 0], max: [4, 4, 4]}}
+  fault: {polygon: [[-1, -1, 2], [5, -1, 2], [5, 5, 2], [-1, 5, 2]]}
+  hole:  {box: {min: [1, 1, 1], max: [2, 2, 5]}}
+  split: {union: [fault, block], dominance: left}
+  model: {difference: [split, hole]}
+  solid: {regularize: model}
+result: solid
+)";
+
+TEST_CASE("explain tells the fault's life", "[app][explain]") {
+  const Workshop w;
+  w.write("t.yaml", kSplit);
+  const Outcome o = w.run("explain t.yaml --point 3/2,3/2,2");
+  CHECK(o.status == 0);
+  CHECK(o.err.empty());
+  CHECK(o.out == R"(3/2,3/2,2: a face of the refinement; part of r0 of `solid`: outside
+
+normal  n = (0, 0, 1)
+
+fault  polygon       line 4  entity: face 0
+block  box           line 3  inside region 1 `block`
+split  union, A > B  line 6  kept: entity
+    A = fault  face, outside on both sides: numRegA = 0, dangling, outsideA
+    B = block  inside region 1 `block`
+    AinB       kept by union.face.AinB.dominant, which never removes
+hole   box           line 5  inside region 1 `hole`
+model  difference    line 7  removed; outside
+    A = split  face, region 1 `block` where n points, region 2 `block` behind: numRegA = 2
+    B = hole   inside region 1 `hole`
+    AinB       removed by difference.face.AinB, which always removes
+solid  regularize    line 8  outside
+
+The rows are our reading of Fig. 3 of Pereira et al. (2012), whose cells its text does not carry: see `cnrg tables`.
+)");
+  const Outcome dangling = w.run("explain t.yaml --node solid --point -1/2,2,2");
+  CHECK(dangling.out == R"(-1/2,2,2: a face of the refinement; part of r0 of `solid`: outside
+
+normal  n = (0, 0, 1)
+
+fault  polygon       line 4  entity: face 0
+block  box           line 3  outside
+split  union, A > B  line 6  kept: entity
+    A = fault  face, outside on both sides: numRegA = 0, dangling, outsideA
+    B = block  outside
+    AoutB      kept by union.face.AoutB.dominant, which never removes
+hole   box           line 5  outside
+model  difference    line 7  kept: entity
+    A = split  face, outside on both sides: numRegA = 0, dangling, outsideA
+    B = hole   outside
+    AoutB      kept by difference.face.AoutB, which never removes
+solid  regularize    line 8  outside
+    X = model  entity, a face
+               face, outside on both sides: numRegX = 0, dangling, outsideX: removed
+
+The rows are our reading of Fig. 3 of Pereira et al. (2012), whose cells its text does not carry: see `cnrg tables`.
+)");
+}
+
+TEST_CASE("explain takes a cell as locate names it", "[app][explain]") {
+  const Workshop w;
+  w.write("t.yaml", kSplit);
+  const std::string located = w.run("locate t.yaml --node split", "3 3 2\n").out;
+  const std::string cell = located.substr(2, located.find(' ', 2) - 2);
+  const Outcome o = w.run("explain t.yaml --threads 1 --node split --cell " + cell);
+  CHECK(o.status == 0);
+  CHECK_THAT(o.out, StartsWith(cell + " of `split`: face, entity; unites 2 faces of the refinement"));
+  CHECK_THAT(o.out, Contains("All 2 faces live alike; one of them:\nat      "));
+  CHECK(o.out == w.run("explain t.yaml --threads 2 --node split --cell " + cell).out);
+}
+
+TEST_CASE("explain refuses what it can not look up", "[app][explain][errors]") {
+  const Workshop w;
+  w.write("t.yaml", kSplit);
+  const auto fault = [&](const std::string& arguments) {
+    const Outcome o = w.run("explain t.yaml " + arguments);
+    CHECK(o.status == 2);
+    CHECK(o.out.empty());
+    return o.err;
+  };
+  CHECK_THAT(fault(""), StartsWith("cnrg: error: give one of --cell and --point"));
+  CHECK_THAT(fault("--cell f0 --point 0,0,0"), StartsWith("cnrg: error: give one of --cell and --point"));
+  CHECK(fault("--node block --cell f6") == "cnrg: error: `f6`: the node `block` has faces f0 to f5\n");
+  CHECK_THAT(fault("--cell face1"), StartsWith("cnrg: error: `face1` names no cell"));
+  CHECK_THAT(fault("--point 1,2"), StartsWith("cnrg: error: --point: `1,2` has not three numbers"));
+  CHECK_THAT(fault("--point 1,2,3,4"), StartsWith("cnrg: error: --point: `1,2,3,4` has not three numbers"));
+  CHECK_THAT(fault("--point 1,two,3"), StartsWith("cnrg: error: --point: `two` is no number"));
+  CHECK_THAT(fault("--node blok --cell f0"), Contains("t.yaml:") && Contains("block"));
+}
+
+}  // namespace
+}  // namespace cnrg

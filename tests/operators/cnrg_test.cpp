@@ -1,0 +1,198 @@
+// The operators of CNRG on small scenes whose components can be counted by hand (SEMANTICS 2).
+#include "csg/operators/cnrg.h"
+
+#include <catch2/catch.hpp>
+
+#include "csg/operators/component_lists.h"
+#include "csg/operators/identities.h"
+#include "csg/operators/leaf_group.h"
+#include "csg/operators/node_value.h"
+#include "tests/operators/pieces.h"
+
+namespace cnrg {
+namespace {
+
+using namespace pieces;
+
+struct Scene {
+  Complex complex;
+  std::vector<Components> leaves;
+  explicit Scene(const std::vector<Piece>& pieces, const std::vector<std::vector<RegionAttributes>>& names = {})
+      : complex(complex_of(pieces)) {
+    for (const Group& group : leaf_groups(complex, names)) leaves.push_back(components_of(complex, group));
+  }
+  Components one(std::size_t leaf) const { return unify(complex, leaves[leaf]).value; }
+};
+
+std::array<std::size_t, 4> sizes(const Components& x) {
+  const Selection& s = x.selection;
+  return {s.vertices.size(), s.edges.size(), s.faces.size(), s.regions.size()};
+}
+
+std::vector<std::string> names(const Components& x) {
+  std::vector<std::string> out;
+  for (const auto& a : x.attributes) out.push_back(a.name);
+  return out;
+}
+
+const std::vector<std::vector<RegionAttributes>> kTwo{{{"a", "rock", {}}}, {{"b", "ore", {}}}};
+
+}  // namespace
+
+TEST_CASE("a group is its regions and its entities", "[cnrg]") {
+  const Scene s({parted_box({0, 0, 0}, {4, 2, 2}, 2) + wire({0, 0, 0}, {-1, 0, 0})}, {{{"l", "", {}}, {"r", "", {}}}});
+  CHECK(check_components(s.complex, s.leaves[0]) == "");
+  CHECK(names(s.leaves[0]) == std::vector<std::string>{"l", "r", kEntitiesName});
+  const Group again = group_of(s.complex, s.leaves[0]);
+  CHECK(check_group(s.complex, again) == "");
+  const Group first = leaf_groups(s.complex)[0];
+  CHECK(again.faces == first.faces);
+  CHECK(again.edges == first.edges);
+  CHECK(again.vertices == first.vertices);
+  CHECK(again.cells == first.cells);
+  CHECK(again.features.edges == first.features.edges);
+}
+
+TEST_CASE("sum, product and subtract part two solids into three", "[cnrg]") {
+  const Scene s({box({0, 0, 0}, {2, 2, 2}), box({1, 0, 0}, {3, 2, 2})}, kTwo);
+  const Components x = s.one(0), y = s.one(1);
+  const Components all = sum(s.complex, x, y).value;
+  CHECK(names(all) == std::vector<std::string>{"a", "a & b", "b"});
+  CHECK(check_overlay(OverlayLaw::sum, s.complex, x, y, all) == "");
+  // The middle box is closed: both outer ones are half open.
+  const std::vector<CellSet> parts = supports(all);
+  CHECK(closure(s.complex, parts[1]) == parts[1]);
+  CHECK_FALSE(closure(s.complex, parts[0]) == parts[0]);
+  CHECK(support(product(s.complex, x, y).value.selection) == parts[1]);
+  CHECK(support(subtract(s.complex, x, y).value.selection) == parts[0]);
+  CHECK(support(subtract(s.complex, y, x).value.selection) == parts[2]);
+}
+
+TEST_CASE("dominance gives the common part its name and material", "[cnrg]") {
+  const Scene s({box({0, 0, 0}, {2, 2, 2}), box({1, 0, 0}, {3, 2, 2})}, kTwo);
+  Components x = s.one(0), y = s.one(1);
+  const ComponentsResult equal = product(s.complex, x, y);
+  REQUIRE(equal.conflicts.size() == 1);
+  CHECK(equal.conflicts[0].kept == "rock");
+  CHECK(equal.conflicts[0].other == "ore");
+  CHECK(equal.conflicts[0].cells == support(equal.value.selection));
+  CHECK(equal.value.attributes.at(0).material == "rock");
+  y.attributes.at(0).dominance = 2;
+  const ComponentsResult right = product(s.complex, x, y);
+  CHECK(right.conflicts.empty());
+  CHECK(right.value.attributes.at(0).name == "b");
+  CHECK(right.value.attributes.at(0).material == "ore");
+  CHECK(right.value.attributes.at(0).dominance == 2);
+  const ComponentsResult left = product(s.complex, x, y, Dominance::left);
+  CHECK(left.value.attributes.at(0).material == "rock");
+}
+
+TEST_CASE("materials of solids that only touch are no conflict", "[cnrg]") {
+  const Scene s({box({0, 0, 0}, {2, 2, 2}), box({2, 0, 0}, {3, 2, 2})}, kTwo);
+  const ComponentsResult wall = product(s.complex, s.one(0), s.one(1));
+  CHECK(wall.conflicts.empty());
+  CHECK(sizes(wall.value) == std::array<std::size_t, 4>{4, 4, 1, 0});
+}
+
+TEST_CASE("aggregate keeps components apart and names an overlap", "[cnrg]") {
+  const Scene s({box({0, 0, 0}, {2, 2, 2}), box({1, 0, 0}, {3, 2, 2}), box({5, 0, 0}, {6, 1, 1})});
+  const Components x = s.one(0), y = s.one(1), z = s.one(2);
+  const Components rest = subtract(s.complex, y, x).value;
+  const std::vector<const Components*> apart{&x, &rest, &z};
+  const std::vector<std::string> called{"x", "rest", "z"};
+  const Components all = aggregate(s.complex, apart, called).value;
+  CHECK(all.attributes.size() == 3);
+  CHECK(check_components(s.complex, all) == "");
+  const std::vector<const Components*> over{&z, &x, &y};
+  using Catch::Contains;
+  CHECK_THROWS_WITH(aggregate(s.complex, over, called),
+                    Contains("`rest` and `z` overlap") && Contains("insert `subtract`"));
+}
+
+TEST_CASE("interior, closure, boundary and regularize of a solid with a fin and a crack", "[cnrg]") {
+  // A box with a sheet inside (a crack), a sheet that stands out (a fin), and a point far away.
+  const Scene s({box({0, 0, 0}, {4, 4, 4}) + sheet({1, 1, 2}, {3, 3, 2}, 1) + sheet({4, 0, 4}, {6, 4, 4}) +
+                 point({9, 9, 9})});
+  const Components x = s.one(0);
+  const auto op = [&](Topological t, const Components& operand) {
+    const Components out = apply(s.complex, t, operand).value;
+    CHECK(check_topological(s.complex, t, false, operand, out) == "");
+    return out;
+  };
+  const Components inside = op(Topological::interior, x);
+  CHECK(sizes(inside) == std::array<std::size_t, 4>{4, 4, 1, 1});  // the crack is inside of |X|
+  CHECK(names(inside).size() == 1);
+  const Components shut = op(Topological::closure, inside);
+  CHECK(shut.attributes.size() == 2);
+  CHECK(shut.attributes[1].name == "closure");
+  CHECK(op(Topological::closure, x).attributes.size() == 1);
+  CHECK(support(op(Topological::regularize, x).selection) == support(shut.selection));
+  const Components skin = op(Topological::boundary, x);
+  CHECK(skin.attributes.size() == 1);
+  CHECK(support(skin.selection) == subtract(support(x.selection), support(inside.selection)));
+  // The boundary of an open set is not in it.
+  const Components open_skin = op(Topological::boundary, inside);
+  CHECK(open_skin.attributes.size() == 1);
+  CHECK(open_skin.attributes[0].name == "boundary");
+}
+
+TEST_CASE("with each, closures that overlap fall into atoms", "[cnrg]") {
+  const Scene s({parted_box({0, 0, 0}, {4, 2, 2}, 2, 1)});
+  Components open = s.leaves[0];
+  open = subtract(s.complex, open, apply(s.complex, Topological::boundary, s.one(0)).value).value;
+  // Two open boxes and the open wall between them.
+  REQUIRE(open.attributes.size() == 3);
+  const Components atoms = apply_each(s.complex, Topological::closure, open).value;
+  CHECK(check_topological(s.complex, Topological::closure, true, open, atoms) == "");
+  // The open boxes, the wall inside (of all three), its rim (also), the rest of either skin.
+  CHECK(atoms.attributes.size() == 3);
+  const Components inner = apply_each(s.complex, Topological::interior, open).value;
+  CHECK(inner.attributes.size() == 2);
+  CHECK(sizes(inner) == std::array<std::size_t, 4>{0, 0, 0, 2});
+  const Components whole = apply(s.complex, Topological::interior, open).value;
+  CHECK(sizes(whole) == std::array<std::size_t, 4>{0, 0, 1, 2});
+}
+
+TEST_CASE("the complement is open and its complement is the set again", "[cnrg]") {
+  const Scene s({box({0, 0, 0}, {4, 4, 4}) + sheet({4, 0, 4}, {6, 4, 4})});
+  const Components x = s.one(0);
+  const Components rest = complement(s.complex, x).value;
+  CHECK(interior(s.complex, support(rest.selection)) == support(rest.selection));
+  CHECK(support(complement(s.complex, rest).value.selection) == support(x.selection));
+  CHECK_FALSE(missing_boundary(s.complex, rest).empty());
+}
+
+TEST_CASE("closed components become a group with walls between them", "[cnrg]") {
+  const Scene s({box({0, 0, 0}, {2, 2, 2}), box({1, 0, 0}, {3, 2, 2})}, kTwo);
+  const Components parts = sum(s.complex, s.one(0), s.one(1)).value;
+  const Group group = group_of(s.complex, parts);
+  CHECK(check_group(s.complex, group) == "");
+  CHECK(group.regions.size() == 3);
+  for (const RegionAttributes& region : group.regions) {
+    CHECK(region.leaves.size() == (region.name == "a & b" ? 2u : 1u));
+  }
+  const Group joined = group_of(s.complex, unify(s.complex, parts).value);
+  CHECK(joined.regions.size() == 1);
+  CHECK(joined.faces.size() < group.faces.size());
+}
+
+TEST_CASE("cells remember the leaves that they came from", "[cnrg]") {
+  const Scene s({box({0, 0, 0}, {4, 4, 4}), box({4, 1, 1}, {6, 2, 2})});
+  const auto leaves_of = [](const Components& x, FaceId f) {
+    const auto set = x.origins.sets[x.origins.faces[place_in(x.selection.faces, f)]];
+    return std::vector<LeafId>(set.begin(), set.end());
+  };
+  const Components wall = product(s.complex, s.one(0), s.one(1)).value;
+  REQUIRE(wall.selection.faces.size() == 1);
+  const FaceId f = wall.selection.faces[0].first;
+  CHECK(leaves_of(wall, f) == std::vector<LeafId>{LeafId(0), LeafId(1)});
+  CHECK(leaves_of(s.one(1), f) == std::vector<LeafId>{LeafId(1)});
+  // What closure adds came from what it closes.
+  const Components open = subtract(s.complex, s.one(0), s.one(1)).value;
+  const Components shut = apply(s.complex, Topological::closure, open).value;
+  CHECK(leaves_of(shut, f) == std::vector<LeafId>{LeafId(0)});
+  const auto cells = leaf_cells(s.complex, f, std::vector<LeafId>{LeafId(0), LeafId(1)});
+  CHECK(std::count_if(cells.begin(), cells.end(), [](const LeafCell& c) { return c.dimension == 2; }) == 2);
+}
+
+}  // namespace cnrg

@@ -1,0 +1,310 @@
+// Values as independent parts against values as whole groups: every list, number and count must be the same, on
+// leaves that are scattered, touch and overlap, in chains and in graphs that share values.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "csg/evaluate/evaluate.h"
+#include "csg/operators/parts.h"
+#include "kernel/selection/measure.h"
+#include "tests/properties/evaluation.h"
+#include "tests/scenes/seeds.h"
+
+namespace cnrg::properties {
+namespace {
+
+using scenes::Random;
+constexpr std::array kModes{SimplifyMode::features, SimplifyMode::points, SimplifyMode::raw};
+
+/// Random leaves, each moved by steps that are about as long as a leaf is wide.
+std::vector<scenes::Leaf> scattered_leaves(std::uint64_t seed, int count, scenes::Position position, int room) {
+  auto leaves = scenes::random_scene(seed, count, position).leaves;
+  Random random(seed + 77);
+  const int step = position == scenes::Position::general ? 15 : 3;
+  for (scenes::Leaf& leaf : leaves) {
+    scenes::Motion motion;
+    for (auto& x : motion.offset) x = step * random.between(0, room);
+    scenes::apply(motion, leaf);
+  }
+  return leaves;
+}
+
+std::vector<std::vector<RegionAttributes>> random_attributes(const Complex& c, Random& random) {
+  const std::array<std::string, 3> words{"", "rock", "ore"};
+  std::vector<std::vector<RegionAttributes>> out(c.leaf_count);
+  for (std::size_t leaf = 0; leaf < out.size(); ++leaf) {
+    for (std::uint32_t i = 0; i < c.leaf_regions[LeafId(leaf)]; ++i) {
+      const auto word = [&] { return words[static_cast<std::size_t>(random.below(3))]; };
+      out[leaf].push_back({word(), word(), {}});
+    }
+  }
+  return out;
+}
+
+std::vector<std::vector<LeafId>> leaves_of(const Group& group, const std::vector<LeafSetId>& origins) {
+  std::vector<std::vector<LeafId>> out;
+  for (const LeafSetId set : origins) {
+    const auto leaves = group.origins.sets[set];
+    out.emplace_back(leaves.begin(), leaves.end());
+  }
+  return out;
+}
+
+void check_same(const Group& parts, const Group& plain) {
+  CHECK((leaves_of(parts, parts.origins.faces) == leaves_of(plain, plain.origins.faces)));
+  CHECK((leaves_of(parts, parts.origins.edges) == leaves_of(plain, plain.origins.edges)));
+  CHECK((leaves_of(parts, parts.origins.vertices) == leaves_of(plain, plain.origins.vertices)));
+  CHECK((parts.cells == plain.cells));
+  CHECK((parts.faces == plain.faces));
+  CHECK((parts.edges == plain.edges));
+  CHECK((parts.vertices == plain.vertices));
+  CHECK((parts.features.edges == plain.features.edges));
+  CHECK((parts.features.vertices == plain.features.vertices));
+  CHECK(parts.dominance == plain.dominance);
+  REQUIRE(parts.regions.size() == plain.regions.size());
+  for (std::size_t i = 0; i < parts.regions.size(); ++i) {
+    CHECK(parts.regions[i].name == plain.regions[i].name);
+    CHECK(parts.regions[i].material == plain.regions[i].material);
+    CHECK((parts.regions[i].leaves == plain.regions[i].leaves));
+  }
+}
+
+using Conflict = std::tuple<std::uint32_t, std::string, std::string>;
+
+std::vector<Conflict> conflicts(const std::vector<MaterialConflict>& list) {
+  std::vector<Conflict> out;
+  for (const MaterialConflict& c : list) out.emplace_back(c.region, c.kept, c.other);
+  return out;
+}
+
+std::vector<Conflict> conflicts(const PartedResult& result) {
+  const auto order = region_order(result.group);
+  std::vector<Conflict> out;
+  for (const auto& [part, c] : result.conflicts) {
+    const auto at = std::find(order.begin(), order.end(), std::pair(static_cast<std::uint32_t>(part), c.region));
+    out.emplace_back(at - order.begin() + 1, c.kept, c.other);
+  }
+  return out;
+}
+
+void check_measures(const Complex& complex, PartedGroup& parts, const Group& plain) {
+  const Totals& totals = measure(complex, parts);
+  const Selection s = selection_of(complex, plain);
+  CHECK((totals.raw == std::array{s.vertices.size(), s.edges.size(), s.faces.size(), s.regions.size()}));
+  CHECK((totals.simplified == active_counts(simplify(complex, s, plain.features))));
+  CHECK(totals.regions == plain.regions.size());
+  const auto by_region = volumes(complex, parts);
+  REQUIRE(by_region.size() == plain.regions.size());
+  std::optional<Rational> sum = 0;
+  for (std::size_t i = 0; i < by_region.size(); ++i) {
+    std::vector<RegionId> cells;
+    for (const auto& [cell, region] : plain.cells) {
+      if (region == i + 1) cells.push_back(cell);
+    }
+    CHECK((by_region[i] == cnrg::volume(complex, cells)));
+    if (!by_region[i]) sum.reset();
+    else if (sum) *sum += *by_region[i];
+  }
+  CHECK((totals.volume() == sum));
+}
+
+template <class IdT>
+Component state_of(const std::vector<std::pair<IdT, Component>>& list, IdT id) {
+  const auto it = std::lower_bound(list.begin(), list.end(), std::pair(id, Component(0)));
+  return it != list.end() && it->first == id ? it->second : 0;
+}
+
+/// What SEMANTICS 6 says of each cell of the complex that needs no merged neighbour to tell, in mode `features`.
+void check_places(const Complex& c, const Selection& s, const Features& features) {
+  const SimplifiedComplex simplified = simplify(c, s, features);
+  for (FaceId f : IdRange<FaceId>(c.face_count())) {
+    const Component state = state_of(s.faces, f);
+    const auto& [front, back] = c.face_regions[f];
+    const bool vanishes = state == state_of(s.regions, front) && state == state_of(s.regions, back);
+    CHECK(simplified.face_place[f.index()].dimension == (vanishes ? 3 : 2));
+  }
+  for (EdgeId e : IdRange<EdgeId>(c.edge_count())) {
+    const auto uses = c.edge_uses[e];
+    const auto faces = std::count_if(uses.begin(), uses.end(), [&](const FaceUse& use) {
+      return simplified.face_place[use.face.index()].dimension == 2;
+    });
+    const bool inside = faces == 0 && state_of(s.edges, e) == state_of(s.regions, c.some_region(e));
+    const int dimension = simplified.edge_place[e.index()].dimension;
+    if (std::binary_search(features.edges.begin(), features.edges.end(), e)) CHECK(dimension == 1);
+    else if (faces == 2) CHECK(dimension <= 2);
+    else CHECK(dimension == (inside ? 3 : 1));
+  }
+  for (VertexId v : c.vertices) {
+    const auto edges = c.vertex_edges[v];
+    const auto kept = std::count_if(edges.begin(), edges.end(), [&](EdgeId e) {
+      return simplified.edge_place[e.index()].dimension == 1;
+    });
+    const int dimension = simplified.vertex_place[v.index()].dimension;
+    const bool feature = std::binary_search(features.vertices.begin(), features.vertices.end(), v);
+    if (feature || kept == 1 || kept > 2) CHECK(dimension == 0);
+    else if (kept == 2) CHECK(dimension <= 1);
+    else CHECK(dimension != 1);
+  }
+}
+
+struct Value {
+  Group plain;
+  PartedGroup parts;
+};
+
+/// Operators on random values made so far, or on the last value and the next leaf. Returns the most parts seen.
+std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, bool chain, Random& random) {
+  std::vector<Value> values;
+  for (Group& leaf : leaves) {
+    leaf.dominance = random.below(3);
+    values.push_back({leaf, parted(complex, leaf)});
+    if (random.one_in(2)) measure(complex, values.back().parts);  // totals are kept up to date or made later
+  }
+  std::size_t most = 0;
+  const std::size_t count = leaves.size();
+  for (std::size_t i = 1; i < count; ++i) {
+    const auto pick = [&] { return static_cast<std::size_t>(random.below(static_cast<int>(values.size()))); };
+    const std::size_t left = chain ? (i == 1 ? 0 : values.size() - 1) : pick(), right = chain ? i : pick();
+    const auto op = random.one_in(2) ? BooleanOp::unite : static_cast<BooleanOp>(random.below(3));
+    const auto dominance = static_cast<Dominance>(random.below(3));
+    INFO(i << ": " << name(op) << ' ' << static_cast<int>(dominance) << " of " << left << ", " << right);
+    const BooleanResult plain = apply(complex, op, dominance, values[left].plain, values[right].plain);
+    PartedResult parts = apply(complex, op, dominance, values[left].parts, values[right].parts);
+    check_same(whole(parts.group), plain.group);
+    CHECK((parts.removals == plain.removals));
+    CHECK((conflicts(parts) == conflicts(plain.conflicts)));
+    if (random.one_in(3)) parts.group.totals.reset();
+    check_measures(complex, parts.group, plain.group);
+    most = std::max(most, parts.group.parts.size());
+    values.push_back({plain.group, parts.group});
+    if (!chain && random.one_in(4)) {
+      const Group other = complement(complex, plain.group);
+      values.push_back({other, parted(complex, other)});
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("Values in parts are the values as whole groups", "[parts]") {
+  const auto [first, last] = scenes::seeds(20);
+  std::size_t most = 0;
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    for (const auto position : {scenes::Position::general, scenes::Position::degenerate}) {
+      for (const bool chain : {true, false}) {
+        INFO("seed " << seed << ", position " << static_cast<int>(position) << ", chain " << chain);
+        Random random(seed);
+        const int room = static_cast<int>(seed % 4);
+        const auto leaves = scattered_leaves(seed, 9, position, room);
+        const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+        const auto groups = leaf_groups(complex, random_attributes(complex, random));
+        most = std::max(most, check_evaluation(complex, groups, chain, random));
+      }
+    }
+  }
+  CHECK(most >= 4);
+}
+
+TEST_CASE("Values in parts: unbounded leaves", "[parts]") {
+  const Tree tree = parse_tree(R"(cnrg: 1
+materials: {rock: {}, ore: {}}
+nodes:
+  h: {halfspace: {point: [0, 0, 1], normal: [0, 0, 1]}, material: rock}
+  p: {plane: {point: [0, 0, 5], normal: [0, 0, 1]}}
+  q: {plane: {point: [3, 0, 0], normal: [1, 0, 0]}}
+  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}, material: ore}
+  b: {box: {min: [5, 0, 2], max: [6, 2, 3]}}
+  c: {box: {min: [5, 5, 5], max: [6, 6, 6]}}
+  d: {polyline: [[10, 10, 10], [10, 11, 10]]}
+  all: {union: [h, p, q, a, b, c, d]}
+result: all
+)",
+                               "test.yaml");
+  EvaluateOptions options;
+  options.threads = 1;
+  for (std::size_t i = 0; i + 1 < tree.nodes.size(); ++i) options.nodes.push_back(NodeId(i));
+  const Evaluation evaluation = evaluate(tree, options);
+  REQUIRE(evaluation.complex->frame.valid());
+  std::vector<Group> leaves;
+  for (const KeptValue& kept : evaluation.kept) {
+    if (kept.node != tree.result) leaves.push_back(kept.group());
+  }
+  REQUIRE(leaves.size() == 7);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    for (std::size_t i = leaves.size(); i > 1; --i) {
+      std::swap(leaves[i - 1], leaves[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+    }
+    INFO("seed " << seed);
+    check_evaluation(*evaluation.complex, leaves, seed % 2 == 0, random);
+  }
+}
+
+TEST_CASE("A union far away carries the parts of its operands", "[parts]") {
+  std::vector<scenes::Leaf> leaves;
+  for (int i = 0; i < 3; ++i) {
+    leaves.push_back(scenes::solid_leaf(scenes::box_solid({3 * i, 0, 0}, {3 * i + 2, 1, 1})));
+  }
+  leaves.push_back(scenes::solid_leaf(scenes::box_solid({5, 0, 0}, {6, 1, 1})));  // touches the second and third
+  const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+  const std::vector<Group> groups = leaf_groups(complex);
+  std::vector<PartedGroup> v;
+  for (const Group& g : groups) v.push_back(parted(complex, g));
+  const auto unite = [&](const PartedGroup& a, const PartedGroup& b) {
+    return apply(complex, BooleanOp::unite, Dominance::left, a, b).group;
+  };
+  const PartedGroup three = unite(unite(v[0], v[1]), v[2]);
+  REQUIRE(three.parts.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(std::count(three.parts.begin(), three.parts.end(), v[i].parts[0]) == 1);
+  }
+  const PartedGroup four = unite(three, v[3]);
+  REQUIRE(four.parts.size() == 2);
+  CHECK(std::count(four.parts.begin(), four.parts.end(), v[0].parts[0]) == 1);
+  CHECK(apply(complex, BooleanOp::intersect, Dominance::equal, v[0], v[2]).group.parts.empty());
+}
+
+TEST_CASE("Simplified counts are those of the simplified complex", "[simplify]") {
+  const auto [first, last] = scenes::seeds(40);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    for (const auto position : {scenes::Position::general, scenes::Position::degenerate}) {
+      INFO("seed " << seed << ", position " << static_cast<int>(position));
+      const auto leaves = scattered_leaves(seed, 4, position, static_cast<int>(seed % 3));
+      const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+      const auto check = [&](const Selection& s, const Features& features) {
+        check_places(complex, s, features);
+        for (const SimplifyMode mode : kModes) {
+          CHECK((simplified_counts(complex, s, features, mode) ==
+                 active_counts(simplify(complex, s, features, mode))));
+        }
+      };
+      for (const Group& g : leaf_groups(complex)) check(selection_of(complex, g), g.features);
+      // Cells at random, open sets and features that are not active included.
+      Random random(seed);
+      const CellSet all = all_cells(complex);
+      for (int one_in = 1; one_in <= 4; ++one_in) {
+        Selection s;
+        Features features;
+        const auto pick = [&](const auto& cells, auto& list, int rarity) {
+          for (auto cell : cells) {
+            if (random.one_in(rarity)) list.emplace_back(cell, static_cast<Component>(random.between(1, 2)));
+          }
+        };
+        pick(all.vertices, s.vertices, one_in);
+        pick(all.edges, s.edges, one_in);
+        pick(all.faces, s.faces, one_in);
+        pick(all.regions, s.regions, 2);
+        for (EdgeId e : all.edges) {
+          if (random.one_in(6)) features.edges.push_back(e);
+        }
+        for (VertexId v : all.vertices) {
+          if (random.one_in(8)) features.vertices.push_back(v);
+        }
+        check(s, features);
+      }
+    }
+  }
+}
+
+}  // namespace cnrg::properties

@@ -1,0 +1,396 @@
+// Betti numbers against elimination on random sets of cells of grids, against Alexander duality on random scenes,
+// and against known topology.
+#include <catch2/catch.hpp>
+
+#include "kernel/base/union_find.h"
+#include "kernel/selection/homology.h"
+#include "kernel/selection/measure.h"
+#include "tests/operators/pieces.h"
+#include "tests/scenes/scene.h"
+#include "tests/scenes/seeds.h"
+#include "tests/selection/elimination.h"
+
+namespace cnrg {
+namespace {
+
+using namespace pieces;
+using Numbers = std::array<long, 3>;
+
+CellSet random_cells(const Complex& complex, scenes::Random& random, int percent) {
+  const CellSet all = all_cells(complex);
+  CellSet out;
+  const auto pick = [&](const auto& from, auto& to) {
+    for (auto c : from) {
+      if (random.below(100) < percent) to.push_back(c);
+    }
+  };
+  pick(all.vertices, out.vertices), pick(all.edges, out.edges);
+  pick(all.faces, out.faces), pick(all.regions, out.regions);
+  return out;
+}
+
+/// One of many ways to be a set: anything, or closed, or open, or the boundary or the complement of one.
+CellSet random_set(const Complex& complex, scenes::Random& random) {
+  CellSet set = random_cells(complex, random, 10 + random.below(81));
+  switch (random.below(6)) {
+    case 0: return closure(complex, set);
+    case 1: return interior(complex, star(complex, set));
+    case 2: return boundary(complex, set);
+    case 3: return subtract(all_cells(complex), set);
+    default: return set;
+  }
+}
+
+/// The pieces of the complement on the 3-sphere, by union-find over all cells and the point at infinity.
+long complement_pieces(const Complex& complex, const CellSet& set) {
+  const std::size_t edges = complex.points.size(), faces = edges + complex.edge_count();
+  const std::size_t regions = faces + complex.face_count(), infinity = regions + complex.region_count;
+  std::vector<char> out(infinity + 1, 1);
+  for (std::size_t p = 0; p < complex.points.size(); ++p) out[p] = 0;  // not every point is a vertex
+  for (VertexId v : complex.vertices) out[v.index()] = 1;
+  for (VertexId v : set.vertices) out[v.index()] = 0;
+  for (EdgeId e : set.edges) out[edges + e.index()] = 0;
+  for (FaceId f : set.faces) out[faces + f.index()] = 0;
+  for (RegionId r : set.regions) out[regions + r.index()] = 0;
+  UnionFind sets(out.size());
+  const auto join = [&](std::size_t a, std::size_t b) {
+    if (out[a] && out[b]) sets.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+  };
+  std::vector<FaceId> f;
+  std::vector<RegionId> r;
+  for (VertexId v : complex.vertices) {
+    complex.star_faces(v, f), complex.star_regions(v, r);
+    for (EdgeId e : complex.vertex_edges[v]) join(v.index(), edges + e.index());
+    for (FaceId x : f) join(v.index(), faces + x.index());
+    for (RegionId x : r) join(v.index(), regions + x.index());
+  }
+  for (EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
+    complex.star_faces(e, f), complex.star_regions(e, r);
+    for (FaceId x : f) join(edges + e.index(), faces + x.index());
+    for (RegionId x : r) join(edges + e.index(), regions + x.index());
+  }
+  for (FaceId x : IdRange<FaceId>(complex.face_count())) {
+    for (RegionId y : complex.face_regions[x]) join(faces + x.index(), regions + y.index());
+  }
+  join(infinity, regions);
+  long count = 0;
+  for (std::size_t i = 0; i < out.size(); ++i) count += out[i] && sets.find(static_cast<std::uint32_t>(i)) == i;
+  return count;
+}
+
+/// The set as cells of a grid: coordinates 1 .. 2n - 1, odd ones are open unit intervals.
+Numbers eliminate(const Complex& complex, const CellSet& set, int n, Numbers& over_q) {
+  const Locator locator(complex);
+  const auto has = [&](const Location& at) {
+    const auto in = [](const auto& list, auto id) { return std::binary_search(list.begin(), list.end(), id); };
+    switch (at.dimension) {
+      case 0: return in(set.vertices, at.vertex);
+      case 1: return in(set.edges, at.edge);
+      case 2: return in(set.faces, at.face);
+      default: return in(set.regions, at.region);
+    }
+  };
+  const int m = 2 * n + 1;
+  std::vector<std::uint32_t> number(static_cast<std::size_t>(m * m * m), 0);  // 1 + place
+  std::vector<std::array<int, 3>> cells;
+  const auto at = [&](const std::array<int, 3>& c) -> std::uint32_t& {
+    return number[static_cast<std::size_t>(c[0] + m * (c[1] + m * c[2]))];
+  };
+  std::array<int, 3> c;
+  for (c[0] = 1; c[0] < m - 1; ++c[0]) {
+    for (c[1] = 1; c[1] < m - 1; ++c[1]) {
+      for (c[2] = 1; c[2] < m - 1; ++c[2]) {
+        if (!has(locator.locate({Rational(c[0], 2), Rational(c[1], 2), Rational(c[2], 2)}))) continue;
+        cells.push_back(c);
+        at(c) = static_cast<std::uint32_t>(cells.size());
+      }
+    }
+  }
+  std::vector<std::vector<std::uint32_t>> above(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    // Even coordinates may stay or grow to either side.
+    for (int code = 1; code < 27; ++code) {
+      std::array<int, 3> d = cells[i];
+      bool possible = true;
+      for (int k = 0, rest = code; k < 3; ++k, rest /= 3) {
+        const int step = rest % 3 == 2 ? -1 : rest % 3;
+        possible = possible && (step == 0 || d[static_cast<std::size_t>(k)] % 2 == 0);
+        d[static_cast<std::size_t>(k)] += step;
+      }
+      if (possible && at(d) != 0) above[i].push_back(at(d) - 1);
+    }
+    std::sort(above[i].begin(), above[i].end());
+  }
+  const auto simplices = elimination::order_complex(above);
+  over_q = elimination::betti<elimination::Fraction>(simplices);
+  return elimination::betti<elimination::Bit>(simplices);
+}
+
+/// Random rectangles, wires and points on the grid points 1 .. n - 1.
+Complex random_grid(scenes::Random& random, int n) {
+  const auto coordinate = [&] { return random.between(1, n - 1); };
+  const auto at = [&] { return Point{coordinate(), coordinate(), coordinate()}; };
+  std::vector<Piece> leaves(1);
+  for (int i = random.below(9); i > 0; --i) {
+    Point low = at(), high = at();
+    const auto axis = static_cast<std::size_t>(random.below(3));
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (low[k] > high[k]) std::swap(low[k], high[k]);
+      if (low[k] == high[k]) high[k] < n - 1 ? ++high[k] : --low[k];
+    }
+    if (random.one_in(3)) {
+      for (const Rectangle& r : box(low, high, 0).faces) leaves.push_back({{r}, {}, {}});
+      continue;
+    }
+    high[axis] = low[axis];
+    leaves.push_back(sheet(low, high));
+  }
+  for (int i = random.below(6); i > 0; --i) {
+    const Point a = at();
+    Point b = a;
+    const auto axis = static_cast<std::size_t>(random.below(3));
+    b[axis] = random.between(1, n - 1);
+    if (a != b) leaves.push_back(wire(a, b));
+  }
+  for (int i = random.below(4); i > 0; --i) leaves.push_back(point(at()));
+  return complex_of(leaves);
+}
+
+TEST_CASE("betti numbers of random sets of cells are those of elimination", "[homology]") {
+  const auto [begin, end] = scenes::seeds(100);
+  for (std::uint64_t seed = begin; seed < end; ++seed) {
+    scenes::Random random(seed);
+    const int n = seed % 4 == 3 ? 5 : 4;
+    const Complex complex = random_grid(random, n);
+    Neighbourhoods neighbourhoods(complex);
+    BettiCounter counter(neighbourhoods);
+    for (int i = 0; i < 4; ++i) {
+      const CellSet set = random_set(complex, random);
+      const BettiNumbers ours = counter.of(set);
+      Numbers over_q;
+      const Numbers over_z2 = eliminate(complex, set, n, over_q);
+      CAPTURE(seed, i, n, set.vertices.size(), set.edges.size(), set.faces.size(), set.regions.size());
+      REQUIRE(ours.z2 == over_z2);
+      REQUIRE(ours.q == over_q);
+    }
+  }
+}
+
+TEST_CASE("betti numbers of sets in random scenes obey duality", "[homology]") {
+  const auto [begin, end] = scenes::seeds(40);
+  for (std::uint64_t seed = begin; seed < end; ++seed) {
+    for (const auto position :
+         {scenes::Position::general, scenes::Position::degenerate, scenes::Position::tilted}) {
+      const auto scene = scenes::random_scene(seed, 3, position);
+      const Complex complex = build_complex(scenes::make_soup(scene.leaves));
+      Neighbourhoods neighbourhoods(complex);
+      BettiCounter counter(neighbourhoods);
+      scenes::Random random(seed + 7);
+      for (int i = 0; i < 4; ++i) {
+        const CellSet set = random_set(complex, random);
+        if (set.empty()) continue;
+        CAPTURE(seed, static_cast<int>(position), i);
+        const BettiNumbers b = counter.of(set);
+        REQUIRE(b.z2[2] == complement_pieces(complex, set) - 1);
+        // Loops of a set and of its complement on the sphere are as many; the point at infinity, missing from the
+        // complement in space, makes one more sphere there unless it is a piece of its own.
+        const CellSet rest = subtract(all_cells(complex), set);
+        const bool in = std::binary_search(set.regions.begin(), set.regions.end(), RegionId(0));
+        const BettiNumbers c = counter.of(rest);
+        REQUIRE(b.z2[1] == c.z2[1]);
+        REQUIRE(b.z2[2] == c.z2[0] - (in ? 0 : 1));
+        REQUIRE((rest.empty() || c.z2[2] == b.z2[0] - (in ? 1 : 0)));
+        // A closed set has no collars to cut: cells count by themselves, as Euler and Poincare do.
+        CellSet solid = closure(complex, set);
+        std::erase(solid.regions, RegionId(0));
+        const BettiNumbers s = counter.of(solid);
+        const EulerTerms t = euler_terms(complex, solid);
+        REQUIRE(s.z2 == Numbers{t.pieces, t.holes, t.cavities});
+        REQUIRE(t.left() == t.right());
+      }
+    }
+  }
+}
+
+CellSet closed_region(const Complex& complex, std::vector<RegionId> regions) {
+  CellSet set;
+  set.regions = std::move(regions);
+  return closure(complex, set);
+}
+Numbers numbers(const Complex& complex, const CellSet& set) {
+  const BettiNumbers b = betti_numbers(complex, set);
+  CHECK(b.q == b.z2);
+  return b.z2;
+}
+std::vector<RegionId> labelled(const Complex& complex, std::size_t labels) {
+  std::vector<RegionId> out;
+  for (RegionId r : IdRange<RegionId>(complex.region_count)) {
+    if (r != RegionId(0) && complex.labels(r).size() == labels) out.push_back(r);
+  }
+  return out;
+}
+/// A square ring of width 1 and height 1 around a hole of 1 x 1, as a box and one to take away.
+std::vector<Piece> ring(Point low) {
+  return {box(low, {low[0] + 3, low[1] + 3, low[2] + 1}),
+          box({low[0] + 1, low[1] + 1, low[2]}, {low[0] + 2, low[1] + 2, low[2] + 1})};
+}
+
+TEST_CASE("betti numbers of the empty set and of all space", "[homology]") {
+  const Complex complex = complex_of({box({0, 0, 0}, {1, 1, 1}) + point({5, 5, 5})});
+  CHECK(numbers(complex, {}) == Numbers{0, 0, 0});
+  CHECK(numbers(complex, all_cells(complex)) == Numbers{1, 0, 0});
+  CellSet outside;
+  outside.regions = {RegionId(0)};
+  CHECK(numbers(complex, outside) == Numbers{1, 0, 2});
+}
+
+TEST_CASE("betti numbers of a cube and what is taken off it", "[homology]") {
+  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), point({2, 2, 2}), wire({1, 1, 1}, {1, 1, 3}),
+                                      wire({3, 3, 0}, {3, 3, 4})});
+  const std::vector<RegionId> cube = labelled(complex, 1);
+  REQUIRE(cube.size() == 1);
+  CellSet open;
+  open.regions = cube;
+  CHECK(numbers(complex, open) == Numbers{1, 1, 2});  // without the point, the wire and a tunnel along the other
+  const CellSet solid = closed_region(complex, cube);
+  CHECK(numbers(complex, solid) == Numbers{1, 0, 0});
+  CHECK(numbers(complex, interior(complex, solid)) == Numbers{1, 0, 0});
+  CellSet surface = boundary(complex, interior(complex, solid));
+  CHECK(numbers(complex, surface) == Numbers{1, 0, 1});
+  // A punctured cube; a cube without a wire from wall to wall; the surface without a face.
+  const auto point_at = [&](VertexId v) { return complex.points.rational(v) == RationalPoint{2, 2, 2}; };
+  CellSet punctured = solid;
+  std::erase_if(punctured.vertices, point_at);
+  CHECK(numbers(complex, punctured) == Numbers{1, 0, 1});
+  CellSet drilled = solid;
+  std::erase_if(drilled.edges,
+                [&](EdgeId e) { return complex.edge_uses[e].empty() && squared_length(complex, e) == 16; });
+  CHECK(drilled.edges.size() == solid.edges.size() - 1);
+  CHECK(numbers(complex, drilled) == Numbers{1, 0, 1});  // the ends of the wire still close the tunnel
+  std::erase_if(drilled.vertices, [&](VertexId v) { return complex.vertex_faces[v].size() == 1; });
+  CHECK(drilled.vertices.size() == solid.vertices.size() - 2);
+  CHECK(numbers(complex, drilled) == Numbers{1, 1, 0});
+  surface.faces.erase(std::find_if(surface.faces.begin(), surface.faces.end(),
+                                   [&](FaceId f) { return complex.face_vertices[f].empty(); }));
+  CHECK(numbers(complex, surface) == Numbers{1, 0, 0});
+}
+
+TEST_CASE("betti numbers of tori, linked or not, and of their complements", "[homology]") {
+  // Two square rings: one flat, one upright through the hole of the first.
+  std::vector<Piece> leaves = ring({0, 0, 0});
+  const Complex torus = complex_of(leaves);
+  const CellSet solid = closed_region(torus, labelled(torus, 1));
+  CHECK(numbers(torus, solid) == Numbers{1, 1, 0});
+  CHECK(numbers(torus, boundary(torus, solid)) == Numbers{1, 2, 1});
+  CHECK(numbers(torus, interior(torus, solid)) == Numbers{1, 1, 0});
+  const CellSet outside = subtract(all_cells(torus), solid);
+  CHECK(numbers(torus, outside) == Numbers{1, 1, 1});
+  CHECK(numbers(torus, closure(torus, outside)) == Numbers{1, 1, 1});
+  Neighbourhoods neighbourhoods(torus);
+  CHECK(inner_surfaces(torus, labelled(torus, 1), neighbourhoods) == std::vector<long>{0});
+
+  const Complex linked = complex_of({box({0, 0, 0}, {10, 10, 2}), box({2, 2, 0}, {8, 8, 2}),
+                                     box({4, 4, -5}, {6, 15, 7}), box({4, 6, -3}, {6, 13, 5})});
+  CellSet rings;
+  for (RegionId r : IdRange<RegionId>(linked.region_count)) {
+    std::array<int, 4> in{};
+    for (const Label& label : linked.labels(r)) in[label.leaf.index()] = 1;
+    if ((in[0] && !in[1]) || (in[2] && !in[3])) rings.regions.push_back(r);
+  }
+  const CellSet both = closure(linked, rings);
+  CHECK(numbers(linked, both) == Numbers{2, 2, 0});
+  CHECK(numbers(linked, boundary(linked, both)) == Numbers{2, 4, 2});
+  CHECK(numbers(linked, subtract(all_cells(linked), both)) == Numbers{1, 2, 2});
+}
+
+TEST_CASE("betti numbers of a shell, a dangling sheet, and components", "[homology]") {
+  const Complex complex =
+      complex_of({box({0, 0, 0}, {6, 6, 6}), box({2, 2, 2}, {4, 4, 4}), sheet({6, 2, 2}, {9, 4, 2})});
+  const CellSet shell = closed_region(complex, labelled(complex, 1));
+  CHECK(numbers(complex, shell) == Numbers{1, 0, 1});
+  CellSet with_sheet = closure(complex, all_cells(complex));
+  with_sheet.regions = shell.regions;
+  CHECK(numbers(complex, with_sheet) == Numbers{1, 0, 1});
+  Selection selection;
+  selection.regions.emplace_back(labelled(complex, 1)[0], 1u);
+  selection.regions.emplace_back(labelled(complex, 2)[0], 2u);
+  std::sort(selection.regions.begin(), selection.regions.end());
+  for (VertexId v : complex.vertices) selection.vertices.emplace_back(v, 3u);
+  Neighbourhoods neighbourhoods(complex);
+  BettiCounter counter(neighbourhoods);
+  const auto each = betti_numbers(selection, {1, 2, 3}, counter);
+  REQUIRE(each.size() == 4);
+  CHECK(each[1].z2 == Numbers{1, 0, 1});
+  CHECK(each[2].z2 == Numbers{1, 0, 0});
+  CHECK(each[3].z2 == Numbers{static_cast<long>(complex.vertex_count()), 0, 0});
+  // Both open regions have the inner corners in their closures; the outer corners of the sheet are alone.
+  CHECK(each[0].z2[0] == 3);
+}
+
+/// Planes z = 0 and x = 0 and a box across both, in a frame.
+Complex framed() {
+  Soup soup;
+  const auto quad = [&](LeafId leaf, std::uint32_t number, std::array<std::array<int, 3>, 4> corners) {
+    std::vector<std::vector<PointId>> loops(1);
+    for (const auto& p : corners) loops[0].push_back(soup.add_point(p[0], p[1], p[2]));
+    soup.add_face(leaf, loops, number, number, 0, 0);
+  };
+  const auto walls = [&](LeafId leaf, int low, int high) {
+    const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (std::uint32_t f = 0; f < 6; ++f) {
+      std::array<std::array<int, 3>, 4> corners;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const int code = faces[f][i];
+        corners[i] = {code & 1 ? high : low, code & 2 ? high : low, code & 4 ? high : low};
+      }
+      quad(leaf, f, corners);
+    }
+  };
+  quad(soup.add_leaf(Fill::none), 0, {{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}}});
+  quad(soup.add_leaf(Fill::none), 0, {{{0, -8, -8}, {0, 8, -8}, {0, 8, 8}, {0, -8, 8}}});
+  walls(soup.add_leaf(Fill::none), -1, 1);
+  const LeafId frame = soup.add_leaf(Fill::none);
+  walls(frame, -8, 8);
+  soup.set_frame(frame, soup.add_point(-8, -8, -8), {});
+  return build_complex(soup);
+}
+
+TEST_CASE("betti numbers of sets that reach the frame", "[homology]") {
+  const Complex complex = framed();
+  REQUIRE(complex.region_count == 1 + 8);
+  const CellSet all = all_cells(complex);
+  CHECK(numbers(complex, all) == Numbers{1, 0, 0});
+  CellSet inside, outside, planes;
+  for (RegionId r : all.regions) (complex.unbounded(r) ? outside : inside).regions.push_back(r);
+  REQUIRE(inside.regions.size() == 4);
+  CHECK(numbers(complex, outside) == Numbers{4, 0, 0});
+  CHECK(numbers(complex, closure(complex, outside)) == Numbers{1, 0, 1});
+  CHECK(numbers(complex, subtract(all, closure(complex, inside))) == Numbers{1, 0, 1});
+  // The planes as far as they bound two unbounded regions: around a hole, and with the line of both off.
+  for (FaceId f : all.faces) {
+    const auto [p, q] = complex.face_regions[f];
+    if (complex.unbounded(p) && complex.unbounded(q)) planes.faces.push_back(f);
+  }
+  CHECK(numbers(complex, planes) == Numbers{4, 0, 0});
+  CHECK(numbers(complex, closure(complex, planes)) == Numbers{1, 3, 0});
+  CellSet line;
+  for (EdgeId e : all.edges) {
+    const auto [a, b] = complex.edge_ends[e];
+    if (complex.on_frame(a) || complex.on_frame(b)) line.edges.push_back(e);
+  }
+  CHECK(numbers(complex, line) == Numbers{2, 0, 0});
+  Neighbourhoods neighbourhoods(complex);
+  BettiCounter counter(neighbourhoods);
+  const auto [begin, end] = scenes::seeds(200);
+  for (std::uint64_t seed = begin; seed < end; ++seed) {
+    scenes::Random random(seed);
+    const CellSet set = random_set(complex, random);
+    CAPTURE(seed);
+    if (!set.empty()) {
+      REQUIRE(counter.of(set).z2[2] == complement_pieces(complex, set) - 1);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cnrg
