@@ -28,6 +28,12 @@ DagValues evaluate(const RandomDag& dag, int threads) {
   return out;
 }
 
+Evaluation evaluate_result(const RandomDag& dag) {
+  EvaluateOptions options;
+  options.threads = 1;
+  return evaluate(parse_tree(tree_file(dag), "dag.yaml"), options);
+}
+
 Attempt attempt(const RandomDag& dag) {
   Attempt out;
   try {

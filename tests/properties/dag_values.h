@@ -20,6 +20,8 @@ struct DagValues {
 
 /// With every check that evaluation has. Throws as `evaluate` does.
 DagValues evaluate(const RandomDag& dag, int threads = 1);
+/// As people evaluate: values are given up as soon as nobody needs them, only that of the result is kept.
+Evaluation evaluate_result(const RandomDag& dag);
 
 /// The same, TreeError told as `refused: ...` and other exceptions as `thrown: ...` in `failure`.
 struct Attempt {
