@@ -28,6 +28,7 @@
 #include "csg/operators/boolean.h"
 #include "csg/operators/cnrg.h"
 #include "csg/operators/leaf_group.h"
+#include "csg/operators/leaf_value.h"
 #include "csg/operators/node_value.h"
 
 // Files of results.

@@ -12,6 +12,7 @@
 #include "csg/evaluate/operate.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/operators/leaf_group.h"
+#include "csg/operators/leaf_value.h"
 #include "kernel/base/sorted.h"
 #include "kernel/selection/measure.h"
 
@@ -71,6 +72,20 @@ void report_dropped(const Tree& tree, const PreparedLeaves& leaves, Evaluation& 
   }
 }
 
+/// A leaf's own value, without the attributes of its node; of a result read back by its cell table.
+NodeValue value_of_leaf(const Tree& tree, const PreparedLeaves& leaves, const Complex& complex, LeafId leaf,
+                        Group group) {
+  const LeafInstance& instance = leaves.instances()[leaf.index()];
+  const CellTable* table = instance.leaf->cells();
+  if (table == nullptr) return {complex, std::move(group)};
+  try {
+    const auto count = static_cast<std::uint32_t>(instance.leaf->regions().size());
+    return leaf_value(complex, leaf, group, *table, instance.transform, leaves.attributes(leaf, count));
+  } catch (const InputError& e) {
+    throw TreeError(tree.file, leaves.node_of(leaf).operator_at, e.what());
+  }
+}
+
 Values leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
                    const Complex& complex) {
   std::vector<std::vector<RegionAttributes>> attributes;
@@ -82,7 +97,7 @@ Values leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedL
   for (const InstanceId i : IdRange<InstanceId>(values.size())) {
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
-    NodeValue value(complex, std::move(groups[leaf.index()]));
+    NodeValue value = value_of_leaf(tree, leaves, complex, leaf, std::move(groups[leaf.index()]));
     apply_attributes(complex, tree.nodes[unfolding.instances[i].node], value);
     values[i] = std::make_shared<NodeValue>(std::move(value));
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "csg/evaluate/operate.h"
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "csg/evaluate/explain.h"
-#include "csg/operators/cnrg.h"
+#include "csg/evaluate/operate.h"
 
 namespace cnrg {
 
@@ -51,6 +51,7 @@ class Lives {
                     const NodeValue& value, bool named);
   const SimplifiedComplex& simplified(const NodeValue& value);
   std::string name_of(InstanceId id) const;
+  std::vector<Operand> operands_of(InstanceId id) const;
 
   const Tree& tree_;
   const Evaluation& evaluation_;

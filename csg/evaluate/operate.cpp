@@ -187,7 +187,7 @@ void set_attributes(const Node& node, RegionAttributes& attributes) {
   if (!node.label.empty()) attributes.name = node.label;
 }
 
-/// The attributes of a node on a group; a leaf's regions have names and materials already.
+/// The attributes of a node on a group; a leaf's regions and components have names and materials already.
 void apply_attributes(const Complex& complex, const Node& node, PartedGroup& group) {
   if (node.regularize) group = regularized(complex, group);
   const bool names = node.op != Operator::leaf && !(node.material.empty() && node.label.empty());
@@ -205,7 +205,7 @@ void apply_attributes(const Complex& complex, const Node& node, Components& comp
   if (node.regularize) components = apply(complex, Topological::regularize, components).value;
   if (node.forget_features) components.features = {};
   for (ComponentAttributes& attributes : components.attributes) {
-    set_attributes(node, attributes);
+    if (node.op != Operator::leaf) set_attributes(node, attributes);
     if (node.dominance) attributes.dominance = *node.dominance;
   }
 }

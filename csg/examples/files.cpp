@@ -1,4 +1,4 @@
-// A result written for ParaView and, exactly, as .json; the .json read back as a leaf is the same group.
+// A result written for ParaView and, exactly, as .json; the .json read back as a leaf has the same value.
 //
 // The files appear in the current folder. A node of an evaluated tree is written by one call,
 // `write(path, tree, evaluation, node)`; here the view is put together by hand.
@@ -25,10 +25,12 @@ int main() {
 
   const auto read = prepare(ResultShape{"both.json"});
   const Complex again = build_complex(make_soup({{read.get(), {}}}));
-  const Group group = leaf_groups(again).front();
-  const Selection selection = selection_of(again, group);
-  for (Component i = 1; i <= group.regions.size(); ++i) {
-    const LeafRegion region = read->regions()[i - 1];
+  std::vector<RegionAttributes> names;
+  for (const LeafRegion& r : read->regions()) names.push_back({.name = r.name, .material = r.material});
+  const NodeValue same = leaf_value(again, LeafId(0), leaf_groups(again).front(), *read->cells(), {}, names);
+  const Selection selection = selection_of(again, same);
+  for (Component i = 1; i <= same.group().regions.size(); ++i) {
+    const RegionAttributes& region = same.attributes(i);
     std::cout << "region " << region.name << " (" << region.material << "): volume "
               << volume(again, support(selection, i).regions).value() << "\n";
   }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/leaves/cell_table.h"
 #include "csg/leaves/shapes.h"
 #include "kernel/base/error.h"
 
@@ -21,7 +22,8 @@ class LeafFileError : public InputError {
 };
 
 /// What a leaf says about its regions: region i (from 1) has `regions[i - 1]`. Material and name are those of
-/// the shape itself (group regions, results read back); the node's own attributes come from the tree.
+/// the shape itself (group regions, components of results read back); the node's own attributes come from the
+/// tree.
 struct LeafRegion {
   std::string name, material;
 };
@@ -34,6 +36,8 @@ class PreparedLeaf {
   /// An unbounded leaf adds only its id; `make_soup`, which sees how far the others reach, adds its face.
   virtual LeafId add_to(Soup& soup, const Transform& transform) const = 0;
   virtual std::vector<LeafRegion> regions() const = 0;
+  /// The value of a result read back; `regions` are then its components. Nothing for all other leaves.
+  virtual const CellTable* cells() const { return nullptr; }
   /// Things to tell the user, such as an open mesh that is taken as a surface.
   virtual std::vector<std::string> notices() const { return {}; }
   /// True for planes and half-spaces.

@@ -1,6 +1,11 @@
 // Reading has three parts: a cursor on the JSON document that knows its path, so that each fault names its
-// place; the tables of the file with every number checked; and the leaf made from them. A face is handed to
-// the soup without its slits, which are wires of their own: loops of the soup enclose by parity.
+// place; the tables of the file with every number checked; and the leaf made from them. All cells of the file go
+// to the soup, active or not; the cell table says which are active.
+//
+// Edges are wires where the faces alone would not give the same edge again:
+//   * A face is handed to the soup without its slits: loops of the soup enclose by parity.
+//   * A bent chain is one edge because it is one curve (kernel/selection/curve.h), and a wire is one.
+//   * Two edges that meet in a corner of curved faces might become one curve: a wire along one of them parts them.
 #include "csg/leaves/result_leaf.h"
 
 #include <algorithm>
@@ -80,34 +85,36 @@ class Cursor {
 
 struct Facet {
   std::vector<Loop> loops;     ///< without slits, the outer one first, counter-clockwise seen from the front
-  Index surface = 0, patch = 0;
-  Index front = 0, back = 0;
+  Index face = 0, patch = 0;
+  Index front = 0, back = 0;   ///< labels
 };
 
 struct Edge {
   Loop points;                 ///< a closed chain repeats its first point
-  Index component = 0;
-  bool entity = false, feature = false;
+  bool closed = false;
   Index uses = 0;              ///< how often faces walk it
   bool slit = false;           ///< one face walks it twice
-  Index surface = 0, patch = 0;  ///< of the first face
-  bool parts = false;          ///< another face is of another surface and patch
-  /// True if the faces alone make it a feature: a free border, a border between two faces, or one of many.
-  bool implied() const { return uses != 0 && !slit && (uses != 2 || parts); }
+  bool curved = false;         ///< on a face that is not flat
+  bool wire = false;
 };
 
 struct Content {
-  std::vector<RationalPoint> points;
+  CellTable table;
   std::vector<Facet> facets;
-  std::vector<Loop> wires;
+  std::vector<Edge> edges;
   std::vector<Index> isolated;
-  std::vector<LeafRegion> regions;
+  std::vector<LeafRegion> components;
 };
 
 RationalPoint minus(const RationalPoint& a, const RationalPoint& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+bool collinear(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
+  const RationalPoint u = minus(b, a), v = minus(c, b);
+  return u[1] * v[2] == u[2] * v[1] && u[2] * v[0] == u[0] * v[2] && u[0] * v[1] == u[1] * v[0];
+}
 
 /// Twice the vector area of a loop: along the normal of the side from which it is counter-clockwise.
 RationalPoint area(const std::vector<RationalPoint>& points, const Loop& loop) {
@@ -157,12 +164,15 @@ class Reader {
     if (root_.member("version").number(1u << 30, "version") != 1) {
       root_.member("version").fail("only version 1 can be read; use a newer cnrg");
     }
+    table_.group = root_.member("group").boolean();
     read_points();
+    read_components();
     read_regions();
     read_vertices();
     read_edges();
     read_faces();
-    make_wires();
+    choose_wires();
+    require_all_points();
     return std::move(content_);
   }
 
@@ -170,15 +180,10 @@ class Reader {
   const std::string& file_;
   Cursor root_;
   Content content_;
-  std::vector<char> frame_;                      // by point
-  std::vector<Index> region_component_;
-  std::vector<Edge> edges_;
-  std::map<std::pair<Index, Index>, Index> edge_at_;  // by segment, smaller point first
-  struct Vertex {
-    Index component = 0;
-    bool entity = false, feature = false;
-  };
-  std::map<Index, Vertex> vertices_;             // by point
+  CellTable& table_ = content_.table;
+  std::vector<Edge>& edges_ = content_.edges;
+  std::vector<char> frame_, used_;               // by point
+  std::vector<Index> labels_;                    // by region; 0: unbounded
 
   template <class F>
   void each(const char* key, F f) {
@@ -187,39 +192,60 @@ class Reader {
   }
 
   [[noreturn]] void not_closed(const Cursor& at, const std::string& what) const {
-    at.fail(what + ": the result is not closed and so can not be a leaf; write `closure` of the node, or read its "
-            "operands back and apply the operator in the tree");
+    at.fail(what + ", but the file says that it is a group, which is closed" + kAgain);
   }
   [[noreturn]] void not_bounded(const Cursor& at, const std::string& what) const {
-    at.fail(what + " has no bounds, and a leaf must have some; intersect the node with a box before it is "
-            "written, or read its operands back and apply the operator in the tree");
+    at.fail(what + " has no bounds, and those of a leaf must have some; cut the node with a box before it is "
+            "written (`intersection`, or `product` where it is not closed), or read its operands back and apply "
+            "the operator in the tree");
   }
 
   void read_points() {
+    auto& points = table_.points;
     each("points", [&](const Cursor& p) {
       if (p.array().size() != 3) p.fail(std::string("a point has three coordinates") + kAgain);
-      content_.points.push_back({p.at(0).rational(), p.at(1).rational(), p.at(2).rational()});
+      points.push_back({p.at(0).rational(), p.at(1).rational(), p.at(2).rational()});
+      if (points.size() > 1 && !(points[points.size() - 2] < points.back())) {
+        p.fail(std::string("points are sorted by their coordinates, and no two are equal") + kAgain);
+      }
     });
-    frame_.assign(content_.points.size(), 0);
+    frame_.assign(points.size(), 0);
+    used_.assign(points.size(), 0);
     each("frame", [&](const Cursor& p) { frame_[p.number(frame_.size(), "point")] = 1; });
   }
 
-  void read_regions() {
-    Index most = 0;
-    each("regions", [&](const Cursor& r) {
-      const Index component = r.member("component").number(1u << 31, "component");
-      if (component != 0 && !r.member("bounded").boolean()) not_bounded(r, "this region");
-      region_component_.push_back(component);
-      most = std::max(most, component);
+  void read_components() {
+    if (table_.group) table_.dominances.push_back(root_.member("dominance").rational());
+    each("components", [&](const Cursor& c) {
+      content_.components.push_back({c.member("name").text(), c.member("material").text()});
+      if (!table_.group) table_.dominances.push_back(c.member("dominance").rational());
     });
-    if (most > 2 * region_component_.size() + root_.member("components").array().size()) {
-      root_.member("regions").fail(std::string("a component number is too large") + kAgain);
-    }
-    content_.regions.resize(most);
-    const Cursor components = root_.member("components");
-    for (std::size_t i = 0; i < std::min<std::size_t>(most, components.size()); ++i) {
-      content_.regions[i] = {components.at(i).member("name").text(), components.at(i).member("material").text()};
-    }
+  }
+  /// Of a group's entities: the one after the last.
+  Index component_of(const Cursor& cell) const {
+    return cell.member("component").number(content_.components.size() + 1 + table_.group, "component");
+  }
+
+  void read_regions() {
+    table_.regions.assign(1, 0);
+    bool unbounded = false;
+    each("regions", [&](const Cursor& r) {
+      const Index component = component_of(r);
+      table_.regions.push_back(component);
+      if (r.member("bounded").boolean()) {
+        labels_.push_back(Index(table_.regions.size() - 1));
+        return;
+      }
+      if (unbounded) not_bounded(r, "what parts this region from another one");
+      unbounded = true;
+      labels_.push_back(0);
+      table_.regions[0] = component;
+    });
+  }
+
+  void use(Index point, const Cursor& at, const char* what) {
+    if (frame_[point]) not_bounded(at, what);
+    used_[point] = 1;
   }
 
   Loop read_loop(const Cursor& list, std::size_t least) const {
@@ -228,7 +254,7 @@ class Reader {
       list.fail("at least " + std::to_string(least) + " points are needed here" + kAgain);
     }
     for (std::size_t i = 0; i < list.size(); ++i) {
-      loop.push_back(list.at(i).number(content_.points.size(), "point"));
+      loop.push_back(list.at(i).number(table_.points.size(), "point"));
       if (i > 0 && loop[i] == loop[i - 1]) list.at(i).fail(std::string("the same point twice in a row") + kAgain);
     }
     return loop;
@@ -236,81 +262,82 @@ class Reader {
 
   void read_vertices() {
     each("vertices", [&](const Cursor& v) {
-      const Index point = v.member("point").number(content_.points.size(), "point");
-      if (!vertices_.try_emplace(point, Vertex{component_of(v), v.member("entity").boolean(),
-                                               v.member("feature").boolean()}).second) {
+      const Index point = v.member("point").number(table_.points.size(), "point");
+      use(point, v, "this vertex");
+      const CellTable::Cell cell{component_of(v), v.member("feature").boolean()};
+      if (!table_.vertices.try_emplace(point, cell).second) {
         v.fail(std::string("two vertices at one point") + kAgain);
       }
     });
   }
-  static Index component_of(const Cursor& cell) { return cell.member("component").number(1u << 31, "component"); }
 
   void read_edges() {
     each("edges", [&](const Cursor& e) {
       Edge edge;
-      const bool closed = e.member("closed").boolean();
-      edge.points = read_loop(e.member("points"), closed ? 3 : 2);
-      edge.component = component_of(e);
-      edge.entity = e.member("entity").boolean();
-      edge.feature = e.member("feature").boolean();
-      if (closed) edge.points.push_back(edge.points[0]);
-      if (edge.component != 0) {
-        for (const Index p : edge.points) {
-          if (frame_[p]) not_bounded(e, "this edge");
-        }
-        if (!closed) {
-          for (const Index p : {edge.points.front(), edge.points.back()}) {
-            const auto vertex = vertices_.find(p);
-            if (vertex == vertices_.end()) e.fail("no vertex at its end, point " + std::to_string(p) + kAgain);
-            if (vertex->second.component != 0) continue;
-            not_closed(e, "its end, point " + std::to_string(p) + ", is missing");
-          }
+      edge.closed = e.member("closed").boolean();
+      edge.points = read_loop(e.member("points"), edge.closed ? 3 : 2);
+      const CellTable::Cell cell{component_of(e), e.member("feature").boolean()};
+      for (const Index p : edge.points) use(p, e, "this edge");
+      if (edge.closed) {
+        edge.points.push_back(edge.points[0]);
+      } else {
+        for (const Index p : {edge.points.front(), edge.points.back()}) {
+          const auto vertex = table_.vertices.find(p);
+          if (vertex == table_.vertices.end()) e.fail("no vertex at its end, point " + std::to_string(p) + kAgain);
+          if (!table_.group || cell.component == 0 || vertex->second.component != 0) continue;
+          not_closed(e, "its end, point " + std::to_string(p) + ", is missing");
         }
       }
       for (std::size_t i = 1; i < edge.points.size(); ++i) {
-        if (!edge_at_.try_emplace(std::minmax(edge.points[i - 1], edge.points[i]), Index(edges_.size())).second) {
+        const auto segment = std::minmax(edge.points[i - 1], edge.points[i]);
+        if (!table_.segments.try_emplace(segment, Index(edges_.size())).second) {
           e.fail(std::string("two edges between the same points") + kAgain);
         }
       }
+      table_.edges.push_back(cell);
       edges_.push_back(std::move(edge));
     });
   }
 
   void read_faces() {
-    Index next = 0;
     each("faces", [&](const Cursor& f) {
-      const Index number = next++;
       const Index component = component_of(f);
-      const bool entity = f.member("entity").boolean();
       const Cursor sides = f.member("regions");
       if (sides.array().size() != 2) {
         sides.fail(std::string("two regions are needed here: in front and behind") + kAgain);
       }
       std::array<Index, 2> labels{};
       for (std::size_t i = 0; i < 2; ++i) {
-        if (!sides.at(i).is_null()) {
-          labels[i] = region_component_[sides.at(i).number(region_component_.size(), "region")];
+        if (sides.at(i).is_null()) not_bounded(f, "this face");
+        labels[i] = labels_[sides.at(i).number(labels_.size(), "region")];
+        if (table_.group && component == 0 && table_.regions[labels[i]] != 0) {
+          not_closed(f, "this face of a region is missing");
         }
       }
-      if (component == 0 && (labels[0] != 0 || labels[1] != 0)) {
-        not_closed(f, "this face of a region is missing");
-      }
       Facet facet;
+      facet.face = Index(table_.faces.size());
+      facet.patch = f.member("patch").number(1u << 31, "patch");
       facet.front = labels[0];
       facet.back = labels[1];
-      facet.patch = f.has("patch") ? f.member("patch").number(1u << 31, "patch") : number;
-      facet.surface = f.has("surface") ? f.member("surface").number(1u << 31, "surface") : number;
+      table_.faces.push_back(component);
       const std::vector<Loop> walks = read_walks(f);
-      if (component == 0) return;
-      check_boundary(f, walks, entity ? &facet : nullptr);
-      if (!entity) return;
-      if (!f.has("facets")) {
+      const bool flat = !f.has("facets");
+      walk_boundary(f, walks, component, flat);
+      if (flat) {
         add_facet(f, walks, facet);
         return;
       }
       const Cursor facets = f.member("facets").array();
-      for (std::size_t i = 0; i < facets.size(); ++i) add_facet(facets.at(i), read_walks(facets.at(i)), facet);
+      for (std::size_t i = 0; i < facets.size(); ++i) add_curved(facets.at(i), facet);
     });
+  }
+
+  void add_curved(const Cursor& at, const Facet& facet) {
+    const std::vector<Loop> walks = read_walks(at);
+    for (const Loop& walk : walks) {
+      for (const Index p : walk) use(p, at, "this face");
+    }
+    add_facet(at, walks, facet);
   }
 
   std::vector<Loop> read_walks(const Cursor& face) const {
@@ -321,47 +348,41 @@ class Reader {
     return walks;
   }
 
-  /// The edges of a face must be there and be active; `entity` (or null) is told to them.
-  void check_boundary(const Cursor& face, const std::vector<Loop>& walks, const Facet* entity) {
+  /// The edges of a face must be there, those of a group's active face be active.
+  void walk_boundary(const Cursor& face, const std::vector<Loop>& walks, Index component, bool flat) {
     std::map<Index, std::pair<Index, Index>> first;  // edge -> the segment where the face walks it first
     for (const Loop& walk : walks) {
       for (std::size_t i = 0; i < walk.size(); ++i) {
         const Index a = walk[i], b = walk[(i + 1) % walk.size()];
         if (frame_[a]) not_bounded(face, "this face");
-        const auto found = edge_at_.find(std::minmax(a, b));
+        const auto found = table_.segments.find(std::minmax(a, b));
         const auto between = [&] { return " points " + std::to_string(a) + " and " + std::to_string(b); };
-        if (found == edge_at_.end()) face.fail("no edge joins" + between() + kAgain);
+        if (found == table_.segments.end()) face.fail("no edge joins" + between() + kAgain);
         Edge& edge = edges_[found->second];
-        if (edge.component == 0) not_closed(face, "its edge between" + between() + " is missing");
+        if (table_.group && component != 0 && table_.edges[found->second].component == 0) {
+          not_closed(face, "its edge between" + between() + " is missing");
+        }
         const auto [entry, fresh] = first.try_emplace(found->second, a, b);
         const auto& segment = entry->second;
         if (!fresh && std::minmax(a, b) == std::minmax(segment.first, segment.second)) edge.slit = true;
-        if (entity != nullptr && (fresh || edge.slit)) use(edge, *entity);
+        if (fresh || edge.slit) ++edge.uses;
+        edge.curved = edge.curved || !flat;
       }
-    }
-  }
-
-  static void use(Edge& edge, const Facet& face) {
-    if (edge.uses++ == 0) {
-      edge.surface = face.surface;
-      edge.patch = face.patch;
-    } else if (edge.surface != face.surface && edge.patch != face.patch) {
-      edge.parts = true;
     }
   }
 
   void add_facet(const Cursor& at, const std::vector<Loop>& walks, Facet facet) {
     RationalPoint normal{0, 0, 0};
     for (const Loop& walk : walks) {
-      const RationalPoint part = area(content_.points, walk);
+      const RationalPoint part = area(table_.points, walk);
       for (int k = 0; k < 3; ++k) normal[k] += part[k];
       split_at_slits(walk, facet.loops);
     }
     if (sgn(dot(normal, normal)) == 0 || facet.loops.empty()) at.fail(std::string("a face without area") + kAgain);
-    const RationalPoint& origin = content_.points[facet.loops[0][0]];
+    const RationalPoint& origin = table_.points[facet.loops[0][0]];
     for (const Loop& loop : facet.loops) {
       for (const Index p : loop) {
-        if (sgn(dot(normal, minus(content_.points[p], origin))) != 0) {
+        if (sgn(dot(normal, minus(table_.points[p], origin))) != 0) {
           at.fail("point " + std::to_string(p) + " is not in the plane of the face" + kAgain);
         }
       }
@@ -369,7 +390,7 @@ class Reader {
     std::size_t outer = 0;
     Rational most = 0;
     for (std::size_t i = 0; i < facet.loops.size(); ++i) {
-      const Rational extent = dot(normal, area(content_.points, facet.loops[i]));
+      const Rational extent = dot(normal, area(table_.points, facet.loops[i]));
       if (extent > most) {
         most = extent;
         outer = i;
@@ -379,24 +400,44 @@ class Reader {
     content_.facets.push_back(std::move(facet));
   }
 
-  void make_wires() {
-    std::vector<Index> at(content_.points.size(), 0), features(content_.points.size(), 0);  // edges at a point
-    std::map<Index, Index> facets_of;  // by patch
-    for (const Facet& facet : content_.facets) ++facets_of[facet.patch];
-    for (Edge& edge : edges_) {
-      for (const Index p : edge.points) ++at[p];
-      for (const Index p : {edge.points.front(), edge.points.back()}) features[p] += edge.feature;
-      // The bent rim of a flat face is one curve that no curved patch beside it tells of: a wire does.
-      const bool rim = edge.uses == 1 && edge.points.size() > 2 && facets_of[edge.patch] == 1;
-      if (edge.entity && (edge.uses == 0 || edge.slit || rim || (edge.feature && !edge.implied()))) {
-        content_.wires.push_back(std::move(edge.points));
-      }
+  bool straight(Index a, Index b, Index c) const {
+    return collinear(table_.points[a], table_.points[b], table_.points[c]);
+  }
+  bool bent(const Edge& edge) const {
+    const Loop& p = edge.points;
+    for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+      if (!straight(p[i - 1], p[i], p[i + 1])) return true;
     }
-    // Where one feature edge ends, or three or more meet, their vertex is a feature without being told.
-    for (const auto& [point, vertex] : vertices_) {
-      const bool implied = features[point] == 1 || features[point] > 2;
-      if (vertex.entity && (at[point] == 0 || (vertex.feature && !implied))) content_.isolated.push_back(point);
+    return edge.closed;
+  }
+
+  void choose_wires() {
+    std::map<Index, std::vector<std::pair<Index, Index>>> ends;  // point -> edges that end there, next point
+    std::vector<char> on_edge(table_.points.size(), 0);
+    for (Index i = 0; i < edges_.size(); ++i) {
+      Edge& edge = edges_[i];
+      const Loop& p = edge.points;
+      for (const Index point : p) on_edge[point] = 1;
+      edge.wire = edge.uses == 0 || edge.slit || bent(edge);
+      if (edge.closed) continue;
+      ends[p.front()].emplace_back(i, p[1]);
+      ends[p.back()].emplace_back(i, p[p.size() - 2]);
     }
+    for (const auto& [point, list] : ends) {
+      if (list.size() != 2 || straight(list[0].second, point, list[1].second)) continue;
+      Edge &a = edges_[list[0].first], &b = edges_[list[1].first];
+      a.wire = a.wire || (a.curved && b.curved);
+    }
+    for (const auto& [point, vertex] : table_.vertices) {
+      if (!on_edge[point]) content_.isolated.push_back(point);
+    }
+  }
+
+  void require_all_points() const {
+    const auto idle = std::find(used_.begin(), used_.end(), 0);
+    if (idle == used_.end()) return;
+    const auto point = std::size_t(idle - used_.begin());
+    root_.member("points").at(point).fail(std::string("no cell has this point") + kAgain);
   }
 };
 
@@ -407,9 +448,9 @@ class ResultLeaf : public PreparedLeaf {
   LeafId add_to(Soup& soup, const Transform& transform) const override {
     const LeafId leaf = soup.add_leaf(Fill::sides);
     const bool mirrored = sgn(transform.determinant()) < 0;
-    std::vector<PointId> ids(content_.points.size());
+    std::vector<PointId> ids(content_.table.points.size());
     const auto id = [&](Index p) {
-      if (!ids[p].valid()) ids[p] = soup.add_point(transform.apply(content_.points[p]));
+      if (!ids[p].valid()) ids[p] = soup.add_point(transform.apply(content_.table.points[p]));
       return ids[p];
     };
     std::vector<std::vector<PointId>> loops;
@@ -420,17 +461,19 @@ class ResultLeaf : public PreparedLeaf {
         for (const Index p : loop) ring.push_back(id(p));
         if (mirrored) std::reverse(ring.begin(), ring.end());
       }
-      soup.add_face(leaf, loops, facet.surface, facet.patch, facet.front, facet.back);
+      soup.add_face(leaf, loops, facet.face, facet.patch, facet.front, facet.back);
     }
-    Index number = 0;
-    for (const Loop& wire : content_.wires) {
-      for (std::size_t i = 1; i < wire.size(); ++i) soup.add_wire(leaf, id(wire[i - 1]), id(wire[i]), number);
-      ++number;
+    for (Index number = 0; number < content_.edges.size(); ++number) {
+      const Edge& edge = content_.edges[number];
+      if (!edge.wire) continue;
+      const Loop& p = edge.points;
+      for (std::size_t i = 1; i < p.size(); ++i) soup.add_wire(leaf, id(p[i - 1]), id(p[i]), number);
     }
     for (const Index p : content_.isolated) soup.add_isolated(leaf, id(p));
     return leaf;
   }
-  std::vector<LeafRegion> regions() const override { return content_.regions; }
+  std::vector<LeafRegion> regions() const override { return content_.components; }
+  const CellTable* cells() const override { return &content_.table; }
 
  private:
   Content content_;

@@ -7,13 +7,14 @@
 
 namespace cnrg {
 
-/// Reads a result that `cnrg eval -o file.json` wrote. The leaf has the same complex: faces by their loops (by
-/// their facets where they are not flat) with the regions on both sides (Fill::sides), wires, isolated points
-/// and features; patches and leaf faces keep their identity, regions their names and materials.
+/// Reads a result that `cnrg eval -o file.json` wrote, of a group or of components: open, closed or neither, of
+/// any dimension. The leaf has the same complex and (PreparedLeaf::cells) the same value: components with their
+/// names, materials and dominance, and features. Its soup has the faces by their loops (by their facets where they
+/// are not flat) with the regions on both sides (Fill::sides), the edges that bound no face as wires, and isolated
+/// points, active or not. Faces, edges and regions are numbered as in the file (regions from 1); patches are kept.
 ///
-/// A leaf is a group: closed, and empty far away. A result that is not closed or that has a region, face or
-/// line without bounds is refused: read the operands back and apply the operator (`complement`, `interior`,
-/// ...) in the tree.
+/// A region may be unbounded; a face or line without bounds is refused: read the operands back and apply the
+/// operator in the tree, or cut the node with a box before it is written.
 ///
 /// Throws LeafFileError `file:line:column: error: ...` where the file is no JSON and `file: error: /faces/3/loops:
 /// ...` with the JSON path of any other fault, each with what to do; InputError if there is no such file,

@@ -6,7 +6,9 @@
 #include <map>
 #include <numeric>
 
+#include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/triangulate.h"
 
 namespace cnrg {
@@ -62,7 +64,10 @@ std::vector<Index> sort_and_map(std::vector<T>& items, Less less) {
 
 class Flattener {
  public:
-  explicit Flattener(const ResultView& view) : view_(view), complex_(*view.complex), simple_(*view.simplified) {}
+  explicit Flattener(const ResultView& view)
+      : view_(view), complex_(*view.complex), simple_(*view.simplified),
+        of_group_(view.value->is_group() ? components_of(complex_, view.value->group()) : Components{}),
+        value_(view.value->is_group() ? of_group_ : view.value->components()) {}
 
   FlatComplex run() {
     mark_curved_edges();
@@ -81,6 +86,8 @@ class Flattener {
   const ResultView& view_;
   const Complex& complex_;
   const SimplifiedComplex& simple_;
+  const Components of_group_;              // a group as components
+  const Components& value_;
   FlatComplex flat_;
   IdVector<EdgeId, Index> edge_of_;        // simplified edge that holds an edge of the complex
   std::vector<char> by_curved_;            // simplified edges on a face that is not flat
@@ -159,10 +166,9 @@ class Flattener {
       }
       if (is_flat(face)) continue;
       for (const HalfFace cell : face.cells) {
-        for (const LoopId loop : complex_.face_loops[cell.face()]) {
-          for (const HalfEdge h : complex_.loop[loop]) use(complex_.origin(h));
+        for (const auto& walk : facet_walks(cell.face())) {
+          for (const VertexId v : walk) use(v);
         }
-        for (const VertexId v : complex_.face_vertices[cell.face()]) use(v);
       }
     }
     std::sort(used.begin(), used.end(),
@@ -176,8 +182,29 @@ class Flattener {
 
   void make_regions() {
     for (const auto& region : simple_.regions) {
-      flat_.regions.push_back({region.component, region.bounded, region.shells, region.cells});
+      FlatComplex::Provenance origin;
+      for (const RegionId r : region.cells) {
+        add_origin(value_.selection.regions, value_.origins.regions, r, origin);
+      }
+      flat_.regions.push_back(
+          {region.component, region.bounded, region.shells, region.cells, unique(std::move(origin))});
     }
+  }
+
+  template <class IdT>
+  void add_origin(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& sets,
+                  IdT cell, FlatComplex::Provenance& origin) const {
+    const std::size_t k = place_in(list, cell);
+    if (k == list.size()) return;
+    const auto leaves = value_.origins.sets[sets[k]];
+    const std::vector<LeafCell> cells = leaf_cells(complex_, cell, leaves);
+    origin.leaves.insert(origin.leaves.end(), leaves.begin(), leaves.end());
+    origin.cells.insert(origin.cells.end(), cells.begin(), cells.end());
+  }
+  static FlatComplex::Provenance unique(FlatComplex::Provenance origin) {
+    sort_unique(origin.leaves);
+    sort_unique(origin.cells);
+    return origin;
   }
 
   Loop numbers(const std::vector<VertexId>& vertices) const {
@@ -195,16 +222,51 @@ class Flattener {
     return numbers(vertices);
   }
 
+  /// The loops of a facet without the slits that simplification removed. A walk passes a slit in both directions;
+  /// slits nest like parentheses, and each closed part between them is a walk of its own.
+  std::vector<std::vector<VertexId>> facet_walks(FaceId f) const {
+    std::vector<std::vector<VertexId>> walks;
+    std::vector<EdgeId> vanished, slits;
+    for (const LoopId id : complex_.face_loops[f]) {
+      vanished.clear(), slits.clear();
+      for (const HalfEdge h : complex_.loop[id]) {
+        if (edge_of_[h.edge()] == kNone) vanished.push_back(h.edge());
+      }
+      std::sort(vanished.begin(), vanished.end());
+      for (std::size_t i = 1; i < vanished.size(); ++i) {
+        if (vanished[i] == vanished[i - 1]) slits.push_back(vanished[i]);
+      }
+      std::vector<std::pair<EdgeId, std::vector<VertexId>>> open(1);
+      const auto close = [&] {
+        if (!open.back().second.empty()) walks.push_back(std::move(open.back().second));
+        open.pop_back();
+      };
+      for (const HalfEdge h : complex_.loop[id]) {
+        if (!std::binary_search(slits.begin(), slits.end(), h.edge())) {
+          open.back().second.push_back(complex_.origin(h));
+        } else if (open.size() > 1 && open.back().first == h.edge()) {
+          close();
+        } else {
+          open.push_back({h.edge(), {}});
+        }
+      }
+      while (!open.empty()) close();
+    }
+    return walks;
+  }
+
   /// One facet of the complex as seen from the face's front (`cell.side()` is that front).
   FlatComplex::Facet facet_of(HalfFace cell) const {
     FlatComplex::Facet facet;
-    for (const LoopId id : complex_.face_loops[cell.face()]) {
-      Loop loop = loop_of(complex_.loop[id]);
+    for (const auto& walk : facet_walks(cell.face())) {
+      Loop loop = numbers(walk);
       if (cell.side() == 1) std::reverse(loop.begin(), loop.end());
       facet.loops.push_back(std::move(loop));
     }
     put_in_order(facet.loops);
-    for (const VertexId v : complex_.face_vertices[cell.face()]) facet.isolated.push_back(number_[v]);
+    for (const VertexId v : complex_.face_vertices[cell.face()]) {
+      if (simple_.vertex_place[v.index()].dimension == 0) facet.isolated.push_back(number_[v]);
+    }
     std::sort(facet.isolated.begin(), facet.isolated.end());
     return facet;
   }
@@ -262,7 +324,6 @@ class Flattener {
       FlatComplex::Face face;
       face.component = from.component;
       face.regions = from.regions;
-      std::vector<HalfFace> cells = from.cells;
       for (const auto& loop : from.loops) face.loops.push_back(loop_of(loop));
       put_in_order(face.loops);
       face.isolated = numbers(from.isolated);
@@ -270,20 +331,24 @@ class Flattener {
       const bool flat = is_flat(from);
       std::vector<std::pair<FlatComplex::Facet, HalfFace>> facets;
       if (flat) {
-        facets.push_back({{face.loops, face.isolated}, cells[0]});
+        facets.push_back({{face.loops, face.isolated}, from.cells[0]});
       } else {
         std::vector<std::pair<Loop, HalfFace>> order;
-        for (const HalfFace cell : cells) order.push_back({key(facet_of(cell)), cell});
+        for (const HalfFace cell : from.cells) order.push_back({key(facet_of(cell)), cell});
         std::sort(order.begin(), order.end());
         for (const auto& [points, cell] : order) facets.push_back({facet_of(cell), cell});
       }
-      if (must_flip(face, facets[0].second)) flip(face, facets, cells);
+      if (must_flip(face, facets[0].second)) flip(face, facets);
       for (auto& [facet, cell] : facets) {
         add_triangles(cell, facet.loops, facet.isolated, face.triangles);
         if (!flat) face.facets.push_back(std::move(facet));
       }
       face.entity = from.component != 0 && !inside_component(from.component, {from.regions[0], from.regions[1]});
-      add_sources(cells, face.sources);
+      for (const HalfFace cell : from.cells) {
+        add_origin(value_.selection.faces, value_.origins.faces, cell.face(), face.origin);
+      }
+      face.origin = unique(std::move(face.origin));
+      face.patch = patch_of(from, face.origin.leaves);
       flat_.faces.push_back(std::move(face));
     }
   }
@@ -302,8 +367,7 @@ class Flattener {
     return normal_order(first) < 0;
   }
 
-  void flip(FlatComplex::Face& face, std::vector<std::pair<FlatComplex::Facet, HalfFace>>& facets,
-            std::vector<HalfFace>& cells) {
+  void flip(FlatComplex::Face& face, std::vector<std::pair<FlatComplex::Facet, HalfFace>>& facets) {
     const auto reverse_all = [](std::vector<Loop>& loops) {
       for (Loop& loop : loops) std::reverse(loop.begin(), loop.end());
       put_in_order(loops);
@@ -314,7 +378,6 @@ class Flattener {
       reverse_all(facet.loops);
       cell = cell.opposite();
     }
-    for (HalfFace& cell : cells) cell = cell.opposite();
     flipped_[flat_.faces.size()] = 1;
   }
 
@@ -334,21 +397,29 @@ class Flattener {
     return result;
   }
 
-  bool is_source(LeafId leaf) const {
-    return leaf != complex_.frame &&
-           (view_.sources.empty() || std::binary_search(view_.sources.begin(), view_.sources.end(), leaf));
-  }
-
-  void add_sources(const std::vector<HalfFace>& cells, std::vector<FlatComplex::Source>& sources) const {
-    for (const HalfFace cell : cells) {
-      for (const Cover& cover : complex_.cover(cell.face())) {
-        const Soup::Face& face = complex_.sources[cover.source];
-        if (!is_source(face.leaf)) continue;
-        sources.push_back({face.leaf, face.leaf_face, face.patch, cover.same == (cell.side() == 0)});
+  /// The first patch that covers all cells of the face, one of `leaves` if there is any.
+  std::optional<FlatComplex::Patch> patch_of(const SimplifiedComplex::Face& face,
+                                             const std::vector<LeafId>& leaves) const {
+    std::vector<FlatComplex::Patch> common, here, both;
+    for (std::size_t i = 0; i < face.cells.size(); ++i) {
+      here.clear(), both.clear();
+      for (const Cover& cover : complex_.cover(face.cells[i].face())) {
+        const Soup::Face& source = complex_.sources[cover.source];
+        if (source.leaf != complex_.frame) here.emplace_back(source.leaf, source.patch);
       }
+      sort_unique(here);
+      if (i == 0) {
+        common = here;
+      } else {
+        std::set_intersection(common.begin(), common.end(), here.begin(), here.end(), std::back_inserter(both));
+        common.swap(both);
+      }
+      if (common.empty()) return std::nullopt;
     }
-    std::sort(sources.begin(), sources.end());
-    sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
+    const auto own = std::find_if(common.begin(), common.end(), [&](const FlatComplex::Patch& patch) {
+      return std::binary_search(leaves.begin(), leaves.end(), patch.first);
+    });
+    return own == common.end() ? common[0] : *own;
   }
 
   void make_edges() {
@@ -375,17 +446,14 @@ class Flattener {
       complex_.star_regions(first, regions);
       edge.entity = from.component != 0 && !inside_component(from.component, region_indices(regions));
       if (edge.wire) edge.region = region_index(complex_.some_region(first));
-      const auto& features = view_.value->features().edges;
+      const auto& features = value_.features.edges;
       edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
         return std::binary_search(features.begin(), features.end(), h.edge());
       });
-      for (const SegmentId segment : complex_.edge_segments[first]) {
-        for (const WireId wire : complex_.segment_wires[segment]) {
-          if (is_source(complex_.wires[wire].leaf)) edge.leaves.push_back(complex_.wires[wire].leaf);
-        }
+      for (const HalfEdge h : from.chain) {
+        add_origin(value_.selection.edges, value_.origins.edges, h.edge(), edge.origin);
       }
-      std::sort(edge.leaves.begin(), edge.leaves.end());
-      edge.leaves.erase(std::unique(edge.leaves.begin(), edge.leaves.end()), edge.leaves.end());
+      edge.origin = unique(std::move(edge.origin));
       flat_.edges.push_back(std::move(edge));
     }
     std::sort(flat_.edges.begin(), flat_.edges.end(),
@@ -410,11 +478,9 @@ class Flattener {
       complex_.star_regions(from.cell, regions);
       vertex.entity = from.component != 0 && !inside_component(from.component, region_indices(regions));
       if (vertex.free && !in_face[vertex.point]) vertex.region = region_index(complex_.some_region(from.cell));
-      const auto& features = view_.value->features().vertices;
+      const auto& features = value_.features.vertices;
       vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);
-      for (const LeafId leaf : complex_.isolated_leaves[from.cell]) {
-        if (is_source(leaf)) vertex.leaves.push_back(leaf);
-      }
+      add_origin(value_.selection.vertices, value_.origins.vertices, from.cell, vertex.origin);
       flat_.vertices.push_back(std::move(vertex));
     }
     std::sort(flat_.vertices.begin(), flat_.vertices.end(),
@@ -462,7 +528,8 @@ class Flattener {
 }  // namespace
 
 FlatComplex flatten(const ResultView& view) {
-  require(view.complex != nullptr && view.simplified != nullptr && view.value != nullptr, "flatten: a result without a complex");
+  require(view.complex != nullptr && view.simplified != nullptr && view.value != nullptr,
+          "flatten: a result without a complex");
   return Flattener(view).run();
 }
 

@@ -12,7 +12,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csg/output/writer.h"
@@ -24,21 +26,22 @@ struct FlatComplex {
   static constexpr Index kNone = 0xffffffffu;
   using Loop = std::vector<Index>;        ///< point numbers
 
-  /// A face of a leaf that covers a face; `same`: its front is the face's front.
-  struct Source {
-    LeafId leaf;
-    std::uint32_t face = 0, patch = 0;
-    bool same = true;
-    friend auto operator<=>(const Source&, const Source&) = default;
+  /// Where an active cell came from, over all cells of the complex that it unites (of its own dimension): the
+  /// leaves and their faces, wires, points and regions that hold it. Both ascending; empty for inactive cells.
+  struct Provenance {
+    std::vector<LeafId> leaves;
+    std::vector<LeafCell> cells;
   };
+  /// A patch of a leaf.
+  using Patch = std::pair<LeafId, std::uint32_t>;
   struct Vertex {
     Index point = 0;
     Component component = 0;
     bool entity = false;                  ///< active, and not just the interior of a region of its component
-    bool feature = false;
+    bool feature = false;                 ///< of the group; of components: of the groups they were made of
     bool free = false;                    ///< no listed edge ends there (it may lie inside of a face)
     Index region = kNone;                 ///< the region that holds a vertex on no edge and no face
-    std::vector<LeafId> leaves;           ///< that have it as an isolated point
+    Provenance origin;
   };
   struct Edge {
     Loop points;                          ///< from end to end; a closed chain does not repeat the first
@@ -48,7 +51,7 @@ struct FlatComplex {
     bool wire = false;                    ///< no listed face has it on its boundary
     bool slit = false;                    ///< a face walks it twice
     Index region = kNone;                 ///< the region that holds a wire
-    std::vector<LeafId> leaves;           ///< that have it as a wire
+    Provenance origin;
   };
   struct Facet {
     std::vector<Loop> loops;              ///< outer first, seen from the front counter-clockwise, holes clockwise
@@ -63,13 +66,16 @@ struct FlatComplex {
     Component component = 0;
     bool entity = false;
     std::array<Index, 2> regions{kNone, kNone};   ///< on front and back
-    std::vector<Source> sources;          ///< ascending
+    Provenance origin;
+    /// The patch that covers all of it, if there is one; of the leaves that it came from if possible.
+    std::optional<Patch> patch;
   };
   struct Region {
     Component component = 0;
     bool bounded = true;
     std::vector<std::vector<Index>> shells;       ///< face * 2 + side (0: front), ascending in each
     std::vector<RegionId> cells;                  ///< 3-cells of the complex
+    Provenance origin;
   };
 
   std::vector<VertexId> points;           ///< ascending by coordinates

@@ -1,22 +1,28 @@
 // The exact and lossless format: JSON with one cell per line and coordinates as fractions.
 //
 // {
-//   "format": "cnrg result", "version": 1, "node": name, "group": true | false,
+//   "format": "cnrg result", "version": 1, "node": name, "group": true | false, "dominance": fraction of a group,
 //   "leaves": [{"name"}],
 //   "materials": [{"name", "color"}],
-//   "components": [{"name", "material", "leaves": [leaf]}],          component i is at [i - 1]
+//   "components": [{"name", "material", "dominance", "leaves": [leaf]}],   component i is at [i - 1]
 //   "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted
 //   "frame": [point],                                                points that stand for infinity
-//   "vertices": [{"point", "component", ...}],
-//   "edges": [{"points": [point], "closed", "component", ...}],
-//   "faces": [{"loops": [[point]], "component", "regions": [front, back], "triangles", ...}],
-//   "regions": [{"component", "bounded", "shells": [[{"face", "side"}]], "volume", ...}]
+//   "vertices": [{"point", "component", "origin", ...}],
+//   "edges": [{"points": [point], "closed", "component", "origin", ...}],
+//   "faces": [{"loops": [[point]], "component", "regions": [front, back], "patch", "triangles", "origin", ...}],
+//   "regions": [{"component", "bounded", "shells": [[{"face", "side"}]], "volume", "origin", ...}]
 // }
-// A component of 0 says that the cell is not part of the result but bounds a part of it. `entity` is false for
-// cells that are only the interior of a region. A region that no cell lists is null. Loops have the face to
-// the left as seen from its front: the outer loop of a flat face comes first and is counter-clockwise.
-// `facets` are the planar pieces of a face that is not flat. `patch` and `surface` number the patches and the
-// leaf faces that faces come from: faces with the same number were one in their leaf.
+// A component of 0 says that the cell is not part of the result but bounds a part of it. In a group the regions
+// are the components, and its faces, edges and vertices that are entities have the number after the last one;
+// only components of other values have a dominance each. `entity` is false for cells that are only the interior
+// of a region. A region that no cell lists is null. Loops have the face to the left as seen from its front: the
+// outer loop of a flat face comes first and is counter-clockwise. `facets` are the planar pieces of a face that is
+// not flat. Faces with the same `patch` are of one patch of a leaf.
+//
+// `origin` names the leaves that a cell of the result came from, and what of them holds it (boundaries included),
+// over all cells that simplification united in it: [{"leaf", "faces": [...], "edges": [...], "point": true,
+// "regions": [...]}], by the leaf's own numbers; what is empty is left out. Edges are wires, a point is isolated,
+// regions count from 1.
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -35,15 +41,19 @@ std::string line_of(const Json& value) {
 
 Json index_or_null(Index i) { return i == FlatComplex::kNone ? Json(nullptr) : Json(i); }
 
-/// Numbers pairs in the order in which they come.
-class Numbering {
+/// Numbers patches in the order in which they come; a face of no one patch is one of its own.
+class PatchNumbers {
  public:
-  std::size_t operator()(LeafId leaf, std::uint32_t what) {
-    return numbers_.try_emplace({leaf, what}, numbers_.size()).first->second;
+  std::size_t operator()(const std::optional<FlatComplex::Patch>& patch) {
+    if (!patch) return next_++;
+    const auto [it, fresh] = numbers_.try_emplace(*patch, next_);
+    next_ += fresh;
+    return it->second;
   }
 
  private:
-  std::map<std::pair<LeafId, std::uint32_t>, std::size_t> numbers_;
+  std::map<FlatComplex::Patch, std::size_t> numbers_;
+  std::size_t next_ = 0;
 };
 
 class JsonWriter {
@@ -53,11 +63,20 @@ class JsonWriter {
   std::string run() {
     text_ = "{\n\"format\": \"cnrg result\",\n\"version\": 1,\n\"node\": " + line_of(view_.node) +
             ",\n\"group\": " + (view_.value->is_group() ? "true" : "false");
+    if (view_.value->is_group()) {
+      text_ += ",\n\"dominance\": " + line_of(to_string(view_.value->group().dominance));
+    }
     leaves();
     list("materials", view_.materials, [](const auto& m) { return Json{{"name", m.name}, {"color", m.color}}; });
-    list("components", components(), [&](const RegionAttributes& a) {
-      return Json{{"name", a.name}, {"material", a.material}, {"leaves", leaf_numbers(a.leaves)}};
-    });
+    if (view_.value->is_group()) {
+      list("components", view_.value->group().regions, [&](const RegionAttributes& a) { return component(a); });
+    } else {
+      list("components", view_.value->components().attributes, [&](const ComponentAttributes& a) {
+        Json result = component(a);
+        result["dominance"] = to_string(a.dominance);
+        return result;
+      });
+    }
     list("points", flat_.points, [&](VertexId v) {
       const RationalPoint p = view_.complex->points.rational(v);
       return Json{to_string(p[0]), to_string(p[1]), to_string(p[2])};
@@ -75,7 +94,7 @@ class JsonWriter {
   FlatComplex flat_;
   std::string text_;
   std::map<LeafId, std::size_t> leaf_number_;
-  Numbering patches_, surfaces_;
+  PatchNumbers patches_;
 
   template <class Range, class Make>
   void list(const char* key, const Range& range, Make make) {
@@ -91,11 +110,14 @@ class JsonWriter {
 
   /// Leaves that the result names, numbered in the file.
   void leaves() {
-    const auto see = [&](LeafId leaf) { leaf_number_.try_emplace(leaf, 0); };
-    for (const auto& v : flat_.vertices) for (const LeafId leaf : v.leaves) see(leaf);
-    for (const auto& e : flat_.edges) for (const LeafId leaf : e.leaves) see(leaf);
-    for (const auto& f : flat_.faces) for (const auto& s : f.sources) see(s.leaf);
-    for (const auto& a : components()) for (const LeafId leaf : a.leaves) see(leaf);
+    const auto see = [&](const std::vector<LeafId>& leaves) {
+      for (const LeafId leaf : leaves) leaf_number_.try_emplace(leaf, 0);
+    };
+    for (const auto& v : flat_.vertices) see(v.origin.leaves);
+    for (const auto& e : flat_.edges) see(e.origin.leaves);
+    for (const auto& f : flat_.faces) see(f.origin.leaves);
+    for (const auto& r : flat_.regions) see(r.origin.leaves);
+    for (Component i = 1; i <= view_.value->component_count(); ++i) see(view_.value->attributes(i).leaves);
     std::size_t next = 0;
     for (auto& [leaf, number] : leaf_number_) number = next++;
     list("leaves", leaf_number_, [&](const auto& entry) {
@@ -104,11 +126,8 @@ class JsonWriter {
     });
   }
 
-  /// Regions of a group, all components of other values.
-  std::vector<RegionAttributes> components() const {
-    if (view_.value->is_group()) return view_.value->group().regions;
-    const auto& attributes = view_.value->components().attributes;
-    return {attributes.begin(), attributes.end()};
+  Json component(const RegionAttributes& a) const {
+    return {{"name", a.name}, {"material", a.material}, {"leaves", leaf_numbers(a.leaves)}};
   }
 
   Json leaf_numbers(const std::vector<LeafId>& leaves) const {
@@ -117,10 +136,28 @@ class JsonWriter {
     return result;
   }
 
+  Json origin_of(const FlatComplex::Provenance& origin) const {
+    static constexpr const char* kKeys[] = {"point", "edges", "faces", "regions"};
+    Json result = Json::array();
+    auto cell = origin.cells.begin();
+    for (const LeafId leaf : origin.leaves) {
+      Json& item = result.emplace_back(Json{{"leaf", leaf_number_.at(leaf)}});
+      for (; cell != origin.cells.end() && cell->leaf == leaf; ++cell) {
+        Json& list = item[kKeys[cell->dimension]];
+        if (cell->dimension == 0) {
+          list = true;
+        } else {
+          list.push_back(cell->number);
+        }
+      }
+    }
+    return result;
+  }
+
   Json vertex(const FlatComplex::Vertex& v) const {
     Json result{{"point", v.point}, {"component", v.component}, {"entity", v.entity}, {"feature", v.feature}};
     if (v.region != FlatComplex::kNone) result["region"] = v.region;
-    if (!v.leaves.empty()) result["leaves"] = leaf_numbers(v.leaves);
+    if (v.component != 0) result["origin"] = origin_of(v.origin);
     return result;
   }
 
@@ -128,7 +165,7 @@ class JsonWriter {
     Json result{{"points", e.points},       {"closed", e.closed},   {"component", e.component},
                 {"entity", e.entity},       {"feature", e.feature}, {"wire", e.wire}};
     if (e.region != FlatComplex::kNone) result["region"] = e.region;
-    if (!e.leaves.empty()) result["leaves"] = leaf_numbers(e.leaves);
+    if (e.component != 0) result["origin"] = origin_of(e.origin);
     return result;
   }
 
@@ -138,10 +175,7 @@ class JsonWriter {
     result["component"] = f.component;
     result["entity"] = f.entity;
     result["regions"] = {index_or_null(f.regions[0]), index_or_null(f.regions[1])};
-    if (!f.sources.empty()) {
-      result["patch"] = patches_(f.sources[0].leaf, f.sources[0].patch);
-      result["surface"] = surfaces_(f.sources[0].leaf, f.sources[0].face);
-    }
+    result["patch"] = patches_(f.patch);
     if (!f.facets.empty()) {
       Json& facets = result["facets"] = Json::array();
       for (const auto& facet : f.facets) {
@@ -150,10 +184,7 @@ class JsonWriter {
       }
     }
     result["triangles"] = f.triangles;
-    Json& sources = result["sources"] = Json::array();
-    for (const auto& s : f.sources) {
-      sources.push_back({{"leaf", leaf_number_.at(s.leaf)}, {"face", s.face}, {"same", s.same}});
-    }
+    if (f.component != 0) result["origin"] = origin_of(f.origin);
     return result;
   }
 
@@ -168,6 +199,7 @@ class JsonWriter {
       Json& sides = shells.emplace_back(Json::array());
       for (const Index side : shell) sides.push_back({{"face", side >> 1}, {"side", side & 1 ? "back" : "front"}});
     }
+    if (r.component != 0) result["origin"] = origin_of(r.origin);
     return result;
   }
 };

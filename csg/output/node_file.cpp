@@ -51,7 +51,6 @@ RoundingReport write(const std::string& path, const Tree& tree, const Evaluation
   view.simplified = &value.simplified;
   view.leaves = &leaves;
   view.materials = materials_of(tree, *value.value);
-  view.sources = value.leaves;
   try {
     return write(path, view);
   } catch (const InputError& e) {  // the format can not show this node

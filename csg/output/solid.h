@@ -23,7 +23,7 @@ SolidBoundary solid_boundary(const FlatComplex& flat, const std::string& format)
 void require_off_frame(const FlatComplex& flat, const std::string& format);
 
 /// Throws InputError unless every cell on the boundary of an active one is active and no active region is
-/// unbounded, neither by itself nor by reaching the frame.
+/// unbounded, neither by itself nor by reaching the frame. The message names `closure`.
 void require_closed_and_bounded(const FlatComplex& flat, const std::string& format);
 
 }  // namespace cnrg

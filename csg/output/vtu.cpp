@@ -7,11 +7,13 @@
 //   region        dimension 3: the region's component; below: of the region behind, in front or around; or 0
 //   region_front, region_back     faces only: on the two sides; 0 outside
 //   regions_bounded               faces only: 0 dangling, 1 boundary, 2 wall between two regions; else -1
-//   material      of that region: a row of MaterialNames; 0: none
-//   source_leaf, source_face      first leaf (a row of LeafNames) and its face that the cell comes from; -1: none
+//   material      of the component, for entities of a group of that region: a row of MaterialNames; 0: none
+//   source_leaf, source_face      the first leaf (a row of LeafNames) with a face that the cell came from, and
+//                                 that face; of a cell from no face the first leaf and -1 (.json has all)
 //
 // Field data holds the names: RegionNames (by component; 0 is outside), MaterialNames, LeafNames. Arrays are
-// base64 of little-endian numbers, doubles unrounded.
+// base64 of little-endian numbers, doubles unrounded. Cells that bound the result without being part of it are not
+// drawn: an open region has dimension 3 alone, its triangles are where it ends.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -111,7 +113,8 @@ class VtuWriter {
     front_.push_back(a.front);
     back_.push_back(a.back);
     bounded_.push_back(a.bounded);
-    material_.push_back(material_of(a.region));
+    const bool entity = view_.value->is_group() && a.dimension < 3;
+    material_.push_back(material_of(entity ? a.region : a.component));
     leaf_.push_back(a.leaf);
     face_.push_back(a.face);
   }
@@ -126,8 +129,15 @@ class VtuWriter {
     }
     return 0;
   }
-  static std::int32_t number_of(const std::vector<LeafId>& leaves) {
-    return leaves.empty() ? -1 : std::int32_t(leaves[0].value());
+  static void set_source(Attributes& a, const FlatComplex::Provenance& origin) {
+    if (!origin.leaves.empty()) a.leaf = std::int32_t(origin.leaves[0].value());
+    if (a.dimension == 3) return;
+    for (const LeafCell& cell : origin.cells) {
+      if (cell.dimension != 2) continue;
+      a.leaf = std::int32_t(cell.leaf.value());
+      a.face = std::int32_t(cell.number);
+      return;
+    }
   }
 
   void add_vertices() {
@@ -143,7 +153,7 @@ class VtuWriter {
       a.cell = std::int32_t(i);
       a.component = std::int32_t(v.component);
       a.region = region_number(v.region);
-      a.leaf = number_of(v.leaves);
+      set_source(a, v.origin);
       add(kVertex, std::array{v.point}, a);
       if (!drawn[v.point]) drawing_.points.push_back(v.point);
     }
@@ -158,7 +168,7 @@ class VtuWriter {
       a.cell = std::int32_t(i);
       a.component = std::int32_t(e.component);
       a.region = region_number(e.region);
-      a.leaf = number_of(e.leaves);
+      set_source(a, e.origin);
       FlatComplex::Loop points = e.points;
       if (e.closed) points.push_back(points[0]);
       add(kPolyline, points, a);
@@ -180,10 +190,7 @@ class VtuWriter {
       a.back = region_number(f.regions[1]);
       a.region = a.back != 0 ? a.back : a.front;
       a.bounded = flat_.regions_bounded(f);
-      if (!f.sources.empty()) {
-        a.leaf = std::int32_t(f.sources[0].leaf.value());
-        a.face = std::int32_t(f.sources[0].face);
-      }
+      set_source(a, f.origin);
       for (const auto& t : f.triangles) add(kTriangle, t, a);
     }
   }
@@ -196,8 +203,7 @@ class VtuWriter {
       a.dimension = 3;
       a.cell = std::int32_t(i);
       a.component = a.region = std::int32_t(r.component);
-      const auto& leaves = attributes_of(view_, r.component).leaves;
-      a.leaf = number_of(leaves);
+      set_source(a, r.origin);
       for (const auto& shell : r.shells) {
         for (const Index side : shell) {
           for (auto t : flat_.faces[side >> 1].triangles) {
@@ -231,9 +237,7 @@ class VtuWriter {
 
   std::string file() {
     std::vector<std::string> regions{"outside"}, materials{"none"}, leaves;
-    const std::size_t named =
-        view_.value->is_group() ? view_.value->group().regions.size() : view_.value->component_count();
-    for (Component i = 1; i <= named; ++i) regions.push_back(view_.value->attributes(i).name);
+    for (Component i = 1; i <= view_.value->component_count(); ++i) regions.push_back(view_.value->attributes(i).name);
     for (const auto& m : view_.materials) materials.push_back(m.name);
     if (view_.leaves != nullptr) for (const auto& leaf : *view_.leaves) leaves.push_back(leaf.name);
     std::vector<double> coordinates;

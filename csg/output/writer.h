@@ -25,8 +25,6 @@ struct ResultView {
     std::string name, color;
   };
   std::vector<Material> materials{};
-  /// The leaves below the node, ascending; provenance names no others. Empty: all leaves.
-  std::vector<LeafId> sources{};
 };
 
 /// What rounding to doubles did to a written file.

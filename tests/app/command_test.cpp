@@ -230,6 +230,49 @@ TEST_CASE("a result is read back as a leaf", "[app]") {
   CHECK(row(o.out, "d").back() == "46/3");
 }
 
+TEST_CASE("components are read back with their value, their names and their dominance", "[app]") {
+  const Workshop w;
+  w.write("t.yaml",
+          "cnrg: 1\n"
+          "materials: {rock: {}, ore: {}}\n"
+          "nodes:\n"
+          "  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}, material: rock}\n"
+          "  b: {box: {min: [1, 1, 1], max: [3, 3, 3]}, material: ore, dominance: 2}\n"
+          "  open: {interior: a}\n"
+          "  parts: {sum: [open, b]}\n"
+          "  rest: {complement: parts}\n"
+          "  both: {aggregate: [parts, rest]}\n"
+          "result: both\n");
+  REQUIRE(w.run("eval t.yaml --node parts --node rest -o parts.json -o rest.json").status == 0);
+  w.write("again.yaml",
+          "cnrg: 1\n"
+          "materials: {rock: {}, ore: {}}\n"
+          "nodes:\n"
+          "  parts: {cnrg: parts.json}\n"
+          "  rest: {cnrg: rest.json}\n"
+          "  both: {aggregate: [parts, rest]}\n"
+          "  closed: {closure: parts}\n"
+          "  cut: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
+          "  bad: {union: [parts, cut]}\n"
+          "  good: {union: [closed, cut]}\n"
+          "result: both\n");
+  const Outcome o = w.run("eval again.yaml --node parts --node both --node good -o p.json -o b.json -o g.json");
+  INFO(o.err);
+  REQUIRE(o.status == 0);
+  const auto first = nlohmann::json::parse(w.read("parts.json"));
+  const auto second = nlohmann::json::parse(w.read("p.json"));
+  for (const char* key : {"points", "frame", "group"}) CHECK(first[key] == second[key]);
+  REQUIRE(first["components"].size() == second["components"].size());
+  for (std::size_t i = 0; i < first["components"].size(); ++i) {
+    for (const char* key : {"name", "material", "dominance"}) {
+      CHECK(first["components"][i][key] == second["components"][i][key]);
+    }
+  }
+  const Outcome refused = w.run("eval again.yaml --node bad");
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Contains("closure"));
+}
+
 TEST_CASE("check reads and validates only", "[app]") {
   const Workshop w;
   w.write("t.yaml", kBoxes);

@@ -97,11 +97,13 @@ struct Case {
   }
   void show(Group shown, SimplifyMode mode = SimplifyMode::features) {
     group = std::move(shown);
-    value = group;
+    value = NodeValue(*complex, group);
     simplified = simplify(*complex, selection_of(*complex, group), group.features, mode);
   }
-  void show(Components shown) {
+  void show(Components shown) { show(NodeValue(std::move(shown))); }
+  void show(NodeValue shown) {
     value = std::move(shown);
+    if (value.is_group()) group = value.group();
     simplified = simplify(*complex, selection_of(*complex, value), value.features());
   }
   Group unite(Dominance dominance = Dominance::equal) const {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cases.h"
+#include "csg/operators/cnrg.h"
 #include "kernel/base/error.h"
 
 using namespace cnrg;
@@ -149,4 +150,36 @@ TEST_CASE("vtu: a region without bounds is shown by its boundary") {
   Case c(soup);
   c.show(complement(*c.complex, c.group));
   CHECK_NOTHROW(written(c.view()));
+}
+
+TEST_CASE("vtu: of an open set the region is drawn, its boundary is not; materials are those of components") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  Case c(soup, {{{"a", "rock", {}}}});
+  c.materials = {{"steel", ""}, {"rock", ""}};
+  const Components a = components_of(*c.complex, c.leaves[0]);
+  c.show(apply(*c.complex, Topological::interior, a).value);
+  Vtu vtu = written(c.view());
+  CHECK(vtu.array<std::int32_t>("dimension") == std::vector<std::int32_t>(12, 3));
+  CHECK(vtu.array<std::int32_t>("component") == std::vector<std::int32_t>(12, 1));
+  CHECK(vtu.array<std::int32_t>("material") == std::vector<std::int32_t>(12, 2));
+  CHECK(vtu.array<std::int32_t>("source_leaf") == std::vector<std::int32_t>(12, 0));
+
+  Components boundary = apply(*c.complex, Topological::boundary, a).value;  // the entities alone
+  REQUIRE(boundary.attributes.size() == 1);
+  boundary.attributes[0].material = "steel";
+  c.show(boundary);
+  vtu = written(c.view());
+  CHECK(vtu.array<std::int32_t>("dimension").size() == 8 + 12 + 12);
+  CHECK(vtu.array<std::int32_t>("material") == std::vector<std::int32_t>(32, 1));
+  CHECK(vtu.array<std::int32_t>("region") == std::vector<std::int32_t>(32, 0));
+  const auto face = vtu.array<std::int32_t>("source_face");
+  for (std::size_t i = 0; i < face.size(); ++i) CHECK(face[i] >= 0);
+
+  c.show(c.leaves[0]);  // of a group the faces show the material of the region that they bound
+  vtu = written(c.view());
+  CHECK(vtu.names("RegionNames") == std::vector<std::string>{"outside", "a", "entities"});
+  const auto material = vtu.array<std::int32_t>("material");
+  const auto dimensions = vtu.array<std::int32_t>("dimension");
+  for (std::size_t i = 0; i < material.size(); ++i) CHECK(material[i] == (dimensions[i] < 2 ? 0 : 2));
 }

@@ -1,0 +1,231 @@
+// Every cell of the complex that lies on the leaf is a piece of one cell of the file: a face by its cover, a
+// 3-cell by its label, an edge by the input segment under it (its ends are points of the file) or else by the face
+// whose interior it is in, a vertex by its point, its edges or its face. Points of the file are known by their
+// order: they are all there, and the order of points is that of their exact coordinates.
+#include "csg/operators/leaf_value.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
+#include "kernel/selection/scratch.h"
+
+namespace cnrg {
+namespace {
+
+using Index = std::uint32_t;
+constexpr Index kNone = 0xffffffffu;
+constexpr const char* kAgain = "; write the file again with `cnrg eval -o`";
+
+/// The number of the one cell of the file that is meant; there must not be two.
+class One {
+ public:
+  explicit One(const char* what) : what_(what) {}
+  void see(Index number) {
+    if (number_ != kNone && number_ != number) {
+      throw InputError("the cells of the result overlap: " + std::string(what_) + " " + std::to_string(number_) +
+                       " and " + std::to_string(number) + kAgain);
+    }
+    number_ = number;
+  }
+  bool found() const { return number_ != kNone; }
+  Index number() const { return number_; }
+
+ private:
+  const char* what_;
+  Index number_ = kNone;
+};
+
+class LeafValue {
+ public:
+  LeafValue(const Complex& complex, LeafId leaf, const Group& cells, const CellTable& table)
+      : complex_(complex), leaf_(leaf), cells_(cells), table_(table), point_(complex.points.size()),
+        edge_(complex.edge_count()) {}
+
+  Components run(const Transform& transform, const std::vector<RegionAttributes>& attributes) {
+    number_points(transform);
+    number_edges();
+    select(static_cast<Component>(attributes.size()));
+    const LeafSetId own = out_.origins.sets.intern(leaf_);
+    out_.origins.vertices.assign(out_.selection.vertices.size(), own);
+    out_.origins.edges.assign(out_.selection.edges.size(), own);
+    out_.origins.faces.assign(out_.selection.faces.size(), own);
+    out_.origins.regions.assign(out_.selection.regions.size(), own);
+    for (std::size_t i = 0; i < attributes.size(); ++i) {
+      out_.attributes.push_back({attributes[i], table_.dominances[table_.group ? 0 : i]});
+      out_.attributes.back().leaves = {leaf_};
+    }
+    return std::move(out_);
+  }
+
+ private:
+  bool is_of_leaf(SegmentId s) const {
+    const auto faces = complex_.segment_faces[s];
+    const auto wires = complex_.segment_wires[s];
+    const auto has_face = [&](SourceId f) { return complex_.sources[f].leaf == leaf_; };
+    const auto has_wire = [&](WireId w) { return complex_.wires[w].leaf == leaf_; };
+    return std::any_of(faces.begin(), faces.end(), has_face) || std::any_of(wires.begin(), wires.end(), has_wire);
+  }
+
+  void number_points(const Transform& transform) {
+    std::vector<VertexId> vertices;
+    for (const EdgeId e : cells_.edges) {
+      for (const SegmentId s : complex_.edge_segments[e]) {
+        if (!is_of_leaf(s)) continue;
+        vertices.insert(vertices.end(), complex_.segment_ends[s].begin(), complex_.segment_ends[s].end());
+      }
+    }
+    for (const VertexId v : cells_.vertices) {
+      const auto leaves = complex_.isolated_leaves[v];
+      if (std::find(leaves.begin(), leaves.end(), leaf_) != leaves.end()) vertices.push_back(v);
+    }
+    sort_unique(vertices);
+    std::sort(vertices.begin(), vertices.end(),
+              [&](VertexId a, VertexId b) { return compare_lex(complex_.points, a, b) < 0; });
+    const std::vector<Index> order = order_of_points(transform);
+    if (vertices.size() != order.size()) {
+      throw InputError("the cells of the result do not fit together: " + std::to_string(vertices.size()) +
+                       " of its " + std::to_string(order.size()) + " points are on their boundaries" + kAgain);
+    }
+    for (std::size_t i = 0; i < order.size(); ++i) point_[vertices[i]] = order[i] + 1;
+  }
+
+  /// The points of the file in the order of their images.
+  std::vector<Index> order_of_points(const Transform& transform) const {
+    std::vector<Index> order(table_.points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    if (transform.identity()) return order;
+    std::vector<RationalPoint> images;
+    images.reserve(order.size());
+    for (const RationalPoint& p : table_.points) images.push_back(transform.apply(p));
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return images[a] < images[b]; });
+    return order;
+  }
+
+  void number_edges() {
+    for (const EdgeId e : cells_.edges) {
+      One edge("edges");
+      for (const SegmentId s : complex_.edge_segments[e]) {
+        if (!is_of_leaf(s)) continue;
+        const auto& [a, b] = complex_.segment_ends[s];
+        const auto found = table_.segments.find(std::minmax(point_[a] - 1, point_[b] - 1));
+        if (found != table_.segments.end()) edge.see(found->second);
+      }
+      if (edge.found()) edge_[e] = edge.number() + 1;
+    }
+  }
+
+  void see(FaceId f, One& face) const {
+    for (const Cover& cover : complex_.cover(f)) {
+      const Soup::Face& source = complex_.sources[cover.source];
+      if (source.leaf == leaf_) face.see(source.leaf_face);
+    }
+  }
+  void see(EdgeId e, One& face) const {
+    for (const FaceUse& use : complex_.edge_uses[e]) see(use.face, face);
+  }
+
+  Component of(const One& face) const {
+    require(face.found(), "leaf_value: a cell of a leaf lies on none of its faces");
+    return table_.faces.at(face.number());
+  }
+  Component component(FaceId f) const {
+    One face("faces");
+    see(f, face);
+    return of(face);
+  }
+  CellTable::Cell cell(EdgeId e) const {
+    if (edge_[e] != 0) return table_.edges[edge_[e] - 1];
+    One face("faces");
+    see(e, face);
+    return {of(face), false};
+  }
+  CellTable::Cell cell(VertexId v) const {
+    if (point_[v] != 0) {
+      const auto vertex = table_.vertices.find(point_[v] - 1);
+      if (vertex != table_.vertices.end()) return vertex->second;
+    }
+    One edge("edges"), face("faces");
+    for (const EdgeId e : complex_.vertex_edges[v]) {
+      if (edge_[e] != 0) edge.see(edge_[e] - 1);
+    }
+    if (edge.found()) return {table_.edges[edge.number()].component, false};
+    for (const EdgeId e : complex_.vertex_edges[v]) see(e, face);
+    for (const FaceId f : complex_.vertex_faces[v]) see(f, face);
+    return {of(face), false};
+  }
+
+  Component component(RegionId r) const {
+    for (const Label& label : complex_.labels(r)) {
+      if (label.leaf == leaf_) return table_.regions.at(label.region);
+    }
+    return table_.regions[0];
+  }
+
+  /// Active 3-cells and what is inside of their regions, then the cells that lie on the leaf.
+  void select(Component count) {
+    Group inside;
+    inside.faces = cells_.faces;
+    inside.edges = cells_.edges;
+    inside.vertices = cells_.vertices;
+    inside.regions.resize(count);
+    const auto add = [&](RegionId r) {
+      const Component c = component(r);
+      if (c != 0) inside.cells.emplace_back(r, c);
+    };
+    if (table_.regions[0] == 0) {
+      for (const auto& [r, region] : cells_.cells) add(r);
+    } else {
+      for (const RegionId r : IdRange<RegionId>(complex_.region_count)) {
+        if (!complex_.outside_frame(r)) add(r);
+      }
+    }
+    Selection& s = out_.selection = selection_of(complex_, inside);
+    const auto fill = [&](auto& list, auto component_of) {
+      for (auto& [id, c] : list) {
+        if (c == count + 1) c = component_of(id);
+      }
+      std::erase_if(list, [](const auto& entry) { return entry.second == 0; });
+    };
+    fill(s.faces, [&](FaceId f) { return component(f); });
+    fill(s.edges, [&](EdgeId e) {
+      const CellTable::Cell found = cell(e);
+      if (found.feature && found.component != 0) out_.features.edges.push_back(e);
+      return found.component;
+    });
+    fill(s.vertices, [&](VertexId v) {
+      const CellTable::Cell found = cell(v);
+      if (found.feature && found.component != 0) out_.features.vertices.push_back(v);
+      return found.component;
+    });
+  }
+
+  const Complex& complex_;
+  const LeafId leaf_;
+  const Group& cells_;
+  const CellTable& table_;
+  Scratch<VertexId, Index> point_;  // of the file, from 1
+  Scratch<EdgeId, Index> edge_;     // of the file, from 1
+  Components out_;
+};
+
+}  // namespace
+
+NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, const CellTable& table,
+                     const Transform& transform, const std::vector<RegionAttributes>& attributes) {
+  std::vector<RegionAttributes> all = attributes;
+  if (table.group) all.push_back({kEntitiesName, "", {}});
+  Components components = LeafValue(complex, leaf, cells, table).run(transform, all);
+  if (!table.group) return components;
+  const CellSet missing = missing_boundary(complex, components);
+  if (!missing.empty()) {
+    throw InputError("the result calls itself a group but is not closed: " + std::to_string(missing.size()) +
+                     " cells of its boundary are missing" + kAgain);
+  }
+  Group group = group_of(complex, components);
+  group.dominance = table.dominances[0];
+  return {complex, std::move(group)};
+}
+
+}  // namespace cnrg
