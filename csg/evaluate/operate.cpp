@@ -260,8 +260,12 @@ Outcome operate(const Complex& complex, const Node& node, std::span<const Operan
       outcome = topology_of(complex, node, *operands[0].value, validate);
       break;
     case Operator::simplify:
-      if (operands[0].value->is_group()) outcome.value = operands[0].value->parts();
-      else outcome.value = operands[0].value->components();
+      if (operands[0].value->is_group()) {
+        outcome.value = operands[0].value->parts();
+      } else {
+        outcome.value = operands[0].value->components();
+        outcome.value.stands_for = operands[0].value->stands_for;
+      }
       break;
     case Operator::leaf:
       throw InvariantError("operate: `" + node.name + "` is a leaf");

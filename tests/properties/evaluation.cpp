@@ -59,8 +59,7 @@ Group evaluate(const Complex& complex, const std::vector<Group>& groups, const s
       .group;
 }
 
-Selection point_set(const Complex& complex, const Group& group) {
-  Selection s = selection_of(complex, group);
+Selection joined(Selection s) {
   const auto one = [](auto& list) {
     for (auto& [cell, component] : list) component = 1;
   };
@@ -71,8 +70,16 @@ Selection point_set(const Complex& complex, const Group& group) {
   return s;
 }
 
+Selection point_set(const Complex& complex, const Group& group) { return joined(selection_of(complex, group)); }
+
 Skeleton skeleton(const Complex& complex, const Group& group) {
-  const SimplifiedComplex s = simplify(complex, point_set(complex, group), {}, SimplifyMode::points);
+  return skeleton(complex, point_set(complex, group));
+}
+
+NefSet to_nef(const Complex& complex, const Group& group) { return to_nef(complex, point_set(complex, group)); }
+
+Skeleton skeleton(const Complex& complex, const Selection& set) {
+  const SimplifiedComplex s = simplify(complex, set, {}, SimplifyMode::points);
   Skeleton result;
   std::map<VertexId, std::uint32_t> number;
   for (const auto& v : s.vertices) {
@@ -98,23 +105,60 @@ Skeleton skeleton(const Complex& complex, const Group& group) {
     for (const VertexId v : f.isolated) facet.isolated.push_back(number.at(v));
     result.facets.push_back(std::move(facet));
   }
-  result.volumes = std::max<std::size_t>(s.regions.size(), 1);  // an empty set lists no region
+  result.volumes = std::max<std::size_t>(s.regions.size(), 1);  // a set without walls may list no region
   result.sort();
   return result;
 }
 
-NefSet to_nef(const Complex& complex, const Group& group) {
-  const SimplifiedComplex s = simplify(complex, point_set(complex, group), {}, SimplifyMode::points);
-  std::vector<NefSet> parts;
-  for (const auto& f : s.faces) parts.push_back(NefSet::polygon(loops_of(complex, s, f)));
-  for (const auto& e : s.edges)
-    parts.push_back(NefSet::segment(complex.points.rational(complex.origin(e.chain.front())),
-                                    complex.points.rational(complex.target(e.chain.back()))));
-  for (const auto& v : s.vertices) parts.push_back(NefSet::point(complex.points.rational(v.cell)));
+NefSet to_nef(const Complex& complex, const Selection& set) {
+  const SimplifiedComplex s = simplify(complex, set, {}, SimplifyMode::points);
+  std::vector<NefSet> walls, off;
+  // What the closed walls give with the right mark: edges and vertices of marked faces alone, and so on.
+  std::vector<char> edge_given(s.edges.size(), 0), edge_taken(s.edges.size(), 0);
+  std::vector<char> vertex_given(s.vertices.size(), 0), vertex_taken(s.vertices.size(), 0);
+  const auto touch = [](const Place& place, bool given, std::vector<char>& gives, std::vector<char>& takes) {
+    (given ? gives : takes)[place.index] = 1;
+  };
+  const auto touch_vertex = [&](VertexId v, bool given) {
+    if (s.vertex_place[v.index()].dimension == 0)
+      touch(s.vertex_place[v.index()], given, vertex_given, vertex_taken);
+  };
+  for (const auto& f : s.faces) {
+    const bool marked = f.component != 0;
+    walls.push_back(NefSet::polygon(loops_of(complex, s, f)));
+    if (!marked) off.push_back(walls.back());
+    for (const auto& walk : f.loops)
+      for (const HalfEdge h : walk) {
+        touch(s.edge_place[h.edge().index()], marked, edge_given, edge_taken);
+        touch_vertex(complex.origin(h), marked);
+      }
+    for (const VertexId v : f.isolated) touch_vertex(v, marked);
+  }
   std::vector<RationalPoint> inside;
   for (const auto& r : s.regions)
     if (r.component != 0) inside.push_back(scenes::point_in(complex, r.cells.front()));
-  return NefSet::unite_all(std::move(parts)).fill(inside);
+  // Space without walls lists no region.
+  if (s.regions.empty() && !set.regions.empty())
+    inside.push_back(scenes::point_in(complex, set.regions[0].first));
+  NefSet result = NefSet::unite_all(std::move(walls)).fill(inside).without(NefSet::unite_all(std::move(off)));
+  std::vector<NefSet> on;
+  off.clear();
+  for (std::size_t i = 0; i < s.edges.size(); ++i) {
+    const VertexId a = complex.origin(s.edges[i].chain.front()), b = complex.target(s.edges[i].chain.back());
+    const bool marked = s.edges[i].component != 0;
+    touch_vertex(a, marked);
+    touch_vertex(b, marked);
+    if (marked && edge_given[i] && !edge_taken[i]) continue;
+    (marked ? on : off).push_back(NefSet::segment(complex.points.rational(a), complex.points.rational(b)));
+  }
+  result = result.without(NefSet::unite_all(std::move(off))).unite(NefSet::unite_all(std::move(on)));
+  on.clear(), off.clear();
+  for (std::size_t i = 0; i < s.vertices.size(); ++i) {
+    const bool marked = s.vertices[i].component != 0;
+    if (marked && vertex_given[i] && !vertex_taken[i]) continue;
+    (marked ? on : off).push_back(NefSet::point(complex.points.rational(s.vertices[i].cell)));
+  }
+  return result.without(NefSet::unite_all(std::move(off))).unite(NefSet::unite_all(std::move(on)));
 }
 
 Rational volume(const Complex& complex, const Group& group) {

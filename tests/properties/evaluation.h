@@ -5,6 +5,7 @@
 
 #include "csg/operators/boolean.h"
 #include "csg/operators/leaf_group.h"
+#include "csg/operators/node_value.h"
 #include "kernel/selection/simplify.h"
 #include "tests/properties/nef_oracle.h"
 #include "tests/properties/skeleton.h"
@@ -20,6 +21,16 @@ Group evaluate(const Complex& complex, const std::vector<Group>& groups, const s
 
 /// |G| as one component.
 Selection point_set(const Complex& complex, const Group& group);
+
+/// All components of a selection as one: |X|.
+Selection joined(Selection selection);
+
+/// The canonical form of |X| as `simplify` makes it in mode `points`, with unmarked cells where X is not closed.
+Skeleton skeleton(const Complex& complex, const Selection& set);
+
+/// |X| as a Nef polyhedron, open, unbounded or neither: the regions filled, then the cells of each lower
+/// dimension of the simplified form taken off or put back.
+NefSet to_nef(const Complex& complex, const Selection& set);
 
 /// The canonical form of |G| as `simplify` makes it in mode `points`.
 Skeleton skeleton(const Complex& complex, const Group& group);

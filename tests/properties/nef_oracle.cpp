@@ -3,6 +3,8 @@
 #include "tests/properties/nef_oracle.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Nef_S2/SM_const_decorator.h>
+#include <CGAL/Nef_S2/SM_point_locator.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_incremental_builder_3.h>
@@ -119,6 +121,54 @@ class Filler : public CGAL::Modifier_base<Nef::SNC_structure> {
   std::set<const void*> volumes_;
 };
 
+/// True if the first volume is the one around the lexicographically smallest vertex, on its side of smaller x.
+bool first_volume_is_unbounded(const Nef& nef) {
+  using Map = Nef::SNC_structure::Sphere_map;
+  if (nef.number_of_vertices() == 0) return true;
+  auto smallest = nef.vertices_begin();
+  for (auto v = nef.vertices_begin(); v != nef.vertices_end(); ++v)
+    if (CGAL::lexicographically_xyz_smaller(v->point(), smallest->point())) smallest = v;
+  const Map* map = &*smallest;
+  CGAL::SM_point_locator<CGAL::SM_const_decorator<Map>> locator(const_cast<Map*>(map));
+  Nef::SFace_const_handle face;
+  if (!CGAL::assign(face, locator.locate(Map::Sphere_point(-1, 0, 0)))) throw OracleFailure("no volume outside");
+  return face->volume() == nef.volumes_begin();
+}
+
+/// CGAL takes the first volume for the unbounded one. When simplification merges it with others, CGAL 5.5.1 may
+/// keep one of them in its place; facets and volumes are then made anew.
+Nef settled(Nef nef) {
+  if (first_volume_is_unbounded(nef)) return nef;
+  Filler nothing({});
+  nef.delegate(nothing, true, false);
+  if (!first_volume_is_unbounded(nef)) throw OracleFailure("the unbounded volume is not the first");
+  return nef;
+}
+
+bool unbounded_mark(const Nef& nef) { return nef.volumes_begin()->mark(); }
+
+/// A result of a binary operation, whose unbounded volume has this mark. CGAL reads the mark off a vertex, and
+/// there may be none.
+Nef with_unbounded(Nef result, bool mark) {
+  Nef nef = settled(std::move(result));
+  if (unbounded_mark(nef) == mark) return nef;
+  if (nef.number_of_vertices() > 0) throw OracleFailure("the mark of the unbounded volume is wrong");
+  return Nef(mark ? Nef::COMPLETE : Nef::EMPTY);
+}
+
+Nef united(const Nef& a, const Nef& b) { return with_unbounded(a + b, unbounded_mark(a) || unbounded_mark(b)); }
+
+Nef common(const Nef& a, const Nef& b) { return with_unbounded(a * b, unbounded_mark(a) && unbounded_mark(b)); }
+
+/// As an intersection: where an edge meets a facet, the difference of CGAL 5.5.1 takes the marks of edge and
+/// facet in this order, whichever is of `a` (create_edge_facet_overlay): that is wrong for open sets.
+Nef difference(const Nef& a, const Nef& b) { return common(a, b.complement()); }
+
+/// Of closed sets, where all marks are equal.
+Nef closed_difference(const Nef& a, const Nef& b) {
+  return with_unbounded(a - b, unbounded_mark(a) && !unbounded_mark(b));
+}
+
 }  // namespace
 
 struct NefSet::Data {
@@ -153,7 +203,9 @@ NefSet NefSet::polygon(const std::vector<scenes::Polygon>& loops) {
   bool first = true;
   for (const scenes::Polygon& loop : loops)
     for (const scenes::Polygon& cycle : simple_cycles(loop)) {
-      result = first ? simple_polygon(cycle) : result.symmetric_difference(simple_polygon(cycle));
+      result = guarded([&] {
+        return first ? simple_polygon(cycle) : result.symmetric_difference(simple_polygon(cycle));
+      });
       first = false;
     }
   NefSet set;
@@ -192,21 +244,62 @@ NefSet NefSet::leaf(const scenes::Leaf& leaf) {
 
 NefSet NefSet::unite(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(data_->nef + other.data_->nef); });
+  set.data_ = guarded([&] { return shared<Data>(united(data_->nef, other.data_->nef)); });
   return set;
 }
 
 NefSet NefSet::intersect(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>(data_->nef * other.data_->nef); });
+  set.data_ = guarded([&] { return shared<Data>(common(data_->nef, other.data_->nef)); });
   return set;
 }
 
 NefSet NefSet::subtract(const NefSet& other) const {
   NefSet set;
-  set.data_ = guarded([&] { return shared<Data>((data_->nef - other.data_->nef).closure()); });
+  set.data_ = guarded([&] {
+    const Nef open = closed_difference(data_->nef, other.data_->nef);
+    return shared<Data>(settled(open.closure()));
+  });
   return set;
 }
+
+NefSet NefSet::without(const NefSet& other) const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(difference(data_->nef, other.data_->nef)); });
+  return set;
+}
+
+NefSet NefSet::complement() const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(data_->nef.complement()); });
+  return set;
+}
+
+NefSet NefSet::interior() const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(settled(data_->nef.interior())); });
+  return set;
+}
+
+NefSet NefSet::closure() const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(settled(data_->nef.closure())); });
+  return set;
+}
+
+NefSet NefSet::boundary() const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(settled(data_->nef.boundary())); });
+  return set;
+}
+
+NefSet NefSet::regularization() const {
+  NefSet set;
+  set.data_ = guarded([&] { return shared<Data>(settled(data_->nef.regularization())); });
+  return set;
+}
+
+bool NefSet::unbounded() const { return unbounded_mark(data_->nef); }
 
 NefSet NefSet::fill(const std::vector<RationalPoint>& inside) const {
   Nef nef = data_->nef;
@@ -227,7 +320,7 @@ NefSet NefSet::fill(const std::vector<RationalPoint>& inside) const {
 }
 
 bool NefSet::contains(const RationalPoint& p) const {
-  const Nef::Object_handle o = data_->nef.locate(point_of(p));
+  const Nef::Object_handle o = guarded([&] { return data_->nef.locate(point_of(p)); });
   Nef::Vertex_const_handle v;
   Nef::Halfedge_const_handle e;
   Nef::Halffacet_const_handle f;
@@ -240,6 +333,9 @@ bool NefSet::contains(const RationalPoint& p) const {
 }
 
 bool NefSet::operator==(const NefSet& other) const {
+  // The symmetric difference of space and another set is empty to CGAL 5.5.1.
+  if (data_->nef.is_space() || other.data_->nef.is_space())
+    return data_->nef.is_space() == other.data_->nef.is_space();
   return guarded([&] { return data_->nef == other.data_->nef; });
 }
 
@@ -289,7 +385,7 @@ Rational NefSet::volume() const {
   Rational sum = 0;
   const Nef& nef = data_->nef;
   for (auto f = nef.halffacets_begin(); f != nef.halffacets_end(); ++f) {
-    if (!f->incident_volume()->mark()) continue;
+    if (!f->incident_volume()->mark() || f->incident_volume() == nef.volumes_begin()) continue;
     RationalPoint area{0, 0, 0}, base;
     for (auto cycle = f->facet_cycles_begin(); cycle != f->facet_cycles_end(); ++cycle) {
       if (!cycle.is_shalfedge()) continue;

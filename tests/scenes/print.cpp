@@ -18,7 +18,20 @@ const char* name(Fill fill) {
   return "sides";
 }
 
-void print_leaf(std::ostringstream& out, const Leaf& leaf) {
+std::string print_node(std::ostringstream& out, const Expression& e, int& count) {
+  if (e.op == Op::leaf) return "leaf" + std::to_string(e.leaf);
+  const std::string left = print_node(out, *e.left, count), right = print_node(out, *e.right, count);
+  const char* op = e.op == Op::unite ? "union" : e.op == Op::intersect ? "intersection" : "difference";
+  const char* ranking = e.ranking == Ranking::left ? "left" : e.ranking == Ranking::right ? "right" : "equal";
+  const std::string node = "n" + std::to_string(count++);
+  out << "  " << node << ": {" << op << ": [" << left << ", " << right << "], dominance: " << ranking << "}\n";
+  return node;
+}
+
+}  // namespace
+
+std::string group_text(const Leaf& leaf) {
+  std::ostringstream out;
   std::map<RationalPoint, std::size_t> numbers;
   std::vector<RationalPoint> vertices;
   const auto number = [&](const RationalPoint& p) {
@@ -49,26 +62,14 @@ void print_leaf(std::ostringstream& out, const Leaf& leaf) {
   if (!leaf.wires.empty()) out << "      edges: [" << edges.str() << "]\n";
   if (!leaf.points.empty()) out << "      points: [" << points.str() << "]\n";
   if (leaf.fill != Fill::sides) out << "      fill: " << name(leaf.fill) << "\n";
+  return out.str();
 }
-
-std::string print_node(std::ostringstream& out, const Expression& e, int& count) {
-  if (e.op == Op::leaf) return "leaf" + std::to_string(e.leaf);
-  const std::string left = print_node(out, *e.left, count), right = print_node(out, *e.right, count);
-  const char* op = e.op == Op::unite ? "union" : e.op == Op::intersect ? "intersection" : "difference";
-  const char* ranking = e.ranking == Ranking::left ? "left" : e.ranking == Ranking::right ? "right" : "equal";
-  const std::string node = "n" + std::to_string(count++);
-  out << "  " << node << ": {" << op << ": [" << left << ", " << right << "], dominance: " << ranking << "}\n";
-  return node;
-}
-
-}  // namespace
 
 std::string tree_file(const Scene& scene) {
   std::ostringstream out;
   out << "cnrg: 1\nnodes:\n";
   for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
-    out << "  leaf" << i << ":\n    group:\n";
-    print_leaf(out, scene.leaves[i]);
+    out << "  leaf" << i << ":\n    group:\n" << group_text(scene.leaves[i]);
   }
   int count = 0;
   const std::string root = print_node(out, *scene.root, count);
