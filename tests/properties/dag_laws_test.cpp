@@ -9,6 +9,7 @@
 #include "tests/properties/dag_reference.h"
 #include "tests/properties/dag_values.h"
 #include "tests/properties/evaluation.h"
+#include "tests/scenes/fixture.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg::properties {
@@ -200,6 +201,21 @@ std::string refusal(RandomDag dag) {
 }
 
 }  // namespace
+
+TEST_CASE("A simplified complement is a complement to a group Boolean", "[dag]") {
+  // Found by seed 193 of the dags without kept values: what it stands for was lost.
+  RandomDag dag;
+  dag.leaves = scenes::parse_fixture("leaf sides\nface 0 0 0, 2 0 0, 2 2 0, 0 2 0\n");
+  dag.nodes.resize(4);
+  dag.nodes[1].op = Operator::complement;
+  dag.nodes[1].operands = {0};
+  dag.nodes[2].op = Operator::simplify;
+  dag.nodes[2].operands = {1};
+  dag.nodes[3].op = Operator::subtract;
+  dag.nodes[3].operands = {2, 0};
+  CHECK(failure_of(dag) == "");
+  CHECK_FALSE(evaluate_result(dag).kept.front().value->group().cells.empty());
+}
 
 TEST_CASE("The laws of the algebra hold on the values of random dags", "[dag]") {
   const auto [first, last] = scenes::seeds(600);
