@@ -79,6 +79,8 @@ class PartRef {
   const Part* operator->() const { return part_.get(); }
   const Part* get() const { return part_.get(); }
   const Box& box() const { return box_; }
+  /// One and the same part.
+  friend bool operator==(const PartRef& a, const PartRef& b) { return a.part_ == b.part_; }
 
  private:
   Box box_{};
