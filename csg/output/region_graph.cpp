@@ -31,10 +31,9 @@ Adjacency adjacency(const RegionGraph& graph, bool skip_outside) {
 
 std::string component_name(std::span<const RegionAttributes> components, Component component) {
   if (component == 0) return "outside";
-  if (component <= components.size() && !components[component - 1].name.empty()) {
-    return components[component - 1].name;
-  }
-  return "component " + std::to_string(component);
+  const std::string number = std::to_string(component);
+  const bool named = component <= components.size() && !components[component - 1].name.empty();
+  return named ? number + " " + components[component - 1].name : "component " + number;
 }
 
 RegionGraph region_graph(const SimplifiedComplex& simplified, std::span<const RegionAttributes> components) {

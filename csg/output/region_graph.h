@@ -19,7 +19,7 @@ namespace cnrg {
 struct RegionGraph {
   struct Node {
     Component component = 0;       ///< 0: outside
-    std::string name, material;    ///< `outside`; the component's name, or `component 3` where it has none
+    std::string name, material;    ///< as `component_name` has it
   };
   struct Edge {
     std::array<std::uint32_t, 2> nodes{};  ///< indices, ascending
@@ -39,7 +39,7 @@ struct RegionGraph {
 /// What is known of component i is `components[i - 1]`; there may be fewer.
 RegionGraph region_graph(const SimplifiedComplex& simplified, std::span<const RegionAttributes> components);
 
-/// How a component is called: its name, or `component 3`; `outside` for 0.
+/// How a component is called: `3 granite`, since names may repeat, or `component 3`; `outside` for 0.
 std::string component_name(std::span<const RegionAttributes> components, Component component);
 
 }  // namespace cnrg

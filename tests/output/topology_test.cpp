@@ -84,7 +84,7 @@ TEST_CASE("topology of a box with a core and a sheet", "[topology]") {
   CHECK(says(text, "  a wire and a solid cone meet in a point: v"));
   CHECK(says(text, "  wire end               1      0\n"));
   CHECK(says(text, "sheets without solid: 1, closed 0, one-sided (not orientable) 0\n"));
-  CHECK(says(text, "  outside - rock: 6 faces\n  rock - core: 6 faces\n"));
+  CHECK(says(text, "  outside - 1 rock: 6 faces\n  1 rock - 2 core: 6 faces\n"));
 }
 
 TEST_CASE("topology of a curved patch, an open set, an unbounded one, and none", "[topology]") {
@@ -134,8 +134,8 @@ TEST_CASE("adjacency of regions as a graph", "[topology]") {
         "graph [layout=neato, overlap=false]\n"
         "node [shape=box]\n"
         "0[label=\"outside\", style=dashed];\n"
-        "1[label=\"left\\nrock\"];\n"
-        "2[label=\"say \\\"right\\\"\"];\n"
+        "1[label=\"1 left\\nrock\"];\n"
+        "2[label=\"2 say \\\"right\\\"\"];\n"
         "3[label=\"component 3\"];\n"
         "0--1 [label=\"5 faces\"];\n"
         "0--2 [label=\"5 faces\"];\n"
