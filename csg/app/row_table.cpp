@@ -15,12 +15,15 @@ std::string seconds_text(double seconds) {
   return text;
 }
 
-/// The exact value, and a decimal after one that is too long to be read.
+/// The exact value, and a decimal after one that is too long to be read; of a fraction that would fill the screen
+/// the decimal and how long it is.
 std::string volume_text(const std::optional<Rational>& volume) {
   if (!volume) return "unbounded";
-  constexpr std::size_t kReadable = 24;
+  constexpr std::size_t kReadable = 24, kPrinted = 160;
   const std::string exact = to_string(*volume);
-  return exact.size() <= kReadable ? exact : exact + " (" + to_decimal(*volume) + ")";
+  if (exact.size() <= kReadable) return exact;
+  if (exact.size() <= kPrinted) return exact + " (" + to_decimal(*volume) + ")";
+  return to_decimal(*volume) + " (the fraction has " + std::to_string(exact.size() - 1) + " digits; -o FILE.json)";
 }
 
 std::string details(const NodeRow& row) {

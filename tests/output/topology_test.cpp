@@ -78,8 +78,8 @@ TEST_CASE("topology of a box with a core and a sheet", "[topology]") {
   CHECK(says(text, "v - e + (f - r) - (V - Vh + Vc) = C - Ch + Cc\n"));
   CHECK(says(text, "  21 - 29 + (13 - 1) - (2 - 0 + 1) = 1 - 0 + 0   (1 = 1)\n"));
   CHECK(says(text, "  point set          1        0        0      1      0      0\n"));
-  CHECK(says(text, "  rock               1        0        1      1      0      1\n"));
-  CHECK(says(text, "  core               1        0        0      1      0      0\n"));
+  CHECK(says(text, "  1 rock             1        0        1      1      0      1\n"));
+  CHECK(says(text, "  2 core             1        0        0      1      0      0\n"));
   CHECK(says(text, "  a sheet hangs on the solid: e"));
   CHECK(says(text, "  a wire and a solid cone meet in a point: v"));
   CHECK(says(text, "  wire end               1      0\n"));
@@ -124,7 +124,7 @@ TEST_CASE("adjacency of regions as a graph", "[topology]") {
   const RegionGraph graph = region_graph(c.simplified, c.group.regions);
   REQUIRE(graph.nodes.size() == 4);
   CHECK(graph.nodes[0].name == "outside");
-  CHECK(graph.nodes[1].name == "left");
+  CHECK(graph.nodes[1].name == "1 left");
   CHECK(graph.nodes[3].name == "component 3");
   CHECK(graph.edges == std::vector<RegionGraph::Edge>{{{0, 1}, 5}, {{0, 2}, 5}, {{0, 3}, 6}, {{1, 2}, 1}});
   CHECK(graph.parts(false) == std::vector<std::uint32_t>{0, 0, 0, 0});
