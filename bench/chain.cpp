@@ -73,7 +73,8 @@ std::string chain(const Settings& s) {
 std::string pairs(const Settings& s) {
   std::string text = "cnrg: 1\nnodes:\n" + solids(s);
   for (int i = 1; i <= s.nodes; ++i) {
-    text += "  u" + std::to_string(i) + ": {union: [s" + std::to_string(i - 1) + ", s" + std::to_string(i) + "]}\n";
+    const std::string left = "s" + std::to_string(i - 1), right = "s" + std::to_string(i);
+    text += "  u" + std::to_string(i) + ": {union: [" + left + ", " + right + "]}\n";
   }
   return text + "result: u1\n";
 }
@@ -135,7 +136,8 @@ int run(const Settings& s) {
   std::vector<double> of_pairs;
   std::size_t freed = 0, kept = 0;
   for (int round = 0; round < s.rounds; ++round) {
-    const ChildResult one = checked(run_child([&] { return tenths(seconds_per_union(chain_text, false, false)); }));
+    const ChildResult one =
+        checked(run_child([&] { return tenths(seconds_per_union(chain_text, false, false)); }));
     const std::vector<double> means = numbers(one.text);
     for (std::size_t k = 0; k < 10; ++k) by_tenth[k].push_back(means.at(k));
     freed = std::max(freed, one.peak_bytes);
@@ -153,7 +155,8 @@ int run(const Settings& s) {
   const double last = median(by_tenth[9]), pair = median(of_pairs);
   std::printf("  unions of two solids    %8.1f\n  last tenth : two solids %8.2f  (to be below 2)\n", 1e6 * pair,
               last / pair);
-  std::printf("peak memory: values freed after their last use %.1f MB, all kept %.1f MB\n", freed / 1e6, kept / 1e6);
+  std::printf("peak memory: values freed after their last use %.1f MB, all kept %.1f MB\n", freed / 1e6,
+              kept / 1e6);
   return last < 2 * pair ? 0 : 1;
 }
 

@@ -77,7 +77,8 @@ int run(int argc, char** argv) {
   sub->add_flag("--trace", eval.trace, "Under each row: what each table row removed, volumes of regions");
   sub->add_flag("--raw", eval.raw, "Keep the unsimplified cells of the refinement");
   sub->add_flag("--topology", eval.topology,
-                "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions touch");
+                "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions "
+                "touch");
   sub->add_option("--threads", eval.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));

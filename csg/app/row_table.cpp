@@ -42,7 +42,8 @@ std::string row_table(const std::vector<NodeRow>& rows, bool raw, bool trace) {
   Table table;
   table.add_column("node", Table::Align::left);
   table.add_column("operator", Table::Align::left);
-  for (const char* title : {"vertices", "edges", "faces", "3-cells", "removed", "regions", "components", "seconds"}) {
+  for (const char* title :
+       {"vertices", "edges", "faces", "3-cells", "removed", "regions", "components", "seconds"}) {
     table.add_column(title);
   }
   table.add_column("volume", Table::Align::left);

@@ -207,8 +207,8 @@ std::vector<SimplifiedComplex::Place> places_of(const SimplifiedComplex& simplif
   add(cells.vertices, simplified.vertex_place);
   const auto key = [](const SimplifiedComplex::Place& p) { return std::pair(-p.dimension, p.index); };
   std::sort(places.begin(), places.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
-  places.erase(std::unique(places.begin(), places.end(), [&](const auto& a, const auto& b) { return key(a) == key(b); }),
-               places.end());
+  const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
+  places.erase(std::unique(places.begin(), places.end(), same), places.end());
   return places;
 }
 

@@ -23,7 +23,7 @@ using Progress = std::function<void(std::string_view stage, std::size_t done, st
 
 struct EvaluateOptions {
   int threads = 0;            ///< 0: all cores
-  bool validate = false;      ///< check the complex and the identities of every node; InvariantError says what broke
+  bool validate = false;      ///< check the complex and the identities of every node (InvariantError)
   bool rows = true;           ///< counts and volumes of all nodes; otherwise of the kept ones only
   bool region_volumes = false;  ///< in rows: the volume of every region of every node
   bool raw = false;           ///< keep unsimplified cells
@@ -48,7 +48,7 @@ struct NodeRow {
   /// Exact volume in cubic units of all of them together; nothing when one is unbounded.
   std::optional<Rational> total;
   const std::optional<Rational>& volume() const { return total; }
-  /// Of each, ascending by component; filled for the kept nodes, and for all with `EvaluateOptions::region_volumes`.
+  /// Of each, ascending by component; filled for the kept nodes, for all with `EvaluateOptions::region_volumes`.
   std::vector<std::optional<Rational>> volumes;
   double seconds = 0;          ///< of the operator alone
   double measure_seconds = 0;  ///< of counts and volumes

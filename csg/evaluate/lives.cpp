@@ -353,7 +353,8 @@ void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Piec
       facts.dominant = s.op != BooleanOp::subtract && s.dominance != Dominance::equal;
       facts.a = facts_of(complex_, s.left, pieces[p], left, first && is_closed_complement(*operands[0].value));
       facts.b =
-          facts_of(complex_, s.right, pieces[p], operands[s.operand].name, is_closed_complement(*operands[s.operand].value));
+          facts_of(complex_, s.right, pieces[p], operands[s.operand].name,
+                   is_closed_complement(*operands[s.operand].value));
       if (s.op != BooleanOp::subtract && s.dominance == Dominance::right) std::swap(facts.a, facts.b);
       facts.verdict = verdict_of(complex_, s, pieces[p].cell);
       facts.kept_around = kept_around(complex_, s.result, pieces[p].cell);

@@ -93,8 +93,10 @@ class Removal {
   void run(Group& result) {
     Origins& o = result.origins;
     LeafSetMap from_a(a_.origins.sets, o.sets), from_b(b_.origins.sets, o.sets);
-    const auto filter = [&](const auto& a, const auto& oa, const auto& b, const auto& ob, auto& cells, auto& origins) {
-      MergedList(a, oa, b, ob).filter([&](auto cell) { return keep(cell); }, from_a, from_b, o.sets, cells, origins);
+    const auto filter = [&](const auto& a, const auto& origins_a, const auto& b, const auto& origins_b,
+                            auto& cells, auto& origins) {
+      MergedList(a, origins_a, b, origins_b)
+          .filter([&](auto cell) { return keep(cell); }, from_a, from_b, o.sets, cells, origins);
     };
     filter(a_.faces, a_.origins.faces, b_.faces, b_.origins.faces, result.faces, o.faces);
     for (FaceId f : result.faces) keep_closure(f);

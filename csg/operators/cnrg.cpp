@@ -45,7 +45,10 @@ std::string joined(const std::string& a, const std::string& b) {
 }
 
 int dimension(const CellSet& set) {
-  return !set.regions.empty() ? 3 : !set.faces.empty() ? 2 : !set.edges.empty() ? 1 : set.vertices.empty() ? -1 : 0;
+  if (!set.regions.empty()) return 3;
+  if (!set.faces.empty()) return 2;
+  if (!set.edges.empty()) return 1;
+  return set.vertices.empty() ? -1 : 0;
 }
 
 struct Combined {
@@ -80,8 +83,9 @@ std::string words_of(const Complex& complex, const CellSet& set) {
     return count + ", among them the region behind the face at " +
            text_of(interior_point(complex, wall).rational());
   }
-  if (!set.faces.empty()) return count + ", among them the face at " + text_of(interior_point(complex, set.faces[0]).rational());
-  if (!set.edges.empty()) return count + ", among them the edge at " + text_of(interior_point(complex, set.edges[0]).rational());
+  const auto inside = [&](auto cell) { return text_of(interior_point(complex, cell).rational()); };
+  if (!set.faces.empty()) return count + ", among them the face at " + inside(set.faces[0]);
+  if (!set.edges.empty()) return count + ", among them the edge at " + inside(set.edges[0]);
   return count + ", among them the vertex at " + text_of(complex.points.rational(set.vertices[0]));
 }
 
@@ -398,7 +402,8 @@ ComponentsResult unify(const Complex&, const Components& x) {
   return out;
 }
 
-ComponentsResult sum(const Complex&, const Components& x, const Components& y, std::optional<Dominance> dominance) {
+ComponentsResult sum(const Complex&, const Components& x, const Components& y,
+                     std::optional<Dominance> dominance) {
   return Overlay(x, y, true, true, true).run(dominance);
 }
 

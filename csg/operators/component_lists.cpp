@@ -4,7 +4,8 @@ namespace cnrg {
 namespace {
 
 template <class IdT>
-std::vector<IdT> active_ones(const std::vector<std::pair<IdT, Component>>& list, const std::vector<IdT>& features) {
+std::vector<IdT> active_ones(const std::vector<std::pair<IdT, Component>>& list,
+                             const std::vector<IdT>& features) {
   std::vector<IdT> out;
   auto it = list.begin();
   for (const IdT id : features) {
@@ -21,7 +22,9 @@ void for_each_cell(const std::vector<std::pair<IdT, Component>>& list, F f) {
   for (std::size_t begin = 0; begin < list.size();) {
     components.clear();
     std::size_t end = begin;
-    for (; end < list.size() && list[end].first == list[begin].first; ++end) components.push_back(list[end].second);
+    for (; end < list.size() && list[end].first == list[begin].first; ++end) {
+      components.push_back(list[end].second);
+    }
     f(list[begin].first, components);
     begin = end;
   }

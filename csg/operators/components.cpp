@@ -54,7 +54,8 @@ class Entities {
   }
   bool faces_and_regions(Component c) const {
     return std::all_of(faces_.begin(), faces_.end(), [&](FaceId f) { return is(x_.selection.faces, f, c); }) &&
-           std::all_of(regions_.begin(), regions_.end(), [&](RegionId r) { return is(x_.selection.regions, r, c); });
+           std::all_of(regions_.begin(), regions_.end(),
+                       [&](RegionId r) { return is(x_.selection.regions, r, c); });
   }
   bool inside(FaceId f, Component c) {
     faces_.clear();
@@ -104,7 +105,9 @@ Components components_of(const Complex& complex, const Group& group) {
   }
   out.origins.sets = group.origins.sets;
   std::vector<LeafSetId> of_regions;
-  for (const RegionAttributes& region : group.regions) of_regions.push_back(out.origins.sets.intern(region.leaves));
+  for (const RegionAttributes& region : group.regions) {
+    of_regions.push_back(out.origins.sets.intern(region.leaves));
+  }
   const Selection& s = out.selection;
   origins_of(s.vertices, entities, group.origins.vertices, of_regions, out.origins.vertices);
   origins_of(s.edges, entities, group.origins.edges, of_regions, out.origins.edges);

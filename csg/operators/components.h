@@ -26,7 +26,7 @@ struct ComponentAttributes : RegionAttributes {
 struct Components {
   Selection selection;
   std::vector<ComponentAttributes> attributes;  ///< of component i at i - 1
-  Features features;                            ///< of the groups that it was made of: active cells, for `group_of`
+  Features features;                            ///< active cells; of the groups that it was made of
   Origins origins;                              ///< parallel to the lists of `selection`
 };
 

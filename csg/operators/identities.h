@@ -31,11 +31,11 @@ std::string check_boolean(const Complex& complex, BooleanOp op, const Group& a, 
 /// |complement(G)| = cl(space - |G's regions|), and a valid group.
 std::string check_complement(const Complex& complex, const Group& g, const Group& result);
 
-/// Components with sorted lists, each cell once, all numbered from 1 with cells, origins parallel, features active.
+/// Sorted lists, each cell once, components from 1 all with cells, origins parallel, features active.
 std::string check_components(const Complex& complex, const Components& x);
 
-/// The law of SEMANTICS 2: unify(sum(X, Y)) = |X| or |Y|, unify(product) = |X| and |Y|, unify(subtract) = |X| - |Y|;
-/// and no component holds cells of two components of an operand.
+/// The law of SEMANTICS 2: unify(sum(X, Y)) = |X| or |Y|, unify(product) = |X| and |Y|, unify(subtract) =
+/// |X| - |Y|; and no component holds cells of two components of an operand.
 enum class OverlayLaw : std::uint8_t { sum, product, subtract };
 std::string check_overlay(OverlayLaw law, const Complex& complex, const Components& x, const Components& y,
                           const Components& result);

@@ -62,8 +62,9 @@ struct Origins {
 struct LeafCell {
   LeafId leaf;
   std::uint8_t dimension = 2;  ///< 0 isolated point, 1 wire, 2 face, 3 region
-  std::uint32_t number = 0;    ///< of the face or wire in its leaf (Soup::Face::leaf_face, Soup::Wire::leaf_edge), of the
-                               ///< region from 1; 0 for a point
+  /// Of the face or wire in its leaf (Soup::Face::leaf_face, Soup::Wire::leaf_edge), of the region from 1; 0 for a
+  /// point.
+  std::uint32_t number = 0;
   friend auto operator<=>(const LeafCell&, const LeafCell&) = default;
 };
 

@@ -365,7 +365,9 @@ class PartedBoolean {
   // A few are put in one by one.
   static void add(Parts& parts, Parts more) {
     if (more.size() < 8) {
-      for (auto& part : more) parts.insert(std::upper_bound(parts.begin(), parts.end(), part, before), std::move(part));
+      for (PartRef& part : more) {
+        parts.insert(std::upper_bound(parts.begin(), parts.end(), part, before), std::move(part));
+      }
       return;
     }
     const auto middle = static_cast<std::ptrdiff_t>(parts.size());

@@ -237,7 +237,7 @@ class VtuWriter {
 
   std::string file() {
     std::vector<std::string> regions{"outside"}, materials{"none"}, leaves;
-    for (Component i = 1; i <= view_.value->component_count(); ++i) regions.push_back(view_.value->attributes(i).name);
+    for (const RegionAttributes& a : view_.value->attributes()) regions.push_back(a.name);
     for (const auto& m : view_.materials) materials.push_back(m.name);
     if (view_.leaves != nullptr) for (const auto& leaf : *view_.leaves) leaves.push_back(leaf.name);
     std::vector<double> coordinates;

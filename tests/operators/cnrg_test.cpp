@@ -40,7 +40,8 @@ const std::vector<std::vector<RegionAttributes>> kTwo{{{"a", "rock", {}}}, {{"b"
 }  // namespace
 
 TEST_CASE("a group is its regions and its entities", "[cnrg]") {
-  const Scene s({parted_box({0, 0, 0}, {4, 2, 2}, 2) + wire({0, 0, 0}, {-1, 0, 0})}, {{{"l", "", {}}, {"r", "", {}}}});
+  const Scene s({parted_box({0, 0, 0}, {4, 2, 2}, 2) + wire({0, 0, 0}, {-1, 0, 0})},
+                {{{"l", "", {}}, {"r", "", {}}}});
   CHECK(check_components(s.complex, s.leaves[0]) == "");
   CHECK(names(s.leaves[0]) == std::vector<std::string>{"l", "r", kEntitiesName});
   const Group again = group_of(s.complex, s.leaves[0]);
