@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "csg/app/commands.h"
+#include "csg/app/evaluation.h"
 #include "csg/app/exit_status.h"
 #include "csg/app/progress_bar.h"
 #include "csg/app/row_table.h"
@@ -12,12 +13,6 @@
 
 namespace cnrg::app {
 namespace {
-
-void print(const std::vector<Diagnostic>& diagnostics, bool quiet) {
-  for (const Diagnostic& d : diagnostics) {
-    if (!quiet || d.level == Diagnostic::Level::warning) std::cerr << d.text() << "\n";
-  }
-}
 
 /// Files and the nodes that they show: the result; or the one `--node`; or one `--node` for each file.
 std::vector<NodeId> nodes_of_files(const Tree& tree, const EvalArguments& arguments,
@@ -35,7 +30,12 @@ std::vector<NodeId> nodes_of_files(const Tree& tree, const EvalArguments& argume
 
 void write_file(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
                 bool quiet) {
-  const RoundingReport rounding = write(path, tree, evaluation, node);
+  RoundingReport rounding;
+  {
+    ProgressBar bar(quiet);
+    bar.show("write " + path, 0, 0);
+    rounding = write(path, tree, evaluation, node);
+  }
   if (!rounding.embedded) {
     std::cerr << path << ": warning: rounding moved " << rounding.moved
               << " vertices and facets cross in this file; write .json for the exact result\n";
@@ -74,21 +74,13 @@ int run_eval(const EvalArguments& arguments) {
   roots.push_back(tree.result);
   print(unused_nodes(tree, roots), arguments.quiet);
 
-  ProgressBar bar(arguments.quiet);
-  options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
-    bar.show(stage, done, total);
-  };
-  const Evaluation evaluation = evaluate(tree, options);
-  bar.clear();
-  print(evaluation.diagnostics, arguments.quiet);
+  const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   if (!arguments.quiet) std::cout << row_table(evaluation.rows, arguments.raw, arguments.trace);
   if (!arguments.quiet && arguments.trace) std::cout << refinement_summary(evaluation);
   if (arguments.topology) std::cout << topology_of(tree, evaluation, options.nodes);
   std::cout << std::flush;
 
   for (std::size_t i = 0; i < arguments.files.size(); ++i) {
-    bar.show("write " + arguments.files[i], 0, 0);
-    bar.clear();
     write_file(arguments.files[i], tree, evaluation, shown[i], arguments.quiet);
   }
   return kDone;

@@ -5,7 +5,7 @@
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
-#include "csg/app/progress_bar.h"
+#include "csg/app/evaluation.h"
 
 namespace cnrg::app {
 namespace {
@@ -44,15 +44,7 @@ int run_explain(const ExplainArguments& arguments) {
   options.rows = false;
   options.keep_all = true;
   options.nodes = {node};
-  Evaluation evaluation;
-  {
-    ProgressBar bar(false);
-    options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
-      bar.show(stage, done, total);
-    };
-    evaluation = evaluate(tree, options);
-  }
-  for (const Diagnostic& d : evaluation.diagnostics) std::cerr << d.text() << "\n";
+  const Evaluation evaluation = evaluate_in_view(tree, options, false);
   const Explanation explanation = arguments.point.empty() ? explain(tree, evaluation, node, arguments.cell)
                                                           : explain(tree, evaluation, node, point);
   std::cout << explanation_text(tree, evaluation, explanation);

@@ -10,7 +10,7 @@
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
-#include "csg/app/progress_bar.h"
+#include "csg/app/evaluation.h"
 #include "csg/evaluate/evaluate.h"
 
 namespace cnrg::app {
@@ -74,15 +74,7 @@ int run_locate(const std::string& path, const std::string& name, int threads) {
   options.threads = threads;
   options.rows = false;
   options.nodes = {node};
-  Evaluation evaluation;
-  {
-    ProgressBar bar(false);
-    options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
-      bar.show(stage, done, total);
-    };
-    evaluation = evaluate(tree, options);
-  }
-  for (const Diagnostic& d : evaluation.diagnostics) std::cerr << d.text() << "\n";
+  const Evaluation evaluation = evaluate_in_view(tree, options, false);
   const KeptValue& value = evaluation.value(node);
   const Locator locator(*evaluation.complex);
   std::string line;
