@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/output/around.h"
 #include "csg/output/region_graph.h"
 #include "csg/output/table.h"
 #include "kernel/base/error.h"
@@ -141,27 +142,32 @@ std::string betti_text(const std::vector<BettiNumbers>& numbers, const std::vect
 struct Shapes {
   std::array<std::size_t, 8> vertices{}, edges{};
   std::map<std::pair<int, std::string>, std::vector<std::string>> reasons;  // by dimension, edges first
+  std::vector<Index> odd_edges, odd_vertices;                               // not manifold
 
   Shapes(const Complex& complex, const CellSet& set, const SimplifiedComplex& simplified,
          Neighbourhoods& neighbourhoods) {
     const Manifoldness m = manifoldness(complex, set, neighbourhoods);
     for (Index i = 0; i < simplified.edges.size(); ++i) {
-      count(m.edges, simplified.edges[i].chain.front().edge(), edges, -1, "e" + std::to_string(i));
+      const EdgeId e = simplified.edges[i].chain.front().edge();
+      if (count(m.edges, e, edges, -1, cell_name(1, i))) odd_edges.push_back(i);
     }
     for (Index i = 0; i < simplified.vertices.size(); ++i) {
-      count(m.vertices, simplified.vertices[i].cell, vertices, 0, "v" + std::to_string(i));
+      if (count(m.vertices, simplified.vertices[i].cell, vertices, 0, cell_name(0, i))) odd_vertices.push_back(i);
     }
   }
 
  private:
+  // True for a cell that is not manifold.
   template <class IdT>
-  void count(const std::vector<std::pair<IdT, LocalShape>>& shapes, IdT cell, std::array<std::size_t, 8>& counts,
+  bool count(const std::vector<std::pair<IdT, LocalShape>>& shapes, IdT cell, std::array<std::size_t, 8>& counts,
              int order, const std::string& name) {
     const auto at = std::lower_bound(shapes.begin(), shapes.end(), cell,
                                      [](const auto& entry, IdT id) { return entry.first < id; });
-    if (at == shapes.end() || at->first != cell) return;  // not in the closure of the set
+    if (at == shapes.end() || at->first != cell) return false;  // not in the closure of the set
     ++counts[static_cast<std::size_t>(at->second.form)];
-    if (!at->second.reason.empty()) reasons[{order, at->second.reason}].push_back(name);
+    if (at->second.reason.empty()) return false;
+    reasons[{order, at->second.reason}].push_back(name);
+    return true;
   }
 };
 
@@ -243,8 +249,12 @@ std::string topology_text(const Complex& complex, const Selection& selection, co
   }
   const std::vector<Component> active = components_of(selection);
   out += betti_text(betti_numbers(selection, active, counter), active, components);
-  out += shapes_text(Shapes(complex, set, simplified, neighbourhoods));
+  const Shapes shapes(complex, set, simplified, neighbourhoods);
+  out += shapes_text(shapes);
+  out += radial_orders_text(complex, simplified, components, shapes.odd_edges);
+  out += neighbourhoods_text(simplified, neighbourhoods, shapes.odd_vertices);
   out += sheets_text(sheets(complex, set));
+  out += shells_text(simplified, components);
   out += adjacency_text(region_graph(simplified, components));
   return out;
 }

@@ -2,6 +2,7 @@
 #include "csg/output/topology.h"
 
 #include <catch2/catch.hpp>
+#include <regex>
 
 #include "csg/output/region_graph.h"
 #include "tests/output/cases.h"
@@ -85,6 +86,32 @@ TEST_CASE("topology of a box with a core and a sheet", "[topology]") {
   CHECK(says(text, "  wire end               1      0\n"));
   CHECK(says(text, "sheets without solid: 1, closed 0, one-sided (not orientable) 0\n"));
   CHECK(says(text, "  outside - 1 rock: 6 faces\n  1 rock - 2 core: 6 faces\n"));
+}
+
+// The two boxes meet in one edge with four faces around it, and in its two ends.
+TEST_CASE("around the edge that two boxes share: radial order, neighbourhoods, shells", "[topology]") {
+  Soup soup;
+  test::add_box(soup, {0, 0, 0}, {1, 1, 1});
+  test::add_box(soup, {1, 1, 0}, {2, 2, 1});
+  Case c(soup, {{{"left", "", {}}}, {{"right", "", {}}}});
+  c.show(c.unite());
+  const std::string text = text_of(c);
+  CHECK(says(text, "4 boundary faces meet: 2 solid sectors: e"));
+  const std::size_t at = text.find("radial order (faces and regions about the edge)\n  e");
+  REQUIRE(at != std::string::npos);
+  const std::string line = text.substr(text.find('\n', at) + 1, 80);
+  const std::regex turn("  e\\d+: f\\d+, (1 left|2 right|outside), f\\d+, (1 left|2 right|outside), "
+                        "f\\d+, (1 left|2 right|outside), f\\d+, (1 left|2 right|outside)\n[\\s\\S]*");
+  std::smatch match;
+  REQUIRE(std::regex_match(line, match, turn));
+  // Solid and outside take turns, and both solids are met.
+  std::vector<std::string> wedges{match[1], match[2], match[3], match[4]};
+  if (wedges[0] != "outside") std::rotate(wedges.begin(), wedges.begin() + 1, wedges.end());
+  if (wedges[1] != "1 left") std::rotate(wedges.begin(), wedges.begin() + 2, wedges.end());
+  CHECK(wedges == std::vector<std::string>{"outside", "1 left", "outside", "2 right"});
+  CHECK(says(text, ": 5 nodes (edges), 6 arcs (corners of faces), 3 faces (pieces of regions), 1 connected part\n"));
+  CHECK(says(text, " (1 left): 1 shell of 6 sides of faces\n"));
+  CHECK(says(text, " (2 right): 1 shell of 6 sides of faces\n"));
 }
 
 TEST_CASE("topology of a curved patch, an open set, an unbounded one, and none", "[topology]") {
