@@ -44,6 +44,7 @@ int run_explain(const ExplainArguments& arguments) {
   options.rows = false;
   options.keep_all = true;
   options.nodes = {node};
+  if (!arguments.point.empty()) options.reach = {point};
   const Evaluation evaluation = evaluate_in_view(tree, options, false);
   const Explanation explanation = arguments.point.empty() ? explain(tree, evaluation, node, arguments.cell)
                                                           : explain(tree, evaluation, node, point);

@@ -3,6 +3,8 @@
 // A cell is named by its letter (v, e, f, r) and its number in the simplified node, `-` where an inactive region
 // touches nothing of the node. Component 0 is inactive and has no name; the entities of a group (walls, wires,
 // points) are one component after its regions.
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -55,13 +57,27 @@ RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
   return point;
 }
 
+/// The point of each line of standard input; nothing for an empty line.
+std::vector<std::optional<RationalPoint>> read_points() {
+  std::vector<std::optional<RationalPoint>> points;
+  std::string line;
+  for (int number = 1; std::getline(std::cin, line); ++number) {
+    const std::vector<Word> words = words_of(line);
+    points.emplace_back();
+    if (!words.empty()) points.back() = point_of(words, number, static_cast<int>(line.size()) + 1);
+  }
+  return points;
+}
+
+/// On one line: breaks in a name become blanks.
 std::string describe(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place,
                      const NodeValue& value) {
   const Component component = component_of(simplified, place);
   const std::string text = std::to_string(place.dimension) + " " + cell_name(place.dimension, place.index) + " " +
                            std::to_string(component);
   if (component == 0) return text;
-  const std::string& name = value.attributes(component).name;
+  std::string name = value.attributes(component).name;
+  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   return name.empty() ? text : text + " " + name;
 }
 
@@ -70,22 +86,23 @@ std::string describe(const SimplifiedComplex& simplified, const SimplifiedComple
 int run_locate(const std::string& path, const std::string& name, int threads) {
   const Tree tree = read_tree(path);
   const NodeId node = name.empty() ? tree.result : tree.find(name);
+  const std::vector<std::optional<RationalPoint>> points = read_points();
   EvaluateOptions options;
   options.threads = threads;
   options.rows = false;
   options.nodes = {node};
+  for (const auto& point : points) {
+    if (point) options.reach.push_back(*point);
+  }
   const Evaluation evaluation = evaluate_in_view(tree, options, false);
   const KeptValue& value = evaluation.value(node);
   const Locator locator(*evaluation.complex);
-  std::string line;
-  for (int number = 1; std::getline(std::cin, line); ++number) {
-    const std::vector<Word> words = words_of(line);
-    if (words.empty()) {
+  for (const auto& point : points) {
+    if (!point) {
       std::cout << "\n";
       continue;
     }
-    const RationalPoint point = point_of(words, number, static_cast<int>(line.size()) + 1);
-    const SimplifiedComplex::Place place = value.simplified.place(*evaluation.complex, locator.locate(point));
+    const SimplifiedComplex::Place place = value.simplified.place(*evaluation.complex, locator.locate(*point));
     std::cout << describe(value.simplified, place, *value.value) << "\n";
   }
   return kDone;

@@ -46,7 +46,7 @@ void refine(const PreparedLeaves& leaves, const EvaluateOptions& options, Evalua
   RefineOptions refine_options;
   refine_options.threads = options.threads;
   leaves.locate_errors([&] {
-    const Soup soup = make_soup(leaves.instances());
+    const Soup soup = make_soup(leaves.instances(), options.reach);
     result.complex = std::make_unique<Complex>(build_complex(soup, refine_options, &result.refine));
   });
   if (options.validate) {
@@ -132,15 +132,16 @@ std::vector<LeafId> leaves_below(const Unfolding& unfolding, const PreparedLeave
 /// The operator of an inner instance on its operands' values; faults of the input come at the operator's place.
 /// `last(operand)`: nobody needs the operand's value after this.
 template <class Last>
-Outcome value_of(const Tree& tree, const Unfolding& unfolding, const Values& values, const Complex& complex,
-                 InstanceId id, bool validate, Last last) {
+Outcome value_of(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, const Values& values,
+                 const Complex& complex, InstanceId id, bool validate, Last last) {
   const Instance& instance = unfolding.instances[id];
   const Node& node = tree.nodes[instance.node];
   std::vector<Operand> operands;
   for (const InstanceId operand : instance.operands) {
     NodeValue* const value = values[operand].get();
     operands.push_back(
-        {value, tree.nodes[unfolding.instances[operand].node].name, last(operand) ? value : nullptr});
+        {value, tree.nodes[unfolding.instances[operand].node].name, last(operand) ? value : nullptr, {}});
+    if (is_topological(node.op)) operands.back().below = leaves_below(unfolding, leaves, operand);
   }
   try {
     return operate(complex, node, operands, validate);
@@ -226,17 +227,19 @@ void report_conflicts(const Tree& tree, const Node& node, const Complex& complex
                       Evaluation& result) {
   if (outcome.conflicts.empty()) return;
   const NodeValue& value = outcome.value;
-  const SimplifiedComplex simplified = simplify(complex, selection_of(complex, value), value.features());
+  const Selection selection = selection_of(complex, value);
+  const SimplifiedComplex simplified = simplify(complex, selection, value.features());
   std::set<std::string> said;  // a fold may meet the same materials in the same cells more than once
+  const CellSet active = support(selection);
   for (const MaterialConflict& conflict : outcome.conflicts) {
-    const std::vector<SimplifiedComplex::Place> places = places_of(simplified, conflict.cells);
+    const CellSet cells = intersect(conflict.cells, active);  // the others went in a later step of a fold
+    if (cells.empty()) continue;
+    const std::vector<SimplifiedComplex::Place> places = places_of(simplified, cells);
     const Component component = component_of(simplified, places.front());
-    const std::string message =
-        "`" + node.name + "`: " +
-        (component == 0 ? "" : "the region `" + value.attributes(component).name + "` keeps ") + "the material `" +
-        conflict.kept + "` " + (component == 0 ? "is kept " : "") + "where `" + conflict.other +
-        "` has equal dominance (" + cell_names(places) +
-        "); give one of the operands a greater `dominance`";
+    const std::string message = "`" + node.name + "`: the region `" + value.attributes(component).name +
+                                "` keeps the material `" + conflict.kept + "` where `" + conflict.other +
+                                "` has equal dominance (" + cell_names(places) +
+                                "); give one of the two a greater `dominance`";
     if (!said.insert(message).second) continue;
     result.diagnostics.push_back({tree.file, node.operator_at, Diagnostic::Level::warning, message});
   }
@@ -270,7 +273,7 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     if (!value) {
       const Stopwatch stopwatch;
       const auto last = [&](InstanceId operand) { return uses[operand] == 1 && !options.keep_all; };
-      Outcome outcome = value_of(tree, unfolding, values, complex, id, options.validate, last);
+      Outcome outcome = value_of(tree, unfolding, leaves, values, complex, id, options.validate, last);
       row.seconds = stopwatch.seconds();
       row.removals = std::move(outcome.removals);
       report_conflicts(tree, tree.nodes[instance.node], complex, outcome, result);

@@ -29,6 +29,7 @@ struct EvaluateOptions {
   bool raw = false;           ///< keep unsimplified cells
   bool keep_all = false;      ///< keep the values of all instances in `Evaluation::values`
   std::vector<NodeId> nodes;  ///< kept besides the result
+  std::vector<RationalPoint> reach;  ///< points that will be asked for: planes and half-spaces are cut beyond them
   Progress progress;          ///< may be empty
 };
 

@@ -336,7 +336,7 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
 std::vector<Operand> Lives::operands_of(InstanceId id) const {
   std::vector<Operand> out;
   for (const InstanceId operand : evaluation_.instances[id].operands) {
-    out.push_back({evaluation_.values[operand].get(), name_of(operand)});
+    out.push_back({evaluation_.values[operand].get(), name_of(operand), nullptr, {}});
   }
   return out;
 }

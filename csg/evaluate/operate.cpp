@@ -67,7 +67,8 @@ PartedGroup group_operand(const Complex& complex, const Node& node, const Operan
   if (!missing.empty()) {
     throw InputError("`" + node.operator_name + "` of `" + node.name + "` takes closed values and `" +
                      operand.name + "` is not closed: " + std::to_string(missing.size()) +
-                     " cells of its boundary are missing; insert `closure`: {closure: " + operand.name + "}");
+                     " cells of its boundary are missing; insert `closure` around it: {closure: " +
+                     (operand.name.find('/') == std::string::npos ? operand.name : "{...}") + "}");
   }
   return parted(complex, group_of(complex, value.components()));
 }
@@ -170,14 +171,15 @@ PartedGroup regularized(const Complex& complex, const PartedGroup& value) {
   return changed(complex, value, [&](Group& group) { group = regularize(complex, group); });
 }
 
-Outcome topology_of(const Complex& complex, const Node& node, const NodeValue& operand, bool validate) {
+Outcome topology_of(const Complex& complex, const Node& node, const Operand& of, bool validate) {
   const Topological op = topological(node.op);
+  const NodeValue& operand = *of.value;
   if (operand.is_group() && !node.each) {
     if (op == Topological::closure) return {operand.parts(), {}, {}};
     if (op == Topological::regularize) return {regularized(complex, operand.parts()), {}, {}};
   }
   const Components x = components_of(complex, operand);
-  ComponentsResult result = node.each ? apply_each(complex, op, x) : apply(complex, op, x);
+  ComponentsResult result = node.each ? apply_each(complex, op, x, of.below) : apply(complex, op, x, of.below);
   if (validate) require_identity(node, check_topological(complex, op, node.each, x, result.value));
   return of_components(std::move(result));
 }
@@ -257,7 +259,7 @@ Outcome operate(const Complex& complex, const Node& node, std::span<const Operan
     case Operator::closure:
     case Operator::boundary:
     case Operator::regularize:
-      outcome = topology_of(complex, node, *operands[0].value, validate);
+      outcome = topology_of(complex, node, operands[0], validate);
       break;
     case Operator::simplify:
       if (operands[0].value->is_group()) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,7 @@ struct LeafInstance {
 };
 
 /// Makes the soup of all instances; LeafId(i) is instance i (frame, if any, comes after them).
-Soup make_soup(const std::vector<LeafInstance>& instances);
+/// `reach`: points that the frame of unbounded leaves must hold, besides what the others reach.
+Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const RationalPoint> reach = {});
 
 }  // namespace cnrg

@@ -45,11 +45,20 @@ struct UnboundedInstance {
   ExactHalfspace plane;
 };
 
-void add_frame(Soup& soup, const std::vector<UnboundedInstance>& unbounded) {
+void add_frame(Soup& soup, const std::vector<UnboundedInstance>& unbounded,
+               std::span<const RationalPoint> reach) {
   std::vector<ExactHalfspace> planes;
   for (const UnboundedInstance& u : unbounded) planes.push_back(u.plane);
   ExactBox points;
-  const bool any = bounds(soup, points);
+  bool any = bounds(soup, points);
+  for (const RationalPoint& p : reach) {
+    if (!any) points = {p, p};
+    any = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (p[k] < points.low[k]) points.low[k] = p[k];
+      if (p[k] > points.high[k]) points.high[k] = p[k];
+    }
+  }
   const ExactBox box = frame_box(any ? &points : nullptr, planes);
 
   std::vector<std::pair<LeafId, std::uint32_t>> seed_regions;
@@ -76,7 +85,7 @@ void add_frame(Soup& soup, const std::vector<UnboundedInstance>& unbounded) {
 
 }  // namespace
 
-Soup make_soup(const std::vector<LeafInstance>& instances) {
+Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const RationalPoint> reach) {
   Soup soup;
   std::vector<UnboundedInstance> unbounded;
   for (const LeafInstance& instance : instances) {
@@ -90,7 +99,7 @@ Soup make_soup(const std::vector<LeafInstance>& instances) {
     require(shape != nullptr, "make_soup: an unbounded leaf that is no plane");
     unbounded.push_back({leaf, shape, shape->image(instance.transform)});
   }
-  if (!unbounded.empty()) add_frame(soup, unbounded);
+  if (!unbounded.empty()) add_frame(soup, unbounded, reach);
   return soup;
 }
 

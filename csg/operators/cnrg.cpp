@@ -111,22 +111,22 @@ class Numbering {
   typename std::map<Key, Component>::iterator last_ = numbers_.end();
 };
 
-// Sets the leaves of each component from the origins of its cells.
+// Sets the leaves of each component from the origins of its cells. Neighbouring cells mostly have one origin.
 void collect_leaves(Components& x) {
-  std::vector<std::vector<char>> used(x.attributes.size(), std::vector<char>(x.origins.sets.size(), 0));
+  std::vector<std::pair<Component, LeafSetId>> seen;
   for_each_list(x, [&](const auto& list, const auto& origins) {
-    for (std::size_t k = 0; k < list.size(); ++k) used[list[k].second - 1][origins[k].index()] = 1;
-  });
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    std::vector<LeafId>& leaves = x.attributes[i].leaves;
-    leaves.clear();
-    for (std::size_t s = 0; s < used[i].size(); ++s) {
-      if (!used[i][s]) continue;
-      const auto set = x.origins.sets[LeafSetId(s)];
-      leaves.insert(leaves.end(), set.begin(), set.end());
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const std::pair entry(list[k].second, origins[k]);
+      if (seen.empty() || seen.back() != entry) seen.push_back(entry);
     }
-    sort_unique(leaves);
+  });
+  sort_unique(seen);
+  for (ComponentAttributes& a : x.attributes) a.leaves.clear();
+  for (const auto& [component, set] : seen) {
+    std::vector<LeafId>& leaves = x.attributes[component - 1].leaves;
+    leaves.insert(leaves.end(), x.origins.sets[set].begin(), x.origins.sets[set].end());
   }
+  for (ComponentAttributes& a : x.attributes) sort_unique(a.leaves);
 }
 
 // --- overlays of two selections
@@ -271,11 +271,12 @@ void renumber(Components& x) {
   });
 }
 
-// The sets of cells that X lacks: the union of those of its cells next to them.
+// The sets of cells that X lacks: the union of those of its cells next to them and of the leaves that have a
+// boundary there.
 class NearbyOrigins {
  public:
-  NearbyOrigins(const Complex& complex, const Components& x, LeafSets& sets)
-      : complex_(complex), x_(x), sets_(sets), map_(x.origins.sets, sets) {}
+  NearbyOrigins(const Complex& complex, const Components& x, std::span<const LeafId> below, LeafSets& sets)
+      : complex_(complex), x_(x), below_(below), sets_(sets), map_(x.origins.sets, sets) {}
 
   LeafSetId of(VertexId v) {
     begin();
@@ -284,7 +285,7 @@ class NearbyOrigins {
     complex_.star_faces(v, faces_);
     add_faces();
     complex_.star_regions(v, regions_);
-    return end();
+    return end(v);
   }
   LeafSetId of(EdgeId e) {
     begin();
@@ -292,12 +293,12 @@ class NearbyOrigins {
     complex_.star_faces(e, faces_);
     add_faces();
     complex_.star_regions(e, regions_);
-    return end();
+    return end(e);
   }
   LeafSetId of(FaceId f) {
     begin();
     regions_.assign(complex_.face_regions[f].begin(), complex_.face_regions[f].end());
-    return end();
+    return end(f);
   }
   LeafSetId of(RegionId) { return LeafSetId(0); }
 
@@ -306,8 +307,12 @@ class NearbyOrigins {
     out_ = LeafSetId(0);
     regions_.clear();
   }
-  LeafSetId end() {
+  template <class IdT>
+  LeafSetId end(IdT cell) {
     for (const RegionId r : regions_) add(x_.selection.regions, x_.origins.regions, r);
+    for (const LeafCell& at : leaf_cells(complex_, cell, below_)) {
+      if (at.dimension < 3) out_ = sets_.unite(out_, sets_.intern(at.leaf));
+    }
     return out_;
   }
   void add_faces() {
@@ -321,6 +326,7 @@ class NearbyOrigins {
 
   const Complex& complex_;
   const Components& x_;
+  std::span<const LeafId> below_;
   LeafSets& sets_;
   LeafSetMap map_;
   LeafSetId out_;
@@ -329,9 +335,10 @@ class NearbyOrigins {
 };
 
 // Cells of X keep theirs, others take those of the cells of X next to them.
-void inherit_origins(const Complex& complex, const Components& x, Components& value) {
+void inherit_origins(const Complex& complex, const Components& x, std::span<const LeafId> below,
+                     Components& value) {
   LeafSetMap map(x.origins.sets, value.origins.sets);
-  NearbyOrigins nearby(complex, x, value.origins.sets);
+  NearbyOrigins nearby(complex, x, below, value.origins.sets);
   for_each_list(value, x, [&](const auto& list, auto& origins, const auto& from, const auto& from_origins) {
     std::size_t k = 0;
     for (const auto& [id, component] : list) {
@@ -370,18 +377,34 @@ CellSet apply(const Complex& complex, Topological op, const CellSet& set) {
   }
 }
 
+namespace {
+
+// Names the first operand that overlaps the last one.
+[[noreturn]] void refuse_overlap(const Complex& complex, std::span<const Components* const> operands,
+                                 std::span<const std::string> names) {
+  const std::size_t k = operands.size() - 1;
+  for (std::size_t i = 0; i < k; ++i) {
+    const CellSet overlap = intersect(support(operands[i]->selection), support(operands[k]->selection));
+    if (overlap.empty()) continue;
+    if (names[i] == names[k]) {
+      throw InputError("aggregate: the operand `" + names[i] + "` is listed twice; list it once");
+    }
+    throw InputError("aggregate: the operands `" + names[i] + "` and `" + names[k] + "` overlap in " +
+                     words_of(complex, overlap) + "; use `sum`, or take one from the other with `subtract`");
+  }
+  throw InvariantError("aggregate: an overlap with no operand");
+}
+
+}  // namespace
+
 ComponentsResult aggregate(const Complex& complex, std::span<const Components* const> operands,
                            std::span<const std::string> names) {
   require(!operands.empty() && names.size() == operands.size(), "aggregate: operands without names");
   ComponentsResult out;
   out.value = *operands[0];
   for (std::size_t k = 1; k < operands.size(); ++k) {
-    for (std::size_t i = 0; i < k; ++i) {
-      const CellSet overlap = intersect(support(operands[i]->selection), support(operands[k]->selection));
-      if (overlap.empty()) continue;
-      throw InputError("aggregate: the operands `" + names[i] + "` and `" + names[k] + "` overlap in " +
-                       words_of(complex, overlap) + "; use `sum`, or insert `subtract`: {subtract: [" + names[k] +
-                       ", " + names[i] + "]}");
+    if (!intersect(support(out.value.selection), support(operands[k]->selection)).empty()) {
+      refuse_overlap(complex, operands.first(k + 1), names);
     }
     out.value = Overlay(out.value, *operands[k], true, true, true).run({}).value;
   }
@@ -433,7 +456,8 @@ ComponentsResult complement(const Complex& complex, const Components& x) {
   return out;
 }
 
-ComponentsResult apply(const Complex& complex, Topological op, const Components& x) {
+ComponentsResult apply(const Complex& complex, Topological op, const Components& x,
+                       std::span<const LeafId> below) {
   const CellSet have = support(x.selection);
   const CellSet want = apply(complex, op, have);
   const auto extra = static_cast<Component>(x.attributes.size() + 1);
@@ -443,7 +467,7 @@ ComponentsResult apply(const Complex& complex, Topological op, const Components&
   value.attributes = x.attributes;
   value.attributes.emplace_back();
   value.attributes.back().name = name(op);
-  inherit_origins(complex, x, value);
+  inherit_origins(complex, x, below, value);
   value.features = active(value.selection, x.features);
   value.attributes.back().dominance = largest_dominance(x);
   renumber(value);
@@ -452,7 +476,8 @@ ComponentsResult apply(const Complex& complex, Topological op, const Components&
 }
 
 // Atoms of several components are boundaries that they share: no conflict of materials.
-ComponentsResult apply_each(const Complex& complex, Topological op, const Components& x) {
+ComponentsResult apply_each(const Complex& complex, Topological op, const Components& x,
+                            std::span<const LeafId> below) {
   Memberships memberships;
   const std::vector<CellSet> own = supports(x);
   for (std::size_t i = 0; i < own.size(); ++i) {
@@ -461,7 +486,7 @@ ComponentsResult apply_each(const Complex& complex, Topological op, const Compon
   ComponentsResult out;
   Components& value = out.value;
   std::vector<std::vector<Component>> atoms = memberships.atoms(value.selection);
-  inherit_origins(complex, x, value);
+  inherit_origins(complex, x, below, value);
   for (std::size_t a = 0; a < atoms.size(); ++a) {
     ComponentAttributes attributes = x.attributes[atoms[a][0] - 1];
     for (std::size_t k = 1; k < atoms[a].size(); ++k) {

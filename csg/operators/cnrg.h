@@ -51,9 +51,13 @@ ComponentsResult complement(const Complex& complex, const Components& x);
 
 enum class Topological : std::uint8_t { interior, closure, boundary, regularize };
 const char* name(Topological op);
-ComponentsResult apply(const Complex& complex, Topological op, const Components& x);
+/// A cell that the operator adds came from the cells of X next to it, and from those of the leaves `below` X
+/// (ascending) that have a face, wire or point there: the wall that was taken away, for one.
+ComponentsResult apply(const Complex& complex, Topological op, const Components& x,
+                       std::span<const LeafId> below = {});
 /// The operator on every component by itself.
-ComponentsResult apply_each(const Complex& complex, Topological op, const Components& x);
+ComponentsResult apply_each(const Complex& complex, Topological op, const Components& x,
+                            std::span<const LeafId> below = {});
 
 /// What the operator does to a point set.
 CellSet apply(const Complex& complex, Topological op, const CellSet& set);

@@ -92,10 +92,12 @@ Components components_of(const Complex& complex, const Group& group) {
   out.features = group.features;
   for (const RegionAttributes& region : group.regions) out.attributes.push_back({region, group.dominance});
   const auto entities = static_cast<Component>(group.regions.size() + 1);
-  if (!group.vertices.empty()) {
+  if (group.has_entities()) {
     out.attributes.push_back({{kEntitiesName, "", {}}, group.dominance});
     std::vector<char> used(group.origins.sets.size(), 0);
-    for (const LeafSetId set : group.origins.vertices) used[set.index()] = 1;
+    for (const auto* origins : {&group.origins.vertices, &group.origins.edges, &group.origins.faces}) {
+      for (const LeafSetId set : *origins) used[set.index()] = 1;
+    }
     std::vector<LeafId>& leaves = out.attributes.back().leaves;
     for (std::size_t s = 0; s < used.size(); ++s) {
       const auto set = group.origins.sets[LeafSetId(s)];

@@ -38,6 +38,8 @@ struct Group {
   bool has(FaceId f) const;
   bool has(EdgeId e) const;
   bool has(VertexId v) const;
+  /// A plane has a face and neither edges nor vertices: those on the frame are no entities.
+  bool has_entities() const { return !(faces.empty() && edges.empty() && vertices.empty()); }
 };
 
 /// The selection of |G|: component i for region i and the cells in its interior, component

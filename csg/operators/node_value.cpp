@@ -45,7 +45,7 @@ const Origins& NodeValue::origins() const {
 
 std::size_t NodeValue::component_count() const {
   if (!is_group()) return components().attributes.size();
-  return group().regions.size() + (group().vertices.empty() ? 0 : 1);
+  return group().regions.size() + (group().has_entities() ? 1 : 0);
 }
 
 const RegionAttributes& NodeValue::attributes(Component i) const {

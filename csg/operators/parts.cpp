@@ -23,7 +23,7 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // A plane has no vertex but those on the frame, which are no entities.
 bool empty(const Group& g) {
-  return g.cells.empty() && g.faces.empty() && g.edges.empty() && g.vertices.empty();
+  return g.cells.empty() && !g.has_entities();
 }
 
 bool reaches_frame(const Complex& complex, const Group& g) {

@@ -74,11 +74,6 @@ bool takes_a_list(Operator op) {
 /// Operators whose operands meet, so that one of them may dominate.
 bool has_sides(Operator op) { return is_boolean(op) || op == Operator::sum || op == Operator::product; }
 
-bool may_act_on_each(Operator op) {
-  return op == Operator::interior || op == Operator::closure || op == Operator::boundary ||
-         op == Operator::regularize;
-}
-
 bool is_zero(const RationalPoint& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }
 
 /// `#` and six hexadecimal digits.
@@ -303,7 +298,7 @@ class TreeReader {
     } else if (e.key == "each") {
       const std::optional<bool> each = e.value.as_bool();
       if (!each) e.value.fail_type("`each`", "true or false");
-      if (*each && !may_act_on_each(node.op)) {
+      if (*each && !is_topological(node.op)) {
         document_.fail(e.key_at, "`each` is for interior, closure, boundary and regularize; remove it from `" +
                                      node.operator_name + "`");
       }

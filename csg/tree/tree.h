@@ -27,6 +27,12 @@ enum class Operator : std::uint8_t {
   simplify,
 };
 
+/// Interior, closure, boundary and regularize: they may act on `each` component.
+constexpr bool is_topological(Operator op) {
+  return op == Operator::interior || op == Operator::closure || op == Operator::boundary ||
+         op == Operator::regularize;
+}
+
 enum class DominantOperand : std::uint8_t { left, right, equal };
 
 struct Node {

@@ -299,6 +299,21 @@ TEST_CASE("locate names cell, component and region", "[app]") {
   CHECK_THAT(line[6], Catch::Matches("0 v[0-9]+ 3 .*"));
 }
 
+TEST_CASE("points far away are located in planes and half-spaces", "[app]") {
+  const Workshop w;
+  w.write("t.yaml",
+          "cnrg: 1\nnodes:\n  h: {halfspace: {point: [0, 0, 0], normal: [0, 0, 1]}}\n"
+          "  p: {plane: {point: [0, 0, 1], normal: [0, 0, 1]}}\n  r: {aggregate: [{unify: h}, p]}\n"
+          "  e: {closure: h, each: true}\n  u: {unify: {aggregate: [p, {points: [[0, 0, 4]]}]}}\nresult: r\n");
+  const std::string points = "0 0 -500\n700 800 1\n100 100 1000\n-9 0 0\n";
+  const Outcome o = w.run("locate t.yaml", points);
+  INFO(o.err);
+  REQUIRE(o.status == 0);
+  CHECK_THAT(o.out, Catch::Matches("3 r[0-9]+ 1 h\n2 f[0-9]+ 2 entities\n3 (r[0-9]+|-) 0\n2 f[0-9]+ 1 h\n"));
+  CHECK(w.run("eval t.yaml --node e --node u -o e.json -o u.json").status == 0);
+  CHECK(w.run("explain t.yaml --point=0,0,-500").status == 0);
+}
+
 TEST_CASE("a bad line of points has its place", "[app][errors]") {
   const Workshop w;
   w.write("t.yaml", kBoxes);

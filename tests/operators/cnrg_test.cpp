@@ -107,7 +107,7 @@ TEST_CASE("aggregate keeps components apart and names an overlap", "[cnrg]") {
   const std::vector<const Components*> over{&z, &x, &y};
   using Catch::Contains;
   CHECK_THROWS_WITH(aggregate(s.complex, over, called),
-                    Contains("`rest` and `z` overlap") && Contains("insert `subtract`"));
+                    Contains("`rest` and `z` overlap") && Contains("with `subtract`"));
 }
 
 TEST_CASE("interior, closure, boundary and regularize of a solid with a fin and a crack", "[cnrg]") {
@@ -161,6 +161,21 @@ TEST_CASE("the complement is open and its complement is the set again", "[cnrg]"
   CHECK(interior(s.complex, support(rest.selection)) == support(rest.selection));
   CHECK(support(complement(s.complex, rest).value.selection) == support(x.selection));
   CHECK_FALSE(missing_boundary(s.complex, rest).empty());
+}
+
+TEST_CASE("a plane is a component of entities though it has no vertex", "[cnrg]") {
+  // As in a frame: a face whose boundary is no entity.
+  const Scene s({box({0, 0, 0}, {2, 2, 2})});
+  Group plane;
+  const Group box = leaf_groups(s.complex)[0];
+  plane.faces = {box.faces[0]};
+  plane.origins.sets = box.origins.sets;
+  plane.origins.faces = {box.origins.faces[0]};
+  const Components x = components_of(s.complex, plane);
+  CHECK(check_components(s.complex, x) == "");
+  REQUIRE(names(x) == std::vector<std::string>{kEntitiesName});
+  CHECK(x.attributes[0].leaves == std::vector<LeafId>{LeafId(0)});
+  CHECK(NodeValue(s.complex, plane).component_count() == 1);
 }
 
 TEST_CASE("closed components become a group with walls between them", "[cnrg]") {
