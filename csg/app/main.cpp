@@ -66,11 +66,12 @@ int run(int argc, char** argv) {
   EvalArguments eval;
   CLI::App* sub = program.add_subcommand("eval", "Evaluates a tree: one row per node, files of the result");
   sub->add_option("TREE", eval.tree, "Tree file (YAML or JSON)")->required();
-  sub->add_option("--node", eval.nodes, "Evaluate this node too; files show it instead of the result")
+  sub->add_option("--node", eval.nodes, "Evaluate this node too; files show it instead of the result: one node for all, or one for each -o")
       ->type_name("N")
       ->expected(1)
       ->take_all();
-  sub->add_option("-o", eval.files, "Write this file, in the format of its extension")
+  sub->add_option("-o", eval.files, "Write this file, in the format of its extension: .json .vtu .obj .off .stl .ply .dot "
+                  ".regions.dot")
       ->type_name("FILE")
       ->expected(1)
       ->take_all();

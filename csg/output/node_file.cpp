@@ -32,7 +32,12 @@ bool shows_regions(const std::string& path) {
 bool shows_dag(const std::string& path) { return extension_of(path) == ".dot" && !shows_regions(path); }
 
 void check_file_name(const std::string& path) {
-  if (extension_of(path) != ".dot") check_extension(path);
+  if (extension_of(path) == ".dot") return;
+  try {
+    check_extension(path);
+  } catch (const InputError& e) {
+    throw InputError(std::string(e.what()) + " .dot .regions.dot");
+  }
 }
 
 RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node) {
