@@ -14,6 +14,7 @@
 #include "csg/operators/leaf_group.h"
 #include "csg/operators/leaf_value.h"
 #include "kernel/base/sorted.h"
+#include "kernel/selection/canonical.h"
 #include "kernel/selection/measure.h"
 
 namespace cnrg {
@@ -228,7 +229,8 @@ void report_conflicts(const Tree& tree, const Node& node, const Complex& complex
   if (outcome.conflicts.empty()) return;
   const NodeValue& value = outcome.value;
   const Selection selection = selection_of(complex, value);
-  const SimplifiedComplex simplified = simplify(complex, selection, value.features());
+  SimplifiedComplex simplified = simplify(complex, selection, value.features());
+  put_in_order(complex, simplified);
   std::set<std::string> said;  // a fold may meet the same materials in the same cells more than once
   const CellSet active = support(selection);
   for (const MaterialConflict& conflict : outcome.conflicts) {
@@ -297,6 +299,7 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     const NodeValue& value = *values[root];
     SimplifiedComplex simplified = simplify(complex, selection_of(complex, value), value.features(),
                                             options.raw ? SimplifyMode::raw : SimplifyMode::features);
+    put_in_order(complex, simplified);
     result.kept.push_back({unfolding.instances[root].node, values[root], std::move(simplified),
                            leaves_below(unfolding, leaves, root)});
   }

@@ -7,6 +7,7 @@
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
+#include "kernel/selection/canonical.h"
 
 namespace cnrg {
 namespace {
@@ -436,8 +437,9 @@ void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Pie
 const SimplifiedComplex& Lives::simplified(const NodeValue& value) {
   const auto it = simplified_.find(&value);
   if (it != simplified_.end()) return it->second;
-  return simplified_.emplace(&value, simplify(complex_, selection_of(complex_, value), value.features()))
-      .first->second;
+  SimplifiedComplex made = simplify(complex_, selection_of(complex_, value), value.features());
+  put_in_order(complex_, made);
+  return simplified_.emplace(&value, std::move(made)).first->second;
 }
 
 }  // namespace cnrg

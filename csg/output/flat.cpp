@@ -1,5 +1,5 @@
-// Flattening in four steps: which points of chains stay; faces as loops and facets of vertex ids; numbers for
-// points and, from them, an order and an orientation of all cells; triangles.
+// Flattening: cells in canonical order (kernel/selection/canonical.h), faces as loops and facets of point numbers,
+// fronts by what is outside, triangles.
 #include "csg/output/flat.h"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/triangulate.h"
+#include "kernel/selection/canonical.h"
 
 namespace cnrg {
 namespace {
@@ -45,74 +46,51 @@ void put_in_order(std::vector<Loop>& loops) {
   std::sort(loops.begin(), loops.end());
 }
 
-/// Sorts `items` by `less`; returns for each old index the new one.
-template <class T, class Less>
-std::vector<Index> sort_and_map(std::vector<T>& items, Less less) {
-  std::vector<Index> order(items.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return less(items[a], items[b]); });
-  std::vector<T> sorted;
-  sorted.reserve(items.size());
-  std::vector<Index> map(items.size());
-  for (Index i = 0; i < order.size(); ++i) {
-    map[order[i]] = i;
-    sorted.push_back(std::move(items[order[i]]));
-  }
-  items = std::move(sorted);
-  return map;
+SimplifiedComplex in_order(const Complex& complex, SimplifiedComplex simplified) {
+  cnrg::put_in_order(complex, simplified);
+  return simplified;
 }
 
 class Flattener {
  public:
   explicit Flattener(const ResultView& view)
-      : view_(view), complex_(*view.complex), simple_(*view.simplified),
+      : view_(view), complex_(*view.complex), simple_(in_order(*view.complex, *view.simplified)),
+        points_(complex_, simple_),
         of_group_(view.value->is_group() ? components_of(complex_, view.value->group()) : Components{}),
         value_(view.value->is_group() ? of_group_ : view.value->components()) {}
 
   FlatComplex run() {
-    mark_curved_edges();
-    mark_dropped();
+    count_walks();
     number_points();
     make_regions();
     make_faces();
     make_edges();
     make_vertices();
-    order_faces();
-    order_regions();
+    turn_shells();
     return std::move(flat_);
   }
 
  private:
   const ResultView& view_;
   const Complex& complex_;
-  const SimplifiedComplex& simple_;
+  const SimplifiedComplex simple_;         // in canonical order
+  const CanonicalPoints points_;
   const Components of_group_;              // a group as components
   const Components& value_;
   FlatComplex flat_;
   IdVector<EdgeId, Index> edge_of_;        // simplified edge that holds an edge of the complex
-  std::vector<char> by_curved_;            // simplified edges on a face that is not flat
-  IdVector<VertexId, char> dropped_;
-  IdVector<VertexId, Index> number_;
   std::vector<unsigned> walks_;            // how often listed faces walk each simplified edge
   std::vector<char> slit_;
   std::vector<unsigned char> flipped_;      // faces whose front is not that of the simplified complex
 
-  bool is_flat(const SimplifiedComplex::Face& face) const {
-    const SheetId sheet = complex_.face_sheet[face.cells[0].face()];
-    return std::all_of(face.cells.begin(), face.cells.end(),
-                       [&](HalfFace f) { return complex_.face_sheet[f.face()] == sheet; });
-  }
-
-  void mark_curved_edges() {
+  void count_walks() {
     edge_of_.assign(complex_.edge_count(), kNone);
     for (Index i = 0; i < simple_.edges.size(); ++i) {
       for (const HalfEdge h : simple_.edges[i].chain) edge_of_[h.edge()] = i;
     }
-    by_curved_.assign(simple_.edges.size(), 0);
     walks_.assign(simple_.edges.size(), 0);
     slit_.assign(simple_.edges.size(), 0);
     for (const auto& face : simple_.faces) {
-      const bool curved = !is_flat(face);
       std::map<EdgeId, unsigned> here;
       for (const auto& loop : face.loops) {
         for (const HalfEdge h : loop) {
@@ -120,64 +98,16 @@ class Flattener {
           if (e == kNone) continue;        // on the frame
           ++walks_[e];
           if (++here[h.edge()] > 1) slit_[e] = 1;
-          if (curved) by_curved_[e] = 1;
         }
       }
     }
-  }
-
-  std::vector<VertexId> chain_vertices(const SimplifiedComplex::Edge& edge) const {
-    std::vector<VertexId> result;
-    for (const HalfEdge h : edge.chain) result.push_back(complex_.origin(h));
-    if (!edge.closed) result.push_back(complex_.target(edge.chain.back()));
-    return result;
-  }
-
-  void mark_dropped() {
-    dropped_.assign(complex_.points.size(), 0);
-    for (Index i = 0; i < simple_.edges.size(); ++i) {
-      const auto& edge = simple_.edges[i];
-      if (by_curved_[i]) continue;
-      const auto v = chain_vertices(edge);
-      const std::size_t n = v.size();
-      for (std::size_t k = edge.closed ? 0 : 1; k + (edge.closed ? 0 : 1) < n; ++k) {
-        if (collinear(complex_.points, v[(k + n - 1) % n], v[k], v[(k + 1) % n])) dropped_[v[k]] = 1;
-      }
-    }
-    for (const auto& vertex : simple_.vertices) dropped_[vertex.cell] = 0;
   }
 
   void number_points() {
-    number_.assign(complex_.points.size(), kNone);
-    std::vector<VertexId> used;
-    const auto use = [&](VertexId v) {
-      if (dropped_[v] || number_[v] == 0) return;
-      number_[v] = 0;
-      used.push_back(v);
-    };
-    for (const auto& vertex : simple_.vertices) use(vertex.cell);
-    for (const auto& edge : simple_.edges) {
-      for (const VertexId v : chain_vertices(edge)) use(v);
+    flat_.points = points_.points();
+    for (Index i = 0; i < flat_.points.size(); ++i) {
+      if (complex_.on_frame(flat_.points[i])) flat_.frame_points.push_back(i);
     }
-    for (const auto& face : simple_.faces) {
-      for (const VertexId v : face.isolated) use(v);
-      for (const auto& loop : face.loops) {
-        for (const HalfEdge h : loop) use(complex_.origin(h));
-      }
-      if (is_flat(face)) continue;
-      for (const HalfFace cell : face.cells) {
-        for (const auto& walk : facet_walks(cell.face())) {
-          for (const VertexId v : walk) use(v);
-        }
-      }
-    }
-    std::sort(used.begin(), used.end(),
-              [&](VertexId a, VertexId b) { return compare_lex(complex_.points, a, b) < 0; });
-    for (Index i = 0; i < used.size(); ++i) {
-      number_[used[i]] = i;
-      if (complex_.on_frame(used[i])) flat_.frame_points.push_back(i);
-    }
-    flat_.points = std::move(used);
   }
 
   void make_regions() {
@@ -210,7 +140,7 @@ class Flattener {
   Loop numbers(const std::vector<VertexId>& vertices) const {
     Loop loop;
     for (const VertexId v : vertices) {
-      if (!dropped_[v]) loop.push_back(number_[v]);
+      if (points_.number(v) != kNone) loop.push_back(points_.number(v));
     }
     return loop;
   }
@@ -222,50 +152,17 @@ class Flattener {
     return numbers(vertices);
   }
 
-  /// The loops of a facet without the slits that simplification removed. A walk passes a slit in both directions;
-  /// slits nest like parentheses, and each closed part between them is a walk of its own.
-  std::vector<std::vector<VertexId>> facet_walks(FaceId f) const {
-    std::vector<std::vector<VertexId>> walks;
-    std::vector<EdgeId> vanished, slits;
-    for (const LoopId id : complex_.face_loops[f]) {
-      vanished.clear(), slits.clear();
-      for (const HalfEdge h : complex_.loop[id]) {
-        if (edge_of_[h.edge()] == kNone) vanished.push_back(h.edge());
-      }
-      std::sort(vanished.begin(), vanished.end());
-      for (std::size_t i = 1; i < vanished.size(); ++i) {
-        if (vanished[i] == vanished[i - 1]) slits.push_back(vanished[i]);
-      }
-      std::vector<std::pair<EdgeId, std::vector<VertexId>>> open(1);
-      const auto close = [&] {
-        if (!open.back().second.empty()) walks.push_back(std::move(open.back().second));
-        open.pop_back();
-      };
-      for (const HalfEdge h : complex_.loop[id]) {
-        if (!std::binary_search(slits.begin(), slits.end(), h.edge())) {
-          open.back().second.push_back(complex_.origin(h));
-        } else if (open.size() > 1 && open.back().first == h.edge()) {
-          close();
-        } else {
-          open.push_back({h.edge(), {}});
-        }
-      }
-      while (!open.empty()) close();
-    }
-    return walks;
-  }
-
   /// One facet of the complex as seen from the face's front (`cell.side()` is that front).
   FlatComplex::Facet facet_of(HalfFace cell) const {
     FlatComplex::Facet facet;
-    for (const auto& walk : facet_walks(cell.face())) {
+    for (const auto& walk : facet_walks(complex_, simple_, cell.face())) {
       Loop loop = numbers(walk);
       if (cell.side() == 1) std::reverse(loop.begin(), loop.end());
       facet.loops.push_back(std::move(loop));
     }
     put_in_order(facet.loops);
     for (const VertexId v : complex_.face_vertices[cell.face()]) {
-      if (simple_.vertex_place[v.index()].dimension == 0) facet.isolated.push_back(number_[v]);
+      if (simple_.vertex_place[v.index()].dimension == 0) facet.isolated.push_back(points_.number(v));
     }
     std::sort(facet.isolated.begin(), facet.isolated.end());
     return facet;
@@ -310,7 +207,7 @@ class Flattener {
     for (const Index p : isolated) inner.push_back(flat_.points[p]);
     std::vector<std::array<Index, 3>> here;
     for (const auto& t : triangulate(complex_.points, projection(cell), walks, inner)) {
-      std::array<Index, 3> n{number_[t[0]], number_[t[1]], number_[t[2]]};
+      std::array<Index, 3> n{points_.number(t[0]), points_.number(t[1]), points_.number(t[2])};
       std::rotate(n.begin(), std::min_element(n.begin(), n.end()), n.end());
       here.push_back(n);
     }
@@ -328,7 +225,7 @@ class Flattener {
       put_in_order(face.loops);
       face.isolated = numbers(from.isolated);
       std::sort(face.isolated.begin(), face.isolated.end());
-      const bool flat = is_flat(from);
+      const bool flat = is_flat(complex_, from);
       std::vector<std::pair<FlatComplex::Facet, HalfFace>> facets;
       if (flat) {
         facets.push_back({{face.loops, face.isolated}, from.cells[0]});
@@ -427,7 +324,7 @@ class Flattener {
     for (Index i = 0; i < simple_.edges.size(); ++i) {
       const auto& from = simple_.edges[i];
       FlatComplex::Edge edge;
-      edge.points = numbers(chain_vertices(from));
+      edge.points = numbers(chain_vertices(complex_, from));
       edge.closed = from.closed;
       if (edge.closed) {
         rotate_to_least(edge.points);
@@ -456,8 +353,6 @@ class Flattener {
       edge.origin = unique(std::move(edge.origin));
       flat_.edges.push_back(std::move(edge));
     }
-    std::sort(flat_.edges.begin(), flat_.edges.end(),
-              [](const auto& a, const auto& b) { return a.points < b.points; });
   }
 
   void make_vertices() {
@@ -471,7 +366,7 @@ class Flattener {
     std::vector<RegionId> regions;
     for (const auto& from : simple_.vertices) {
       FlatComplex::Vertex vertex;
-      vertex.point = number_[from.cell];
+      vertex.point = points_.number(from.cell);
       vertex.component = from.component;
       vertex.free = !on_edge[vertex.point];
       regions.clear();
@@ -483,45 +378,17 @@ class Flattener {
       add_origin(value_.selection.vertices, value_.origins.vertices, from.cell, vertex.origin);
       flat_.vertices.push_back(std::move(vertex));
     }
-    std::sort(flat_.vertices.begin(), flat_.vertices.end(),
-              [](const auto& a, const auto& b) { return a.point < b.point; });
   }
 
-  void order_faces() {
-    std::vector<std::pair<Loop, FlatComplex::Face>> keyed;
-    keyed.reserve(flat_.faces.size());
-    for (auto& face : flat_.faces) {
-      Loop k = key({face.loops, {}});
-      for (const auto& facet : face.facets) {
-        const Loop more = key(facet);
-        k.insert(k.end(), more.begin(), more.end());
-      }
-      keyed.emplace_back(std::move(k), std::move(face));
-    }
-    const auto map = sort_and_map(keyed, [](const auto& a, const auto& b) {
-      return a.first != b.first ? a.first < b.first : a.second.loops < b.second.loops;
-    });
-    flat_.faces.clear();
-    for (auto& [k, face] : keyed) flat_.faces.push_back(std::move(face));
+  /// Sides of faces in shells, by the fronts as they are now.
+  void turn_shells() {
     for (auto& region : flat_.regions) {
       for (auto& shell : region.shells) {
-        for (Index& side : shell) side = map[side >> 1] * 2 + ((side & 1) ^ flipped_[side >> 1]);
+        for (Index& side : shell) side ^= flipped_[side >> 1];
         std::sort(shell.begin(), shell.end());
       }
       std::sort(region.shells.begin(), region.shells.end());
     }
-  }
-
-  void order_regions() {
-    const auto map = sort_and_map(flat_.regions, [](const auto& a, const auto& b) { return a.shells < b.shells; });
-    const auto renumber = [&](Index& r) {
-      r = r != kNone && r < map.size() ? map[r] : kNone;
-    };
-    for (auto& face : flat_.faces) {
-      for (Index& r : face.regions) renumber(r);
-    }
-    for (auto& edge : flat_.edges) renumber(edge.region);
-    for (auto& vertex : flat_.vertices) renumber(vertex.region);
   }
 };
 

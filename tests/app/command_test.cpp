@@ -1,11 +1,13 @@
 // The program from outside: output, messages, exit statuses.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "kernel/exact/rational.h"
 #include "tests/app/program.h"
 
 namespace cnrg {
@@ -297,6 +299,56 @@ TEST_CASE("locate names cell, component and region", "[app]") {
   CHECK_THAT(line[4], Catch::Matches("1 e[0-9]+ 3 .*"));
   CHECK_THAT(line[5], Catch::Matches("2 f[0-9]+ 3 .*"));
   CHECK_THAT(line[6], Catch::Matches("0 v[0-9]+ 3 .*"));
+}
+
+TEST_CASE("files and commands number cells alike", "[app]") {
+  const Workshop w;
+  w.write("t.yaml",
+          "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}\n"
+          "  b: {box: {min: [1, -1, 1], max: [3, 3, 3]}}\n  c: {cylinder: {from: [1, 1, -1], to: [1, 1, 4], "
+          "radius: 1/2, segments: 12}}\n  w: {polyline: [[5, 5, 5], [0, 0, 0], [1, 1, 1]]}\n"
+          "  other: {box: {min: [-9, -9, -9], max: [9, 9, 1/2]}}\n"
+          "  s: {sum: [{unify: a}, {unify: b}, {unify: c}, w]}\n  r: {product: [s, other]}\nresult: r\n");
+  REQUIRE(w.run("eval t.yaml --quiet --node s -o s.json").status == 0);
+  const auto json = nlohmann::json::parse(w.read("s.json"));
+  std::string points, expected;
+  const auto ask = [&](const std::array<Rational, 3>& p, const std::string& name, const nlohmann::json& cell) {
+    points += to_string(p[0]) + " " + to_string(p[1]) + " " + to_string(p[2]) + "\n";
+    expected += name + " " + std::to_string(cell["component"].get<int>()) + "\n";
+  };
+  const auto middle = [&](const nlohmann::json& corners) {
+    std::array<Rational, 3> sum{0, 0, 0};
+    for (const auto& i : corners) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum[k] += *parse_rational(json["points"][i.get<std::size_t>()][k].get<std::string>());
+      }
+    }
+    for (Rational& x : sum) x /= Rational(static_cast<long>(corners.size()));
+    return sum;
+  };
+  for (std::size_t i = 0; i < json["vertices"].size(); ++i) {
+    const auto& v = json["vertices"][i];
+    ask(middle(nlohmann::json::array({v["point"]})), "0 v" + std::to_string(i), v);
+  }
+  for (std::size_t i = 0; i < json["edges"].size(); ++i) {
+    const auto& e = json["edges"][i];
+    ask(middle(nlohmann::json::array({e["points"][0], e["points"][1]})), "1 e" + std::to_string(i), e);
+  }
+  for (std::size_t i = 0; i < json["faces"].size(); ++i) {
+    const auto& f = json["faces"][i];
+    ask(middle(f["triangles"][0]), "2 f" + std::to_string(i), f);
+  }
+  const Outcome o = w.run("locate t.yaml --node s", points);
+  REQUIRE(o.status == 0);
+  std::istringstream lines(o.out);
+  std::string named, line;
+  while (std::getline(lines, line)) {
+    std::istringstream words(line);
+    std::string dimension, cell, component;
+    words >> dimension >> cell >> component;
+    named += dimension + " " + cell + " " + component + "\n";
+  }
+  CHECK(named == expected);
 }
 
 TEST_CASE("points far away are located in planes and half-spaces", "[app]") {
