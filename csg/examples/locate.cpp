@@ -32,11 +32,11 @@ result: model
 }
 
 // Output:
-// 0 0 0: dimension 0, v6, entities
-// 1/3 1/2 0: dimension 1, e1, entities
-// 1/2 1/2 1/2: dimension 2, f0, entities
-// 500000001/1000000000 1/2 1/2: dimension 3, r1, ground
-// 1/3 1/3 1/3: dimension 3, r2, ground
-// 4/3 1/2 1/2: dimension 1, e0, entities
-// 1 1/3 1/3: dimension 2, f2, entities
-// 2 2 2: dimension 3, r0, inactive
+// 0 0 0: dimension 0, v0, entities
+// 1/3 1/2 0: dimension 1, e8, entities
+// 1/2 1/2 1/2: dimension 2, f5, entities
+// 500000001/1000000000 1/2 1/2: dimension 3, r2, ground
+// 1/3 1/3 1/3: dimension 3, r0, ground
+// 4/3 1/2 1/2: dimension 1, e19, entities
+// 1 1/3 1/3: dimension 2, f10, entities
+// 2 2 2: dimension 3, r1, inactive
