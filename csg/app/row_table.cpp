@@ -31,7 +31,9 @@ std::string details(const NodeRow& row) {
   for (const auto& [id, count] : row.removals) text += "    " + id + ": " + std::to_string(count) + "\n";
   if (row.volumes.size() < 2) return text;
   for (std::size_t i = 0; i < row.volumes.size(); ++i) {
-    text += "    region " + std::to_string(i + 1) + ": volume " + volume_text(row.volumes[i]) + "\n";
+    const auto& [component, name] = row.named[i];
+    text += "    " + std::string(row.is_group ? "region " : "component ") + std::to_string(component) +
+            (name.empty() ? "" : " `" + name + "`") + ": volume " + volume_text(row.volumes[i]) + "\n";
   }
   return text;
 }

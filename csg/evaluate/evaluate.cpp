@@ -179,7 +179,13 @@ void measure(const Complex& complex, NodeValue& value, bool region_volumes, Node
     row.cells = totals.simplified;
     row.regions = totals.regions;
     row.total = totals.volume();
-    if (region_volumes) row.volumes = volumes(complex, value.parts());
+    if (!region_volumes) return;
+    const PartedGroup& group = value.parts();
+    row.volumes = volumes(complex, group);
+    for (const auto& [part, region] : region_order(group)) {
+      const auto number = static_cast<Component>(row.named.size() + 1);
+      row.named.emplace_back(number, group.parts[part]->group().regions[region - 1].name);
+    }
     return;
   }
   const Selection& selection = value.components().selection;
@@ -194,7 +200,12 @@ void measure(const Complex& complex, NodeValue& value, bool region_volumes, Node
     if (row.total && one) *row.total += *one;
     else row.total.reset();
   }
-  if (region_volumes) row.volumes = std::move(all);
+  if (!region_volumes) return;
+  row.volumes = std::move(all);
+  std::vector<Component> solid;
+  for (const auto& [cell, component] : selection.regions) solid.push_back(component);
+  sort_unique(solid);
+  for (const Component c : solid) row.named.emplace_back(c, value.attributes(c).name);
 }
 
 /// The simplified cells that hold the cells of a set, largest dimension first.

@@ -51,6 +51,7 @@ struct NodeRow {
   const std::optional<Rational>& volume() const { return total; }
   /// Of each, ascending by component; filled for the kept nodes, for all with `EvaluateOptions::region_volumes`.
   std::vector<std::optional<Rational>> volumes;
+  std::vector<std::pair<Component, std::string>> named;  ///< parallel to `volumes`: the component and its name
   double seconds = 0;          ///< of the operator alone
   double measure_seconds = 0;  ///< of counts and volumes
 };

@@ -124,6 +124,7 @@ TEST_CASE("eval prints one aligned row per node", "[app]") {
   const Outcome trace = w.run("eval t.yaml --trace");
   CHECK(trace.status == 0);
   CHECK_THAT(trace.out, Contains("    union.face.") && Contains("\nrefinement: ") && Contains("\npredicates: "));
+  CHECK_THAT(trace.out, Contains("    region 1 `a`: volume ") && Contains("    region 2 `b`: volume "));
   const Outcome raw = w.run("eval t.yaml --raw --threads 1");
   CHECK(raw.status == 0);
   CHECK(std::stoi(row(raw.out, "a").at(4)) > 6);
