@@ -363,7 +363,9 @@ std::string outcome(const Node& node, const LifeStep& step, int dimension) {
     return step.state.entity && !where.empty() ? state + ": " + where : state;
   }
   if (step.booleans.empty() || !step.booleans.back().verdict.entity) return state;
-  return step.booleans.back().verdict.removed ? "removed; " + state : "kept: " + state;
+  // The attribute `regularize` may take what the tables kept.
+  const bool gone = step.booleans.back().verdict.removed || !step.state.entity;
+  return gone ? "removed; " + state : "kept: " + state;
 }
 
 std::string operator_words(const Node& node, const LifeStep& step) {
