@@ -66,7 +66,9 @@ int run(int argc, char** argv) {
   EvalArguments eval;
   CLI::App* sub = program.add_subcommand("eval", "Evaluates a tree: one row per node, files of the result");
   sub->add_option("TREE", eval.tree, "Tree file (YAML or JSON)")->required();
-  sub->add_option("--node", eval.nodes, "Evaluate this node too; files show it instead of the result: one node for all, or one for each -o")
+  sub->add_option("--node", eval.nodes,
+                  "Evaluate this node too; files show it instead of the result: one node for all, or one for each "
+                  "-o")
       ->type_name("N")
       ->expected(1)
       ->take_all();

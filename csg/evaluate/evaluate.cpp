@@ -13,7 +13,6 @@
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/operators/leaf_group.h"
 #include "csg/operators/leaf_value.h"
-#include "kernel/base/sorted.h"
 #include "kernel/selection/canonical.h"
 #include "kernel/selection/measure.h"
 
@@ -151,12 +150,13 @@ Outcome value_of(const Tree& tree, const Unfolding& unfolding, const PreparedLea
   }
 }
 
-/// Exact volume of each component with 3-cells; nothing for an unbounded one.
-std::vector<std::optional<Rational>> volumes_of(const Complex& complex, const Selection& selection) {
+/// Exact volume of each component with 3-cells, ascending; nothing for an unbounded one.
+std::vector<std::pair<Component, std::optional<Rational>>> volumes_of(const Complex& complex,
+                                                                      const Selection& selection) {
   std::map<Component, std::vector<RegionId>> cells;
   for (const auto& [cell, component] : selection.regions) cells[component].push_back(cell);
-  std::vector<std::optional<Rational>> result;
-  for (const auto& [component, list] : cells) result.push_back(volume(complex, list));
+  std::vector<std::pair<Component, std::optional<Rational>>> result;
+  for (const auto& [component, list] : cells) result.emplace_back(component, volume(complex, list));
   return result;
 }
 
@@ -193,19 +193,15 @@ void measure(const Complex& complex, NodeValue& value, bool region_volumes, Node
   row.raw_cells = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
                    selection.regions.size()};
   row.cells = simplified_counts(complex, selection, value.features());
-  std::vector<std::optional<Rational>> all = volumes_of(complex, selection);
-  row.regions = all.size();
   row.total = Rational(0);
-  for (const std::optional<Rational>& one : all) {
+  for (auto& [component, one] : volumes_of(complex, selection)) {
+    ++row.regions;
     if (row.total && one) *row.total += *one;
     else row.total.reset();
+    if (!region_volumes) continue;
+    row.volumes.push_back(std::move(one));
+    row.named.emplace_back(component, value.attributes(component).name);
   }
-  if (!region_volumes) return;
-  row.volumes = std::move(all);
-  std::vector<Component> solid;
-  for (const auto& [cell, component] : selection.regions) solid.push_back(component);
-  sort_unique(solid);
-  for (const Component c : solid) row.named.emplace_back(c, value.attributes(c).name);
 }
 
 /// The simplified cells that hold the cells of a set, largest dimension first.

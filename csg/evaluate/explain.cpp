@@ -79,7 +79,8 @@ Rational rounded(double value, double step) {
   return Rational(whole) * power;
 }
 
-/// A short point in the open region: away from one of its faces by less and less until the region holds it.
+/// A point in the open region, short if it can be: away from one of its faces by less and less until the region
+/// holds it.
 RationalPoint point_in(const Complex& complex, const Locator& locator, RegionId r) {
   if (complex.region_faces[r].empty()) {  // space with nothing but wires and points in it
     Rational beyond = 0;
@@ -101,7 +102,8 @@ RationalPoint point_in(const Complex& complex, const Locator& locator, RegionId 
     const auto p = complex.points.approx(complex.origin(e));
     for (std::size_t k = 0; k < 3; ++k) reach = std::max(reach, std::abs(p[k] - to_double(base[k])));
   }
-  for (int attempt = 0; attempt < 1000; ++attempt, reach /= 2) {
+  constexpr int kShort = 50;  // then doubles do not tell the points from the face
+  for (int attempt = 0; attempt < kShort; ++attempt, reach /= 2) {
     RationalPoint p;
     for (std::size_t k = 0; k < 3; ++k) {
       p[k] = rounded(to_double(base[k]) + direction[k] / std::sqrt(norm) * reach, reach / 2);
@@ -109,7 +111,15 @@ RationalPoint point_in(const Complex& complex, const Locator& locator, RegionId 
     const Location at = locator.locate(p);
     if (at.dimension == 3 && at.region == r) return p;
   }
-  throw InvariantError("explain: no point was found in a region next to one of its faces");
+  // A thin region: exactly along the normal, by steps that shrink faster and faster. `base` is in the open face, so
+  // all points near enough are in the region.
+  Rational step(1, size);
+  for (Rational shrink(1, 2);; shrink *= shrink) {
+    step *= shrink;
+    const RationalPoint p{base[0] + step * n[0], base[1] + step * n[1], base[2] + step * n[2]};
+    const Location at = locator.locate(p);
+    if (at.dimension == 3 && at.region == r) return p;
+  }
 }
 
 /// Makes classes of pieces, and tells those that are shown in full.

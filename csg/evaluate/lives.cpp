@@ -3,6 +3,7 @@
 #include "csg/evaluate/lives.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
@@ -27,29 +28,17 @@ decltype(auto) with_id(const Location& at, F f) {
 }
 
 bool has(const Group& group, const Location& cell) {
-  switch (cell.dimension) {
-    case 0:
-      return group.has(cell.vertex);
-    case 1:
-      return group.has(cell.edge);
-    case 2:
-      return group.has(cell.face);
-    default:
-      return false;
-  }
+  return with_id(cell, [&](auto id) {
+    if constexpr (std::is_same_v<decltype(id), RegionId>) return false;
+    else return group.has(id);
+  });
 }
 
 RegionId region_at(const Complex& complex, const Location& cell) {
-  switch (cell.dimension) {
-    case 0:
-      return complex.some_region(cell.vertex);
-    case 1:
-      return complex.some_region(cell.edge);
-    case 2:
-      return complex.some_region(cell.face);
-    default:
-      return cell.region;
-  }
+  return with_id(cell, [&](auto id) {
+    if constexpr (std::is_same_v<decltype(id), RegionId>) return id;
+    else return complex.some_region(id);
+  });
 }
 
 CellState region_state(const Group& group, std::uint32_t region) {

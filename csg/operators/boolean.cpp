@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "csg/operators/attributes.h"
+#include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
@@ -29,14 +30,6 @@ class RegionLookup {
  private:
   Scratch<RegionId, std::uint32_t> region_;
 };
-
-template <class IdT>
-std::vector<IdT> merged(const std::vector<IdT>& a, const std::vector<IdT>& b) {
-  std::vector<IdT> out;
-  out.reserve(a.size() + b.size());
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
-  return out;
-}
 
 Relation relation_of(std::uint8_t flags, bool in_other) {
   if ((flags & kA) && (flags & kB)) return Relation::common;
@@ -238,8 +231,7 @@ class Removal {
   Features features(const Group& result) {
     Features out;
     if (op_ != BooleanOp::subtract) {
-      out.edges = merged(a_.features.edges, b_.features.edges);
-      out.vertices = merged(a_.features.vertices, b_.features.vertices);
+      out = unite(a_.features, b_.features);
     } else {
       for (FaceId f : result.faces) {
         if ((faces_[f] & (kA | kB)) != kB) continue;
@@ -254,19 +246,9 @@ class Removal {
       Features of_b = b_.features;
       std::erase_if(of_b.edges, [&](EdgeId e) { return !(edges_[e] & kFeature); });
       std::erase_if(of_b.vertices, [&](VertexId v) { return !(vertices_[v] & kFeature); });
-      out.edges = merged(a_.features.edges, of_b.edges);
-      out.vertices = merged(a_.features.vertices, of_b.vertices);
+      out = unite(a_.features, of_b);
     }
-    return restricted(out, result);
-  }
-
-  static Features restricted(const Features& features, const Group& group) {
-    Features out;
-    std::set_intersection(features.edges.begin(), features.edges.end(), group.edges.begin(), group.edges.end(),
-                          std::back_inserter(out.edges));
-    std::set_intersection(features.vertices.begin(), features.vertices.end(), group.vertices.begin(),
-                          group.vertices.end(), std::back_inserter(out.vertices));
-    return out;
+    return among_entities(result, out);
   }
 
   const Complex& complex_;

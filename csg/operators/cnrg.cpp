@@ -281,19 +281,11 @@ class NearbyOrigins {
   LeafSetId of(VertexId v) {
     begin();
     for (const EdgeId e : complex_.vertex_edges[v]) add(x_.selection.edges, x_.origins.edges, e);
-    faces_.clear();
-    complex_.star_faces(v, faces_);
-    add_faces();
-    complex_.star_regions(v, regions_);
-    return end(v);
+    return from_star(v);
   }
   LeafSetId of(EdgeId e) {
     begin();
-    faces_.clear();
-    complex_.star_faces(e, faces_);
-    add_faces();
-    complex_.star_regions(e, regions_);
-    return end(e);
+    return from_star(e);
   }
   LeafSetId of(FaceId f) {
     begin();
@@ -315,8 +307,13 @@ class NearbyOrigins {
     }
     return out_;
   }
-  void add_faces() {
+  template <class IdT>
+  LeafSetId from_star(IdT cell) {
+    faces_.clear();
+    complex_.star_faces(cell, faces_);
     for (const FaceId f : faces_) add(x_.selection.faces, x_.origins.faces, f);
+    complex_.star_regions(cell, regions_);
+    return end(cell);
   }
   template <class List, class IdT>
   void add(const List& list, const std::vector<LeafSetId>& origins, IdT id) {

@@ -68,6 +68,15 @@ Features unite(const Features& a, const Features& b) {
   return out;
 }
 
+Features among_entities(const Group& group, const Features& features) {
+  Features out;
+  std::set_intersection(features.edges.begin(), features.edges.end(), group.edges.begin(), group.edges.end(),
+                        std::back_inserter(out.edges));
+  std::set_intersection(features.vertices.begin(), features.vertices.end(), group.vertices.begin(),
+                        group.vertices.end(), std::back_inserter(out.vertices));
+  return out;
+}
+
 Features active(const Selection& selection, const Features& features) {
   return {active_ones(selection.edges, features.edges), active_ones(selection.vertices, features.vertices)};
 }

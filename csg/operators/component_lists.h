@@ -48,6 +48,8 @@ std::vector<CellSet> supports(const Components& x);
 
 /// The union of two sorted sets of features.
 Features unite(const Features& a, const Features& b);
+/// Those features that are entities of a group.
+Features among_entities(const Group& group, const Features& features);
 /// Those features that are active cells.
 Features active(const Selection& selection, const Features& features);
 

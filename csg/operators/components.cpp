@@ -142,10 +142,7 @@ Group group_of(const Complex& complex, const Components& x) {
     leaves.insert(leaves.end(), set.begin(), set.end());
   }
   for (RegionAttributes& region : out.regions) sort_unique(region.leaves);
-  std::set_intersection(x.features.edges.begin(), x.features.edges.end(), out.edges.begin(), out.edges.end(),
-                        std::back_inserter(out.features.edges));
-  std::set_intersection(x.features.vertices.begin(), x.features.vertices.end(), out.vertices.begin(),
-                        out.vertices.end(), std::back_inserter(out.features.vertices));
+  out.features = among_entities(out, x.features);
   out.dominance = largest_dominance(x);
   return out;
 }

@@ -13,6 +13,7 @@
 #include "csg/output/table.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
+#include "kernel/selection/canonical.h"
 #include "kernel/selection/homology.h"
 #include "kernel/selection/manifold.h"
 
@@ -64,12 +65,6 @@ struct United {
     }
   }
 };
-
-bool is_flat(const Complex& complex, const SimplifiedComplex::Face& face) {
-  const SheetId sheet = complex.face_sheet[face.cells.front().face()];
-  return std::all_of(face.cells.begin(), face.cells.end(),
-                     [&](HalfFace h) { return complex.face_sheet[h.face()] == sheet; });
-}
 
 SimplifiedEuler euler_of(const Complex& complex, const CellSet& closed, const SimplifiedComplex& simplified,
                          BettiCounter& counter) {

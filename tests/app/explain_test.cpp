@@ -1,4 +1,5 @@
 // `cnrg explain` from outside: the text of a small tree, and command lines that make no sense.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -20,6 +21,27 @@ nodes:
   solid: {regularize: model}
 result: solid
 )";
+
+TEST_CASE("a region thinner than any double tells is explained too", "[app][explain]") {
+  const Workshop w;
+  w.write("thin.yaml",
+          "cnrg: 1\nnodes:\n  a: {box: {min: [\"1/3\", \"1/3\", \"1/3\"], max: [2, 2, "
+          "\"1000000000000000000000000000001/3000000000000000000000000000000\"]}}\nresult: a\n");
+  for (const std::string cell : {"r0", "r1"}) {
+    const Outcome o = w.run("explain thin.yaml --cell " + cell);
+    INFO(o.err);
+    CHECK(o.status == 0);
+    // The point that it shows lies in the cell.
+    const std::size_t at = o.out.find("at      ");
+    REQUIRE(at != std::string::npos);
+    std::string point = o.out.substr(at + 8, o.out.find('\n', at) - at - 8);
+    const std::string exactly = "exactly ";  // after a rounded one
+    if (point.find(exactly) != std::string::npos) point.erase(0, point.find(exactly) + exactly.size());
+    std::replace(point.begin(), point.end(), ',', ' ');
+    const Outcome located = w.run("locate thin.yaml", point + "\n");
+    CHECK_THAT(located.out, Catch::StartsWith("3 " + cell + " "));
+  }
+}
 
 TEST_CASE("explain tells the fault's life", "[app][explain]") {
   const Workshop w;
