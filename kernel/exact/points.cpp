@@ -180,33 +180,30 @@ ExactPoint ExactPoint::from(const RationalPoint& p) {
   return e;
 }
 
-struct PointTable::Data {
-  // Per point: lower bounds; for points that are not three doubles, a row of `bounds` with the upper ones.
-  std::vector<double> lo;
-  std::vector<std::uint32_t> row;                  // kDouble, or index into `upper` and `definitions`
-  std::vector<std::array<double, 3>> upper;
-  std::vector<Definition> definitions;             // by row; points[0] is none() for rational input
-  std::vector<std::array<VertexId, 3>> planes;
-  mutable Cache<ExactPoint> exact_points;
-  mutable Cache<ExactPlane> exact_planes;
-  static constexpr std::uint32_t kDouble = 0xffffffffu;
+struct PointTable::Caches {
+  Cache<ExactPoint> points;
+  Cache<ExactPlane> planes;
 };
 
-PointTable::PointTable() : data_(std::make_unique<Data>()) {}
+PointTable::PointTable() : caches_(std::make_unique<Caches>()) {}
 PointTable::~PointTable() = default;
 PointTable::PointTable(PointTable&&) noexcept = default;
 PointTable& PointTable::operator=(PointTable&&) noexcept = default;
 
-std::size_t PointTable::size() const { return data_->row.size(); }
 void PointTable::reserve(std::size_t n) {
-  data_->lo.reserve(3 * n);
-  data_->row.reserve(n);
+  lo_.reserve(3 * n);
+  row_.reserve(n);
+}
+
+void PointTable::add(std::span<const double> xyz) {
+  lo_.insert(lo_.end(), xyz.begin(), xyz.end());
+  row_.resize(lo_.size() / 3, kDouble);
 }
 
 VertexId PointTable::add(double x, double y, double z) {
-  data_->lo.insert(data_->lo.end(), {x, y, z});
-  data_->row.push_back(Data::kDouble);
-  return VertexId(data_->row.size() - 1);
+  lo_.insert(lo_.end(), {x, y, z});
+  row_.push_back(kDouble);
+  return VertexId(row_.size() - 1);
 }
 
 VertexId PointTable::add(const RationalPoint& p) {
@@ -226,7 +223,7 @@ VertexId PointTable::add(const RationalPoint& p) {
   }
   if (doubles) return add(lo[0], lo[1], lo[2]);
   const VertexId v = add(Definition{Definition::Kind::line_plane, {}, {}}, lo, hi);
-  data_->exact_points.get(v.value(), [&] { return ExactPoint::from(p); });
+  caches_->points.get(v.value(), [&] { return ExactPoint::from(p); });
   return v;
 }
 
@@ -238,25 +235,22 @@ VertexId PointTable::add(const Definition& definition) {
 
 VertexId PointTable::add(const Definition& definition, const std::array<double, 3>& lo,
                          const std::array<double, 3>& hi) {
-  data_->lo.insert(data_->lo.end(), lo.begin(), lo.end());
-  data_->row.push_back(static_cast<std::uint32_t>(data_->upper.size()));
-  data_->upper.push_back(hi);
-  data_->definitions.push_back(definition);
-  return VertexId(data_->row.size() - 1);
+  lo_.insert(lo_.end(), lo.begin(), lo.end());
+  row_.push_back(static_cast<std::uint32_t>(upper_.size()));
+  upper_.push_back(hi);
+  definitions_.push_back(definition);
+  return VertexId(row_.size() - 1);
 }
 
 PlaneId PointTable::add_plane(VertexId a, VertexId b, VertexId c) {
-  data_->planes.push_back({a, b, c});
-  return PlaneId(data_->planes.size() - 1);
+  planes_.push_back({a, b, c});
+  return PlaneId(planes_.size() - 1);
 }
 
-void PointTable::turn_plane(PlaneId plane) { std::swap(data_->planes[plane.index()][1], data_->planes[plane.index()][2]); }
 
-std::size_t PointTable::plane_count() const { return data_->planes.size(); }
-std::array<VertexId, 3> PointTable::plane_points(PlaneId plane) const { return data_->planes[plane.index()]; }
 
 void PointTable::normal(PlaneId plane, std::array<double, 3>& lo, std::array<double, 3>& hi) const {
-  const auto& [a, b, c] = data_->planes[plane.index()];
+  const auto& [a, b, c] = planes_[plane.index()];
   RoundOutward round;
   const Interval3 n = enclosure::normal(view(a), view(b), view(c));
   for (int k = 0; k < 3; ++k) {
@@ -266,42 +260,30 @@ void PointTable::normal(PlaneId plane, std::array<double, 3>& lo, std::array<dou
 }
 
 bool PointTable::is_constructed(VertexId v) const {
-  const std::uint32_t row = data_->row[v.index()];
-  if (row == Data::kDouble) return false;
-  const Definition& d = data_->definitions[row];
+  const std::uint32_t row = row_[v.index()];
+  if (row == kDouble) return false;
+  const Definition& d = definitions_[row];
   return d.points[0].valid() || d.planes[0].valid();
 }
 
-bool PointTable::is_double(VertexId v) const { return data_->row[v.index()] == Data::kDouble; }
 
-const double* PointTable::doubles(VertexId v) const {
-  return data_->row[v.index()] == Data::kDouble ? data_->lo.data() + 3 * v.index() : nullptr;
-}
 
 std::array<double, 3> PointTable::approx(VertexId v) const {
-  const double* lo = data_->lo.data() + 3 * v.index();
-  const std::uint32_t row = data_->row[v.index()];
-  if (row == Data::kDouble) return {lo[0], lo[1], lo[2]};
-  const auto& hi = data_->upper[row];
+  const double* lo = lo_.data() + 3 * v.index();
+  const std::uint32_t row = row_[v.index()];
+  if (row == kDouble) return {lo[0], lo[1], lo[2]};
+  const auto& hi = upper_[row];
   std::array<double, 3> c;
   for (int k = 0; k < 3; ++k) c[k] = lo[k] == hi[k] ? lo[k] : lo[k] / 2 + hi[k] / 2;
   if (std::isfinite(c[0]) && std::isfinite(c[1]) && std::isfinite(c[2])) return c;
   return nearest(v);
 }
 
-PointView PointTable::view(VertexId v) const {
-  const double* lo = data_->lo.data() + 3 * v.index();
-  const std::uint32_t row = data_->row[v.index()];
-  PointView p{{lo[0], lo[1], lo[2]}, {lo[0], lo[1], lo[2]}, this, v, nullptr};
-  if (row != Data::kDouble) p.hi = data_->upper[row];
-  return p;
-}
-
 const ExactPoint& PointTable::exact(VertexId v) const {
-  return data_->exact_points.get(v.value(), [&] {
-    const std::uint32_t row = data_->row[v.index()];
-    if (row != Data::kDouble) return exact_value(data_->definitions[row]);
-    ExactPoint p = from_doubles(data_->lo.data() + 3 * v.index());
+  return caches_->points.get(v.value(), [&] {
+    const std::uint32_t row = row_[v.index()];
+    if (row != kDouble) return exact_value(definitions_[row]);
+    ExactPoint p = from_doubles(lo_.data() + 3 * v.index());
     canonicalize(p);
     return p;
   });
@@ -329,15 +311,15 @@ ExactPoint PointTable::exact_value(const Definition& d) const {
 }
 
 const ExactPlane& PointTable::exact_plane(PlaneId plane) const {
-  return data_->exact_planes.get(plane.value(), [&] {
-    const auto& [a, b, c] = data_->planes[plane.index()];
+  return caches_->planes.get(plane.value(), [&] {
+    const auto& [a, b, c] = planes_[plane.index()];
     return plane_through(exact(a), exact(b), exact(c));
   });
 }
 
 std::array<double, 3> PointTable::nearest(VertexId v) const {
   if (is_double(v)) {
-    const double* lo = data_->lo.data() + 3 * v.index();
+    const double* lo = lo_.data() + 3 * v.index();
     return {lo[0], lo[1], lo[2]};
   }
   const PointView p = view(v);
@@ -352,7 +334,7 @@ void PointTable::enclose(const Definition& d, std::array<double, 3>& lo, std::ar
   switch (d.kind) {
     case Definition::Kind::line_plane: {
       // a + (n.(p - a)) (b - a) / (n.(b - a)): one division, last, so that points on a grid come out exactly.
-      const auto& [pa, pb, pc] = data_->planes[d.planes[0].index()];
+      const auto& [pa, pb, pc] = planes_[d.planes[0].index()];
       const Interval3 n = enclosure::normal(view(pa), view(pb), view(pc));
       const Interval3 a = of(view(d.points[0])), u = of(view(d.points[1])) - a;
       const Interval numerator = dot(n, of(view(pa)) - a), denominator = dot(n, u);
@@ -362,7 +344,7 @@ void PointTable::enclose(const Definition& d, std::array<double, 3>& lo, std::ar
     case Definition::Kind::three_planes: {
       Interval3 n[3], p[3];
       for (int i = 0; i < 3; ++i) {
-        const auto& [pa, pb, pc] = data_->planes[d.planes[i].index()];
+        const auto& [pa, pb, pc] = planes_[d.planes[i].index()];
         n[i] = enclosure::normal(view(pa), view(pb), view(pc));
         p[i] = of(view(pa));
       }
@@ -400,10 +382,10 @@ void PointTable::enclose(const Definition& d, std::array<double, 3>& lo, std::ar
 }
 
 std::size_t PointTable::memory() const {
-  return data_->lo.capacity() * sizeof(double) + data_->row.capacity() * sizeof(std::uint32_t) +
-         data_->upper.capacity() * (sizeof(std::array<double, 3>) + sizeof(Definition)) +
-         data_->planes.capacity() * sizeof(std::array<VertexId, 3>) +
-         data_->exact_points.size() * (sizeof(ExactPoint) + 64) + data_->exact_planes.size() * (sizeof(ExactPlane) + 64);
+  return lo_.capacity() * sizeof(double) + row_.capacity() * sizeof(std::uint32_t) +
+         upper_.capacity() * (sizeof(std::array<double, 3>) + sizeof(Definition)) +
+         planes_.capacity() * sizeof(std::array<VertexId, 3>) +
+         caches_->points.size() * (sizeof(ExactPoint) + 64) + caches_->planes.size() * (sizeof(ExactPlane) + 64);
 }
 
 const ExactPoint& PointView::exact() const { return value != nullptr ? *value : table->exact(id); }

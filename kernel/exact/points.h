@@ -13,6 +13,8 @@
 
 #include <array>
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "kernel/base/ids.h"
@@ -40,7 +42,7 @@ struct PointView {
   VertexId id;
   const ExactPoint* value = nullptr;  ///< set for points outside of a table (queries)
   const ExactPoint& exact() const;
-  bool is_double() const { return lo == hi; }
+  bool is_double() const { return lo[0] == hi[0] && lo[1] == hi[1] && lo[2] == hi[2]; }
 };
 
 /// How a constructed point is defined; `operands` as the kind says (see the head of this file).
@@ -59,8 +61,10 @@ class PointTable {
   PointTable(PointTable&&) noexcept;
   PointTable& operator=(PointTable&&) noexcept;
 
-  std::size_t size() const;
+  std::size_t size() const { return row_.size(); }
   VertexId add(double x, double y, double z);
+  /// Adds points of doubles, three coordinates each.
+  void add(std::span<const double> xyz);
   VertexId add(const RationalPoint& p);
   /// Adds a constructed point; computes its enclosure. The definition must determine one point.
   VertexId add(const Definition& definition);
@@ -70,21 +74,34 @@ class PointTable {
 
   /// The plane through three points that are not collinear, normal by the right-hand rule a -> b -> c.
   PlaneId add_plane(VertexId a, VertexId b, VertexId c);
+  /// The planes of the whole table at once, as by `add_plane` each.
+  void set_planes(std::vector<std::array<VertexId, 3>> planes) { planes_ = std::move(planes); }
   /// Turns the normal of a plane around; nothing may have asked for its exact value before.
-  void turn_plane(PlaneId plane);
-  std::size_t plane_count() const;
-  std::array<VertexId, 3> plane_points(PlaneId plane) const;
+  void turn_plane(PlaneId plane) { std::swap(planes_[plane.index()][1], planes_[plane.index()][2]); }
+  std::size_t plane_count() const { return planes_.size(); }
+  std::array<VertexId, 3> plane_points(PlaneId plane) const { return planes_[plane.index()]; }
   /// Enclosure of the plane's normal.
   void normal(PlaneId plane, std::array<double, 3>& lo, std::array<double, 3>& hi) const;
 
   bool is_constructed(VertexId v) const;
   /// True if the point is an input point whose coordinates are doubles.
-  bool is_double(VertexId v) const;
+  bool is_double(VertexId v) const { return row_[v.index()] == kDouble; }
   /// The three coordinates of a point that `is_double`, nullptr for any other.
-  const double* doubles(VertexId v) const;
+  const double* doubles(VertexId v) const { return is_double(v) ? lower(v) : nullptr; }
   /// The middle of the enclosure; exact where `is_double`.
   std::array<double, 3> approx(VertexId v) const;
-  PointView view(VertexId v) const;
+  /// The largest value that the coordinate may have; the smallest is `lower(v)[axis]`.
+  double upper(VertexId v, int axis) const {
+    return is_double(v) ? lower(v)[axis] : upper_[row_[v.index()]][static_cast<std::size_t>(axis)];
+  }
+  /// The three lower bounds.
+  const double* lower(VertexId v) const { return lo_.data() + 3 * v.index(); }
+  PointView view(VertexId v) const {
+    const double* lo = lower(v);
+    PointView p{{lo[0], lo[1], lo[2]}, {lo[0], lo[1], lo[2]}, this, v, nullptr};
+    if (!is_double(v)) p.hi = upper_[row_[v.index()]];
+    return p;
+  }
   /// The canonical exact value, computed once and cached; the reference stays valid while the table lives.
   const ExactPoint& exact(VertexId v) const;
   RationalPoint rational(VertexId v) const { return exact(v).rational(); }
@@ -102,9 +119,15 @@ class PointTable {
   std::size_t memory() const;
 
  private:
-  struct Data;
-  std::unique_ptr<Data> data_;
-  friend struct PointView;
+  struct Caches;
+  static constexpr std::uint32_t kDouble = 0xffffffffu;
+
+  std::vector<double> lo_;                         // per point three lower bounds
+  std::vector<std::uint32_t> row_;                 // per point kDouble, or index into `upper_` and `definitions_`
+  std::vector<std::array<double, 3>> upper_;
+  std::vector<Definition> definitions_;            // points[0] is none() for rational input
+  std::vector<std::array<VertexId, 3>> planes_;
+  std::unique_ptr<Caches> caches_;                 // exact values
 };
 
 /// The view of a point that is in no table; `value` must outlive the view.

@@ -314,12 +314,26 @@ Projection projection_of(const PointTable& t, PlaneId plane) {
   throw InvariantError("the three points of a plane are collinear");
 }
 
+Projection projection_of(const PointTable& t, PlaneId plane, const PlaneFilter& filter) {
+  const auto& n = filter.normal();
+  int k = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::fabs(n[static_cast<std::size_t>(i)]) > std::fabs(n[static_cast<std::size_t>(k)])) k = i;
+  }
+  const int s = filter.normal_sign(k);
+  if (s == 0) return projection_of(t, plane);
+  const auto u = static_cast<std::uint8_t>((k + 1) % 3), v = static_cast<std::uint8_t>((k + 2) % 3);
+  return s > 0 ? Projection{u, v} : Projection{v, u};
+}
+
 bool same_plane(const PointTable& t, PlaneId p, PlaneId q) {
   for (const VertexId v : t.plane_points(q)) {
     if (side_of_plane(t, p, v) != 0) return false;
   }
   return true;
 }
+
+void count_filtered(std::uint64_t n) { counts().filter += n; }
 
 StageCounts stage_counts() {
   std::lock_guard lock(registry().mutex);

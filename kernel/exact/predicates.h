@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "kernel/exact/plane_filter.h"
 #include "kernel/exact/points.h"
 
 namespace cnrg {
@@ -42,6 +43,8 @@ int normal_sign(const PointTable& t, PlaneId p, int k);
 int normal_dot_sign(const PointTable& t, PlaneId p, const std::array<double, 3>& direction);
 /// A projection along an axis on which the normal of the plane is certainly not zero.
 Projection projection_of(const PointTable& t, PlaneId plane);
+/// The same with a filter of the plane, which decides nearly always.
+Projection projection_of(const PointTable& t, PlaneId plane, const PlaneFilter& filter);
 /// True if the two planes are the same point set.
 bool same_plane(const PointTable& t, PlaneId p, PlaneId q);
 
@@ -54,6 +57,8 @@ struct StageCounts {
   }
 };
 StageCounts stage_counts();
+/// Adds `n` signs that a filter outside of this file decided.
+void count_filtered(std::uint64_t n);
 void reset_stage_counts();
 
 }  // namespace cnrg

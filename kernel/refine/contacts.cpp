@@ -9,7 +9,8 @@
 #include <optional>
 
 #include "kernel/base/error.h"
-#include "kernel/refine/box_tree.h"
+#include "kernel/refine/box_pairs.h"
+#include "kernel/refine/fans.h"
 
 namespace cnrg {
 
@@ -39,8 +40,10 @@ struct Event {
 /// The pair tests of one thread, with its scratch memory and what it found.
 class PairTester {
  public:
-  explicit PairTester(const RefineInput& in) : in_(in), t_(in.points) {}
+  /// `fans`: by vertex, 1 where the faces around are an embedded fan (fans.h).
+  PairTester(const RefineInput& in, const std::vector<char>& fans) : in_(in), t_(in.points), fans_(fans) {}
   ContactList list;
+  std::uint64_t filtered = 0;  ///< signs that the filters of planes decided
 
   void faces(SourceId f, SourceId g);
   void wire_face(SegmentId s, SourceId f);
@@ -51,7 +54,8 @@ class PairTester {
  private:
   enum class Contact { none, coplanar, possible };
   /// Signs of the corners of f against the plane of g; corners shared with g count as on it.
-  Contact signs(SourceId f, SourceId g, std::vector<int>& out) const;
+  Contact signs(SourceId f, SourceId g, std::vector<int>& out);
+  bool neighbours(SourceId f, SourceId g) const;
   bool only_shared(SourceId f, SourceId g, const std::vector<int>& sign) const;
   bool apart(SourceId f, SourceId g) const;
   void cut(SourceId f, SourceId g, const std::vector<int>& sign, std::vector<Event>& events);
@@ -66,21 +70,43 @@ class PairTester {
 
   const RefineInput& in_;
   const PointTable& t_;
+  const std::vector<char>& fans_;
   std::vector<int> sign_f_, sign_g_;
   std::vector<Event> events_f_, events_g_;
   std::deque<ExactPoint> exact_;  // values of events that no table holds
   int axis_ = -1;                 // coordinate that orders the common line; -1: lexicographic order
 };
 
-PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& out) const {
+/// True only if two triangles of one embedded fan meet in nothing but what they share and lie in two planes.
+bool PairTester::neighbours(SourceId f, SourceId g) const {
+  const auto c = in_.corners[f], d = in_.corners[g];
+  if (c.size() != 3 || d.size() != 3) return false;
+  int shared = 0, fans = 0;
+  for (const VertexId v : c) {
+    const bool common = (v == d[0]) | (v == d[1]) | (v == d[2]);
+    shared += common;
+    if (common) fans += fans_[v.index()];
+  }
+  return fans != 0 && shared < 3 && in_.filters[f.index()].crosses(in_.filters[g.index()]);
+}
+
+PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& out) {
   const auto corners = in_.corners[f], other = in_.corners[g];
-  const auto [a, b, c] = t_.plane_points(RefineInput::plane(g));
+  const PlaneFilter& plane = in_.filters[g.index()];
+  const auto side = [&](VertexId v) {
+    const double* p = t_.doubles(v);
+    if (const int s = p != nullptr ? plane.side(p) : 0) {
+      ++filtered;
+      return s;
+    }
+    return side_of_plane(t_, RefineInput::plane(g), v);
+  };
   out.assign(corners.size(), 0);
   bool positive = false, negative = false, zero = false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const VertexId v = corners[i];
     if (!v.valid()) continue;
-    if (std::find(other.begin(), other.end(), v) == other.end()) out[i] = orient3d(t_, a, b, c, v);
+    if (std::find(other.begin(), other.end(), v) == other.end()) out[i] = side(v);
     positive = positive || out[i] > 0;
     negative = negative || out[i] < 0;
     zero = zero || out[i] == 0;
@@ -209,6 +235,7 @@ void PairTester::choose_axis() {
 }
 
 void PairTester::faces(SourceId f, SourceId g) {
+  if (neighbours(f, g)) return;
   if (in_.corners[f].size() > in_.corners[g].size()) std::swap(f, g);  // the small face decides most pairs alone
   const Contact cf = signs(f, g, sign_f_);
   if (cf == Contact::none) return;
@@ -474,11 +501,13 @@ ContactList find_contacts(const RefineInput& in) {
       extend(in.isolated[e - faces - wires]);
     }
   });
-  const BoxTree tree(std::move(boxes));
-  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in); });
-  tbb::parallel_for(std::size_t{0}, tree.block_count(), [&](std::size_t block) {
+  const BoxPairs pairs(boxes);
+  boxes = {};
+  const std::vector<char> fans = embedded_fans(in);
+  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in, fans); });
+  tbb::parallel_for(std::size_t{0}, pairs.part_count(), [&](std::size_t part) {
     PairTester& tester = testers.local();
-    tree.self_pairs(block, [&](std::uint32_t x, std::uint32_t y) {
+    pairs.find(part, [&](std::uint32_t x, std::uint32_t y) {
       ++tester.list.candidates;
       std::size_t a = kept[x], b = kept[y];
       if (a > b) std::swap(a, b);
@@ -496,7 +525,10 @@ ContactList find_contacts(const RefineInput& in) {
     });
   });
   ContactList all;
-  for (const PairTester& tester : testers) all.append(tester.list);
+  for (const PairTester& tester : testers) {
+    all.append(tester.list);
+    count_filtered(tester.filtered);
+  }
   all.normalize();
   return all;
 }

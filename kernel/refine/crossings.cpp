@@ -3,7 +3,7 @@
 // trace of that sheet) are never computed.
 #include <tbb/task_arena.h>
 
-#include "kernel/refine/box_tree.h"
+#include "kernel/refine/box_pairs.h"
 #include "kernel/refine/segments.h"
 
 namespace cnrg {
@@ -44,15 +44,14 @@ class CrossingFinder {
     }
     // The tree sorts in parallel; isolation keeps this thread from taking up another sheet meanwhile.
     tbb::this_task_arena::isolate([&] {
-      const BoxTree tree(std::move(boxes));
-      for (std::size_t b = 0; b < tree.block_count(); ++b) {
-        tree.self_pairs(b, [&](std::uint32_t i, std::uint32_t j) { pair(c_.segments[i], c_.segments[j]); });
+      const BoxPairs tree(boxes);
+      for (std::size_t part = 0; part < tree.part_count(); ++part) {
+        tree.find(part, [&](std::uint32_t i, std::uint32_t j) { pair(c_.segments[i], c_.segments[j]); });
       }
       for (const VertexId v : c_.points) {
         Box own;
         extend(own, v);
-        tree.query([&](const Box& box) { return box.meets(own); },
-                   [&](std::uint32_t i) { point(v, c_.segments[i]); });
+        tree.query(own, [&](std::uint32_t i) { point(v, c_.segments[i]); });
       }
     });
   }

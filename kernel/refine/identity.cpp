@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "kernel/exact/predicates.h"
-#include "kernel/refine/box_tree.h"
+#include "kernel/refine/box.h"
 
 namespace cnrg {
 

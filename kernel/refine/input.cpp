@@ -2,37 +2,94 @@
 // three doubles can never equal one that is). Vertices are numbered by first appearance.
 #include "kernel/refine/input.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <map>
+#include <numeric>
 
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 
 namespace {
 
-std::uint64_t mix(std::uint64_t h) {
-  h ^= h >> 31;
-  h *= 0x9e3779b97f4a7c15ull;
-  h ^= h >> 29;
-  return h;
+using Ids = tbb::blocked_range<std::size_t>;
+constexpr std::size_t kGrain = 2048;
+
+/// Calls `work(i)` for every i below n, in parallel.
+template <class Work>
+void for_all(std::size_t n, const Work& work) {
+  tbb::parallel_for(Ids(0, n, kGrain), [&](const Ids& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
+  });
 }
+
+/// Points of doubles by value. All points are entered at once, by any number of threads; equal ones share a slot,
+/// which keeps the smallest number.
+class EqualPoints {
+ public:
+  explicit EqualPoints(const Soup& soup)
+      : soup_(soup), slots_(std::bit_ceil(2 * soup.point_count() + 1)), mask_(slots_.size() - 1) {
+    for_all(slots_.size(), [&](std::size_t i) { slots_[i] = kFree; });
+  }
+  /// Enters point i; returns its slot.
+  std::uint32_t enter(std::uint32_t i) {
+    const std::array<double, 3> c = at(i);
+    std::uint64_t hash = 0;
+    for (const double x : c) hash = mix(hash ^ std::bit_cast<std::uint64_t>(x));
+    for (std::size_t slot = hash & mask_;; slot = (slot + 1) & mask_) {
+      const std::atomic_ref entry(slots_[slot]);
+      std::uint32_t holder = entry.load(std::memory_order_relaxed);
+      if (holder == kFree && entry.compare_exchange_strong(holder, i, std::memory_order_relaxed)) {
+        return static_cast<std::uint32_t>(slot);
+      }
+      if (at(holder) != c) continue;
+      while (i < holder && !entry.compare_exchange_weak(holder, i, std::memory_order_relaxed)) {
+      }
+      return static_cast<std::uint32_t>(slot);
+    }
+  }
+  /// The smallest number of the points that share a slot, once all are entered.
+  std::uint32_t first(std::uint32_t slot) const { return slots_[slot]; }
+
+ private:
+  static constexpr std::uint32_t kFree = 0xffffffffu;
+  static std::uint64_t mix(std::uint64_t h) {
+    h ^= h >> 31;
+    h *= 0x9e3779b97f4a7c15ull;
+    h ^= h >> 29;
+    return h;
+  }
+  std::array<double, 3> at(std::uint32_t i) const {
+    const double* c = soup_.xyz(PointId(i));
+    return {c[0] + 0.0, c[1] + 0.0, c[2] + 0.0};  // -0 is 0
+  }
+
+  const Soup& soup_;
+  std::vector<std::uint32_t> slots_;
+  std::size_t mask_;
+};
 
 void identify_points(const Soup& soup, RefineInput& in) {
   const std::size_t n = soup.point_count();
+  std::vector<std::uint32_t> first(n);
+  {
+    EqualPoints equal(soup);
+    for_all(n, [&](std::size_t i) {
+      if (soup.rational(PointId(i)) == nullptr) first[i] = equal.enter(static_cast<std::uint32_t>(i));
+    });
+    for_all(n, [&](std::size_t i) {
+      if (soup.rational(PointId(i)) == nullptr) first[i] = equal.first(first[i]);
+    });
+  }
   in.vertex_of.resize(n);
   in.points.reserve(n);
-  const std::size_t capacity = std::bit_ceil(2 * n + 1);
-  std::vector<std::uint32_t> table(capacity, 0xffffffffu);
-  std::vector<std::array<double, 3>> keys;  // by slot value: index into keys
-  std::vector<VertexId> vertex_of_key;
-  keys.reserve(n);
   std::map<RationalPoint, VertexId> rationals;
   for (std::size_t i = 0; i < n; ++i) {
     const PointId p(i);
@@ -40,22 +97,12 @@ void identify_points(const Soup& soup, RefineInput& in) {
       const auto [it, fresh] = rationals.try_emplace(*r, VertexId());
       if (fresh) it->second = in.points.add(*r);
       in.vertex_of[i] = it->second;
-      continue;
+    } else if (first[i] == i) {
+      const double* c = soup.xyz(p);
+      in.vertex_of[i] = in.points.add(c[0] + 0.0, c[1] + 0.0, c[2] + 0.0);
+    } else {
+      in.vertex_of[i] = in.vertex_of[first[i]];
     }
-    std::array<double, 3> c;
-    std::uint64_t hash = 0;
-    for (int k = 0; k < 3; ++k) {
-      c[k] = soup.xyz(p)[k] + 0.0;  // -0 is 0
-      hash = mix(hash ^ std::bit_cast<std::uint64_t>(c[k]));
-    }
-    std::size_t slot = hash & (capacity - 1);
-    while (table[slot] != 0xffffffffu && keys[table[slot]] != c) slot = (slot + 1) & (capacity - 1);
-    if (table[slot] == 0xffffffffu) {
-      table[slot] = static_cast<std::uint32_t>(keys.size());
-      keys.push_back(c);
-      vertex_of_key.push_back(in.points.add(c[0], c[1], c[2]));
-    }
-    in.vertex_of[i] = vertex_of_key[table[slot]];
   }
 }
 
@@ -115,145 +162,242 @@ std::string face_name(const Soup& soup, SourceId f) {
   return "leaf " + std::to_string(face.leaf.value()) + ", face " + std::to_string(face.leaf_face);
 }
 
-/// Three corners that span the plane, ordered so that the first loop is counter-clockwise; false: no area.
-bool spanning_corners(const Soup& soup, const PointTable& t, SourceId f, std::span<const VertexId> corners,
-                      std::array<VertexId, 3>& plane) {
-  const VertexId a = corners[0];
-  VertexId b = a, c = a;
-  std::size_t i = 1;
-  b = corners[i++];
-  for (; i < corners.size(); ++i) {
-    if (corners[i].valid() && corners[i] != a && corners[i] != b && !collinear(t, a, b, corners[i])) {
-      c = corners[i];
-      break;
-    }
-  }
-  if (c == a) return false;
-  plane = {a, b, c};
-  if (corners.size() == 3) return true;
-  for (; i < corners.size(); ++i) {
-    if (corners[i].valid() && orient3d(t, a, b, c, corners[i]) != 0) {
-      throw InputError(face_name(soup, f) + ": the face is not planar: its corner " + std::to_string(i + 1) +
-                       " is off the plane of the corners before; triangulate the face or correct the point");
-    }
-  }
-  return true;
+PlaneFilter filter_of(const PointTable& t, const std::array<VertexId, 3>& plane) {
+  const double *a = t.doubles(plane[0]), *b = t.doubles(plane[1]), *c = t.doubles(plane[2]);
+  return a != nullptr && b != nullptr && c != nullptr ? PlaneFilter(a, b, c) : PlaneFilter();
 }
+
+/// The first corner that does not lie on the plane; corners.size() if all do.
+std::size_t off_plane(const PointTable& t, std::span<const VertexId> corners, const std::array<VertexId, 3>& plane) {
+  std::size_t i = 0;
+  while (i < corners.size() && (!corners[i].valid() || orient3d(t, plane[0], plane[1], plane[2], corners[i]) == 0)) ++i;
+  return i;
+}
+
+enum class Shape : char { planar, flat, warped };
+
+/// Finds three corners that span the plane, ordered as in the face, and the plane's filter.
+Shape span_plane(const PointTable& t, std::span<const VertexId> corners, std::array<VertexId, 3>& plane,
+                 PlaneFilter& filter) {
+  if (corners.empty()) return Shape::flat;
+  if (corners.size() == 3) {
+    plane = {corners[0], corners[1], corners[2]};
+    filter = filter_of(t, plane);
+    for (int k = 0; k < 3; ++k) {
+      if (filter.normal_sign(k) != 0) return Shape::planar;
+    }
+    return collinear(t, plane[0], plane[1], plane[2]) ? Shape::flat : Shape::planar;
+  }
+  const VertexId a = corners[0], b = corners[1];
+  std::size_t i = 2;
+  while (i < corners.size() && (!corners[i].valid() || corners[i] == a || corners[i] == b ||
+                                collinear(t, a, b, corners[i]))) {
+    ++i;
+  }
+  if (i == corners.size()) return Shape::flat;
+  plane = {a, b, corners[i]};
+  filter = filter_of(t, plane);
+  return off_plane(t, corners, plane) < corners.size() ? Shape::warped : Shape::planar;
+}
+
+/// Corners of all faces, cleaned.
+void take_corners(const Soup& soup, RefineInput& in) {
+  const std::size_t n = soup.face_count();
+  const auto clean_triangle = [&](std::span<const PointId> c) {
+    if (c.size() != 3 || !c[0].valid() || !c[1].valid() || !c[2].valid()) return false;
+    const VertexId u = in.vertex_of[c[0].index()], v = in.vertex_of[c[1].index()], w = in.vertex_of[c[2].index()];
+    return u != v && v != w && w != u;
+  };
+  tbb::enumerable_thread_specific<std::vector<VertexId>> scratch;
+  std::vector<std::uint32_t> offsets(n + 1, 0);
+  for_all(n, [&](std::size_t i) {
+    const auto c = soup.corners(SourceId(i));
+    std::size_t count = 3;
+    if (!clean_triangle(c)) {
+      clean_corners(c, in.vertex_of, scratch.local());
+      count = scratch.local().size();
+    }
+    offsets[i + 1] = static_cast<std::uint32_t>(count);
+  });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<VertexId> corners(offsets[n]);
+  for_all(n, [&](std::size_t i) {
+    const auto c = soup.corners(SourceId(i));
+    VertexId* out = corners.data() + offsets[i];
+    if (clean_triangle(c)) {
+      for (std::size_t k = 0; k < 3; ++k) out[k] = in.vertex_of[c[k].index()];
+    } else {
+      clean_corners(c, in.vertex_of, scratch.local());
+      std::copy(scratch.local().begin(), scratch.local().end(), out);
+    }
+  });
+  in.corners = Csr<SourceId, VertexId>::from_parts(std::move(offsets), std::move(corners));
+}
+
+/// Planes and their filters. Faces without area lose their corners; the normal of a polygon agrees with its first
+/// loop.
+void take_planes(const Soup& soup, RefineInput& in, RefineReport& report) {
+  const std::size_t n = soup.face_count();
+  const PointTable& t = in.points;
+  std::vector<std::array<VertexId, 3>> planes(n, {VertexId(0), VertexId(0), VertexId(0)});
+  std::vector<Shape> shape(n);
+  in.filters.resize(n);
+  const auto& corners = std::as_const(in.corners);
+  for_all(n, [&](std::size_t i) { shape[i] = span_plane(t, corners[SourceId(i)], planes[i], in.filters[i]); });
+  for (std::size_t i = 0; i < n; ++i) {
+    if (shape[i] != Shape::warped) continue;
+    throw InputError(face_name(soup, SourceId(i)) + ": the face is not planar: its corner " +
+                     std::to_string(off_plane(t, corners[SourceId(i)], planes[i]) + 1) +
+                     " is off the plane of the corners before; triangulate the face or correct the point");
+  }
+  in.points.set_planes(std::move(planes));
+  tbb::enumerable_thread_specific<std::vector<SourceId>> turned;
+  for_all(n, [&](std::size_t i) {
+    const auto c = corners[SourceId(i)];
+    if (shape[i] == Shape::flat || c.size() == 3) return;
+    if (orientation(t, projection_of(t, PlaneId(i)), c) < 0) turned.local().push_back(SourceId(i));
+  });
+  for (const auto& list : turned) {
+    for (const SourceId f : list) {
+      in.points.turn_plane(PlaneId(f.index()));
+      in.filters[f.index()] = filter_of(t, t.plane_points(PlaneId(f.index())));
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (shape[i] == Shape::flat) report.zero_area.push_back(SourceId(i));
+  }
+  if (report.zero_area.empty()) return;
+  Csr<SourceId, VertexId> kept;
+  for (const SourceId f : IdRange<SourceId>(n)) {
+    kept.push_back(shape[f.index()] == Shape::flat ? std::span<const VertexId>() : corners[f]);
+  }
+  in.corners = std::move(kept);
+}
+
+/// Segments: every side of a face and every wire, once. Sides are gathered at their end of the smaller id, then
+/// each such list is put in order by itself.
+class Segments {
+ public:
+  Segments(const Soup& soup, RefineInput& in) : soup_(soup), in_(in), side_count_(in.corners.value_count()) {}
+
+  void run() {
+    list_ends();
+    gather();
+    number();
+  }
+
+ private:
+  using Place = std::uint32_t;  // in `sides`, or side_count_ + wire
+
+  /// Both ends of every side and wire, the smaller id first; none() for what is no segment.
+  void list_ends() {
+    ends_.resize(side_count_ + soup_.wires().size());
+    const auto& corners = std::as_const(in_.corners);
+    for_all(corners.size(), [&](std::size_t f) {
+      const auto c = corners[SourceId(f)];
+      const std::size_t base = corners.offsets()[f];
+      std::size_t loop_begin = 0;
+      for (std::size_t i = 0; i < c.size(); ++i) {
+        if (!c[i].valid()) {
+          loop_begin = i + 1;
+          continue;
+        }
+        const VertexId next = i + 1 < c.size() && c[i + 1].valid() ? c[i + 1] : c[loop_begin];
+        ends_[base + i] = std::minmax(c[i], next);
+      }
+    });
+    for (std::size_t w = 0; w < soup_.wires().size(); ++w) {
+      const VertexId a = in_.vertex_of[soup_.wires()[w].a.index()], b = in_.vertex_of[soup_.wires()[w].b.index()];
+      if (a == b) in_.isolated.push_back(a);
+      else ends_[side_count_ + w] = std::minmax(a, b);
+    }
+  }
+
+  void gather() {
+    const std::size_t vertices = in_.points.size();
+    begin_.assign(vertices + 1, 0);
+    for (const auto& [low, high] : ends_) {
+      if (low.valid()) ++begin_[low.index() + 1];
+    }
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    at_.resize(begin_[vertices]);
+    std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::size_t place = 0; place < ends_.size(); ++place) {
+      const auto& [low, high] = ends_[place];
+      if (low.valid()) at_[next[low.index()]++] = std::uint64_t{high.value()} << 32 | place;
+    }
+    in_.segment_begin.assign(vertices + 1, 0);
+    for_all(vertices, [&](std::size_t v) {
+      const auto first = at_.begin() + begin_[v], last = at_.begin() + begin_[v + 1];
+      std::sort(first, last);
+      std::uint32_t count = 0;
+      for (auto i = first; i != last; ++i) count += i == first || *i >> 32 != *(i - 1) >> 32;
+      in_.segment_begin[v + 1] = count;
+    });
+    std::partial_sum(in_.segment_begin.begin(), in_.segment_begin.end(), in_.segment_begin.begin());
+  }
+
+  void number() {
+    const PointTable& t = in_.points;
+    std::vector<SegmentId> sides(side_count_);
+    in_.segment_ends.resize(in_.segment_begin.back());
+    in_.paired.assign(in_.segment_ends.size(), 0);
+    in_.wire_segment.assign(soup_.wires().size(), SegmentId::none());
+    for_all(t.size(), [&](std::size_t v) {
+      SegmentId s(in_.segment_begin[v]);
+      for (std::size_t i = begin_[v]; i < begin_[v + 1]; ++s) {
+        const std::size_t first = i;
+        std::size_t forward = 0;
+        for (; i < begin_[v + 1] && at_[i] >> 32 == at_[first] >> 32; ++i) {
+          const Place place = static_cast<Place>(at_[i]);
+          if (place < side_count_) {
+            sides[place] = s;
+            forward += in_.corners.values()[place] == VertexId(v);
+          } else {
+            in_.wire_segment[place - side_count_] = s;
+          }
+        }
+        in_.paired[s] = i - first == 2 && forward == 1 && static_cast<Place>(at_[i - 1]) < side_count_;
+        const VertexId low(v), high(at_[first] >> 32);
+        in_.segment_ends[s] = compare_lex(t, low, high) > 0 ? std::array{high, low} : std::array{low, high};
+      }
+    });
+    in_.sides = Csr<SourceId, SegmentId>::from_parts(in_.corners.offsets(), std::move(sides));
+    for (const SegmentId s : in_.wire_segment) {
+      if (s.valid()) in_.wires.push_back(s);
+    }
+    sort_unique(in_.wires);
+  }
+
+  const Soup& soup_;
+  RefineInput& in_;
+  std::size_t side_count_;
+  std::vector<std::pair<VertexId, VertexId>> ends_;  // by place
+  std::vector<std::uint32_t> begin_;
+  std::vector<std::uint64_t> at_;                    // at the smaller end: the other end, then the place
+};
 
 }  // namespace
 
 SegmentId RefineInput::find_segment(VertexId a, VertexId b) const {
-  const std::uint64_t k = key(a, b);
-  const auto it = std::lower_bound(segment_key.begin(), segment_key.end(), k);
-  if (it == segment_key.end() || *it != k) return SegmentId::none();
-  return SegmentId(static_cast<std::size_t>(it - segment_key.begin()));
+  if (b < a) std::swap(a, b);
+  if (a.index() + 1 >= segment_begin.size()) return SegmentId::none();  // a constructed vertex
+  const auto first = segment_ends.begin() + segment_begin[a.index()];
+  const auto last = segment_ends.begin() + segment_begin[a.index() + 1];
+  const auto other = [a](const std::array<VertexId, 2>& ends) { return ends[0] == a ? ends[1] : ends[0]; };
+  const auto it = std::lower_bound(first, last, b, [&](const auto& ends, VertexId v) { return other(ends) < v; });
+  if (it == last || other(*it) != b) return SegmentId::none();
+  return SegmentId(static_cast<std::size_t>(it - segment_ends.begin()));
 }
 
 RefineInput prepare_input(const Soup& soup, RefineReport& report) {
   RefineInput in;
   identify_points(soup, in);
-
-  // Faces and planes.
-  const std::size_t face_count = soup.face_count();
-  std::vector<std::uint32_t> offsets{0};
-  std::vector<VertexId> corners, cleaned;
-  offsets.reserve(face_count + 1);
-  corners.reserve(3 * face_count);
-  std::vector<std::array<VertexId, 3>> planes(face_count);
-  for (std::size_t i = 0; i < face_count; ++i) {
-    const SourceId f(i);
-    clean_corners(soup.corners(f), in.vertex_of, cleaned);
-    corners.insert(corners.end(), cleaned.begin(), cleaned.end());
-    offsets.push_back(static_cast<std::uint32_t>(corners.size()));
-  }
-  in.corners = Csr<SourceId, VertexId>::from_parts(std::move(offsets), std::move(corners));
-  std::vector<char> flat(face_count, 0);
-  tbb::parallel_for(std::size_t{0}, face_count, [&](std::size_t i) {
-    const auto c = std::as_const(in.corners)[SourceId(i)];
-    flat[i] = c.empty() || !spanning_corners(soup, in.points, SourceId(i), c, planes[i]);
-  });
-  for (const auto& p : planes) {
-    in.points.add_plane(p[0].valid() ? p[0] : VertexId(0), p[1].valid() ? p[1] : VertexId(0),
-                        p[2].valid() ? p[2] : VertexId(0));
-  }
-  // Polygons: the plane's normal must agree with the first loop. Flat faces lose their corners.
-  std::vector<char> turn(face_count, 0);
-  tbb::parallel_for(std::size_t{0}, face_count, [&](std::size_t i) {
-    const auto c = std::as_const(in.corners)[SourceId(i)];
-    if (flat[i] || c.size() == 3) return;
-    turn[i] = orientation(in.points, projection_of(in.points, PlaneId(i)), c) < 0;
-  });
-  bool any_flat = false;
-  for (std::size_t i = 0; i < face_count; ++i) {
-    if (flat[i]) {
-      report.zero_area.push_back(SourceId(i));
-      any_flat = true;
-    }
-    if (turn[i]) in.points.turn_plane(PlaneId(i));
-  }
-  if (any_flat) {
-    Csr<SourceId, VertexId> kept;
-    const auto& all = std::as_const(in.corners);
-    for (const SourceId f : IdRange<SourceId>(face_count)) {
-      kept.push_back(flat[f.index()] ? std::span<const VertexId>() : all[f]);
-    }
-    in.corners = std::move(kept);
-  }
-
-  // Segments: every side of a face and every wire, once.
-  struct Side {
-    std::uint64_t key;
-    std::uint32_t place;  // in sides, or sides.size() + wire
-  };
-  std::vector<Side> order;
-  std::vector<SegmentId> sides(in.corners.value_count());
-  order.reserve(sides.size() + soup.wires().size());
-  const auto& corner_csr = std::as_const(in.corners);
-  for (const SourceId f : IdRange<SourceId>(face_count)) {
-    const auto c = corner_csr[f];
-    const std::uint32_t base = in.corners.offsets()[f.index()];
-    std::size_t loop_begin = 0;
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      if (!c[i].valid()) {
-        loop_begin = i + 1;
-        continue;
-      }
-      const VertexId next = i + 1 < c.size() && c[i + 1].valid() ? c[i + 1] : c[loop_begin];
-      order.push_back({RefineInput::key(c[i], next), base + static_cast<std::uint32_t>(i)});
-    }
-  }
-  in.wire_segment.assign(soup.wires().size(), SegmentId::none());
-  for (std::size_t w = 0; w < soup.wires().size(); ++w) {
-    const VertexId a = in.vertex_of[soup.wires()[w].a.index()], b = in.vertex_of[soup.wires()[w].b.index()];
-    if (a == b) {
-      in.isolated.push_back(a);
-    } else {
-      order.push_back({RefineInput::key(a, b), static_cast<std::uint32_t>(sides.size() + w)});
-    }
-  }
-  tbb::parallel_sort(order.begin(), order.end(),
-                     [](const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.place < b.place; });
-  for (const Side& s : order) {
-    if (in.segment_key.empty() || in.segment_key.back() != s.key) {
-      in.segment_key.push_back(s.key);
-      VertexId a(s.key >> 32), b(s.key & 0xffffffffu);
-      if (compare_lex(in.points, a, b) > 0) std::swap(a, b);
-      in.segment_ends.push_back({a, b});
-    }
-    const SegmentId id(in.segment_key.size() - 1);
-    if (s.place < sides.size()) {
-      sides[s.place] = id;
-    } else {
-      in.wire_segment[s.place - sides.size()] = id;
-      in.wires.push_back(id);
-    }
-  }
-  in.sides = Csr<SourceId, SegmentId>::from_parts(in.corners.offsets(), std::move(sides));
-  std::sort(in.wires.begin(), in.wires.end());
-  in.wires.erase(std::unique(in.wires.begin(), in.wires.end()), in.wires.end());
+  take_corners(soup, in);
+  take_planes(soup, in, report);
+  Segments(soup, in).run();
   for (const Soup::Isolated& p : soup.isolated()) in.isolated.push_back(in.vertex_of[p.point.index()]);
-  std::sort(in.isolated.begin(), in.isolated.end());
-  in.isolated.erase(std::unique(in.isolated.begin(), in.isolated.end()), in.isolated.end());
+  sort_unique(in.isolated);
   return in;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernel/complex/complex.h"
+#include "kernel/exact/plane_filter.h"
 #include "kernel/exact/points.h"
 #include "kernel/refine/soup.h"
 
@@ -13,9 +14,12 @@ struct RefineInput {
   std::vector<VertexId> vertex_of;                ///< by PointId
   Csr<SourceId, VertexId> corners;                ///< loop after loop, none() between two loops
   Csr<SourceId, SegmentId> sides;                 ///< same places: the segment from a corner to the next of its loop
-  /// Ends of each input edge and wire, the lexicographically smaller first; sorted by `segment_key`.
+  /// Ends of each input edge and wire, the lexicographically smaller first. Segments are numbered by their end of
+  /// the smaller id, then by the other one.
   IdVector<SegmentId, std::array<VertexId, 2>> segment_ends;
-  std::vector<std::uint64_t> segment_key;
+  std::vector<std::uint32_t> segment_begin;       ///< by vertex, of those with the smaller end there; one more at the end
+  IdVector<SegmentId, char> paired;               ///< sides of exactly two faces, which run in opposite directions
+  std::vector<PlaneFilter> filters;               ///< by SourceId, for faces in doubles; freed once sheets are known
   std::vector<SegmentId> wire_segment;            ///< by WireId; none() for a wire of length zero
   std::vector<SegmentId> wires;                   ///< segments that are wires, ascending and unique
   std::vector<VertexId> isolated;                 ///< isolated points (also ends of zero-length wires), unique

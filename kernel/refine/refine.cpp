@@ -131,8 +131,10 @@ void Refiner::group_sheets() {
   for (const SourceId f : representative_) r_.sheet_plane.push_back(RefineInput::plane(f));
   r_.sheet_projection.resize(representative_.size());
   tbb::parallel_for(std::size_t{0}, representative_.size(), [&](std::size_t i) {
-    r_.sheet_projection[SheetId(i)] = projection_of(r_.input.points, r_.sheet_plane[SheetId(i)]);
+    const SourceId f = representative_[SheetId(i)];
+    r_.sheet_projection[SheetId(i)] = projection_of(r_.input.points, RefineInput::plane(f), r_.input.filters[f.index()]);
   });
+  r_.input.filters = {};
 }
 
 /// The same key for a plane, whichever of its coplanar faces was met.

@@ -1,0 +1,75 @@
+// The plane of three points of doubles as a filter: on which side a point lies, where the normal looks, whether two
+// planes are certainly not parallel. One scalar product per point instead of a determinant.
+//
+// Bounds. Let u = 2^-53, a, b, c the points, N the exact normal (b-a) x (c-a), m_k the largest absolute rounded
+// difference along axis k, W the largest product of two of the m_k. Primes are computed values.
+//   Normal: a component is a difference of two products of two differences, each with three roundings of its own
+//   and one of the last difference: relative errors at most (1+u)^4 - 1 < 4.01 u on products of at most
+//   W (1+u)^2. So |N'_k - N_k| < 8.1 u W and |N'_k| < 2.01 W.
+//   Side: s = N . d with d = p - a; in s' each product carries at most four roundings of d, product and sums, and
+//   the error of N'_k: |s' - s| < (8.1 u W + 4.01 u 2.01 W) L < 16.3 u W L, L the rounded sum of the |d_k|.
+//   Parallel: a component of N x M is N_i M_j - N_j M_i; each product is off by at most
+//   8.1 u W 2.01 V + 2.01 W 8.1 u V < 33 u W V, the rounding adds less than 17 u W V: below 83 u W V together.
+//   We use 20 u W L, 10 u W and 90 u W V; what is over covers the roundings of the bounds themselves.
+//   Underflow adds at most 2^-1074 per product; W >= 1e-150 makes it negligible in N', and an absolute 1e-300 in
+//   the bound of s' covers the products there. Overflow: W <= 1e200, and an s' that is not finite decides nothing.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace cnrg {
+
+class PlaneFilter {
+ public:
+  /// Decides nothing.
+  PlaneFilter() = default;
+  /// The plane of three points, three finite coordinates each; normal by the right-hand rule a -> b -> c.
+  PlaneFilter(const double* a, const double* b, const double* c) : through_{a[0], a[1], a[2]} {
+    double u[3], v[3], m[3];
+    for (int k = 0; k < 3; ++k) {
+      u[k] = b[k] - a[k];
+      v[k] = c[k] - a[k];
+      m[k] = std::max(std::fabs(u[k]), std::fabs(v[k]));
+    }
+    const double size = std::max(m[0] * m[1], std::max(m[1] * m[2], m[2] * m[0]));
+    if (!(size >= 1e-150 && size <= 1e200)) return;
+    size_ = size;
+    for (int k = 0; k < 3; ++k) normal_[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+  }
+
+  /// 1 or -1: the side of the plane on which p (three coordinates) lies; 0: not decided.
+  int side(const double* p) const {
+    const double x = p[0] - through_[0], y = p[1] - through_[1], z = p[2] - through_[2];
+    const double s = normal_[0] * x + normal_[1] * y + normal_[2] * z;
+    const double bound = 20 * kUnit * size_ * (std::fabs(x) + std::fabs(y) + std::fabs(z)) + 1e-300;
+    const double size = std::fabs(s);
+    if (!(size > bound && size <= std::numeric_limits<double>::max())) return 0;
+    return s > 0 ? 1 : -1;
+  }
+  /// The sign of a component of the normal; 0: not decided.
+  int normal_sign(int axis) const {
+    const double n = normal_[static_cast<std::size_t>(axis)];
+    if (!(std::fabs(n) > 10 * kUnit * size_)) return 0;
+    return n > 0 ? 1 : -1;
+  }
+  /// The computed normal.
+  const std::array<double, 3>& normal() const { return normal_; }
+  /// True only if the planes are certainly neither parallel nor the same.
+  bool crosses(const PlaneFilter& other) const {
+    const double bound = 90 * kUnit * size_ * other.size_;
+    if (!(bound > 1e-280 && bound < 1e280)) return false;
+    const auto &n = normal_, &m = other.normal_;
+    return std::fabs(n[0] * m[1] - n[1] * m[0]) > bound || std::fabs(n[1] * m[2] - n[2] * m[1]) > bound ||
+           std::fabs(n[2] * m[0] - n[0] * m[2]) > bound;
+  }
+
+ private:
+  static constexpr double kUnit = 0x1p-53;
+  std::array<double, 3> normal_{}, through_{};
+  double size_ = 0;  // W; 0 if nothing is decided: then every s' is zero
+};
+
+}  // namespace cnrg

@@ -1,0 +1,101 @@
+#include "kernel/refine/fans.h"
+
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <bit>
+
+namespace cnrg {
+
+namespace {
+
+using Faces = tbb::blocked_range<std::size_t>;
+constexpr std::size_t kGrain = 2048;
+
+// Bits of what a vertex can not have: triangles with a negative (0..2) or positive (3..5) normal along an axis only,
+// closed fans (6).
+constexpr std::uint8_t kOpen = 1 << 6, kNone = 0x7f;
+
+class Fans {
+ public:
+  explicit Fans(const RefineInput& in)
+      : in_(in), t_(in.points), excluded_(t_.size(), 0), turns_(t_.size(), 0), embedded_(t_.size(), 0) {}
+
+  std::vector<char> run() {
+    for_all_faces([&](SourceId f) { exclude(f); });
+    for_all_faces([&](SourceId f) { count_turns(f); });
+    for (std::size_t v = 0; v < embedded_.size(); ++v) {
+      embedded_[v] = axis_of(excluded_[v]) >= 0 && turns_[v] == 1 ? 1 : 0;
+    }
+    return std::move(embedded_);
+  }
+
+ private:
+  template <class Work>
+  void for_all_faces(const Work& work) {
+    tbb::parallel_for(Faces(0, in_.corners.size(), kGrain), [&](const Faces& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) work(SourceId(i));
+    });
+  }
+
+  void exclude(SourceId f) {
+    const auto corners = in_.corners[f];
+    const auto sides = in_.sides[f];
+    std::uint8_t bits = kNone;
+    if (corners.size() == 3 && t_.is_double(corners[0]) && t_.is_double(corners[1]) && t_.is_double(corners[2])) {
+      bits = 0;
+      for (int k = 0; k < 3; ++k) {
+        const int s = in_.filters[f.index()].normal_sign(k);
+        if (s >= 0) bits |= static_cast<std::uint8_t>(1 << k);
+        if (s <= 0) bits |= static_cast<std::uint8_t>(8 << k);
+      }
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (!corners[i].valid()) continue;
+      std::uint8_t here = bits;
+      if (bits != kNone && !(in_.paired[sides[i]] && in_.paired[sides[(i + 2) % 3]])) here |= kOpen;
+      const std::atomic_ref entry(excluded_[corners[i].index()]);
+      if ((entry.load(std::memory_order_relaxed) | here) != entry.load(std::memory_order_relaxed)) {
+        entry.fetch_or(here, std::memory_order_relaxed);
+      }
+    }
+  }
+
+  /// 0..2: a negative normal along x, y, z; 3..5: a positive one; -1: none, or the fan is open.
+  static int axis_of(std::uint8_t excluded) {
+    if ((excluded & kOpen) != 0 || (excluded & 0x3f) == 0x3f) return -1;
+    return std::countr_one(excluded);
+  }
+
+  void count_turns(SourceId f) {
+    const auto c = in_.corners[f];
+    if (c.size() != 3) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexId v = c[i];
+      const int code = axis_of(excluded_[v.index()]);
+      if (code < 0) continue;
+      VertexId from = c[(i + 1) % 3], to = c[(i + 2) % 3];
+      if (code < 3) std::swap(from, to);
+      const std::size_t axis = static_cast<std::size_t>(code % 3), x = (axis + 1) % 3, y = (axis + 2) % 3;
+      const auto above = [&](VertexId w) {  // in the half plane of directions from 0 to less than half a turn
+        const double *p = t_.lower(v), *q = t_.lower(w);
+        return q[y] > p[y] || (q[y] == p[y] && q[x] > p[x]);
+      };
+      if (above(from) || !above(to)) continue;
+      const std::atomic_ref turns(turns_[v.index()]);
+      if (turns.load(std::memory_order_relaxed) < 2) turns.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+
+  const RefineInput& in_;
+  const PointTable& t_;
+  std::vector<std::uint8_t> excluded_;
+  std::vector<std::uint16_t> turns_;  // at most 2 and one per thread
+  std::vector<char> embedded_;
+};
+
+}  // namespace
+
+std::vector<char> embedded_fans(const RefineInput& input) { return Fans(input).run(); }
+
+}  // namespace cnrg
