@@ -18,6 +18,7 @@ BoxPairs::BoxPairs(const std::vector<Box>& boxes) {
   if (n == 0) return;
   grid_ = Grid(bounds(boxes));
   items_ = morton_order(boxes, grid_);
+  items_.resize((n + kBlock - 1) / kBlock * kBlock);
 
   const auto blocks = static_cast<std::uint32_t>((n + kBlock - 1) / kBlock);
   while (leaves_ < blocks) leaves_ *= 2;
@@ -53,7 +54,11 @@ BoxPairs::BoxPairs(const std::vector<Box>& boxes) {
   parts_ = {{1, 1}};
   while (parts_.size() < kEnough && !parts_.empty() && parts_.front().a < leaves_) {
     std::vector<NodePair> next;
-    for (const NodePair& p : parts_) split(p, next);
+    for (const NodePair& p : parts_) {
+      NodeStack children;
+      split(p, children);
+      next.insert(next.end(), children.entries.begin(), children.entries.begin() + children.size);
+    }
     parts_ = std::move(next);
   }
 }

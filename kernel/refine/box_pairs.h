@@ -26,17 +26,20 @@ class BoxPairs {
   /// closed boxes meet comes once.
   template <class Visit>
   void find(std::size_t part, const Visit& visit) const {
-    std::vector<NodePair> stack{parts_[part]};
-    while (!stack.empty()) {
-      const auto [a, b] = stack.back();
-      stack.pop_back();
-      if (a >= leaves_) {
-        if (a == b) pairs_within(a - leaves_, visit);
-        else pairs_between(a - leaves_, b - leaves_, visit);
-      } else {
-        split({a, b}, stack);
+    NodeStack stack;
+    ItemPairs found;
+    stack.push(parts_[part], true);
+    while (stack.size > 0) {
+      const NodePair pair = stack.entries[--stack.size];
+      if (pair.a < leaves_) {
+        split(pair, stack);
+        continue;
       }
+      if (pair.a == pair.b) pairs_within(pair.a - leaves_, found);
+      else pairs_between(pair.a - leaves_, pair.b - leaves_, found);
+      if (found.size + kBlock * kBlock > ItemPairs::kCapacity) flush(found, visit);
     }
+    flush(found, visit);
   }
   /// Calls `visit(i)` for every item whose box may meet `box`, among them all whose closed boxes do.
   template <class Visit>
@@ -54,7 +57,10 @@ class BoxPairs {
         stack[depth++] = 2 * node;
       } else {
         const std::uint32_t block = node - leaves_;
-        visit_hits(hits(own, blocks_[block]), block, visit);
+        const Four found = hits(own, blocks_[block]);
+        for (std::uint32_t i = 0; i < kBlock; ++i) {
+          if (found[i] != 0) visit(items_[block * kBlock + i]);
+        }
       }
     }
   }
@@ -70,6 +76,21 @@ class BoxPairs {
   };
   struct NodePair {
     std::uint32_t a, b;  // on one level; a == b: the pairs within
+  };
+  // What the walk has yet to do, and what it found. An entry is written in any case and counted if it is one: which
+  // boxes meet is not to be foreseen, and a branch that is guessed wrong costs more than the test.
+  struct NodeStack {
+    std::array<NodePair, 128> entries;  // a level leaves at most three of its four pairs of children behind
+    std::uint32_t size = 0;
+    void push(NodePair pair, bool counts) {
+      entries[size] = pair;
+      size += counts;
+    }
+  };
+  struct ItemPairs {
+    static constexpr std::uint32_t kCapacity = 256;
+    std::array<std::array<std::uint32_t, 2>, kCapacity> entries;
+    std::uint32_t size = 0;
   };
 
   GridBox on_grid(const Box& box) const {
@@ -89,43 +110,35 @@ class BoxPairs {
     return (b.lo[0] <= a.hi[0]) & (b.hi[0] >= a.lo[0]) & (b.lo[1] <= a.hi[1]) & (b.hi[1] >= a.lo[1]) &
            (b.lo[2] <= a.hi[2]) & (b.hi[2] >= a.lo[2]);
   }
-  template <class Visit>
-  void visit_hits(const Four& found, std::uint32_t block, const Visit& visit, std::uint32_t from = 0) const {
-    const auto* halves = reinterpret_cast<const std::uint64_t*>(&found);
-    if ((halves[0] | halves[1]) == 0) return;
-    for (std::uint32_t i = from; i < kBlock; ++i) {
-      if (found[i] != 0) visit(items_[block * kBlock + i]);
-    }
-  }
   GridBox item_box(std::uint32_t block, std::uint32_t i) const {
     const Block& b = blocks_[block];
     return {{b.lo[0][i], b.lo[1][i], b.lo[2][i]}, {b.hi[0][i], b.hi[1][i], b.hi[2][i]}};
   }
-  std::uint32_t count(std::uint32_t block) const {
-    return std::min<std::uint32_t>(kBlock, static_cast<std::uint32_t>(items_.size()) - block * kBlock);
-  }
   template <class Visit>
-  void pairs_within(std::uint32_t block, const Visit& visit) const {
-    for (std::uint32_t i = 0; i + 1 < count(block); ++i) {
-      visit_hits(hits(item_box(block, i), blocks_[block]), block,
-                 [&](std::uint32_t j) { visit(items_[block * kBlock + i], j); }, i + 1);
+  static void flush(ItemPairs& found, const Visit& visit) {
+    for (std::uint32_t i = 0; i < found.size; ++i) visit(found.entries[i][0], found.entries[i][1]);
+    found.size = 0;
+  }
+  void add(std::uint32_t item, const Four& hit, std::uint32_t block, std::uint32_t from, ItemPairs& out) const {
+    for (std::uint32_t j = from; j < kBlock; ++j) {
+      out.entries[out.size] = {item, items_[block * kBlock + j]};
+      out.size -= static_cast<std::uint32_t>(hit[j]);
     }
   }
-  template <class Visit>
-  void pairs_between(std::uint32_t a, std::uint32_t b, const Visit& visit) const {
-    const GridBox& other = nodes_[leaves_ + b];
-    for (std::uint32_t i = 0; i < count(a); ++i) {
-      const GridBox own = item_box(a, i);
-      if (!meet(own, other)) continue;
-      visit_hits(hits(own, blocks_[b]), b, [&](std::uint32_t j) { visit(items_[a * kBlock + i], j); });
+  void pairs_within(std::uint32_t block, ItemPairs& out) const {
+    for (std::uint32_t i = 0; i + 1 < kBlock; ++i) {
+      add(items_[block * kBlock + i], hits(item_box(block, i), blocks_[block]), block, i + 1, out);
+    }
+  }
+  void pairs_between(std::uint32_t a, std::uint32_t b, ItemPairs& out) const {
+    for (std::uint32_t i = 0; i < kBlock; ++i) {
+      add(items_[a * kBlock + i], hits(item_box(a, i), blocks_[b]), b, 0, out);
     }
   }
   /// The pairs of children that meet.
-  void split(NodePair pair, std::vector<NodePair>& out) const {
+  void split(NodePair pair, NodeStack& out) const {
     const std::uint32_t a = 2 * pair.a, b = 2 * pair.b;
-    const auto add = [&](std::uint32_t x, std::uint32_t y) {
-      if (meet(nodes_[x], nodes_[y])) out.push_back({x, y});
-    };
+    const auto add = [&](std::uint32_t x, std::uint32_t y) { out.push({x, y}, meet(nodes_[x], nodes_[y])); };
     add(a, b);
     add(a, b + 1);
     if (a != b) add(a + 1, b);
@@ -134,7 +147,7 @@ class BoxPairs {
 
   Grid grid_;
   std::uint32_t leaves_ = 1;
-  std::vector<std::uint32_t> items_;  // item numbers in tree order
+  std::vector<std::uint32_t> items_;  // item numbers in tree order; the last block is filled up with boxes of nothing
   std::vector<Block> blocks_;
   std::vector<GridBox> nodes_;        // heap: node i has children 2i, 2i + 1; leaves_ + b is block b
   std::vector<NodePair> parts_;
