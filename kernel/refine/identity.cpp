@@ -6,9 +6,10 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "kernel/exact/predicates.h"
-#include "kernel/refine/box.h"
+#include "kernel/refine/morton.h"
 
 namespace cnrg {
 
@@ -17,6 +18,42 @@ namespace {
 struct Item {
   std::array<double, 3> lo, hi;
   VertexId vertex;
+};
+
+/// Which of many thin strips across each axis hold a part of an item: what lies in none can not be equal to one.
+class Strips {
+ public:
+  explicit Strips(const std::vector<Item>& items) : bits_(std::min<int>(16, 4 + std::bit_width(items.size()))) {
+    Box all;
+    for (const Item& i : items) all.extend(i.lo, i.hi);
+    grid_ = Grid(all);
+    for (std::size_t k = 0; k < 3; ++k) {
+      held_[k].assign(std::size_t{1} << bits_, 0);
+      lo_[k] = all.lo[k];
+      hi_[k] = all.hi[k];
+      for (const Item& i : items) {
+        std::fill(held_[k].begin() + strip(i.lo[k], k), held_[k].begin() + strip(i.hi[k], k) + 1, 1);
+      }
+    }
+  }
+  bool meet(const PointTable& table, VertexId v) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      const double lo = table.lower(v)[axis], hi = table.upper(v, axis);
+      if (hi < lo_[k] || lo > hi_[k]) return false;
+      bool held = false;
+      for (std::int32_t i = strip(lo, k); i <= strip(hi, k) && !held; ++i) held = held_[k][static_cast<std::size_t>(i)] != 0;
+      if (!held) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::int32_t strip(double x, std::size_t axis) const { return grid_(x, axis) >> (30 - bits_); }
+  int bits_;
+  Grid grid_;
+  std::array<double, 3> lo_{}, hi_{};
+  std::array<std::vector<char>, 3> held_;
 };
 
 class Clusters {
@@ -76,17 +113,16 @@ class Clusters {
 
 void unite_coincident(const PointTable& table, VertexId first_new, UnionFind& identity) {
   if (first_new.index() == table.size()) return;
-  Box reach;
-  for (std::size_t i = first_new.index(); i < table.size(); ++i) {
-    const PointView p = table.view(VertexId(i));
-    reach.extend(p.lo, p.hi);
-  }
   std::vector<Item> items;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const VertexId v(i);
-    if (identity.find(v.value()) != v.value()) continue;  // stands for nothing but its representative
+  const auto add = [&](VertexId v) {
+    if (identity.find(v.value()) != v.value()) return;  // stands for nothing but its representative
     const PointView p = table.view(v);
-    if (v >= first_new || Box{p.lo, p.hi}.meets(reach)) items.push_back({p.lo, p.hi, v});
+    items.push_back({p.lo, p.hi, v});
+  };
+  for (VertexId v = first_new; v.index() < table.size(); ++v) add(v);
+  const Strips near(items);
+  for (VertexId v(0); v < first_new; ++v) {
+    if (near.meet(table, v)) add(v);
   }
   Clusters(table, first_new, identity).split(items.data(), items.data() + items.size(), 0, 0);
 }

@@ -7,14 +7,17 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
 #include "kernel/refine/contacts.h"
+#include "kernel/refine/edges.h"
+#include "kernel/refine/faces.h"
 #include "kernel/refine/identity.h"
 
 namespace cnrg {
@@ -72,7 +75,6 @@ class Refiner {
   void cross_sheets();
   void split_segments();
   void subdivide_sheets();
-  void assemble();
 
   SheetContent content(std::size_t work) const;
   SourceId representative(SourceId f) const { return representative_[r_.sheet_of[f]]; }
@@ -105,7 +107,7 @@ Refinement Refiner::run() {
   cross_sheets();
   split_segments();
   subdivide_sheets();
-  assemble();
+  collect_faces(r_, representative_, work_, results_);
   return std::move(r_);
 }
 
@@ -117,17 +119,24 @@ void Refiner::group_sheets() {
   UnionFind joined(n);
   for (const auto& [f, g] : contacts_.coplanar) joined.unite(f.value(), g.value());
   r_.sheet_of.assign(n, SheetId::none());
-  std::vector<std::pair<SheetId, SourceId>> members;
-  members.reserve(n);
+  std::vector<std::uint32_t> begin{0, 0};  // by sheet, one place late
   for (const SourceId f : IdRange<SourceId>(n)) {
     if (r_.input.dropped(f)) continue;
     const SourceId root(joined.find(f.value()));
-    if (root == f) r_.sheet_of[f] = representative_.push_back(f);
+    if (root == f) {
+      r_.sheet_of[f] = representative_.push_back(f);
+      begin.push_back(0);
+    }
     r_.sheet_of[f] = r_.sheet_of[root];
-    members.push_back({r_.sheet_of[f], f});
+    ++begin[r_.sheet_of[f].index() + 2];
   }
-  tbb::parallel_sort(members.begin(), members.end());
-  r_.sheet_faces = Csr<SheetId, SourceId>::from_sorted(representative_.size(), members);
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<SourceId> members(begin.back());
+  for (const SourceId f : IdRange<SourceId>(n)) {
+    if (!r_.input.dropped(f)) members[begin[r_.sheet_of[f].index() + 1]++] = f;
+  }
+  begin.pop_back();
+  r_.sheet_faces = Csr<SheetId, SourceId>::from_parts(std::move(begin), std::move(members));
   for (const SourceId f : representative_) r_.sheet_plane.push_back(RefineInput::plane(f));
   r_.sheet_projection.resize(representative_.size());
   tbb::parallel_for(std::size_t{0}, representative_.size(), [&](std::size_t i) {
@@ -286,85 +295,11 @@ void Refiner::cross_sheets() {
   sort_unique(incidences_);
 }
 
-/// Every segment is cut at its points, once; equal pieces of different segments are one edge.
+/// Every segment is cut at its points, once, for all sheets; meanwhile the faces along each segment are listed.
 void Refiner::split_segments() {
-  const PointTable& t = r_.input.points;
-  const std::size_t n = r_.segments.ends.size();
-  Csr<SegmentId, VertexId> inner = Csr<SegmentId, VertexId>::from_sorted(n, incidences_);
-  std::vector<std::uint32_t> first_piece(n + 1, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    first_piece[i + 1] = first_piece[i] + 1 + static_cast<std::uint32_t>(std::as_const(inner)[SegmentId(i)].size());
-  }
-  struct Piece {
-    std::uint64_t key;
-    std::uint32_t segment, place;
-  };
-  std::vector<Piece> pieces(first_piece[n]);
-  std::vector<std::array<VertexId, 2>> piece_ends(first_piece[n]);
-  tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
-    const SegmentId s(i);
-    const auto [a, b] = r_.segments.ends[s];
-    const auto points = inner[s];
-    if (points.size() > 1) {
-      // Any coordinate in which the ends certainly differ orders the points; else all three.
-      const PointView va = t.view(a), vb = t.view(b);
-      int axis = -1, sign = 1;
-      double best = 0;
-      for (int k = 0; k < 3; ++k) {
-        const double up = vb.lo[k] - va.hi[k], down = va.lo[k] - vb.hi[k];
-        if (std::max(up, down) > best) {
-          best = std::max(up, down);
-          axis = k;
-          sign = up > 0 ? 1 : -1;
-        }
-      }
-      std::sort(points.begin(), points.end(), [&](VertexId v, VertexId w) {
-        if (v == w) return false;
-        return (axis >= 0 ? sign * compare(t, axis, v, w) : compare_lex(t, v, w)) < 0;
-      });
-    }
-    VertexId from = a;
-    for (std::size_t k = 0; k <= points.size(); ++k) {
-      const VertexId to = k < points.size() ? points[k] : b;
-      const std::uint32_t place = first_piece[i] + static_cast<std::uint32_t>(k);
-      pieces[place] = {RefineInput::key(from, to), static_cast<std::uint32_t>(i), place};
-      piece_ends[place] = {from, to};
-      from = to;
-    }
-  });
-  tbb::parallel_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
-    return a.key != b.key ? a.key < b.key : a.place < b.place;
-  });
-  std::vector<EdgeId> chain(pieces.size());
-  std::vector<std::uint32_t> offsets{0};
-  std::vector<SegmentId> covering;
-  covering.reserve(pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (i == 0 || pieces[i].key != pieces[i - 1].key) {
-      if (i > 0) offsets.push_back(static_cast<std::uint32_t>(covering.size()));
-      r_.edges.ends.push_back(piece_ends[pieces[i].place]);
-    }
-    covering.push_back(SegmentId(pieces[i].segment));
-    chain[pieces[i].place] = EdgeId(r_.edges.ends.size() - 1);
-  }
-  if (!pieces.empty()) offsets.push_back(static_cast<std::uint32_t>(covering.size()));
-  r_.edges.segments = Csr<EdgeId, SegmentId>::from_parts(std::move(offsets), std::move(covering));
-  r_.edges.chain = Csr<SegmentId, EdgeId>::from_parts(std::move(first_piece), std::move(chain));
-
-  // Faces along each segment, by counting.
-  std::vector<std::uint32_t> begin(n + 1, 0);
-  for (const SegmentId s : r_.input.sides.values()) {
-    if (s.valid()) ++begin[s.index() + 1];
-  }
-  for (std::size_t i = 0; i < n; ++i) begin[i + 1] += begin[i];
-  std::vector<SourceId> along(begin[n]);
-  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for (const SourceId f : IdRange<SourceId>(r_.input.sides.size())) {
-    for (const SegmentId s : std::as_const(r_.input.sides)[f]) {
-      if (s.valid()) along[next[s.index()]++] = f;
-    }
-  }
-  r_.segment_faces = Csr<SegmentId, SourceId>::from_parts(std::move(begin), std::move(along));
+  tbb::parallel_invoke([&] { r_.edges = cut_segments(r_.input.points, r_.segments, incidences_); },
+                       [&] { r_.segment_faces = faces_along(r_.input.sides, r_.segments.ends.size()); });
+  incidences_ = {};
 }
 
 void Refiner::subdivide_sheets() {
@@ -373,52 +308,6 @@ void Refiner::subdivide_sheets() {
   tbb::enumerable_thread_specific<Subdivider> subdividers([&] { return Subdivider(context); });
   tbb::parallel_for(std::size_t{0}, work_.size(),
                     [&](std::size_t i) { results_[i] = subdividers.local().subdivide(content(i)); });
-}
-
-/// Faces in the order of their sheets.
-void Refiner::assemble() {
-  const std::size_t sheets = representative_.size();
-  std::vector<LoopId> loops;
-  std::vector<HalfEdge> half_edges;
-  std::size_t work = 0;
-  for (const SheetId sheet : IdRange<SheetId>(sheets)) {
-    if (work < work_.size() && work_[work] == sheet) {
-      const SheetFaces& x = results_[work++];
-      std::size_t loop = 0, half_edge = 0, point = 0, cover = 0;
-      for (std::size_t f = 0; f < x.face_count(); ++f) {
-        r_.face_sheet.push_back(sheet);
-        loops.clear();
-        for (; loop < x.face_loop_end[f]; ++loop) {
-          half_edges.assign(x.half_edges.begin() + static_cast<std::ptrdiff_t>(half_edge),
-                            x.half_edges.begin() + x.loop_end[loop]);
-          half_edge = x.loop_end[loop];
-          loops.push_back(r_.loops.push_back(half_edges));
-        }
-        r_.face_loops.push_back(loops);
-        r_.face_vertices.push_back(std::span(x.isolated.data() + point, x.isolated.data() + x.face_isolated_end[f]));
-        point = x.face_isolated_end[f];
-        r_.face_covers.push_back(std::span(x.covers.data() + cover, x.covers.data() + x.face_cover_end[f]));
-        cover = x.face_cover_end[f];
-      }
-      continue;
-    }
-    // A lone triangle: its corners run counter-clockwise by the definition of its plane.
-    const SourceId f = representative_[sheet];
-    const auto corners = std::as_const(r_.input.corners)[f];
-    const auto sides = std::as_const(r_.input.sides)[f];
-    half_edges.clear();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto chain = std::as_const(r_.edges.chain)[sides[i]];
-      const bool forward = r_.segments.ends[sides[i]][0] == corners[i];
-      for (std::size_t k = 0; k < chain.size(); ++k) {
-        half_edges.push_back(HalfEdge(chain[forward ? k : chain.size() - 1 - k], forward ? 0 : 1));
-      }
-    }
-    r_.face_sheet.push_back(sheet);
-    r_.face_loops.push_back(std::array{r_.loops.push_back(half_edges)});
-    r_.face_vertices.push_back(std::array<VertexId, 0>{});
-    r_.face_covers.push_back(std::array{Cover{f, true}});
-  }
 }
 
 }  // namespace

@@ -1,0 +1,177 @@
+#include "kernel/refine/edges.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace cnrg {
+
+namespace {
+
+struct Piece {
+  std::uint64_t key;
+  std::uint32_t segment, place;  // the place in the chains of all segments
+  std::array<VertexId, 2> ends;
+};
+
+class Cutter {
+ public:
+  Cutter(const PointTable& points, const SegmentTable& segments,
+         const std::vector<std::pair<SegmentId, VertexId>>& incidences)
+      : t_(points), segments_(segments), incidences_(incidences) {}
+
+  EdgeTable run() {
+    find_places();
+    cut();
+    merge();
+    out_.segments = Csr<EdgeId, SegmentId>::from_parts(std::move(offsets_), std::move(covering_));
+    out_.chain = Csr<SegmentId, EdgeId>::from_parts(std::move(place_), std::move(chain_));
+    return std::move(out_);
+  }
+
+ private:
+  /// The segments that do not stay whole, with their points; traces are always among them, since they have no
+  /// place in the order.
+  struct Cut {
+    std::uint32_t segment;
+    std::size_t begin, end;     // in `incidences_`
+    std::size_t first_piece;    // in `pieces_`
+  };
+
+  void find_places() {
+    const std::size_t n = segments_.ends.size();
+    place_.assign(n + 1, 0);
+    std::size_t pieces = 0, i = 0;
+    const auto add = [&](std::uint32_t segment) {
+      const std::size_t begin = i;
+      while (i < incidences_.size() && incidences_[i].first.value() == segment) ++i;
+      cuts_.push_back({segment, begin, i, pieces});
+      pieces += i - begin + 1;
+      place_[segment + 1] = static_cast<std::uint32_t>(i - begin);
+    };
+    while (i < incidences_.size() && incidences_[i].first.index() < segments_.input_count) {
+      add(incidences_[i].first.value());
+    }
+    for (std::size_t s = segments_.input_count; s < n; ++s) add(static_cast<std::uint32_t>(s));
+    for (std::size_t s = 0; s < n; ++s) place_[s + 1] += place_[s] + 1;
+    pieces_.resize(pieces);
+  }
+
+  void cut() {
+    tbb::parallel_for(std::size_t{0}, cuts_.size(), [&](std::size_t c) {
+      const Cut& cut = cuts_[c];
+      const auto [a, b] = segments_.ends[SegmentId(cut.segment)];
+      std::vector<VertexId> points;
+      for (std::size_t i = cut.begin; i < cut.end; ++i) points.push_back(incidences_[i].second);
+      sort_along(a, b, points);
+      points.push_back(b);
+      VertexId from = a;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        pieces_[cut.first_piece + k] = {RefineInput::key(from, points[k]), cut.segment,
+                                        place_[cut.segment] + static_cast<std::uint32_t>(k), {from, points[k]}};
+        from = points[k];
+      }
+    });
+    tbb::parallel_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
+      return a.key != b.key ? a.key < b.key : a.place < b.place;
+    });
+  }
+
+  /// Any coordinate in which the ends certainly differ orders the points; else all three.
+  void sort_along(VertexId a, VertexId b, std::vector<VertexId>& points) const {
+    if (points.size() < 2) return;
+    int axis = -1, sign = 1;
+    double best = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double up = t_.lower(b)[k] - t_.upper(a, k), down = t_.lower(a)[k] - t_.upper(b, k);
+      if (std::max(up, down) > best) {
+        best = std::max(up, down);
+        axis = k;
+        sign = up > 0 ? 1 : -1;
+      }
+    }
+    std::sort(points.begin(), points.end(), [&](VertexId v, VertexId w) {
+      if (v == w) return false;
+      return (axis >= 0 ? sign * compare(t_, axis, v, w) : compare_lex(t_, v, w)) < 0;
+    });
+  }
+
+  /// Whole segments in their order and pieces in theirs.
+  void merge() {
+    const std::size_t most = segments_.input_count + pieces_.size();
+    out_.ends.reserve(most);
+    offsets_.reserve(most + 1);
+    covering_.reserve(most);
+    chain_.resize(place_.back());
+    auto cut = cuts_.begin();
+    std::size_t p = 0;
+    for (std::uint32_t s = 0; s < segments_.input_count; ++s) {
+      if (cut != cuts_.end() && cut->segment == s) {
+        ++cut;
+        continue;
+      }
+      const auto& ends = segments_.ends[SegmentId(s)];
+      const std::uint64_t key = RefineInput::key(ends[0], ends[1]);
+      while (p < pieces_.size() && pieces_[p].key < key) take_pieces(p);
+      start_edge(ends);
+      while (p < pieces_.size() && pieces_[p].key == key && pieces_[p].segment < s) cover(pieces_[p++]);
+      cover(s, place_[s]);
+      while (p < pieces_.size() && pieces_[p].key == key) cover(pieces_[p++]);
+    }
+    while (p < pieces_.size()) take_pieces(p);
+    offsets_.push_back(static_cast<std::uint32_t>(covering_.size()));
+  }
+  /// The edge of all pieces with the key of piece p.
+  void take_pieces(std::size_t& p) {
+    const std::uint64_t key = pieces_[p].key;
+    start_edge(pieces_[p].ends);
+    while (p < pieces_.size() && pieces_[p].key == key) cover(pieces_[p++]);
+  }
+  void start_edge(const std::array<VertexId, 2>& ends) {
+    offsets_.push_back(static_cast<std::uint32_t>(covering_.size()));
+    out_.ends.push_back(ends);
+  }
+  void cover(std::uint32_t segment, std::uint32_t place) {
+    covering_.push_back(SegmentId(segment));
+    chain_[place] = EdgeId(out_.ends.size() - 1);
+  }
+  void cover(const Piece& piece) { cover(piece.segment, piece.place); }
+
+  const PointTable& t_;
+  const SegmentTable& segments_;
+  const std::vector<std::pair<SegmentId, VertexId>>& incidences_;
+  std::vector<std::uint32_t> place_;  // by segment: of its first piece in the chains
+  std::vector<Cut> cuts_;
+  std::vector<Piece> pieces_;
+  std::vector<std::uint32_t> offsets_;
+  std::vector<SegmentId> covering_;
+  std::vector<EdgeId> chain_;
+  EdgeTable out_;
+};
+
+}  // namespace
+
+EdgeTable cut_segments(const PointTable& points, const SegmentTable& segments,
+                       const std::vector<std::pair<SegmentId, VertexId>>& incidences) {
+  return Cutter(points, segments, incidences).run();
+}
+
+Csr<SegmentId, SourceId> faces_along(const Csr<SourceId, SegmentId>& sides, std::size_t segments) {
+  std::vector<std::uint32_t> begin(segments + 2, 0);  // one place late until the lists are filled
+  for (const SegmentId s : sides.values()) {
+    if (s.valid()) ++begin[s.index() + 2];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<SourceId> along(begin.back());
+  for (const SourceId f : IdRange<SourceId>(sides.size())) {
+    for (const SegmentId s : sides[f]) {
+      if (s.valid()) along[begin[s.index() + 1]++] = f;
+    }
+  }
+  begin.pop_back();
+  return Csr<SegmentId, SourceId>::from_parts(std::move(begin), std::move(along));
+}
+
+}  // namespace cnrg
