@@ -1,5 +1,5 @@
-// The plane of three points of doubles as a filter: on which side a point lies, where the normal looks, whether two
-// planes are certainly not parallel. One scalar product per point instead of a determinant.
+// The plane of three points of doubles as a filter: on which side a point lies, where the normal looks. One scalar
+// product per point instead of a determinant.
 //
 // Bounds. Let u = 2^-53, a, b, c the points, N the exact normal (b-a) x (c-a), m_k the largest absolute rounded
 // difference along axis k, W the largest product of two of the m_k. Primes are computed values.
@@ -8,9 +8,9 @@
 //   W (1+u)^2. So |N'_k - N_k| < 8.1 u W and |N'_k| < 2.01 W.
 //   Side: s = N . d with d = p - a; in s' each product carries at most four roundings of d, product and sums, and
 //   the error of N'_k: |s' - s| < (8.1 u W + 4.01 u 2.01 W) L < 16.3 u W L, L the rounded sum of the |d_k|.
-//   Parallel: a component of N x M is N_i M_j - N_j M_i; each product is off by at most
-//   8.1 u W 2.01 V + 2.01 W 8.1 u V < 33 u W V, the rounding adds less than 17 u W V: below 83 u W V together.
-//   We use 20 u W L, 10 u W and 90 u W V; what is over covers the roundings of the bounds themselves.
+//   Unit normal: with |N'| > 1e-6 W the error of N' is less than sqrt(3) 8.1 u W < 1.6e-9 |N'|, and the vector at
+//   unit length is off by less than twice that and a few roundings.
+//   We use 20 u W L and 10 u W; what is over covers the roundings of the bounds themselves.
 //   Underflow adds at most 2^-1074 per product; W >= 1e-150 makes it negligible in N', and an absolute 1e-300 in
 //   the bound of s' covers the products there. Overflow: W <= 1e200, and an s' that is not finite decides nothing.
 #pragma once
@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace cnrg {
 
@@ -57,13 +58,12 @@ class PlaneFilter {
   }
   /// The computed normal.
   const std::array<double, 3>& normal() const { return normal_; }
-  /// True only if the planes are certainly neither parallel nor the same.
-  bool crosses(const PlaneFilter& other) const {
-    const double bound = 90 * kUnit * size_ * other.size_;
-    if (!(bound > 1e-280 && bound < 1e280)) return false;
-    const auto &n = normal_, &m = other.normal_;
-    return std::fabs(n[0] * m[1] - n[1] * m[0]) > bound || std::fabs(n[1] * m[2] - n[2] * m[1]) > bound ||
-           std::fabs(n[2] * m[0] - n[0] * m[2]) > bound;
+  /// The computed normal at unit length, if that is certain enough: each component is off by less than 1e-8.
+  std::optional<std::array<double, 3>> unit_normal() const {
+    const auto& [x, y, z] = normal_;
+    const double length = std::sqrt(x * x + y * y + z * z);  // of W <= 1e150: neither overflows nor vanishes
+    if (!(size_ > 0 && size_ < 1e150 && length > 1e-6 * size_)) return std::nullopt;
+    return std::array{x / length, y / length, z / length};
   }
 
  private:

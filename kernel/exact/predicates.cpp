@@ -19,6 +19,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/exact/enclosure.h"
+#include "kernel/exact/plane_filter.h"
 
 namespace cnrg {
 

@@ -6,10 +6,11 @@
 
 #include <cstdint>
 
-#include "kernel/exact/plane_filter.h"
 #include "kernel/exact/points.h"
 
 namespace cnrg {
+
+class PlaneFilter;
 
 /// A coordinate plane to project to: the axes (u, v), chosen so that orientation is preserved for a plane
 /// whose normal has a positive component along the third axis (u, v swapped when it is negative).

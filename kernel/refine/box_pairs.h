@@ -22,8 +22,11 @@ class BoxPairs {
 
   /// Work for threads: `find(part, visit)` for every part from 0 on.
   std::size_t part_count() const { return parts_.size(); }
-  /// Calls `visit(i, j)` for the pairs of items of this part whose boxes may meet; over all parts, every pair whose
-  /// closed boxes meet comes once.
+  /// Items by their place in the tree, for data that is to lie in that order; more places than items at the end.
+  std::size_t place_count() const { return items_.size(); }
+  std::uint32_t item(std::uint32_t place) const { return items_[place]; }
+  /// Calls `visit(x, y)` for the places of the pairs of items of this part whose boxes may meet; over all parts, every
+  /// pair whose closed boxes meet comes once.
   template <class Visit>
   void find(std::size_t part, const Visit& visit) const {
     NodeStack stack;
@@ -119,20 +122,20 @@ class BoxPairs {
     for (std::uint32_t i = 0; i < found.size; ++i) visit(found.entries[i][0], found.entries[i][1]);
     found.size = 0;
   }
-  void add(std::uint32_t item, const Four& hit, std::uint32_t block, std::uint32_t from, ItemPairs& out) const {
+  static void add(std::uint32_t place, const Four& hit, std::uint32_t block, std::uint32_t from, ItemPairs& out) {
     for (std::uint32_t j = from; j < kBlock; ++j) {
-      out.entries[out.size] = {item, items_[block * kBlock + j]};
+      out.entries[out.size] = {place, block * kBlock + j};
       out.size -= static_cast<std::uint32_t>(hit[j]);
     }
   }
   void pairs_within(std::uint32_t block, ItemPairs& out) const {
     for (std::uint32_t i = 0; i + 1 < kBlock; ++i) {
-      add(items_[block * kBlock + i], hits(item_box(block, i), blocks_[block]), block, i + 1, out);
+      add(block * kBlock + i, hits(item_box(block, i), blocks_[block]), block, i + 1, out);
     }
   }
   void pairs_between(std::uint32_t a, std::uint32_t b, ItemPairs& out) const {
     for (std::uint32_t i = 0; i < kBlock; ++i) {
-      add(items_[a * kBlock + i], hits(item_box(a, i), blocks_[b]), b, 0, out);
+      add(a * kBlock + i, hits(item_box(a, i), blocks_[b]), b, 0, out);
     }
   }
   /// The pairs of children that meet.
@@ -147,7 +150,7 @@ class BoxPairs {
 
   Grid grid_;
   std::uint32_t leaves_ = 1;
-  std::vector<std::uint32_t> items_;  // item numbers in tree order; the last block is filled up with boxes of nothing
+  std::vector<std::uint32_t> items_;  // item numbers in tree order; the last block is filled up with empty boxes
   std::vector<Block> blocks_;
   std::vector<GridBox> nodes_;        // heap: node i has children 2i, 2i + 1; leaves_ + b is block b
   std::vector<NodePair> parts_;

@@ -40,8 +40,7 @@ struct Event {
 /// The pair tests of one thread, with its scratch memory and what it found.
 class PairTester {
  public:
-  /// `fans`: by vertex, 1 where the faces around are an embedded fan (fans.h).
-  PairTester(const RefineInput& in, const std::vector<char>& fans) : in_(in), t_(in.points), fans_(fans) {}
+  explicit PairTester(const RefineInput& in) : in_(in), t_(in.points) {}
   ContactList list;
   std::uint64_t filtered = 0;  ///< signs that the filters of planes decided
 
@@ -55,7 +54,6 @@ class PairTester {
   enum class Contact { none, coplanar, possible };
   /// Signs of the corners of f against the plane of g; corners shared with g count as on it.
   Contact signs(SourceId f, SourceId g, std::vector<int>& out);
-  bool neighbours(SourceId f, SourceId g) const;
   bool only_shared(SourceId f, SourceId g, const std::vector<int>& sign) const;
   bool apart(SourceId f, SourceId g) const;
   void cut(SourceId f, SourceId g, const std::vector<int>& sign, std::vector<Event>& events);
@@ -70,25 +68,11 @@ class PairTester {
 
   const RefineInput& in_;
   const PointTable& t_;
-  const std::vector<char>& fans_;
   std::vector<int> sign_f_, sign_g_;
   std::vector<Event> events_f_, events_g_;
   std::deque<ExactPoint> exact_;  // values of events that no table holds
   int axis_ = -1;                 // coordinate that orders the common line; -1: lexicographic order
 };
-
-/// True only if two triangles of one embedded fan meet in nothing but what they share and lie in two planes.
-bool PairTester::neighbours(SourceId f, SourceId g) const {
-  const auto c = in_.corners[f], d = in_.corners[g];
-  if (c.size() != 3 || d.size() != 3) return false;
-  int shared = 0, fans = 0;
-  for (const VertexId v : c) {
-    const bool common = (v == d[0]) | (v == d[1]) | (v == d[2]);
-    shared += common;
-    if (common) fans += fans_[v.index()];
-  }
-  return fans != 0 && shared < 3 && in_.filters[f.index()].crosses(in_.filters[g.index()]);
-}
 
 PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& out) {
   const auto corners = in_.corners[f], other = in_.corners[g];
@@ -235,7 +219,6 @@ void PairTester::choose_axis() {
 }
 
 void PairTester::faces(SourceId f, SourceId g) {
-  if (neighbours(f, g)) return;
   if (in_.corners[f].size() > in_.corners[g].size()) std::swap(f, g);  // the small face decides most pairs alone
   const Contact cf = signs(f, g, sign_f_);
   if (cf == Contact::none) return;
@@ -476,53 +459,126 @@ void ContactList::normalize() {
   unique(coplanar);
 }
 
-ContactList find_contacts(const RefineInput& in) {
-  // Elements: faces, then wires, then isolated points.
-  const std::size_t faces = in.corners.size(), wires = in.wires.size(), points = in.isolated.size();
-  std::vector<std::uint32_t> kept;  // element numbers; dropped faces are none
-  kept.reserve(faces + wires + points);
-  for (std::size_t i = 0; i < faces + wires + points; ++i) {
-    if (i >= faces || !in.dropped(SourceId(i))) kept.push_back(static_cast<std::uint32_t>(i));
-  }
-  std::vector<Box> boxes(kept.size());
-  tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
-    const auto extend = [&](VertexId v) {
-      const PointView p = in.points.view(v);
-      boxes[i].extend(p.lo, p.hi);
-    };
-    const std::size_t e = kept[i];
-    if (e < faces) {
-      for (const VertexId v : in.corners[SourceId(e)]) {
-        if (v.valid()) extend(v);
-      }
-    } else if (e < faces + wires) {
-      for (const VertexId v : in.segment_ends[in.wires[e - faces]]) extend(v);
-    } else {
-      extend(in.isolated[e - faces - wires]);
+namespace {
+
+/// Elements: faces, then wires, then isolated points.
+class Elements {
+ public:
+  explicit Elements(const RefineInput& in)
+      : in_(in), faces_(in.corners.size()), wires_(in.wires.size()), points_(in.isolated.size()) {}
+  /// All but dropped faces.
+  std::vector<std::uint32_t> list() const {
+    std::vector<std::uint32_t> kept;
+    const std::size_t n = faces_ + wires_ + points_;
+    kept.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i >= faces_ || !in_.dropped(SourceId(i))) kept.push_back(static_cast<std::uint32_t>(i));
     }
-  });
+    return kept;
+  }
+  bool is_face(std::uint32_t e) const { return e < faces_; }
+  Box box(std::uint32_t e) const {
+    Box box;
+    const auto extend = [&](VertexId v) {
+      if (!v.valid()) return;
+      const PointView p = in_.points.view(v);
+      box.extend(p.lo, p.hi);
+    };
+    if (is_face(e)) {
+      for (const VertexId v : in_.corners[SourceId(e)]) extend(v);
+    } else if (is_wire(e)) {
+      for (const VertexId v : in_.segment_ends[wire(e)]) extend(v);
+    } else {
+      extend(point(e));
+    }
+    return box;
+  }
+  void test(std::uint32_t a, std::uint32_t b, PairTester& tester) const {
+    if (a > b) std::swap(a, b);
+    if (is_face(b)) tester.faces(SourceId(a), SourceId(b));
+    else if (is_face(a) && is_wire(b)) tester.wire_face(wire(b), SourceId(a));
+    else if (is_face(a)) tester.point_face(point(b), SourceId(a));
+    else if (is_wire(b)) tester.wires(wire(a), wire(b));
+    else if (is_wire(a)) tester.point_wire(point(b), wire(a));
+  }
+
+ private:
+  bool is_wire(std::uint32_t e) const { return e >= faces_ && e < faces_ + wires_; }
+  SegmentId wire(std::uint32_t e) const { return in_.wires[e - faces_]; }
+  VertexId point(std::uint32_t e) const { return in_.isolated[e - faces_ - wires_]; }
+  const RefineInput& in_;
+  std::size_t faces_, wires_, points_;
+};
+
+/// What tells most pairs apart, small and in the order of the tree. `normal` is a unit vector good to 2e-7: computed
+/// normals N' with |N'| > 1e-6 W are off by less than 1e-8 of their length (plane_filter.h), rounding adds 2^-24 per
+/// component. The cross product of two of them is off by less than 1e-6.
+struct Glance {
+  std::uint32_t element;
+  std::array<VertexId, 3> corners;  // of a triangle in doubles
+  std::array<char, 3> fans{};       // fans.h, by corner
+  bool steady = false;              // there is a normal
+  std::array<float, 3> normal{};
+
+  /// True only if two triangles of one embedded fan meet in nothing but what they share, and lie in two planes.
+  bool neighbours(const Glance& g) const {
+    if (!steady || !g.steady) return false;
+    int shared = 0, fan = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int common = (corners[i] == g.corners[0]) | (corners[i] == g.corners[1]) | (corners[i] == g.corners[2]);
+      shared += common;
+      fan += common & fans[i];
+    }
+    if (fan == 0 || shared == 3) return false;
+    const float x = normal[1] * g.normal[2] - normal[2] * g.normal[1];
+    const float y = normal[2] * g.normal[0] - normal[0] * g.normal[2];
+    const float z = normal[0] * g.normal[1] - normal[1] * g.normal[0];
+    return std::max(std::fabs(x), std::max(std::fabs(y), std::fabs(z))) > 1e-5f;
+  }
+};
+
+Glance glance(const RefineInput& in, std::uint32_t element, bool is_face, const std::vector<char>& fans) {
+  Glance g{element, {}, {}, false, {}};
+  if (!is_face) return g;
+  const auto corners = in.corners[SourceId(element)];
+  const std::optional<std::array<double, 3>> normal = in.filters[element].unit_normal();
+  if (corners.size() != 3 || !normal) return g;
+  g.steady = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    g.corners[i] = corners[i];
+    g.fans[i] = fans[corners[i].index()];
+    g.normal[i] = static_cast<float>((*normal)[i]);
+  }
+  return g;
+}
+
+}  // namespace
+
+ContactList find_contacts(const RefineInput& in) {
+  const Elements elements(in);
+  std::vector<std::uint32_t> kept = elements.list();
+  std::vector<Box> boxes(kept.size());
+  tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) { boxes[i] = elements.box(kept[i]); });
   const BoxPairs pairs(boxes);
   boxes = {};
-  const std::vector<char> fans = embedded_fans(in);
-  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in, fans); });
+  std::vector<Glance> glances(pairs.place_count());
+  {
+    const std::vector<char> fans = embedded_fans(in);
+    tbb::parallel_for(std::size_t{0}, glances.size(), [&](std::size_t place) {
+      const std::uint32_t e = kept[pairs.item(static_cast<std::uint32_t>(place))];
+      glances[place] = glance(in, e, elements.is_face(e), fans);
+    });
+    kept = {};
+  }
+  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in); });
   tbb::parallel_for(std::size_t{0}, pairs.part_count(), [&](std::size_t part) {
     PairTester& tester = testers.local();
+    std::uint64_t candidates = 0;
     pairs.find(part, [&](std::uint32_t x, std::uint32_t y) {
-      ++tester.list.candidates;
-      std::size_t a = kept[x], b = kept[y];
-      if (a > b) std::swap(a, b);
-      if (b < faces) {
-        tester.faces(SourceId(a), SourceId(b));
-      } else if (a < faces && b < faces + wires) {
-        tester.wire_face(in.wires[b - faces], SourceId(a));
-      } else if (a < faces) {
-        tester.point_face(in.isolated[b - faces - wires], SourceId(a));
-      } else if (b < faces + wires) {
-        tester.wires(in.wires[a - faces], in.wires[b - faces]);
-      } else if (a < faces + wires) {
-        tester.point_wire(in.isolated[b - faces - wires], in.wires[a - faces]);
-      }
+      ++candidates;
+      if (!glances[x].neighbours(glances[y])) elements.test(glances[x].element, glances[y].element, tester);
     });
+    tester.list.candidates += candidates;
   });
   ContactList all;
   for (const PairTester& tester : testers) {

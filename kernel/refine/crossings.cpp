@@ -46,7 +46,9 @@ class CrossingFinder {
     tbb::this_task_arena::isolate([&] {
       const BoxPairs tree(boxes);
       for (std::size_t part = 0; part < tree.part_count(); ++part) {
-        tree.find(part, [&](std::uint32_t i, std::uint32_t j) { pair(c_.segments[i], c_.segments[j]); });
+        tree.find(part, [&](std::uint32_t x, std::uint32_t y) {
+          pair(c_.segments[tree.item(x)], c_.segments[tree.item(y)]);
+        });
       }
       for (const VertexId v : c_.points) {
         Box own;
