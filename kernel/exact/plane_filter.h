@@ -11,6 +11,8 @@
 //   Unit normal: with |N'| > 1e-6 W the error of N' is less than sqrt(3) 8.1 u W < 1.6e-9 |N'|, and the vector at
 //   unit length is off by less than twice that and a few roundings.
 //   We use 20 u W L and 10 u W; what is over covers the roundings of the bounds themselves.
+//   Level planes: if a, b, c agree in a coordinate (differences of doubles are zero only if they are exactly), the
+//   plane is all points with that value, and its normal looks along that axis: comparisons alone decide.
 //   Underflow adds at most 2^-1074 per product; W >= 1e-150 makes it negligible in N', and an absolute 1e-300 in
 //   the bound of s' covers the products there. Overflow: W <= 1e200, and an s' that is not finite decides nothing.
 #pragma once
@@ -39,15 +41,24 @@ class PlaneFilter {
     if (!(size >= 1e-150 && size <= 1e200)) return;
     size_ = size;
     for (int k = 0; k < 3; ++k) normal_[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+    for (int k = 0; k < 3; ++k) {
+      if (m[k] == 0 && normal_sign(k) != 0) level_ = k;
+    }
   }
 
-  /// 1 or -1: the side of the plane on which p (three coordinates) lies; 0: not decided.
+  static constexpr int kUndecided = 2;
+
+  /// The side of the plane on which p (three coordinates) lies, positive where the normal looks, or kUndecided.
   int side(const double* p) const {
+    if (level_ >= 0) {
+      const double d = p[level_] - through_[static_cast<std::size_t>(level_)];
+      return d == 0 ? 0 : ((d > 0) == (normal_[static_cast<std::size_t>(level_)] > 0) ? 1 : -1);
+    }
     const double x = p[0] - through_[0], y = p[1] - through_[1], z = p[2] - through_[2];
     const double s = normal_[0] * x + normal_[1] * y + normal_[2] * z;
     const double bound = 20 * kUnit * size_ * (std::fabs(x) + std::fabs(y) + std::fabs(z)) + 1e-300;
     const double size = std::fabs(s);
-    if (!(size > bound && size <= std::numeric_limits<double>::max())) return 0;
+    if (!(size > bound && size <= std::numeric_limits<double>::max())) return kUndecided;
     return s > 0 ? 1 : -1;
   }
   /// The sign of a component of the normal; 0: not decided.
@@ -70,6 +81,7 @@ class PlaneFilter {
   static constexpr double kUnit = 0x1p-53;
   std::array<double, 3> normal_{}, through_{};
   double size_ = 0;  // W; 0 if nothing is decided: then every s' is zero
+  int level_ = -1;   // the axis of a level plane
 };
 
 }  // namespace cnrg

@@ -9,6 +9,11 @@
 //   which also covers the two roundings of computing the bound itself.
 //   orient2d: two products of two differences: (1 + u)^4 - 1 < 4.1 u each, error below 8.2 u mx my < 9.2e-16
 //   mx my; we use 1.2e-15 mx my.
+//   Points that are not doubles: let each coordinate lie within w above the lower bound that the filter takes. Each
+//   of the exact differences is then off by at most w: the product of two by w (|x| + |y|) + w^2, the product of
+//   three by w (|xy| + |yz| + |zx|) + w^2 (|x| + |y| + |z|) + w^3. With two (six) such products the errors of the
+//   determinants are at most 2 w (mx + my + w) and 6 w (mx my + my mz + mz mx + w (mx + my + mz + w)); we use 2.1
+//   and 6.1 for the roundings of these.
 //   Underflow: a product that underflows adds an absolute error of at most 2^-1074 per operation, which the
 //   guard on the smallest maximum (each at least 1e-90) makes negligible against the slack of the constants.
 //   Overflow: the guard on the largest maximum (at most 1e100) excludes it.
@@ -62,33 +67,39 @@ StageCounts& counts() {
 
 inline double max_abs(double a, double b, double c) { return std::max(std::fabs(a), std::max(std::fabs(b), std::fabs(c))); }
 
-/// The sign by the filter, or kUnknown. Coordinates are exact doubles.
-int filtered_orient3d(const double* a, const double* b, const double* c, const double* d) {
+/// The sign by the filter, or kUnknown. Each exact coordinate lies between the one given and `width` above it.
+int filtered_orient3d(const double* a, const double* b, const double* c, const double* d, double width) {
   const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
   const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
   const double dx = d[0] - a[0], dy = d[1] - a[1], dz = d[2] - a[2];
   const double mx = max_abs(bx, cx, dx), my = max_abs(by, cy, dy), mz = max_abs(bz, cz, dz);
   // A maximum of zero is exact: all differences vanish (a double difference is zero only if it is exactly).
-  if (mx == 0 || my == 0 || mz == 0) return 0;
+  if (width == 0 && (mx == 0 || my == 0 || mz == 0)) return 0;
   const double smallest = std::min(mx, std::min(my, mz)), largest = std::max(mx, std::max(my, mz));
   if (!(smallest > kSmallest && largest < kLargest)) return kUnknown;
   const double determinant = dx * (by * cz - bz * cy) + dy * (bz * cx - bx * cz) + dz * (bx * cy - by * cx);
-  const double bound = kOrient3dBound * mx * my * mz;
+  const double bound = kOrient3dBound * mx * my * mz +
+                       6.1 * width * (mx * my + my * mz + mz * mx + width * (mx + my + mz + width));
   if (determinant > bound) return 1;
   if (determinant < -bound) return -1;
   return kUnknown;
 }
 
-int filtered_orient2d(double ax, double ay, double bx, double by, double cx, double cy) {
-  const double ux = bx - ax, uy = by - ay, vx = cx - ax, vy = cy - ay;
+/// The sign of ux vy - uy vx for differences of two coordinates each, as above.
+int filtered_cross(double ux, double uy, double vx, double vy, double width) {
   const double mx = std::max(std::fabs(ux), std::fabs(vx)), my = std::max(std::fabs(uy), std::fabs(vy));
-  if (mx == 0 || my == 0) return 0;
+  if (width == 0 && (mx == 0 || my == 0)) return 0;
   if (!(std::min(mx, my) > kSmallest && std::max(mx, my) < kLargest)) return kUnknown;
-  const double determinant = ux * vy - uy * vx, bound = kOrient2dBound * mx * my;
+  const double determinant = ux * vy - uy * vx, bound = kOrient2dBound * mx * my + 2.1 * width * (mx + my + width);
   if (determinant > bound) return 1;
   if (determinant < -bound) return -1;
   return kUnknown;
 }
+
+double width(const PointView& p) {
+  return std::max(p.hi[0] - p.lo[0], std::max(p.hi[1] - p.lo[1], p.hi[2] - p.lo[2]));
+}
+double width(const PointView& p, int u, int v) { return std::max(p.hi[u] - p.lo[u], p.hi[v] - p.lo[v]); }
 
 /// x[k] of a point in homogeneous form.
 const Integer& coordinate(const ExactPoint& p, int k) { return k == 0 ? p.x : (k == 1 ? p.y : p.z); }
@@ -108,12 +119,10 @@ int exact_orient3d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c
 }  // namespace
 
 int orient3d(const PointView& a, const PointView& b, const PointView& c, const PointView& d) {
-  if (a.is_double() && b.is_double() && c.is_double() && d.is_double()) {
-    const int s = filtered_orient3d(a.lo.data(), b.lo.data(), c.lo.data(), d.lo.data());
-    if (s != kUnknown) {
-      ++counts().filter;
-      return s;
-    }
+  const double w = std::max(std::max(width(a), width(b)), std::max(width(c), width(d)));
+  if (const int s = filtered_orient3d(a.lo.data(), b.lo.data(), c.lo.data(), d.lo.data(), w); s != kUnknown) {
+    ++counts().filter;
+    return s;
   }
   {
     RoundOutward round;
@@ -131,7 +140,7 @@ int orient3d(const PointView& a, const PointView& b, const PointView& c, const P
 int orient3d(const PointTable& t, VertexId a, VertexId b, VertexId c, VertexId d) {
   const double *pa = t.doubles(a), *pb = t.doubles(b), *pc = t.doubles(c), *pd = t.doubles(d);
   if (pa != nullptr && pb != nullptr && pc != nullptr && pd != nullptr) {
-    const int s = filtered_orient3d(pa, pb, pc, pd);
+    const int s = filtered_orient3d(pa, pb, pc, pd, 0);
     if (s != kUnknown) {
       ++counts().filter;
       return s;
@@ -149,12 +158,11 @@ int side_of_plane(const PointTable& t, PlaneId plane, VertexId p) { return side_
 
 int orient2d(Projection axes, const PointView& a, const PointView& b, const PointView& c) {
   const int u = axes.u, v = axes.v;
-  if (a.is_double() && b.is_double() && c.is_double()) {
-    const int s = filtered_orient2d(a.lo[u], a.lo[v], b.lo[u], b.lo[v], c.lo[u], c.lo[v]);
-    if (s != kUnknown) {
-      ++counts().filter;
-      return s;
-    }
+  const double w = std::max(width(a, u, v), std::max(width(b, u, v), width(c, u, v)));
+  if (const int s = filtered_cross(b.lo[u] - a.lo[u], b.lo[v] - a.lo[v], c.lo[u] - a.lo[u], c.lo[v] - a.lo[v], w);
+      s != kUnknown) {
+    ++counts().filter;
+    return s;
   }
   {
     RoundOutward round;
@@ -175,6 +183,16 @@ int orient2d(Projection axes, const PointView& a, const PointView& b, const Poin
 }
 
 int orient2d(const PointTable& t, Projection axes, VertexId a, VertexId b, VertexId c) {
+  const double *pa = t.lower(a), *pb = t.lower(b), *pc = t.lower(c);
+  const int u = axes.u, v = axes.v;
+  double w = 0;
+  for (const VertexId p : {a, b, c}) {
+    if (!t.is_double(p)) w = std::max(w, std::max(t.upper(p, u) - t.lower(p)[u], t.upper(p, v) - t.lower(p)[v]));
+  }
+  if (const int s = filtered_cross(pb[u] - pa[u], pb[v] - pa[v], pc[u] - pa[u], pc[v] - pa[v], w); s != kUnknown) {
+    ++counts().filter;
+    return s;
+  }
   return orient2d(axes, t.view(a), t.view(b), t.view(c));
 }
 
@@ -182,19 +200,13 @@ int orient2d_vectors(const PointTable& t, Projection axes, VertexId a, VertexId 
   if (a == c) return orient2d(t, axes, a, b, d);
   const int u = axes.u, v = axes.v;
   const PointView pa = t.view(a), pb = t.view(b), pc = t.view(c), pd = t.view(d);
-  if (pa.is_double() && pb.is_double() && pc.is_double() && pd.is_double()) {
-    // The bound of orient2d: it does not use that the two differences share a point.
-    const double ux = pb.lo[u] - pa.lo[u], uy = pb.lo[v] - pa.lo[v], vx = pd.lo[u] - pc.lo[u], vy = pd.lo[v] - pc.lo[v];
-    const double mx = std::max(std::fabs(ux), std::fabs(vx)), my = std::max(std::fabs(uy), std::fabs(vy));
-    if (mx == 0 || my == 0) {
-      ++counts().filter;
-      return 0;
-    }
-    const double determinant = ux * vy - uy * vx, bound = kOrient2dBound * mx * my;
-    if (std::min(mx, my) > kSmallest && std::max(mx, my) < kLargest && std::fabs(determinant) > bound) {
-      ++counts().filter;
-      return determinant > 0 ? 1 : -1;
-    }
+  // The bound of orient2d: it does not use that the two differences share a point.
+  const double w = std::max(std::max(width(pa, u, v), width(pb, u, v)), std::max(width(pc, u, v), width(pd, u, v)));
+  if (const int s = filtered_cross(pb.lo[u] - pa.lo[u], pb.lo[v] - pa.lo[v], pd.lo[u] - pc.lo[u],
+                                   pd.lo[v] - pc.lo[v], w);
+      s != kUnknown) {
+    ++counts().filter;
+    return s;
   }
   {
     RoundOutward round;
@@ -232,7 +244,13 @@ int compare(int axis, const PointView& a, const PointView& b) {
 }
 
 int compare(const PointTable& t, int axis, VertexId a, VertexId b) {
-  return a == b ? 0 : compare(axis, t.view(a), t.view(b));
+  if (a == b) return 0;
+  const double lo_a = t.lower(a)[axis], lo_b = t.lower(b)[axis], hi_a = t.upper(a, axis), hi_b = t.upper(b, axis);
+  if (lo_a > hi_b || hi_a < lo_b || (lo_a == hi_a && lo_b == hi_b)) {
+    ++counts().filter;
+    return lo_a > hi_b ? 1 : (hi_a < lo_b ? -1 : 0);
+  }
+  return compare(axis, t.view(a), t.view(b));
 }
 
 int compare_lex(const PointView& a, const PointView& b) {
@@ -244,7 +262,11 @@ int compare_lex(const PointView& a, const PointView& b) {
 }
 
 int compare_lex(const PointTable& t, VertexId a, VertexId b) {
-  return a == b ? 0 : compare_lex(t.view(a), t.view(b));
+  if (a == b) return 0;
+  for (int k = 0; k < 3; ++k) {
+    if (const int s = compare(t, k, a, b)) return s;
+  }
+  return 0;
 }
 
 bool collinear(const PointTable& t, VertexId a, VertexId b, VertexId c) {

@@ -79,7 +79,8 @@ PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& 
   const PlaneFilter& plane = in_.filters[g.index()];
   const auto side = [&](VertexId v) {
     const double* p = t_.doubles(v);
-    if (const int s = p != nullptr ? plane.side(p) : 0) {
+    const int s = p != nullptr ? plane.side(p) : PlaneFilter::kUndecided;
+    if (s != PlaneFilter::kUndecided) {
       ++filtered;
       return s;
     }
@@ -163,8 +164,11 @@ int PairTester::order(Event& a, Event& b) {
   if (a.key == b.key) return 0;
   if (axis_ >= 0 && (a.view.hi[axis_] < b.view.lo[axis_])) return -1;
   if (axis_ >= 0 && (a.view.lo[axis_] > b.view.hi[axis_])) return 1;
-  exact(a);
-  exact(b);
+  const auto known = [&](const PointView& p) { return axis_ >= 0 ? p.lo[axis_] == p.hi[axis_] : p.is_double(); };
+  if (!known(a.view) || !known(b.view)) {
+    exact(a);
+    exact(b);
+  }
   return axis_ >= 0 ? compare(axis_, a.view, b.view) : compare_lex(a.view, b.view);
 }
 

@@ -86,6 +86,8 @@ class Refiner {
   ContactList contacts_;
   UnionFind identity_;
   KeyedPoints contact_points_, crossing_points_;
+  std::vector<std::pair<VertexId, SegmentId>> on_segment_;
+  std::vector<std::pair<VertexId, SheetId>> in_sheet_;
   KnownIncidence known_;
   IdVector<SheetId, SourceId> representative_;
   std::vector<std::pair<SheetId, SegmentId>> sheet_segments_;
@@ -169,15 +171,15 @@ void Refiner::place_contacts() {
   for (const PointKey& key : keys) {
     if (key.kind == PointKey::Kind::vertex || key.kind == PointKey::Kind::planes) continue;
     const VertexId v = contact_points_(key);
-    known_.on_segment.push_back({v, SegmentId(key.id[0])});
-    if (key.kind == PointKey::Kind::segments) known_.on_segment.push_back({v, SegmentId(key.id[1])});
+    on_segment_.push_back({v, SegmentId(key.id[0])});
+    if (key.kind == PointKey::Kind::segments) on_segment_.push_back({v, SegmentId(key.id[1])});
   }
   for (const ContactList::OnWire& p : contacts_.on_wire) {
-    known_.on_segment.push_back({contact_points_(p.point), p.wire});
+    on_segment_.push_back({contact_points_(p.point), p.wire});
   }
   for (const ContactList::OnFace& p : contacts_.on_face) {
     const VertexId v = contact_points_(p.point);
-    known_.in_sheet.push_back({v, r_.sheet_of[p.face]});
+    in_sheet_.push_back({v, r_.sheet_of[p.face]});
     sheet_points_.push_back({r_.sheet_of[p.face], v});
   }
   for (const ContactList::WireInPlane& w : contacts_.wires_in_plane) {
@@ -198,8 +200,8 @@ void Refiner::place_contacts() {
     VertexId a = contact_points_(t.a), b = contact_points_(t.b);
     const SheetId p = r_.sheet_of[t.f], q = r_.sheet_of[t.g];
     for (const SheetId s : {p, q}) {
-      known_.in_sheet.push_back({a, s});
-      known_.in_sheet.push_back({b, s});
+      in_sheet_.push_back({a, s});
+      in_sheet_.push_back({b, s});
     }
     if (a == b) {
       sheet_points_.insert(sheet_points_.end(), {{p, a}, {q, a}});
@@ -221,8 +223,11 @@ void Refiner::place_contacts() {
       sheet_segments_.push_back({traces[i].q, s});
     }
   }
-  sort_unique(known_.on_segment);
-  sort_unique(known_.in_sheet);
+  sort_unique(on_segment_);
+  sort_unique(in_sheet_);
+  known_.segments = Csr<VertexId, SegmentId>::from_sorted(r_.input.points.size(), on_segment_);
+  known_.sheets = Csr<VertexId, SheetId>::from_sorted(r_.input.points.size(), in_sheet_);
+  in_sheet_ = {};
 }
 
 /// A sheet of one triangle that meets nothing needs no work. All others list their sides, traces, wires, points.
@@ -287,7 +292,7 @@ void Refiner::cross_sheets() {
     incidences_.push_back({c.s, v});
     incidences_.push_back({c.t, v});
   }
-  for (const auto& [v, s] : known_.on_segment) incidences_.push_back({s, v});
+  for (const auto& [v, s] : on_segment_) incidences_.push_back({s, v});
   std::erase_if(incidences_, [&](const auto& i) {
     const auto& ends = r_.segments.ends[i.first];
     return i.second == ends[0] || i.second == ends[1];

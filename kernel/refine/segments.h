@@ -21,15 +21,20 @@ struct SegmentTable {
   }
 };
 
-/// Facts that are known by symbol: points on segments and points in sheets. Sorted pairs.
+/// Facts that are known by symbol: segments on which a vertex lies, and sheets.
 struct KnownIncidence {
-  std::vector<std::pair<VertexId, SegmentId>> on_segment;
-  std::vector<std::pair<VertexId, SheetId>> in_sheet;
+  Csr<VertexId, SegmentId> segments;
+  Csr<VertexId, SheetId> sheets;
 
-  bool on(VertexId v, SegmentId s) const {
-    return std::binary_search(on_segment.begin(), on_segment.end(), std::pair(v, s));
+  bool on(VertexId v, SegmentId s) const { return holds(segments[v], s); }
+  bool in(VertexId v, SheetId s) const { return holds(sheets[v], s); }
+
+ private:
+  template <class IdT>
+  static bool holds(std::span<const IdT> list, IdT id) {
+    return list.size() < 16 ? std::find(list.begin(), list.end(), id) != list.end()
+                            : std::binary_search(list.begin(), list.end(), id);
   }
-  bool in(VertexId v, SheetId s) const { return std::binary_search(in_sheet.begin(), in_sheet.end(), std::pair(v, s)); }
 };
 
 /// A sheet that needs work: what lies in its plane.
