@@ -166,8 +166,8 @@ class Csr {
     csr.values_ = std::move(values);
     return csr;
   }
-  /// Builds from pairs in any order: `visit(take)` calls take(id, value) for each, the same ones when called again.
-  /// The values of one id stay in the order in which they come.
+  /// Builds from pairs in any order: `visit(take)` calls take(id, value) for each, twice the same ones. The values of
+  /// an id stay in the order in which they come.
   template <class Visit>
   static Csr counted(std::size_t n, const Visit& visit) {
     Csr csr;

@@ -1,5 +1,5 @@
-// The cells that refinement made become arrays with incidence both ways. Radial order by symbols where it can be, by
-// one sign per pair of sheets where it must.
+// The cells that refinement made become arrays with incidence both ways. Radial order by symbols where it can be,
+// by one sign per pair of sheets where it must.
 #include "kernel/complex/builder.h"
 
 #include <tbb/global_control.h>
@@ -31,7 +31,7 @@ Complex ComplexBuilder::build() {
 
 /// What refinement held for itself is given back here, before the arrays of the complex take memory.
 void ComplexBuilder::take_cells() {
-  take_wires_and_points();
+  take_sparse_cells();
   c_.points = std::move(r_.input.points);
   c_.sheet_plane = std::move(r_.sheet_plane);
   c_.sheet_projection = std::move(r_.sheet_projection);
@@ -42,13 +42,13 @@ void ComplexBuilder::take_cells() {
   c_.face_sheet = std::move(r_.face_sheet);
   c_.face_loops = std::move(r_.face_loops);
   c_.loop = std::move(r_.loops);
-  c_.face_vertices = std::move(r_.face_vertices);
   Csr<FaceId, Cover> covers = std::move(r_.face_covers);
   r_ = Refinement();
   share_covers(std::move(covers));
 }
 
-void ComplexBuilder::take_wires_and_points() {
+/// Wires, isolated points, and vertices in the interior of faces.
+void ComplexBuilder::take_sparse_cells() {
   const RefineInput& in = r_.input;
   std::vector<std::pair<SegmentId, WireId>> wires;
   std::vector<std::pair<VertexId, LeafId>> isolated;
@@ -61,9 +61,20 @@ void ComplexBuilder::take_wires_and_points() {
     }
   }
   std::sort(wires.begin(), wires.end());
-  c_.segment_wires = Csr<SegmentId, WireId>::from_sorted(r_.segments.ends.size(), wires);
+  c_.segment_wires = SparseLists(wires);
   sort_unique(isolated);
-  c_.isolated_leaves = Csr<VertexId, LeafId>::from_sorted(in.points.size(), isolated);
+  c_.isolated_leaves = SparseLists(isolated);
+  std::vector<std::pair<FaceId, VertexId>> face_vertices;
+  std::vector<std::pair<VertexId, FaceId>> vertex_faces;
+  for (const FaceId f : IdRange<FaceId>(r_.face_sheet.size())) {
+    for (const VertexId v : std::as_const(r_.face_vertices)[f]) {
+      face_vertices.push_back({f, v});
+      vertex_faces.push_back({v, f});
+    }
+  }
+  std::sort(vertex_faces.begin(), vertex_faces.end());
+  c_.face_vertices = SparseLists(face_vertices);
+  c_.vertex_faces = SparseLists(vertex_faces);
   for (const SegmentId s : in.wires) {
     const auto chain = std::as_const(r_.edges.chain)[s];
     wired_.insert(wired_.end(), chain.begin(), chain.end());
@@ -71,8 +82,8 @@ void ComplexBuilder::take_wires_and_points() {
   sort_unique(wired_);
 }
 
-/// Equal covers are one set; sets are numbered as they first appear. Nearly every face is covered once: a table finds
-/// its set by source and side.
+/// Equal covers are one set; sets are numbered as they first appear. Nearly every face is covered once: a table
+/// finds its set by source and side.
 void ComplexBuilder::share_covers(Csr<FaceId, Cover> covers) {
   using List = std::span<const Cover>;
   const auto place = [](const Cover& x) { return 2 * x.source.index() + (x.same ? 0 : 1); };
@@ -158,11 +169,6 @@ void ComplexBuilder::find_vertices() {
       for (const VertexId v : c_.edge_ends[e]) take(v, e);
     }
   });
-  c_.vertex_faces = Csr<VertexId, FaceId>::counted(n, [&](const auto& take) {
-    for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
-      for (const VertexId v : std::as_const(c_.face_vertices)[f]) take(v, f);
-    }
-  });
   c_.vertices.reserve(n);
   for (const VertexId v : IdRange<VertexId>(n)) {
     const bool bounds = !std::as_const(c_.vertex_edges)[v].empty() || !std::as_const(c_.vertex_faces)[v].empty();
@@ -176,7 +182,7 @@ void ComplexBuilder::find_vertices() {
 /// another has the sign of d . (n x n'), times both directions; it is zero only for two sides of one sheet.
 void ComplexBuilder::order_radially() {
   const PointTable& t = c_.points;
-  for_each_index(junctions_.size(), [&](std::size_t i) {
+  const auto sort_uses = [&](std::size_t i) {
     const EdgeId e = junctions_[i];
     const auto uses = c_.edge_uses[e];
     if (uses.size() < 3) return;
@@ -219,7 +225,8 @@ void ComplexBuilder::order_radially() {
       return s > 0;
     });
     for (std::size_t j = 0; j < uses.size(); ++j) uses[j] = order[j].second;
-  });
+  };
+  for_each_index(junctions_.size(), sort_uses, 64);
 }
 
 void ComplexBuilder::mark_frame() {

@@ -15,7 +15,7 @@ class ComplexBuilder {
  private:
   // Cells and incidence (builder.cpp).
   void take_cells();
-  void take_wires_and_points();
+  void take_sparse_cells();
   void share_covers(Csr<FaceId, Cover> covers);
   void take_attributes();
   void find_uses();

@@ -1,8 +1,9 @@
 // Labels by propagation: crossing a face changes the region of the leaves that cover it, and of no other.
 //
 // A label set is a sorted list of (leaf, value): the region for Fill::sides, the winding number, the parity. Sets
-// and changes are interned, and the result of each change on each set is remembered, so that a large mesh costs one
-// look-up per face, nearly always in a small table of the latest. Every face is checked in the end, not only those of the spanning tree.
+// and changes are interned, and the result of each change on each set is remembered, so that a large mesh costs
+// one look-up per face, mostly in a small table of the latest. Every face is checked in the end, not only those of
+// the spanning tree.
 #include <algorithm>
 #include <map>
 
@@ -74,8 +75,8 @@ class Labelling {
       } else if (x->fill == Fill::parity) {
         last->to ^= 1;
       } else if (*last != *x) {
-        throw InputError(face_names(covers, x->leaf) + ": two faces lie on each other and name different regions on "
-                         "one side; remove one or make their sides agree");
+        throw InputError(face_names(covers, x->leaf) + ": two faces lie on each other and name different regions "
+                         "on one side; remove one or make their sides agree");
       }
     }
     list.erase(last + 1, list.end());
@@ -186,7 +187,7 @@ class Labelling {
 
   void spread() {
     std::vector<RegionId> queue{start_};
-    const std::size_t all = c_.frame.valid() ? c_.region_count - 1 : c_.region_count;  // nothing leads out of a frame
+    const std::size_t all = c_.region_count - (c_.frame.valid() ? 1 : 0);  // nothing leads out of a frame
     for (std::size_t q = 0; q < queue.size() && queue.size() < all; ++q) {
       for (const HalfFace h : std::as_const(c_.region_faces)[queue[q]]) {
         if (c_.on_frame(h.face())) continue;

@@ -9,16 +9,16 @@
 
 namespace cnrg {
 
-inline constexpr std::size_t kGrain = 2048;  ///< steps of a loop, each about as long as a few reads of memory
+inline constexpr std::size_t kGrain = 2048;  ///< steps that are worth a thread, each a few reads of memory
 
-/// body(i) for each i below n, in any order.
+/// body(i) for each i below n, in any order; `grain` steps are worth a thread.
 template <class Body>
-void for_each_index(std::size_t n, const Body& body) {
+void for_each_index(std::size_t n, const Body& body, std::size_t grain = kGrain) {
   const auto run = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   };
-  if (n <= kGrain) return run(0, n);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kGrain),
+  if (n <= grain) return run(0, n);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
                     [&](const tbb::blocked_range<std::size_t>& r) { run(r.begin(), r.end()); });
 }
 

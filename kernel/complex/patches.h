@@ -1,9 +1,9 @@
 // Patches: faces joined side to side through edges that have two of them. Private to this room.
 //
-// Where two half-faces meet, their opposites meet too; so one union-find over faces does for both sides. It keeps for
-// the front of each face a half-face of its patch that it is joined to, of a smaller face. Threads join at the same
-// time (Anderson, Woll 1991): only a root is given a parent, by one atomic exchange, and any ancestor that a find
-// writes is one. The root is the smallest face in the end, whatever the order.
+// Where two half-faces meet, their opposites meet too; so one union-find over faces does for both sides. It keeps
+// for the front of each face a half-face that it is joined to, of a smaller face. Threads join at the same time
+// (Anderson, Woll 1991): only a root is given a parent, by one atomic exchange; what a find writes was an ancestor
+// and stays one. In the end the root is the smallest face of its patch, whatever the order.
 #pragma once
 
 #include <atomic>
@@ -16,10 +16,10 @@ namespace cnrg {
 class Patches {
  public:
   explicit Patches(std::size_t faces) : parent_(faces) {
-    for (std::size_t f = 0; f < faces; ++f) parent_[f].store(HalfFace(FaceId(f), 0).code(), std::memory_order_relaxed);
+    for (const FaceId f : IdRange<FaceId>(faces)) set(f, HalfFace(f, 0).code());
   }
 
-  /// Joins a with b and their opposites. False if a was joined with the opposite of b: the patch has one side only.
+  /// Joins a with b and their opposites. False if a was joined with the opposite of b: the patch has one side.
   bool unite(HalfFace a, HalfFace b);
 
   /// Numbers the patches by their first faces. Side 0 of a patch is the front of its first face: result[f] is
@@ -29,6 +29,7 @@ class Patches {
  private:
   HalfFace parent(HalfFace h) const { return half_face(get(h.face()) ^ h.side()); }
   std::uint32_t get(FaceId f) const { return parent_[f.index()].load(std::memory_order_relaxed); }
+  void set(FaceId f, std::uint32_t code) { parent_[f.index()].store(code, std::memory_order_relaxed); }
   static HalfFace half_face(std::uint32_t code) { return HalfFace(FaceId(code >> 1), code & 1); }
   HalfFace root(HalfFace h);
 
@@ -40,7 +41,7 @@ inline HalfFace Patches::root(HalfFace h) {
     const HalfFace up = parent(h);
     if (up == h) return h;
     const HalfFace next = parent(up);
-    if (next != up) parent_[h.face().index()].store(next.code() ^ h.side(), std::memory_order_relaxed);
+    if (next != up) set(h.face(), next.code() ^ h.side());
     h = next;
   }
 }

@@ -48,8 +48,8 @@ bool may_meet(const Box& box, const PointView& p, const std::array<double, 3>& d
   return !(enter > leave);
 }
 
-/// Where a point certainly lies, in bits: to the left of the ray's line or to the right of it as seen along z (1, 2)
-/// and along y (4, 8); behind the origin in x (16). The ray misses the hull of points that have a bit in common.
+/// Where a point certainly lies, in bits: to the left or to the right of the ray's line as seen along z (1, 2) and
+/// along y (4, 8); behind the origin in x (16). The ray misses the hull of points that have a bit in common.
 ///
 /// The side is the sign of (v_k - p_k) d_x - (v_x - p_x) d_k for k = y, z. Differences and products are good to a
 /// relative 2^-53 each, so the bounds of the terms are off by less than 3 * 2^-53 of their sizes and their

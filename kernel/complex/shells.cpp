@@ -26,7 +26,8 @@ void ComplexBuilder::join_shells() {
   tbb::enumerable_thread_specific<std::vector<EdgeId>> turning;
   for_each_index(c_.edge_count(), [&](std::size_t i) {
     const auto uses = std::as_const(c_.edge_uses)[EdgeId(i)];
-    if (uses.size() == 2 && !patches.unite(uses[0].after(), uses[1].before())) turning.local().push_back(EdgeId(i));
+    if (uses.size() != 2 || patches.unite(uses[0].after(), uses[1].before())) return;
+    turning.local().push_back(EdgeId(i));
   });
   std::size_t patch_count = 0;
   front_side_ = patches.number(patch_count);
@@ -105,10 +106,11 @@ void ComplexBuilder::hang_wires() {
     const auto place = std::lower_bound(wires_.begin(), wires_.end(), wire);
     return first_wire + static_cast<std::uint32_t>(place - wires_.begin());
   };
+  const auto is_wire = [&](EdgeId e) { return std::as_const(c_.edge_uses)[e].empty(); };
   const auto touches_face = [&](VertexId v) {
     if (!std::as_const(c_.vertex_faces)[v].empty()) return true;
     const auto edges = std::as_const(c_.vertex_edges)[v];
-    return std::any_of(edges.begin(), edges.end(), [&](EdgeId e) { return !std::as_const(c_.edge_uses)[e].empty(); });
+    return !std::all_of(edges.begin(), edges.end(), is_wire);
   };
   for (const EdgeId e : wires_) {
     for (const VertexId v : c_.edge_ends[e]) {
@@ -146,18 +148,18 @@ void ComplexBuilder::number_regions() {
   list_region_faces(region_of);
 
   const std::size_t first_wire = infinity + 1, first_loose = first_wire + wires_.size();
-  c_.edge_region.resize(c_.edge_count());
+  std::vector<std::pair<EdgeId, RegionId>> wires;
+  for (std::size_t i = 0; i < wires_.size(); ++i) wires.push_back({wires_[i], region_of[first_wire + i]});
   c_.region_wires = Csr<RegionId, EdgeId>::counted(c_.region_count, [&](const auto& take) {
-    for (std::size_t i = 0; i < wires_.size(); ++i) {
-      take(c_.edge_region[wires_[i]] = region_of[first_wire + i], wires_[i]);
-    }
+    for (const auto& [e, region] : wires) take(region, e);
   });
-  c_.vertex_region.resize(c_.points.size());
+  c_.edge_region = SparseVector(std::move(wires));
+  std::vector<std::pair<VertexId, RegionId>> loose;
+  for (std::size_t i = 0; i < loose_.size(); ++i) loose.push_back({loose_[i], region_of[first_loose + i]});
   c_.region_vertices = Csr<RegionId, VertexId>::counted(c_.region_count, [&](const auto& take) {
-    for (std::size_t i = 0; i < loose_.size(); ++i) {
-      take(c_.vertex_region[loose_[i]] = region_of[first_loose + i], loose_[i]);
-    }
+    for (const auto& [v, region] : loose) take(region, v);
   });
+  c_.vertex_region = SparseVector(std::move(loose));
 }
 
 /// The half-faces of a region shell by shell, ascending in each.
