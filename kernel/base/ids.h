@@ -166,11 +166,48 @@ class Csr {
     csr.values_ = std::move(values);
     return csr;
   }
+  /// Builds from pairs in any order: `visit(take)` calls take(id, value) for each, twice the same ones. The values of
+  /// an id stay in the order in which they come.
+  template <class Visit>
+  static Csr counted(std::size_t n, const Visit& visit) {
+    Csr csr;
+    std::vector<std::uint32_t>& next = csr.offsets_;
+    next.assign(n + 2, 0);
+    visit([&](IdT id, const T&) { ++next[id.index() + 2]; });
+    for (std::size_t i = 2; i < n + 2; ++i) next[i] += next[i - 1];
+    csr.values_.resize(next[n + 1]);
+    // Place i + 1 holds where list i goes on, and in the end where it ends: where list i + 1 begins.
+    visit([&](IdT id, const T& value) { csr.values_[next[id.index() + 1]++] = value; });
+    next.pop_back();
+    return csr;
+  }
+  /// The same lists under ids of another kind.
+  template <class Other>
+  static Csr renamed(Csr<Other, T> lists) {
+    return from_parts(std::move(lists.offsets_), std::move(lists.values_));
+  }
+  /// Drops the lists for whose ids `keep` is false; it is asked once for each id, ascending.
+  template <class Keep>
+  void keep_if(Keep keep) {
+    std::uint32_t lists = 0, size = 0, begin = 0;
+    for (std::size_t i = 0; i < this->size(); ++i) {
+      const std::uint32_t end = offsets_[i + 1];
+      if (keep(IdT(i))) {
+        for (std::uint32_t k = begin; k < end; ++k) values_[size++] = std::move(values_[k]);
+        offsets_[++lists] = size;
+      }
+      begin = end;
+    }
+    offsets_.resize(lists + 1);
+    values_.resize(size);
+  }
   const std::vector<std::uint32_t>& offsets() const { return offsets_; }
   const std::vector<T>& values() const { return values_; }
   std::vector<T>& values() { return values_; }
 
  private:
+  template <class, class>
+  friend class Csr;
   std::vector<std::uint32_t> offsets_{0};
   std::vector<T> values_;
 };

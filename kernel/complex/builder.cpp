@@ -1,26 +1,26 @@
-// Radial order by symbols where it can be, by one sign per pair of sheets where it must; regions as connected sets
-// of half-faces. Shells that no edge connects (islands, cavities, wires, points) are connected by one ray each.
+// The cells that refinement made become arrays with incidence both ways. Radial order by symbols where it can be,
+// by one sign per pair of sheets where it must.
 #include "kernel/complex/builder.h"
 
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
+#include <unordered_map>
 
 #include "kernel/base/error.h"
-#include "kernel/complex/ray.h"
+#include "kernel/base/sorted.h"
+#include "kernel/complex/parallel.h"
 
 namespace cnrg {
 
 Complex ComplexBuilder::build() {
   take_cells();
-  find_vertices();
-  find_uses();
-  order_radially();
-  join_shells();
+  do_both(c_.face_count(), [&] { find_uses(); }, [&] { take_attributes(); });
+  do_both(c_.face_count(), [&] { find_vertices(); }, [&] {
+    order_radially();
+    join_shells();
+  });
   nest_shells();
   hang_wires();
   number_regions();
@@ -29,34 +29,90 @@ Complex ComplexBuilder::build() {
   return std::move(c_);
 }
 
+/// What refinement held for itself is given back here, before the arrays of the complex take memory.
 void ComplexBuilder::take_cells() {
-  drop_unused_edges();
+  take_sparse_cells();
   c_.points = std::move(r_.input.points);
   c_.sheet_plane = std::move(r_.sheet_plane);
   c_.sheet_projection = std::move(r_.sheet_projection);
   c_.segment_ends = std::move(r_.segments.ends);
   c_.segment_faces = std::move(r_.segment_faces);
-  std::vector<std::pair<SegmentId, WireId>> wires;
-  for (std::size_t w = 0; w < r_.input.wire_segment.size(); ++w) {
-    if (r_.input.wire_segment[w].valid()) wires.push_back({r_.input.wire_segment[w], WireId(w)});
-  }
-  std::sort(wires.begin(), wires.end());
-  c_.segment_wires = Csr<SegmentId, WireId>::from_sorted(c_.segment_ends.size(), wires);
   c_.edge_ends = std::move(r_.edges.ends);
   c_.edge_segments = std::move(r_.edges.segments);
   c_.face_sheet = std::move(r_.face_sheet);
   c_.face_loops = std::move(r_.face_loops);
   c_.loop = std::move(r_.loops);
-  c_.face_vertices = std::move(r_.face_vertices);
-  // Equal covers are one set.
-  std::map<std::vector<Cover>, SourceSetId> sets;
-  c_.face_cover.resize(c_.face_sheet.size());
-  for (const FaceId f : IdRange<FaceId>(c_.face_sheet.size())) {
-    const auto list = std::as_const(r_.face_covers)[f];
-    const auto [it, fresh] = sets.try_emplace(std::vector<Cover>(list.begin(), list.end()), SourceSetId());
-    if (fresh) it->second = c_.covers.push_back(list);
-    c_.face_cover[f] = it->second;
+  Csr<FaceId, Cover> covers = std::move(r_.face_covers);
+  r_ = Refinement();
+  share_covers(std::move(covers));
+}
+
+/// Wires, isolated points, and vertices in the interior of faces.
+void ComplexBuilder::take_sparse_cells() {
+  const RefineInput& in = r_.input;
+  std::vector<std::pair<SegmentId, WireId>> wires;
+  std::vector<std::pair<VertexId, LeafId>> isolated;
+  for (const Soup::Isolated& p : soup_.isolated()) isolated.push_back({in.vertex_of[p.point.index()], p.leaf});
+  for (std::size_t w = 0; w < in.wire_segment.size(); ++w) {
+    if (in.wire_segment[w].valid()) {
+      wires.push_back({in.wire_segment[w], WireId(w)});
+    } else {
+      isolated.push_back({in.vertex_of[soup_.wires()[w].a.index()], soup_.wires()[w].leaf});
+    }
   }
+  std::sort(wires.begin(), wires.end());
+  c_.segment_wires = SparseLists(wires);
+  sort_unique(isolated);
+  c_.isolated_leaves = SparseLists(isolated);
+  std::vector<std::pair<FaceId, VertexId>> face_vertices;
+  std::vector<std::pair<VertexId, FaceId>> vertex_faces;
+  for (const FaceId f : IdRange<FaceId>(r_.face_sheet.size())) {
+    for (const VertexId v : std::as_const(r_.face_vertices)[f]) {
+      face_vertices.push_back({f, v});
+      vertex_faces.push_back({v, f});
+    }
+  }
+  std::sort(vertex_faces.begin(), vertex_faces.end());
+  c_.face_vertices = SparseLists(face_vertices);
+  c_.vertex_faces = SparseLists(vertex_faces);
+  for (const SegmentId s : in.wires) {
+    const auto chain = std::as_const(r_.edges.chain)[s];
+    wired_.insert(wired_.end(), chain.begin(), chain.end());
+  }
+  sort_unique(wired_);
+}
+
+/// Equal covers are one set; sets are numbered as they first appear. Nearly every face is covered once: a table
+/// finds its set by source and side.
+void ComplexBuilder::share_covers(Csr<FaceId, Cover> covers) {
+  using List = std::span<const Cover>;
+  const auto place = [](const Cover& x) { return 2 * x.source.index() + (x.same ? 0 : 1); };
+  const auto hash = [&](List list) {
+    std::size_t code = 0;
+    for (const Cover& x : list) code = (code ^ place(x)) * 0x9e3779b97f4a7c15ull;
+    return code ^ code >> 32;
+  };
+  const auto equal = [](List a, List b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); };
+  std::unordered_map<List, SourceSetId, decltype(hash), decltype(equal)> of_several(0, hash, equal);
+  std::vector<SourceSetId> of_one(2 * soup_.face_count());
+  c_.face_cover.resize(c_.face_count());
+  std::uint32_t sets = 0;
+  for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
+    const List list = std::as_const(covers)[f];
+    SourceSetId& set = list.size() == 1 ? of_one[place(list[0])] : of_several[list];
+    if (!set.valid()) set = SourceSetId(sets++);
+    c_.face_cover[f] = set;
+  }
+  SourceSetId next(0);
+  covers.keep_if([&](FaceId f) {
+    const bool first = c_.face_cover[f] == next;
+    if (first) ++next;
+    return first;
+  });
+  c_.covers = Csr<SourceSetId, Cover>::renamed(std::move(covers));
+}
+
+void ComplexBuilder::take_attributes() {
   c_.leaf_count = soup_.leaf_count();
   for (std::size_t l = 0; l < c_.leaf_count; ++l) c_.fills.push_back(soup_.fill(LeafId(l)));
   c_.sources.reserve(soup_.face_count());
@@ -65,94 +121,69 @@ void ComplexBuilder::take_cells() {
   c_.frame = soup_.frame();
 }
 
+void ComplexBuilder::find_uses() {
+  c_.edge_uses = Csr<EdgeId, FaceUse>::counted(c_.edge_count(), [&](const auto& take) {
+    for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
+      for (const LoopId loop : std::as_const(c_.face_loops)[f]) {
+        for (const HalfEdge h : std::as_const(c_.loop)[loop]) take(h.edge(), FaceUse{f, h});
+      }
+    }
+  });
+  drop_unused_edges();
+  for (const EdgeId e : IdRange<EdgeId>(c_.edge_count())) {
+    const std::size_t uses = std::as_const(c_.edge_uses)[e].size();
+    if (uses == 0) {
+      wires_.push_back(e);
+    } else if (uses != 2) {
+      junctions_.push_back(e);
+    }
+  }
+}
+
 /// Sides on which a face folds back on itself bound nothing; they are no cells unless a wire runs there.
 void ComplexBuilder::drop_unused_edges() {
-  const std::size_t n = r_.edges.ends.size();
-  IdVector<EdgeId, char> used(n, 0);
-  for (const HalfEdge h : r_.loops.values()) used[h.edge()] = 1;
-  for (const SegmentId s : r_.input.wires) {
-    for (const EdgeId e : std::as_const(r_.edges.chain)[s]) used[e] = 1;
+  IdVector<EdgeId, EdgeId> renamed(c_.edge_count());
+  EdgeId next(0);
+  for (const EdgeId e : IdRange<EdgeId>(c_.edge_count())) {
+    if (std::as_const(c_.edge_uses)[e].empty() && !std::binary_search(wired_.begin(), wired_.end(), e)) continue;
+    renamed[e] = next;
+    ++next;
   }
-  if (std::find(used.begin(), used.end(), 0) == used.end()) return;
-  IdVector<EdgeId, EdgeId> renamed(n);
-  IdVector<EdgeId, std::array<VertexId, 2>> ends;
-  Csr<EdgeId, SegmentId> segments;
-  for (const EdgeId e : IdRange<EdgeId>(n)) {
-    if (used[e] == 0) continue;
-    renamed[e] = ends.push_back(r_.edges.ends[e]);
-    segments.push_back(std::as_const(r_.edges.segments)[e]);
+  if (next == c_.edge_ends.end_id()) return;
+  const auto rename = [&](HalfEdge& h) { h = HalfEdge(renamed[h.edge()], h.direction()); };
+  const auto used = [&](EdgeId e) { return renamed[e].valid(); };
+  for (const EdgeId e : IdRange<EdgeId>(c_.edge_count())) {
+    if (used(e)) c_.edge_ends[renamed[e]] = c_.edge_ends[e];
   }
-  for (HalfEdge& h : r_.loops.values()) h = HalfEdge(renamed[h.edge()], h.direction());
-  r_.edges.ends = std::move(ends);
-  r_.edges.segments = std::move(segments);
+  c_.edge_ends.resize(next.index());
+  c_.edge_segments.keep_if(used);
+  c_.edge_uses.keep_if(used);
+  for (HalfEdge& h : c_.loop.values()) rename(h);
+  for (FaceUse& use : c_.edge_uses.values()) rename(use.half_edge);
 }
 
 void ComplexBuilder::find_vertices() {
   const std::size_t n = c_.points.size();
-  std::vector<char> used(n, 0);
-  std::vector<std::uint32_t> offsets(n + 1, 0);
-  for (const auto& ends : c_.edge_ends) {
-    for (const VertexId v : ends) {
-      used[v.index()] = 1;
-      ++offsets[v.index() + 1];
+  c_.vertex_edges = Csr<VertexId, EdgeId>::counted(n, [&](const auto& take) {
+    for (const EdgeId e : IdRange<EdgeId>(c_.edge_count())) {
+      for (const VertexId v : c_.edge_ends[e]) take(v, e);
     }
+  });
+  c_.vertices.reserve(n);
+  for (const VertexId v : IdRange<VertexId>(n)) {
+    const bool bounds = !std::as_const(c_.vertex_edges)[v].empty() || !std::as_const(c_.vertex_faces)[v].empty();
+    if (!bounds && std::as_const(c_.isolated_leaves)[v].empty()) continue;
+    c_.vertices.push_back(v);
+    if (!bounds) loose_.push_back(v);
   }
-  for (std::size_t i = 0; i < n; ++i) offsets[i + 1] += offsets[i];
-  std::vector<EdgeId> incident(offsets[n]);
-  std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
-  for (const EdgeId e : IdRange<EdgeId>(c_.edge_ends.size())) {
-    for (const VertexId v : c_.edge_ends[e]) incident[next[v.index()]++] = e;
-  }
-  c_.vertex_edges = Csr<VertexId, EdgeId>::from_parts(std::move(offsets), std::move(incident));
-
-  std::vector<std::pair<VertexId, FaceId>> in_faces;
-  for (const FaceId f : IdRange<FaceId>(c_.face_sheet.size())) {
-    for (const VertexId v : std::as_const(c_.face_vertices)[f]) {
-      used[v.index()] = 1;
-      in_faces.push_back({v, f});
-    }
-  }
-  std::sort(in_faces.begin(), in_faces.end());
-  c_.vertex_faces = Csr<VertexId, FaceId>::from_sorted(n, in_faces);
-  std::vector<std::pair<VertexId, LeafId>> isolated;
-  for (const Soup::Isolated& p : soup_.isolated()) {
-    isolated.push_back({r_.input.vertex_of[p.point.index()], p.leaf});
-  }
-  for (std::size_t w = 0; w < soup_.wires().size(); ++w) {
-    if (!r_.input.wire_segment[w].valid()) {
-      isolated.push_back({r_.input.vertex_of[soup_.wires()[w].a.index()], soup_.wires()[w].leaf});
-    }
-  }
-  std::sort(isolated.begin(), isolated.end());
-  isolated.erase(std::unique(isolated.begin(), isolated.end()), isolated.end());
-  for (const auto& [v, leaf] : isolated) used[v.index()] = 1;
-  c_.isolated_leaves = Csr<VertexId, LeafId>::from_sorted(n, isolated);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (used[i] != 0) c_.vertices.push_back(VertexId(i));
-  }
-}
-
-void ComplexBuilder::find_uses() {
-  const std::size_t n = c_.edge_ends.size();
-  std::vector<std::uint32_t> offsets(n + 1, 0);
-  for (const HalfEdge h : c_.loop.values()) ++offsets[h.edge().index() + 1];
-  for (std::size_t i = 0; i < n; ++i) offsets[i + 1] += offsets[i];
-  std::vector<FaceUse> uses(offsets[n]);
-  std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
-  for (const FaceId f : IdRange<FaceId>(c_.face_sheet.size())) {
-    for (const LoopId loop : std::as_const(c_.face_loops)[f]) {
-      for (const HalfEdge h : std::as_const(c_.loop)[loop]) uses[next[h.edge().index()]++] = {f, h};
-    }
-  }
-  c_.edge_uses = Csr<EdgeId, FaceUse>::from_parts(std::move(offsets), std::move(uses));
 }
 
 /// Around an edge with direction d, the half-plane of a use lies at n x (+-d). The sine of the angle from one use to
 /// another has the sign of d . (n x n'), times both directions; it is zero only for two sides of one sheet.
 void ComplexBuilder::order_radially() {
   const PointTable& t = c_.points;
-  tbb::parallel_for(std::size_t{0}, c_.edge_ends.size(), [&](std::size_t i) {
-    const EdgeId e(i);
+  const auto sort_uses = [&](std::size_t i) {
+    const EdgeId e = junctions_[i];
     const auto uses = c_.edge_uses[e];
     if (uses.size() < 3) return;
     const auto [a, b] = c_.edge_ends[e];
@@ -194,135 +225,8 @@ void ComplexBuilder::order_radially() {
       return s > 0;
     });
     for (std::size_t j = 0; j < uses.size(); ++j) uses[j] = order[j].second;
-  });
-}
-
-/// The side that looks counter-clockwise is the front for a use along the edge, the back for one against it.
-void ComplexBuilder::join_shells() {
-  const std::size_t halves = 2 * c_.face_sheet.size();
-  edge_node_ = static_cast<std::uint32_t>(halves);
-  vertex_node_ = edge_node_ + static_cast<std::uint32_t>(c_.edge_ends.size());
-  infinity_ = vertex_node_ + static_cast<std::uint32_t>(c_.points.size());
-  shells_ = UnionFind(halves);
-  for (const EdgeId e : IdRange<EdgeId>(c_.edge_ends.size())) {
-    const auto uses = std::as_const(c_.edge_uses)[e];
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-      const FaceUse &x = uses[i], &y = uses[i + 1 < uses.size() ? i + 1 : 0];
-      shells_.unite(x.after().code(), y.before().code());
-    }
-  }
-  space_ = UnionFind(infinity_ + 1);
-  for (std::uint32_t h = 0; h < halves; ++h) space_.unite(h, shells_.find(h));
-}
-
-void ComplexBuilder::nest_shells() {
-  const std::size_t n = c_.face_sheet.size();
-  if (n == 0) return;
-  // Surfaces: faces connected through edges. One ray for each, from a face that reaches far in x, to infinity.
-  UnionFind surface(n);
-  for (const EdgeId e : IdRange<EdgeId>(c_.edge_ends.size())) {
-    const auto uses = std::as_const(c_.edge_uses)[e];
-    for (std::size_t i = 1; i < uses.size(); ++i) surface.unite(uses[0].face.value(), uses[i].face.value());
-  }
-  std::vector<std::uint32_t> far(n, 0xffffffffu), roots;
-  std::vector<double> reach(n);
-  for (std::size_t f = 0; f < n; ++f) {
-    reach[f] = -std::numeric_limits<double>::infinity();
-    for (const HalfEdge h : std::as_const(c_.loop)[std::as_const(c_.face_loops)[FaceId(f)].front()]) {
-      reach[f] = std::max(reach[f], c_.points.view(c_.origin(h)).hi[0]);
-    }
-    const std::uint32_t root = surface.find(static_cast<std::uint32_t>(f));
-    if (far[root] == 0xffffffffu) roots.push_back(root);
-    if (far[root] == 0xffffffffu || reach[f] > reach[far[root]]) far[root] = static_cast<std::uint32_t>(f);
-  }
-  const RayCaster caster(c_, roots.size() > 16);
-  std::vector<std::vector<std::uint32_t>> joins(roots.size());
-  tbb::parallel_for(std::size_t{0}, roots.size(), [&](std::size_t i) {
-    const FaceId start(far[roots[i]]);
-    const RayCaster::Ray ray = caster.cast(interior_point(c_, start), start);
-    joins[i].push_back(caster.leaving(start, ray).code());
-    for (const HalfFace h : ray.hits) {
-      joins[i].push_back(h.code());
-      joins[i].push_back(h.opposite().code());
-    }
-    joins[i].push_back(infinity_);
-  });
-  for (const auto& list : joins) {
-    for (std::size_t i = 0; i < list.size(); i += 2) space_.unite(list[i], list[i + 1]);
-  }
-}
-
-/// Wires and points that touch no face: those connected through vertices hang in one region; one ray for each set.
-void ComplexBuilder::hang_wires() {
-  std::vector<std::uint32_t> nodes;
-  const auto touches_face = [&](VertexId v) {
-    if (!std::as_const(c_.vertex_faces)[v].empty()) return true;
-    for (const EdgeId e : std::as_const(c_.vertex_edges)[v]) {
-      if (!std::as_const(c_.edge_uses)[e].empty()) return true;
-    }
-    return false;
   };
-  for (const VertexId v : c_.vertices) {
-    if (touches_face(v)) continue;
-    const auto edges = std::as_const(c_.vertex_edges)[v];
-    for (const EdgeId e : edges) space_.unite(edge_node_ + edges[0].value(), edge_node_ + e.value());
-    if (edges.empty()) nodes.push_back(vertex_node_ + v.value());
-  }
-  for (const EdgeId e : IdRange<EdgeId>(c_.edge_ends.size())) {
-    const std::uint32_t node = edge_node_ + e.value();
-    if (std::as_const(c_.edge_uses)[e].empty() && space_.find(node) == node) nodes.push_back(node);
-  }
-  if (nodes.empty()) return;
-  const RayCaster caster(c_, nodes.size() > 16);
-  std::vector<std::uint32_t> found(nodes.size());
-  tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
-    const ExactPoint p = nodes[i] >= vertex_node_ ? c_.points.exact(VertexId(nodes[i] - vertex_node_))
-                                                  : interior_point(c_, EdgeId(nodes[i] - edge_node_));
-    const RayCaster::Ray ray = caster.cast(p);
-    found[i] = ray.hits.empty() ? infinity_ : ray.hits.front().code();
-  });
-  for (std::size_t i = 0; i < nodes.size(); ++i) space_.unite(nodes[i], found[i]);
-}
-
-void ComplexBuilder::number_regions() {
-  std::map<std::uint32_t, RegionId> number{{space_.find(infinity_), RegionId(0)}};
-  const auto region = [&](std::uint32_t node) {
-    return number.try_emplace(space_.find(node), RegionId(number.size())).first->second;
-  };
-  c_.face_regions.resize(c_.face_sheet.size());
-  std::vector<std::pair<RegionId, HalfFace>> faces;
-  for (const FaceId f : IdRange<FaceId>(c_.face_sheet.size())) {
-    for (unsigned side = 0; side < 2; ++side) {
-      const HalfFace h(f, side);
-      c_.face_regions[f][side] = region(h.code());
-      faces.push_back({c_.face_regions[f][side], h});
-    }
-  }
-  std::vector<std::pair<RegionId, EdgeId>> wires;
-  c_.edge_region.resize(c_.edge_ends.size());
-  for (const EdgeId e : IdRange<EdgeId>(c_.edge_ends.size())) {
-    if (!std::as_const(c_.edge_uses)[e].empty()) continue;
-    c_.edge_region[e] = region(edge_node_ + e.value());
-    wires.push_back({c_.edge_region[e], e});
-  }
-  std::vector<std::pair<RegionId, VertexId>> points;
-  c_.vertex_region.resize(c_.points.size());
-  for (const VertexId v : c_.vertices) {
-    if (!std::as_const(c_.vertex_edges)[v].empty() || !std::as_const(c_.vertex_faces)[v].empty()) continue;
-    c_.vertex_region[v] = region(vertex_node_ + v.value());
-    points.push_back({c_.vertex_region[v], v});
-  }
-  std::vector<std::pair<std::pair<RegionId, std::uint32_t>, HalfFace>> by_shell;
-  by_shell.reserve(faces.size());
-  for (const auto& [r, h] : faces) by_shell.push_back({{r, shells_.find(h.code())}, h});
-  tbb::parallel_sort(by_shell.begin(), by_shell.end());
-  for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = {by_shell[i].first.first, by_shell[i].second};
-  c_.region_count = number.size();
-  c_.region_faces = Csr<RegionId, HalfFace>::from_sorted(c_.region_count, faces);
-  std::sort(wires.begin(), wires.end());
-  std::sort(points.begin(), points.end());
-  c_.region_wires = Csr<RegionId, EdgeId>::from_sorted(c_.region_count, wires);
-  c_.region_vertices = Csr<RegionId, VertexId>::from_sorted(c_.region_count, points);
+  for_each_index(junctions_.size(), sort_uses, 64);
 }
 
 void ComplexBuilder::mark_frame() {

@@ -13,23 +13,39 @@ class ComplexBuilder {
   Complex build();
 
  private:
+  // Cells and incidence (builder.cpp).
   void take_cells();
+  void take_sparse_cells();
+  void share_covers(Csr<FaceId, Cover> covers);
+  void take_attributes();
+  void find_uses();
   void drop_unused_edges();
   void find_vertices();
-  void find_uses();
   void order_radially();
+  void mark_frame();
+
+  // Shells and regions (shells.cpp).
   void join_shells();
   void nest_shells();
+  std::vector<FaceId> farthest_faces() const;
   void hang_wires();
   void number_regions();
-  void mark_frame();
+  void list_region_faces(const std::vector<RegionId>& region_of);
+
+  std::uint32_t patch_side(HalfFace h) const { return front_side_[h.face()] ^ h.side(); }
+  ShellId shell(HalfFace h) const { return side_shell_[patch_side(h)]; }
 
   const Soup& soup_;
   Refinement r_;
   Complex c_;
-  UnionFind shells_;                             // half-faces that edges connect
-  UnionFind space_;                              // half-faces, then one node per wire edge and vertex, then infinity
-  std::uint32_t edge_node_ = 0, vertex_node_ = 0, infinity_ = 0;
+  std::vector<EdgeId> wired_;                    // edges of wires, ascending
+  std::vector<EdgeId> wires_;                    // edges with no face, ascending
+  std::vector<EdgeId> junctions_;                // edges with faces, but not with two uses
+  std::vector<VertexId> loose_;                  // vertices on no edge and in no face, ascending
+  IdVector<FaceId, std::uint32_t> front_side_;   // 2 * patch + side of the front of each face (patches.h)
+  std::vector<ShellId> side_shell_;              // the shell of each side of a patch; numbered by first half-faces
+  std::size_t shell_count_ = 0;
+  UnionFind space_;                              // shells, then infinity, then `wires_`, then `loose_`
 };
 
 /// Sets `label_sets`, `region_labels` and `leaf_regions` (labels.cpp). Throws InputError for sides that contradict

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "kernel/base/ids.h"
+#include "kernel/complex/sparse.h"
 #include "kernel/exact/points.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/soup.h"
@@ -53,28 +54,28 @@ struct Complex {
   // --- vertices; ids are those of `points`
   std::vector<VertexId> vertices;                ///< all 0-cells, ascending
   Csr<VertexId, EdgeId> vertex_edges;            ///< incident edges, ascending
-  Csr<VertexId, FaceId> vertex_faces;            ///< faces that hold the vertex as an isolated point
+  SparseLists<VertexId, FaceId> vertex_faces;    ///< faces that hold the vertex as an isolated point
   /// The region of a vertex that has no edge and lies in no face; none() otherwise.
-  IdVector<VertexId, RegionId> vertex_region;
+  SparseVector<VertexId, RegionId> vertex_region;
 
   // --- edges
   IdVector<EdgeId, std::array<VertexId, 2>> edge_ends;
   /// The uses of the faces around each edge, in radial order: counter-clockwise as seen with the edge pointing
   /// towards the viewer. A dangling face has one use there, a face with a slit two.
   Csr<EdgeId, FaceUse> edge_uses;
-  IdVector<EdgeId, RegionId> edge_region;        ///< the region of a wire; none() if the edge has uses
+  SparseVector<EdgeId, RegionId> edge_region;    ///< the region of a wire; none() if the edge has uses
   Csr<EdgeId, SegmentId> edge_segments;          ///< the input segments and traces that cover the edge
 
   // --- segments: where edges come from
   IdVector<SegmentId, std::array<VertexId, 2>> segment_ends;
   Csr<SegmentId, SourceId> segment_faces;        ///< soup faces that have the segment on their boundary
-  Csr<SegmentId, WireId> segment_wires;          ///< soup wires on it; a trace has neither
+  SparseLists<SegmentId, WireId> segment_wires;  ///< soup wires on it; a trace has neither
 
   // --- faces
   IdVector<FaceId, SheetId> face_sheet;
   Csr<FaceId, LoopId> face_loops;                ///< the outer loop first
   Csr<LoopId, HalfEdge> loop;
-  Csr<FaceId, VertexId> face_vertices;           ///< isolated vertices in the interior
+  SparseLists<FaceId, VertexId> face_vertices;   ///< isolated vertices in the interior
   IdVector<FaceId, SourceSetId> face_cover;
   Csr<SourceSetId, Cover> covers;
   IdVector<FaceId, std::array<RegionId, 2>> face_regions;  ///< on its front, on its back
@@ -89,7 +90,7 @@ struct Complex {
 
   // --- leaves
   std::size_t leaf_count = 0;
-  Csr<VertexId, LeafId> isolated_leaves;         ///< leaves that have the vertex as an isolated point
+  SparseLists<VertexId, LeafId> isolated_leaves; ///< leaves that have the vertex as an isolated point
   IdVector<SourceId, Soup::Face> sources;        ///< attributes of soup faces
   IdVector<WireId, Soup::Wire> wires;            ///< attributes of soup wires
   IdVector<LeafId, Fill> fills;

@@ -1,8 +1,9 @@
 // Labels by propagation: crossing a face changes the region of the leaves that cover it, and of no other.
 //
 // A label set is a sorted list of (leaf, value): the region for Fill::sides, the winding number, the parity. Sets
-// and changes are interned, and the result of each change on each set is remembered, so that a large mesh costs one
-// look-up per face. Every face is checked in the end, not only those of the spanning tree.
+// and changes are interned, and the result of each change on each set is remembered, so that a large mesh costs
+// one look-up per face, mostly in a small table of the latest. Every face is checked in the end, not only those of
+// the spanning tree.
 #include <algorithm>
 #include <map>
 
@@ -27,10 +28,13 @@ struct Change {
 
 class Labelling {
  public:
-  Labelling(const Soup& soup, Complex& complex) : soup_(soup), c_(complex) {}
+  Labelling(const Soup& soup, Complex& complex) : soup_(soup), c_(complex) {
+    latest_.fill({{~std::uint64_t{0}, false}, kUnset});
+  }
 
   void run() {
     seed();
+    number_changes();
     spread();
     check();
     detect_cavities();
@@ -47,10 +51,11 @@ class Labelling {
     return it->second;
   }
 
-  /// The changes when crossing f from its front to its back, per leaf; throws if two covers contradict.
-  std::vector<Change> changes_of(FaceId f) const {
-    std::vector<Change> list;
-    for (const Cover& cover : c_.cover(f)) {
+  /// The changes when crossing a face with these covers from its front to its back, per leaf; throws if two covers
+  /// contradict.
+  void changes_of(std::span<const Cover> covers, std::vector<Change>& list) const {
+    list.clear();
+    for (const Cover& cover : covers) {
       const Soup::Face& source = c_.sources[cover.source];
       const Fill fill = c_.fills[source.leaf];
       const auto front = static_cast<std::int32_t>(cover.same ? source.front : source.back);
@@ -59,29 +64,63 @@ class Labelling {
       if (fill == Fill::winding) list.push_back({source.leaf, fill, 0, cover.same ? 1 : -1});
       if (fill == Fill::parity) list.push_back({source.leaf, fill, 0, 1});
     }
+    if (list.size() < 2) return;
     std::sort(list.begin(), list.end());
-    std::vector<Change> merged;
-    for (const Change& x : list) {
-      if (merged.empty() || merged.back().leaf != x.leaf) {
-        merged.push_back(x);
-      } else if (x.fill == Fill::winding) {
-        merged.back().to += x.to;
-      } else if (x.fill == Fill::parity) {
-        merged.back().to ^= 1;
-      } else if (merged.back() != x) {
-        throw InputError(face_names(f, x.leaf) + ": two faces lie on each other and name different regions on one side; "
-                         "remove one or make their sides agree");
+    auto last = list.begin();
+    for (auto x = last + 1; x != list.end(); ++x) {
+      if (last->leaf != x->leaf) {
+        *++last = *x;
+      } else if (x->fill == Fill::winding) {
+        last->to += x->to;
+      } else if (x->fill == Fill::parity) {
+        last->to ^= 1;
+      } else if (*last != *x) {
+        throw InputError(face_names(covers, x->leaf) + ": two faces lie on each other and name different regions "
+                         "on one side; remove one or make their sides agree");
       }
     }
-    std::erase_if(merged, [](const Change& x) { return x.fill != Fill::sides && x.to == 0; });
-    return merged;
+    list.erase(last + 1, list.end());
+    std::erase_if(list, [](const Change& x) { return x.fill != Fill::sides && x.to == 0; });
   }
+
+  /// Equal changes are one; neighbours among the covers of a leaf mostly are.
+  void number_changes() {
+    struct Latest {
+      Change change{};
+      std::uint32_t number = kUnset;
+    };
+    IdVector<LeafId, Latest> latest(c_.leaf_count);
+    std::vector<Change> list;
+    set_change_.resize(c_.covers.size());
+    for (const SourceSetId set : IdRange<SourceSetId>(c_.covers.size())) {
+      changes_of(std::as_const(c_.covers)[set], list);
+      Latest* const memo = list.size() == 1 ? &latest[list[0].leaf] : nullptr;
+      if (memo != nullptr && memo->number != kUnset && memo->change == list[0]) {
+        set_change_[set] = memo->number;
+        continue;
+      }
+      const auto [it, fresh] = change_numbers_.try_emplace(list, static_cast<std::uint32_t>(changes_.size()));
+      if (fresh) changes_.push_back(&it->first);
+      set_change_[set] = it->second;
+      if (memo != nullptr) *memo = {list[0], it->second};
+    }
+  }
+
+  std::uint32_t change(FaceId f) const { return set_change_[c_.face_cover[f]]; }
 
   /// The set after crossing with change `change`; kConflict if a leaf is not in the region that its face names.
   std::uint32_t cross(std::uint32_t set, std::uint32_t change, bool backwards) {
-    const auto key = std::pair(std::uint64_t{set} << 32 | change, backwards);
-    const auto it = crossed_.find(key);
-    if (it != crossed_.end()) return it->second;
+    const CrossingKey key(std::uint64_t{set} << 32 | change, backwards);
+    Crossing& latest = latest_[((set * 31 + change) * 2 + (backwards ? 1 : 0)) % latest_.size()];
+    if (latest.first != key) {
+      auto it = crossed_.find(key);
+      if (it == crossed_.end()) it = crossed_.emplace(key, crossing(set, change, backwards)).first;
+      latest = *it;
+    }
+    return latest.second;
+  }
+
+  std::uint32_t crossing(std::uint32_t set, std::uint32_t change, bool backwards) {
     Values values = *sets_[set];
     bool conflict = false;
     for (const Change& x : *changes_[change]) {
@@ -113,9 +152,7 @@ class Labelling {
         values.insert(place, {x.leaf, then});
       }
     }
-    const std::uint32_t result = conflict ? kConflict : intern(std::move(values));
-    crossed_.emplace(key, result);
-    return result;
+    return conflict ? kConflict : intern(std::move(values));
   }
 
   void seed() {
@@ -146,29 +183,17 @@ class Labelling {
       require(start_ != RegionId(0), "the seed corner of the frame was not found; it must be three doubles");
       set_of_[start_] = intern(std::move(values));
     }
-    // Equal changes are one.
-    face_change_.resize(c_.face_count());
-    std::map<SourceSetId, std::uint32_t> by_cover;
-    for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
-      const auto [it, fresh] = by_cover.try_emplace(c_.face_cover[f], 0);
-      if (fresh) {
-        const auto [entry, is_new] =
-            change_numbers_.try_emplace(changes_of(f), static_cast<std::uint32_t>(changes_.size()));
-        if (is_new) changes_.push_back(&entry->first);
-        it->second = entry->second;
-      }
-      face_change_[f] = it->second;
-    }
   }
 
   void spread() {
     std::vector<RegionId> queue{start_};
-    for (std::size_t q = 0; q < queue.size(); ++q) {
+    const std::size_t all = c_.region_count - (c_.frame.valid() ? 1 : 0);  // nothing leads out of a frame
+    for (std::size_t q = 0; q < queue.size() && queue.size() < all; ++q) {
       for (const HalfFace h : std::as_const(c_.region_faces)[queue[q]]) {
         if (c_.on_frame(h.face())) continue;
         const RegionId other = c_.region(h.opposite());
         if (set_of_[other] != kUnset) continue;
-        const std::uint32_t set = cross(set_of_[queue[q]], face_change_[h.face()], h.side() == 1);
+        const std::uint32_t set = cross(set_of_[queue[q]], change(h.face()), h.side() == 1);
         if (set == kConflict) conflict(h);
         set_of_[other] = set;
         queue.push_back(other);
@@ -181,13 +206,13 @@ class Labelling {
     for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
       if (c_.on_frame(f)) continue;
       const std::uint32_t front = set_of_[c_.face_regions[f][0]], back = set_of_[c_.face_regions[f][1]];
-      if (cross(front, face_change_[f], false) != back) conflict(HalfFace(f, 0));
+      if (cross(front, change(f), false) != back) conflict(HalfFace(f, 0));
     }
   }
 
-  std::string face_names(FaceId f, LeafId leaf) const {
+  std::string face_names(std::span<const Cover> covers, LeafId leaf) const {
     std::string text = "leaf " + std::to_string(leaf.value());
-    for (const Cover& cover : c_.cover(f)) {
+    for (const Cover& cover : covers) {
       if (c_.sources[cover.source].leaf == leaf) {
         text += ", face " + std::to_string(c_.sources[cover.source].leaf_face);
       }
@@ -211,29 +236,29 @@ class Labelling {
     const RegionId here = c_.region(h), there = c_.region(h.opposite());
     for (const HalfFace side : {h, h.opposite()}) {
       const RegionId r = side == h ? here : there;
-      for (const Change& x : *changes_[face_change_[h.face()]]) {
+      for (const Change& x : *changes_[change(h.face())]) {
         if (x.fill != Fill::sides) continue;
         const std::int32_t named = side.side() == 0 ? x.from : x.to;
         if (set_of_[r] == kUnset || value(set_of_[r], x.leaf) == named) continue;
         // Another face of the leaf that bounds the same cavity and names what propagation brought.
         for (const HalfFace g : std::as_const(c_.region_faces)[r]) {
-          for (const Change& y : *changes_[face_change_[g.face()]]) {
+          for (const Change& y : *changes_[change(g.face())]) {
             const std::int32_t other = g.side() == 0 ? y.from : y.to;
             if (y.leaf == x.leaf && y.fill == Fill::sides && other != named) {
-              throw InputError(face_names(h.face(), x.leaf) + ": its side names " + region_name(named) + ", but " +
-                               face_names(g.face(), x.leaf) + ", which bounds the same cavity, names " +
+              throw InputError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) + ", but " +
+                               face_names(c_.cover(g.face()), x.leaf) + ", which bounds the same cavity, names " +
                                region_name(other) + "; correct the sides, or close the faces between the two");
             }
           }
         }
-        throw InputError(face_names(h.face(), x.leaf) + ": its side names " + region_name(named) + ", but " +
+        throw InputError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) + ", but " +
                          region_name(value(set_of_[r], x.leaf)) + " reaches it" +
                          (c_.unbounded(r) ? " from outside" : "") + "; correct the sides, or close the faces between");
       }
     }
     // Not a face that names sides: some leaf that should be closed is open.
     if (set_of_[there] != kUnset) {
-      const std::uint32_t expected = cross(set_of_[here], face_change_[h.face()], h.side() == 1);
+      const std::uint32_t expected = cross(set_of_[here], change(h.face()), h.side() == 1);
       for (const Value& v : *sets_[expected]) {
         if (v.second != value(set_of_[there], v.first)) open_leaf(v.first);
       }
@@ -303,8 +328,11 @@ class Labelling {
   std::vector<const Values*> sets_;
   std::map<std::vector<Change>, std::uint32_t> change_numbers_;
   std::vector<const std::vector<Change>*> changes_;
-  IdVector<FaceId, std::uint32_t> face_change_;
-  std::map<std::pair<std::uint64_t, bool>, std::uint32_t> crossed_;
+  IdVector<SourceSetId, std::uint32_t> set_change_;
+  using CrossingKey = std::pair<std::uint64_t, bool>;  // set and change; backwards
+  using Crossing = std::pair<CrossingKey, std::uint32_t>;
+  std::map<CrossingKey, std::uint32_t> crossed_;
+  std::array<Crossing, 256> latest_;                   // of crossed_
   IdVector<RegionId, std::uint32_t> set_of_;
   RegionId start_;
 };

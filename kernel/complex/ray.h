@@ -14,7 +14,7 @@ namespace cnrg {
 /// the same every time. Thread-safe once built.
 class RayCaster {
  public:
-  /// `with_tree`: build a tree for many rays; without one each ray looks at the box of every face.
+  /// `with_tree`: build a tree for many rays; without one each ray looks at every vertex and face.
   RayCaster(const Complex& complex, bool with_tree);
 
   struct Ray {
@@ -33,8 +33,10 @@ class RayCaster {
  private:
   bool try_cast(const PointView& origin, const std::array<double, 3>& direction, unsigned attempt, FaceId own,
                 const std::vector<char>& accept, std::vector<HalfFace>& hits) const;
+  Box box(FaceId f) const;
+  template <class Look>
+  void look_along(const PointView& origin, const std::array<double, 3>& direction, const Look& look) const;
   const Complex& c_;
-  std::vector<Box> boxes_;
   std::unique_ptr<BoxTree> tree_;
 };
 

@@ -2,11 +2,13 @@
 #include "kernel/complex/complex.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstring>
 #include <random>
 #include <set>
 
 #include "kernel/base/error.h"
+#include "tests/scenes/same_arrays.h"
 
 using namespace cnrg;
 
@@ -57,6 +59,41 @@ Soup random_scene(unsigned seed) {
     s.add_isolated(leaf, point());
   }
   return s;
+}
+
+/// A torus about the z axis through (x, 0, 0), of 2 * around * across triangles.
+void add_torus(Soup& s, double x, unsigned around, unsigned across) {
+  const LeafId leaf = s.add_leaf(Fill::winding);
+  std::vector<PointId> p;
+  for (unsigned i = 0; i < around * across; ++i) {
+    const double a = 6.283185307179586 * (i / across) / around, b = 6.283185307179586 * (i % across) / across;
+    const double radius = 3 + std::cos(b);
+    p.push_back(s.add_point(x + radius * std::cos(a), radius * std::sin(a), std::sin(b)));
+  }
+  const auto at = [&](unsigned i, unsigned j) { return p[i % around * across + j % across]; };
+  for (unsigned i = 0; i < around * across; ++i) {
+    const unsigned a = i / across, b = i % across;
+    s.add_triangle(leaf, at(a, b), at(a + 1, b), at(a + 1, b + 1), 2 * i, 0, 0, 1);
+    s.add_triangle(leaf, at(a, b), at(a + 1, b + 1), at(a, b + 1), 2 * i + 1, 0, 0, 1);
+  }
+}
+
+/// A band of 2n triangles in n steps, turned by `half_turns`.
+void add_band(Soup& s, unsigned n, unsigned half_turns) {
+  const LeafId leaf = s.add_leaf(Fill::none);
+  std::vector<PointId> p;
+  for (unsigned i = 0; i < 2 * n; ++i) {
+    const double a = 6.283185307179586 * (i / 2) / n, b = a / 2 * half_turns, side = i % 2 == 0 ? 1 : -1;
+    const double radius = 3 + side * std::cos(b);
+    p.push_back(s.add_point(radius * std::cos(a), radius * std::sin(a), side * std::sin(b)));
+  }
+  for (unsigned i = 0; i < n; ++i) {
+    const bool swap = i + 1 == n && half_turns % 2 == 1;
+    const unsigned next = (i + 1) % n * 2;
+    const PointId c = p[next + (swap ? 1 : 0)], d = p[next + (swap ? 0 : 1)];
+    s.add_triangle(leaf, p[2 * i], p[2 * i + 1], d, 2 * i, 0);
+    s.add_triangle(leaf, p[2 * i], d, c, 2 * i + 1, 0);
+  }
 }
 
 }  // namespace
@@ -239,6 +276,27 @@ TEST_CASE("the same bytes for one thread and for two") {
     REQUIRE(one.region_labels.raw() == two.region_labels.raw());
     REQUIRE(one.region_faces.values() == two.region_faces.values());
     for (const VertexId v : one.vertices) REQUIRE(one.points.exact(v) == two.points.exact(v));
+  }
+}
+
+TEST_CASE("the same arrays for one thread and for two where loops are long enough for both") {
+  Soup s;
+  add_torus(s, 0, 64, 32);
+  add_torus(s, 2.5, 64, 32);
+  add_band(s, 400, 1);
+  const Complex one = build_complex(s, {.threads = 1}), two = build_complex(s, {.threads = 2});
+  REQUIRE(scenes::same_arrays(one, two));
+  REQUIRE(validate(one) == "");
+}
+
+TEST_CASE("a band of one side and a band of two") {
+  for (const unsigned half_turns : {0u, 1u, 2u, 3u}) {
+    INFO("half turns " << half_turns);
+    Soup s;
+    add_band(s, 24, half_turns);
+    const Complex c = build(s);
+    REQUIRE(counts(c) == std::array<std::size_t, 4>{48, 96, 48, 1});
+    REQUIRE(c.region_faces[RegionId(0)].size() == 96);
   }
 }
 

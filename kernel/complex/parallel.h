@@ -1,0 +1,33 @@
+// Threads for loops that are worth them: a loop of a few thousand steps is over before a second thread has begun.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <cstddef>
+
+namespace cnrg {
+
+inline constexpr std::size_t kGrain = 2048;  ///< steps that are worth a thread, each a few reads of memory
+
+/// body(i) for each i below n, in any order; `grain` steps are worth a thread.
+template <class Body>
+void for_each_index(std::size_t n, const Body& body, std::size_t grain = kGrain) {
+  const auto run = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) body(i);
+  };
+  if (n <= grain) return run(0, n);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                    [&](const tbb::blocked_range<std::size_t>& r) { run(r.begin(), r.end()); });
+}
+
+/// Two steps that do not need each other, of about n loop steps each.
+template <class First, class Second>
+void do_both(std::size_t n, const First& first, const Second& second) {
+  if (n > kGrain) return tbb::parallel_invoke(first, second);
+  first();
+  second();
+}
+
+}  // namespace cnrg
