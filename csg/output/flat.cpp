@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <span>
 
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
@@ -137,7 +138,7 @@ class Flattener {
     return origin;
   }
 
-  Loop numbers(const std::vector<VertexId>& vertices) const {
+  Loop numbers(std::span<const VertexId> vertices) const {
     Loop loop;
     for (const VertexId v : vertices) {
       if (points_.number(v) != kNone) loop.push_back(points_.number(v));
