@@ -3,7 +3,6 @@
 #include "csg/output/flat.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <span>
 
@@ -47,16 +46,10 @@ void put_in_order(std::vector<Loop>& loops) {
   std::sort(loops.begin(), loops.end());
 }
 
-SimplifiedComplex in_order(const Complex& complex, SimplifiedComplex simplified) {
-  cnrg::put_in_order(complex, simplified);
-  return simplified;
-}
-
 class Flattener {
  public:
   explicit Flattener(const ResultView& view)
-      : view_(view), complex_(*view.complex), simple_(in_order(*view.complex, *view.simplified)),
-        points_(complex_, simple_),
+      : view_(view), complex_(*view.complex), simple_(*view.simplified), points_(cnrg::put_in_order(complex_, simple_)),
         of_group_(view.value->is_group() ? components_of(complex_, view.value->group()) : Components{}),
         value_(view.value->is_group() ? of_group_ : view.value->components()) {}
 
@@ -74,7 +67,7 @@ class Flattener {
  private:
   const ResultView& view_;
   const Complex& complex_;
-  const SimplifiedComplex simple_;         // in canonical order
+  SimplifiedComplex simple_;               // in canonical order
   const CanonicalPoints points_;
   const Components of_group_;              // a group as components
   const Components& value_;
@@ -91,14 +84,15 @@ class Flattener {
     }
     walks_.assign(simple_.edges.size(), 0);
     slit_.assign(simple_.edges.size(), 0);
-    for (const auto& face : simple_.faces) {
-      std::map<EdgeId, unsigned> here;
-      for (const auto& loop : face.loops) {
+    IdVector<EdgeId, Index> walked_by(complex_.edge_count(), kNone);  // the last face
+    for (Index i = 0; i < simple_.faces.size(); ++i) {
+      for (const auto& loop : simple_.faces[i].loops) {
         for (const HalfEdge h : loop) {
           const Index e = edge_of_[h.edge()];
           if (e == kNone) continue;        // on the frame
           ++walks_[e];
-          if (++here[h.edge()] > 1) slit_[e] = 1;
+          if (walked_by[h.edge()] == i) slit_[e] = 1;
+          walked_by[h.edge()] = i;
         }
       }
     }

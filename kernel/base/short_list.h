@@ -62,6 +62,9 @@ class ShortList {
   friend bool operator==(const ShortList& a, const ShortList& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
   }
+  friend bool operator<(const ShortList& a, const ShortList& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  }
 
  private:
   std::size_t capacity() const { return std::max(N, std::bit_ceil(std::size_t{size_})); }
