@@ -7,8 +7,8 @@
 //
 // The denominator of a term is the product of the weights w of its points (ExactPoint); of a double it is a power
 // of two, the others are the term's *poles*. Terms of the same poles are added first; then sums are joined two and
-// two, over the product of the weights of all their poles. So the only common divisor to look for is that of the
-// last sum.
+// two, over the product of the weights of all their poles, and the only common divisor to look for is that of the
+// last sum. Poles are numbered along the terms (curves of intersection, mostly), so that what is joined shares few.
 #include "kernel/selection/measure.h"
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
 
+#include "kernel/base/sorted.h"
 #include "kernel/selection/parallel.h"
 #include "kernel/selection/scratch.h"
 
@@ -50,45 +51,49 @@ void add_determinant(Integer& sum, const IntegerPoint& r, const IntegerPoint& p,
   }
 }
 
-// A numerator over the weights of its poles, ascending.
+using Pole = std::uint32_t;
+
+// A numerator over the product of the weights of its poles, which are ascending.
 struct PoleSum {
-  std::vector<VertexId> poles;
-  Integer numerator;
+  std::vector<Pole> poles;
+  Integer numerator, denominator;
 };
 
-Integer product_of_weights(const PointTable& points, std::span<const VertexId> poles) {
-  if (poles.empty()) return 1;
-  if (poles.size() == 1) return points.exact(poles[0]).w;
-  const std::size_t half = poles.size() / 2;
-  return product_of_weights(points, poles.first(half)) * product_of_weights(points, poles.subspan(half));
-}
-
-PoleSum joined(const PointTable& points, const PoleSum& a, const PoleSum& b) {
-  std::vector<VertexId> only_a, only_b;
-  PoleSum out;
-  std::set_difference(a.poles.begin(), a.poles.end(), b.poles.begin(), b.poles.end(), std::back_inserter(only_a));
-  std::set_difference(b.poles.begin(), b.poles.end(), a.poles.begin(), a.poles.end(), std::back_inserter(only_b));
-  std::set_union(a.poles.begin(), a.poles.end(), b.poles.begin(), b.poles.end(), std::back_inserter(out.poles));
-  out.numerator = a.numerator * product_of_weights(points, only_b);
-  out.numerator += b.numerator * product_of_weights(points, only_a);
+Integer product(const std::vector<Integer>& weights, std::span<const Pole> poles) {
+  Integer out = 1;
+  for (Pole p : poles) out *= weights[p];
   return out;
 }
 
-PoleSum sum_of(const PointTable& points, std::span<const PoleSum> terms) {
+PoleSum joined(const std::vector<Integer>& weights, PoleSum a, PoleSum b) {
+  std::vector<Pole> shared, all;
+  std::set_intersection(a.poles.begin(), a.poles.end(), b.poles.begin(), b.poles.end(), std::back_inserter(shared));
+  std::set_union(a.poles.begin(), a.poles.end(), b.poles.begin(), b.poles.end(), std::back_inserter(all));
+  const Integer common = product(weights, shared);
+  mpz_divexact(b.denominator.get_mpz_t(), b.denominator.get_mpz_t(), common.get_mpz_t());
+  a.numerator *= b.denominator;
+  b.denominator *= a.denominator;
+  mpz_divexact(a.denominator.get_mpz_t(), a.denominator.get_mpz_t(), common.get_mpz_t());
+  a.numerator += b.numerator * a.denominator;
+  return {std::move(all), std::move(a.numerator), std::move(b.denominator)};
+}
+
+PoleSum sum_of(const std::vector<Integer>& weights, std::span<const PoleSum> terms) {
   if (terms.size() == 1) return terms[0];
   const std::size_t half = terms.size() / 2;
   PoleSum a, b;
-  const auto first = [&] { a = sum_of(points, terms.first(half)); };
-  const auto second = [&] { b = sum_of(points, terms.subspan(half)); };
+  const auto first = [&] { a = sum_of(weights, terms.first(half)); };
+  const auto second = [&] { b = sum_of(weights, terms.subspan(half)); };
   constexpr std::size_t kFew = 64;  // terms that are not worth a thread
   if (terms.size() <= kFew) first(), second();
   else tbb::parallel_invoke(first, second);
-  return joined(points, a, b);
+  return joined(weights, std::move(a), std::move(b));
 }
 
 class VolumeSum {
  public:
-  explicit VolumeSum(const Complex& complex) : complex_(complex), place_(complex.points.size()) {}
+  explicit VolumeSum(const Complex& complex)
+      : complex_(complex), place_(complex.points.size()), pole_(complex.points.size()) {}
 
   // `outward`: +1 if the front normal points out of the volume.
   void add(FaceId f, int outward) {
@@ -106,17 +111,21 @@ class VolumeSum {
   Rational total() {
     terms_.push_back({{}, sum_of_doubles(), 3 * scale_});
     for (const auto& [f, outward] : other_faces_) add_fractions(f, outward);
+    number_along_terms();
     int exponent = terms_[0].exponent;
     for (const Term& term : terms_) exponent = std::min(exponent, term.exponent);
     std::sort(terms_.begin(), terms_.end(), [](const Term& a, const Term& b) { return a.poles < b.poles; });
     std::vector<PoleSum> sums;
     for (Term& term : terms_) {
       term.numerator <<= static_cast<unsigned long>(term.exponent - exponent);
-      if (sums.empty() || sums.back().poles != term.poles) sums.push_back({std::move(term.poles), 0});
+      if (sums.empty() || sums.back().poles != term.poles) {
+        sums.push_back({std::move(term.poles), 0, 0});
+        sums.back().denominator = product(weights_, sums.back().poles);
+      }
       sums.back().numerator += term.numerator;
     }
-    const PoleSum six = sum_of(complex_.points, sums);
-    Rational out(six.numerator, product_of_weights(complex_.points, six.poles));
+    const PoleSum six = sum_of(weights_, sums);
+    Rational out(six.numerator, six.denominator);
     out.canonicalize();
     if (exponent >= 0) out <<= static_cast<unsigned long>(exponent);
     else out >>= static_cast<unsigned long>(-exponent);
@@ -126,7 +135,7 @@ class VolumeSum {
  private:
   // numerator 2^exponent over the weights of the poles (ascending).
   struct Term {
-    std::vector<VertexId> poles;
+    std::vector<Pole> poles;
     Integer numerator;
     int exponent = 0;
   };
@@ -198,14 +207,54 @@ class VolumeSum {
         if (term.numerator == 0) continue;
         if (outward < 0) term.numerator = -term.numerator;
         for (VertexId v : {r, p, q}) {
-          if (!complex_.points.is_double(v)) term.poles.push_back(v);
+          if (!complex_.points.is_double(v)) term.poles.push_back(pole(v));
           else term.exponent -= static_cast<int>(mpz_scan1(complex_.points.exact(v).w.get_mpz_t(), 0));
         }
-        std::sort(term.poles.begin(), term.poles.end());
         terms_.push_back(std::move(term));
       }
     }
   }
+  Pole pole(VertexId v) {
+    if (pole_.get(v) == 0) {
+      weights_.push_back(complex_.points.exact(v).w);
+      pole_[v] = static_cast<Pole>(weights_.size());
+    }
+    return pole_.get(v) - 1;
+  }
+
+  // Depth first over the poles that have a term in common.
+  void number_along_terms() {
+    std::vector<std::pair<Pole, Pole>> links;
+    for (const Term& term : terms_) {
+      for (Pole a : term.poles) {
+        for (Pole b : term.poles) links.emplace_back(a, b);
+      }
+    }
+    sort_unique(links);
+    std::vector<Pole> number(weights_.size()), open;
+    std::vector<char> known(weights_.size(), 0);
+    std::vector<Integer> weights;
+    for (Pole start = 0; start < weights_.size(); ++start) {
+      for (open.push_back(start); !open.empty();) {
+        const Pole p = open.back();
+        open.pop_back();
+        if (known[p]) continue;
+        known[p] = 1;
+        number[p] = static_cast<Pole>(weights.size());
+        weights.push_back(weights_[p]);
+        for (auto link = std::lower_bound(links.begin(), links.end(), std::pair(p, Pole{0}));
+             link != links.end() && link->first == p; ++link) {
+          open.push_back(link->second);
+        }
+      }
+    }
+    weights_ = std::move(weights);
+    for (Term& term : terms_) {
+      for (Pole& p : term.poles) p = number[p];
+      std::sort(term.poles.begin(), term.poles.end());
+    }
+  }
+
   IntegerPoint numerators(VertexId v) const {
     const ExactPoint& p = complex_.points.exact(v);
     return {p.x, p.y, p.z};
@@ -216,6 +265,8 @@ class VolumeSum {
   std::vector<VertexId> corners_;
   std::vector<std::pair<FaceId, int>> double_faces_, other_faces_;
   std::vector<Term> terms_;
+  Scratch<VertexId, Pole> pole_;            // 1 + the pole
+  std::vector<Integer> weights_;            // by pole
   int scale_ = 0;  // all corners of double_faces_ are multiples of 2^scale_
   bool scale_known_ = false;
 };
