@@ -3,14 +3,17 @@
 #include "csg/output/flat.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
+#include <span>
+
+#include <tbb/parallel_sort.h>
 
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/triangulate.h"
 #include "kernel/selection/canonical.h"
+#include "kernel/selection/parallel.h"
 
 namespace cnrg {
 namespace {
@@ -46,16 +49,10 @@ void put_in_order(std::vector<Loop>& loops) {
   std::sort(loops.begin(), loops.end());
 }
 
-SimplifiedComplex in_order(const Complex& complex, SimplifiedComplex simplified) {
-  cnrg::put_in_order(complex, simplified);
-  return simplified;
-}
-
 class Flattener {
  public:
   explicit Flattener(const ResultView& view)
-      : view_(view), complex_(*view.complex), simple_(in_order(*view.complex, *view.simplified)),
-        points_(complex_, simple_),
+      : view_(view), complex_(*view.complex), simple_(*view.simplified), points_(cnrg::put_in_order(complex_, simple_)),
         of_group_(view.value->is_group() ? components_of(complex_, view.value->group()) : Components{}),
         value_(view.value->is_group() ? of_group_ : view.value->components()) {}
 
@@ -73,7 +70,7 @@ class Flattener {
  private:
   const ResultView& view_;
   const Complex& complex_;
-  const SimplifiedComplex simple_;         // in canonical order
+  SimplifiedComplex simple_;               // in canonical order
   const CanonicalPoints points_;
   const Components of_group_;              // a group as components
   const Components& value_;
@@ -90,14 +87,15 @@ class Flattener {
     }
     walks_.assign(simple_.edges.size(), 0);
     slit_.assign(simple_.edges.size(), 0);
-    for (const auto& face : simple_.faces) {
-      std::map<EdgeId, unsigned> here;
-      for (const auto& loop : face.loops) {
+    IdVector<EdgeId, Index> walked_by(complex_.edge_count(), kNone);  // the last face
+    for (Index i = 0; i < simple_.faces.size(); ++i) {
+      for (const auto& loop : simple_.faces[i].loops) {
         for (const HalfEdge h : loop) {
           const Index e = edge_of_[h.edge()];
           if (e == kNone) continue;        // on the frame
           ++walks_[e];
-          if (++here[h.edge()] > 1) slit_[e] = 1;
+          if (walked_by[h.edge()] == i) slit_[e] = 1;
+          walked_by[h.edge()] = i;
         }
       }
     }
@@ -137,7 +135,7 @@ class Flattener {
     return origin;
   }
 
-  Loop numbers(const std::vector<VertexId>& vertices) const {
+  Loop numbers(std::span<const VertexId> vertices) const {
     Loop loop;
     for (const VertexId v : vertices) {
       if (points_.number(v) != kNone) loop.push_back(points_.number(v));
@@ -217,8 +215,10 @@ class Flattener {
 
   void make_faces() {
     flipped_.assign(simple_.faces.size(), 0);
-    for (const auto& from : simple_.faces) {
-      FlatComplex::Face face;
+    flat_.faces.resize(simple_.faces.size());
+    for_each_index(simple_.faces.size(), [&](std::size_t i) {
+      const auto& from = simple_.faces[i];
+      FlatComplex::Face& face = flat_.faces[i];
       face.component = from.component;
       face.regions = from.regions;
       for (const auto& loop : from.loops) face.loops.push_back(loop_of(loop));
@@ -235,19 +235,19 @@ class Flattener {
         std::sort(order.begin(), order.end());
         for (const auto& [points, cell] : order) facets.push_back({facet_of(cell), cell});
       }
-      if (must_flip(face, facets[0].second)) flip(face, facets);
+      flipped_[i] = must_flip(face, facets[0].second);
+      if (flipped_[i]) flip(face, facets);
       for (auto& [facet, cell] : facets) {
         add_triangles(cell, facet.loops, facet.isolated, face.triangles);
         if (!flat) face.facets.push_back(std::move(facet));
       }
-      face.entity = from.component != 0 && !inside_component(from.component, {from.regions[0], from.regions[1]});
+      face.entity = from.component != 0 && !inside_component(from.component, from.regions);
       for (const HalfFace cell : from.cells) {
         add_origin(value_.selection.faces, value_.origins.faces, cell.face(), face.origin);
       }
       face.origin = unique(std::move(face.origin));
       face.patch = patch_of(from, face.origin.leaves);
-      flat_.faces.push_back(std::move(face));
-    }
+    });
   }
 
   /// Points of a facet, sorted: the same whichever side is the front.
@@ -264,7 +264,7 @@ class Flattener {
     return normal_order(first) < 0;
   }
 
-  void flip(FlatComplex::Face& face, std::vector<std::pair<FlatComplex::Facet, HalfFace>>& facets) {
+  static void flip(FlatComplex::Face& face, std::vector<std::pair<FlatComplex::Facet, HalfFace>>& facets) {
     const auto reverse_all = [](std::vector<Loop>& loops) {
       for (Loop& loop : loops) std::reverse(loop.begin(), loop.end());
       put_in_order(loops);
@@ -275,23 +275,22 @@ class Flattener {
       reverse_all(facet.loops);
       cell = cell.opposite();
     }
-    flipped_[flat_.faces.size()] = 1;
   }
 
-  bool inside_component(Component component, const std::vector<Index>& regions) const {
-    return std::all_of(regions.begin(), regions.end(), [&](Index r) {
-      return r != kNone && r < simple_.regions.size() && simple_.regions[r].component == component;
-    });
+  bool inside_component(Component component, Index region) const {
+    return region != kNone && region < simple_.regions.size() && simple_.regions[region].component == component;
+  }
+  bool inside_component(Component component, RegionId region) const {
+    return inside_component(component, region_index(region));
+  }
+  template <class Regions>
+  bool inside_component(Component component, const Regions& regions) const {
+    return std::all_of(regions.begin(), regions.end(), [&](auto r) { return inside_component(component, r); });
   }
 
   Index region_index(RegionId region) const {
     const auto place = simple_.region_place[region.index()];
     return place.dimension == 3 && place.index < simple_.regions.size() ? place.index : kNone;
-  }
-  std::vector<Index> region_indices(const std::vector<RegionId>& regions) const {
-    std::vector<Index> result;
-    for (const RegionId r : regions) result.push_back(region_index(r));
-    return result;
   }
 
   /// The first patch that covers all cells of the face, one of `leaves` if there is any.
@@ -320,10 +319,10 @@ class Flattener {
   }
 
   void make_edges() {
-    std::vector<RegionId> regions;
-    for (Index i = 0; i < simple_.edges.size(); ++i) {
+    flat_.edges.resize(simple_.edges.size());
+    for_each_index(simple_.edges.size(), [&](std::size_t i) {
       const auto& from = simple_.edges[i];
-      FlatComplex::Edge edge;
+      FlatComplex::Edge& edge = flat_.edges[i];
       edge.points = numbers(chain_vertices(complex_, from));
       edge.closed = from.closed;
       if (edge.closed) {
@@ -332,16 +331,16 @@ class Flattener {
           std::reverse(edge.points.begin() + 1, edge.points.end());
         }
       } else {
-        const Loop reversed(edge.points.rbegin(), edge.points.rend());
-        edge.points = std::min(edge.points, reversed);
+        Loop reversed(edge.points.rbegin(), edge.points.rend());
+        if (reversed < edge.points) edge.points.swap(reversed);
       }
       edge.component = from.component;
       edge.wire = walks_[i] == 0;
       edge.slit = slit_[i];
-      regions.clear();
+      std::vector<RegionId> regions;
       const EdgeId first = from.chain[0].edge();
       complex_.star_regions(first, regions);
-      edge.entity = from.component != 0 && !inside_component(from.component, region_indices(regions));
+      edge.entity = from.component != 0 && !inside_component(from.component, regions);
       if (edge.wire) edge.region = region_index(complex_.some_region(first));
       const auto& features = value_.features.edges;
       edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
@@ -351,8 +350,7 @@ class Flattener {
         add_origin(value_.selection.edges, value_.origins.edges, h.edge(), edge.origin);
       }
       edge.origin = unique(std::move(edge.origin));
-      flat_.edges.push_back(std::move(edge));
-    }
+    });
   }
 
   void make_vertices() {
@@ -363,21 +361,21 @@ class Flattener {
     for (const auto& face : flat_.faces) {
       for (const Index p : face.isolated) in_face[p] = 1;
     }
-    std::vector<RegionId> regions;
-    for (const auto& from : simple_.vertices) {
-      FlatComplex::Vertex vertex;
+    flat_.vertices.resize(simple_.vertices.size());
+    for_each_index(simple_.vertices.size(), [&](std::size_t i) {
+      const auto& from = simple_.vertices[i];
+      FlatComplex::Vertex& vertex = flat_.vertices[i];
       vertex.point = points_.number(from.cell);
       vertex.component = from.component;
       vertex.free = !on_edge[vertex.point];
-      regions.clear();
+      std::vector<RegionId> regions;
       complex_.star_regions(from.cell, regions);
-      vertex.entity = from.component != 0 && !inside_component(from.component, region_indices(regions));
+      vertex.entity = from.component != 0 && !inside_component(from.component, regions);
       if (vertex.free && !in_face[vertex.point]) vertex.region = region_index(complex_.some_region(from.cell));
       const auto& features = value_.features.vertices;
       vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);
       add_origin(value_.selection.vertices, value_.origins.vertices, from.cell, vertex.origin);
-      flat_.vertices.push_back(std::move(vertex));
-    }
+    });
   }
 
   /// Sides of faces in shells, by the fronts as they are now.
@@ -385,7 +383,7 @@ class Flattener {
     for (auto& region : flat_.regions) {
       for (auto& shell : region.shells) {
         for (Index& side : shell) side ^= flipped_[side >> 1];
-        std::sort(shell.begin(), shell.end());
+        tbb::parallel_sort(shell.begin(), shell.end());
       }
       std::sort(region.shells.begin(), region.shells.end());
     }

@@ -23,10 +23,16 @@
 // over all cells that simplification united in it: [{"leaf", "faces": [...], "edges": [...], "point": true,
 // "regions": [...]}], by the leaf's own numbers; what is empty is left out. Edges are wires, a point is isolated,
 // regions count from 1.
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <span>
 #include <nlohmann/json.hpp>
 
+#include <tbb/parallel_for.h>
+
 #include "csg/output/formats.h"
+#include "csg/output/json_text.h"
 #include "kernel/selection/measure.h"
 
 namespace cnrg {
@@ -39,7 +45,23 @@ std::string line_of(const Json& value) {
   return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-Json index_or_null(Index i) { return i == FlatComplex::kNone ? Json(nullptr) : Json(i); }
+void append_quoted(std::string& text, const Rational& value) { (((text += '"') += to_string(value)) += '"'); }
+
+/// As the fraction in lowest terms.
+void append_quoted(std::string& text, double value) {
+  int exponent = 0;
+  auto numerator = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
+  exponent -= 53;
+  while (numerator != 0 && numerator % 2 == 0) numerator /= 2, ++exponent;
+  if (numerator != 0 && (exponent > 0 || exponent < -63)) return append_quoted(text, from_double(value));
+  text += '"';
+  append_json(text, numerator);
+  if (numerator != 0 && exponent < 0) {
+    text += '/';
+    append_json(text, std::uint64_t{1} << -exponent);
+  }
+  text += '"';
+}
 
 /// Numbers patches in the order in which they come; a face of no one patch is one of its own.
 class PatchNumbers {
@@ -77,24 +99,24 @@ class JsonWriter {
         return result;
       });
     }
-    list("points", flat_.points, [&](VertexId v) {
-      const RationalPoint p = view_.complex->points.rational(v);
-      return Json{to_string(p[0]), to_string(p[1]), to_string(p[2])};
-    });
+    lines("points", flat_.points, [&](std::string& out, VertexId v) { point(out, v); });
     text_ += ",\n\"frame\": " + line_of(Json(flat_.frame_points));
-    list("vertices", flat_.vertices, [&](const auto& v) { return vertex(v); });
-    list("edges", flat_.edges, [&](const auto& e) { return edge(e); });
-    list("faces", flat_.faces, [&](const auto& f) { return face(f); });
-    list("regions", flat_.regions, [&](const auto& r) { return region(r); });
-    return std::move(text_) + "\n}\n";
+    lines("vertices", flat_.vertices, [&](std::string& out, const auto& v) { vertex(out, v); });
+    lines("edges", flat_.edges, [&](std::string& out, const auto& e) { edge(out, e); });
+    number_patches();
+    lines("faces", flat_.faces, [&](std::string& out, const auto& f) { face(out, f); });
+    lines("regions", flat_.regions, [&](std::string& out, const auto& r) { region(out, r); });
+    text_ += "\n}\n";
+    return joined();
   }
 
  private:
   const ResultView& view_;
   FlatComplex flat_;
+  std::vector<std::string> parts_;  // of the text, before `text_`
   std::string text_;
   std::map<LeafId, std::size_t> leaf_number_;
-  PatchNumbers patches_;
+  std::vector<std::size_t> patch_;  // by face
 
   template <class Range, class Make>
   void list(const char* key, const Range& range, Make make) {
@@ -106,6 +128,33 @@ class JsonWriter {
       separator = ",\n";
     }
     text_ += "]";
+  }
+
+  /// A long list; blocks of lines are made on all threads.
+  template <class T, class Append>
+  void lines(const char* key, const std::vector<T>& items, Append append) {
+    constexpr std::size_t kBlock = 4096;
+    std::vector<std::string> blocks((items.size() + kBlock - 1) / kBlock);
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+      for (std::size_t i = b * kBlock; i < std::min(items.size(), (b + 1) * kBlock); ++i) {
+        blocks[b] += i == 0 ? "\n" : ",\n";
+        append(blocks[b], items[i]);
+      }
+    });
+    text_ += ",\n\"" + std::string(key) + "\": [";
+    parts_.push_back(std::move(text_));
+    parts_.insert(parts_.end(), std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end()));
+    text_ = "]";
+  }
+
+  std::string joined() {
+    parts_.push_back(std::move(text_));
+    std::size_t size = 0;
+    for (const std::string& part : parts_) size += part.size();
+    std::string all;
+    all.reserve(size);
+    for (std::string& part : parts_) all += std::exchange(part, {});
+    return all;
   }
 
   /// Leaves that the result names, numbered in the file.
@@ -136,71 +185,96 @@ class JsonWriter {
     return result;
   }
 
-  Json origin_of(const FlatComplex::Provenance& origin) const {
+  void number_patches() {
+    PatchNumbers patches;
+    for (const auto& f : flat_.faces) patch_.push_back(patches(f.patch));
+  }
+
+  void point(std::string& out, VertexId v) const {
+    if (const double* x = view_.complex->points.doubles(v)) {
+      append_json(out, std::span(x, 3), [&](double c) { append_quoted(out, c); });
+    } else {
+      append_json(out, view_.complex->points.rational(v), [&](const Rational& c) { append_quoted(out, c); });
+    }
+  }
+
+  void add_origin(JsonObject& object, const FlatComplex::Provenance& origin) const {
     static constexpr const char* kKeys[] = {"point", "edges", "faces", "regions"};
-    Json result = Json::array();
+    std::string& out = object.key("origin");
     auto cell = origin.cells.begin();
-    for (const LeafId leaf : origin.leaves) {
-      Json& item = result.emplace_back(Json{{"leaf", leaf_number_.at(leaf)}});
-      for (; cell != origin.cells.end() && cell->leaf == leaf; ++cell) {
-        Json& list = item[kKeys[cell->dimension]];
-        if (cell->dimension == 0) {
-          list = true;
-        } else {
-          list.push_back(cell->number);
-        }
+    append_json(out, origin.leaves, [&](LeafId leaf) {
+      JsonObject item(out);
+      item.add("leaf", leaf_number_.at(leaf));
+      while (cell != origin.cells.end() && cell->leaf == leaf) {
+        const int dimension = cell->dimension;
+        const auto end = std::find_if(cell, origin.cells.end(), [&](const LeafCell& c) {
+          return c.leaf != leaf || c.dimension != dimension;
+        });
+        if (dimension == 0) item.add(kKeys[0], true);
+        else append_json(item.key(kKeys[dimension]), std::span(cell, end), [&](auto& c) { append_json(out, c.number); });
+        cell = end;
       }
-    }
-    return result;
+    });
   }
 
-  Json vertex(const FlatComplex::Vertex& v) const {
-    Json result{{"point", v.point}, {"component", v.component}, {"entity", v.entity}, {"feature", v.feature}};
-    if (v.region != FlatComplex::kNone) result["region"] = v.region;
-    if (v.component != 0) result["origin"] = origin_of(v.origin);
-    return result;
+  void vertex(std::string& out, const FlatComplex::Vertex& v) const {
+    JsonObject object(out);
+    object.add("point", v.point).add("component", v.component).add("entity", v.entity).add("feature", v.feature);
+    if (v.region != FlatComplex::kNone) object.add("region", v.region);
+    if (v.component != 0) add_origin(object, v.origin);
   }
 
-  Json edge(const FlatComplex::Edge& e) const {
-    Json result{{"points", e.points},       {"closed", e.closed},   {"component", e.component},
-                {"entity", e.entity},       {"feature", e.feature}, {"wire", e.wire}};
-    if (e.region != FlatComplex::kNone) result["region"] = e.region;
-    if (e.component != 0) result["origin"] = origin_of(e.origin);
-    return result;
+  void edge(std::string& out, const FlatComplex::Edge& e) const {
+    JsonObject object(out);
+    object.add("points", e.points).add("closed", e.closed).add("component", e.component);
+    object.add("entity", e.entity).add("feature", e.feature).add("wire", e.wire);
+    if (e.region != FlatComplex::kNone) object.add("region", e.region);
+    if (e.component != 0) add_origin(object, e.origin);
   }
 
-  Json face(const FlatComplex::Face& f) {
-    Json result{{"loops", f.loops}};
-    if (!f.isolated.empty()) result["isolated"] = f.isolated;
-    result["component"] = f.component;
-    result["entity"] = f.entity;
-    result["regions"] = {index_or_null(f.regions[0]), index_or_null(f.regions[1])};
-    result["patch"] = patches_(f.patch);
+  template <class T>
+  static void add_walks(JsonObject& object, const T& face) {
+    object.add("loops", face.loops);
+    if (!face.isolated.empty()) object.add("isolated", face.isolated);
+  }
+
+  void face(std::string& out, const FlatComplex::Face& f) const {
+    JsonObject object(out);
+    add_walks(object, f);
+    object.add("component", f.component).add("entity", f.entity);
+    append_json(object.key("regions"), f.regions, [&](Index region) {
+      if (region == FlatComplex::kNone) out += "null";
+      else append_json(out, region);
+    });
+    object.add("patch", patch_[static_cast<std::size_t>(&f - flat_.faces.data())]);
     if (!f.facets.empty()) {
-      Json& facets = result["facets"] = Json::array();
-      for (const auto& facet : f.facets) {
-        Json& item = facets.emplace_back(Json{{"loops", facet.loops}});
-        if (!facet.isolated.empty()) item["isolated"] = facet.isolated;
-      }
+      append_json(object.key("facets"), f.facets, [&](const FlatComplex::Facet& facet) {
+        JsonObject item(out);
+        add_walks(item, facet);
+      });
     }
-    result["triangles"] = f.triangles;
-    if (f.component != 0) result["origin"] = origin_of(f.origin);
-    return result;
+    object.add("triangles", f.triangles);
+    if (f.component != 0) add_origin(object, f.origin);
   }
 
-  Json region(const FlatComplex::Region& r) const {
+  void region(std::string& out, const FlatComplex::Region& r) const {
     const RegionAttributes& attributes = attributes_of(view_, r.component);
-    Json result{{"component", r.component}, {"name", attributes.name}, {"material", attributes.material},
-                {"bounded", r.bounded}};
+    JsonObject object(out);
+    object.add("component", r.component);
+    object.key("name") += line_of(attributes.name);
+    object.key("material") += line_of(attributes.material);
+    object.add("bounded", r.bounded);
     const std::optional<Rational> size = r.bounded ? volume(*view_.complex, r.cells) : std::nullopt;
-    result["volume"] = size ? Json(to_string(*size)) : Json(nullptr);
-    Json& shells = result["shells"] = Json::array();
-    for (const auto& shell : r.shells) {
-      Json& sides = shells.emplace_back(Json::array());
-      for (const Index side : shell) sides.push_back({{"face", side >> 1}, {"side", side & 1 ? "back" : "front"}});
-    }
-    if (r.component != 0) result["origin"] = origin_of(r.origin);
-    return result;
+    object.key("volume");
+    if (size) append_quoted(out, *size);
+    else out += "null";
+    append_json(object.key("shells"), r.shells, [&](const std::vector<Index>& shell) {
+      append_json(out, shell, [&](Index side) {
+        append_json(out += "{\"face\":", side >> 1);
+        out += side & 1 ? ",\"side\":\"back\"}" : ",\"side\":\"front\"}";
+      });
+    });
+    if (r.component != 0) add_origin(object, r.origin);
   }
 };
 

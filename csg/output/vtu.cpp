@@ -22,6 +22,7 @@
 #include "csg/output/formats.h"
 #include "csg/output/rounding.h"
 #include "csg/output/solid.h"
+#include "kernel/selection/parallel.h"
 
 namespace cnrg {
 namespace {
@@ -30,25 +31,26 @@ using Index = FlatComplex::Index;
 
 void append_base64(std::string& text, const std::string& bytes) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+  const std::size_t start = text.size(), groups = (bytes.size() + 2) / 3;
+  text.resize(start + 4 * groups, '=');
+  for_each_index(groups, [&](std::size_t g) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - 3 * g);
     std::uint32_t group = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (k < n ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+      group = group << 8 | (k < n ? static_cast<unsigned char>(bytes[3 * g + k]) : 0u);
     }
-    for (std::size_t k = 0; k < 4; ++k) text += k <= n ? kDigits[group >> (18 - 6 * k) & 63] : '=';
-  }
+    for (std::size_t k = 0; k <= n; ++k) text[start + 4 * g + k] = kDigits[group >> (18 - 6 * k) & 63];
+  });
 }
 
 template <class T>
 std::string little_endian(const std::vector<T>& values) {
-  std::string bytes;
-  bytes.reserve(values.size() * sizeof(T));
-  for (const T value : values) {
-    char raw[sizeof(T)];
-    std::memcpy(raw, &value, sizeof(T));
-    if constexpr (std::endian::native == std::endian::big) std::reverse(raw, raw + sizeof(T));
-    bytes.append(raw, sizeof(T));
+  std::string bytes(values.size() * sizeof(T), '\0');
+  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+  if constexpr (std::endian::native == std::endian::big) {
+    for (std::size_t i = 0; i < bytes.size(); i += sizeof(T)) {
+      std::reverse(bytes.data() + i, bytes.data() + i + sizeof(T));
+    }
   }
   return bytes;
 }

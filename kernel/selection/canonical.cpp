@@ -4,36 +4,79 @@
 #include <numeric>
 #include <tuple>
 
+#include <tbb/parallel_sort.h>
+
 #include "kernel/base/sorted.h"
+#include "kernel/selection/parallel.h"
 
 namespace cnrg {
 namespace {
 
 using Index = std::uint32_t;
-using Numbers = std::vector<Index>;
+using Numbers = ShortList<Index, 4>;
 constexpr Index kNowhere = SimplifiedComplex::kNowhere;
 
-// Moves the items into the order of their keys; returns for each old index the new one.
+// The beginning of a key as one number: where it differs, it orders as the key does.
+std::uint64_t head(Index key) { return key; }
+template <class List>
+  requires requires(const List& list) { list.begin(); }
+std::uint64_t head(const List& key) {
+  const auto at = [&](std::size_t i) { return i < key.size() ? key[i] + std::uint64_t{1} : 0; };
+  return at(0) << 32 | at(1);
+}
+std::uint64_t head(const auto& key) { return head(std::get<0>(key)); }
+
+// Moves the items into the order of their keys, equal ones as they were; returns for each old index the new one.
 template <class Key, class T>
 std::vector<Index> order_by(const std::vector<Key>& keys, std::vector<T>& items) {
-  std::vector<Index> order(items.size()), map(items.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return keys[a] < keys[b]; });
+  std::vector<std::pair<std::uint64_t, Index>> order(items.size());
+  for (Index i = 0; i < order.size(); ++i) order[i] = {head(keys[i]), i};
+  tbb::parallel_sort(order.begin(), order.end(), [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    if (keys[a.second] < keys[b.second]) return true;
+    return a.second < b.second && !(keys[b.second] < keys[a.second]);
+  });
+  std::vector<Index> map(items.size());
   std::vector<T> sorted;
   sorted.reserve(items.size());
   for (Index i = 0; i < order.size(); ++i) {
-    map[order[i]] = i;
-    sorted.push_back(std::move(items[order[i]]));
+    map[order[i].second] = i;
+    sorted.push_back(std::move(items[order[i].second]));
   }
   items = std::move(sorted);
   return map;
+}
+
+// From end to end; those of a closed chain once.
+void for_each_vertex(const Complex& complex, const SimplifiedComplex::Edge& edge, auto visit) {
+  for (const HalfEdge h : edge.chain) visit(complex.origin(h));
+  if (!edge.closed) visit(complex.target(edge.chain.back()));
+}
+
+// The order of coordinates; most points differ in x as doubles.
+void sort_by_coordinates(const PointTable& table, std::vector<VertexId>& points) {
+  struct Bounds {
+    double low, high;
+    VertexId v;
+  };
+  std::vector<Bounds> bounds(points.size());
+  for_each_index(points.size(), [&](std::size_t i) {
+    const PointView view = table.view(points[i]);
+    bounds[i] = {view.lo[0], view.hi[0], points[i]};
+  });
+  tbb::parallel_sort(bounds.begin(), bounds.end(), [&](const Bounds& a, const Bounds& b) {
+    if (a.high < b.low) return true;
+    if (b.high < a.low) return false;
+    return compare_lex(table, a.v, b.v) < 0;
+  });
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = bounds[i].v;
 }
 
 class Ordering {
  public:
   Ordering(const Complex& complex, SimplifiedComplex& s) : complex_(complex), s_(s), points_(complex, s) {}
 
-  void run() {
+  CanonicalPoints run() {
     std::array<std::vector<Index>, 4> maps;
     maps[0] = order_by(vertex_keys(), s_.vertices);
     maps[1] = order_by(edge_keys(), s_.edges);
@@ -41,7 +84,7 @@ class Ordering {
     for (SimplifiedComplex::Region& region : s_.regions) {
       for (auto& shell : region.shells) {
         for (Index& side : shell) side = maps[2][side / 2] * 2 + side % 2;
-        std::sort(shell.begin(), shell.end());
+        tbb::parallel_sort(shell.begin(), shell.end());
       }
       std::sort(region.shells.begin(), region.shells.end());
     }
@@ -52,60 +95,67 @@ class Ordering {
       }
     }
     for (auto* places : {&s_.vertex_place, &s_.edge_place, &s_.face_place, &s_.region_place}) {
-      for (SimplifiedComplex::Place& place : *places) {
+      for_each_of(*places, [&](SimplifiedComplex::Place& place) {
         if (place.index != kNowhere) place.index = maps[static_cast<std::size_t>(place.dimension)][place.index];
-      }
+      });
     }
+    return std::move(points_);
   }
 
  private:
-  void add(VertexId v, Numbers& out) const {
+  void add(VertexId v, auto& out) const {
     if (points_.number(v) != CanonicalPoints::kNone) out.push_back(points_.number(v));
   }
 
   std::vector<Index> vertex_keys() const {
     std::vector<Index> keys;
+    keys.reserve(s_.vertices.size());
     for (const auto& vertex : s_.vertices) keys.push_back(points_.number(vertex.cell));
     return keys;
   }
 
   // The points from the smaller end, or around from the smallest one.
   std::vector<Numbers> edge_keys() const {
-    std::vector<Numbers> keys;
-    for (const auto& edge : s_.edges) {
-      Numbers& key = keys.emplace_back();
-      for (const VertexId v : chain_vertices(complex_, edge)) add(v, key);
+    std::vector<Numbers> keys(s_.edges.size());
+    for_each_index(keys.size(), [&](std::size_t i) {
+      const auto& edge = s_.edges[i];
+      Numbers& key = keys[i];
+      for_each_vertex(complex_, edge, [&](VertexId v) { add(v, key); });
       if (edge.closed && !key.empty()) {
         std::rotate(key.begin(), std::min_element(key.begin(), key.end()), key.end());
         if (key.size() > 2 && key.back() < key[1]) std::reverse(key.begin() + 1, key.end());
-      } else {
-        key = std::min(key, Numbers(key.rbegin(), key.rend()));
+      } else if (std::lexicographical_compare(std::make_reverse_iterator(key.end()),
+                                              std::make_reverse_iterator(key.begin()), key.begin(), key.end())) {
+        std::reverse(key.begin(), key.end());
       }
-    }
+    });
     return keys;
   }
 
   std::vector<std::pair<Numbers, Numbers>> face_keys() const {
-    std::vector<std::pair<Numbers, Numbers>> keys;
-    for (const auto& face : s_.faces) {
-      auto& [boundary, inside] = keys.emplace_back();
+    std::vector<std::pair<Numbers, Numbers>> keys(s_.faces.size());
+    for_each_index(keys.size(), [&](std::size_t i) {
+      const auto& face = s_.faces[i];
+      auto& [boundary, inside] = keys[i];
       for (const auto& loop : face.loops) {
         for (const HalfEdge h : loop) add(complex_.origin(h), boundary);
       }
       std::sort(boundary.begin(), boundary.end());
-      if (is_flat(complex_, face)) continue;
+      if (is_flat(complex_, face)) return;
+      std::vector<Index> numbers;
       for (const HalfFace cell : face.cells) {
         for (const auto& walk : facet_walks(complex_, s_, cell.face())) {
-          for (const VertexId v : walk) add(v, inside);
+          for (const VertexId v : walk) add(v, numbers);
         }
       }
-      sort_unique(inside);
-    }
+      sort_unique(numbers);
+      inside = Numbers(numbers.begin(), numbers.end());
+    });
     return keys;
   }
 
-  std::vector<std::tuple<Numbers, bool, Component>> region_keys() const {
-    std::vector<std::tuple<Numbers, bool, Component>> keys;
+  std::vector<std::tuple<std::vector<Index>, bool, Component>> region_keys() const {
+    std::vector<std::tuple<std::vector<Index>, bool, Component>> keys;
     for (const auto& region : s_.regions) {
       auto& [faces, unbounded, component] = keys.emplace_back();
       for (const auto& shell : region.shells) {
@@ -133,8 +183,7 @@ bool is_flat(const Complex& complex, const SimplifiedComplex::Face& face) {
 
 std::vector<VertexId> chain_vertices(const Complex& complex, const SimplifiedComplex::Edge& edge) {
   std::vector<VertexId> out;
-  for (const HalfEdge h : edge.chain) out.push_back(complex.origin(h));
-  if (!edge.closed) out.push_back(complex.target(edge.chain.back()));
+  for_each_vertex(complex, edge, [&](VertexId v) { out.push_back(v); });
   return out;
 }
 
@@ -183,8 +232,8 @@ CanonicalPoints::CanonicalPoints(const Complex& complex, const SimplifiedComplex
     }
   }
   for (std::size_t i = 0; i < s.edges.size(); ++i) {
-    if (by_curved[i]) continue;
     const auto& edge = s.edges[i];
+    if (by_curved[i] || edge.chain.size() < 2) continue;
     const auto v = chain_vertices(complex, edge);
     const std::size_t n = v.size(), ends = edge.closed ? 0 : 1;
     for (std::size_t k = ends; k + ends < n; ++k) {
@@ -200,7 +249,7 @@ CanonicalPoints::CanonicalPoints(const Complex& complex, const SimplifiedComplex
   };
   for (const auto& vertex : s.vertices) use(vertex.cell);
   for (const auto& edge : s.edges) {
-    for (const VertexId v : chain_vertices(complex, edge)) use(v);
+    for_each_vertex(complex, edge, use);
   }
   for (const auto& face : s.faces) {
     for (const VertexId v : face.isolated) use(v);
@@ -214,11 +263,12 @@ CanonicalPoints::CanonicalPoints(const Complex& complex, const SimplifiedComplex
       }
     }
   }
-  std::sort(points_.begin(), points_.end(),
-            [&](VertexId a, VertexId b) { return compare_lex(complex.points, a, b) < 0; });
+  sort_by_coordinates(complex.points, points_);
   for (Index i = 0; i < points_.size(); ++i) number_[points_[i]] = i;
 }
 
-void put_in_order(const Complex& complex, SimplifiedComplex& simplified) { Ordering(complex, simplified).run(); }
+CanonicalPoints put_in_order(const Complex& complex, SimplifiedComplex& simplified) {
+  return Ordering(complex, simplified).run();
+}
 
 }  // namespace cnrg

@@ -35,7 +35,8 @@ std::vector<std::vector<VertexId>> facet_walks(const Complex& complex, const Sim
                                                FaceId f);
 
 /// Orders vertices by coordinates; edges by their points; faces by those of their boundaries, then of their
-/// facets; regions by their faces, then bounded before unbounded ones. Maps, shells and sides follow.
-void put_in_order(const Complex& complex, SimplifiedComplex& simplified);
+/// facets; regions by their faces, then bounded before unbounded ones. Maps, shells and sides follow. Returns the
+/// points of that order.
+CanonicalPoints put_in_order(const Complex& complex, SimplifiedComplex& simplified);
 
 }  // namespace cnrg

@@ -4,11 +4,22 @@
 //
 // Where the corners are doubles, all are multiples of one power of two: the determinants are integers and go into
 // one accumulator. Only faces with constructed corners make fractions.
+//
+// The denominator of a term is the product of the weights w of its points (ExactPoint); of a double it is a power
+// of two, the others are the term's *poles*. Terms of the same poles are added first; then sums are joined two and
+// two, over the product of the weights of all their poles, and the only common divisor to look for is that of the
+// last sum. Poles are numbered along the terms (curves of intersection, mostly), so that what is joined shares few.
 #include "kernel/selection/measure.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_reduce.h>
+
+#include "kernel/base/sorted.h"
+#include "kernel/selection/parallel.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {
@@ -40,9 +51,49 @@ void add_determinant(Integer& sum, const IntegerPoint& r, const IntegerPoint& p,
   }
 }
 
+using Pole = std::uint32_t;
+
+// A numerator over the product of the weights of its poles, which are ascending.
+struct PoleSum {
+  std::vector<Pole> poles;
+  Integer numerator, denominator;
+};
+
+Integer product(const std::vector<Integer>& weights, std::span<const Pole> poles) {
+  Integer out = 1;
+  for (Pole p : poles) out *= weights[p];
+  return out;
+}
+
+PoleSum joined(const std::vector<Integer>& weights, PoleSum a, PoleSum b) {
+  std::vector<Pole> shared, all;
+  std::set_intersection(a.poles.begin(), a.poles.end(), b.poles.begin(), b.poles.end(), std::back_inserter(shared));
+  std::set_union(a.poles.begin(), a.poles.end(), b.poles.begin(), b.poles.end(), std::back_inserter(all));
+  const Integer common = product(weights, shared);
+  mpz_divexact(b.denominator.get_mpz_t(), b.denominator.get_mpz_t(), common.get_mpz_t());
+  a.numerator *= b.denominator;
+  b.denominator *= a.denominator;
+  mpz_divexact(a.denominator.get_mpz_t(), a.denominator.get_mpz_t(), common.get_mpz_t());
+  a.numerator += b.numerator * a.denominator;
+  return {std::move(all), std::move(a.numerator), std::move(b.denominator)};
+}
+
+PoleSum sum_of(const std::vector<Integer>& weights, std::span<const PoleSum> terms) {
+  if (terms.size() == 1) return terms[0];
+  const std::size_t half = terms.size() / 2;
+  PoleSum a, b;
+  const auto first = [&] { a = sum_of(weights, terms.first(half)); };
+  const auto second = [&] { b = sum_of(weights, terms.subspan(half)); };
+  constexpr std::size_t kFew = 64;  // terms that are not worth a thread
+  if (terms.size() <= kFew) first(), second();
+  else tbb::parallel_invoke(first, second);
+  return joined(weights, std::move(a), std::move(b));
+}
+
 class VolumeSum {
  public:
-  explicit VolumeSum(const Complex& complex) : complex_(complex), place_(complex.points.size()) {}
+  explicit VolumeSum(const Complex& complex)
+      : complex_(complex), place_(complex.points.size()), pole_(complex.points.size()) {}
 
   // `outward`: +1 if the front normal points out of the volume.
   void add(FaceId f, int outward) {
@@ -50,44 +101,47 @@ class VolumeSum {
     for (LoopId l : complex_.face_loops[f]) {
       for (HalfEdge h : complex_.loop[l]) doubles = doubles && complex_.points.is_double(complex_.origin(h));
     }
-    if (!doubles) {
-      add_fractions(f, outward);
-      return;
-    }
-    double_faces_.emplace_back(f, outward);
+    (doubles ? double_faces_ : other_faces_).emplace_back(f, outward);
+    if (!doubles) return;
     for (LoopId l : complex_.face_loops[f]) {
       for (HalfEdge h : complex_.loop[l]) note(complex_.origin(h));
     }
   }
 
   Rational total() {
-    std::vector<IntegerPoint> scaled(corners_.size());
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      const double* x = complex_.points.doubles(corners_[i]);
-      for (int k = 0; k < 3; ++k) scaled[i][k] = multiple(x[k]);
-    }
-    Integer six = 0, face, minor;
-    for (const auto& [f, outward] : double_faces_) {
-      face = 0;
-      const LoopId outer = complex_.face_loops[f][0];
-      const VertexId r = complex_.origin(complex_.loop[outer][0]);
-      for (LoopId l : complex_.face_loops[f]) {
-        for (HalfEdge h : complex_.loop[l]) {
-          const VertexId p = complex_.origin(h), q = complex_.target(h);
-          if (p == r || q == r) continue;
-          add_determinant(face, scaled[place_[r] - 1], scaled[place_[p] - 1], scaled[place_[q] - 1], minor);
-        }
+    terms_.push_back({{}, sum_of_doubles(), 3 * scale_});
+    for (const auto& [f, outward] : other_faces_) add_fractions(f, outward);
+    number_along_terms();
+    int exponent = terms_[0].exponent;
+    for (const Term& term : terms_) exponent = std::min(exponent, term.exponent);
+    std::sort(terms_.begin(), terms_.end(), [](const Term& a, const Term& b) { return a.poles < b.poles; });
+    std::vector<PoleSum> sums;
+    for (Term& term : terms_) {
+      term.numerator <<= static_cast<unsigned long>(term.exponent - exponent);
+      if (sums.empty() || sums.back().poles != term.poles) {
+        sums.push_back({std::move(term.poles), 0, 0});
+        sums.back().denominator = product(weights_, sums.back().poles);
       }
-      if (outward > 0) six += face;
-      else six -= face;
+      sums.back().numerator += term.numerator;
     }
-    fractions_.push_back(shifted(six, 3 * scale_));
-    return sum(std::move(fractions_)) / 6;
+    const PoleSum six = sum_of(weights_, sums);
+    Rational out(six.numerator, six.denominator);
+    out.canonicalize();
+    if (exponent >= 0) out <<= static_cast<unsigned long>(exponent);
+    else out >>= static_cast<unsigned long>(-exponent);
+    return out / 6;
   }
 
  private:
+  // numerator 2^exponent over the weights of the poles (ascending).
+  struct Term {
+    std::vector<Pole> poles;
+    Integer numerator;
+    int exponent = 0;
+  };
+
   void note(VertexId v) {
-    if (place_[v] != 0) return;
+    if (place_.get(v) != 0) return;
     corners_.push_back(v);
     place_[v] = static_cast<std::uint32_t>(corners_.size());
     const double* x = complex_.points.doubles(v);
@@ -106,39 +160,114 @@ class VolumeSum {
     return out <<= static_cast<unsigned long>(bit - scale_);
   }
 
-  static Rational shifted(const Integer& value, int exponent) {
-    Rational out(value);
-    if (exponent >= 0) out <<= static_cast<unsigned long>(exponent);
-    else out >>= static_cast<unsigned long>(-exponent);
-    return out;
+  // Of the faces whose corners are doubles, in units of 2^(3 scale).
+  Integer sum_of_doubles() const {
+    std::vector<IntegerPoint> scaled(corners_.size());
+    for_each_index(corners_.size(), [&](std::size_t i) {
+      const double* x = complex_.points.doubles(corners_[i]);
+      for (int k = 0; k < 3; ++k) scaled[i][k] = multiple(x[k]);
+    });
+    using Range = tbb::blocked_range<std::size_t>;
+    return tbb::parallel_reduce(
+        Range(0, double_faces_.size(), 1024), Integer(0),
+        [&](const Range& range, Integer sum) {
+          Integer face, minor;
+          for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            face = 0;
+            add_face(double_faces_[i].first, scaled, face, minor);
+            if (double_faces_[i].second > 0) sum += face;
+            else sum -= face;
+          }
+          return sum;
+        },
+        [](const Integer& a, const Integer& b) { return Integer(a + b); });
+  }
+
+  void add_face(FaceId f, const std::vector<IntegerPoint>& scaled, Integer& sum, Integer& minor) const {
+    const LoopId outer = complex_.face_loops[f][0];
+    const VertexId r = complex_.origin(complex_.loop[outer][0]);
+    for (LoopId l : complex_.face_loops[f]) {
+      for (HalfEdge h : complex_.loop[l]) {
+        const VertexId p = complex_.origin(h), q = complex_.target(h);
+        if (p == r || q == r) continue;
+        add_determinant(sum, scaled[place_[r] - 1], scaled[place_[p] - 1], scaled[place_[q] - 1], minor);
+      }
+    }
   }
 
   void add_fractions(FaceId f, int outward) {
     // Any point of the plane serves as r; an input point is the shortest.
-    const ExactPoint& r = complex_.points.exact(complex_.points.plane_points(complex_.plane(f))[0]);
-    const IntegerPoint rn{r.x, r.y, r.z};
-    Integer determinant, minor;
+    const VertexId r = complex_.points.plane_points(complex_.plane(f))[0];
+    Integer minor;
     for (LoopId l : complex_.face_loops[f]) {
       for (HalfEdge h : complex_.loop[l]) {
-        const ExactPoint& p = complex_.points.exact(complex_.origin(h));
-        const ExactPoint& q = complex_.points.exact(complex_.target(h));
-        determinant = 0;
-        add_determinant(determinant, rn, {p.x, p.y, p.z}, {q.x, q.y, q.z}, minor);
-        if (determinant == 0) continue;
-        if (outward < 0) determinant = -determinant;
-        Rational term(determinant, r.w * p.w * q.w);
-        term.canonicalize();
-        fractions_.push_back(std::move(term));
+        const VertexId p = complex_.origin(h), q = complex_.target(h);
+        Term term;
+        add_determinant(term.numerator, numerators(r), numerators(p), numerators(q), minor);
+        if (term.numerator == 0) continue;
+        if (outward < 0) term.numerator = -term.numerator;
+        for (VertexId v : {r, p, q}) {
+          if (!complex_.points.is_double(v)) term.poles.push_back(pole(v));
+          else term.exponent -= static_cast<int>(mpz_scan1(complex_.points.exact(v).w.get_mpz_t(), 0));
+        }
+        terms_.push_back(std::move(term));
       }
     }
+  }
+  Pole pole(VertexId v) {
+    if (pole_.get(v) == 0) {
+      weights_.push_back(complex_.points.exact(v).w);
+      pole_[v] = static_cast<Pole>(weights_.size());
+    }
+    return pole_.get(v) - 1;
+  }
+
+  // Depth first over the poles that have a term in common.
+  void number_along_terms() {
+    std::vector<std::pair<Pole, Pole>> links;
+    for (const Term& term : terms_) {
+      for (Pole a : term.poles) {
+        for (Pole b : term.poles) links.emplace_back(a, b);
+      }
+    }
+    sort_unique(links);
+    std::vector<Pole> number(weights_.size()), open;
+    std::vector<char> known(weights_.size(), 0);
+    std::vector<Integer> weights;
+    for (Pole start = 0; start < weights_.size(); ++start) {
+      for (open.push_back(start); !open.empty();) {
+        const Pole p = open.back();
+        open.pop_back();
+        if (known[p]) continue;
+        known[p] = 1;
+        number[p] = static_cast<Pole>(weights.size());
+        weights.push_back(weights_[p]);
+        for (auto link = std::lower_bound(links.begin(), links.end(), std::pair(p, Pole{0}));
+             link != links.end() && link->first == p; ++link) {
+          open.push_back(link->second);
+        }
+      }
+    }
+    weights_ = std::move(weights);
+    for (Term& term : terms_) {
+      for (Pole& p : term.poles) p = number[p];
+      std::sort(term.poles.begin(), term.poles.end());
+    }
+  }
+
+  IntegerPoint numerators(VertexId v) const {
+    const ExactPoint& p = complex_.points.exact(v);
+    return {p.x, p.y, p.z};
   }
 
   const Complex& complex_;
   Scratch<VertexId, std::uint32_t> place_;  // 1 + index into corners_
   std::vector<VertexId> corners_;
-  std::vector<std::pair<FaceId, int>> double_faces_;
-  std::vector<Rational> fractions_;
-  int scale_ = 0;  // all corners are multiples of 2^scale_
+  std::vector<std::pair<FaceId, int>> double_faces_, other_faces_;
+  std::vector<Term> terms_;
+  Scratch<VertexId, Pole> pole_;            // 1 + the pole
+  std::vector<Integer> weights_;            // by pole
+  int scale_ = 0;  // all corners of double_faces_ are multiples of 2^scale_
   bool scale_known_ = false;
 };
 

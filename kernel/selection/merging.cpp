@@ -11,19 +11,25 @@
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
 #include "kernel/selection/curve.h"
+#include "kernel/selection/parallel.h"
 
 namespace cnrg {
 
-std::pair<FaceId, bool> OrientedSets::find(FaceId x) {
-  FaceId root = x;
+std::pair<FaceId, bool> OrientedSets::find(FaceId x) const {
   bool flip = false;
-  while (links_[root].parent != 0) {
-    flip ^= links_[root].flip;
-    root = FaceId(links_[root].parent - 1);
+  for (Link up = links_[x]; up.parent != 0; up = links_[x]) {
+    flip ^= up.flip;
+    x = FaceId(up.parent - 1);
   }
+  return {x, flip};
+}
+
+// As `find`; everything on the way is linked to the smallest member.
+std::pair<FaceId, bool> OrientedSets::shortened(FaceId x) {
+  const auto [root, flip] = find(x);
   bool rest = flip;
   while (x != root) {
-    const Link up = links_[x];
+    const Link up = links_.get(x);
     links_[x] = {root.value() + 1, rest};
     rest ^= up.flip;
     x = FaceId(up.parent - 1);
@@ -31,13 +37,19 @@ std::pair<FaceId, bool> OrientedSets::find(FaceId x) {
   return {root, flip};
 }
 
+void OrientedSets::settle() {
+  std::sort(joined_.begin(), joined_.end());
+  for (FaceId f : joined_) shortened(f);
+}
+
 bool OrientedSets::unite(FaceId a, FaceId b, bool flip) {
-  const auto [root_a, flip_a] = find(a);
-  const auto [root_b, flip_b] = find(b);
+  const auto [root_a, flip_a] = shortened(a);
+  const auto [root_b, flip_b] = shortened(b);
   const bool turned = flip_a ^ flip_b ^ flip;
   if (root_a == root_b) return !turned;
-  if (root_a < root_b) links_[root_b] = {root_a.value() + 1, turned};
-  else links_[root_a] = {root_b.value() + 1, turned};
+  const auto [root, other] = std::minmax(root_a, root_b);
+  links_[other] = {root.value() + 1, turned};
+  joined_.push_back(other);
   return true;
 }
 
@@ -45,8 +57,8 @@ Merging::Merging(const Complex& complex, const Selection& selection, const Featu
     : complex_(complex), mode_(mode), vertex_state_(complex.points.size()), edge_state_(complex.edge_count()),
       face_state_(complex.face_count()), region_state_(complex.region_count), face_fate_(complex.face_count()),
       edge_fate_(complex.edge_count()), vertex_fate_(complex.points.size()), vertex_host_(complex.points.size()),
-      regions_(complex.region_count), faces_(complex.face_count()), next_(complex.edge_uses.value_count()),
-      previous_(complex.edge_uses.value_count()) {
+      regions_(complex.region_count), faces_(complex.face_count()), chains_(complex.edge_count()),
+      next_(complex.edge_uses.value_count()), previous_(complex.edge_uses.value_count()) {
   for (const auto& [v, c] : selection.vertices) vertex_state_[v] = c;
   for (const auto& [e, c] : selection.edges) edge_state_[e] = c;
   for (const auto& [f, c] : selection.faces) face_state_[f] = c;
@@ -55,57 +67,52 @@ Merging::Merging(const Complex& complex, const Selection& selection, const Featu
   const Features& kept = mode == SimplifyMode::points ? none : features;
   collect_domain(selection, kept);
   decide_faces();
-  link_loops();
   decide_edges(kept.edges);
   decide_vertices(kept.vertices);
 }
 
-// The closure, with a mark per cell so that each is listed once. Cells on the frame are never active.
+// The closure; what is in it counts as kept until it is decided. Cells on the frame are never active.
 void Merging::collect_domain(const Selection& selection, const Features& features) {
-  Marks<VertexId> vertices(complex_.points.size());
-  Marks<EdgeId> edges(complex_.edge_count());
-  Marks<FaceId> faces(complex_.face_count());
-  const auto add_to = [&](auto& list, auto& marks) {
+  const auto add = [&](auto& fates) {
     return [&](auto id) {
-      if (marks[id]) return;
-      marks[id] = 1;
-      if (!complex_.on_frame(id)) list.push_back(id);
+      if (!complex_.on_frame(id)) fates.set(id, Fate::kept);
     };
   };
-  const auto add_vertex = add_to(domain_.vertices, vertices);
-  const auto add_edge = add_to(domain_.edges, edges);
-  const auto add_face = add_to(domain_.faces, faces);
-  for (const auto& [v, c] : selection.vertices) add_vertex(v);
-  for (VertexId v : features.vertices) add_vertex(v);
-  for (const auto& [e, c] : selection.edges) add_edge(e);
-  for (EdgeId e : features.edges) add_edge(e);
+  const auto add_vertex = add(vertex_fate_);
+  const auto add_edge = add(edge_fate_);
+  const auto add_face = add(face_fate_);
   for (const auto& [f, c] : selection.faces) add_face(f);
   for (const auto& [r, c] : selection.regions) {
     domain_.regions.push_back(r);
-    for (HalfFace h : complex_.region_faces[r]) add_face(h.face());
+    for_each_of(complex_.region_faces[r], [&](HalfFace h) { add_face(h.face()); });
     for (EdgeId e : complex_.region_wires[r]) add_edge(e);
     for (VertexId v : complex_.region_vertices[r]) add_vertex(v);
   }
-  for (FaceId f : domain_.faces) {
+  domain_.faces = face_fate_.ids();
+  for (const auto& [e, c] : selection.edges) add_edge(e);
+  for (EdgeId e : features.edges) add_edge(e);
+  for_each_of(domain_.faces, [&](FaceId f) {
     for (LoopId l : complex_.face_loops[f]) {
       for (HalfEdge h : complex_.loop[l]) add_edge(h.edge());
     }
     for (VertexId v : complex_.face_vertices[f]) add_vertex(v);
-  }
-  for (EdgeId e : domain_.edges) {
+  });
+  domain_.edges = edge_fate_.ids();
+  for (const auto& [v, c] : selection.vertices) add_vertex(v);
+  for (VertexId v : features.vertices) add_vertex(v);
+  for_each_of(domain_.edges, [&](EdgeId e) {
     for (VertexId v : complex_.edge_ends[e]) add_vertex(v);
-  }
-  std::sort(domain_.vertices.begin(), domain_.vertices.end());
-  std::sort(domain_.edges.begin(), domain_.edges.end());
-  std::sort(domain_.faces.begin(), domain_.faces.end());
+  });
+  domain_.vertices = vertex_fate_.ids();
 }
 
 void Merging::decide_faces() {
   for (FaceId f : domain_.faces) {
     const auto& [front, back] = complex_.face_regions[f];
     const Component s = state(f);
-    if (s != state(front) || s != state(back) || !mergeable(s)) face_fate_[f] = Fate::kept;
-    else regions_.unite(front, back);
+    if (s != state(front) || s != state(back) || !mergeable(s)) continue;
+    face_fate_[f] = Fate::in_region;
+    regions_.unite(front, back);
   }
 }
 
@@ -116,42 +123,26 @@ void Merging::merge_inactive_regions() {
   }
 }
 
-// The order of the uses of each remaining face along its loops.
-void Merging::link_loops() {
-  for (FaceId f : domain_.faces) {
-    if (fate(f) != Fate::kept) continue;
-    for (LoopId l : complex_.face_loops[f]) {
-      const auto find_use = [&](HalfEdge h) {
-        Use u = first_use(h.edge());
-        while (u != end_use(h.edge()) && use(u) != FaceUse{f, h}) ++u;
-        require(u != end_use(h.edge()), "simplify: a loop passes an edge that does not know its face");
-        return u;
-      };
-      const auto loop = complex_.loop[l];
-      const Use first = find_use(loop.front());
-      Use last = first;
-      for (std::size_t i = 1; i < loop.size(); ++i) {
-        const Use u = find_use(loop[i]);
-        next_[Id<UseTag>(last)] = u;
-        previous_[Id<UseTag>(u)] = last;
-        last = u;
-      }
-      next_[Id<UseTag>(last)] = first;
-      previous_[Id<UseTag>(first)] = last;
-    }
-  }
-}
-
 void Merging::decide_edges(const std::vector<EdgeId>& features) {
-  auto feature = features.begin();
+  for_each_of(domain_.edges, [&](EdgeId e) {
+    if (mergeable(state(e))) edge_fate_[e] = decide(e);
+  });
+  for (EdgeId e : features) edge_fate_[e] = Fate::kept;
   for (EdgeId e : domain_.edges) {
-    while (feature != features.end() && *feature < e) ++feature;
-    const bool free = (feature == features.end() || *feature != e) && mergeable(state(e));
-    edge_fate_[e] = free ? decide(e) : Fate::kept;
+    if (edge_fate_.get(e) != Fate::in_face) continue;
+    FaceUse pair[2];
+    std::size_t n = 0;
+    for (Use u = first_use(e); u != end_use(e); ++u) {
+      if (remains(u)) pair[n++] = use(u);
+    }
+    if (faces_.unite(pair[0].face, pair[1].face, pair[0].half_edge == pair[1].half_edge)) inner_edges_.push_back(e);
+    else edge_fate_[e] = Fate::kept;
   }
+  faces_.settle();
 }
 
-Merging::Fate Merging::decide(EdgeId e) {
+// In a face if the union of its two faces is orientable.
+Merging::Fate Merging::decide(EdgeId e) const {
   const Component s = state(e);
   Use pair[2];
   std::size_t n = 0;
@@ -162,16 +153,39 @@ Merging::Fate Merging::decide(EdgeId e) {
   }
   if (n == 0) return s == state(complex_.some_region(e)) ? Fate::in_region : Fate::kept;
   if (n == 1) return Fate::kept;
-  const auto& [f, hf] = use(pair[0]);
-  const auto& [g, hg] = use(pair[1]);
+  const FaceId f = use(pair[0]).face, g = use(pair[1]).face;
   if (s != state(f) || s != state(g)) return Fate::kept;
   const bool coplanar = complex_.face_sheet[f] == complex_.face_sheet[g];
   if (!coplanar && (mode_ == SimplifyMode::points || !share_patch(complex_, f, g))) return Fate::kept;
-  return faces_.unite(f, g, hf == hg) ? Fate::in_face : Fate::kept;
+  return Fate::in_face;
 }
 
-Merging::Use Merging::neighbour(Use u, VertexId v) const {
-  return complex_.target(use(u).half_edge) == v ? next_[Id<UseTag>(u)] : previous_[Id<UseTag>(u)];
+void Merging::uses_along(FaceId f, LoopId l, std::vector<Use>& out) const {
+  out.clear();
+  for (HalfEdge h : complex_.loop[l]) {
+    Use u = first_use(h.edge());
+    while (u != end_use(h.edge()) && use(u) != FaceUse{f, h}) ++u;
+    require(u != end_use(h.edge()), "simplify: a loop passes an edge that does not know its face");
+    out.push_back(u);
+  }
+}
+
+void Merging::link_loops(FaceId f) {
+  std::vector<Use> uses;
+  for (LoopId l : complex_.face_loops[f]) {
+    uses_along(f, l, uses);
+    Use before = uses.back();
+    for (Use u : uses) {
+      next_[Id<UseTag>(before)] = u + 1;
+      previous_[Id<UseTag>(u)] = before + 1;
+      before = u;
+    }
+  }
+}
+
+Merging::Use Merging::neighbour(Use u, VertexId v) {
+  if (next_.get(Id<UseTag>(u)) == 0) link_loops(use(u).face);
+  return (complex_.target(use(u).half_edge) == v ? next_ : previous_).get(Id<UseTag>(u)) - 1;
 }
 
 // The other remaining use of an edge that vanished in a face.
@@ -183,7 +197,7 @@ Merging::Use Merging::twin_use(Use u) const {
   throw InvariantError("simplify: an edge vanished in a face that it bounds");
 }
 
-Merging::Use Merging::across(Use u, VertexId v) const {
+Merging::Use Merging::across(Use u, VertexId v) {
   Use w = neighbour(u, v);
   while (!walkable(use(w).half_edge.edge())) w = neighbour(twin_use(w), v);
   return w;
@@ -226,13 +240,27 @@ void Merging::isolating_faces(VertexId v, std::vector<FaceId>& out) {
   std::sort(out.begin(), out.end());
 }
 
+// Nearly all vertices are kept for their degree. The others are decided one after the other, as walks around them
+// link loops.
 void Merging::decide_vertices(const std::vector<VertexId>& features) {
-  auto feature = features.begin();
+  for_each_of(domain_.vertices, [&](VertexId v) {
+    if (mergeable(state(v)) && !pinned(v)) vertex_fate_[v] = Fate::in_region;
+  });
+  for (VertexId v : features) vertex_fate_[v] = Fate::kept;
   for (VertexId v : domain_.vertices) {
-    while (feature != features.end() && *feature < v) ++feature;
-    const bool free = (feature == features.end() || *feature != v) && mergeable(state(v));
-    vertex_fate_[v] = free ? decide(v) : Fate::kept;
+    if (vertex_fate_.get(v) == Fate::kept) continue;
+    vertex_fate_[v] = decide(v);
   }
+}
+
+// Kept, for it does not lie between two walkable edges of its state and has some.
+bool Merging::pinned(VertexId v) const {
+  std::size_t n = 0;
+  for (EdgeId e : complex_.vertex_edges[v]) {
+    if (!walkable(e)) continue;
+    if (++n > 2 || state(v) != state(e)) return true;
+  }
+  return n == 1;
 }
 
 Merging::Fate Merging::decide(VertexId v) {
@@ -240,14 +268,14 @@ Merging::Fate Merging::decide(VertexId v) {
   EdgeId pair[2];
   std::size_t n = 0;
   for (EdgeId e : complex_.vertex_edges[v]) {
-    if (!walkable(e)) continue;
-    if (n == 2) return Fate::kept;
-    pair[n++] = e;
+    if (walkable(e)) pair[n++] = e;
   }
-  if (n == 1) return Fate::kept;
-  if (n == 2 && (s != state(pair[0]) || s != state(pair[1]))) return Fate::kept;
   isolating_faces(v, around_);
-  if (n == 2) return around_.empty() && continues(v, pair[0], pair[1]) ? Fate::in_edge : Fate::kept;
+  if (n == 2) {
+    if (!around_.empty() || !continues(v, pair[0], pair[1])) return Fate::kept;
+    chains_.unite(pair[0], pair[1]);
+    return Fate::in_edge;
+  }
   if (around_.empty()) return s == state(complex_.some_region(v)) ? Fate::in_region : Fate::kept;
   if (around_.size() > 1 || s != state(around_[0])) return Fate::kept;
   vertex_host_[v] = around_[0];

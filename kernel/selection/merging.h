@@ -8,7 +8,8 @@
 // Notation: the *state* of a cell is its component. Faces are decided first, then edges, then vertices; a face
 // that stays *remains*, an edge or vertex that is not in the interior of something larger is *kept*.
 // A *use* is an entry of Complex::edge_uses: one face along one half-edge of its loops. `next` and `previous`
-// follow the loop; `across` turns around a vertex inside a merged face, over the edges that vanished in it.
+// follow the loop; `across` turns around a vertex inside a merged face, over the edges that vanished in it. Most
+// faces merge with none and are not asked about: loops are linked when they are needed.
 #pragma once
 
 #include <cstdint>
@@ -24,18 +25,24 @@ namespace cnrg {
 class OrientedSets {
  public:
   explicit OrientedSets(std::size_t n) : links_(n) {}
-  /// The smallest member of the set of x, and whether x is oriented against it.
-  std::pair<FaceId, bool> find(FaceId x);
   /// Joins the sets of a and b, `flip`: a and b are oriented against each other. False if they are in one set
   /// already with the other orientation (the union would not be orientable).
   bool unite(FaceId a, FaceId b, bool flip);
+  /// After the last union.
+  void settle();
+  /// The smallest member of the set of x, and whether x is oriented against it. After `settle` it is one step.
+  std::pair<FaceId, bool> find(FaceId x) const;
+  /// All members but the smallest of each set, ascending; after `settle`.
+  const std::vector<FaceId>& joined() const { return joined_; }
 
  private:
   struct Link {
     std::uint32_t parent;  // 1 + the parent; 0: none
     bool flip;
   };
+  std::pair<FaceId, bool> shortened(FaceId x);
   Scratch<FaceId, Link> links_;
+  std::vector<FaceId> joined_;
 };
 
 class Merging {
@@ -66,7 +73,13 @@ class Merging {
   /// The smallest cell of the merged region; an inactive one by itself before `merge_inactive_regions`.
   RegionId region(RegionId r) { return regions_.find(r); }
   /// The smallest face of the merged face, and whether f is oriented against it.
-  std::pair<FaceId, bool> face(FaceId f) { return faces_.find(f); }
+  std::pair<FaceId, bool> face(FaceId f) const { return faces_.find(f); }
+  /// The faces that merged into a smaller one, ascending.
+  const std::vector<FaceId>& joined_faces() const { return faces_.joined(); }
+  /// The edges of fate in_face, ascending.
+  const std::vector<EdgeId>& inner_edges() const { return inner_edges_; }
+  /// The smallest edge of the chain that holds a kept edge.
+  EdgeId chain(EdgeId e) { return chains_.find(e); }
   /// A face in whose interior a vertex of fate in_face vanished.
   FaceId host(VertexId v) const { return vertex_host_[v]; }
   /// The faces in whose interior a kept vertex is isolated: merged ones by their smallest face, ascending.
@@ -77,21 +90,25 @@ class Merging {
   const FaceUse& use(Use u) const { return complex_.edge_uses.values()[u]; }
   Use first_use(EdgeId e) const { return complex_.edge_uses.offsets()[e.index()]; }
   Use end_use(EdgeId e) const { return complex_.edge_uses.offsets()[e.index() + 1]; }
+  /// The uses of a remaining face along one of its loops, into `out`.
+  void uses_along(FaceId f, LoopId l, std::vector<Use>& out) const;
   /// From a use of a walkable edge at v: the use of the walkable edge on the other side of the face's corner.
-  Use across(Use u, VertexId v) const;
+  /// Threads may ask at a time when they ask about different merged faces.
+  Use across(Use u, VertexId v);
 
  private:
   struct UseTag;
   bool mergeable(Component state) const { return mode_ != SimplifyMode::raw || state == 0; }
   void collect_domain(const Selection& selection, const Features& features);
   void decide_faces();
-  void link_loops();
   void decide_edges(const std::vector<EdgeId>& features);
   void decide_vertices(const std::vector<VertexId>& features);
-  Fate decide(EdgeId e);
+  Fate decide(EdgeId e) const;
+  bool pinned(VertexId v) const;
   Fate decide(VertexId v);
   bool continues(VertexId v, EdgeId a, EdgeId b);
-  Use neighbour(Use u, VertexId v) const;
+  void link_loops(FaceId f);
+  Use neighbour(Use u, VertexId v);
   Use twin_use(Use u) const;
 
   const Complex& complex_;
@@ -107,7 +124,9 @@ class Merging {
   Scratch<VertexId, FaceId> vertex_host_;
   SparseSets<RegionId> regions_;
   OrientedSets faces_;
-  Scratch<Id<UseTag>, Use> next_, previous_;
+  SparseSets<EdgeId> chains_;
+  std::vector<EdgeId> inner_edges_;
+  Scratch<Id<UseTag>, Use> next_, previous_;  // 1 + the use; 0: the loops of its face are not linked yet
   std::vector<FaceId> around_;
 };
 

@@ -3,12 +3,17 @@
 // A node of a tree touches few cells of a large complex; clearing an array of the complex' size per node, or
 // asking the system for its pages, would cost more than the node. So a block notes which of its pages were
 // touched, clears these when it is released, and is used again.
+//
+// Threads may write different entries at a time, or the same one by `Marks::set`.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "kernel/base/ids.h"
 
@@ -31,7 +36,11 @@ class ZeroedBlock {
   }
   std::byte* data() const { return data_; }
   /// The bytes of the page at `offset` may be written from now on.
-  void touch(std::size_t offset) { data_[pages_ * kPage + offset / kPage] = std::byte{1}; }
+  void touch(std::size_t offset) {
+    std::atomic_ref(data_[pages_ * kPage + offset / kPage]).store(std::byte{1}, std::memory_order_relaxed);
+  }
+  bool touched(std::size_t page) const { return data_[pages_ * kPage + page] != std::byte{0}; }
+  std::size_t pages() const { return pages_; }
 
  private:
   std::byte* data_ = nullptr;  // pages_ pages, then a byte for each that says if it was touched
@@ -50,11 +59,45 @@ class Scratch {
     return data()[id.index()];
   }
   const T& operator[](IdT id) const { return data()[id.index()]; }
+  const T& get(IdT id) const { return data()[id.index()]; }
+
+  /// For entries of one byte: writes one that other threads may write, too.
+  void set(IdT id, T value) {
+    static_assert(sizeof(T) == 1);
+    block_.touch(id.index());
+    std::atomic_ref(data()[id.index()]).store(value, std::memory_order_relaxed);
+  }
+  /// For entries of one byte: the ids whose entry is not zero, ascending, at the cost of the pages touched.
+  std::vector<IdT> ids() const;
 
  private:
   T* data() const { return reinterpret_cast<T*>(block_.data()); }
   ZeroedBlock block_;
 };
+
+template <class IdT, class T>
+std::vector<IdT> Scratch<IdT, T>::ids() const {
+  static_assert(sizeof(T) == 1);
+  const auto each = [&](auto visit) {
+    for (std::size_t page = 0; page < block_.pages(); ++page) {
+      if (!block_.touched(page)) continue;
+      for (std::size_t at = page * ZeroedBlock::kPage, end = at + ZeroedBlock::kPage; at < end; at += 8) {
+        std::uint64_t eight;
+        std::memcpy(&eight, block_.data() + at, 8);
+        if (eight == 0) continue;
+        for (std::size_t i = at; i < at + 8; ++i) {
+          if (block_.data()[i] != std::byte{0}) visit(i);
+        }
+      }
+    }
+  };
+  std::size_t count = 0;
+  each([&](std::size_t) { ++count; });
+  std::vector<IdT> out;
+  out.reserve(count);
+  each([&](std::size_t i) { out.push_back(IdT(i)); });
+  return out;
+}
 
 /// One byte of flags per cell.
 template <class IdT>
@@ -67,9 +110,9 @@ class SparseSets {
  public:
   explicit SparseSets(std::size_t n) : parent_(n) {}
   IdT find(IdT x) {
-    while (parent_[x] != 0) {
-      const IdT up(parent_[x] - 1);
-      if (parent_[up] != 0) parent_[x] = parent_[up];
+    while (parent_.get(x) != 0) {
+      const IdT up(parent_.get(x) - 1);
+      if (parent_.get(up) != 0) parent_[x] = parent_.get(up);
       x = up;
     }
     return x;

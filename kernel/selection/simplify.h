@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/base/short_list.h"
 #include "kernel/selection/selection.h"
 
 namespace cnrg {
@@ -22,14 +23,14 @@ struct SimplifiedComplex {
     Component component = 0;
   };
   struct Edge {
-    std::vector<HalfEdge> chain;       ///< head to tail; a closed chain has no end vertices
+    ShortList<HalfEdge, 2> chain;      ///< head to tail; a closed chain has no end vertices
     bool closed = false;
     Component component = 0;
   };
   struct Face {
-    std::vector<HalfFace> cells;       ///< the faces united, each by the half-face that is the front
-    std::vector<std::vector<HalfEdge>> loops;  ///< boundary walks, the face to the left; slits twice
-    std::vector<VertexId> isolated;    ///< remaining vertices in the interior
+    ShortList<HalfFace, 2> cells;      ///< the faces united, each by the half-face that is the front
+    ShortLists<HalfEdge> loops;        ///< boundary walks, the face to the left; slits twice
+    ShortList<VertexId, 2> isolated;   ///< remaining vertices in the interior
     Component component = 0;
     std::array<std::uint32_t, 2> regions{};  ///< indices of the regions on front and back
   };

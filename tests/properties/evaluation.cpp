@@ -11,7 +11,7 @@ namespace {
 using Place = SimplifiedComplex::Place;
 
 /// Ends of the simplified vertices along a walk, in its order; vertices that were merged away are passed over.
-std::vector<VertexId> corners(const Complex& c, const SimplifiedComplex& s, const std::vector<HalfEdge>& walk) {
+std::vector<VertexId> corners(const Complex& c, const SimplifiedComplex& s, std::span<const HalfEdge> walk) {
   std::vector<VertexId> result;
   for (const HalfEdge h : walk)
     if (s.vertex_place[c.origin(h).index()].dimension == 0) result.push_back(c.origin(h));

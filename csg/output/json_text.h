@@ -1,0 +1,69 @@
+// JSON as text, member by member: what a file has hundreds of thousands of. Values of a library would take most of
+// the time of writing a file.
+#pragma once
+
+#include <charconv>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace cnrg {
+
+template <class T>
+  requires std::is_integral_v<T>
+void append_json(std::string& text, T value) {
+  if constexpr (std::is_same_v<T, bool>) {
+    text += value ? "true" : "false";
+  } else {
+    char digits[20];
+    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+  }
+}
+
+/// A list, each item by `write(item)`.
+template <class List, class Write>
+void append_json(std::string& text, const List& list, Write write) {
+  char before = '[';
+  for (const auto& item : list) {
+    text += before;
+    write(item);
+    before = ',';
+  }
+  text += before == '[' ? "[]" : "]";
+}
+
+/// A list of numbers or of lists of them.
+template <class List>
+  requires requires(const List& list) { list.begin(); }
+void append_json(std::string& text, const List& list) {
+  append_json(text, list, [&](const auto& item) { append_json(text, item); });
+}
+
+/// An object at the end of a text, closed when this goes.
+class JsonObject {
+ public:
+  explicit JsonObject(std::string& text) : text_(text) { text_ += '{'; }
+  ~JsonObject() { text_ += '}'; }
+  JsonObject(const JsonObject&) = delete;
+  JsonObject& operator=(const JsonObject&) = delete;
+
+  /// Adds a key, a word of letters; its value is to be appended to the text returned.
+  std::string& key(std::string_view name) {
+    if (text_.back() != '{') text_ += ',';
+    text_ += '"';
+    text_ += name;
+    text_ += "\":";
+    return text_;
+  }
+  template <class T>
+  JsonObject& add(std::string_view name, const T& value) {
+    append_json(key(name), value);
+    return *this;
+  }
+
+ private:
+  std::string& text_;
+};
+
+}  // namespace cnrg
