@@ -3,8 +3,8 @@
 //
 // Nearly all cells lie on faces of one leaf, with one cover each: for these nothing is listed or sorted, a cell
 // keeps the leaf alone. A cell of several leaves is marked so and looked at again by who asks, so that the cost is
-// that of all incidences. Blocks of cells are looked at in parallel and note (leaf, cell); dealing the notes out
-// block by block fills every list in the order of ids.
+// that of all incidences. Blocks of cells are looked at in parallel; then every cell is dealt to its leaves in the
+// order of ids.
 #include "csg/operators/leaf_group.h"
 
 #include <tbb/parallel_for.h>
@@ -25,18 +25,44 @@ namespace {
 constexpr LeafId kSeveral{0xfffffffe};  // more than one leaf at a cell; LeafId::none() is none
 constexpr std::size_t kBlock = 8192;    // cells: some 100 us of work
 
+// Which leaves have each cell of one kind.
 template <class IdT>
-using Notes = std::vector<std::pair<LeafId, IdT>>;
+class Holders {
+ public:
+  explicit Holders(std::size_t cells) : only_(cells) {}
+  /// The one leaf that has the cell, none() or kSeveral.
+  LeafId operator[](IdT cell) const { return only_[cell]; }
+  void set(IdT cell, LeafId leaf) { only_[cell] = leaf; }
 
-// What one block of cells found.
-template <class IdT>
-struct Block {
-  Notes<IdT> cells, features;
+  void make_blocks(std::size_t count) { several_.resize(count); }
+  /// Cells of one block come in the order of ids; `leaves` are ascending.
+  void set(IdT cell, const std::vector<LeafId>& leaves, std::size_t block) {
+    if (leaves.empty()) return;
+    only_[cell] = leaves.size() == 1 ? leaves[0] : kSeveral;
+    if (leaves.size() == 1) return;
+    for (const LeafId leaf : leaves) several_[block].emplace_back(cell, leaf);
+  }
+  /// f(leaf, cell) for `cells` in blocks of kBlock, the leaves of each ascending.
+  template <class Cells, class F>
+  void for_each(std::size_t count, Cells cells, F f) const {
+    for (std::size_t b = 0; b < several_.size(); ++b) {
+      auto next = several_[b].begin();
+      const std::size_t end = std::min(count, (b + 1) * kBlock);
+      for (std::size_t i = b * kBlock; i < end; ++i) {
+        const IdT cell = cells(i);
+        if (only_[cell] == kSeveral) {
+          for (; next != several_[b].end() && next->first == cell; ++next) f(next->second, cell);
+        } else if (only_[cell].valid()) {
+          f(only_[cell], cell);
+        }
+      }
+    }
+  }
+
+ private:
+  IdVector<IdT, LeafId> only_;
+  std::vector<std::vector<std::pair<IdT, LeafId>>> several_;  // by block
 };
-
-LeafId only_one(const std::vector<LeafId>& leaves) {
-  return leaves.empty() ? LeafId::none() : leaves.size() == 1 ? leaves[0] : kSeveral;
-}
 
 // The patches that are curved: their facets lie in more than one sheet, and they are one face for people. Made
 // when it is first asked for; thread-safe.
@@ -50,24 +76,29 @@ class CurvedPatches {
   }
 
  private:
+  // Facets of one patch mostly come one after the other: one of each run is listed.
   void collect() const {
     std::vector<std::tuple<LeafId, std::uint32_t, SheetId>> facets;
-    facets.reserve(complex_.face_count());
     for (FaceId f : IdRange<FaceId>(complex_.face_count())) {
       for (const Cover& c : complex_.cover(f)) {
         const Soup::Face& source = complex_.sources[c.source];
-        const std::tuple facet(source.leaf, source.patch, complex_.face_sheet[f]);
-        if (facets.empty() || facets.back() != facet) facets.push_back(facet);
+        const std::pair patch(source.leaf, source.patch);
+        if (facets.empty() || patch_of(facets.back()) != patch) {
+          facets.emplace_back(source.leaf, source.patch, complex_.face_sheet[f]);
+        } else if (std::get<2>(facets.back()) != complex_.face_sheet[f] &&
+                   (patches_.empty() || patches_.back() != patch)) {
+          patches_.push_back(patch);
+        }
       }
     }
     sort_unique(facets);
     for (std::size_t i = 1; i < facets.size(); ++i) {
-      const auto& [leaf, patch, sheet] = facets[i];
-      if (std::get<0>(facets[i - 1]) == leaf && std::get<1>(facets[i - 1]) == patch) {
-        patches_.emplace_back(leaf, patch);
-      }
+      if (patch_of(facets[i - 1]) == patch_of(facets[i])) patches_.push_back(patch_of(facets[i]));
     }
     sort_unique(patches_);
+  }
+  static std::pair<LeafId, std::uint32_t> patch_of(const std::tuple<LeafId, std::uint32_t, SheetId>& facet) {
+    return {std::get<0>(facet), std::get<1>(facet)};
   }
 
   const Complex& complex_;
@@ -79,25 +110,27 @@ class LeafGroups {
  public:
   explicit LeafGroups(const Complex& complex)
       : complex_(complex), groups_(complex.leaf_count), curved_(complex), only_source_(complex.face_count()),
-        edge_leaf_(complex.edge_count()), edge_feature_(complex.edge_count()) {}
+        faces_(complex.face_count()), edges_(complex.edge_count()), edge_features_(complex.edge_count()),
+        vertices_(complex.points.size()), vertex_features_(complex.points.size()) {}
 
   std::vector<Group> run(const std::vector<std::vector<RegionAttributes>>& attributes) {
-    const auto faces = look_at<FaceId>(complex_.face_count(), [&](std::size_t i, Nearby& nearby, auto& block) {
-      look_at_face(FaceId(i), nearby, block);
-    });
-    const auto edges = look_at<EdgeId>(complex_.edge_count(), [&](std::size_t i, Nearby& nearby, auto& block) {
-      look_at_edge(EdgeId(i), nearby, block);
-    });
-    const auto vertices =
-        look_at<VertexId>(complex_.vertices.size(), [&](std::size_t i, Nearby& nearby, auto& block) {
-          look_at_vertex(complex_.vertices[i], nearby, block);
-        });
+    const auto face = [](std::size_t i) { return FaceId(i); };
+    const auto edge = [](std::size_t i) { return EdgeId(i); };
+    const auto vertex = [&](std::size_t i) { return complex_.vertices[i]; };
+    const std::size_t faces = complex_.face_count(), edges = complex_.edge_count(),
+                      vertices = complex_.vertex_count();
+    faces_.make_blocks(block_count(faces));
+    edges_.make_blocks(block_count(edges)), edge_features_.make_blocks(block_count(edges));
+    vertices_.make_blocks(block_count(vertices)), vertex_features_.make_blocks(block_count(vertices));
+    look_at(faces, [&](std::size_t i, Nearby& nearby) { look_at_face(face(i), i / kBlock, nearby); });
+    look_at(edges, [&](std::size_t i, Nearby& nearby) { look_at_edge(edge(i), i / kBlock, nearby); });
+    look_at(vertices, [&](std::size_t i, Nearby& nearby) { look_at_vertex(vertex(i), i / kBlock, nearby); });
     tbb::parallel_invoke(
-        [&] { deal(faces, &Block<FaceId>::cells, [](Group& g) -> auto& { return g.faces; }); },
-        [&] { deal(edges, &Block<EdgeId>::cells, [](Group& g) -> auto& { return g.edges; }); },
-        [&] { deal(edges, &Block<EdgeId>::features, [](Group& g) -> auto& { return g.features.edges; }); },
-        [&] { deal(vertices, &Block<VertexId>::cells, [](Group& g) -> auto& { return g.vertices; }); },
-        [&] { deal(vertices, &Block<VertexId>::features, [](Group& g) -> auto& { return g.features.vertices; }); });
+        [&] { deal(faces_, faces, face, [](Group& g) -> auto& { return g.faces; }); },
+        [&] { deal(edges_, edges, edge, [](Group& g) -> auto& { return g.edges; }); },
+        [&] { deal(edge_features_, edges, edge, [](Group& g) -> auto& { return g.features.edges; }); },
+        [&] { deal(vertices_, vertices, vertex, [](Group& g) -> auto& { return g.vertices; }); },
+        [&] { deal(vertex_features_, vertices, vertex, [](Group& g) -> auto& { return g.features.vertices; }); });
     const auto labelled = label_regions();
     tbb::parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t leaf) {
       regions(LeafId(leaf), labelled[leaf], leaf < attributes.size() ? attributes[leaf] : kNoAttributes);
@@ -109,55 +142,57 @@ class LeafGroups {
  private:
   inline static const std::vector<RegionAttributes> kNoAttributes;
 
+  // A soup face that covers a face around an edge.
+  struct Piece {
+    FaceUse use;
+    SourceId source;
+  };
+
   // Lists about one cell, kept for their memory.
   struct Nearby {
     std::vector<LeafId> leaves, bordering, features;
-    std::vector<std::pair<LeafId, EdgeId>> feature_edges;
-    std::vector<std::tuple<bool, std::uint32_t, FaceId, HalfEdge>> pieces;
+    std::vector<Piece> pieces;
     std::vector<LeafId> at_vertex;
+    std::vector<std::pair<LeafId, EdgeId>> feature_edges;
   };
 
   bool counts(LeafId leaf) const { return leaf != complex_.frame; }
 
-  // look(i, nearby, block) for all i < count, in blocks.
-  template <class IdT, class Look>
-  static std::vector<Block<IdT>> look_at(std::size_t count, Look look) {
-    std::vector<Block<IdT>> blocks((count + kBlock - 1) / kBlock);
-    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+  static std::size_t block_count(std::size_t cells) { return (cells + kBlock - 1) / kBlock; }
+
+  // look(i, nearby) for all i < count, blocks in parallel.
+  template <class Look>
+  static void look_at(std::size_t count, Look look) {
+    tbb::parallel_for(std::size_t{0}, block_count(count), [&](std::size_t b) {
       Nearby nearby;
       const std::size_t end = std::min(count, (b + 1) * kBlock);
-      blocks[b].cells.reserve(end - b * kBlock);
-      for (std::size_t i = b * kBlock; i < end; ++i) look(i, nearby, blocks[b]);
+      for (std::size_t i = b * kBlock; i < end; ++i) look(i, nearby);
     });
-    return blocks;
   }
 
-  template <class IdT, class List>
-  void deal(const std::vector<Block<IdT>>& blocks, Notes<IdT> Block<IdT>::*which, List list) {
+  // Fills the lists of all groups: `list(group)` is that of one.
+  template <class IdT, class Cells, class List>
+  void deal(const Holders<IdT>& holders, std::size_t cells, Cells cell_at, List list) {
     std::vector<std::size_t> count(groups_.size(), 0);
-    for (const Block<IdT>& block : blocks) {
-      for (const auto& [leaf, cell] : block.*which) ++count[leaf.index()];
-    }
+    holders.for_each(cells, cell_at, [&](LeafId leaf, IdT) { ++count[leaf.index()]; });
     for (std::size_t leaf = 0; leaf < count.size(); ++leaf) list(groups_[leaf]).reserve(count[leaf]);
-    for (const Block<IdT>& block : blocks) {
-      for (const auto& [leaf, cell] : block.*which) list(groups_[leaf.index()]).push_back(cell);
-    }
+    holders.for_each(cells, cell_at, [&](LeafId leaf, IdT cell) { list(groups_[leaf.index()]).push_back(cell); });
   }
 
-  void look_at_face(FaceId f, Nearby& nearby, Block<FaceId>& block) {
+  void look_at_face(FaceId f, std::size_t block, Nearby& nearby) {
     if (complex_.on_frame(f)) return;
     const auto covers = complex_.cover(f);
     if (covers.size() == 1) {
       const LeafId leaf = complex_.sources[covers[0].source].leaf;
       if (!counts(leaf)) return;
       only_source_[f] = covers[0].source;
-      block.cells.emplace_back(leaf, f);
+      faces_.set(f, leaf);
       return;
     }
     nearby.leaves.clear();
     add_covering(f, nearby.leaves);
     sort_unique(nearby.leaves);
-    for (const LeafId leaf : nearby.leaves) block.cells.emplace_back(leaf, f);
+    faces_.set(f, nearby.leaves, block);
   }
 
   void add_covering(FaceId f, std::vector<LeafId>& leaves) const {
@@ -167,18 +202,11 @@ class LeafGroups {
     }
   }
 
-  void look_at_edge(EdgeId e, Nearby& nearby, Block<EdgeId>& block) {
-    if (complex_.on_frame(e)) return;
-    if (parts_one_leaf(e)) {
-      block.cells.emplace_back(edge_leaf_[e], e);
-      if (edge_feature_[e].valid()) block.features.emplace_back(edge_leaf_[e], e);
-      return;
-    }
+  void look_at_edge(EdgeId e, std::size_t block, Nearby& nearby) {
+    if (complex_.on_frame(e) || parts_one_leaf(e)) return;
     find_leaves(e, nearby);
-    edge_leaf_[e] = only_one(nearby.leaves);
-    edge_feature_[e] = only_one(nearby.features);
-    for (const LeafId leaf : nearby.leaves) block.cells.emplace_back(leaf, e);
-    for (const LeafId leaf : nearby.features) block.features.emplace_back(leaf, e);
+    edges_.set(e, nearby.leaves, block);
+    edge_features_.set(e, nearby.features, block);
   }
 
   // An edge between two faces that one face each of one and the same leaf covers, and nothing else at it: notes
@@ -198,8 +226,8 @@ class LeafGroups {
         borders = true;
       }
     }
-    edge_leaf_[e] = a.leaf;
-    if (borders && parts(a, b)) edge_feature_[e] = a.leaf;
+    edges_.set(e, a.leaf);
+    if (borders && parts(a, b)) edge_features_.set(e, a.leaf);
     return true;
   }
 
@@ -212,7 +240,7 @@ class LeafGroups {
 
   // Any edge: fills `leaves` and `features`, ascending.
   void find_leaves(EdgeId e, Nearby& nearby) const {
-    auto& [leaves, bordering, features, feature_edges, pieces, at_vertex] = nearby;
+    auto& [leaves, bordering, features, pieces, at_vertex, feature_edges] = nearby;
     leaves.clear(), bordering.clear(), features.clear();
     for (SegmentId s : complex_.edge_segments[e]) {
       for (WireId w : complex_.segment_wires[s]) features.push_back(complex_.wires[w].leaf);
@@ -230,66 +258,73 @@ class LeafGroups {
   }
 
   // False if the faces of the leaf around the edge are two pieces of one and the same face or curved patch.
-  template <class Pieces>
-  bool parts_faces(EdgeId e, LeafId leaf, Pieces& pieces) const {
+  bool parts_faces(EdgeId e, LeafId leaf, std::vector<Piece>& pieces) const {
     pieces.clear();
     for (const FaceUse& use : complex_.edge_uses[e]) {
       for (const Cover& c : complex_.cover(use.face)) {
-        const Soup::Face& source = complex_.sources[c.source];
-        if (source.leaf != leaf) continue;
-        const bool curved = curved_.has(leaf, source.patch);
-        pieces.emplace_back(curved, curved ? source.patch : source.leaf_face, use.face, use.half_edge);
+        if (complex_.sources[c.source].leaf == leaf) pieces.push_back({use, c.source});
       }
     }
-    sort_unique(pieces);
-    return pieces.size() != 2 || std::get<0>(pieces[0]) != std::get<0>(pieces[1]) ||
-           std::get<1>(pieces[0]) != std::get<1>(pieces[1]);
+    if (pieces.size() < 2 || pieces.front().use == pieces.back().use) return true;
+    // Two uses at least: there are two pieces when each use has one, as often as it may be covered.
+    const auto first_of_back = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& p) {
+      return p.use != pieces.front().use;
+    });
+    return std::any_of(std::next(pieces.begin()), pieces.end(), [&](const Piece& p) {
+      const bool third = p.use != pieces.front().use && p.use != first_of_back->use;
+      return third || parts(complex_.sources[pieces.front().source], complex_.sources[p.source]);
+    });
   }
 
-  void look_at_vertex(VertexId v, Nearby& nearby, Block<VertexId>& block) const {
+  void look_at_vertex(VertexId v, std::size_t block, Nearby& nearby) {
     if (complex_.on_frame(v)) return;
     if (LeafId leaf; is_of_one_leaf(v, leaf)) {
       FeatureEnds ends;
       for (EdgeId e : complex_.vertex_edges[v]) {
-        if (edge_feature_[e].valid()) ends.add(e);
+        if (edge_features_[e].valid()) ends.add(e);
       }
-      block.cells.emplace_back(leaf, v);
-      if (end_features(v, leaf, ends)) block.features.emplace_back(leaf, v);
+      vertices_.set(v, leaf);
+      if (end_features(v, leaf, ends)) vertex_features_.set(v, leaf);
       return;
     }
     auto& leaves = nearby.at_vertex;
     auto& features = nearby.feature_edges;
     leaves.clear(), features.clear();
     for (EdgeId e : complex_.vertex_edges[v]) {
-      find_leaves(e, nearby);
-      leaves.insert(leaves.end(), nearby.leaves.begin(), nearby.leaves.end());
-      for (LeafId leaf : nearby.features) features.emplace_back(leaf, e);
+      if (edges_[e] == kSeveral || edge_features_[e] == kSeveral) {
+        find_leaves(e, nearby);
+        leaves.insert(leaves.end(), nearby.leaves.begin(), nearby.leaves.end());
+        for (LeafId leaf : nearby.features) features.emplace_back(leaf, e);
+      } else {
+        if (edges_[e].valid()) leaves.push_back(edges_[e]);
+        if (edge_features_[e].valid()) features.emplace_back(edge_features_[e], e);
+      }
     }
     for (FaceId f : complex_.vertex_faces[v]) add_covering(f, leaves);
     const auto isolated = complex_.isolated_leaves[v];
     leaves.insert(leaves.end(), isolated.begin(), isolated.end());
     sort_unique(leaves);
+    std::erase_if(leaves, [&](LeafId leaf) { return !counts(leaf); });
     std::sort(features.begin(), features.end());
-    for (LeafId leaf : leaves) {
-      if (!counts(leaf)) continue;
+    vertices_.set(v, leaves, block);
+    std::erase_if(leaves, [&](LeafId leaf) {
       FeatureEnds ends;
       auto it = std::lower_bound(features.begin(), features.end(), std::pair(leaf, EdgeId(0)));
       for (; it != features.end() && it->first == leaf; ++it) ends.add(it->second);
-      block.cells.emplace_back(leaf, v);
       const bool own = std::find(isolated.begin(), isolated.end(), leaf) != isolated.end();
-      if (own || end_features(v, leaf, ends)) block.features.emplace_back(leaf, v);
-    }
+      return !own && !end_features(v, leaf, ends);
+    });
+    vertex_features_.set(v, leaves, block);
   }
 
   // All edges at the vertex are of one and the same leaf, and there are no other cells of leaves.
   bool is_of_one_leaf(VertexId v, LeafId& leaf) const {
     const auto edges = complex_.vertex_edges[v];
     if (edges.empty() || !complex_.vertex_faces[v].empty() || !complex_.isolated_leaves[v].empty()) return false;
-    leaf = edge_leaf_[edges[0]];
-    return leaf.valid() && leaf != kSeveral &&
-           std::all_of(edges.begin(), edges.end(), [&](EdgeId e) {
-             return edge_leaf_[e] == leaf && (!edge_feature_[e].valid() || edge_feature_[e] == leaf);
-           });
+    leaf = edges_[edges[0]];
+    return leaf.valid() && leaf != kSeveral && std::all_of(edges.begin(), edges.end(), [&](EdgeId e) {
+      return edges_[e] == leaf && (!edge_features_[e].valid() || edge_features_[e] == leaf);
+    });
   }
 
   // The feature edges of a leaf at a vertex, in the order of ids: the first two count.
@@ -305,7 +340,14 @@ class LeafGroups {
   bool end_features(VertexId v, LeafId leaf, const FeatureEnds& ends) const {
     const auto& [a, b] = ends.at;
     if (ends.count == 0) return false;
-    return ends.count != 2 || !(straight(complex_, v, a, b) || one_curve(complex_, v, a, b, leaf));
+    return ends.count != 2 ||
+           !(share_segment(a, b) || straight(complex_, v, a, b) || one_curve(complex_, v, a, b, leaf));
+  }
+
+  // Pieces of one input segment are on one line: no arithmetic with the point that cuts it.
+  bool share_segment(EdgeId a, EdgeId b) const {
+    const auto at_a = complex_.edge_segments[a], at_b = complex_.edge_segments[b];
+    return std::find_first_of(at_a.begin(), at_a.end(), at_b.begin(), at_b.end()) != at_a.end();
   }
 
   using Labelled = std::vector<std::pair<RegionId, std::uint32_t>>;  // 3-cells and labels of one leaf
@@ -349,7 +391,9 @@ class LeafGroups {
   std::vector<Group> groups_;
   CurvedPatches curved_;
   IdVector<FaceId, SourceId> only_source_;  // of a face with one cover, off the frame; none() otherwise
-  IdVector<EdgeId, LeafId> edge_leaf_, edge_feature_;
+  Holders<FaceId> faces_;
+  Holders<EdgeId> edges_, edge_features_;
+  Holders<VertexId> vertices_, vertex_features_;
 };
 
 }  // namespace
