@@ -51,13 +51,13 @@ float rounded_up(double x) {
 }
 
 // Entities and bounded regions lie in the hull of the vertices.
-Box box_of(const Complex& complex, const Group& g) {
+PartBox box_of(const Complex& complex, const Group& g) {
   const bool unbounded = std::any_of(g.cells.begin(), g.cells.end(),
                                      [&](const auto& cell) { return complex.unbounded(cell.first); });
   if (unbounded || reaches_frame(complex, g)) {
     return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
   }
-  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  PartBox box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   for (VertexId v : g.vertices) {
     const PointView p = complex.points.view(v);
     for (int k = 0; k < 3; ++k) {
@@ -66,15 +66,6 @@ Box box_of(const Complex& complex, const Group& g) {
     }
   }
   return box;
-}
-
-bool before(const PartRef& a, const PartRef& b) {
-  const auto first = []<class IdT>(const std::vector<IdT>& list) { return list.empty() ? IdT() : list.front(); };
-  const auto key = [&](const Part& part) {
-    const Group& g = part.group();
-    return std::tuple(first(part.first_cells()), first(g.vertices), first(g.edges), first(g.faces));
-  };
-  return key(*a.get()) < key(*b.get());
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> order_regions(const std::vector<const Part*>& parts) {
@@ -204,7 +195,7 @@ void find_meetings(const Parts& few, const Parts& many, Found found) {
   std::sort(sorted.begin(), sorted.end());
   std::vector<float> reach;
   float furthest = -kInfinity;
-  Box hull = few[0].box();
+  PartBox hull = few[0].box();
   for (const PartRef& part : few) {
     for (int k = 0; k < 3; ++k) {
       hull.low[k] = std::min(hull.low[k], part.box().low[k]);
@@ -213,7 +204,7 @@ void find_meetings(const Parts& few, const Parts& many, Found found) {
   }
   for (const auto& [low, i] : sorted) reach.push_back(furthest = std::max(furthest, few[i].box().high[axis]));
   for (std::uint32_t j = 0; j < many.size(); ++j) {
-    const Box& box = many[j].box();
+    const PartBox& box = many[j].box();
     if (!box.meets(hull)) continue;
     const auto end = std::upper_bound(sorted.begin(), sorted.end(), box.high[axis],
                                       [](float x, const auto& entry) { return x < entry.first; });
@@ -390,6 +381,15 @@ std::vector<const Part*> pointers(const Parts& parts) {
 }
 
 }  // namespace
+
+bool before(const PartRef& a, const PartRef& b) {
+  const auto first = []<class IdT>(const std::vector<IdT>& list) { return list.empty() ? IdT() : list.front(); };
+  const auto key = [&](const Part& part) {
+    const Group& g = part.group();
+    return std::tuple(first(part.first_cells()), first(g.vertices), first(g.edges), first(g.faces));
+  };
+  return key(*a.get()) < key(*b.get());
+}
 
 Part::Part(const Complex& complex, Group group) : group_(std::move(group)), box_(box_of(complex, group_)) {
   first_cells_.reserve(group_.regions.size());
