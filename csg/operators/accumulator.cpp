@@ -1,8 +1,8 @@
 // Notation: *held* is the accumulated left operand, *new* the one that a step takes in. Flags say so per cell; all
 // decisions of a step are made with the flags of both operands as they were, then the step is committed.
 //
-// Regions of held are disjoint sets of 3-cells, named by their smallest cell, with lists of their members in rings.
-// A union joins them at the new 3-cells only. Where a wall comes to stand inside of a region this may fall into
+// Regions of held are disjoint sets of 3-cells, named by their smallest cell, their members linked in rings. A
+// union joins them at the new 3-cells only. Where a wall comes to stand inside of a region this may fall into
 // several: then its cells are joined anew. A difference never joins regions: each piece has the attributes of the
 // first operand's region that it is of, and pieces are found at the end.
 #include "csg/operators/accumulator.h"

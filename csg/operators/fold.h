@@ -1,8 +1,8 @@
 // ((a op b) op c) op ... of many operands at the cost of what they touch.
 //
-// Operand by operand, `apply` reads the accumulated value again and again. Here boxes tell first which parts of all
-// operands may meet; parts that meet none are carried over or dropped as a whole. Each cluster of the others is
-// accumulated by itself: what a step does there depends on nothing outside.
+// Operand by operand, `apply` reads the accumulated value again and again. Here boxes tell first which parts of
+// all operands may meet; parts that meet none are carried over or dropped as a whole. Each cluster of the others
+// is accumulated by itself: what a step does there depends on nothing outside.
 #pragma once
 
 #include <span>

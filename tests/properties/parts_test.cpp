@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/operators/cnrg.h"
 #include "csg/operators/fold.h"
 #include "kernel/selection/measure.h"
 #include "tests/properties/evaluation.h"
@@ -224,7 +225,61 @@ std::size_t check_fold(const Complex& complex, const std::vector<PartedGroup>& v
   return conflicts.size();
 }
 
-/// Folds of leaves, of some of them united before, of complements and of surfaces that lie in others.
+void check_same(const Components& a, const Components& b) {
+  CHECK((a.selection == b.selection));
+  CHECK((a.features.edges == b.features.edges));
+  CHECK((a.features.vertices == b.features.vertices));
+  REQUIRE(a.attributes.size() == b.attributes.size());
+  for (std::size_t i = 0; i < a.attributes.size(); ++i) {
+    CHECK(a.attributes[i].name == b.attributes[i].name);
+    CHECK(a.attributes[i].material == b.attributes[i].material);
+    CHECK((a.attributes[i].leaves == b.attributes[i].leaves));
+    CHECK(a.attributes[i].dominance == b.attributes[i].dominance);
+  }
+  const auto same = [&](const std::vector<LeafSetId>& x, const std::vector<LeafSetId>& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [&](LeafSetId s, LeafSetId t) {
+      return std::ranges::equal(a.origins.sets[s], b.origins.sets[t]);
+    });
+  };
+  CHECK(same(a.origins.vertices, b.origins.vertices));
+  CHECK(same(a.origins.edges, b.origins.edges));
+  CHECK(same(a.origins.faces, b.origins.faces));
+  CHECK(same(a.origins.regions, b.origins.regions));
+}
+
+/// sum and subtract of all operands at once and step by step, components open and closed.
+std::size_t check_overlays(const Complex& complex, const std::vector<PartedGroup>& groups, Random& random) {
+  std::vector<Components> values;
+  for (const PartedGroup& group : groups) {
+    values.push_back(components_of(complex, whole(group)));
+    if (random.one_in(3)) values.back() = apply(complex, Topological::interior, values.back()).value;
+  }
+  std::vector<const Components*> pointers;
+  for (const Components& value : values) pointers.push_back(&value);
+  std::optional<Dominance> dominance;
+  if (random.one_in(3)) dominance = static_cast<Dominance>(random.below(3));
+  Components added = values[0], rest = values[0];
+  std::vector<MaterialConflict> conflicts;
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    ComponentsResult step = sum(complex, added, values[k], dominance);
+    conflicts.insert(conflicts.end(), step.conflicts.begin(), step.conflicts.end());
+    added = std::move(step.value);
+    rest = subtract(complex, rest, values[k]).value;
+  }
+  const ComponentsResult at_once = sum(complex, pointers, dominance);
+  check_same(at_once.value, added);
+  REQUIRE(at_once.conflicts.size() == conflicts.size());
+  for (std::size_t i = 0; i < conflicts.size(); ++i) {
+    CHECK(at_once.conflicts[i].kept == conflicts[i].kept);
+    CHECK(at_once.conflicts[i].other == conflicts[i].other);
+    CHECK((at_once.conflicts[i].cells == conflicts[i].cells));
+  }
+  check_same(subtract(complex, pointers).value, rest);
+  return conflicts.size();
+}
+
+/// Folds of leaves, of some of them united before, of complements and of surfaces that lie in others. Returns how
+/// many conflicts the folds of both families had at least.
 std::size_t check_folds(const Complex& complex, std::vector<Group> leaves, Random& random) {
   std::vector<PartedGroup> values;
   for (Group& leaf : leaves) {
@@ -244,7 +299,7 @@ std::size_t check_folds(const Complex& complex, std::vector<Group> leaves, Rando
     PartedGroup made = apply(complex, op, static_cast<Dominance>(random.below(3)), pick(), pick()).group;
     values.push_back(random.one_in(4) ? parted(complex, complement(complex, whole(made))) : std::move(made));
   }
-  std::size_t conflicts = 0;
+  std::size_t conflicts = 0, overlay_conflicts = 0;
   for (int round = 0; round < 4; ++round) {
     std::vector<PartedGroup> some;
     for (const PartedGroup& value : values) {
@@ -255,8 +310,9 @@ std::size_t check_folds(const Complex& complex, std::vector<Group> leaves, Rando
       std::swap(some[i - 1], some[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
     }
     conflicts += check_fold(complex, some, random);
+    if (some.size() > 1) overlay_conflicts += check_overlays(complex, some, random);
   }
-  return conflicts;
+  return std::min(conflicts, overlay_conflicts);
 }
 
 }  // namespace
