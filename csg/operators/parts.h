@@ -29,12 +29,10 @@ struct PartBox {
   }
 };
 
-/// What a row says of a value.
-struct Measures {
-  std::array<std::size_t, 4> raw{};         ///< active cells by dimension, as the refinement has them
-  std::array<std::size_t, 4> simplified{};  ///< active cells by dimension, simplified
-  /// Exact volumes by region, from region 1; nothing for an unbounded one.
-  std::vector<std::optional<Rational>> volumes;
+/// Active cells of a value by dimension.
+struct CellCounts {
+  std::array<std::size_t, 4> raw{};         ///< as the refinement has them
+  std::array<std::size_t, 4> simplified{};
 };
 
 /// A closed piece of a group that shares no point with the other parts of the same value; not empty. Its own
@@ -47,15 +45,18 @@ class Part {
   const PartBox& box() const { return box_; }
   /// The smallest 3-cell of each region, ascending.
   const std::vector<RegionId>& first_cells() const { return first_cells_; }
-  /// Computed when it is first asked for; `complex` is that of the constructor. Thread-safe.
-  const Measures& measures(const Complex& complex) const;
+  /// Both are computed when they are first asked for; `complex` is that of the constructor. Thread-safe.
+  const CellCounts& counts(const Complex& complex) const;
+  /// Exact volumes by region, from region 1; nothing for an unbounded one.
+  const std::vector<std::optional<Rational>>& volumes(const Complex& complex) const;
 
  private:
   Group group_;
   PartBox box_;
   std::vector<RegionId> first_cells_;
-  mutable std::once_flag measured_;
-  mutable Measures measures_;
+  mutable std::once_flag counted_, measured_;
+  mutable CellCounts counts_;
+  mutable std::vector<std::optional<Rational>> volumes_;
 };
 
 /// Sums of the measures of parts.
@@ -67,8 +68,8 @@ struct Totals {
   std::optional<Rational> volume() const {
     return unbounded == 0 ? std::optional(bounded_volume) : std::nullopt;
   }
-  void add(const Measures& m);
-  void remove(const Measures& m);
+  void add(const Complex& complex, const Part& part);
+  void remove(const Complex& complex, const Part& part);
 };
 
 /// A part in a list, with its box at hand: most parts are passed over by their boxes.
