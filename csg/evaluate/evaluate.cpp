@@ -4,6 +4,9 @@
 // user has run. Nothing recurses: instances are in an order in which operands come before users.
 #include "csg/evaluate/evaluate.h"
 
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -11,6 +14,7 @@
 
 #include "csg/evaluate/operate.h"
 #include "csg/evaluate/prepared_leaves.h"
+#include "csg/operators/component_lists.h"
 #include "csg/operators/leaf_group.h"
 #include "csg/operators/leaf_value.h"
 #include "kernel/selection/canonical.h"
@@ -104,6 +108,15 @@ Values leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedL
   return values;
 }
 
+/// Counts and volumes of leaves, for their rows: no leaf's depend on another's.
+void measure_leaves(const Complex& complex, const Values& values) {
+  tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t i) {
+    const NodeValue* value = values[InstanceId(i)].get();
+    if (value == nullptr || !value->is_group()) return;
+    for (const PartRef& part : value->parts().parts) part->counts(complex), part->volumes(complex);
+  });
+}
+
 /// How often each value is still needed: by users, and once more by each root.
 IdVector<InstanceId, std::size_t> count_uses(const Unfolding& unfolding) {
   IdVector<InstanceId, std::size_t> uses(unfolding.instances.size());
@@ -170,17 +183,64 @@ NodeRow row_of(const Tree& tree, const Unfolding& unfolding, InstanceId id) {
   return row;
 }
 
+/// The simplified complex of a value, made when it is first asked for: conflicts name its cells, the row of a root
+/// has its counts, its files are it.
+class Simplified {
+ public:
+  Simplified(const Complex& complex, const NodeValue& value) : complex_(complex), value_(value) {}
+  const Selection& selection() {
+    if (!selection_) selection_ = selection_of(complex_, value_);
+    return *selection_;
+  }
+  SimplifiedComplex& get() {
+    if (!made_) {
+      made_ = simplify(complex_, selection(), value_.features());
+      put_in_order(complex_, *made_);
+    }
+    return *made_;
+  }
+
+ private:
+  const Complex& complex_;
+  const NodeValue& value_;
+  std::optional<Selection> selection_;
+  std::optional<SimplifiedComplex> made_;
+};
+
+std::array<std::size_t, 4> raw_counts(const Selection& selection) {
+  return {selection.vertices.size(), selection.edges.size(), selection.faces.size(), selection.regions.size()};
+}
+
+/// The group of a root that no other node uses: nothing is kept for a next value, and its cells are at hand.
+void measure_last(const Complex& complex, const PartedGroup& group, Simplified& simplified, NodeRow& row) {
+  row.raw_cells = raw_counts(simplified.selection());
+  row.cells = active_counts(simplified.get());
+  row.total = Rational(0);
+  for (const PartRef& part : group.parts) {
+    for (const std::optional<Rational>& one : part->volumes(complex)) {
+      ++row.regions;
+      if (row.total && one) *row.total += *one;
+      else row.total.reset();
+    }
+  }
+}
+
 /// Fills the numbers of a row. A group's are kept with its parts: measured once, whichever values share them.
-void measure(const Complex& complex, NodeValue& value, bool region_volumes, NodeRow& row) {
+/// `simplified`: of a root that no other node uses; may be nullptr.
+void measure(const Complex& complex, NodeValue& value, bool region_volumes, Simplified* simplified, NodeRow& row) {
   row.is_group = value.is_group();
   if (value.is_group()) {
-    const Totals& totals = cnrg::measure(complex, value.parts());
-    row.raw_cells = totals.raw;
-    row.cells = totals.simplified;
-    row.regions = totals.regions;
-    row.total = totals.volume();
+    if (simplified != nullptr) {
+      measure_last(complex, std::as_const(value).parts(), *simplified, row);
+    } else {
+      const Totals& totals = cnrg::measure(complex, value.parts());
+      row.raw_cells = totals.raw;
+      row.cells = totals.simplified;
+      row.regions = totals.regions;
+      row.total = totals.volume();
+    }
     if (!region_volumes) return;
-    const PartedGroup& group = value.parts();
+    const PartedGroup& group = std::as_const(value).parts();
     row.volumes = volumes(complex, group);
     for (const auto& [part, region] : region_order(group)) {
       const auto number = static_cast<Component>(row.named.size() + 1);
@@ -190,9 +250,9 @@ void measure(const Complex& complex, NodeValue& value, bool region_volumes, Node
   }
   const Selection& selection = value.components().selection;
   row.components = value.component_count();
-  row.raw_cells = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
-                   selection.regions.size()};
-  row.cells = simplified_counts(complex, selection, value.features());
+  row.raw_cells = raw_counts(selection);
+  row.cells = simplified != nullptr ? active_counts(simplified->get())
+                                    : simplified_counts(complex, selection, value.features());
   row.total = Rational(0);
   for (auto& [component, one] : volumes_of(complex, selection)) {
     ++row.regions;
@@ -231,20 +291,30 @@ std::string cell_names(const std::vector<SimplifiedComplex::Place>& places) {
   return places.size() > kListed ? text + " and " + std::to_string(places.size() - kListed) + " more" : text;
 }
 
-void report_conflicts(const Tree& tree, const Node& node, const Complex& complex, const Outcome& outcome,
-                      Evaluation& result) {
-  if (outcome.conflicts.empty()) return;
-  const NodeValue& value = outcome.value;
-  const Selection selection = selection_of(complex, value);
-  SimplifiedComplex simplified = simplify(complex, selection, value.features());
-  put_in_order(complex, simplified);
+/// The active cells among `cells`.
+CellSet active_of(const Selection& selection, const CellSet& cells) {
+  CellSet out;
+  const auto pick = [](const auto& list, const auto& from, auto& to) {
+    for (const auto id : from) {
+      if (place_in(list, id) != list.size()) to.push_back(id);
+    }
+  };
+  pick(selection.vertices, cells.vertices, out.vertices);
+  pick(selection.edges, cells.edges, out.edges);
+  pick(selection.faces, cells.faces, out.faces);
+  pick(selection.regions, cells.regions, out.regions);
+  return out;
+}
+
+void report_conflicts(const Tree& tree, const Node& node, const NodeValue& value,
+                      const std::vector<MaterialConflict>& conflicts, Simplified& simplified, Evaluation& result) {
   std::set<std::string> said;  // a fold may meet the same materials in the same cells more than once
-  const CellSet active = support(selection);
-  for (const MaterialConflict& conflict : outcome.conflicts) {
-    const CellSet cells = intersect(conflict.cells, active);  // the others went in a later step of a fold
+  for (const MaterialConflict& conflict : conflicts) {
+    // The others went in a later step of a fold.
+    const CellSet cells = active_of(simplified.selection(), conflict.cells);
     if (cells.empty()) continue;
-    const std::vector<SimplifiedComplex::Place> places = places_of(simplified, cells);
-    const Component component = component_of(simplified, places.front());
+    const std::vector<SimplifiedComplex::Place> places = places_of(simplified.get(), cells);
+    const Component component = component_of(simplified.get(), places.front());
     const std::string message = "`" + node.name + "`: the region `" + value.attributes(component).name +
                                 "` keeps the material `" + conflict.kept + "` where `" + conflict.other +
                                 "` has equal dominance (" + cell_names(places) +
@@ -260,6 +330,10 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
   const auto progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
     if (options.progress) options.progress(stage, done, total);
   };
+  std::optional<tbb::global_control> limit;
+  if (options.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  }
   Evaluation result;
   const Unfolding unfolding = unfold(tree, roots_of(tree, options));
 
@@ -273,26 +347,33 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
   const Complex& complex = *result.complex;
 
   Values values = leaf_values(tree, unfolding, leaves, complex);
+  if (options.rows) measure_leaves(complex, values);
   IdVector<InstanceId, std::size_t> uses = count_uses(unfolding);
+  std::map<InstanceId, SimplifiedComplex> simplified_roots;
   for (const InstanceId id : IdRange<InstanceId>(values.size())) {
     progress("nodes", id.index(), values.size());
     const Instance& instance = unfolding.instances[id];
     NodeRow row = row_of(tree, unfolding, id);
     std::shared_ptr<NodeValue> value = std::move(values[id]);
+    std::vector<MaterialConflict> conflicts;
     if (!value) {
       const Stopwatch stopwatch;
       const auto last = [&](InstanceId operand) { return uses[operand] == 1 && !options.keep_all; };
       Outcome outcome = value_of(tree, unfolding, leaves, values, complex, id, options.validate, last);
       row.seconds = stopwatch.seconds();
       row.removals = std::move(outcome.removals);
-      report_conflicts(tree, tree.nodes[instance.node], complex, outcome, result);
+      conflicts = std::move(outcome.conflicts);
       value = std::make_shared<NodeValue>(std::move(outcome.value));
     }
+    Simplified simplified(complex, *value);
+    report_conflicts(tree, tree.nodes[instance.node], *value, conflicts, simplified, result);
     const bool is_root = std::find(unfolding.roots.begin(), unfolding.roots.end(), id) != unfolding.roots.end();
     if (options.rows || is_root) {
       const Stopwatch stopwatch;
-      measure(complex, *value, options.region_volumes || is_root, row);
+      const bool last = is_root && uses[id] == 1 && !options.raw;
+      measure(complex, *value, options.region_volumes || is_root, last ? &simplified : nullptr, row);
       row.measure_seconds = stopwatch.seconds();
+      if (last) simplified_roots.emplace(id, std::move(simplified.get()));
     }
     values[id] = std::move(value);
     result.rows.push_back(std::move(row));
@@ -304,10 +385,13 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
 
   for (const InstanceId root : unfolding.roots) {
     const NodeValue& value = *values[root];
-    SimplifiedComplex simplified = simplify(complex, selection_of(complex, value), value.features(),
-                                            options.raw ? SimplifyMode::raw : SimplifyMode::features);
-    put_in_order(complex, simplified);
-    result.kept.push_back({unfolding.instances[root].node, values[root], std::move(simplified),
+    const auto [made, missing] = simplified_roots.try_emplace(root);
+    if (missing) {
+      made->second = simplify(complex, selection_of(complex, value), value.features(),
+                              options.raw ? SimplifyMode::raw : SimplifyMode::features);
+      put_in_order(complex, made->second);
+    }
+    result.kept.push_back({unfolding.instances[root].node, values[root], std::move(made->second),
                            leaves_below(unfolding, leaves, root)});
   }
   result.instances = unfolding.instances;

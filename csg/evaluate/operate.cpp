@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "csg/operators/fold.h"
 #include "csg/operators/identities.h"
 #include "kernel/base/error.h"
 
@@ -73,11 +74,32 @@ PartedGroup group_operand(const Complex& complex, const Node& node, const Operan
   return parted(complex, group_of(complex, value.components()));
 }
 
-/// ((a op b) op c) op ...
+/// ((a op b) op c) op ... without a value for each step.
+Outcome fold_at_once(const Complex& complex, const Node& node, std::span<const Operand> operands) {
+  std::vector<PartedGroup> values;
+  std::vector<Dominance> dominances;
+  PartedGroup left;  // of the steps so far: its dominance alone
+  for (const Operand& operand : operands) {
+    values.push_back(group_operand(complex, node, operand));
+    if (values.size() == 1) {
+      left.dominance = values.back().dominance;
+      continue;
+    }
+    dominances.push_back(dominance_of(node, left, values.back()));
+    left.dominance = std::max(left.dominance, values.back().dominance);
+  }
+  FoldResult result = fold(complex, boolean_op(node.op), dominances, std::move(values));
+  return {std::move(result.group), std::move(result.removals), std::move(result.conflicts)};
+}
+
+/// ((a op b) op c) op ..., each step seen or validated. An intersection costs what its operands do in steps, too.
 Outcome fold(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate,
              const std::function<void(const BooleanStep&)>& see = {}) {
-  Outcome outcome;
   const BooleanOp op = boolean_op(node.op);
+  if (!see && !validate && operands.size() > 2 && op != BooleanOp::intersect) {
+    return fold_at_once(complex, node, operands);
+  }
+  Outcome outcome;
   PartedGroup value = group_operand(complex, node, operands[0]);
   for (std::size_t k = 1; k < operands.size(); ++k) {
     PartedGroup right = group_operand(complex, node, operands[k]);
@@ -99,9 +121,31 @@ Outcome fold(const Complex& complex, const Node& node, std::span<const Operand> 
   return outcome;
 }
 
-/// sum, product and subtract from left to right.
+Outcome of_components(ComponentsResult result) {
+  return {std::move(result.value), {}, std::move(result.conflicts)};
+}
+
+/// The operands as components, and pointers to these.
+struct ComponentOperands {
+  ComponentOperands(const Complex& complex, std::span<const Operand> operands) {
+    values.reserve(operands.size());
+    for (const Operand& operand : operands) {
+      values.push_back(components_of(complex, *operand.value));
+      pointers.push_back(&values.back());
+    }
+  }
+  std::vector<Components> values;
+  std::vector<const Components*> pointers;
+};
+
+/// sum, product and subtract from left to right. A product costs what its operands do in steps, too.
 Outcome fold_components(const Complex& complex, const Node& node, std::span<const Operand> operands,
                         bool validate) {
+  if (!validate && operands.size() > 2 && node.op != Operator::product) {
+    const ComponentOperands all(complex, operands);
+    return of_components(node.op == Operator::sum ? sum(complex, all.pointers, stated_dominance(node))
+                                                  : subtract(complex, all.pointers));
+  }
   Outcome outcome;
   Components value = components_of(complex, *operands[0].value);
   for (const Operand& operand : operands.subspan(1)) {
@@ -129,21 +173,10 @@ Outcome fold_components(const Complex& complex, const Node& node, std::span<cons
 }
 
 Outcome aggregate_all(const Complex& complex, std::span<const Operand> operands) {
-  std::vector<Components> values;
+  const ComponentOperands all(complex, operands);
   std::vector<std::string> names;
-  for (const Operand& operand : operands) {
-    values.push_back(components_of(complex, *operand.value));
-    names.push_back(operand.name);
-  }
-  std::vector<const Components*> pointers;
-  for (const Components& value : values) pointers.push_back(&value);
-  Outcome outcome;
-  outcome.value = aggregate(complex, pointers, names).value;
-  return outcome;
-}
-
-Outcome of_components(ComponentsResult result) {
-  return {std::move(result.value), {}, std::move(result.conflicts)};
+  for (const Operand& operand : operands) names.push_back(operand.name);
+  return of_components(aggregate(complex, all.pointers, names));
 }
 
 /// One component of one name keeps it; where there is none or several were joined it is called after the node.

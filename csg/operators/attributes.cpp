@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "kernel/base/sorted.h"
+
 namespace cnrg {
 namespace {
 
@@ -25,7 +27,33 @@ CellSet cells_of(const Group& result, std::uint32_t region, const std::vector<co
   return out;
 }
 
+// The union of two ascending lists, in place.
+void add_leaves(std::vector<LeafId>& leaves, const std::vector<LeafId>& more) {
+  const auto middle = static_cast<std::ptrdiff_t>(leaves.size());
+  leaves.insert(leaves.end(), more.begin(), more.end());
+  std::inplace_merge(leaves.begin(), leaves.begin() + middle, leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+}
+
 }  // namespace
+
+RegionAttributes combined(std::span<const RegionAttributes* const> sources, bool strict,
+                          std::vector<std::string>& others) {
+  others.clear();
+  RegionAttributes out = *sources.front();
+  for (const RegionAttributes* source : sources.subspan(1)) {
+    add_leaves(out.leaves, source->leaves);
+    if (strict) continue;
+    if (out.name.empty()) out.name = source->name;
+    if (out.material.empty()) {
+      out.material = source->material;
+    } else if (!source->material.empty() && source->material != out.material) {
+      others.push_back(source->material);
+    }
+  }
+  sort_unique(others);
+  return out;
+}
 
 std::vector<MaterialConflict> combine_attributes(Group& result, const std::vector<const Group*>& operands,
                                                  bool strict) {
@@ -46,32 +74,17 @@ std::vector<MaterialConflict> combine_attributes(Group& result, const std::vecto
   sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
 
   std::vector<MaterialConflict> conflicts;
+  std::vector<const RegionAttributes*> of_region;
+  std::vector<std::string> others;
   for (auto begin = sources.begin(); begin != sources.end();) {
     const std::uint32_t region = std::get<0>(*begin);
     const auto end = std::find_if(begin, sources.end(), [&](const auto& s) { return std::get<0>(s) != region; });
-    RegionAttributes& attributes = result.regions[region - 1];
-    std::vector<std::string> others;
+    of_region.clear();
     for (auto it = begin; it != end; ++it) {
-      const RegionAttributes& source = operands[std::get<1>(*it)]->regions[std::get<2>(*it) - 1];
-      attributes.leaves.insert(attributes.leaves.end(), source.leaves.begin(), source.leaves.end());
-      if (it == begin) {
-        attributes.name = source.name;
-        attributes.material = source.material;
-        continue;
-      }
-      if (strict) continue;
-      if (attributes.name.empty()) attributes.name = source.name;
-      if (attributes.material.empty()) {
-        attributes.material = source.material;
-      } else if (!source.material.empty() && source.material != attributes.material) {
-        others.push_back(source.material);
-      }
+      of_region.push_back(&operands[std::get<1>(*it)]->regions[std::get<2>(*it) - 1]);
     }
-    std::sort(attributes.leaves.begin(), attributes.leaves.end());
-    attributes.leaves.erase(std::unique(attributes.leaves.begin(), attributes.leaves.end()),
-                            attributes.leaves.end());
-    std::sort(others.begin(), others.end());
-    others.erase(std::unique(others.begin(), others.end()), others.end());
+    RegionAttributes& attributes = result.regions[region - 1];
+    attributes = combined(of_region, strict, others);
     for (const std::string& other : others) {
       conflicts.push_back({region, attributes.material, other, cells_of(result, region, operands, other)});
     }

@@ -7,68 +7,22 @@
 #include <map>
 #include <optional>
 
+#include "csg/operators/atoms.h"
+#include "csg/operators/component_attributes.h"
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
+#include "kernel/selection/scratch.h"
 
 namespace cnrg {
 namespace {
 
 using Pair = std::pair<Component, Component>;  // components of X and of Y; 0: none
 
-bool left_wins(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
-  return dominance ? *dominance == Dominance::left : a.dominance > b.dominance;
-}
-bool right_wins(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
-  return dominance ? *dominance == Dominance::right : b.dominance > a.dominance;
-}
-
-std::vector<std::string> parts_of(const std::string& name) {
-  std::vector<std::string> out;
-  for (std::size_t begin = 0; begin <= name.size();) {
-    const std::size_t end = std::min(name.find(" & ", begin), name.size());
-    out.push_back(name.substr(begin, end - begin));
-    begin = end + 3;
-  }
-  return out;
-}
-
-// Names joined, each once; what the entities of a group are called yields to a name that somebody gave.
-std::string joined(const std::string& a, const std::string& b) {
-  if (b.empty() || b == kEntitiesName || a == b) return a.empty() ? b : a;
-  if (a.empty() || a == kEntitiesName) return b;
-  std::vector<std::string> parts = parts_of(a);
-  std::string out = a;
-  for (const std::string& part : parts_of(b)) {
-    if (std::find(parts.begin(), parts.end(), part) == parts.end()) out += " & " + part;
-  }
-  return out;
-}
-
 int dimension(const CellSet& set) {
   if (!set.regions.empty()) return 3;
   if (!set.faces.empty()) return 2;
   if (!set.edges.empty()) return 1;
   return set.vertices.empty() ? -1 : 0;
-}
-
-struct Combined {
-  ComponentAttributes attributes;
-  std::string other;  // a material that lost without dominance
-};
-
-Combined combine(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
-  Combined out;
-  if (left_wins(a, b, dominance)) {
-    out.attributes = a;
-  } else if (right_wins(a, b, dominance)) {
-    out.attributes = b;
-  } else {
-    out.attributes.name = joined(a.name, b.name);
-    out.attributes.material = a.material.empty() ? b.material : a.material;
-    if (!b.material.empty() && b.material != out.attributes.material) out.other = b.material;
-  }
-  out.attributes.dominance = std::max(a.dominance, b.dominance);
-  return out;
 }
 
 std::string text_of(const RationalPoint& p) {
@@ -110,24 +64,6 @@ class Numbering {
   std::map<Key, Component> numbers_;
   typename std::map<Key, Component>::iterator last_ = numbers_.end();
 };
-
-// Sets the leaves of each component from the origins of its cells. Neighbouring cells mostly have one origin.
-void collect_leaves(Components& x) {
-  std::vector<std::pair<Component, LeafSetId>> seen;
-  for_each_list(x, [&](const auto& list, const auto& origins) {
-    for (std::size_t k = 0; k < list.size(); ++k) {
-      const std::pair entry(list[k].second, origins[k]);
-      if (seen.empty() || seen.back() != entry) seen.push_back(entry);
-    }
-  });
-  sort_unique(seen);
-  for (ComponentAttributes& a : x.attributes) a.leaves.clear();
-  for (const auto& [component, set] : seen) {
-    std::vector<LeafId>& leaves = x.attributes[component - 1].leaves;
-    leaves.insert(leaves.end(), x.origins.sets[set].begin(), x.origins.sets[set].end());
-  }
-  for (ComponentAttributes& a : x.attributes) sort_unique(a.leaves);
-}
 
 // --- overlays of two selections
 
@@ -397,14 +333,56 @@ namespace {
 ComponentsResult aggregate(const Complex& complex, std::span<const Components* const> operands,
                            std::span<const std::string> names) {
   require(!operands.empty() && names.size() == operands.size(), "aggregate: operands without names");
-  ComponentsResult out;
-  out.value = *operands[0];
-  for (std::size_t k = 1; k < operands.size(); ++k) {
-    if (!intersect(support(out.value.selection), support(operands[k]->selection)).empty()) {
-      refuse_overlap(complex, operands.first(k + 1), names);
-    }
-    out.value = Overlay(out.value, *operands[k], true, true, true).run({}).value;
+  if (operands.size() == 1) return {*operands[0], {}};
+  Atoms atoms(complex);
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    if (atoms.meet(*operands[k])) refuse_overlap(complex, operands.first(k + 1), names);
+    atoms.add(*operands[k], {});
   }
+  return atoms.result();
+}
+
+ComponentsResult sum(const Complex& complex, std::span<const Components* const> operands,
+                     std::optional<Dominance> dominance) {
+  Atoms atoms(complex);
+  for (const Components* operand : operands) atoms.add(*operand, dominance);
+  return atoms.result();
+}
+
+ComponentsResult subtract(const Complex& complex, std::span<const Components* const> operands) {
+  require(!operands.empty(), "subtract: no operands");
+  const Components& x = *operands[0];
+  Marks<VertexId> vertices(complex.points.size());
+  Marks<EdgeId> edges(complex.edge_count());
+  Marks<FaceId> faces(complex.face_count());
+  Marks<RegionId> regions(complex.region_count);
+  const auto mark = [](const auto& list, auto& marks) {
+    for (const auto& entry : list) marks[entry.first] = 1;
+  };
+  for (const Components* y : operands.subspan(1)) {
+    mark(y->selection.vertices, vertices);
+    mark(y->selection.edges, edges);
+    mark(y->selection.faces, faces);
+    mark(y->selection.regions, regions);
+  }
+  ComponentsResult out;
+  Components& value = out.value;
+  LeafSetMap sets(x.origins.sets, value.origins.sets);
+  const auto take = [&](const auto& from, const auto& origins, const auto& marks, auto& to, auto& to_origins) {
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      if (marks[from[k].first]) continue;
+      to.push_back(from[k]);
+      to_origins.push_back(sets(origins[k]));
+    }
+  };
+  take(x.selection.vertices, x.origins.vertices, vertices, value.selection.vertices, value.origins.vertices);
+  take(x.selection.edges, x.origins.edges, edges, value.selection.edges, value.origins.edges);
+  take(x.selection.faces, x.origins.faces, faces, value.selection.faces, value.origins.faces);
+  take(x.selection.regions, x.origins.regions, regions, value.selection.regions, value.origins.regions);
+  value.attributes = x.attributes;
+  value.features = active(value.selection, x.features);
+  renumber(value);
+  collect_leaves(value);
   return out;
 }
 

@@ -49,6 +49,12 @@ ComponentsResult product(const Complex& complex, const Components& x, const Comp
 ComponentsResult subtract(const Complex& complex, const Components& x, const Components& y);
 ComponentsResult complement(const Complex& complex, const Components& x);
 
+/// sum(sum(x, y), z) ... and subtract(subtract(x, y), z) ... of two operands at least, at the cost of the cells of
+/// all of them; `region` of a conflict is 0.
+ComponentsResult sum(const Complex& complex, std::span<const Components* const> operands,
+                     std::optional<Dominance> dominance);
+ComponentsResult subtract(const Complex& complex, std::span<const Components* const> operands);
+
 enum class Topological : std::uint8_t { interior, closure, boundary, regularize };
 const char* name(Topological op);
 /// A cell that the operator adds came from the cells of X next to it, and from those of the leaves `below` X

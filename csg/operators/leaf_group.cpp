@@ -1,10 +1,18 @@
-// One pass per dimension over the complex; every list is filled in the order of ids. The leaves at an edge are
-// those of the faces around it and of its wires, the leaves at a vertex those of its edges: computed once per
-// cell, so that the cost is that of all incidences.
+// One pass per dimension over the complex. The leaves at an edge are those of the faces around it and of its
+// wires, the leaves at a vertex those of its edges.
+//
+// Nearly all cells lie on faces of one leaf, with one cover each: for these nothing is listed or sorted, a cell
+// keeps the leaf alone. A cell of several leaves is marked so and looked at again by who asks, so that the cost is
+// that of all incidences. Blocks of cells are looked at in parallel; then every cell is dealt to its leaves in the
+// order of ids.
 #include "csg/operators/leaf_group.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <iterator>
+#include <mutex>
 #include <tuple>
 
 #include "csg/operators/boolean.h"
@@ -14,196 +22,378 @@
 namespace cnrg {
 namespace {
 
-class LeafGroups {
+constexpr LeafId kSeveral{0xfffffffe};  // more than one leaf at a cell; LeafId::none() is none
+constexpr std::size_t kBlock = 8192;    // cells: some 100 us of work
+
+// Which leaves have each cell of one kind.
+template <class IdT>
+class Holders {
  public:
-  explicit LeafGroups(const Complex& complex) : complex_(complex), groups_(complex.leaf_count) {
-    collect_cover_leaves();
-    collect_curved_patches();
+  explicit Holders(std::size_t cells) : only_(cells) {}
+  /// The one leaf that has the cell, none() or kSeveral.
+  LeafId operator[](IdT cell) const { return only_[cell]; }
+  void set(IdT cell, LeafId leaf) { only_[cell] = leaf; }
+
+  void make_blocks(std::size_t count) { several_.resize(count); }
+  /// Cells of one block come in the order of ids; `leaves` are ascending.
+  void set(IdT cell, const std::vector<LeafId>& leaves, std::size_t block) {
+    if (leaves.empty()) return;
+    only_[cell] = leaves.size() == 1 ? leaves[0] : kSeveral;
+    if (leaves.size() == 1) return;
+    for (const LeafId leaf : leaves) several_[block].emplace_back(cell, leaf);
   }
-
-  std::vector<Group> run(const std::vector<std::vector<RegionAttributes>>& attributes) {
-    faces();
-    edges();
-    vertices();
-    regions(attributes);
-    origins();
-    return std::move(groups_);
-  }
-
- private:
-  bool counts(LeafId leaf) const { return leaf != complex_.frame; }
-
-  void collect_cover_leaves() {
-    cover_leaves_.reserve(complex_.covers.size(), complex_.covers.value_count());
-    std::vector<LeafId> leaves;
-    for (SourceSetId set : IdRange<SourceSetId>(complex_.covers.size())) {
-      leaves.clear();
-      for (const Cover& c : complex_.covers[set]) {
-        const LeafId leaf = complex_.sources[c.source].leaf;
-        if (counts(leaf)) leaves.push_back(leaf);
+  /// f(leaf, cell) for `cells` in blocks of kBlock, the leaves of each ascending.
+  template <class Cells, class F>
+  void for_each(std::size_t count, Cells cells, F f) const {
+    for (std::size_t b = 0; b < several_.size(); ++b) {
+      auto next = several_[b].begin();
+      const std::size_t end = std::min(count, (b + 1) * kBlock);
+      for (std::size_t i = b * kBlock; i < end; ++i) {
+        const IdT cell = cells(i);
+        if (only_[cell] == kSeveral) {
+          for (; next != several_[b].end() && next->first == cell; ++next) f(next->second, cell);
+        } else if (only_[cell].valid()) {
+          f(only_[cell], cell);
+        }
       }
-      sort_unique(leaves);
-      cover_leaves_.push_back(leaves);
     }
   }
 
-  // A patch is curved when its facets lie in more than one sheet: then it is one face for people.
-  void collect_curved_patches() {
+ private:
+  IdVector<IdT, LeafId> only_;
+  std::vector<std::vector<std::pair<IdT, LeafId>>> several_;  // by block
+};
+
+// The patches that are curved: their facets lie in more than one sheet, and they are one face for people. Made
+// when it is first asked for; thread-safe.
+class CurvedPatches {
+ public:
+  explicit CurvedPatches(const Complex& complex) : complex_(complex) {}
+
+  bool has(LeafId leaf, std::uint32_t patch) const {
+    std::call_once(collected_, [&] { collect(); });
+    return std::binary_search(patches_.begin(), patches_.end(), std::pair(leaf, patch));
+  }
+
+ private:
+  // Facets of one patch mostly come one after the other: one of each run is listed.
+  void collect() const {
     std::vector<std::tuple<LeafId, std::uint32_t, SheetId>> facets;
-    facets.reserve(complex_.face_count());
     for (FaceId f : IdRange<FaceId>(complex_.face_count())) {
       for (const Cover& c : complex_.cover(f)) {
         const Soup::Face& source = complex_.sources[c.source];
-        const std::tuple facet(source.leaf, source.patch, complex_.face_sheet[f]);
-        if (facets.empty() || facets.back() != facet) facets.push_back(facet);
+        const std::pair patch(source.leaf, source.patch);
+        if (facets.empty() || patch_of(facets.back()) != patch) {
+          facets.emplace_back(source.leaf, source.patch, complex_.face_sheet[f]);
+        } else if (std::get<2>(facets.back()) != complex_.face_sheet[f] &&
+                   (patches_.empty() || patches_.back() != patch)) {
+          patches_.push_back(patch);
+        }
       }
     }
     sort_unique(facets);
     for (std::size_t i = 1; i < facets.size(); ++i) {
-      const auto& [leaf, patch, sheet] = facets[i];
-      if (std::get<0>(facets[i - 1]) == leaf && std::get<1>(facets[i - 1]) == patch) {
-        curved_patches_.emplace_back(leaf, patch);
-      }
+      if (patch_of(facets[i - 1]) == patch_of(facets[i])) patches_.push_back(patch_of(facets[i]));
     }
-    sort_unique(curved_patches_);
+    sort_unique(patches_);
+  }
+  static std::pair<LeafId, std::uint32_t> patch_of(const std::tuple<LeafId, std::uint32_t, SheetId>& facet) {
+    return {std::get<0>(facet), std::get<1>(facet)};
   }
 
-  void faces() {
-    for (FaceId f : IdRange<FaceId>(complex_.face_count())) {
-      if (complex_.on_frame(f)) continue;
-      for (LeafId leaf : cover_leaves_[complex_.face_cover[f]]) groups_[leaf.index()].faces.push_back(f);
+  const Complex& complex_;
+  mutable std::once_flag collected_;
+  mutable std::vector<std::pair<LeafId, std::uint32_t>> patches_;
+};
+
+class LeafGroups {
+ public:
+  explicit LeafGroups(const Complex& complex)
+      : complex_(complex), groups_(complex.leaf_count), curved_(complex), only_source_(complex.face_count()),
+        faces_(complex.face_count()), edges_(complex.edge_count()), edge_features_(complex.edge_count()),
+        vertices_(complex.points.size()), vertex_features_(complex.points.size()) {}
+
+  std::vector<Group> run(const std::vector<std::vector<RegionAttributes>>& attributes) {
+    const auto face = [](std::size_t i) { return FaceId(i); };
+    const auto edge = [](std::size_t i) { return EdgeId(i); };
+    const auto vertex = [&](std::size_t i) { return complex_.vertices[i]; };
+    const std::size_t faces = complex_.face_count(), edges = complex_.edge_count(),
+                      vertices = complex_.vertex_count();
+    faces_.make_blocks(block_count(faces));
+    edges_.make_blocks(block_count(edges)), edge_features_.make_blocks(block_count(edges));
+    vertices_.make_blocks(block_count(vertices)), vertex_features_.make_blocks(block_count(vertices));
+    look_at(faces, [&](std::size_t i, Nearby& nearby) { look_at_face(face(i), i / kBlock, nearby); });
+    look_at(edges, [&](std::size_t i, Nearby& nearby) { look_at_edge(edge(i), i / kBlock, nearby); });
+    look_at(vertices, [&](std::size_t i, Nearby& nearby) { look_at_vertex(vertex(i), i / kBlock, nearby); });
+    tbb::parallel_invoke(
+        [&] { deal(faces_, faces, face, [](Group& g) -> auto& { return g.faces; }); },
+        [&] { deal(edges_, edges, edge, [](Group& g) -> auto& { return g.edges; }); },
+        [&] { deal(edge_features_, edges, edge, [](Group& g) -> auto& { return g.features.edges; }); },
+        [&] { deal(vertices_, vertices, vertex, [](Group& g) -> auto& { return g.vertices; }); },
+        [&] { deal(vertex_features_, vertices, vertex, [](Group& g) -> auto& { return g.features.vertices; }); });
+    const auto labelled = label_regions();
+    tbb::parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t leaf) {
+      regions(LeafId(leaf), labelled[leaf], leaf < attributes.size() ? attributes[leaf] : kNoAttributes);
+      origins(LeafId(leaf));
+    });
+    return std::move(groups_);
+  }
+
+ private:
+  inline static const std::vector<RegionAttributes> kNoAttributes;
+
+  // A soup face that covers a face around an edge.
+  struct Piece {
+    FaceUse use;
+    SourceId source;
+  };
+
+  // Lists about one cell, kept for their memory.
+  struct Nearby {
+    std::vector<LeafId> leaves, bordering, features;
+    std::vector<Piece> pieces;
+    std::vector<LeafId> at_vertex;
+    std::vector<std::pair<LeafId, EdgeId>> feature_edges;
+  };
+
+  bool counts(LeafId leaf) const { return leaf != complex_.frame; }
+
+  static std::size_t block_count(std::size_t cells) { return (cells + kBlock - 1) / kBlock; }
+
+  // look(i, nearby) for all i < count, blocks in parallel.
+  template <class Look>
+  static void look_at(std::size_t count, Look look) {
+    tbb::parallel_for(std::size_t{0}, block_count(count), [&](std::size_t b) {
+      Nearby nearby;
+      const std::size_t end = std::min(count, (b + 1) * kBlock);
+      for (std::size_t i = b * kBlock; i < end; ++i) look(i, nearby);
+    });
+  }
+
+  // Fills the lists of all groups: `list(group)` is that of one.
+  template <class IdT, class Cells, class List>
+  void deal(const Holders<IdT>& holders, std::size_t cells, Cells cell_at, List list) {
+    std::vector<std::size_t> count(groups_.size(), 0);
+    holders.for_each(cells, cell_at, [&](LeafId leaf, IdT) { ++count[leaf.index()]; });
+    for (std::size_t leaf = 0; leaf < count.size(); ++leaf) list(groups_[leaf]).reserve(count[leaf]);
+    holders.for_each(cells, cell_at, [&](LeafId leaf, IdT cell) { list(groups_[leaf.index()]).push_back(cell); });
+  }
+
+  void look_at_face(FaceId f, std::size_t block, Nearby& nearby) {
+    if (complex_.on_frame(f)) return;
+    const auto covers = complex_.cover(f);
+    if (covers.size() == 1) {
+      const LeafId leaf = complex_.sources[covers[0].source].leaf;
+      if (!counts(leaf)) return;
+      only_source_[f] = covers[0].source;
+      faces_.set(f, leaf);
+      return;
+    }
+    nearby.leaves.clear();
+    add_covering(f, nearby.leaves);
+    sort_unique(nearby.leaves);
+    faces_.set(f, nearby.leaves, block);
+  }
+
+  void add_covering(FaceId f, std::vector<LeafId>& leaves) const {
+    for (const Cover& c : complex_.cover(f)) {
+      const LeafId leaf = complex_.sources[c.source].leaf;
+      if (counts(leaf)) leaves.push_back(leaf);
     }
   }
 
-  void edges() {
-    edge_leaves_.reserve(complex_.edge_count(), complex_.edge_count());
-    feature_leaves_.reserve(complex_.edge_count(), complex_.edge_count());
-    std::vector<LeafId> leaves, bordering, wired, features;
-    for (EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
-      leaves.clear(), bordering.clear(), wired.clear(), features.clear();
-      if (!complex_.on_frame(e)) {
-        for (const FaceUse& use : complex_.edge_uses[e]) {
-          if (complex_.on_frame(use.face)) continue;
-          const auto covering = cover_leaves_[complex_.face_cover[use.face]];
-          leaves.insert(leaves.end(), covering.begin(), covering.end());
-        }
-        for (SegmentId s : complex_.edge_segments[e]) {
-          for (WireId w : complex_.segment_wires[s]) wired.push_back(complex_.wires[w].leaf);
-          for (SourceId f : complex_.segment_faces[s]) bordering.push_back(complex_.sources[f].leaf);
-        }
-        leaves.insert(leaves.end(), wired.begin(), wired.end());
-        sort_unique(leaves), sort_unique(bordering), sort_unique(wired);
-        for (LeafId leaf : bordering) {
-          if (counts(leaf) && parts_faces(e, leaf)) features.push_back(leaf);
-        }
-        features.insert(features.end(), wired.begin(), wired.end());
-        sort_unique(features);
-        for (LeafId leaf : leaves) groups_[leaf.index()].edges.push_back(e);
-        for (LeafId leaf : features) groups_[leaf.index()].features.edges.push_back(e);
+  void look_at_edge(EdgeId e, std::size_t block, Nearby& nearby) {
+    if (complex_.on_frame(e) || parts_one_leaf(e)) return;
+    find_leaves(e, nearby);
+    edges_.set(e, nearby.leaves, block);
+    edge_features_.set(e, nearby.features, block);
+  }
+
+  // An edge between two faces that one face each of one and the same leaf covers, and nothing else at it: notes
+  // its leaf, and if it is a feature. False for any other edge.
+  bool parts_one_leaf(EdgeId e) {
+    const auto uses = complex_.edge_uses[e];
+    if (uses.size() != 2) return false;
+    const SourceId front = only_source_[uses[0].face], back = only_source_[uses[1].face];
+    if (!front.valid() || !back.valid()) return false;
+    const Soup::Face &a = complex_.sources[front], &b = complex_.sources[back];
+    if (a.leaf != b.leaf) return false;
+    bool borders = false;
+    for (SegmentId s : complex_.edge_segments[e]) {
+      if (!complex_.segment_wires[s].empty()) return false;
+      for (SourceId f : complex_.segment_faces[s]) {
+        if (f != front && f != back && complex_.sources[f].leaf != a.leaf) return false;
+        borders = true;
       }
-      edge_leaves_.push_back(leaves);
-      feature_leaves_.push_back(features);
     }
+    edges_.set(e, a.leaf);
+    if (borders && parts(a, b)) edge_features_.set(e, a.leaf);
+    return true;
+  }
+
+  // False for two pieces of one and the same face or curved patch.
+  bool parts(const Soup::Face& a, const Soup::Face& b) const {
+    if ((a.leaf_face == b.leaf_face) == (a.patch == b.patch)) return a.patch != b.patch;
+    const bool curved = curved_.has(a.leaf, a.patch);
+    return curved != curved_.has(b.leaf, b.patch) || (curved ? a.patch != b.patch : a.leaf_face != b.leaf_face);
+  }
+
+  // Any edge: fills `leaves` and `features`, ascending.
+  void find_leaves(EdgeId e, Nearby& nearby) const {
+    auto& [leaves, bordering, features, pieces, at_vertex, feature_edges] = nearby;
+    leaves.clear(), bordering.clear(), features.clear();
+    for (SegmentId s : complex_.edge_segments[e]) {
+      for (WireId w : complex_.segment_wires[s]) features.push_back(complex_.wires[w].leaf);
+      for (SourceId f : complex_.segment_faces[s]) bordering.push_back(complex_.sources[f].leaf);
+    }
+    leaves = features;
+    for (const FaceUse& use : complex_.edge_uses[e]) {
+      if (!complex_.on_frame(use.face)) add_covering(use.face, leaves);
+    }
+    sort_unique(leaves), sort_unique(bordering);
+    for (LeafId leaf : bordering) {
+      if (counts(leaf) && parts_faces(e, leaf, pieces)) features.push_back(leaf);
+    }
+    sort_unique(features);
   }
 
   // False if the faces of the leaf around the edge are two pieces of one and the same face or curved patch.
-  bool parts_faces(EdgeId e, LeafId leaf) {
-    pieces_.clear();
+  bool parts_faces(EdgeId e, LeafId leaf, std::vector<Piece>& pieces) const {
+    pieces.clear();
     for (const FaceUse& use : complex_.edge_uses[e]) {
       for (const Cover& c : complex_.cover(use.face)) {
-        const Soup::Face& source = complex_.sources[c.source];
-        if (source.leaf != leaf) continue;
-        const bool curved = std::binary_search(curved_patches_.begin(), curved_patches_.end(),
-                                               std::pair(leaf, source.patch));
-        pieces_.emplace_back(curved, curved ? source.patch : source.leaf_face, use.face, use.half_edge);
+        if (complex_.sources[c.source].leaf == leaf) pieces.push_back({use, c.source});
       }
     }
-    sort_unique(pieces_);
-    return pieces_.size() != 2 || std::get<0>(pieces_[0]) != std::get<0>(pieces_[1]) ||
-           std::get<1>(pieces_[0]) != std::get<1>(pieces_[1]);
+    if (pieces.size() < 2 || pieces.front().use == pieces.back().use) return true;
+    // Two uses at least: there are two pieces when each use has one, as often as it may be covered.
+    const auto first_of_back = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& p) {
+      return p.use != pieces.front().use;
+    });
+    return std::any_of(std::next(pieces.begin()), pieces.end(), [&](const Piece& p) {
+      const bool third = p.use != pieces.front().use && p.use != first_of_back->use;
+      return third || parts(complex_.sources[pieces.front().source], complex_.sources[p.source]);
+    });
   }
 
-  void vertices() {
-    std::vector<LeafId> leaves;
-    std::vector<std::pair<LeafId, EdgeId>> features;
-    for (VertexId v : complex_.vertices) {
-      if (complex_.on_frame(v)) continue;
-      leaves.clear(), features.clear();
+  void look_at_vertex(VertexId v, std::size_t block, Nearby& nearby) {
+    if (complex_.on_frame(v)) return;
+    if (LeafId leaf; is_of_one_leaf(v, leaf)) {
+      FeatureEnds ends;
       for (EdgeId e : complex_.vertex_edges[v]) {
-        const auto at_edge = edge_leaves_[e];
-        leaves.insert(leaves.end(), at_edge.begin(), at_edge.end());
-        for (LeafId leaf : feature_leaves_[e]) features.emplace_back(leaf, e);
+        if (edge_features_[e].valid()) ends.add(e);
       }
-      for (FaceId f : complex_.vertex_faces[v]) {
-        const auto covering = cover_leaves_[complex_.face_cover[f]];
-        leaves.insert(leaves.end(), covering.begin(), covering.end());
-      }
-      const auto isolated = complex_.isolated_leaves[v];
-      leaves.insert(leaves.end(), isolated.begin(), isolated.end());
-      sort_unique(leaves);
-      std::sort(features.begin(), features.end());
-      for (LeafId leaf : leaves) {
-        if (!counts(leaf)) continue;
-        Group& group = groups_[leaf.index()];
-        group.vertices.push_back(v);
-        const bool own = std::find(isolated.begin(), isolated.end(), leaf) != isolated.end();
-        if (own || ends_features(v, leaf, features)) group.features.vertices.push_back(v);
+      vertices_.set(v, leaf);
+      if (end_features(v, leaf, ends)) vertex_features_.set(v, leaf);
+      return;
+    }
+    auto& leaves = nearby.at_vertex;
+    auto& features = nearby.feature_edges;
+    leaves.clear(), features.clear();
+    for (EdgeId e : complex_.vertex_edges[v]) {
+      if (edges_[e] == kSeveral || edge_features_[e] == kSeveral) {
+        find_leaves(e, nearby);
+        leaves.insert(leaves.end(), nearby.leaves.begin(), nearby.leaves.end());
+        for (LeafId leaf : nearby.features) features.emplace_back(leaf, e);
+      } else {
+        if (edges_[e].valid()) leaves.push_back(edges_[e]);
+        if (edge_features_[e].valid()) features.emplace_back(edge_features_[e], e);
       }
     }
+    for (FaceId f : complex_.vertex_faces[v]) add_covering(f, leaves);
+    const auto isolated = complex_.isolated_leaves[v];
+    leaves.insert(leaves.end(), isolated.begin(), isolated.end());
+    sort_unique(leaves);
+    std::erase_if(leaves, [&](LeafId leaf) { return !counts(leaf); });
+    std::sort(features.begin(), features.end());
+    vertices_.set(v, leaves, block);
+    std::erase_if(leaves, [&](LeafId leaf) {
+      FeatureEnds ends;
+      auto it = std::lower_bound(features.begin(), features.end(), std::pair(leaf, EdgeId(0)));
+      for (; it != features.end() && it->first == leaf; ++it) ends.add(it->second);
+      const bool own = std::find(isolated.begin(), isolated.end(), leaf) != isolated.end();
+      return !own && !end_features(v, leaf, ends);
+    });
+    vertex_features_.set(v, leaves, block);
   }
 
-  bool ends_features(VertexId v, LeafId leaf, const std::vector<std::pair<LeafId, EdgeId>>& features) const {
-    auto it = std::lower_bound(features.begin(), features.end(), std::pair(leaf, EdgeId(0)));
-    std::size_t n = 0;
+  // All edges at the vertex are of one and the same leaf, and there are no other cells of leaves.
+  bool is_of_one_leaf(VertexId v, LeafId& leaf) const {
+    const auto edges = complex_.vertex_edges[v];
+    if (edges.empty() || !complex_.vertex_faces[v].empty() || !complex_.isolated_leaves[v].empty()) return false;
+    leaf = edges_[edges[0]];
+    return leaf.valid() && leaf != kSeveral && std::all_of(edges.begin(), edges.end(), [&](EdgeId e) {
+      return edges_[e] == leaf && (!edge_features_[e].valid() || edge_features_[e] == leaf);
+    });
+  }
+
+  // The feature edges of a leaf at a vertex, in the order of ids: the first two count.
+  struct FeatureEnds {
     EdgeId at[2];
-    for (; it != features.end() && it->first == leaf; ++it, ++n) {
-      if (n < 2) at[n] = it->second;
+    std::size_t count = 0;
+    void add(EdgeId e) {
+      if (count < 2) at[count] = e;
+      ++count;
     }
-    if (n == 0) return false;
-    return n != 2 || !(straight(complex_, v, at[0], at[1]) || one_curve(complex_, v, at[0], at[1], leaf));
+  };
+
+  bool end_features(VertexId v, LeafId leaf, const FeatureEnds& ends) const {
+    const auto& [a, b] = ends.at;
+    if (ends.count == 0) return false;
+    return ends.count != 2 ||
+           !(share_segment(a, b) || straight(complex_, v, a, b) || one_curve(complex_, v, a, b, leaf));
   }
 
-  void regions(const std::vector<std::vector<RegionAttributes>>& attributes) {
-    std::vector<std::vector<std::pair<RegionId, std::uint32_t>>> labelled(complex_.leaf_count);
+  // Pieces of one input segment are on one line: no arithmetic with the point that cuts it.
+  bool share_segment(EdgeId a, EdgeId b) const {
+    const auto at_a = complex_.edge_segments[a], at_b = complex_.edge_segments[b];
+    return std::find_first_of(at_a.begin(), at_a.end(), at_b.begin(), at_b.end()) != at_a.end();
+  }
+
+  using Labelled = std::vector<std::pair<RegionId, std::uint32_t>>;  // 3-cells and labels of one leaf
+
+  std::vector<Labelled> label_regions() const {
+    std::vector<Labelled> labelled(complex_.leaf_count);
     for (RegionId r : IdRange<RegionId>(complex_.region_count)) {
       if (complex_.outside_frame(r)) continue;
       for (const Label& label : complex_.labels(r)) {
         if (counts(label.leaf)) labelled[label.leaf.index()].emplace_back(r, label.region);
       }
     }
+    return labelled;
+  }
+
+  void regions(LeafId leaf, const Labelled& labelled, const std::vector<RegionAttributes>& attributes) {
+    Group& group = groups_[leaf.index()];
     std::vector<RegionId> inside;
-    for (std::size_t leaf = 0; leaf < labelled.size(); ++leaf) {
-      Group& group = groups_[leaf];
-      inside.clear();
-      for (const auto& [cell, label] : labelled[leaf]) inside.push_back(cell);
-      group.cells = detect_regions(complex_, inside, group.faces);
-      for (std::size_t i = 0; i < group.cells.size(); ++i) {
-        if (group.cells[i].second <= group.regions.size()) continue;
-        const std::size_t label = labelled[leaf][i].second - 1;
-        RegionAttributes region;
-        if (leaf < attributes.size() && label < attributes[leaf].size()) region = attributes[leaf][label];
-        region.leaves = {LeafId(leaf)};
-        group.regions.push_back(std::move(region));
-      }
+    inside.reserve(labelled.size());
+    for (const auto& [cell, label] : labelled) inside.push_back(cell);
+    group.cells = detect_regions(complex_, inside, group.faces);
+    for (std::size_t i = 0; i < group.cells.size(); ++i) {
+      if (group.cells[i].second <= group.regions.size()) continue;
+      const std::size_t label = labelled[i].second - 1;
+      RegionAttributes region;
+      if (label < attributes.size()) region = attributes[label];
+      region.leaves = {leaf};
+      group.regions.push_back(std::move(region));
     }
   }
 
-  void origins() {
-    for (std::size_t leaf = 0; leaf < groups_.size(); ++leaf) {
-      Group& group = groups_[leaf];
-      const LeafSetId own = group.origins.sets.intern(LeafId(leaf));
-      group.origins.faces.assign(group.faces.size(), own);
-      group.origins.edges.assign(group.edges.size(), own);
-      group.origins.vertices.assign(group.vertices.size(), own);
-    }
+  void origins(LeafId leaf) {
+    Group& group = groups_[leaf.index()];
+    const LeafSetId own = group.origins.sets.intern(leaf);
+    group.origins.faces.assign(group.faces.size(), own);
+    group.origins.edges.assign(group.edges.size(), own);
+    group.origins.vertices.assign(group.vertices.size(), own);
   }
 
   const Complex& complex_;
   std::vector<Group> groups_;
-  Csr<SourceSetId, LeafId> cover_leaves_;
-  std::vector<std::pair<LeafId, std::uint32_t>> curved_patches_;
-  Csr<EdgeId, LeafId> edge_leaves_, feature_leaves_;
-  std::vector<std::tuple<bool, std::uint32_t, FaceId, HalfEdge>> pieces_;
+  CurvedPatches curved_;
+  IdVector<FaceId, SourceId> only_source_;  // of a face with one cover, off the frame; none() otherwise
+  Holders<FaceId> faces_;
+  Holders<EdgeId> edges_, edge_features_;
+  Holders<VertexId> vertices_, vertex_features_;
 };
 
 }  // namespace

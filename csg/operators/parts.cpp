@@ -51,13 +51,13 @@ float rounded_up(double x) {
 }
 
 // Entities and bounded regions lie in the hull of the vertices.
-Box box_of(const Complex& complex, const Group& g) {
+PartBox box_of(const Complex& complex, const Group& g) {
   const bool unbounded = std::any_of(g.cells.begin(), g.cells.end(),
                                      [&](const auto& cell) { return complex.unbounded(cell.first); });
   if (unbounded || reaches_frame(complex, g)) {
     return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
   }
-  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+  PartBox box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   for (VertexId v : g.vertices) {
     const PointView p = complex.points.view(v);
     for (int k = 0; k < 3; ++k) {
@@ -66,15 +66,6 @@ Box box_of(const Complex& complex, const Group& g) {
     }
   }
   return box;
-}
-
-bool before(const PartRef& a, const PartRef& b) {
-  const auto first = []<class IdT>(const std::vector<IdT>& list) { return list.empty() ? IdT() : list.front(); };
-  const auto key = [&](const Part& part) {
-    const Group& g = part.group();
-    return std::tuple(first(part.first_cells()), first(g.vertices), first(g.edges), first(g.faces));
-  };
-  return key(*a.get()) < key(*b.get());
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> order_regions(const std::vector<const Part*>& parts) {
@@ -204,7 +195,7 @@ void find_meetings(const Parts& few, const Parts& many, Found found) {
   std::sort(sorted.begin(), sorted.end());
   std::vector<float> reach;
   float furthest = -kInfinity;
-  Box hull = few[0].box();
+  PartBox hull = few[0].box();
   for (const PartRef& part : few) {
     for (int k = 0; k < 3; ++k) {
       hull.low[k] = std::min(hull.low[k], part.box().low[k]);
@@ -213,7 +204,7 @@ void find_meetings(const Parts& few, const Parts& many, Found found) {
   }
   for (const auto& [low, i] : sorted) reach.push_back(furthest = std::max(furthest, few[i].box().high[axis]));
   for (std::uint32_t j = 0; j < many.size(); ++j) {
-    const Box& box = many[j].box();
+    const PartBox& box = many[j].box();
     if (!box.meets(hull)) continue;
     const auto end = std::upper_bound(sorted.begin(), sorted.end(), box.high[axis],
                                       [](float x, const auto& entry) { return x < entry.first; });
@@ -341,8 +332,8 @@ class PartedBoolean {
   // The totals of the parts that are carried: those of `most` without its busy ones, and `others`.
   Totals carried(PartedGroup& most, const Parts& busy, const Parts& others) const {
     Totals out = std::move(*most.totals);
-    for (const auto& part : busy) out.remove(part->measures(complex_));
-    for (const auto& part : others) out.add(part->measures(complex_));
+    for (const auto& part : busy) out.remove(complex_, *part.get());
+    for (const auto& part : others) out.add(complex_, *part.get());
     return out;
   }
 
@@ -391,6 +382,15 @@ std::vector<const Part*> pointers(const Parts& parts) {
 
 }  // namespace
 
+bool before(const PartRef& a, const PartRef& b) {
+  const auto first = []<class IdT>(const std::vector<IdT>& list) { return list.empty() ? IdT() : list.front(); };
+  const auto key = [&](const Part& part) {
+    const Group& g = part.group();
+    return std::tuple(first(part.first_cells()), first(g.vertices), first(g.edges), first(g.faces));
+  };
+  return key(*a.get()) < key(*b.get());
+}
+
 Part::Part(const Complex& complex, Group group) : group_(std::move(group)), box_(box_of(complex, group_)) {
   first_cells_.reserve(group_.regions.size());
   for (const auto& [cell, region] : group_.cells) {
@@ -399,17 +399,23 @@ Part::Part(const Complex& complex, Group group) : group_(std::move(group)), box_
   require(first_cells_.size() == group_.regions.size(), "parts: regions are not in the order of their cells");
 }
 
-const Measures& Part::measures(const Complex& complex) const {
-  std::call_once(measured_, [&] {
+const CellCounts& Part::counts(const Complex& complex) const {
+  std::call_once(counted_, [&] {
     const Selection selection = selection_of(complex, group_);
-    measures_.raw = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
-                     selection.regions.size()};
-    measures_.simplified = simplified_counts(complex, selection, group_.features);
+    counts_.raw = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
+                   selection.regions.size()};
+    counts_.simplified = simplified_counts(complex, selection, group_.features);
+  });
+  return counts_;
+}
+
+const std::vector<std::optional<Rational>>& Part::volumes(const Complex& complex) const {
+  std::call_once(measured_, [&] {
     std::vector<std::vector<RegionId>> cells(group_.regions.size());
     for (const auto& [cell, region] : group_.cells) cells[region - 1].push_back(cell);
-    for (const auto& region : cells) measures_.volumes.push_back(volume(complex, region));
+    for (const auto& region : cells) volumes_.push_back(volume(complex, region));
   });
-  return measures_;
+  return volumes_;
 }
 
 PartedGroup parted(const Complex& complex, Group group) {
@@ -431,25 +437,27 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> region_order(const PartedGr
   return order_regions(pointers(value.parts));
 }
 
-void Totals::add(const Measures& m) {
+void Totals::add(const Complex& complex, const Part& part) {
+  const CellCounts& counts = part.counts(complex);
   for (std::size_t d = 0; d < 4; ++d) {
-    raw[d] += m.raw[d];
-    simplified[d] += m.simplified[d];
+    raw[d] += counts.raw[d];
+    simplified[d] += counts.simplified[d];
   }
-  regions += m.volumes.size();
-  for (const std::optional<Rational>& v : m.volumes) {
+  regions += part.volumes(complex).size();
+  for (const std::optional<Rational>& v : part.volumes(complex)) {
     if (v) bounded_volume += *v;
     else ++unbounded;
   }
 }
 
-void Totals::remove(const Measures& m) {
+void Totals::remove(const Complex& complex, const Part& part) {
+  const CellCounts& counts = part.counts(complex);
   for (std::size_t d = 0; d < 4; ++d) {
-    raw[d] -= m.raw[d];
-    simplified[d] -= m.simplified[d];
+    raw[d] -= counts.raw[d];
+    simplified[d] -= counts.simplified[d];
   }
-  regions -= m.volumes.size();
-  for (const std::optional<Rational>& v : m.volumes) {
+  regions -= part.volumes(complex).size();
+  for (const std::optional<Rational>& v : part.volumes(complex)) {
     if (v) bounded_volume -= *v;
     else --unbounded;
   }
@@ -460,7 +468,7 @@ const Totals& measure(const Complex& complex, PartedGroup& value) {
     value.totals.emplace();
     value.fresh = value.parts;
   }
-  for (const auto& part : value.fresh) value.totals->add(part->measures(complex));
+  for (const auto& part : value.fresh) value.totals->add(complex, *part.get());
   value.fresh.clear();
   return *value.totals;
 }
@@ -468,7 +476,7 @@ const Totals& measure(const Complex& complex, PartedGroup& value) {
 std::vector<std::optional<Rational>> volumes(const Complex& complex, const PartedGroup& value) {
   std::vector<std::optional<Rational>> out;
   for (const auto& [part, region] : region_order(value)) {
-    out.push_back(value.parts[part]->measures(complex).volumes[region - 1]);
+    out.push_back(value.parts[part]->volumes(complex)[region - 1]);
   }
   return out;
 }

@@ -21,20 +21,18 @@
 namespace cnrg {
 
 /// A closed axis-parallel box, rounded outward; it may be infinite.
-struct Box {
+struct PartBox {
   std::array<float, 3> low, high;
-  bool meets(const Box& other) const {
+  bool meets(const PartBox& other) const {
     return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
            other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
   }
 };
 
-/// What a row says of a value.
-struct Measures {
-  std::array<std::size_t, 4> raw{};         ///< active cells by dimension, as the refinement has them
-  std::array<std::size_t, 4> simplified{};  ///< active cells by dimension, simplified
-  /// Exact volumes by region, from region 1; nothing for an unbounded one.
-  std::vector<std::optional<Rational>> volumes;
+/// Active cells of a value by dimension.
+struct CellCounts {
+  std::array<std::size_t, 4> raw{};         ///< as the refinement has them
+  std::array<std::size_t, 4> simplified{};
 };
 
 /// A closed piece of a group that shares no point with the other parts of the same value; not empty. Its own
@@ -44,18 +42,21 @@ class Part {
   Part(const Complex& complex, Group group);
   const Group& group() const { return group_; }
   /// Holds the part; infinite if that is unbounded or reaches the frame.
-  const Box& box() const { return box_; }
+  const PartBox& box() const { return box_; }
   /// The smallest 3-cell of each region, ascending.
   const std::vector<RegionId>& first_cells() const { return first_cells_; }
-  /// Computed when it is first asked for; `complex` is that of the constructor. Thread-safe.
-  const Measures& measures(const Complex& complex) const;
+  /// Both are computed when they are first asked for; `complex` is that of the constructor. Thread-safe.
+  const CellCounts& counts(const Complex& complex) const;
+  /// Exact volumes by region, from region 1; nothing for an unbounded one.
+  const std::vector<std::optional<Rational>>& volumes(const Complex& complex) const;
 
  private:
   Group group_;
-  Box box_;
+  PartBox box_;
   std::vector<RegionId> first_cells_;
-  mutable std::once_flag measured_;
-  mutable Measures measures_;
+  mutable std::once_flag counted_, measured_;
+  mutable CellCounts counts_;
+  mutable std::vector<std::optional<Rational>> volumes_;
 };
 
 /// Sums of the measures of parts.
@@ -67,8 +68,8 @@ struct Totals {
   std::optional<Rational> volume() const {
     return unbounded == 0 ? std::optional(bounded_volume) : std::nullopt;
   }
-  void add(const Measures& m);
-  void remove(const Measures& m);
+  void add(const Complex& complex, const Part& part);
+  void remove(const Complex& complex, const Part& part);
 };
 
 /// A part in a list, with its box at hand: most parts are passed over by their boxes.
@@ -78,16 +79,20 @@ class PartRef {
   PartRef(std::shared_ptr<const Part> part) : box_(part->box()), part_(std::move(part)) {}
   const Part* operator->() const { return part_.get(); }
   const Part* get() const { return part_.get(); }
-  const Box& box() const { return box_; }
+  const PartBox& box() const { return box_; }
   /// One and the same part.
   friend bool operator==(const PartRef& a, const PartRef& b) { return a.part_ == b.part_; }
 
  private:
-  Box box_{};
+  PartBox box_{};
   std::shared_ptr<const Part> part_;
 };
 
-/// Parts in the order of their smallest 3-cells; those without any at the end, by vertices, edges, then faces.
+/// The order of the parts of a value: by their smallest 3-cells, those without any at the end, by vertices, edges,
+/// then faces.
+bool before(const PartRef& a, const PartRef& b);
+
+/// Parts in the order of `before`.
 struct PartedGroup {
   std::vector<PartRef> parts;
   Rational dominance = 0;

@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "csg/evaluate/evaluate.h"
-#include "csg/operators/parts.h"
+#include "csg/operators/cnrg.h"
+#include "csg/operators/fold.h"
 #include "kernel/selection/measure.h"
 #include "tests/properties/evaluation.h"
 #include "tests/scenes/seeds.h"
@@ -185,6 +186,135 @@ std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, 
   return most;
 }
 
+/// A fold of values with any number of parts, at once and step by step. Returns how many conflicts there were.
+std::size_t check_fold(const Complex& complex, const std::vector<PartedGroup>& values, Random& random) {
+  const auto op = random.one_in(2) ? BooleanOp::unite : BooleanOp::subtract;
+  const bool by_number = random.one_in(2);
+  std::vector<Dominance> dominances;
+  std::vector<std::pair<std::string, std::size_t>> removals;
+  std::vector<MaterialConflict> conflicts;
+  PartedGroup left = values[0];
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    const auto any = random.one_in(2) ? Dominance::equal : static_cast<Dominance>(random.below(3));
+    const Dominance greater = left.dominance == values[k].dominance  ? Dominance::equal
+                              : left.dominance > values[k].dominance ? Dominance::left
+                                                                     : Dominance::right;
+    dominances.push_back(by_number ? greater : any);
+    PartedResult step = apply(complex, op, dominances.back(), left, values[k]);
+    for (const auto& [id, count] : step.removals) {
+      const auto it = std::find_if(removals.begin(), removals.end(), [&](const auto& r) { return r.first == id; });
+      if (it == removals.end()) removals.emplace_back(id, count);
+      else it->second += count;
+    }
+    for (auto& [part, conflict] : step.conflicts) conflicts.push_back(std::move(conflict));
+    left = std::move(step.group);
+  }
+  const FoldResult at_once = fold(complex, op, dominances, values);
+  INFO(name(op) << " of " << values.size());
+  check_same(whole(at_once.group), whole(left));
+  CHECK((at_once.removals == removals));
+  REQUIRE(at_once.conflicts.size() == conflicts.size());
+  for (std::size_t i = 0; i < conflicts.size(); ++i) {
+    CHECK(at_once.conflicts[i].kept == conflicts[i].kept);
+    CHECK(at_once.conflicts[i].other == conflicts[i].other);
+    CHECK((at_once.conflicts[i].cells == conflicts[i].cells));
+  }
+  for (std::size_t i = 1; i < at_once.group.parts.size(); ++i) {
+    CHECK(before(at_once.group.parts[i - 1], at_once.group.parts[i]));
+  }
+  return conflicts.size();
+}
+
+void check_same(const Components& a, const Components& b) {
+  CHECK((a.selection == b.selection));
+  CHECK((a.features.edges == b.features.edges));
+  CHECK((a.features.vertices == b.features.vertices));
+  REQUIRE(a.attributes.size() == b.attributes.size());
+  for (std::size_t i = 0; i < a.attributes.size(); ++i) {
+    CHECK(a.attributes[i].name == b.attributes[i].name);
+    CHECK(a.attributes[i].material == b.attributes[i].material);
+    CHECK((a.attributes[i].leaves == b.attributes[i].leaves));
+    CHECK(a.attributes[i].dominance == b.attributes[i].dominance);
+  }
+  const auto same = [&](const std::vector<LeafSetId>& x, const std::vector<LeafSetId>& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [&](LeafSetId s, LeafSetId t) {
+      return std::ranges::equal(a.origins.sets[s], b.origins.sets[t]);
+    });
+  };
+  CHECK(same(a.origins.vertices, b.origins.vertices));
+  CHECK(same(a.origins.edges, b.origins.edges));
+  CHECK(same(a.origins.faces, b.origins.faces));
+  CHECK(same(a.origins.regions, b.origins.regions));
+}
+
+/// sum and subtract of all operands at once and step by step, components open and closed.
+std::size_t check_overlays(const Complex& complex, const std::vector<PartedGroup>& groups, Random& random) {
+  std::vector<Components> values;
+  for (const PartedGroup& group : groups) {
+    values.push_back(components_of(complex, whole(group)));
+    if (random.one_in(3)) values.back() = apply(complex, Topological::interior, values.back()).value;
+  }
+  std::vector<const Components*> pointers;
+  for (const Components& value : values) pointers.push_back(&value);
+  std::optional<Dominance> dominance;
+  if (random.one_in(3)) dominance = static_cast<Dominance>(random.below(3));
+  Components added = values[0], rest = values[0];
+  std::vector<MaterialConflict> conflicts;
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    ComponentsResult step = sum(complex, added, values[k], dominance);
+    conflicts.insert(conflicts.end(), step.conflicts.begin(), step.conflicts.end());
+    added = std::move(step.value);
+    rest = subtract(complex, rest, values[k]).value;
+  }
+  const ComponentsResult at_once = sum(complex, pointers, dominance);
+  check_same(at_once.value, added);
+  REQUIRE(at_once.conflicts.size() == conflicts.size());
+  for (std::size_t i = 0; i < conflicts.size(); ++i) {
+    CHECK(at_once.conflicts[i].kept == conflicts[i].kept);
+    CHECK(at_once.conflicts[i].other == conflicts[i].other);
+    CHECK((at_once.conflicts[i].cells == conflicts[i].cells));
+  }
+  check_same(subtract(complex, pointers).value, rest);
+  return conflicts.size();
+}
+
+/// Folds of leaves, of some of them united before, of complements and of surfaces that lie in others. Returns how
+/// many conflicts the folds of both families had at least.
+std::size_t check_folds(const Complex& complex, std::vector<Group> leaves, Random& random) {
+  std::vector<PartedGroup> values;
+  for (Group& leaf : leaves) {
+    leaf.dominance = random.below(3);
+    values.push_back(parted(complex, leaf));
+    if (random.one_in(4)) {
+      Group walls = leaf;  // its faces without its regions
+      walls.cells.clear(), walls.regions.clear();
+      values.push_back(parted(complex, std::move(walls)));
+    }
+  }
+  for (int i = 0; i < 3; ++i) {
+    const auto pick = [&]() -> const PartedGroup& {
+      return values[static_cast<std::size_t>(random.below(static_cast<int>(values.size())))];
+    };
+    const auto op = static_cast<BooleanOp>(random.below(3));
+    PartedGroup made = apply(complex, op, static_cast<Dominance>(random.below(3)), pick(), pick()).group;
+    values.push_back(random.one_in(4) ? parted(complex, complement(complex, whole(made))) : std::move(made));
+  }
+  std::size_t conflicts = 0, overlay_conflicts = 0;
+  for (int round = 0; round < 4; ++round) {
+    std::vector<PartedGroup> some;
+    for (const PartedGroup& value : values) {
+      if (!random.one_in(3)) some.push_back(value);
+    }
+    if (some.empty()) continue;
+    for (std::size_t i = some.size(); i > 1; --i) {
+      std::swap(some[i - 1], some[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
+    }
+    conflicts += check_fold(complex, some, random);
+    if (some.size() > 1) overlay_conflicts += check_overlays(complex, some, random);
+  }
+  return std::min(conflicts, overlay_conflicts);
+}
+
 }  // namespace
 
 TEST_CASE("Values in parts are the values as whole groups", "[parts]") {
@@ -238,7 +368,23 @@ result: all
     }
     INFO("seed " << seed);
     check_evaluation(*evaluation.complex, leaves, seed % 2 == 0, random);
+    check_folds(*evaluation.complex, leaves, random);
   }
+}
+
+TEST_CASE("A fold at once is the fold step by step", "[parts]") {
+  const auto [first, last] = scenes::seeds(30);
+  std::size_t conflicts = 0;
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    for (const auto position : {scenes::Position::general, scenes::Position::degenerate}) {
+      INFO("seed " << seed << ", position " << static_cast<int>(position));
+      Random random(seed);
+      const auto leaves = scattered_leaves(seed, 8, position, static_cast<int>(seed % 3));
+      const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+      conflicts += check_folds(complex, leaf_groups(complex, random_attributes(complex, random)), random);
+    }
+  }
+  CHECK(conflicts > 0);
 }
 
 TEST_CASE("A union far away carries the parts of its operands", "[parts]") {

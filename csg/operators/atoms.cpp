@@ -1,0 +1,146 @@
+#include "csg/operators/atoms.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "csg/operators/component_lists.h"
+#include "kernel/base/sorted.h"
+
+namespace cnrg {
+namespace {
+
+constexpr std::uint32_t kNoAtom = 0xffffffffu;  // after all atoms
+
+template <class List, class CellsT>
+bool any_known(const List& list, const CellsT& cells) {
+  return std::any_of(list.begin(), list.end(), [&](const auto& entry) { return cells.place[entry.first] != 0; });
+}
+
+}  // namespace
+
+Atoms::Atoms(const Complex& complex)
+    : vertices_(complex.points.size()), edges_(complex.edge_count()), faces_(complex.face_count()),
+      regions_(complex.region_count) {}
+
+int Atoms::Atom::dimension() const {
+  int d = 3;
+  while (d >= 0 && cells[static_cast<std::size_t>(d)] == 0) --d;
+  return d;
+}
+
+bool Atoms::meet(const Components& x) const {
+  return any_known(x.selection.vertices, vertices_) || any_known(x.selection.edges, edges_) ||
+         any_known(x.selection.faces, faces_) || any_known(x.selection.regions, regions_);
+}
+
+// f(cells, list of x, its origins, cells of x in a set, dimension)
+template <class F>
+void Atoms::for_each_dimension(const Components& x, F f) {
+  f(vertices_, x.selection.vertices, x.origins.vertices, &CellSet::vertices, 0);
+  f(edges_, x.selection.edges, x.origins.edges, &CellSet::edges, 1);
+  f(faces_, x.selection.faces, x.origins.faces, &CellSet::faces, 2);
+  f(regions_, x.selection.regions, x.origins.regions, &CellSet::regions, 3);
+}
+
+void Atoms::add(const Components& x, std::optional<Dominance> dominance) {
+  std::vector<Key> keys;
+  const auto key_of = [](const auto& cells, const auto& entry) {
+    const std::uint32_t place = std::as_const(cells.place)[entry.first];
+    return Key(place == 0 ? kNoAtom : cells.atoms[place - 1], entry.second);
+  };
+  for_each_dimension(x, [&](auto& cells, const auto& list, const auto&, auto, std::size_t) {
+    for (const auto& entry : list) {
+      const Key key = key_of(cells, entry);
+      if (keys.empty() || keys.back() != key) keys.push_back(key);
+    }
+  });
+  sort_unique(keys);
+  const std::size_t before = atoms_.size();
+  std::vector<Conflict> conflicts = add_atoms(x, keys, dominance);
+
+  LeafSetMap sets(x.origins.sets, sets_);
+  std::size_t last = 0;
+  for_each_dimension(x, [&](auto& cells, const auto& list, const auto& origins, auto in_set, std::size_t d) {
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const Key key = key_of(cells, list[k]);
+      if (keys[last] != key) {
+        last = static_cast<std::size_t>(std::lower_bound(keys.begin(), keys.end(), key) - keys.begin());
+      }
+      const auto atom = static_cast<std::uint32_t>(before + last);
+      ++atoms_[atom].cells[d];
+      std::uint32_t& place = cells.place[list[k].first];
+      if (place == 0) {
+        cells.ids.push_back(list[k].first);
+        cells.atoms.push_back(atom);
+        cells.origins.push_back(sets(origins[k]));
+        place = static_cast<std::uint32_t>(cells.ids.size());
+        continue;
+      }
+      --atoms_[cells.atoms[place - 1]].cells[d];
+      cells.atoms[place - 1] = atom;
+      LeafSetId& origin = cells.origins[place - 1];
+      origin = sets_.unite(origin, sets(origins[k]));
+      if (!conflicts[last].what.other.empty()) (conflicts[last].what.cells.*in_set).push_back(list[k].first);
+    }
+  });
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (conflicts[i].what.other.empty() || atoms_[before + i].dimension() < conflicts[i].least) continue;
+    conflicts_.push_back(std::move(conflicts[i].what));
+  }
+  features_.edges.insert(features_.edges.end(), x.features.edges.begin(), x.features.edges.end());
+  features_.vertices.insert(features_.vertices.end(), x.features.vertices.begin(), x.features.vertices.end());
+}
+
+// Two materials meet where the common part is as large as one of the two: a wall where two solids touch is no
+// conflict.
+std::vector<Atoms::Conflict> Atoms::add_atoms(const Components& x, const std::vector<Key>& keys,
+                                              std::optional<Dominance> dominance) {
+  std::vector<Conflict> conflicts(keys.size());
+  const std::vector<int> in_x = dimensions(x);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const auto& [atom, component] = keys[i];
+    if (atom == kNoAtom) {
+      atoms_.push_back({x.attributes[component - 1], {}});
+      continue;
+    }
+    Combined c = combine(atoms_[atom].attributes, x.attributes[component - 1], dominance);
+    conflicts[i].what.kept = c.attributes.material;
+    conflicts[i].what.other = std::move(c.other);
+    conflicts[i].least = std::min(atoms_[atom].dimension(), in_x[component - 1]);
+    atoms_.push_back({std::move(c.attributes), {}});
+  }
+  return conflicts;
+}
+
+ComponentsResult Atoms::result() {
+  ComponentsResult out;
+  Components& value = out.value;
+  std::vector<Component> number(atoms_.size(), 0);
+  for (std::size_t a = 0; a < atoms_.size(); ++a) {
+    if (atoms_[a].dimension() < 0) continue;
+    value.attributes.push_back(std::move(atoms_[a].attributes));
+    number[a] = static_cast<Component>(value.attributes.size());
+  }
+  LeafSetMap sets(sets_, value.origins.sets);
+  const auto write = [&](const auto& cells, auto& list, auto& origins) {
+    std::vector<std::uint32_t> order(cells.ids.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return cells.ids[a] < cells.ids[b]; });
+    list.reserve(order.size()), origins.reserve(order.size());
+    for (const std::uint32_t i : order) {
+      list.emplace_back(cells.ids[i], number[cells.atoms[i]]);
+      origins.push_back(sets(cells.origins[i]));
+    }
+  };
+  write(vertices_, value.selection.vertices, value.origins.vertices);
+  write(edges_, value.selection.edges, value.origins.edges);
+  write(faces_, value.selection.faces, value.origins.faces);
+  write(regions_, value.selection.regions, value.origins.regions);
+  sort_unique(features_.edges), sort_unique(features_.vertices);
+  value.features = active(value.selection, features_);
+  collect_leaves(value);
+  out.conflicts = std::move(conflicts_);
+  return out;
+}
+
+}  // namespace cnrg

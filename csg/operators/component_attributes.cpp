@@ -1,0 +1,74 @@
+#include "csg/operators/component_attributes.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "csg/operators/component_lists.h"
+
+namespace cnrg {
+namespace {
+
+bool left_wins(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
+  return dominance ? *dominance == Dominance::left : a.dominance > b.dominance;
+}
+bool right_wins(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
+  return dominance ? *dominance == Dominance::right : b.dominance > a.dominance;
+}
+
+std::vector<std::string> parts_of(const std::string& name) {
+  std::vector<std::string> out;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find(" & ", begin), name.size());
+    out.push_back(name.substr(begin, end - begin));
+    begin = end + 3;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string joined(const std::string& a, const std::string& b) {
+  if (b.empty() || b == kEntitiesName || a == b) return a.empty() ? b : a;
+  if (a.empty() || a == kEntitiesName) return b;
+  std::vector<std::string> parts = parts_of(a);
+  std::string out = a;
+  for (const std::string& part : parts_of(b)) {
+    if (std::find(parts.begin(), parts.end(), part) == parts.end()) out += " & " + part;
+  }
+  return out;
+}
+
+Combined combine(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
+  Combined out;
+  if (left_wins(a, b, dominance)) {
+    out.attributes = a;
+  } else if (right_wins(a, b, dominance)) {
+    out.attributes = b;
+  } else {
+    out.attributes.name = joined(a.name, b.name);
+    out.attributes.material = a.material.empty() ? b.material : a.material;
+    if (!b.material.empty() && b.material != out.attributes.material) out.other = b.material;
+  }
+  out.attributes.dominance = std::max(a.dominance, b.dominance);
+  return out;
+}
+
+// Neighbouring cells mostly have one origin.
+void collect_leaves(Components& x) {
+  std::vector<std::pair<Component, LeafSetId>> seen;
+  for_each_list(x, [&](const auto& list, const auto& origins) {
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const std::pair entry(list[k].second, origins[k]);
+      if (seen.empty() || seen.back() != entry) seen.push_back(entry);
+    }
+  });
+  sort_unique(seen);
+  for (ComponentAttributes& a : x.attributes) a.leaves.clear();
+  for (const auto& [component, set] : seen) {
+    std::vector<LeafId>& leaves = x.attributes[component - 1].leaves;
+    leaves.insert(leaves.end(), x.origins.sets[set].begin(), x.origins.sets[set].end());
+  }
+  for (ComponentAttributes& a : x.attributes) sort_unique(a.leaves);
+}
+
+}  // namespace cnrg

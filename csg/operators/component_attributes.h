@@ -1,0 +1,26 @@
+// Attributes of the components of CNRG operators; the rules are those of cnrg.h.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "csg/operators/boolean.h"
+#include "csg/operators/components.h"
+
+namespace cnrg {
+
+/// Names joined by ` & `, each once; what the entities of a group are called yields to a name that somebody gave.
+std::string joined(const std::string& a, const std::string& b);
+
+struct Combined {
+  ComponentAttributes attributes;
+  std::string other;  ///< a material that lost without dominance
+};
+
+/// The attributes of what two components have in common. `dominance` overrides their numbers.
+Combined combine(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance);
+
+/// Sets the leaves of each component from the origins of its cells.
+void collect_leaves(Components& x);
+
+}  // namespace cnrg
