@@ -47,7 +47,8 @@ void write_text(const fs::path& path, const std::string& text) {
   std::ofstream file(path);
   file << text;
   file.close();
-  if (!file) throw std::runtime_error(path.string() + ": can not be written; is the folder there and is there room?");
+  if (!file)
+    throw std::runtime_error(path.string() + ": can not be written; is the folder there and is there room?");
 }
 
 GuardCase tree_case(const fs::path& folder, const std::string& name, const std::string& text) {
@@ -83,8 +84,8 @@ GuardCase box_case(const fs::path& folder, int count) {
 
 std::vector<GuardCase> write_cases(const fs::path& folder) {
   std::vector<GuardCase> cases;
-  for (const char* name : {"spheres10k", "spheres100k", "spheres64", "boxes200", "menger2", "identical", "coplanar",
-                           "grid", "touching", "mirrored"})
+  for (const char* name : {"spheres10k", "spheres100k", "spheres64", "boxes200", "menger2", "identical",
+                           "coplanar", "grid", "touching", "mirrored"})
     cases.push_back(mesh_case(folder, name));
   cases.push_back(box_case(folder, 200));
   cases.push_back(tree_case(folder, "scattered-chain", scattered_chain({500, 1})));
@@ -108,7 +109,8 @@ std::vector<GuardCase> cases_in(const std::string& folder) {
   std::vector<GuardCase> cases;
   std::istringstream list(child.text);
   for (GuardCase c; std::getline(list, c.name) && std::getline(list, c.tree);) cases.push_back(c);
-  if (child.end != ChildResult::End::done || cases.empty()) throw std::runtime_error("the cases could not be made");
+  if (child.end != ChildResult::End::done || cases.empty())
+    throw std::runtime_error("the cases could not be made");
   return cases;
 }
 
@@ -194,9 +196,9 @@ int run(const Options& options) {
   for (const GuardCase& c : cases) {
     const Comparison r = compare(options, c);
     const bool slow = r.least > options.max_time, large = r.memory > options.max_memory;
-    std::printf("%-18s %9.3f %9.1f %9.3f %9.3f %9.3f  %s%s%s\n", c.name.c_str(), r.base_seconds, r.base_bytes / 1e6,
-                r.least, r.middle, r.memory, r.same ? "same" : "DIFFERENT", slow ? ", SLOWER" : "",
-                large ? ", LARGER" : "");
+    std::printf("%-18s %9.3f %9.1f %9.3f %9.3f %9.3f  %s%s%s\n", c.name.c_str(), r.base_seconds,
+                r.base_bytes / 1e6, r.least, r.middle, r.memory, r.same ? "same" : "DIFFERENT",
+                slow ? ", SLOWER" : "", large ? ", LARGER" : "");
     std::fflush(stdout);
     ratios[0].push_back(r.least);
     ratios[1].push_back(r.middle);

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -82,8 +83,8 @@ std::vector<Contestant> contestants(const Options& options, const Recipe& recipe
   };
   std::vector<Contestant> all;
   if (options.threads > 1) {
-    all.push_back(one("cnrg, " + std::to_string(options.threads) + " threads", true, evaluate_ours, options.threads,
-                      options.rounds, 0));
+    all.push_back(one("cnrg, " + std::to_string(options.threads) + " threads", true, evaluate_ours,
+                      options.threads, options.rounds, 0));
   }
   all.push_back(one("cnrg, 1 thread", true, evaluate_ours, 1, options.rounds, 0));
   all.push_back(one(kCorefinement, false, evaluate_corefinement, 1, options.rounds, options.nef_limit));
@@ -201,11 +202,12 @@ std::vector<Recipe> chosen(const std::vector<Recipe>& all, const std::vector<std
 /// Degenerate cases are told beside one in general position.
 void add_general_position(const std::vector<Recipe>& all, std::vector<Recipe>& some) {
   const auto has = [&](const std::string& name) {
-    return std::any_of(some.begin(), some.end(), [&](const Recipe& r) { return r.name == name || r.group == name; });
+    return std::any_of(some.begin(), some.end(),
+                       [&](const Recipe& r) { return r.name == name || r.group == name; });
   };
-  if (has("degenerate") && !has("spheres10k")) {
-    some.push_back(*std::find_if(all.begin(), all.end(), [](const Recipe& r) { return r.name == "spheres10k"; }));
-  }
+  if (!has("degenerate") || has(kGeneralPosition)) return;
+  some.push_back(
+      *std::find_if(all.begin(), all.end(), [](const Recipe& r) { return r.name == kGeneralPosition; }));
 }
 
 int run(const Options& options) {
@@ -217,6 +219,8 @@ int run(const Options& options) {
     }
     return 0;
   }
+  if (!options.json.empty() && !std::ofstream(options.json, std::ios::app))  // before the work, not after it
+    throw std::runtime_error(options.json + ": can not be written; is the folder there?");
   if (options.names.empty()) throw std::runtime_error("no case is named; name a group or a case of `--list`");
   std::vector<Recipe> some = chosen(all, options.names);
   add_general_position(all, some);
@@ -241,7 +245,8 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   cnrg::bench::Options options;
-  CLI::App program{"Whole jobs by cnrg, CGAL's corefinement and CGAL's Nef polyhedra, side by side.", "bench_speed"};
+  CLI::App program{"Whole jobs by cnrg, CGAL's corefinement and CGAL's Nef polyhedra, side by side.",
+                   "bench_speed"};
   program.add_option("NAMES", options.names, "Groups (pairs nary growth degenerate) or cases");
   program.add_flag("--list", options.list, "List the cases");
   program.add_option("--meshes", options.meshes, "Folder of the meshes of `pairs`, searched through")

@@ -36,6 +36,8 @@ struct CaseResult {
   double seconds_per_cell() const;
 };
 
+/// The case that degenerate ones are compared with.
+inline constexpr const char* kGeneralPosition = "spheres10k";
 inline constexpr const char* kCorefinement = "CGAL corefinement";
 inline constexpr const char* kNef = "CGAL Nef";
 

@@ -111,7 +111,10 @@ std::vector<std::pair<SheetId, std::vector<SegmentId>>> cut_sheets(const Refinem
     std::sort(own.begin(), own.end());
     own.erase(std::unique(own.begin(), own.end()), own.end());
     std::vector<SegmentId> segments;
-    for (const EdgeId e : own) segments.insert(segments.end(), r.edges.segments[e].begin(), r.edges.segments[e].end());
+    for (const EdgeId e : own) {
+      const auto on = r.edges.segments[e];
+      segments.insert(segments.end(), on.begin(), on.end());
+    }
     std::sort(segments.begin(), segments.end());
     segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
     std::erase_if(segments, [&](SegmentId segment) {

@@ -91,7 +91,8 @@ std::string winding_chain(int depth, unsigned seed) {
   Random random(seed);
   std::string text = "cnrg: 1\nnodes:\n";
   // From the far end, so that the largest coordinates are in every chain.
-  for (int i = 0; i <= depth; ++i) text += "  s" + std::to_string(i) + ": " + winding_solid(999 - i % 1000, random);
+  for (int i = 0; i <= depth; ++i)
+    text += "  s" + std::to_string(i) + ": " + winding_solid(999 - i % 1000, random);
   for (int i = 1; i <= depth; ++i) {
     const std::string left = i == 1 ? "s0" : "u" + std::to_string(i - 1);
     text += node("u" + std::to_string(i), left, "s" + std::to_string(i));
@@ -107,7 +108,8 @@ std::string shared_layers(int layers, unsigned seed) {
   std::string text = "cnrg: 1\nnodes:\n";
   for (int j = 0; j <= layers; ++j) text += "  " + name(0, j) + ": " + winding_solid(j, random);
   for (int layer = 1; layer <= layers; ++layer) {
-    for (int j = 0; j <= layers - layer; ++j) text += node(name(layer, j), name(layer - 1, j), name(layer - 1, j + 1));
+    for (int j = 0; j <= layers - layer; ++j)
+      text += node(name(layer, j), name(layer - 1, j), name(layer - 1, j + 1));
   }
   return text + "result: " + name(layers, 0) + "\n";
 }

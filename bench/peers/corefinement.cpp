@@ -35,7 +35,8 @@ Outcome evaluate_corefinement(const Case& c, const Checks& checks, int) {
     const bool done = c.operation == Operation::unite
                           ? processing::corefine_and_compute_union(result, meshes[i], result)
                           : processing::corefine_and_compute_difference(result, meshes[i], result);
-    if (!done) throw std::runtime_error("refused: the result of operand " + std::to_string(i + 1) + " is no 2-manifold");
+    if (!done)
+      throw std::runtime_error("refused: the result with operand " + std::to_string(i + 1) + " is no 2-manifold");
   }
   measurement.lap("Boolean");
 

@@ -38,8 +38,8 @@ Rational rational(const Kernel::FT& x) {
   return Rational(text.str());
 }
 
-/// The sum of cones from the origin over the sides of the marked volumes. A side is the fan of its loops from one of
-/// its points; holes run the other way round.
+/// The sum of cones from the origin over the sides of the marked volumes. A side is the fan of its loops from one
+/// of its points; holes run the other way round.
 Rational volume_of(const Nef& nef) {
   std::vector<Rational> six_times;
   for (auto f = nef.halffacets_begin(); f != nef.halffacets_end(); ++f) {
