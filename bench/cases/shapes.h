@@ -12,7 +12,7 @@ namespace cnrg::bench {
 /// at random: no three vertices are on a line and no four in a plane, but by accident.
 TriangleMesh bumpy_sphere(std::size_t triangles, unsigned seed);
 
-/// A sphere of radius 1 of 32 meridians and 16 rings as OpenSCAD has it, 1,020 triangles, turned at random: its flat
+/// A sphere of radius 1 of 32 meridians and 16 rings as OpenSCAD has it, 1,020 triangles, turned at random: its
 /// caps and quadrilaterals are flat but for rounding, which is hard on filters.
 TriangleMesh ringed_sphere(unsigned seed);
 
