@@ -77,6 +77,24 @@ constexpr MeshPair kMeshPairs[] = {
     {"elephant", "refined_elephant.off", "refined_elephant.off"},
 };
 
+/// The union of a mesh and another one turned; a mesh and itself overlap when the turn is about its own middle.
+Case mesh_pair(const std::string& name, const std::string& first, const std::string& second) {
+  TriangleMesh fixed = read_mesh(first), other = read_mesh(second);
+  if (first == second) {
+    std::array<double, 3> middle{}, back{};
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax_element(other.points.begin(), other.points.end(),
+                                                   [k](const auto& p, const auto& q) { return p[k] < q[k]; });
+      middle[k] = ((*low)[k] + (*high)[k]) / 2;
+      back[k] = middle[k] + 0.02 * ((*high)[k] - (*low)[k]);
+    }
+    other = turned(moved(other, {-middle[0], -middle[1], -middle[2]}), 0.7, back);
+  } else {
+    other = turned(other, 0.7, {0.05, 0.03, 0.01});
+  }
+  return union_of_meshes(name, {std::move(fixed), std::move(other)});
+}
+
 /// Files below a folder by name.
 std::map<std::string, std::string> files_by_name(const std::string& folder) {
   std::map<std::string, std::string> files;
@@ -191,9 +209,7 @@ std::vector<Recipe> recipes(const std::string& meshes) {
     else if (second == files.end()) recipe.missing = pair.second;
     else
       recipe.make = [name = recipe.name, a = first->second, b = second->second] {
-        // Meshes of people have sizes of their own: the move is a part of theirs.
-        TriangleMesh fixed = read_mesh(a), other = turned(read_mesh(b), 0.7, {0.05, 0.03, 0.01});
-        return union_of_meshes(name, {std::move(fixed), std::move(other)});
+        return mesh_pair(name, a, b);
       };
     all.push_back(std::move(recipe));
   }
