@@ -1,26 +1,29 @@
-// A chain of unions: does a node cost what it touches, and is memory of values given back?
+// Chains of Booleans and shared nodes: does a node cost what it touches, do numbers grow, is memory given back?
 //
 //   bench_chain [--nodes N] [--rounds R] [--seed S]
 //
-// N + 1 small solids (tetrahedra and boxes, each in a cell of a lattice of its own, so scattered in space; every
-// tenth overlaps the one before it) are united one after the other: ((a u b) u c) u ... . For comparison the same
-// complex with N unions of two neighbours each. Rows with counts and exact volumes are made for every node, as
-// `cnrg eval` does. What is printed:
-//   * seconds per node in tenths of the chain, and those of the pairs: the ratio of the last tenth to the pairs is
-//     to stay below 2
-//   * peak memory of the process with values freed after their last use, and with all values kept
+// Three trees (cases/chain_tree.h). Rows with counts and exact volumes are made for every node, as `cnrg eval`
+// does.
+//   * N + 1 small solids scattered in space, united one after the other: ((a u b) u c) u ... ; the same solids
+//     as N unions of two neighbours each. Printed: seconds per node in tenths of the chain, and those of the
+//     pairs: the ratio of the last tenth to the pairs is to stay below 2. Peak memory of the process with values
+//     freed after their last use, and with all values kept.
+//   * A chain of solids that all hang together, of depth 1 to 1,000. Printed: nanoseconds of the operators per
+//     cell of their operands, which is to grow at most twofold from depth 10 on; and the largest coordinate of
+//     the result in bits. Booleans make no planes, so that is below a bound that knows nothing of the depth.
+//   * Layers of unions of neighbours in the layer below, each value used twice; likewise.
+// Exit status 1 if one of these does not hold.
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <random>
-#include <sstream>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "bench/cases/chain_tree.h"
 #include "bench/cases/child.h"
+#include "bench/cases/statistics.h"
 #include "csg/evaluate/evaluate.h"
 
 namespace cnrg::bench {
@@ -31,52 +34,23 @@ struct Settings {
   unsigned seed = 1;
 };
 
-std::string point(double x, double y, double z) {
-  std::ostringstream text;
-  text << "[" << x << ", " << y << ", " << z << "]";
-  return text.str();
-}
-
-std::string solids(const Settings& s) {
-  std::mt19937 random(s.seed);
-  const auto number = [&](int low, int high) { return low + static_cast<int>(random() % (high - low + 1)); };
-  const int side = static_cast<int>(std::ceil(std::cbrt(s.nodes + 1)));
-  std::vector<int> places(static_cast<std::size_t>(side * side * side));
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] = static_cast<int>(i);
-  std::shuffle(places.begin(), places.end(), random);
-  std::string text;
-  for (int i = 0; i <= s.nodes; ++i) {
-    const int at = places[static_cast<std::size_t>(i % 10 == 9 ? i - 1 : i)], shift = i % 10 == 9 ? 3 : 0;
-    const double x = 20 * (at % side) + shift, y = 20 * (at / side % side) + shift, z = 20 * (at / side / side);
-    text += "  s" + std::to_string(i) + ": ";
-    if (i % 2 == 0) {
-      text += "{box: {min: " + point(x, y, z) + ", max: " +
-              point(x + number(5, 10), y + number(5, 10), z + number(5, 10)) + "}}\n";
-    } else {
-      text += "{tetrahedron: [" + point(x, y, z) + ", " + point(x + number(6, 12), y, z + 1) + ", " +
-              point(x, y + number(6, 12), z + 2) + ", " + point(x + 1, y + 2, z + number(6, 12)) + "]}\n";
+/// In a process of its own; throws if that ends badly.
+template <class Work>
+nlohmann::json in_child(const Work& work, std::size_t* peak_bytes = nullptr) {
+  const ChildResult child = run_child([&] {
+    try {
+      return nlohmann::json(work()).dump();
+    } catch (const std::exception& error) {
+      return nlohmann::json{{"error", error.what()}}.dump();
     }
-  }
-  return text;
-}
-
-std::string chain(const Settings& s) {
-  std::string text = "cnrg: 1\nnodes:\n" + solids(s);
-  for (int i = 1; i <= s.nodes; ++i) {
-    const std::string left = i == 1 ? "s0" : "u" + std::to_string(i - 1);
-    text += "  u" + std::to_string(i) + ": {union: [" + left + ", s" + std::to_string(i) + "]}\n";
-  }
-  // Volumes by region are made for the result alone: it is a node of its own.
-  return text + "  all: {simplify: u" + std::to_string(s.nodes) + "}\nresult: all\n";
-}
-
-std::string pairs(const Settings& s) {
-  std::string text = "cnrg: 1\nnodes:\n" + solids(s);
-  for (int i = 1; i <= s.nodes; ++i) {
-    const std::string left = "s" + std::to_string(i - 1), right = "s" + std::to_string(i);
-    text += "  u" + std::to_string(i) + ": {union: [" + left + ", " + right + "]}\n";
-  }
-  return text + "result: u1\n";
+  });
+  if (child.end != ChildResult::End::done || child.text.empty())
+    throw std::runtime_error("an evaluation did not end");
+  nlohmann::json result = nlohmann::json::parse(child.text);
+  if (result.is_object() && result.contains("error"))
+    throw std::runtime_error(result["error"].get<std::string>());
+  if (peak_bytes != nullptr) *peak_bytes = std::max(*peak_bytes, child.peak_bytes);
+  return result;
 }
 
 /// Seconds of each union, its row included.
@@ -97,55 +71,28 @@ std::vector<double> seconds_per_union(const std::string& text, bool all_roots, b
   return out;
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.empty() ? 0 : values[values.size() / 2];
-}
-
 double mean(const std::vector<double>& values, std::size_t begin, std::size_t end) {
   double sum = 0;
   for (std::size_t i = begin; i < end; ++i) sum += values[i];
   return sum / static_cast<double>(end - begin);
 }
 
-/// Tenths of the list, by their means.
-std::string tenths(const std::vector<double>& values) {
-  std::ostringstream text;
-  text.precision(9);
-  for (std::size_t k = 0; k < 10; ++k) {
-    text << mean(values, values.size() * k / 10, values.size() * (k + 1) / 10) << " ";
-  }
-  return text.str();
+double mean_of_tenth(const std::vector<double>& values, std::size_t k) {
+  return mean(values, values.size() * k / 10, values.size() * (k + 1) / 10);
 }
 
-std::vector<double> numbers(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<double> out;
-  for (double x; in >> x;) out.push_back(x);
-  return out;
-}
-
-ChildResult checked(ChildResult child) {
-  if (child.end != ChildResult::End::done) throw std::runtime_error("an evaluation did not end");
-  return child;
-}
-
-int run(const Settings& s) {
-  const std::string chain_text = chain(s), pairs_text = pairs(s);
+bool run_scattered(const Settings& s) {
+  const ScatteredSolids solids{s.nodes, s.seed};
+  const std::string chain_text = scattered_chain(solids), pairs_text = scattered_pairs(solids);
   std::vector<std::vector<double>> by_tenth(10);
   std::vector<double> of_pairs;
   std::size_t freed = 0, kept = 0;
   for (int round = 0; round < s.rounds; ++round) {
-    const ChildResult one =
-        checked(run_child([&] { return tenths(seconds_per_union(chain_text, false, false)); }));
-    const std::vector<double> means = numbers(one.text);
-    for (std::size_t k = 0; k < 10; ++k) by_tenth[k].push_back(means.at(k));
-    freed = std::max(freed, one.peak_bytes);
-    const ChildResult all = checked(run_child([&] { return tenths(seconds_per_union(chain_text, false, true)); }));
-    kept = std::max(kept, all.peak_bytes);
-    const ChildResult two = checked(run_child([&] { return tenths(seconds_per_union(pairs_text, true, false)); }));
-    const std::vector<double> pair_means = numbers(two.text);
-    of_pairs.push_back(mean(pair_means, 0, pair_means.size()));
+    const std::vector<double> one = in_child([&] { return seconds_per_union(chain_text, false, false); }, &freed);
+    for (std::size_t k = 0; k < 10; ++k) by_tenth[k].push_back(mean_of_tenth(one, k));
+    in_child([&] { return seconds_per_union(chain_text, false, true); }, &kept);
+    const std::vector<double> two = in_child([&] { return seconds_per_union(pairs_text, true, false); });
+    of_pairs.push_back(mean(two, 0, two.size()));
   }
   std::printf("%d unions of small solids scattered in space, microseconds per node (medians of %d rounds)\n",
               s.nodes, s.rounds);
@@ -155,33 +102,176 @@ int run(const Settings& s) {
   const double last = median(by_tenth[9]), pair = median(of_pairs);
   std::printf("  unions of two solids    %8.1f\n  last tenth : two solids %8.2f  (to be below 2)\n", 1e6 * pair,
               last / pair);
-  std::printf("peak memory: values freed after their last use %.1f MB, all kept %.1f MB\n", freed / 1e6,
-              kept / 1e6);
-  return last < 2 * pair ? 0 : 1;
+  std::printf("peak memory: values freed after their last use %.1f MB, all kept %.1f MB\n",
+              static_cast<double>(freed) / 1e6, static_cast<double>(kept) / 1e6);
+  return last < 2 * pair;
+}
+
+/// What the unions of a tree cost and touch.
+struct Cost {
+  std::vector<double> seconds, touched;  ///< by union, operands first; cells of its operands
+  std::size_t bits = 0;                  ///< of the largest number in a vertex of the result, as x : y : z : w
+};
+
+void to_json(nlohmann::json& out, const Cost& cost) { out = {cost.seconds, cost.touched, cost.bits}; }
+void from_json(const nlohmann::json& in, Cost& cost) {
+  in.at(0).get_to(cost.seconds);
+  in.at(1).get_to(cost.touched);
+  in.at(2).get_to(cost.bits);
+}
+
+double cells(const NodeRow& row) {
+  double sum = 0;
+  for (const std::size_t n : row.raw_cells) sum += static_cast<double>(n);
+  return sum;
+}
+
+std::size_t largest_bits(const KeptValue& value, const PointTable& points) {
+  std::size_t bits = 0;
+  for (const SimplifiedComplex::Vertex& vertex : value.simplified.vertices) {
+    const ExactPoint& p = points.exact(vertex.cell);
+    for (const Integer& number : {p.x, p.y, p.z, p.w})
+      bits = std::max(bits, mpz_sizeinbase(number.get_mpz_t(), 2));
+  }
+  return bits;
+}
+
+Cost cost_of(const std::string& text) {
+  const Tree tree = parse_tree(text, "chain.yaml");
+  const Evaluation evaluation = evaluate(tree);
+  Cost cost;
+  for (const InstanceId id : IdRange<InstanceId>(evaluation.instances.size())) {
+    const NodeRow& row = evaluation.rows[id.index()];
+    if (row.operator_name != "union") continue;
+    double touched = 0;
+    for (const InstanceId operand : evaluation.instances[id].operands)
+      touched += cells(evaluation.rows[operand.index()]);
+    cost.seconds.push_back(row.seconds);
+    cost.touched.push_back(touched);
+  }
+  cost.bits = largest_bits(evaluation.kept[0], evaluation.complex->points);
+  return cost;
+}
+
+/// Bits of a vertex of planes through points with integers below 2^k. Differences are below 2^k, so a normal is
+/// below 2^(2k+1) and the plane's constant below 3 2^(3k+1); the determinant of two columns of normals and one of
+/// constants, six terms, is below 18 2^(7k+3) < 2^(7k+8), that of normals is less.
+constexpr std::size_t kBitsBound = 7 * kWindingBits + 8;
+
+struct Rate {
+  double microseconds = 0, touched = 0, nanoseconds = 0;  ///< per node, per node, per cell touched
+};
+
+Rate rate(const Cost& cost, std::size_t begin, std::size_t end) {
+  const double seconds = mean(cost.seconds, begin, end), touched = mean(cost.touched, begin, end);
+  return {1e6 * seconds, touched, 1e9 * seconds / touched};
+}
+
+/// The run with the least sum of times.
+Cost least_cost(const std::string& text, int rounds) {
+  Cost best;
+  double least_sum = 0;
+  for (int round = 0; round < rounds; ++round) {
+    const Cost cost = in_child([&] { return cost_of(text); });
+    const double sum = mean(cost.seconds, 0, cost.seconds.size());
+    if (round > 0 && sum >= least_sum) continue;
+    least_sum = sum;
+    best = cost;
+  }
+  return best;
+}
+
+void print_head(const char* title, const char* first) {
+  std::printf("\n%s\n%12s %14s %14s %12s %14s\n", title, first, "us per node", "cells touched", "ns per cell",
+              "bits (< bound)");
+}
+
+void print_rate(const std::string& name, const Rate& r, const std::string& bits) {
+  std::printf("%12s %14.1f %14.0f %12.1f %14s\n", name.c_str(), r.microseconds, r.touched, r.nanoseconds,
+              bits.c_str());
+}
+
+std::string bits_text(std::size_t bits) { return std::to_string(bits) + " (" + std::to_string(kBitsBound) + ")"; }
+
+/// Nothing per cell grows more than twofold; numbers stay below the bound.
+bool judge(double first, double last, std::size_t bits) {
+  const bool cost = last <= 2 * first, numbers = bits <= kBitsBound;
+  std::printf("  cost per cell touched: %.2f x, to be at most 2 x: %s; numbers: %s\n", last / first,
+              cost ? "met" : "NOT MET", numbers ? "met" : "NOT MET");
+  return cost && numbers;
+}
+
+bool run_depths(const Settings& s) {
+  print_head("chains of solids that hang together, by depth", "depth");
+  double at_ten = 0, last = 0;
+  std::size_t bits = 0;
+  for (const int depth : {1, 10, 100, 1000}) {
+    // The deepest takes a minute; its thousand nodes are repetition enough.
+    const Cost cost = least_cost(winding_chain(depth, s.seed), depth < 1000 ? s.rounds : 1);
+    const Rate r = rate(cost, 0, cost.seconds.size());
+    print_rate(std::to_string(depth), r, bits_text(cost.bits));
+    if (depth == 10) at_ten = r.nanoseconds;
+    last = r.nanoseconds;
+    bits = std::max(bits, cost.bits);
+  }
+  return judge(at_ten, last, bits);
+}
+
+bool run_layers(const Settings& s) {
+  constexpr int kLayers = 60, kShown = 12;
+  print_head("layers of unions, each value used twice", "layers");
+  const Cost cost = least_cost(shared_layers(kLayers, s.seed), s.rounds);
+  // Operands come first, but not layer by layer: the size of the operands tells the layer.
+  std::vector<std::size_t> order(cost.seconds.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return cost.touched[a] < cost.touched[b]; });
+  Cost sorted;
+  for (const std::size_t i : order) {
+    sorted.seconds.push_back(cost.seconds[i]);
+    sorted.touched.push_back(cost.touched[i]);
+  }
+  double first = 0, last = 0;
+  std::size_t begin = 0;
+  for (int layer = 1; layer <= kLayers; layer += kShown) {
+    std::size_t end = begin;
+    for (int l = layer; l < layer + kShown; ++l) end += static_cast<std::size_t>(kLayers - l + 1);
+    const Rate r = rate(sorted, begin, end);
+    const bool result = layer + kShown > kLayers;
+    print_rate(std::to_string(layer) + "-" + std::to_string(layer + kShown - 1), r,
+               result ? bits_text(cost.bits) : "");
+    if (layer == 1) first = r.nanoseconds;
+    last = r.nanoseconds;
+    begin = end;
+  }
+  return judge(first, last, cost.bits);
+}
+
+int run(const Settings& s) {
+  bool met = run_scattered(s);
+  met = run_depths(s) && met;
+  met = run_layers(s) && met;
+  return met ? 0 : 1;
 }
 
 }  // namespace
 }  // namespace cnrg::bench
 
 int main(int argc, char** argv) {
-  using namespace cnrg::bench;
-  Settings s;
+  cnrg::bench::Settings settings;
+  CLI::App program{"What a node of chains and of shared trees costs; size of numbers; memory.", "bench_chain"};
+  program.add_option("--nodes", settings.nodes, "Unions of the scattered solids (1000)")
+      ->check(CLI::Range(10, 1000000));
+  program.add_option("--rounds", settings.rounds, "Runs of each tree (5)")->check(CLI::Range(1, 1000));
+  program.add_option("--seed", settings.seed, "Of the solids (1)");
   try {
-    for (int i = 1; i < argc; ++i) {
-      const std::string arg = argv[i];
-      const auto value = [&] {
-        if (++i >= argc) throw std::runtime_error(arg + " needs a number");
-        return std::stoi(argv[i]);
-      };
-      if (arg == "--nodes") s.nodes = value();
-      else if (arg == "--rounds") s.rounds = value();
-      else if (arg == "--seed") s.seed = static_cast<unsigned>(value());
-      else throw std::runtime_error("unknown option " + arg + "; use --nodes, --rounds, --seed");
-    }
-    if (s.nodes < 10 || s.rounds < 1) throw std::runtime_error("at least 10 nodes and 1 round");
-    return run(s);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "bench_chain: %s\n", error.what());
-    return 2;
+    program.parse(argc, argv);
+    return cnrg::bench::run(settings);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return program.exit(e);
+    std::fprintf(stderr, "bench_chain: error: %s; see `bench_chain --help`\n", e.what());
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "bench_chain: error: %s\n", e.what());
   }
+  return 2;
 }

@@ -54,10 +54,10 @@ std::string evaluate(const std::vector<std::string>& files, const Options& optio
     for (const auto& [cell, region] : group.cells) cells.push_back(cell);
     const std::optional<Rational> volume = cnrg::volume(complex, cells);
     std::ostringstream out;
-    out << "ok volume " << (volume ? to_decimal(*volume) : "unbounded") << ", cells " << complex.vertex_count() << " " << complex.edge_count() << " " << complex.face_count()
-        << " " << complex.region_count << ", result " << counts[0] << " " << counts[1] << " " << counts[2] << " "
-        << group.regions.size() << ", constructed " << report.constructed << ", zero area "
-        << report.zero_area.size() << notices;
+    out << "ok volume " << (volume ? to_decimal(*volume) : "unbounded") << ", cells " << complex.vertex_count()
+        << " " << complex.edge_count() << " " << complex.face_count() << " " << complex.region_count << ", result "
+        << counts[0] << " " << counts[1] << " " << counts[2] << " " << group.regions.size() << ", constructed "
+        << report.constructed << ", zero area " << report.zero_area.size() << notices;
     return out.str();
   } catch (const InvariantError& error) {
     return std::string("BUG ") + error.what();

@@ -1,8 +1,12 @@
 #include "bench/cases/triangle_mesh.h"
 
 #include <cmath>
+#include <cstdio>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
+#include "bench/cases/random.h"
 #include "csg/leaves/mesh_file.h"
 
 namespace cnrg::bench {
@@ -19,6 +23,15 @@ TriangleMesh read_mesh(const std::string& path) {
   return mesh;
 }
 
+void write_off(const std::string& path, const TriangleMesh& mesh) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "w"), std::fclose);
+  if (!file) throw std::runtime_error(path + ": can not be written; is the folder there and is there room?");
+  std::fprintf(file.get(), "OFF\n%zu %zu 0\n", mesh.points.size(), mesh.triangles.size());
+  for (const auto& [x, y, z] : mesh.points) std::fprintf(file.get(), "%.17g %.17g %.17g\n", x, y, z);
+  for (const auto& [a, b, c] : mesh.triangles) std::fprintf(file.get(), "3 %u %u %u\n", a, b, c);
+  if (std::fflush(file.get()) != 0) throw std::runtime_error(path + ": can not be written; is there room?");
+}
+
 TriangleMesh turned(const TriangleMesh& mesh, double angle, const std::array<double, 3>& move) {
   const double c = std::cos(angle), s = std::sin(angle);
   TriangleMesh result = mesh;
@@ -28,6 +41,40 @@ TriangleMesh turned(const TriangleMesh& mesh, double angle, const std::array<dou
     y += move[1];
     z = v + move[2];
   }
+  return result;
+}
+
+TriangleMesh turned_at_random(const TriangleMesh& mesh, unsigned seed, const std::array<double, 3>& move) {
+  Random random(seed);
+  double q[4], length = 0;  // a quaternion
+  for (double& x : q) {
+    x = random.real(-1, 1);
+    length += x * x;
+  }
+  for (double& x : q) x /= std::sqrt(length);
+  const auto [w, i, j, k] = q;
+  const double m[3][3] = {{1 - 2 * (j * j + k * k), 2 * (i * j - k * w), 2 * (i * k + j * w)},
+                          {2 * (i * j + k * w), 1 - 2 * (i * i + k * k), 2 * (j * k - i * w)},
+                          {2 * (i * k - j * w), 2 * (j * k + i * w), 1 - 2 * (i * i + j * j)}};
+  TriangleMesh result = mesh;
+  for (auto& p : result.points) {
+    const auto [x, y, z] = p;
+    for (int a = 0; a < 3; ++a) p[a] = m[a][0] * x + m[a][1] * y + m[a][2] * z + move[a];
+  }
+  return result;
+}
+
+TriangleMesh moved(const TriangleMesh& mesh, const std::array<double, 3>& move) {
+  TriangleMesh result = mesh;
+  for (auto& p : result.points)
+    for (int a = 0; a < 3; ++a) p[a] += move[a];
+  return result;
+}
+
+TriangleMesh mirrored_z(const TriangleMesh& mesh) {
+  TriangleMesh result = mesh;
+  for (auto& p : result.points) p[2] = p[2] == 0 ? 0 : -p[2];
+  for (auto& t : result.triangles) std::swap(t[1], t[2]);
   return result;
 }
 

@@ -10,6 +10,7 @@
 namespace cnrg::bench {
 namespace {
 
+namespace processing = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
@@ -19,25 +20,31 @@ Mesh mesh_of(const TriangleMesh& in) {
   for (const auto& t : in.triangles)
     if (mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2])) ==
         Mesh::null_face())
-      throw std::runtime_error("the mesh is no 2-manifold");
+      throw std::runtime_error("a mesh is no 2-manifold");
   return mesh;
 }
 
 }  // namespace
 
-Outcome unite_corefinement(const TriangleMesh& a, const TriangleMesh& b, bool check) {
-  Mesh first = mesh_of(a), second = mesh_of(b), result;
-  Outcome outcome;
-  Stopwatch watch;
-  const bool ok = CGAL::Polygon_mesh_processing::corefine_and_compute_union(first, second, result);
-  outcome.stages.emplace_back("union", watch.lap());
-  if (!ok) {
-    outcome.note = "the result is no 2-manifold: none";
-    return outcome;
+Outcome evaluate_corefinement(const Case& c, const Checks& checks, int) {
+  std::vector<Mesh> meshes;
+  for (const TriangleMesh& leaf : c.leaves) meshes.push_back(mesh_of(leaf));
+  Measurement measurement;
+  Mesh& result = meshes[0];
+  for (std::size_t i = 1; i < meshes.size(); ++i) {
+    const bool done = c.operation == Operation::unite
+                          ? processing::corefine_and_compute_union(result, meshes[i], result)
+                          : processing::corefine_and_compute_difference(result, meshes[i], result);
+    if (!done)
+      throw std::runtime_error("refused: the result with operand " + std::to_string(i + 1) + " is no 2-manifold");
   }
+  measurement.lap("Boolean");
+
+  Outcome outcome;
+  outcome.measures = measurement.stop();
   outcome.vertices = result.number_of_vertices();
   outcome.faces = result.number_of_faces();
-  if (check) outcome.volume = CGAL::Polygon_mesh_processing::volume(result);
+  if (checks.volume) outcome.volume = processing::volume(result);
   outcome.note = "constructed points rounded to doubles";
   return outcome;
 }

@@ -1,10 +1,13 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Nef_nary_union_3.h>
 #include <CGAL/Nef_polyhedron_3.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
+
+#include <optional>
+#include <sstream>
 
 #include "bench/peers/peer.h"
+#include "kernel/exact/rational.h"
 
 namespace cnrg::bench {
 namespace {
@@ -21,23 +24,65 @@ Mesh mesh_of(const TriangleMesh& in) {
   return mesh;
 }
 
+Nef united(std::vector<Nef>& operands, std::size_t first) {
+  if (operands.size() == first + 2) return operands[first] + operands[first + 1];
+  CGAL::Nef_nary_union_3<Nef> all;
+  for (std::size_t i = first; i < operands.size(); ++i) all.add_polyhedron(operands[i]);
+  return all.get_union();
+}
+
+/// Whatever number type CGAL was built with.
+Rational rational(const Kernel::FT& x) {
+  std::ostringstream text;
+  text << CGAL::exact(x);
+  return Rational(text.str());
+}
+
+/// The sum of cones from the origin over the sides of the marked volumes. A side is the fan of its loops from one
+/// of its points; holes run the other way round.
+Rational volume_of(const Nef& nef) {
+  std::vector<Rational> six_times;
+  for (auto f = nef.halffacets_begin(); f != nef.halffacets_end(); ++f) {
+    if (!f->incident_volume()->mark()) continue;
+    std::optional<Kernel::Point_3> apex;
+    for (auto loop = f->facet_cycles_begin(); loop != f->facet_cycles_end(); ++loop) {
+      if (!loop.is_shalfedge()) continue;
+      Nef::SHalfedge_around_facet_const_circulator at{Nef::SHalfedge_const_handle(loop)}, end(at);
+      do {
+        const Kernel::Point_3 p = at->source()->source()->point(), q = at->next()->source()->source()->point();
+        if (!apex) apex = p;
+        six_times.push_back(
+            rational(CGAL::determinant(*apex - CGAL::ORIGIN, p - CGAL::ORIGIN, q - CGAL::ORIGIN)));
+      } while (++at != end);
+    }
+  }
+  return abs(sum(std::move(six_times))) / 6;
+}
+
 }  // namespace
 
-Outcome unite_nef(const TriangleMesh& a, const TriangleMesh& b, bool check) {
-  const Mesh first = mesh_of(a), second = mesh_of(b);
+Outcome evaluate_nef(const Case& c, const Checks& checks, int) {
+  std::vector<Mesh> meshes;
+  for (const TriangleMesh& leaf : c.leaves) meshes.push_back(mesh_of(leaf));
+  Measurement measurement;
+  std::vector<Nef> operands;
+  for (const Mesh& mesh : meshes) operands.emplace_back(mesh);
+  measurement.lap("conversion");
+  const Nef result = c.operation == Operation::unite ? united(operands, 0)
+                     : operands.size() == 2          ? operands[0] - operands[1]
+                                                     : operands[0] - united(operands, 1);
+  measurement.lap("Boolean");
+
   Outcome outcome;
-  Stopwatch watch;
-  const Nef p(first), q(second);
-  outcome.stages.emplace_back("conversion", watch.lap());
-  const Nef result = p + q;
-  outcome.stages.emplace_back("union", watch.lap());
+  outcome.measures = measurement.stop();
   outcome.vertices = result.number_of_vertices();
   outcome.faces = result.number_of_facets();
-  if (!check) return outcome;
-  Mesh surface;
-  CGAL::convert_nef_polyhedron_to_polygon_mesh(result, surface, true);
-  outcome.volume = CGAL::to_double(CGAL::exact(CGAL::Polygon_mesh_processing::volume(surface)));
   outcome.note = "exact";
+  if (checks.volume) {
+    const Rational volume = volume_of(result);
+    outcome.volume = to_double(volume);
+    outcome.exact_volume = to_string(volume);
+  }
   return outcome;
 }
 

@@ -1,84 +1,46 @@
-#include <chrono>
-#include <sstream>
+#include <tbb/global_control.h>
 
+#include "bench/cases/boolean_node.h"
+#include "bench/cases/soup_of.h"
 #include "bench/peers/peer.h"
-#include "csg/operators/boolean.h"
 #include "csg/operators/leaf_group.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg::bench {
-namespace {
 
-void add_leaf(Soup& soup, const TriangleMesh& mesh) {
-  const LeafId leaf = soup.add_leaf(Fill::winding);
-  std::vector<PointId> ids;
-  ids.reserve(mesh.points.size());
-  for (const auto& p : mesh.points) ids.push_back(soup.add_point(p[0], p[1], p[2]));
-  std::uint32_t number = 0;
-  for (const auto& t : mesh.triangles) {
-    soup.add_triangle(leaf, ids[t[0]], ids[t[1]], ids[t[2]], number, number);
-    ++number;
-  }
-}
-
-std::vector<RegionId> cells(const Group& group) {
-  std::vector<RegionId> result;
-  for (const auto& [cell, region] : group.cells) result.push_back(cell);
-  return result;
-}
-
-Outcome unite(const TriangleMesh& a, const TriangleMesh& b, int threads, bool check) {
-  Soup soup;
-  add_leaf(soup, a);
-  add_leaf(soup, b);
-  Outcome outcome;
+Outcome evaluate_ours(const Case& c, const Checks& checks, int threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  const Soup soup = soup_of(c);
   RefineReport report;
-  Stopwatch watch;
+  Measurement measurement;
   const Complex complex = build_complex(soup, {.threads = threads}, &report);
-  outcome.stages.emplace_back("complex", watch.lap());
-  const std::vector<Group> groups = leaf_groups(complex);
-  outcome.stages.emplace_back("leaves", watch.lap());
-  const BooleanResult result = apply(complex, BooleanOp::unite, Dominance::equal, groups[0], groups[1]);
-  outcome.stages.emplace_back("union", watch.lap());
-  const SimplifiedComplex simplified =
-      simplify(complex, selection_of(complex, result.group), result.group.features);
-  outcome.stages.emplace_back("simplify", watch.lap());
+  measurement.lap("complex");
+  std::vector<NodeValue> leaves = values_of(complex, leaf_groups(complex));
+  measurement.lap("leaves");
+  const NodeValue value = evaluate_node(complex, c.operation, leaves).value;
+  measurement.lap("Boolean");
+  const Selection selection = selection_of(complex, value);
+  const SimplifiedComplex simplified = simplify(complex, selection, value.features());
+  measurement.lap("simplify");
+
+  Outcome outcome;
+  outcome.measures = measurement.stop();
   outcome.vertices = simplified.vertices.size();
   outcome.faces = simplified.faces.size();
-  if (!check) return outcome;
-  outcome.volume = to_double(volume(complex, cells(result.group)).value());
-  const std::string invalid = validate(complex);
-  std::ostringstream note;
-  note << "exact stage " << 100 * report.stages.exact_share() << " %, constructed " << report.constructed
-       << (invalid.empty() ? ", valid" : ", INVALID: " + invalid);
-  outcome.note = note.str();
+  outcome.cells = complex.vertex_count() + complex.edge_count() + complex.face_count() + complex.region_count;
+  outcome.exact_share = report.stages.exact_share();
+  outcome.note = "exact; constructed " + std::to_string(report.constructed);
+  if (checks.volume) {
+    const Rational exact = volume(complex, support(selection).regions).value();
+    outcome.volume = to_double(exact);
+    outcome.exact_volume = to_string(exact);
+  }
+  if (checks.validate) {
+    outcome.invalid = validate(complex);
+    outcome.note += outcome.invalid.empty() ? ", valid" : ", INVALID: " + outcome.invalid;
+  }
   return outcome;
-}
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-}  // namespace
-
-Stopwatch::Stopwatch() : last_(now()) {}
-
-double Stopwatch::lap() {
-  const double before = last_;
-  last_ = now();
-  return last_ - before;
-}
-
-double Outcome::seconds() const {
-  double all = 0;
-  for (const auto& [stage, time] : stages) all += time;
-  return all;
-}
-
-Outcome unite_ours(const TriangleMesh& a, const TriangleMesh& b, bool check) { return unite(a, b, 0, check); }
-Outcome unite_ours_one_thread(const TriangleMesh& a, const TriangleMesh& b, bool check) {
-  return unite(a, b, 1, check);
 }
 
 }  // namespace cnrg::bench

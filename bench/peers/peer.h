@@ -1,43 +1,41 @@
-// Systems that unite two closed meshes, behind one face.
+// Systems that evaluate a case, behind one face.
 //
-// `unite` times from the system's own input structure in memory to its result in memory; making the structure from
-// the triangles and checking the result (`check`: volume, invariants) are not timed.
+// What is measured begins with the system's own input structure in memory and ends with its result in memory;
+// making the structure from the triangles and checking the result (`Checks`) are not measured. A system that can
+// not do a case throws.
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "bench/cases/triangle_mesh.h"
+#include "bench/cases/case.h"
+#include "bench/cases/measurement.h"
 
 namespace cnrg::bench {
 
+struct Checks {
+  bool volume = false;
+  bool validate = false;  ///< all invariants of the complex (ours only)
+};
+
 struct Outcome {
-  std::vector<std::pair<std::string, double>> stages;  ///< seconds
-  std::size_t vertices = 0, faces = 0;                 ///< of the result, as the system counts them
-  double volume = 0;  ///< of the result if checked, rounded from the exact value if any
+  Measures measures;
+  std::size_t vertices = 0, faces = 0;  ///< of the result, as the system counts them
+  double volume = 0;                    ///< of the result if checked, rounded from the exact value if any
+  std::string exact_volume;             ///< in lowest terms, if the system is exact
+  std::size_t cells = 0;                ///< of the refinement, vertices to regions (ours only)
+  double exact_share = 0;               ///< of predicate calls that went to the exact stage (ours only)
+  std::string invalid;                  ///< the first invariant that does not hold
   std::string note;
-  double seconds() const;
 };
 
 struct Peer {
   const char* name;
-  Outcome (*unite)(const TriangleMesh& a, const TriangleMesh& b, bool check);
+  Outcome (*evaluate)(const Case& c, const Checks& checks, int threads);
 };
 
-Outcome unite_ours(const TriangleMesh& a, const TriangleMesh& b, bool check);          ///< all threads
-Outcome unite_ours_one_thread(const TriangleMesh& a, const TriangleMesh& b, bool check);
-Outcome unite_corefinement(const TriangleMesh& a, const TriangleMesh& b, bool check);  ///< CGAL, EPICK, in place
-Outcome unite_nef(const TriangleMesh& a, const TriangleMesh& b, bool check);  ///< CGAL, conversion and Boolean
-
-/// Seconds since the last call, or since construction.
-class Stopwatch {
- public:
-  Stopwatch();
-  double lap();
-
- private:
-  double last_;
-};
+/// The library: soup -> complex -> values of the leaves -> one n-ary node as a tree has it -> simplified result.
+Outcome evaluate_ours(const Case& c, const Checks& checks, int threads);
+/// CGAL, EPICK, in place; more than two operands one after the other. One thread.
+Outcome evaluate_corefinement(const Case& c, const Checks& checks, int threads);
+/// CGAL, conversion and Boolean; unions of many by CGAL's Nef_nary_union_3. One thread.
+Outcome evaluate_nef(const Case& c, const Checks& checks, int threads);
 
 }  // namespace cnrg::bench
