@@ -5,7 +5,7 @@
 
 #include "csg/operators/accumulator.h"
 #include "kernel/base/union_find.h"
-#include "kernel/refine/box_tree.h"
+#include "kernel/refine/box_pairs.h"
 
 namespace cnrg {
 namespace {
@@ -49,9 +49,9 @@ std::vector<std::vector<Item>> find_clusters(BooleanOp op, const std::vector<Ite
   for (const std::uint32_t i : unbounded) {
     for (std::uint32_t j = 0; j < count; ++j) meet(i, j);
   }
-  const BoxTree tree(std::move(boxes));
-  for (std::size_t block = 0; block < tree.block_count(); ++block) {
-    tree.self_pairs(block, [&](std::uint32_t i, std::uint32_t j) { meet(bounded[i], bounded[j]); });
+  const BoxPairs pairs(boxes);
+  for (std::size_t part = 0; part < pairs.part_count(); ++part) {
+    pairs.find(part, [&](std::uint32_t x, std::uint32_t y) { meet(bounded[pairs.item(x)], bounded[pairs.item(y)]); });
   }
   std::vector<std::vector<Item>> clusters;
   std::vector<std::uint32_t> number(items.size(), 0);  // 1 + index

@@ -13,7 +13,7 @@
 #include "kernel/base/sorted.h"
 #include "kernel/exact/triangulate.h"
 #include "kernel/selection/canonical.h"
-#include "kernel/selection/parallel.h"
+#include "kernel/base/parallel.h"
 
 namespace cnrg {
 namespace {

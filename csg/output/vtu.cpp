@@ -22,7 +22,7 @@
 #include "csg/output/formats.h"
 #include "csg/output/rounding.h"
 #include "csg/output/solid.h"
-#include "kernel/selection/parallel.h"
+#include "kernel/base/parallel.h"
 
 namespace cnrg {
 namespace {

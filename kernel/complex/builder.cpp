@@ -10,7 +10,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
-#include "kernel/complex/parallel.h"
+#include "kernel/base/parallel.h"
 
 namespace cnrg {
 

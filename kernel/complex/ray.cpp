@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernel/base/error.h"
-#include "kernel/complex/parallel.h"
+#include "kernel/base/parallel.h"
 
 namespace cnrg {
 

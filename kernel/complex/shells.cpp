@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "kernel/complex/builder.h"
-#include "kernel/complex/parallel.h"
+#include "kernel/base/parallel.h"
 #include "kernel/complex/patches.h"
 #include "kernel/complex/ray.h"
 

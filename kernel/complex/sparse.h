@@ -32,6 +32,8 @@ class SparseLists {
     const auto i = static_cast<std::size_t>(it - ids_.begin());
     return {values_.data() + (i == 0 ? 0 : ends_[i - 1]), values_.data() + ends_[i]};
   }
+  /// All values of all lists.
+  const std::vector<T>& values() const { return values_; }
   friend bool operator==(const SparseLists&, const SparseLists&) = default;
 
  private:

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "kernel/base/error.h"
+#include "kernel/base/parallel.h"
 #include "kernel/refine/box_pairs.h"
 #include "kernel/refine/fans.h"
 
@@ -562,13 +563,13 @@ ContactList find_contacts(const RefineInput& in) {
   const Elements elements(in);
   std::vector<std::uint32_t> kept = elements.list();
   std::vector<Box> boxes(kept.size());
-  tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) { boxes[i] = elements.box(kept[i]); });
+  for_each_index(kept.size(), [&](std::size_t i) { boxes[i] = elements.box(kept[i]); });
   const BoxPairs pairs(boxes);
   boxes = {};
   std::vector<Glance> glances(pairs.place_count());
   {
     const std::vector<char> fans = embedded_fans(in);
-    tbb::parallel_for(std::size_t{0}, glances.size(), [&](std::size_t place) {
+    for_each_index(glances.size(), [&](std::size_t place) {
       const std::uint32_t e = kept[pairs.item(static_cast<std::uint32_t>(place))];
       glances[place] = glance(in, e, elements.is_face(e), fans);
     });

@@ -1,16 +1,13 @@
 #include "kernel/refine/fans.h"
 
-#include <tbb/parallel_for.h>
-
 #include <atomic>
 #include <bit>
+
+#include "kernel/base/parallel.h"
 
 namespace cnrg {
 
 namespace {
-
-using Faces = tbb::blocked_range<std::size_t>;
-constexpr std::size_t kGrain = 2048;
 
 // Bits of what a vertex can not have: triangles with a negative (0..2) or positive (3..5) normal along an axis only,
 // closed fans (6).
@@ -33,9 +30,7 @@ class Fans {
  private:
   template <class Work>
   void for_all_faces(const Work& work) {
-    tbb::parallel_for(Faces(0, in_.corners.size(), kGrain), [&](const Faces& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) work(SourceId(i));
-    });
+    for_each_index(in_.corners.size(), [&](std::size_t i) { work(SourceId(i)); });
   }
 
   void exclude(SourceId f) {

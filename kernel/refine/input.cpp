@@ -3,7 +3,6 @@
 #include "kernel/refine/input.h"
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -13,22 +12,12 @@
 #include <numeric>
 
 #include "kernel/base/error.h"
+#include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
 
 namespace cnrg {
 
 namespace {
-
-using Ids = tbb::blocked_range<std::size_t>;
-constexpr std::size_t kGrain = 2048;
-
-/// Calls `work(i)` for every i below n, in parallel.
-template <class Work>
-void for_all(std::size_t n, const Work& work) {
-  tbb::parallel_for(Ids(0, n, kGrain), [&](const Ids& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
-  });
-}
 
 /// Points of doubles by value. All points are entered at once, by any number of threads; equal ones share a slot,
 /// which keeps the smallest number.
@@ -36,7 +25,7 @@ class EqualPoints {
  public:
   explicit EqualPoints(const Soup& soup)
       : soup_(soup), slots_(std::bit_ceil(2 * soup.point_count() + 1)), mask_(slots_.size() - 1) {
-    for_all(slots_.size(), [&](std::size_t i) { slots_[i] = kFree; });
+    for_each_index(slots_.size(), [&](std::size_t i) { slots_[i] = kFree; });
   }
   /// Enters point i; returns its slot.
   std::uint32_t enter(std::uint32_t i) {
@@ -81,10 +70,10 @@ void identify_points(const Soup& soup, RefineInput& in) {
   std::vector<std::uint32_t> first(n);
   {
     EqualPoints equal(soup);
-    for_all(n, [&](std::size_t i) {
+    for_each_index(n, [&](std::size_t i) {
       if (soup.rational(PointId(i)) == nullptr) first[i] = equal.enter(static_cast<std::uint32_t>(i));
     });
-    for_all(n, [&](std::size_t i) {
+    for_each_index(n, [&](std::size_t i) {
       if (soup.rational(PointId(i)) == nullptr) first[i] = equal.first(first[i]);
     });
   }
@@ -210,7 +199,7 @@ void take_corners(const Soup& soup, RefineInput& in) {
   };
   tbb::enumerable_thread_specific<std::vector<VertexId>> scratch;
   std::vector<std::uint32_t> offsets(n + 1, 0);
-  for_all(n, [&](std::size_t i) {
+  for_each_index(n, [&](std::size_t i) {
     const auto c = soup.corners(SourceId(i));
     std::size_t count = 3;
     if (!clean_triangle(c)) {
@@ -221,7 +210,7 @@ void take_corners(const Soup& soup, RefineInput& in) {
   });
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   std::vector<VertexId> corners(offsets[n]);
-  for_all(n, [&](std::size_t i) {
+  for_each_index(n, [&](std::size_t i) {
     const auto c = soup.corners(SourceId(i));
     VertexId* out = corners.data() + offsets[i];
     if (clean_triangle(c)) {
@@ -243,7 +232,7 @@ void take_planes(const Soup& soup, RefineInput& in, RefineReport& report) {
   std::vector<Shape> shape(n);
   in.filters.resize(n);
   const auto& corners = std::as_const(in.corners);
-  for_all(n, [&](std::size_t i) { shape[i] = span_plane(t, corners[SourceId(i)], planes[i], in.filters[i]); });
+  for_each_index(n, [&](std::size_t i) { shape[i] = span_plane(t, corners[SourceId(i)], planes[i], in.filters[i]); });
   for (std::size_t i = 0; i < n; ++i) {
     if (shape[i] != Shape::warped) continue;
     throw InputError(face_name(soup, SourceId(i)) + ": the face is not planar: its corner " +
@@ -252,7 +241,7 @@ void take_planes(const Soup& soup, RefineInput& in, RefineReport& report) {
   }
   in.points.set_planes(std::move(planes));
   tbb::enumerable_thread_specific<std::vector<SourceId>> turned;
-  for_all(n, [&](std::size_t i) {
+  for_each_index(n, [&](std::size_t i) {
     const auto c = corners[SourceId(i)];
     if (shape[i] == Shape::flat || c.size() == 3) return;
     if (orientation(t, projection_of(t, PlaneId(i)), c) < 0) turned.local().push_back(SourceId(i));
@@ -293,7 +282,7 @@ class Segments {
   void list_ends() {
     ends_.resize(side_count_ + soup_.wires().size());
     const auto& corners = std::as_const(in_.corners);
-    for_all(corners.size(), [&](std::size_t f) {
+    for_each_index(corners.size(), [&](std::size_t f) {
       const auto c = corners[SourceId(f)];
       const std::size_t base = corners.offsets()[f];
       std::size_t loop_begin = 0;
@@ -327,7 +316,7 @@ class Segments {
       if (low.valid()) at_[next[low.index()]++] = std::uint64_t{high.value()} << 32 | place;
     }
     in_.segment_begin.assign(vertices + 1, 0);
-    for_all(vertices, [&](std::size_t v) {
+    for_each_index(vertices, [&](std::size_t v) {
       const auto first = at_.begin() + begin_[v], last = at_.begin() + begin_[v + 1];
       std::sort(first, last);
       std::uint32_t count = 0;
@@ -343,7 +332,7 @@ class Segments {
     in_.segment_ends.resize(in_.segment_begin.back());
     in_.paired.assign(in_.segment_ends.size(), 0);
     in_.wire_segment.assign(soup_.wires().size(), SegmentId::none());
-    for_all(t.size(), [&](std::size_t v) {
+    for_each_index(t.size(), [&](std::size_t v) {
       SegmentId s(in_.segment_begin[v]);
       for (std::size_t i = begin_[v]; i < begin_[v + 1]; ++s) {
         const std::size_t first = i;

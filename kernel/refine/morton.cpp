@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/base/parallel.h"
+
 namespace cnrg {
 
 namespace {
@@ -60,15 +62,13 @@ Grid::Grid(const Box& all) {
 
 std::vector<std::uint32_t> morton_order(const std::vector<Box>& boxes, const Grid& grid) {
   std::vector<Item> items(boxes.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 2048), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      std::uint64_t code = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double middle = boxes[i].lo[k] / 2 + boxes[i].hi[k] / 2;
-        code |= spread(static_cast<std::uint64_t>(grid(middle, k)) >> 9) << k;
-      }
-      items[i] = {code, static_cast<std::uint32_t>(i)};
+  for_each_index(boxes.size(), [&](std::size_t i) {
+    std::uint64_t code = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double middle = boxes[i].lo[k] / 2 + boxes[i].hi[k] / 2;
+      code |= spread(static_cast<std::uint64_t>(grid(middle, k)) >> 9) << k;
     }
+    items[i] = {code, static_cast<std::uint32_t>(i)};
   });
   sort(items);
   std::vector<std::uint32_t> order(items.size());

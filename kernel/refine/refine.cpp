@@ -14,6 +14,7 @@
 #include <numeric>
 
 #include "kernel/base/error.h"
+#include "kernel/base/parallel.h"
 #include "kernel/base/union_find.h"
 #include "kernel/refine/contacts.h"
 #include "kernel/refine/edges.h"
@@ -141,7 +142,7 @@ void Refiner::group_sheets() {
   r_.sheet_faces = Csr<SheetId, SourceId>::from_parts(std::move(begin), std::move(members));
   for (const SourceId f : representative_) r_.sheet_plane.push_back(RefineInput::plane(f));
   r_.sheet_projection.resize(representative_.size());
-  tbb::parallel_for(std::size_t{0}, representative_.size(), [&](std::size_t i) {
+  for_each_index(representative_.size(), [&](std::size_t i) {
     const SourceId f = representative_[SheetId(i)];
     r_.sheet_projection[SheetId(i)] = projection_of(r_.input.points, RefineInput::plane(f), r_.input.filters[f.index()]);
   });

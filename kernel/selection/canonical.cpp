@@ -7,7 +7,7 @@
 #include <tbb/parallel_sort.h>
 
 #include "kernel/base/sorted.h"
-#include "kernel/selection/parallel.h"
+#include "kernel/base/parallel.h"
 
 namespace cnrg {
 namespace {

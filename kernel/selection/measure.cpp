@@ -19,7 +19,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include "kernel/base/sorted.h"
-#include "kernel/selection/parallel.h"
+#include "kernel/base/parallel.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {

@@ -11,7 +11,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
 #include "kernel/selection/curve.h"
-#include "kernel/selection/parallel.h"
+#include "kernel/base/parallel.h"
 
 namespace cnrg {
 

@@ -18,7 +18,7 @@
 
 #include "kernel/base/sorted.h"
 #include "kernel/selection/merging.h"
-#include "kernel/selection/parallel.h"
+#include "kernel/base/parallel.h"
 
 namespace cnrg {
 namespace {

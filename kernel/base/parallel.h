@@ -22,6 +22,12 @@ void for_each_index(std::size_t n, const Body& body, std::size_t grain = kGrain)
                     [&](const tbb::blocked_range<std::size_t>& r) { run(r.begin(), r.end()); });
 }
 
+/// body(item) for each item of a list, in any order.
+template <class List, class Body>
+void for_each_of(List&& list, const Body& body) {
+  for_each_index(list.size(), [&](std::size_t i) { body(list[i]); });
+}
+
 /// Two steps that do not need each other, of about n loop steps each.
 template <class First, class Second>
 void do_both(std::size_t n, const First& first, const Second& second) {
