@@ -387,6 +387,30 @@ TEST_CASE("A fold at once is the fold step by step", "[parts]") {
   CHECK(conflicts > 0);
 }
 
+TEST_CASE("A fold at once: a sheet taken from a wall and from a crack", "[parts]") {
+  const Tree tree = parse_tree(R"(cnrg: 1
+nodes:
+  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}
+  b: {box: {min: [1, 0, 0], max: [2, 1, 1]}}
+  corner: {box: {min: [0, 0, 0], max: [0.5, 0.5, 0.5]}}
+  wall: {polygon: [[1, 0, 0], [1, 1, 0], [1, 1, 1], [1, 0, 1]]}
+  crack: {polygon: [[1.5, 0.2, 0.2], [1.5, 0.8, 0.2], [1.5, 0.8, 0.8], [1.5, 0.2, 0.8]]}
+  two: {union: [a, b], dominance: left}
+  cracked: {union: [two, crack], dominance: equal}
+  rest: {difference: [cracked, corner, wall, crack]}
+result: rest
+)",
+                               "test.yaml");
+  EvaluateOptions options;
+  options.threads = 1;
+  const Evaluation at_once = evaluate(tree, options);
+  options.validate = true;  // step by step
+  const Evaluation in_steps = evaluate(tree, options);
+  const Group &rest = at_once.kept[0].group(), &plain = in_steps.kept[0].group();
+  CHECK(rest.regions.size() == 2);
+  check_same(rest, plain);
+}
+
 TEST_CASE("A union far away carries the parts of its operands", "[parts]") {
   std::vector<scenes::Leaf> leaves;
   for (int i = 0; i < 3; ++i) {
