@@ -170,19 +170,20 @@ class VolumeSum {
       for (int k = 0; k < 3; ++k) scaled[i][k] = multiple(x[k]);
     });
     using Range = tbb::blocked_range<std::size_t>;
-    return tbb::parallel_reduce(
-        Range(0, double_faces_.size(), 1024), Integer(0),
-        [&](const Range& range, Integer sum) {
-          Integer face, minor;
-          for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            face = 0;
-            add_face(double_faces_[i].first, scaled, face, minor);
-            if (double_faces_[i].second > 0) sum += face;
-            else sum -= face;
-          }
-          return sum;
-        },
-        [](const Integer& a, const Integer& b) { return Integer(a + b); });
+    const auto add = [&](const Range& range, Integer sum) {
+      Integer face, minor;
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        face = 0;
+        add_face(double_faces_[i].first, scaled, face, minor);
+        if (double_faces_[i].second > 0) sum += face;
+        else sum -= face;
+      }
+      return sum;
+    };
+    const Range all(0, double_faces_.size(), 1024);
+    if (!all.is_divisible()) return add(all, 0);
+    return tbb::parallel_reduce(all, Integer(0), add,
+                                [](const Integer& a, const Integer& b) { return Integer(a + b); });
   }
 
   void add_face(FaceId f, const std::vector<IntegerPoint>& scaled, Integer& sum, Integer& minor) const {

@@ -11,11 +11,11 @@ namespace cnrg {
 /// Calls `body(i)` for all i below n, in any order. Few cells are cheaper on one thread.
 template <class Body>
 void for_each_index(std::size_t n, const Body& body) {
-  constexpr std::size_t kGrain = 2048;
+  constexpr std::size_t kGrain = 2048, kFew = 8192;
   const auto run = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   };
-  if (n <= kGrain) return run(0, n);
+  if (n <= kFew) return run(0, n);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, kGrain),
                     [&](const tbb::blocked_range<std::size_t>& range) { run(range.begin(), range.end()); });
 }
