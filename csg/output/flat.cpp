@@ -52,7 +52,8 @@ void put_in_order(std::vector<Loop>& loops) {
 class Flattener {
  public:
   explicit Flattener(const ResultView& view)
-      : view_(view), complex_(*view.complex), simple_(*view.simplified), points_(cnrg::put_in_order(complex_, simple_)),
+      : view_(view), complex_(*view.complex), simple_(*view.simplified),
+        points_(cnrg::put_in_order(complex_, simple_)),
         of_group_(view.value->is_group() ? components_of(complex_, view.value->group()) : Components{}),
         value_(view.value->is_group() ? of_group_ : view.value->components()) {}
 

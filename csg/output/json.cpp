@@ -210,8 +210,9 @@ class JsonWriter {
         const auto end = std::find_if(cell, origin.cells.end(), [&](const LeafCell& c) {
           return c.leaf != leaf || c.dimension != dimension;
         });
-        if (dimension == 0) item.add(kKeys[0], true);
-        else append_json(item.key(kKeys[dimension]), std::span(cell, end), [&](auto& c) { append_json(out, c.number); });
+        item.key(kKeys[dimension]);
+        if (dimension == 0) append_json(out, true);
+        else append_json(out, std::span(cell, end), [&](const LeafCell& c) { append_json(out, c.number); });
         cell = end;
       }
     });

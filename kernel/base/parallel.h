@@ -17,7 +17,7 @@ void for_each_index(std::size_t n, const Body& body, std::size_t grain = kGrain)
   const auto run = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   };
-  if (n <= grain) return run(0, n);
+  if (n <= 4 * grain) return run(0, n);  // over before a second thread has begun
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
                     [&](const tbb::blocked_range<std::size_t>& r) { run(r.begin(), r.end()); });
 }

@@ -87,7 +87,7 @@ class ShortList {
   }
 
   std::uint32_t size_ = 0;
-  alignas(4) std::byte near_[N * sizeof(T)];  // the elements, or the address of more than N
+  alignas(4) std::byte near_[N * sizeof(T)] = {};  // the elements, or the address of more than N
 };
 
 /// A list of lists of T, in one piece.

@@ -8,11 +8,13 @@
 // The denominator of a term is the product of the weights w of its points (ExactPoint); of a double it is a power
 // of two, the others are the term's *poles*. Terms of the same poles are added first; then sums are joined two and
 // two, over the product of the weights of all their poles, and the only common divisor to look for is that of the
-// last sum. Poles are numbered along the terms (curves of intersection, mostly), so that what is joined shares few.
+// last sum. Poles are numbered along the terms (curves of intersection, mostly), so that what is joined shares
+// few.
 #include "kernel/selection/measure.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_invoke.h>
@@ -67,8 +69,8 @@ Integer product(const std::vector<Integer>& weights, std::span<const Pole> poles
 
 PoleSum joined(const std::vector<Integer>& weights, PoleSum a, PoleSum b) {
   std::vector<Pole> shared, all;
-  std::set_intersection(a.poles.begin(), a.poles.end(), b.poles.begin(), b.poles.end(), std::back_inserter(shared));
-  std::set_union(a.poles.begin(), a.poles.end(), b.poles.begin(), b.poles.end(), std::back_inserter(all));
+  std::ranges::set_intersection(a.poles, b.poles, std::back_inserter(shared));
+  std::ranges::set_union(a.poles, b.poles, std::back_inserter(all));
   const Integer common = product(weights, shared);
   mpz_divexact(b.denominator.get_mpz_t(), b.denominator.get_mpz_t(), common.get_mpz_t());
   a.numerator *= b.denominator;
@@ -168,19 +170,20 @@ class VolumeSum {
       for (int k = 0; k < 3; ++k) scaled[i][k] = multiple(x[k]);
     });
     using Range = tbb::blocked_range<std::size_t>;
-    return tbb::parallel_reduce(
-        Range(0, double_faces_.size(), 1024), Integer(0),
-        [&](const Range& range, Integer sum) {
-          Integer face, minor;
-          for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            face = 0;
-            add_face(double_faces_[i].first, scaled, face, minor);
-            if (double_faces_[i].second > 0) sum += face;
-            else sum -= face;
-          }
-          return sum;
-        },
-        [](const Integer& a, const Integer& b) { return Integer(a + b); });
+    const auto add = [&](const Range& range, Integer sum) {
+      Integer face, minor;
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        face = 0;
+        add_face(double_faces_[i].first, scaled, face, minor);
+        if (double_faces_[i].second > 0) sum += face;
+        else sum -= face;
+      }
+      return sum;
+    };
+    const Range all(0, double_faces_.size(), 1024);
+    if (!all.is_divisible()) return add(all, 0);
+    return tbb::parallel_reduce(all, Integer(0), add,
+                                [](const Integer& a, const Integer& b) { return Integer(a + b); });
   }
 
   void add_face(FaceId f, const std::vector<IntegerPoint>& scaled, Integer& sum, Integer& minor) const {

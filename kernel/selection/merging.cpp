@@ -135,7 +135,9 @@ void Merging::decide_edges(const std::vector<EdgeId>& features) {
     for (Use u = first_use(e); u != end_use(e); ++u) {
       if (remains(u)) pair[n++] = use(u);
     }
-    if (faces_.unite(pair[0].face, pair[1].face, pair[0].half_edge == pair[1].half_edge)) inner_edges_.push_back(e);
+    const auto& [f, hf] = pair[0];
+    const auto& [g, hg] = pair[1];
+    if (faces_.unite(f, g, hf == hg)) inner_edges_.push_back(e);
     else edge_fate_[e] = Fate::kept;
   }
   faces_.settle();

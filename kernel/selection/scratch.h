@@ -81,11 +81,12 @@ std::vector<IdT> Scratch<IdT, T>::ids() const {
   const auto each = [&](auto visit) {
     for (std::size_t page = 0; page < block_.pages(); ++page) {
       if (!block_.touched(page)) continue;
-      for (std::size_t at = page * ZeroedBlock::kPage, end = at + ZeroedBlock::kPage; at < end; at += 8) {
-        std::uint64_t eight;
-        std::memcpy(&eight, block_.data() + at, 8);
-        if (eight == 0) continue;
-        for (std::size_t i = at; i < at + 8; ++i) {
+      for (std::size_t at = page * ZeroedBlock::kPage, end = at + ZeroedBlock::kPage; at < end; at += 64) {
+        std::uint64_t words[8], any = 0;
+        std::memcpy(words, block_.data() + at, sizeof words);
+        for (const std::uint64_t word : words) any |= word;
+        if (any == 0) continue;
+        for (std::size_t i = at; i < at + 64; ++i) {
           if (block_.data()[i] != std::byte{0}) visit(i);
         }
       }

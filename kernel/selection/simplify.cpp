@@ -5,9 +5,9 @@
 // threads.
 //
 // Walks: a remaining face along a kept edge is one step; the next one is found by turning around the head of the
-// step inside the merged face (Merging::across). Each step belongs to one walk, a slit has two. Walks begin at their
-// smallest use, and are in the order of these. Nearly all faces are one face of the complex with one loop of kept
-// edges: that is the walk.
+// step inside the merged face (Merging::across). Each step belongs to one walk, a slit has two. Walks begin at
+// their smallest use, and are in the order of these. Nearly all faces are one face of the complex with one loop of
+// kept edges: that is the walk.
 #include "kernel/selection/simplify.h"
 
 #include <algorithm>
@@ -171,7 +171,8 @@ class Assembly {
     const auto loops = complex_.face_loops[face.cells.front().face()];
     if (loops.size() > 1) return false;
     const auto loop = complex_.loop[loops.front()];
-    if (!std::all_of(loop.begin(), loop.end(), [&](HalfEdge h) { return merging_.walkable(h.edge()); })) return false;
+    const auto walkable = [&](HalfEdge h) { return merging_.walkable(h.edge()); };
+    if (!std::all_of(loop.begin(), loop.end(), walkable)) return false;
     const auto first = std::min_element(loop.begin(), loop.end());
     if (std::find(loop.begin(), loop.end(), first->twin()) != loop.end()) return false;  // which use is smaller?
     face.loops.push_back({first, loop.end()}, {loop.begin(), first});
@@ -275,7 +276,8 @@ class Assembly {
     for (EdgeId e : merging_.inner_edges()) {
       vertices.insert(vertices.end(), complex_.edge_ends[e].begin(), complex_.edge_ends[e].end());
     }
-    vertices.insert(vertices.end(), complex_.face_vertices.values().begin(), complex_.face_vertices.values().end());
+    const std::vector<VertexId>& isolated = complex_.face_vertices.values();
+    vertices.insert(vertices.end(), isolated.begin(), isolated.end());
     sort_unique(vertices);
     std::vector<FaceId> faces;
     for (VertexId v : vertices) {

@@ -23,6 +23,18 @@ TEST_CASE("a scratch array is zeroed each time", "[scratch]") {
   }
 }
 
+TEST_CASE("marked ids are listed in ascending order, each once", "[scratch]") {
+  constexpr std::size_t n = 20000;
+  for (const std::size_t step : {1u, 3u, 4096u, 9001u, 30000u}) {
+    Marks<EdgeId> marks(n);
+    std::vector<EdgeId> expected;
+    for (std::size_t i = 0; i < n; i += step) expected.push_back(EdgeId(i));
+    for (auto it = expected.rbegin(); it != expected.rend(); ++it) marks.set(*it, 2), marks.set(*it, 1);
+    CHECK(marks.ids() == expected);
+  }
+  CHECK(Marks<EdgeId>(n).ids().empty());
+}
+
 TEST_CASE("sparse sets are named by their smallest member", "[scratch]") {
   for (int round = 0; round < 2; ++round) {
     SparseSets<EdgeId> sets(10);
