@@ -130,6 +130,11 @@ TriangleMesh box_mesh(const IntegerBox& box) {
   for (auto& p : mesh.points) {
     for (int k = 0; k < 3; ++k) p[k] = p[k] == 0 ? box.min[k] : box.max[k];
   }
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 2) {  // the two of a side share their first corner
+    const auto &t = mesh.triangles[i], &u = mesh.triangles[i + 1];
+    if (t[2] == u[1]) mesh.polygons.push_back({t[0], t[1], t[2], u[2]});
+    else mesh.polygons.push_back({t[0], u[1], t[1], t[2]});
+  }
   return mesh;
 }
 

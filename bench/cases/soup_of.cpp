@@ -1,5 +1,7 @@
 #include "bench/cases/soup_of.h"
 
+#include <array>
+
 namespace cnrg::bench {
 namespace {
 
@@ -8,6 +10,12 @@ void add_leaf(Soup& soup, const TriangleMesh& mesh) {
   std::vector<PointId> ids;
   ids.reserve(mesh.points.size());
   for (const auto& p : mesh.points) ids.push_back(soup.add_point(p[0], p[1], p[2]));
+  for (std::uint32_t i = 0; i < mesh.polygons.size(); ++i) {
+    std::vector<PointId> loop;
+    for (const std::uint32_t p : mesh.polygons[i]) loop.push_back(ids[p]);
+    soup.add_face(leaf, std::array{loop}, i, i);
+  }
+  if (!mesh.polygons.empty()) return;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& [a, b, c] = mesh.triangles[i];
     const std::uint32_t face = mesh.faces.empty() ? static_cast<std::uint32_t>(i) : mesh.faces[i];

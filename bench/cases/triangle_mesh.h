@@ -1,4 +1,5 @@
-// Triangles in doubles: the one input that every system of a comparison gets.
+// Triangles in doubles: the one input that every system of a comparison gets. Solids of planar polygons are given as
+// such to the systems that take them.
 #pragma once
 
 #include <array>
@@ -13,6 +14,8 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise as seen from outside
   /// The planar face that each triangle is a part of, numbered from 0; empty: each triangle is one.
   std::vector<std::uint32_t> faces;
+  /// The same surface as exactly planar polygons, if it is one of larger faces.
+  std::vector<std::vector<std::uint32_t>> polygons;
 };
 
 /// The triangles of a mesh file, polygons cut into fans. Throws as the reader of mesh leaves does.

@@ -19,6 +19,12 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 Mesh mesh_of(const TriangleMesh& in) {
   Mesh mesh;
   for (const auto& p : in.points) mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+  for (const auto& polygon : in.polygons) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (const std::uint32_t p : polygon) corners.emplace_back(p);
+    mesh.add_face(corners);
+  }
+  if (!in.polygons.empty()) return mesh;
   for (const auto& t : in.triangles)
     mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
   return mesh;

@@ -1,6 +1,7 @@
 // Enclosures are clustered axis by axis: sorted along one axis, a gap between enclosures separates what can not be
 // equal; what remains is clustered along the next axis, until no axis separates any more. Only within such a
-// cluster are exact coordinates compared. In general position every cluster holds one point.
+// cluster are exact coordinates compared. In general position every cluster holds one point. Enclosures of one point,
+// as on a grid, are points: equal ones are found by a hash, and one of each goes into the clusters.
 #include "kernel/refine/identity.h"
 
 #include <tbb/parallel_sort.h>
@@ -23,17 +24,22 @@ struct Item {
 /// Which of many thin strips across each axis hold a part of an item: what lies in none can not be equal to one.
 class Strips {
  public:
-  explicit Strips(const std::vector<Item>& items) : bits_(std::min<int>(16, 4 + std::bit_width(items.size()))) {
+  /// Around two lists of items.
+  Strips(const std::vector<Item>& items, const std::vector<Item>& more)
+      : bits_(std::min<int>(16, 4 + std::bit_width(items.size() + more.size()))) {
     Box all;
     for (const Item& i : items) all.extend(i.lo, i.hi);
+    for (const Item& i : more) all.extend(i.lo, i.hi);
     grid_ = Grid(all);
     for (std::size_t k = 0; k < 3; ++k) {
       held_[k].assign(std::size_t{1} << bits_, 0);
       lo_[k] = all.lo[k];
       hi_[k] = all.hi[k];
-      for (const Item& i : items) {
+      const auto hold = [&](const Item& i) {
         std::fill(held_[k].begin() + strip(i.lo[k], k), held_[k].begin() + strip(i.hi[k], k) + 1, 1);
-      }
+      };
+      std::for_each(items.begin(), items.end(), hold);
+      std::for_each(more.begin(), more.end(), hold);
     }
   }
   bool meet(const PointTable& table, VertexId v) const {
@@ -109,22 +115,51 @@ class Clusters {
   UnionFind& identity_;
 };
 
+/// Unites exact items with equal coordinates; returns one of each.
+std::vector<Item> unite_exact(const std::vector<Item>& items, UnionFind& identity) {
+  constexpr std::uint32_t kFree = 0xffffffffu;
+  std::vector<std::uint32_t> slots(std::bit_ceil(2 * items.size() + 1), kFree);
+  std::vector<Item> distinct;
+  for (const Item& item : items) {
+    std::uint64_t hash = 0;
+    for (const double x : item.lo) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15ull;  // -0 is 0
+      hash ^= hash >> 29;
+    }
+    std::size_t slot = hash & (slots.size() - 1);
+    while (slots[slot] != kFree && distinct[slots[slot]].lo != item.lo) slot = (slot + 1) & (slots.size() - 1);
+    if (slots[slot] == kFree) {
+      slots[slot] = static_cast<std::uint32_t>(distinct.size());
+      distinct.push_back(item);
+    } else {
+      identity.unite(distinct[slots[slot]].vertex.value(), item.vertex.value());
+    }
+  }
+  return distinct;
+}
+
 }  // namespace
 
 void unite_coincident(const PointTable& table, VertexId first_new, UnionFind& identity) {
   if (first_new.index() == table.size()) return;
-  std::vector<Item> items;
+  std::vector<Item> exact, vague;  // an enclosure of one point is the point
   const auto add = [&](VertexId v) {
     if (identity.find(v.value()) != v.value()) return;  // stands for nothing but its representative
     const PointView p = table.view(v);
-    items.push_back({p.lo, p.hi, v});
+    (p.is_double() ? exact : vague).push_back({p.lo, p.hi, v});
   };
   for (VertexId v = first_new; v.index() < table.size(); ++v) add(v);
-  const Strips near(items);
+  Strips near(exact, vague);
   for (VertexId v(0); v < first_new; ++v) {
     if (near.meet(table, v)) add(v);
   }
-  Clusters(table, first_new, identity).split(items.data(), items.data() + items.size(), 0, 0);
+  exact = unite_exact(exact, identity);
+  if (vague.empty()) return;
+  near = Strips(vague, {});
+  for (const Item& item : exact) {
+    if (near.meet(table, item.vertex)) vague.push_back(item);
+  }
+  Clusters(table, first_new, identity).split(vague.data(), vague.data() + vague.size(), 0, 0);
 }
 
 }  // namespace cnrg

@@ -31,7 +31,15 @@ struct PointKey {
     std::sort(k.id.begin(), k.id.end());
     return k;
   }
-  friend auto operator<=>(const PointKey&, const PointKey&) = default;
+  friend bool operator==(const PointKey& a, const PointKey& b) { return a.head() == b.head() && a.tail() == b.tail(); }
+  /// By kind, then by ids.
+  friend std::strong_ordering operator<=>(const PointKey& a, const PointKey& b) {
+    return a.head() != b.head() ? a.head() <=> b.head() : a.tail() <=> b.tail();
+  }
+
+ private:
+  std::uint64_t head() const { return std::uint64_t{static_cast<std::uint32_t>(kind)} << 32 | id[0]; }
+  std::uint64_t tail() const { return std::uint64_t{id[1]} << 32 | id[2]; }
 };
 
 /// The definition on input points and planes; for Kind::vertex there is none.

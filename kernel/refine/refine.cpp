@@ -31,6 +31,14 @@ void sort_unique(std::vector<T>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
+/// Pairs of ids as one number each: most of the lists that are sorted here.
+template <class A, class B>
+void sort_unique(std::vector<std::pair<Id<A>, Id<B>>>& list) {
+  const auto code = [](const auto& pair) { return std::uint64_t{pair.first.value()} << 32 | pair.second.value(); };
+  tbb::parallel_sort(list.begin(), list.end(), [&](const auto& a, const auto& b) { return code(a) < code(b); });
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
 /// Vertices of keys: new points are added in the order of their keys, then united with what coincides.
 class KeyedPoints {
  public:
