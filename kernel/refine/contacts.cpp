@@ -2,6 +2,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -451,7 +452,7 @@ void ContactList::append(const ContactList& other) {
 
 void ContactList::normalize() {
   const auto unique = [](auto& list) {
-    std::sort(list.begin(), list.end());
+    tbb::parallel_sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
   };
   for (Trace& t : traces) {

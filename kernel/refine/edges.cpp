@@ -19,8 +19,8 @@ struct Piece {
 class Cutter {
  public:
   Cutter(const PointTable& points, const SegmentTable& segments,
-         const std::vector<std::pair<SegmentId, VertexId>>& incidences)
-      : t_(points), segments_(segments), incidences_(incidences) {}
+         const Csr<SegmentId, VertexId>& inner)
+      : t_(points), segments_(segments), inner_(inner) {}
 
   EdgeTable run() {
     find_places();
@@ -36,26 +36,21 @@ class Cutter {
   /// place in the order.
   struct Cut {
     std::uint32_t segment;
-    std::size_t begin, end;     // in `incidences_`
     std::size_t first_piece;    // in `pieces_`
   };
 
   void find_places() {
     const std::size_t n = segments_.ends.size();
     place_.assign(n + 1, 0);
-    std::size_t pieces = 0, i = 0;
-    const auto add = [&](std::uint32_t segment) {
-      const std::size_t begin = i;
-      while (i < incidences_.size() && incidences_[i].first.value() == segment) ++i;
-      cuts_.push_back({segment, begin, i, pieces});
-      pieces += i - begin + 1;
-      place_[segment + 1] = static_cast<std::uint32_t>(i - begin);
-    };
-    while (i < incidences_.size() && incidences_[i].first.index() < segments_.input_count) {
-      add(incidences_[i].first.value());
+    std::size_t pieces = 0;
+    for (std::size_t s = 0; s < n; ++s) {
+      const std::size_t points = inner_[SegmentId(s)].size();
+      if (points > 0 || s >= segments_.input_count) {
+        cuts_.push_back({static_cast<std::uint32_t>(s), pieces});
+        pieces += points + 1;
+      }
+      place_[s + 1] = place_[s] + static_cast<std::uint32_t>(points) + 1;
     }
-    for (std::size_t s = segments_.input_count; s < n; ++s) add(static_cast<std::uint32_t>(s));
-    for (std::size_t s = 0; s < n; ++s) place_[s + 1] += place_[s] + 1;
     pieces_.resize(pieces);
   }
 
@@ -63,8 +58,8 @@ class Cutter {
     tbb::parallel_for(std::size_t{0}, cuts_.size(), [&](std::size_t c) {
       const Cut& cut = cuts_[c];
       const auto [a, b] = segments_.ends[SegmentId(cut.segment)];
-      std::vector<VertexId> points;
-      for (std::size_t i = cut.begin; i < cut.end; ++i) points.push_back(incidences_[i].second);
+      const auto inner = inner_[SegmentId(cut.segment)];
+      std::vector<VertexId> points(inner.begin(), inner.end());
       sort_along(a, b, points);
       points.push_back(b);
       VertexId from = a;
@@ -141,7 +136,7 @@ class Cutter {
 
   const PointTable& t_;
   const SegmentTable& segments_;
-  const std::vector<std::pair<SegmentId, VertexId>>& incidences_;
+  const Csr<SegmentId, VertexId>& inner_;
   std::vector<std::uint32_t> place_;  // by segment: of its first piece in the chains
   std::vector<Cut> cuts_;
   std::vector<Piece> pieces_;
@@ -154,24 +149,18 @@ class Cutter {
 }  // namespace
 
 EdgeTable cut_segments(const PointTable& points, const SegmentTable& segments,
-                       const std::vector<std::pair<SegmentId, VertexId>>& incidences) {
-  return Cutter(points, segments, incidences).run();
+                       const Csr<SegmentId, VertexId>& inner) {
+  return Cutter(points, segments, inner).run();
 }
 
 Csr<SegmentId, SourceId> faces_along(const Csr<SourceId, SegmentId>& sides, std::size_t segments) {
-  std::vector<std::uint32_t> begin(segments + 2, 0);  // one place late until the lists are filled
-  for (const SegmentId s : sides.values()) {
-    if (s.valid()) ++begin[s.index() + 2];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<SourceId> along(begin.back());
-  for (const SourceId f : IdRange<SourceId>(sides.size())) {
-    for (const SegmentId s : sides[f]) {
-      if (s.valid()) along[begin[s.index() + 1]++] = f;
+  return Csr<SegmentId, SourceId>::counted(segments, [&](const auto& add) {
+    for (const SourceId f : IdRange<SourceId>(sides.size())) {
+      for (const SegmentId s : sides[f]) {
+        if (s.valid()) add(s, f);
+      }
     }
-  }
-  begin.pop_back();
-  return Csr<SegmentId, SourceId>::from_parts(std::move(begin), std::move(along));
+  });
 }
 
 }  // namespace cnrg

@@ -36,6 +36,11 @@ struct PointKey {
   friend std::strong_ordering operator<=>(const PointKey& a, const PointKey& b) {
     return a.head() != b.head() ? a.head() <=> b.head() : a.tail() <=> b.tail();
   }
+  std::uint64_t hash() const {
+    std::uint64_t h = head() * 0x9e3779b97f4a7c15ull;
+    h = (h ^ h >> 29 ^ tail()) * 0xbf58476d1ce4e5b9ull;
+    return h ^ h >> 32;
+  }
 
  private:
   std::uint64_t head() const { return std::uint64_t{static_cast<std::uint32_t>(kind)} << 32 | id[0]; }

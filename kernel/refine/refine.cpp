@@ -11,6 +11,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 #include "kernel/base/error.h"
@@ -31,42 +32,92 @@ void sort_unique(std::vector<T>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-/// Pairs of ids as one number each: most of the lists that are sorted here.
+/// For each first id below n the second ids of the pairs, ascending and unique.
 template <class A, class B>
-void sort_unique(std::vector<std::pair<Id<A>, Id<B>>>& list) {
-  const auto code = [](const auto& pair) { return std::uint64_t{pair.first.value()} << 32 | pair.second.value(); };
-  tbb::parallel_sort(list.begin(), list.end(), [&](const auto& a, const auto& b) { return code(a) < code(b); });
-  list.erase(std::unique(list.begin(), list.end()), list.end());
+Csr<Id<A>, Id<B>> lists_of(std::size_t n, const std::vector<std::pair<Id<A>, Id<B>>>& pairs) {
+  using Lists = Csr<Id<A>, Id<B>>;
+  Lists lists = Lists::counted(n, [&](const auto& add) {
+    for (const auto& [first, second] : pairs) add(first, second);
+  });
+  std::vector<std::uint32_t> offsets(n + 1, 0);
+  for_each_index(n, [&](std::size_t i) {
+    const auto list = lists[Id<A>(i)];
+    std::sort(list.begin(), list.end());
+    offsets[i + 1] = static_cast<std::uint32_t>(std::unique(list.begin(), list.end()) - list.begin());
+  });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  if (offsets[n] == lists.value_count()) return lists;
+  std::vector<Id<B>> values(offsets[n]);
+  for_each_index(n, [&](std::size_t i) {
+    std::copy_n(lists[Id<A>(i)].begin(), offsets[i + 1] - offsets[i], values.begin() + offsets[i]);
+  });
+  return Lists::from_parts(std::move(offsets), std::move(values));
 }
+
+/// The place of each key in a list.
+class KeyPlaces {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  /// Without keys, with room for `most`.
+  explicit KeyPlaces(std::size_t most = 0) : slots_(std::bit_ceil(2 * most + 1), kNone) {}
+  /// Appends the key to the list unless it is in it.
+  void add(const PointKey& key, std::vector<PointKey>& list) {
+    std::uint32_t& place = slots_[slot_of(key, list)];
+    if (place != kNone) return;
+    place = static_cast<std::uint32_t>(list.size());
+    list.push_back(key);
+  }
+  std::uint32_t find(const PointKey& key, const std::vector<PointKey>& list) const { return slots_[slot_of(key, list)]; }
+
+ private:
+  std::size_t slot_of(const PointKey& key, const std::vector<PointKey>& list) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = key.hash() & mask;
+    while (slots_[slot] != kNone && !(list[slots_[slot]] == key)) slot = (slot + 1) & mask;
+    return slot;
+  }
+  std::vector<std::uint32_t> slots_;
+};
 
 /// Vertices of keys: new points are added in the order of their keys, then united with what coincides.
 class KeyedPoints {
  public:
-  void add(PointTable& table, UnionFind& identity, const RefineInput& in, std::vector<PointKey> keys) {
-    std::erase_if(keys, [](const PointKey& k) { return k.kind == PointKey::Kind::vertex; });
-    sort_unique(keys);
-    std::vector<std::array<double, 3>> lo(keys.size()), hi(keys.size());
-    tbb::parallel_for(std::size_t{0}, keys.size(),
-                      [&](std::size_t i) { table.enclose(definition_of(keys[i], in), lo[i], hi[i]); });
-    const VertexId first(table.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      table.add(definition_of(keys[i], in), lo[i], hi[i]);
+  void add(PointTable& table, UnionFind& identity, const RefineInput& in, const std::vector<PointKey>& keys) {
+    collect(keys);
+    std::vector<std::array<double, 3>> lo(keys_.size()), hi(keys_.size());
+    tbb::parallel_for(std::size_t{0}, keys_.size(),
+                      [&](std::size_t i) { table.enclose(definition_of(keys_[i], in), lo[i], hi[i]); });
+    first_ = VertexId(table.size());
+    identity_ = &identity;
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+      table.add(definition_of(keys_[i], in), lo[i], hi[i]);
       identity.add();
     }
-    unite_coincident(table, first, identity);
-    keys_ = std::move(keys);
-    first_ = first;
-    identity_ = &identity;
+    unite_coincident(table, first_, identity);
   }
   VertexId operator()(const PointKey& key) const {
     if (key.kind == PointKey::Kind::vertex) return VertexId(key.id[0]);
-    const auto it = std::lower_bound(keys_.begin(), keys_.end(), key);
-    require(it != keys_.end() && *it == key, "a point key was never made");
-    return VertexId(identity_->find(static_cast<std::uint32_t>(first_.index() + (it - keys_.begin()))));
+    const std::uint32_t place = places_.find(key, keys_);
+    require(place != KeyPlaces::kNone, "a point key was never made");
+    return VertexId(identity_->find(first_.value() + place));
   }
 
  private:
-  std::vector<PointKey> keys_;
+  void collect(const std::vector<PointKey>& keys) {
+    KeyPlaces seen(keys.size());
+    for (const PointKey& key : keys) {
+      if (key.kind != PointKey::Kind::vertex) seen.add(key, keys_);
+    }
+    std::vector<PointKey> sorted = keys_;
+    tbb::parallel_sort(sorted.begin(), sorted.end());
+    keys_.clear();
+    places_ = KeyPlaces(sorted.size());
+    for (const PointKey& key : sorted) places_.add(key, keys_);
+  }
+
+  std::vector<PointKey> keys_;  // ascending
+  KeyPlaces places_;
   VertexId first_;
   UnionFind* identity_ = nullptr;
 };
@@ -95,8 +146,6 @@ class Refiner {
   ContactList contacts_;
   UnionFind identity_;
   KeyedPoints contact_points_, crossing_points_;
-  std::vector<std::pair<VertexId, SegmentId>> on_segment_;
-  std::vector<std::pair<VertexId, SheetId>> in_sheet_;
   KnownIncidence known_;
   IdVector<SheetId, SourceId> representative_;
   std::vector<std::pair<SheetId, SegmentId>> sheet_segments_;
@@ -174,21 +223,23 @@ void Refiner::place_contacts() {
   }
   for (ContactList::OnFace& p : contacts_.on_face) keys.push_back(p.point = canonical(p.point));
   for (ContactList::OnWire& p : contacts_.on_wire) keys.push_back(p.point = canonical(p.point));
+  std::vector<std::pair<VertexId, SegmentId>> on_segment;
+  std::vector<std::pair<VertexId, SheetId>> in_sheet;
   identity_ = UnionFind(r_.input.points.size());
   contact_points_.add(r_.input.points, identity_, r_.input, keys);
 
   for (const PointKey& key : keys) {
     if (key.kind == PointKey::Kind::vertex || key.kind == PointKey::Kind::planes) continue;
     const VertexId v = contact_points_(key);
-    on_segment_.push_back({v, SegmentId(key.id[0])});
-    if (key.kind == PointKey::Kind::segments) on_segment_.push_back({v, SegmentId(key.id[1])});
+    on_segment.push_back({v, SegmentId(key.id[0])});
+    if (key.kind == PointKey::Kind::segments) on_segment.push_back({v, SegmentId(key.id[1])});
   }
   for (const ContactList::OnWire& p : contacts_.on_wire) {
-    on_segment_.push_back({contact_points_(p.point), p.wire});
+    on_segment.push_back({contact_points_(p.point), p.wire});
   }
   for (const ContactList::OnFace& p : contacts_.on_face) {
     const VertexId v = contact_points_(p.point);
-    in_sheet_.push_back({v, r_.sheet_of[p.face]});
+    in_sheet.push_back({v, r_.sheet_of[p.face]});
     sheet_points_.push_back({r_.sheet_of[p.face], v});
   }
   for (const ContactList::WireInPlane& w : contacts_.wires_in_plane) {
@@ -209,8 +260,8 @@ void Refiner::place_contacts() {
     VertexId a = contact_points_(t.a), b = contact_points_(t.b);
     const SheetId p = r_.sheet_of[t.f], q = r_.sheet_of[t.g];
     for (const SheetId s : {p, q}) {
-      in_sheet_.push_back({a, s});
-      in_sheet_.push_back({b, s});
+      in_sheet.push_back({a, s});
+      in_sheet.push_back({b, s});
     }
     if (a == b) {
       sheet_points_.insert(sheet_points_.end(), {{p, a}, {q, a}});
@@ -232,11 +283,8 @@ void Refiner::place_contacts() {
       sheet_segments_.push_back({traces[i].q, s});
     }
   }
-  sort_unique(on_segment_);
-  sort_unique(in_sheet_);
-  known_.segments = Csr<VertexId, SegmentId>::from_sorted(r_.input.points.size(), on_segment_);
-  known_.sheets = Csr<VertexId, SheetId>::from_sorted(r_.input.points.size(), in_sheet_);
-  in_sheet_ = {};
+  known_.segments = lists_of(r_.input.points.size(), on_segment);
+  known_.sheets = lists_of(r_.input.points.size(), in_sheet);
 }
 
 /// A sheet of one triangle that meets nothing needs no work. All others list their sides, traces, wires, points.
@@ -260,10 +308,8 @@ void Refiner::list_sheet_contents() {
   for (std::size_t i = 0; i < work_.size(); ++i) work_of[work_[i].index()] = static_cast<std::uint32_t>(i);
   for (auto& [sheet, s] : sheet_segments_) sheet = SheetId(work_of[sheet.index()]);
   for (auto& [sheet, v] : sheet_points_) sheet = SheetId(work_of[sheet.index()]);
-  sort_unique(sheet_segments_);
-  sort_unique(sheet_points_);
-  work_segments_ = Csr<SheetId, SegmentId>::from_sorted(work_.size(), sheet_segments_);
-  work_points_ = Csr<SheetId, VertexId>::from_sorted(work_.size(), sheet_points_);
+  work_segments_ = lists_of(work_.size(), sheet_segments_);
+  work_points_ = lists_of(work_.size(), sheet_points_);
   sheet_segments_ = {};
   sheet_points_ = {};
 }
@@ -295,25 +341,28 @@ void Refiner::cross_sheets() {
   sort_unique(crossings_);
   std::vector<PointKey> keys;
   for (const Crossing& c : crossings_) keys.push_back(c.point);
-  crossing_points_.add(r_.input.points, identity_, r_.input, std::move(keys));
+  crossing_points_.add(r_.input.points, identity_, r_.input, keys);
   for (const Crossing& c : crossings_) {
     const VertexId v = crossing_points_(c.point);
     incidences_.push_back({c.s, v});
     incidences_.push_back({c.t, v});
   }
-  for (const auto& [v, s] : on_segment_) incidences_.push_back({s, v});
+  for (const VertexId v : IdRange<VertexId>(known_.segments.size())) {
+    for (const SegmentId s : std::as_const(known_.segments)[v]) incidences_.push_back({s, v});
+  }
   std::erase_if(incidences_, [&](const auto& i) {
     const auto& ends = r_.segments.ends[i.first];
     return i.second == ends[0] || i.second == ends[1];
   });
-  sort_unique(incidences_);
 }
 
 /// Every segment is cut at its points, once, for all sheets; meanwhile the faces along each segment are listed.
 void Refiner::split_segments() {
-  tbb::parallel_invoke([&] { r_.edges = cut_segments(r_.input.points, r_.segments, incidences_); },
-                       [&] { r_.segment_faces = faces_along(r_.input.sides, r_.segments.ends.size()); });
+  const std::size_t n = r_.segments.ends.size();
+  const Csr<SegmentId, VertexId> inner = lists_of(n, incidences_);
   incidences_ = {};
+  tbb::parallel_invoke([&] { r_.edges = cut_segments(r_.input.points, r_.segments, inner); },
+                       [&] { r_.segment_faces = faces_along(r_.input.sides, n); });
 }
 
 void Refiner::subdivide_sheets() {
