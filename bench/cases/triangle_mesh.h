@@ -1,5 +1,5 @@
-// Triangles in doubles: the one input that every system of a comparison gets. Solids of planar polygons are given as
-// such to the systems that take them.
+// Triangles in doubles: the one input that every system of a comparison gets. Solids of planar polygons are given
+// as such to the systems that take them.
 #pragma once
 
 #include <array>

@@ -166,7 +166,7 @@ class Csr {
     csr.values_ = std::move(values);
     return csr;
   }
-  /// Builds from pairs in any order: `visit(take)` calls take(id, value) for each, twice the same ones. The values of
+  /// Builds from pairs in any order: `visit(take)` calls take(id, value) for each, twice the same ones. Values of
   /// an id stay in the order in which they come.
   template <class Visit>
   static Csr counted(std::size_t n, const Visit& visit) {

@@ -1,6 +1,6 @@
 // Broad phase: all pairs of boxes that meet, by an implicit balanced tree of boxes on an integer grid.
 //
-// Coordinates are mapped to 31-bit integers by a map that never decreases: boxes that meet in doubles meet on the
+// Coordinates are mapped to 30-bit integers by a map that never decreases: boxes that meet in doubles meet on the
 // grid, so no pair is lost, whatever the rounding; a pair too many does no harm. Items in Morton order are packed
 // in blocks of four; block b is leaf `leaves_ + b` of a heap. An item is compared with the four boxes of a block at
 // once. Pairs are found by walking down two nodes at a time; the walk is cut into parts for threads.
@@ -25,8 +25,8 @@ class BoxPairs {
   /// Items by their place in the tree, for data that is to lie in that order; more places than items at the end.
   std::size_t place_count() const { return items_.size(); }
   std::uint32_t item(std::uint32_t place) const { return items_[place]; }
-  /// Calls `visit(x, y)` for the places of the pairs of items of this part whose boxes may meet; over all parts, every
-  /// pair whose closed boxes meet comes once.
+  /// Calls `visit(x, y)` for the places of the pairs of items of this part whose boxes may meet; over all parts,
+  /// every pair whose closed boxes meet comes once.
   template <class Visit>
   void find(std::size_t part, const Visit& visit) const {
     NodeStack stack;

@@ -19,8 +19,8 @@ struct Totals {
 
 class Collector {
  public:
-  Collector(Refinement& refinement, const IdVector<SheetId, SourceId>& representative, const std::vector<SheetId>& work,
-            const std::vector<SheetFaces>& results)
+  Collector(Refinement& refinement, const IdVector<SheetId, SourceId>& representative,
+            const std::vector<SheetId>& work, const std::vector<SheetFaces>& results)
       : r_(refinement), representative_(representative), work_(work), results_(results) {}
 
   void run() {
@@ -103,7 +103,9 @@ class Collector {
             start_face(sheet);
             for (; loop < x.face_loop_end[f]; ++loop) {
               start_loop();
-              for (; half_edge < x.loop_end[loop]; ++half_edge) half_edge_[at.half_edges++] = x.half_edges[half_edge];
+              for (; half_edge < x.loop_end[loop]; ++half_edge) {
+                half_edge_[at.half_edges++] = x.half_edges[half_edge];
+              }
             }
             for (; point < x.face_isolated_end[f]; ++point) vertex_[at.vertices++] = x.isolated[point];
             for (; cover < x.face_cover_end[f]; ++cover) cover_[at.covers++] = x.covers[cover];

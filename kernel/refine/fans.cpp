@@ -9,8 +9,8 @@ namespace cnrg {
 
 namespace {
 
-// Bits of what a vertex can not have: triangles with a negative (0..2) or positive (3..5) normal along an axis only,
-// closed fans (6).
+// Bits of what a vertex can not have: triangles with a negative (0..2) or positive (3..5) normal along an axis
+// only, closed fans (6).
 constexpr std::uint8_t kOpen = 1 << 6, kNone = 0x7f;
 
 class Fans {

@@ -1,7 +1,7 @@
 // Enclosures are clustered axis by axis: sorted along one axis, a gap between enclosures separates what can not be
 // equal; what remains is clustered along the next axis, until no axis separates any more. Only within such a
-// cluster are exact coordinates compared. In general position every cluster holds one point. Enclosures of one point,
-// as on a grid, are points: equal ones are found by a hash, and one of each goes into the clusters.
+// cluster are exact coordinates compared. In general position every cluster holds one point. Enclosures of one
+// point, as on a grid, are points: equal ones are found by a hash, and one of each goes into the clusters.
 #include "kernel/refine/identity.h"
 
 #include <tbb/parallel_sort.h>
@@ -47,9 +47,8 @@ class Strips {
       const auto k = static_cast<std::size_t>(axis);
       const double lo = table.lower(v)[axis], hi = table.upper(v, axis);
       if (hi < lo_[k] || lo > hi_[k]) return false;
-      bool held = false;
-      for (std::int32_t i = strip(lo, k); i <= strip(hi, k) && !held; ++i) held = held_[k][static_cast<std::size_t>(i)] != 0;
-      if (!held) return false;
+      const auto first = held_[k].begin() + strip(lo, k), last = held_[k].begin() + strip(hi, k) + 1;
+      if (std::find(first, last, 1) == last) return false;
     }
     return true;
   }

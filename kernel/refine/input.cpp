@@ -159,7 +159,10 @@ PlaneFilter filter_of(const PointTable& t, const std::array<VertexId, 3>& plane)
 /// The first corner that does not lie on the plane; corners.size() if all do.
 std::size_t off_plane(const PointTable& t, std::span<const VertexId> corners, const std::array<VertexId, 3>& plane) {
   std::size_t i = 0;
-  while (i < corners.size() && (!corners[i].valid() || orient3d(t, plane[0], plane[1], plane[2], corners[i]) == 0)) ++i;
+  while (i < corners.size() &&
+         (!corners[i].valid() || orient3d(t, plane[0], plane[1], plane[2], corners[i]) == 0)) {
+    ++i;
+  }
   return i;
 }
 
@@ -232,7 +235,9 @@ void take_planes(const Soup& soup, RefineInput& in, RefineReport& report) {
   std::vector<Shape> shape(n);
   in.filters.resize(n);
   const auto& corners = std::as_const(in.corners);
-  for_each_index(n, [&](std::size_t i) { shape[i] = span_plane(t, corners[SourceId(i)], planes[i], in.filters[i]); });
+  for_each_index(n, [&](std::size_t i) {
+    shape[i] = span_plane(t, corners[SourceId(i)], planes[i], in.filters[i]);
+  });
   for (std::size_t i = 0; i < n; ++i) {
     if (shape[i] != Shape::warped) continue;
     throw InputError(face_name(soup, SourceId(i)) + ": the face is not planar: its corner " +

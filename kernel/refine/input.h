@@ -17,9 +17,9 @@ struct RefineInput {
   /// Ends of each input edge and wire, the lexicographically smaller first. Segments are numbered by their end of
   /// the smaller id, then by the other one.
   IdVector<SegmentId, std::array<VertexId, 2>> segment_ends;
-  std::vector<std::uint32_t> segment_begin;       ///< by vertex, of those with the smaller end there; one more at the end
-  IdVector<SegmentId, char> paired;               ///< sides of exactly two faces, which run in opposite directions
-  std::vector<PlaneFilter> filters;               ///< by SourceId, for faces in doubles; freed once sheets are known
+  std::vector<std::uint32_t> segment_begin;       ///< by vertex: of those with the smaller end there; one more
+  IdVector<SegmentId, char> paired;               ///< sides of exactly two faces, in opposite directions
+  std::vector<PlaneFilter> filters;               ///< by SourceId; freed once sheets are known
   std::vector<SegmentId> wire_segment;            ///< by WireId; none() for a wire of length zero
   std::vector<SegmentId> wires;                   ///< segments that are wires, ascending and unique
   std::vector<VertexId> isolated;                 ///< isolated points (also ends of zero-length wires), unique

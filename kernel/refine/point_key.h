@@ -31,7 +31,9 @@ struct PointKey {
     std::sort(k.id.begin(), k.id.end());
     return k;
   }
-  friend bool operator==(const PointKey& a, const PointKey& b) { return a.head() == b.head() && a.tail() == b.tail(); }
+  friend bool operator==(const PointKey& a, const PointKey& b) {
+    return a.head() == b.head() && a.tail() == b.tail();
+  }
   /// By kind, then by ids.
   friend std::strong_ordering operator<=>(const PointKey& a, const PointKey& b) {
     return a.head() != b.head() ? a.head() <=> b.head() : a.tail() <=> b.tail();

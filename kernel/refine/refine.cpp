@@ -68,7 +68,9 @@ class KeyPlaces {
     place = static_cast<std::uint32_t>(list.size());
     list.push_back(key);
   }
-  std::uint32_t find(const PointKey& key, const std::vector<PointKey>& list) const { return slots_[slot_of(key, list)]; }
+  std::uint32_t find(const PointKey& key, const std::vector<PointKey>& list) const {
+    return slots_[slot_of(key, list)];
+  }
 
  private:
   std::size_t slot_of(const PointKey& key, const std::vector<PointKey>& list) const {
@@ -201,7 +203,8 @@ void Refiner::group_sheets() {
   r_.sheet_projection.resize(representative_.size());
   for_each_index(representative_.size(), [&](std::size_t i) {
     const SourceId f = representative_[SheetId(i)];
-    r_.sheet_projection[SheetId(i)] = projection_of(r_.input.points, RefineInput::plane(f), r_.input.filters[f.index()]);
+    r_.sheet_projection[SheetId(i)] =
+        projection_of(r_.input.points, RefineInput::plane(f), r_.input.filters[f.index()]);
   });
   r_.input.filters = {};
 }

@@ -39,7 +39,8 @@ class ZeroedBlock {
   void touch(std::size_t offset) {
     // Nearly always it was touched before; a second thread that only reads this does not take the line away.
     const std::atomic_ref touched(data_[pages_ * kPage + offset / kPage]);
-    if (touched.load(std::memory_order_relaxed) == std::byte{0}) touched.store(std::byte{1}, std::memory_order_relaxed);
+    if (touched.load(std::memory_order_relaxed) != std::byte{0}) return;
+    touched.store(std::byte{1}, std::memory_order_relaxed);
   }
   bool touched(std::size_t page) const { return data_[pages_ * kPage + page] != std::byte{0}; }
   std::size_t pages() const { return pages_; }
