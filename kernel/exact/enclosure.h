@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "kernel/exact/cross_filter.h"
 #include "kernel/exact/points.h"
 
 namespace cnrg::enclosure {
@@ -16,14 +17,12 @@ using Interval3 = std::array<Interval, 3>;
 /// While one lives, intervals round outward in this thread.
 using RoundOutward = CGAL::Protect_FPU_rounding<true>;
 
-inline constexpr int kUnknown = 2;
-
-/// The sign if the interval proves it, kUnknown otherwise (NaN included).
+/// The sign if the interval proves it, kUndecided otherwise (NaN included).
 inline int sign_of(const Interval& x) {
   if (x.inf() > 0) return 1;
   if (x.sup() < 0) return -1;
   if (x.inf() == 0 && x.sup() == 0) return 0;
-  return kUnknown;
+  return kUndecided;
 }
 
 inline Interval3 of(const PointView& p) {

@@ -23,6 +23,8 @@
 #include <limits>
 #include <optional>
 
+#include "kernel/exact/cross_filter.h"
+
 namespace cnrg {
 
 class PlaneFilter {
@@ -45,8 +47,6 @@ class PlaneFilter {
       if (m[k] == 0 && normal_sign(k) != 0) level_ = k;
     }
   }
-
-  static constexpr int kUndecided = 2;
 
   /// The side of the plane on which p (three coordinates) lies, positive where the normal looks, or kUndecided.
   int side(const double* p) const {

@@ -7,8 +7,7 @@
 //   With M = mx my mz, the product of the largest absolute (rounded) differences per axis, each of the six terms
 //   is at most M (1 + u)^3, so the error is below 6 * 8.1 u * 1.0001 M < 48.7 u M < 5.41e-15 M. We use 6e-15 M,
 //   which also covers the two roundings of computing the bound itself.
-//   orient2d: two products of two differences: (1 + u)^4 - 1 < 4.1 u each, error below 8.2 u mx my < 9.2e-16
-//   mx my; we use 1.2e-15 mx my.
+//   orient2d: see cross_filter.h.
 //   Points that are not doubles: let each coordinate lie within w above the lower bound that the filter takes. Each
 //   of the exact differences is then off by at most w: the product of two by w (|x| + |y|) + w^2, the product of
 //   three by w (|xy| + |yz| + |zx|) + w^2 (|x| + |y| + |z|) + w^3. With two (six) such products the errors of the
@@ -23,6 +22,7 @@
 #include <mutex>
 
 #include "kernel/base/error.h"
+#include "kernel/exact/cross_filter.h"
 #include "kernel/exact/enclosure.h"
 #include "kernel/exact/plane_filter.h"
 
@@ -33,9 +33,8 @@ using namespace enclosure;
 namespace {
 
 constexpr double kOrient3dBound = 6e-15;
-constexpr double kOrient2dBound = 1.2e-15;
-constexpr double kSmallest = 1e-90;
-constexpr double kLargest = 1e100;
+constexpr double kSmallest = kSmallestFiltered;
+constexpr double kLargest = kLargestFiltered;
 
 /// Counters of one thread; their sum is kept when the thread ends.
 struct Registry {
@@ -67,7 +66,7 @@ StageCounts& counts() {
 
 inline double max_abs(double a, double b, double c) { return std::max(std::fabs(a), std::max(std::fabs(b), std::fabs(c))); }
 
-/// The sign by the filter, or kUnknown. Each exact coordinate lies between the one given and `width` above it.
+/// The sign by the filter, or kUndecided. Each exact coordinate lies between the one given and `width` above it.
 int filtered_orient3d(const double* a, const double* b, const double* c, const double* d, double width) {
   const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
   const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
@@ -76,24 +75,13 @@ int filtered_orient3d(const double* a, const double* b, const double* c, const d
   // A maximum of zero is exact: all differences vanish (a double difference is zero only if it is exactly).
   if (width == 0 && (mx == 0 || my == 0 || mz == 0)) return 0;
   const double smallest = std::min(mx, std::min(my, mz)), largest = std::max(mx, std::max(my, mz));
-  if (!(smallest > kSmallest && largest < kLargest)) return kUnknown;
+  if (!(smallest > kSmallest && largest < kLargest)) return kUndecided;
   const double determinant = dx * (by * cz - bz * cy) + dy * (bz * cx - bx * cz) + dz * (bx * cy - by * cx);
   const double bound = kOrient3dBound * mx * my * mz +
                        6.1 * width * (mx * my + my * mz + mz * mx + width * (mx + my + mz + width));
   if (determinant > bound) return 1;
   if (determinant < -bound) return -1;
-  return kUnknown;
-}
-
-/// The sign of ux vy - uy vx for differences of two coordinates each, as above.
-int filtered_cross(double ux, double uy, double vx, double vy, double width) {
-  const double mx = std::max(std::fabs(ux), std::fabs(vx)), my = std::max(std::fabs(uy), std::fabs(vy));
-  if (width == 0 && (mx == 0 || my == 0)) return 0;
-  if (!(std::min(mx, my) > kSmallest && std::max(mx, my) < kLargest)) return kUnknown;
-  const double determinant = ux * vy - uy * vx, bound = kOrient2dBound * mx * my + 2.1 * width * (mx + my + width);
-  if (determinant > bound) return 1;
-  if (determinant < -bound) return -1;
-  return kUnknown;
+  return kUndecided;
 }
 
 double width(const PointView& p) {
@@ -120,7 +108,7 @@ int exact_orient3d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c
 
 int orient3d(const PointView& a, const PointView& b, const PointView& c, const PointView& d) {
   const double w = std::max(std::max(width(a), width(b)), std::max(width(c), width(d)));
-  if (const int s = filtered_orient3d(a.lo.data(), b.lo.data(), c.lo.data(), d.lo.data(), w); s != kUnknown) {
+  if (const int s = filtered_orient3d(a.lo.data(), b.lo.data(), c.lo.data(), d.lo.data(), w); s != kUndecided) {
     ++counts().filter;
     return s;
   }
@@ -128,7 +116,7 @@ int orient3d(const PointView& a, const PointView& b, const PointView& c, const P
     RoundOutward round;
     const Interval3 o = of(a);
     const int s = sign_of(dot(of(d) - o, cross(of(b) - o, of(c) - o)));
-    if (s != kUnknown) {
+    if (s != kUndecided) {
       ++counts().interval;
       return s;
     }
@@ -141,7 +129,7 @@ int orient3d(const PointTable& t, VertexId a, VertexId b, VertexId c, VertexId d
   const double *pa = t.doubles(a), *pb = t.doubles(b), *pc = t.doubles(c), *pd = t.doubles(d);
   if (pa != nullptr && pb != nullptr && pc != nullptr && pd != nullptr) {
     const int s = filtered_orient3d(pa, pb, pc, pd, 0);
-    if (s != kUnknown) {
+    if (s != kUndecided) {
       ++counts().filter;
       return s;
     }
@@ -160,7 +148,7 @@ int orient2d(Projection axes, const PointView& a, const PointView& b, const Poin
   const int u = axes.u, v = axes.v;
   const double w = std::max(width(a, u, v), std::max(width(b, u, v), width(c, u, v)));
   if (const int s = filtered_cross(b.lo[u] - a.lo[u], b.lo[v] - a.lo[v], c.lo[u] - a.lo[u], c.lo[v] - a.lo[v], w);
-      s != kUnknown) {
+      s != kUndecided) {
     ++counts().filter;
     return s;
   }
@@ -170,7 +158,7 @@ int orient2d(Projection axes, const PointView& a, const PointView& b, const Poin
     const Interval bx(b.lo[u], b.hi[u]), by(b.lo[v], b.hi[v]);
     const Interval cx(c.lo[u], c.hi[u]), cy(c.lo[v], c.hi[v]);
     const int s = sign_of((bx - ax) * (cy - ay) - (by - ay) * (cx - ax));
-    if (s != kUnknown) {
+    if (s != kUndecided) {
       ++counts().interval;
       return s;
     }
@@ -189,7 +177,7 @@ int orient2d(const PointTable& t, Projection axes, VertexId a, VertexId b, Verte
   for (const VertexId p : {a, b, c}) {
     if (!t.is_double(p)) w = std::max(w, std::max(t.upper(p, u) - t.lower(p)[u], t.upper(p, v) - t.lower(p)[v]));
   }
-  if (const int s = filtered_cross(pb[u] - pa[u], pb[v] - pa[v], pc[u] - pa[u], pc[v] - pa[v], w); s != kUnknown) {
+  if (const int s = filtered_cross(pb[u] - pa[u], pb[v] - pa[v], pc[u] - pa[u], pc[v] - pa[v], w); s != kUndecided) {
     ++counts().filter;
     return s;
   }
@@ -204,7 +192,7 @@ int orient2d_vectors(const PointTable& t, Projection axes, VertexId a, VertexId 
   const double w = std::max(std::max(width(pa, u, v), width(pb, u, v)), std::max(width(pc, u, v), width(pd, u, v)));
   if (const int s = filtered_cross(pb.lo[u] - pa.lo[u], pb.lo[v] - pa.lo[v], pd.lo[u] - pc.lo[u],
                                    pd.lo[v] - pc.lo[v], w);
-      s != kUnknown) {
+      s != kUndecided) {
     ++counts().filter;
     return s;
   }
@@ -213,7 +201,7 @@ int orient2d_vectors(const PointTable& t, Projection axes, VertexId a, VertexId 
     const auto at = [](const PointView& p, int k) { return Interval(p.lo[k], p.hi[k]); };
     const int s = sign_of((at(pb, u) - at(pa, u)) * (at(pd, v) - at(pc, v)) -
                           (at(pb, v) - at(pa, v)) * (at(pd, u) - at(pc, u)));
-    if (s != kUnknown) {
+    if (s != kUndecided) {
       ++counts().interval;
       return s;
     }
@@ -282,7 +270,7 @@ int cross_normal_sign(const PointTable& t, PlaneId p, PlaneId q, int k) {
     const Interval3 m = enclosure::normal(t.view(pa), t.view(pb), t.view(pc));
     const Interval3 n = enclosure::normal(t.view(qa), t.view(qb), t.view(qc));
     const int s = sign_of(m[i] * n[j] - m[j] * n[i]);
-    if (s != kUnknown) {
+    if (s != kUndecided) {
       ++counts().interval;
       return s;
     }
@@ -301,7 +289,7 @@ int normal_dot_sign(const PointTable& t, PlaneId p, const std::array<double, 3>&
     RoundOutward round;
     const Interval3 n = enclosure::normal(t.view(a), t.view(b), t.view(c));
     const int s = sign_of(dot(n, Interval3{Interval(direction[0]), Interval(direction[1]), Interval(direction[2])}));
-    if (s != kUnknown) {
+    if (s != kUndecided) {
       ++counts().interval;
       return s;
     }

@@ -81,8 +81,8 @@ PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& 
   const PlaneFilter& plane = in_.filters[g.index()];
   const auto side = [&](VertexId v) {
     const double* p = t_.doubles(v);
-    const int s = p != nullptr ? plane.side(p) : PlaneFilter::kUndecided;
-    if (s != PlaneFilter::kUndecided) {
+    const int s = p != nullptr ? plane.side(p) : kUndecided;
+    if (s != kUndecided) {
       ++filtered;
       return s;
     }

@@ -3,6 +3,8 @@
 // trace of that sheet) are never computed.
 #include <tbb/task_arena.h>
 
+#include "kernel/exact/cross_filter.h"
+#include "kernel/exact/predicates.h"
 #include "kernel/refine/box_pairs.h"
 #include "kernel/refine/segments.h"
 
@@ -26,18 +28,48 @@ class CrossingFinder {
   void run() {
     const std::size_t n = c_.segments.size();
     std::vector<Box> boxes(n);
+    lines_.reserve(n);
     for (std::size_t i = 0; i < n; ++i) {
-      for (const VertexId v : segments_.ends[c_.segments[i]]) extend(boxes[i], v);
+      const auto& [a, b] = segments_.ends[c_.segments[i]];
+      lines_.push_back({c_.segments[i], {place(a), place(b)}});
+      for (const VertexId v : {a, b}) extend(boxes[i], v);
     }
+    search(boxes);
+    count_filtered(filtered_);
+  }
+
+ private:
+  /// A vertex in the projection: each coordinate lies between the one here and `width` above it.
+  struct Place {
+    VertexId vertex;
+    double u, v, width;
+  };
+  struct Line {
+    SegmentId segment;
+    std::array<Place, 2> ends;
+  };
+
+  void extend(Box& box, VertexId v) const {
+    const int u = c_.axes.u, w = c_.axes.v;
+    box.extend({t_.lower(v)[u], t_.lower(v)[w], 0.0}, {t_.upper(v, u), t_.upper(v, w), 0.0});
+  }
+
+  Place place(VertexId v) const {
+    const double *lo = t_.lower(v), x = lo[c_.axes.u], y = lo[c_.axes.v];
+    return {v, x, y, std::max(t_.upper(v, c_.axes.u) - x, t_.upper(v, c_.axes.v) - y)};
+  }
+
+  void search(const std::vector<Box>& boxes) {
+    const std::size_t n = lines_.size();
     if (n <= 24) {
       for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = i + 1; j < n; ++j) {
-          if (boxes[i].meets(boxes[j])) pair(c_.segments[i], c_.segments[j]);
+          if (boxes[i].meets(boxes[j])) pair(lines_[i], lines_[j]);
         }
         for (const VertexId v : c_.points) {
           Box b;
           extend(b, v);
-          if (boxes[i].meets(b)) point(v, c_.segments[i]);
+          if (boxes[i].meets(b)) point(place(v), lines_[i]);
         }
       }
       return;
@@ -47,30 +79,30 @@ class CrossingFinder {
       const BoxPairs tree(boxes);
       for (std::size_t part = 0; part < tree.part_count(); ++part) {
         tree.find(part, [&](std::uint32_t x, std::uint32_t y) {
-          pair(c_.segments[tree.item(x)], c_.segments[tree.item(y)]);
+          pair(lines_[tree.item(x)], lines_[tree.item(y)]);
         });
       }
       for (const VertexId v : c_.points) {
         Box own;
         extend(own, v);
-        tree.query(own, [&](std::uint32_t i) { point(v, c_.segments[i]); });
+        tree.query(own, [&](std::uint32_t i) { point(place(v), lines_[i]); });
       }
     });
   }
 
- private:
-  void extend(Box& box, VertexId v) const {
-    const PointView p = t_.view(v);
-    box.extend({p.lo[c_.axes.u], p.lo[c_.axes.v], 0.0}, {p.hi[c_.axes.u], p.hi[c_.axes.v], 0.0});
-  }
-
-  /// Side of the line of s on which v lies, up to a sign that depends on s only.
-  int side(SegmentId s, VertexId v) const {
-    const auto& [a, b] = segments_.ends[s];
-    if (v == a || v == b) return 0;
-    if (known_.on(v, s)) return 0;
-    if (segments_.is_trace(s) && known_.in(v, segments_.other_sheet(s, c_.sheet))) return 0;
-    return orient2d(t_, c_.axes, a, b, v);
+  /// Side of the line on which p lies, up to a sign that depends on the line only.
+  int side(const Line& line, const Place& p) {
+    const auto& [a, b] = line.ends;
+    if (p.vertex == a.vertex || p.vertex == b.vertex) return 0;
+    const double width = std::max(p.width, std::max(a.width, b.width));
+    if (const int s = filtered_cross(b.u - a.u, b.v - a.v, p.u - a.u, p.v - a.v, width); s != kUndecided) {
+      ++filtered_;
+      return s;
+    }
+    const SegmentId s = line.segment;
+    if (known_.on(p.vertex, s)) return 0;
+    if (segments_.is_trace(s) && known_.in(p.vertex, segments_.other_sheet(s, c_.sheet))) return 0;
+    return orient2d(t_, c_.axes, a.vertex, b.vertex, p.vertex);
   }
 
   /// For a point on the line of s: strictly between its ends?
@@ -87,28 +119,33 @@ class CrossingFinder {
     return compare_lex(t_, a, v) < 0 && compare_lex(t_, v, b) < 0;
   }
 
-  void point(VertexId v, SegmentId s) {
-    const auto& [a, b] = segments_.ends[s];
-    if (v == a || v == b) return;
-    if (side(s, v) == 0 && between(s, v)) incidences_.push_back({s, v});
+  void point(const Place& p, const Line& line) {
+    if (p.vertex == line.ends[0].vertex || p.vertex == line.ends[1].vertex) return;
+    if (side(line, p) == 0) add(line.segment, p.vertex);
+  }
+  /// Notes a vertex on the line of s if it lies between the ends.
+  void add(SegmentId s, VertexId v) {
+    if (between(s, v)) incidences_.push_back({s, v});
   }
 
-  void pair(SegmentId s, SegmentId t) {
-    const auto &es = segments_.ends[s], &et = segments_.ends[t];
-    const int s0 = side(s, et[0]), s1 = side(s, et[1]);
+  void pair(const Line& x, const Line& y) {
+    const SegmentId s = x.segment, t = y.segment;
+    const auto &es = x.ends, &et = y.ends;
+    const int s0 = side(x, et[0]), s1 = side(x, et[1]);
     if (s0 * s1 > 0) return;
-    const bool share = es[0] == et[0] || es[0] == et[1] || es[1] == et[0] || es[1] == et[1];
+    const bool share = es[0].vertex == et[0].vertex || es[0].vertex == et[1].vertex ||
+                       es[1].vertex == et[0].vertex || es[1].vertex == et[1].vertex;
     if (share && (s0 != 0 || s1 != 0)) return;  // two lines meet in one point only
-    const int t0 = side(t, es[0]), t1 = side(t, es[1]);
+    const int t0 = side(y, es[0]), t1 = side(y, es[1]);
     if (t0 * t1 > 0) return;
     if (s0 * s1 < 0 && t0 * t1 < 0) {
       crossings_.push_back({key(s, t), std::min(s, t), std::max(s, t)});
       return;
     }
-    if (s0 == 0 && between(s, et[0])) incidences_.push_back({s, et[0]});
-    if (s1 == 0 && between(s, et[1])) incidences_.push_back({s, et[1]});
-    if (t0 == 0 && between(t, es[0])) incidences_.push_back({t, es[0]});
-    if (t1 == 0 && between(t, es[1])) incidences_.push_back({t, es[1]});
+    if (s0 == 0) add(s, et[0].vertex);
+    if (s1 == 0) add(s, et[1].vertex);
+    if (t0 == 0) add(t, es[0].vertex);
+    if (t1 == 0) add(t, es[1].vertex);
   }
 
   PointKey key(SegmentId s, SegmentId t) const {
@@ -124,6 +161,8 @@ class CrossingFinder {
   const SegmentTable& segments_;
   const KnownIncidence& known_;
   const IdVector<SheetId, SourceId>& representative_;
+  std::vector<Line> lines_;  // as in c_.segments
+  std::uint64_t filtered_ = 0;
   std::vector<Crossing>& crossings_;
   std::vector<std::pair<SegmentId, VertexId>>& incidences_;
 };
