@@ -2,7 +2,6 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -450,21 +449,6 @@ void ContactList::append(const ContactList& other) {
   for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] += other.kinds[i];
 }
 
-void ContactList::normalize() {
-  const auto unique = [](auto& list) {
-    tbb::parallel_sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  };
-  for (Trace& t : traces) {
-    if (t.b < t.a) std::swap(t.a, t.b);
-  }
-  unique(traces);
-  unique(on_face);
-  unique(on_wire);
-  unique(wires_in_plane);
-  unique(coplanar);
-}
-
 namespace {
 
 /// Elements: faces, then wires, then isolated points.
@@ -591,7 +575,6 @@ ContactList find_contacts(const RefineInput& in) {
     all.append(tester.list);
     count_filtered(tester.filtered);
   }
-  all.normalize();
   return all;
 }
 

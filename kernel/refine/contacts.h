@@ -12,27 +12,23 @@
 
 namespace cnrg {
 
-/// What one thread found.
+/// What was found.
 struct ContactList {
   struct Trace {
     SourceId f, g;
     PointKey a, b;
-    friend auto operator<=>(const Trace&, const Trace&) = default;
   };
   struct OnFace {
     SourceId face;
     PointKey point;
-    friend auto operator<=>(const OnFace&, const OnFace&) = default;
   };
   struct OnWire {
     SegmentId wire;
     PointKey point;
-    friend auto operator<=>(const OnWire&, const OnWire&) = default;
   };
   struct WireInPlane {
     SourceId face;
     SegmentId wire;
-    friend auto operator<=>(const WireInPlane&, const WireInPlane&) = default;
   };
   std::vector<Trace> traces;
   std::vector<OnFace> on_face;
@@ -43,11 +39,9 @@ struct ContactList {
   std::array<std::uint64_t, 6> kinds{};
 
   void append(const ContactList& other);
-  /// Sorted and unique: the same for every order of finding.
-  void normalize();
 };
 
-/// All contacts of the input, in parallel; normalized.
+/// All contacts of the input, in parallel. The lists are sets: their order is by chance, entries may be repeated.
 ContactList find_contacts(const RefineInput& input);
 
 /// Where a point of the plane of a face lies: 0 outside, 1 on the boundary, 2 inside.
