@@ -91,6 +91,8 @@ std::vector<Contestant> contestants(const Options& options, const Recipe& recipe
   // Growth is about our own sizes; Nef would take hours.
   if (!options.no_nef && recipe.group != "growth")
     all.push_back(one(kNef, false, evaluate_nef, 1, options.nef_rounds, options.nef_limit));
+  if (!options.no_nef && recipe.group == "nary")
+    all.push_back(one(kNefOneByOne, false, evaluate_nef_one_by_one, 1, options.nef_rounds, options.nef_limit));
   return all;
 }
 

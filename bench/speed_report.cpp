@@ -60,10 +60,13 @@ void print_targets(const CaseResult& result) {
     const double ratio = ours.median_seconds() / peer->median_seconds();
     print_figure("time at most 1 x corefinement", formatted("%.2f x", ratio), pair, ratio <= 1);
   }
-  if (const Row* peer = result.find(kNef); peer != nullptr) {
+  for (const char* nef : {kNef, kNefOneByOne}) {
+    const Row* peer = result.find(nef);
+    if (peer == nullptr) continue;
     const double ratio = ours.median_seconds() / peer->median_seconds();
     const double limit = pair ? kPairToNef : kManyToNef;
-    print_figure(formatted("time at most 1/%.0f of Nef", 1 / limit), formatted("1/%.1f", 1 / ratio), pair || many,
+    const std::string what = nef == kNef ? "" : ", one by one";
+    print_figure(formatted("time at most 1/%.0f of Nef", 1 / limit) + what, formatted("1/%.1f", 1 / ratio), pair || many,
                  ratio <= limit);
   }
   const double own = bytes_per_triangle(result);

@@ -40,6 +40,7 @@ struct CaseResult {
 inline constexpr const char* kGeneralPosition = "spheres10k";
 inline constexpr const char* kCorefinement = "CGAL corefinement";
 inline constexpr const char* kNef = "CGAL Nef";
+inline constexpr const char* kNefOneByOne = "Nef, one by one";
 
 /// Compares the volumes with the oracle (the case's own number, else Nef, else corefinement) and marks wrong rows.
 /// Exact volumes must be equal, rounded ones agree to 1e-9.

@@ -65,18 +65,28 @@ Rational volume_of(const Nef& nef) {
   return abs(sum(std::move(six_times))) / 6;
 }
 
-}  // namespace
+Nef at_once(const Case& c, std::vector<Nef>& operands) {
+  if (c.operation == Operation::unite) return united(operands, 0);
+  return operands.size() == 2 ? operands[0] - operands[1] : operands[0] - united(operands, 1);
+}
 
-Outcome evaluate_nef(const Case& c, const Checks& checks, int) {
+Nef one_by_one(const Case& c, std::vector<Nef>& operands) {
+  Nef result = operands[0];
+  for (std::size_t i = 1; i < operands.size(); ++i) {
+    if (c.operation == Operation::unite) result += operands[i];
+    else result -= operands[i];
+  }
+  return result;
+}
+
+Outcome evaluate(const Case& c, const Checks& checks, Nef (*combine)(const Case&, std::vector<Nef>&)) {
   std::vector<Mesh> meshes;
   for (const TriangleMesh& leaf : c.leaves) meshes.push_back(mesh_of(leaf));
   Measurement measurement;
   std::vector<Nef> operands;
   for (const Mesh& mesh : meshes) operands.emplace_back(mesh);
   measurement.lap("conversion");
-  const Nef result = c.operation == Operation::unite ? united(operands, 0)
-                     : operands.size() == 2          ? operands[0] - operands[1]
-                                                     : operands[0] - united(operands, 1);
+  const Nef result = combine(c, operands);
   measurement.lap("Boolean");
 
   Outcome outcome;
@@ -91,5 +101,10 @@ Outcome evaluate_nef(const Case& c, const Checks& checks, int) {
   }
   return outcome;
 }
+
+}  // namespace
+
+Outcome evaluate_nef(const Case& c, const Checks& checks, int) { return evaluate(c, checks, at_once); }
+Outcome evaluate_nef_one_by_one(const Case& c, const Checks& checks, int) { return evaluate(c, checks, one_by_one); }
 
 }  // namespace cnrg::bench

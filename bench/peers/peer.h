@@ -37,5 +37,7 @@ Outcome evaluate_ours(const Case& c, const Checks& checks, int threads);
 Outcome evaluate_corefinement(const Case& c, const Checks& checks, int threads);
 /// CGAL, conversion and Boolean; unions of many by CGAL's Nef_nary_union_3. One thread.
 Outcome evaluate_nef(const Case& c, const Checks& checks, int threads);
+/// The same, but many operands one after the other, as a loop over `+=` does.
+Outcome evaluate_nef_one_by_one(const Case& c, const Checks& checks, int threads);
 
 }  // namespace cnrg::bench
