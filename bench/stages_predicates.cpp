@@ -16,7 +16,7 @@ VertexId add_general(PointTable& table, Random& random) {
   return table.add(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
 }
 
-/// In general position, thirds: no doubles, so the filter does not apply and intervals decide.
+/// In general position, thirds: no doubles; the filter allows for that.
 VertexId add_thirds(PointTable& table, Random& random) {
   RationalPoint p;
   for (Rational& x : p) {
@@ -24,6 +24,12 @@ VertexId add_thirds(PointTable& table, Random& random) {
     x.canonicalize();
   }
   return table.add(p);
+}
+
+/// On the plane x + y + z = 0, small integers: intervals are exact there and find the zero.
+VertexId add_lattice(PointTable& table, Random& random) {
+  const int x = random.integer(-1000, 1000), y = random.integer(-1000, 1000);
+  return table.add(x, y, -x - y);
 }
 
 /// On the plane x + y + z = 1 (doubles): nothing but exact arithmetic finds the zero.
@@ -61,7 +67,8 @@ void orientation(benchmark::State& state) {
 
 void add_predicates() {
   benchmark::RegisterBenchmark("orient3d/filter", orientation<add_general>);
-  benchmark::RegisterBenchmark("orient3d/interval", orientation<add_thirds>);
+  benchmark::RegisterBenchmark("orient3d/filter_of_rationals", orientation<add_thirds>);
+  benchmark::RegisterBenchmark("orient3d/interval", orientation<add_lattice>);
   benchmark::RegisterBenchmark("orient3d/exact", orientation<add_coplanar>);
 }
 
