@@ -13,7 +13,6 @@
 //     the result in bits. Booleans make no planes, so that is below a bound that knows nothing of the depth.
 //   * Layers of unions of neighbours in the layer below, each value used twice; likewise.
 // Exit status 1 if one of these does not hold.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -24,6 +23,7 @@
 #include "bench/cases/chain_tree.h"
 #include "bench/cases/child.h"
 #include "bench/cases/statistics.h"
+#include "bench/command.h"
 #include "csg/evaluate/evaluate.h"
 
 namespace cnrg::bench {
@@ -264,14 +264,5 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(10, 1000000));
   program.add_option("--rounds", settings.rounds, "Runs of each tree (5)")->check(CLI::Range(1, 1000));
   program.add_option("--seed", settings.seed, "Of the solids (1)");
-  try {
-    program.parse(argc, argv);
-    return cnrg::bench::run(settings);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return program.exit(e);
-    std::fprintf(stderr, "bench_chain: error: %s; see `bench_chain --help`\n", e.what());
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "bench_chain: error: %s\n", e.what());
-  }
-  return 2;
+  return cnrg::bench::command(program, argc, argv, [&] { return cnrg::bench::run(settings); });
 }

@@ -11,7 +11,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -26,6 +25,7 @@
 #include "bench/cases/chain_tree.h"
 #include "bench/cases/child.h"
 #include "bench/cases/statistics.h"
+#include "bench/command.h"
 
 namespace cnrg::bench {
 namespace {
@@ -225,14 +225,5 @@ int main(int argc, char** argv) {
   program.add_option("--max-time", options.max_time, "Largest ratio of least times")->check(CLI::PositiveNumber);
   program.add_option("--max-memory", options.max_memory, "Largest ratio of peak memory")
       ->check(CLI::PositiveNumber);
-  try {
-    program.parse(argc, argv);
-    return cnrg::bench::run(options);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return program.exit(e);
-    std::fprintf(stderr, "bench_guard: error: %s; see `bench_guard --help`\n", e.what());
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "bench_guard: error: %s\n", e.what());
-  }
-  return 2;
+  return cnrg::bench::command(program, argc, argv, [&] { return cnrg::bench::run(options); });
 }

@@ -7,7 +7,6 @@
 // during that part, `own MB` the same without what was resident before it: program and input. The first run of
 // each system is checked after its measurement. Exit status 1 if a result of ours is missing, wrong or invalid;
 // targets that are not met are told and change nothing.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -15,6 +14,7 @@
 #include <stdexcept>
 
 #include "bench/cases/child.h"
+#include "bench/command.h"
 #include "bench/speed_report.h"
 
 namespace cnrg::bench {
@@ -260,14 +260,5 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   program.add_flag("--no-nef", options.no_nef, "Without Nef");
   program.add_option("--json", options.json, "Write all numbers to this file")->type_name("FILE");
-  try {
-    program.parse(argc, argv);
-    return cnrg::bench::run(options);
-  } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return program.exit(e);
-    std::fprintf(stderr, "bench_speed: error: %s; see `bench_speed --help`\n", e.what());
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "bench_speed: error: %s\n", e.what());
-  }
-  return 2;
+  return cnrg::bench::command(program, argc, argv, [&] { return cnrg::bench::run(options); });
 }

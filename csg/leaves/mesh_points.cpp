@@ -6,21 +6,10 @@
 #include <limits>
 
 #include "csg/leaves/exact_vectors.h"
+#include "kernel/base/point_hash.h"
 #include "kernel/exact/coplanar.h"
 
 namespace cnrg {
-namespace {
-
-std::uint64_t hash_of(const double* p) {
-  std::uint64_t h = 0;
-  for (int k = 0; k < 3; ++k) {
-    h = (h ^ std::bit_cast<std::uint64_t>(p[k])) * 0x9e3779b97f4a7c15u;  // 2^64 / golden ratio
-    h ^= h >> 29;
-  }
-  return h;
-}
-
-}  // namespace
 
 MeshPoints::MeshPoints(const MeshData& mesh) {
   constexpr std::uint32_t kEmpty = std::numeric_limits<std::uint32_t>::max();
@@ -35,7 +24,7 @@ MeshPoints::MeshPoints(const MeshData& mesh) {
     const double p[3] = {mesh.xyz[3 * i] + 0.0, mesh.xyz[3 * i + 1] + 0.0, mesh.xyz[3 * i + 2] + 0.0};
     const RationalPoint* value = nullptr;
     if (next_exact != mesh.exact.end() && next_exact->first == i) value = &(next_exact++)->second;
-    std::size_t slot = hash_of(p) & mask;
+    std::size_t slot = hash_of_point(p) & mask;
     for (; slots[slot] != kEmpty; slot = (slot + 1) & mask) {
       const std::uint32_t other = slots[slot];
       if (!std::equal(p, p + 3, xyz(other))) continue;

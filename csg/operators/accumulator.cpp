@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "csg/operators/attributes.h"
+#include "csg/operators/free_cells.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/selection/scratch.h"
@@ -46,7 +47,7 @@ class Accumulator::State {
   explicit State(const Complex& complex)
       : complex_(complex), faces_(complex.face_count()), edges_(complex.edge_count()),
         vertices_(complex.points.size()), inside_(complex.region_count), new_region_(complex.region_count),
-        parent_(complex.region_count), next_(complex.region_count), attributes_(complex.region_count) {}
+        regions_(complex.region_count), next_(complex.region_count), attributes_(complex.region_count) {}
 
   void apply(BooleanOp op, Dominance dominance, std::span<const Group* const> parts, FoldStep& step) {
     roles_ = roles(op, dominance);
@@ -210,17 +211,12 @@ class Accumulator::State {
     throw InvariantError("accumulator: a condition of faces or of intersections was asked of an edge or a vertex");
   }
 
-  bool is_free(EdgeId e, std::uint8_t group) const {
-    const auto uses = complex_.edge_uses[e];
-    return edges_.has(e, group) &&
-           std::none_of(uses.begin(), uses.end(), [&](const FaceUse& u) { return faces_.has(u.face, group); });
-  }
-  bool is_free(VertexId v, std::uint8_t group) const {
-    const auto edges = complex_.vertex_edges[v];
-    const auto faces = complex_.vertex_faces[v];
-    return vertices_.has(v, group) &&
-           std::none_of(edges.begin(), edges.end(), [&](EdgeId e) { return edges_.has(e, group); }) &&
-           std::none_of(faces.begin(), faces.end(), [&](FaceId f) { return faces_.has(f, group); });
+  bool has(FaceId f, std::uint8_t group) const { return faces_.has(f, group); }
+  bool has(EdgeId e, std::uint8_t group) const { return edges_.has(e, group); }
+  bool has(VertexId v, std::uint8_t group) const { return vertices_.has(v, group); }
+  template <class IdT>
+  bool is_free(IdT cell, std::uint8_t group) const {
+    return cnrg::is_free(complex_, cell, [&](auto id) { return has(id, group); });
   }
 
   // --- regions
@@ -251,21 +247,11 @@ class Accumulator::State {
     return it->second;
   }
 
-  RegionId find(RegionId cell) {
-    while (parent_[cell] != 0) {
-      const RegionId up(parent_[cell] - 1);
-      if (parent_[up] != 0) parent_[cell] = parent_[up];
-      cell = up;
-    }
-    return cell;
-  }
+  RegionId find(RegionId cell) { return regions_.find(cell); }
   // The rings of both are joined at the end of the step: until then they are those of the old regions.
   void join(RegionId a, RegionId b) {
     a = find(a), b = find(b);
-    if (a == b) return;
-    if (b < a) std::swap(a, b);
-    parent_[b] = a.value() + 1;
-    joined_.emplace_back(a, b);
+    if (regions_.unite(a, b)) joined_.emplace_back(std::minmax(a, b));
   }
   RegionId next(RegionId cell) const { return next_[cell] == 0 ? cell : RegionId(next_[cell] - 1); }
   template <class F>
@@ -330,7 +316,7 @@ class Accumulator::State {
         pieces_.emplace_back(c, region);
       });
     }
-    for (const RegionId c : cells) parent_[c] = 0, next_[c] = 0;
+    for (const RegionId c : cells) regions_.reset(c), next_[c] = 0;
     for (const RegionId c : cells) {
       for_each_neighbour(c, [&](RegionId other) {
         if (is_inside(other)) join(c, other);
@@ -487,10 +473,11 @@ class Accumulator::State {
   Entities<VertexId> vertices_;
   LeafSets sets_;
 
-  // 3-cells: `inside_` of held; sets by parents (1 + parent; 0: none), rings by 1 + the next (0: itself).
+  // 3-cells: `inside_` of held; sets of them, rings by 1 + the next (0: itself).
   Marks<RegionId> inside_;
   Scratch<RegionId, std::uint32_t> new_region_;  // 1 + index of the region of new
-  Scratch<RegionId, std::uint32_t> parent_, next_;
+  SparseSets<RegionId> regions_;
+  Scratch<RegionId, std::uint32_t> next_;
   Scratch<RegionId, std::uint32_t> attributes_;  // of a set's smallest cell: 1 + index into the pool
   std::vector<std::unique_ptr<RegionAttributes>> pool_;
   std::vector<RegionId> listed_cells_;           // all that were ever inside

@@ -9,6 +9,7 @@
 
 #include "csg/operators/attributes.h"
 #include "csg/operators/component_lists.h"
+#include "csg/operators/free_cells.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
@@ -170,23 +171,12 @@ class Removal {
     throw InvariantError("tables: a condition of faces was asked of an edge or a vertex");
   }
 
-  // An entity in its own right: of the group, and in the closure of nothing else of it.
-  bool is_free(EdgeId e, std::uint8_t group) const {
-    if (!(edges_[e] & group)) return false;
-    for (const FaceUse& use : complex_.edge_uses[e]) {
-      if (faces_[use.face] & group) return false;
-    }
-    return true;
-  }
-  bool is_free(VertexId v, std::uint8_t group) const {
-    if (!(vertices_[v] & group)) return false;
-    for (EdgeId e : complex_.vertex_edges[v]) {
-      if (edges_[e] & group) return false;
-    }
-    for (FaceId f : complex_.vertex_faces[v]) {
-      if (faces_[f] & group) return false;
-    }
-    return true;
+  bool has(FaceId f, std::uint8_t group) const { return (faces_[f] & group) != 0; }
+  bool has(EdgeId e, std::uint8_t group) const { return (edges_[e] & group) != 0; }
+  bool has(VertexId v, std::uint8_t group) const { return (vertices_[v] & group) != 0; }
+  template <class IdT>
+  bool is_free(IdT cell, std::uint8_t group) const {
+    return cnrg::is_free(complex_, cell, [&](auto id) { return has(id, group); });
   }
 
   template <class IdT>

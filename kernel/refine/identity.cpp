@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "kernel/base/point_hash.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/morton.h"
 
@@ -120,12 +121,7 @@ std::vector<Item> unite_exact(const std::vector<Item>& items, UnionFind& identit
   std::vector<std::uint32_t> slots(std::bit_ceil(2 * items.size() + 1), kFree);
   std::vector<Item> distinct;
   for (const Item& item : items) {
-    std::uint64_t hash = 0;
-    for (const double x : item.lo) {
-      hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15ull;  // -0 is 0
-      hash ^= hash >> 29;
-    }
-    std::size_t slot = hash & (slots.size() - 1);
+    std::size_t slot = hash_of_point(item.lo.data()) & (slots.size() - 1);
     while (slots[slot] != kFree && distinct[slots[slot]].lo != item.lo) slot = (slot + 1) & (slots.size() - 1);
     if (slots[slot] == kFree) {
       slots[slot] = static_cast<std::uint32_t>(distinct.size());

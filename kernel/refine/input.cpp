@@ -13,6 +13,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
+#include "kernel/base/point_hash.h"
 #include "kernel/base/sorted.h"
 
 namespace cnrg {
@@ -30,9 +31,7 @@ class EqualPoints {
   /// Enters point i; returns its slot.
   std::uint32_t enter(std::uint32_t i) {
     const std::array<double, 3> c = at(i);
-    std::uint64_t hash = 0;
-    for (const double x : c) hash = mix(hash ^ std::bit_cast<std::uint64_t>(x));
-    for (std::size_t slot = hash & mask_;; slot = (slot + 1) & mask_) {
+    for (std::size_t slot = hash_of_point(c.data()) & mask_;; slot = (slot + 1) & mask_) {
       const std::atomic_ref entry(slots_[slot]);
       std::uint32_t holder = entry.load(std::memory_order_relaxed);
       if (holder == kFree && entry.compare_exchange_strong(holder, i, std::memory_order_relaxed)) {
@@ -49,15 +48,9 @@ class EqualPoints {
 
  private:
   static constexpr std::uint32_t kFree = 0xffffffffu;
-  static std::uint64_t mix(std::uint64_t h) {
-    h ^= h >> 31;
-    h *= 0x9e3779b97f4a7c15ull;
-    h ^= h >> 29;
-    return h;
-  }
   std::array<double, 3> at(std::uint32_t i) const {
     const double* c = soup_.xyz(PointId(i));
-    return {c[0] + 0.0, c[1] + 0.0, c[2] + 0.0};  // -0 is 0
+    return {c[0], c[1], c[2]};
   }
 
   const Soup& soup_;

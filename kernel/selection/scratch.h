@@ -131,6 +131,9 @@ class SparseSets {
     return true;
   }
 
+  /// Takes x out. The other members of its set must be taken out, too.
+  void reset(IdT x) { parent_[x] = 0; }
+
  private:
   Scratch<IdT, std::uint32_t> parent_;  // 1 + the parent; 0: none
 };
