@@ -12,11 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "bench/cases/operation.h"
 #include "bench/cases/shapes.h"
 
 namespace cnrg::bench {
-
-enum class Operation { unite, subtract };  ///< the difference: the first operand without all others
 
 struct Case {
   std::string name;

@@ -1,0 +1,42 @@
+// Maentylae's Boolean set operations on boundary models (mantyla1986; mantyla1988, chapters 12 to 15), as published:
+// half-edge solids and Euler operators, reduction, vertex neighbourhood classification, null edges, connecting,
+// finishing. A baseline: nothing is repaired, and the exact kernel of this project takes no part.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "bench/cases/model.h"
+#include "bench/cases/operation.h"
+
+namespace cnrg::bench::mantyla {
+
+/// Where the algorithm stopped.
+enum class Stage {
+  input,          ///< an operand is no planar, orientable, closed 2-manifold
+  reduction,      ///< finding the intersections of edges with faces and splitting there
+  classification, ///< vertex neighbourhoods: sectors, on-sectors, on-edges
+  null_edges,     ///< inserting null edges into the neighbourhoods
+  connecting,     ///< sorting null edges and joining loose ends into loops
+  finishing,      ///< pairing the loops, moving and gluing the parts
+  output,         ///< the result is no valid solid: its own invariants do not hold
+};
+const char* to_string(Stage stage);
+
+class Failure : public std::runtime_error {
+ public:
+  Failure(Stage stage, const std::string& what) : std::runtime_error(what), stage_(stage) {}
+  Stage stage() const { return stage_; }
+
+ private:
+  Stage stage_;
+};
+
+/// a op b in double with one epsilon for all comparisons, as a part of the largest coordinate of both operands.
+/// Operands' coordinates are rounded to doubles. Throws Failure.
+Model boolean_double(const Model& a, const Model& b, Operation operation, double epsilon = 1e-10);
+
+/// The same source on rationals, epsilon 0. Throws Failure.
+Model boolean_exact(const Model& a, const Model& b, Operation operation);
+
+}  // namespace cnrg::bench::mantyla

@@ -1,0 +1,61 @@
+// Families of problems for experiments on robustness: each by a size, a seed and a distance to degeneracy.
+//
+// A problem is a fold: ((m0 op1 m1) op2 m2) ... . Its name says how it was made, so that any process makes it again.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/cases/model.h"
+#include "bench/cases/operation.h"
+
+namespace cnrg::bench {
+
+struct Problem {
+  std::string name;                    ///< see `ProblemId`
+  std::vector<Model> operands;         ///< faces have one loop each
+  std::vector<Operation> steps;        ///< one less; step i takes operand i + 1
+  bool solids() const;                 ///< all operands are
+  std::size_t triangle_count() const;  ///< of all operands
+};
+
+/// `FAMILY-OPERATION-sSIZE-kDISTANCE-rSEED`, such as `edge-union-s1-k7-r3`. A file's name can be made of it.
+struct ProblemId {
+  std::string family;
+  std::string operation;        ///< `union`, `difference`, `intersection`; `fold` where the family mixes them
+  long size = 1;
+  /// k: the operands are 10^-k of their size away from the degenerate position; `exact` in names when there is none:
+  /// they are in it.
+  std::optional<int> distance;
+  unsigned seed = 1;
+  std::string name() const;
+  /// Throws std::runtime_error for a name that is none.
+  static ProblemId parse(const std::string& name);
+};
+
+struct Family {
+  std::string name;
+  std::string title;                    ///< one line: what touches what, and how
+  std::string size_means;               ///< such as `boxes`
+  std::vector<std::string> operations;  ///< as `ProblemId::operation`
+  std::vector<long> sizes;              ///< of a usual sweep, ascending
+  bool has_distance = false;            ///< otherwise ids have no distance
+  int seeds = 1;                        ///< of a usual sweep: seeds 1 to this
+};
+
+/// All families, in the order of a report.
+const std::vector<Family>& families();
+
+/// Makes a problem of a family. Throws std::runtime_error with what is known for an unknown family, an operation or
+/// a size that the family does not have, and a distance out of 0 to 16.
+Problem make_problem(const ProblemId& id);
+
+/// Problems of a folder of mesh files (OFF, OBJ, STL, PLY; searched through), by name: files that belong together by
+/// their names (`x_left` and `x_right`, `src-x` and `cut-x`, `xA` and `xB`) are united, each other file with its copy
+/// turned about its middle. An open mesh is a surface. Names start with `files-union-`.
+std::vector<std::string> folder_problems(const std::string& folder);
+/// Throws std::runtime_error, or as the reader of mesh leaves does.
+Problem make_folder_problem(const std::string& folder, const std::string& name);
+
+}  // namespace cnrg::bench

@@ -1,0 +1,53 @@
+// The systems that a sweep compares, behind one interface. Each run is a process of its own: a system may crash.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/cases/family.h"
+#include "bench/cases/measurement.h"
+
+namespace cnrg::bench {
+
+/// What a system gives back.
+struct Answer {
+  Model model;
+  Measures measures;     ///< from operands in memory, in the system's own form or not, to its result in memory
+  double exact_share = -1;  ///< of predicate calls that went to exact arithmetic; negative: the system does not say
+  std::string note;      ///< a few words, or empty
+};
+
+/// The system itself says that it has no result, or stops at what it can not do: a verdict, no fault of ours.
+class Refusal : public std::runtime_error {
+ public:
+  Refusal(std::string stage, const std::string& what) : std::runtime_error(what), stage_(std::move(stage)) {}
+  const std::string& stage() const { return stage_; }  ///< such as `input`, `connecting`, `output`
+
+ private:
+  std::string stage_;
+};
+
+struct System {
+  std::string name;       ///< in options, rows and file names, such as `mantyla-double`
+  std::string title;      ///< for people
+  std::string guarantee;  ///< what it takes and promises, in one line: named beside the numbers
+  std::string version;
+  /// How far the coordinates of results may be from the exact ones, as a part of the largest coordinate; 0: exact.
+  double rounding = 0;
+  bool regularized = true;  ///< by its own contract results are closed solids and nothing else
+  std::string absent;     ///< why it can not run here and what to install; empty: it can
+  /// Throws Refusal; whatever else it throws counts as a failure of the system at stage `unknown`.
+  std::function<Answer(const Problem&)> evaluate;
+};
+
+/// Those built in, ours first: ours, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad.
+std::vector<System> systems();
+
+/// Any program: `EXECUTABLE OPERATION A.off B.off OUT.off` for each step, status 0 when OUT.off is written; anything
+/// else is a refusal with the last line that it wrote to standard error. `rounding` as above.
+System external_system(const std::string& name, const std::string& executable, double rounding);
+
+}  // namespace cnrg::bench
