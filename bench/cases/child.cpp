@@ -1,6 +1,7 @@
 #include "bench/cases/child.h"
 
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,7 +16,10 @@ namespace {
 
 constexpr int kOutOfMemory = 77;
 
-[[noreturn]] void child(const std::function<std::string()>& work, const Limits& limits, int pipe) {
+[[noreturn]] void child(const std::function<std::string()>& work, const Limits& limits, int pipe, pid_t parent) {
+  // Nobody measures or waits once the parent is gone.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(0);
   if (limits.bytes != 0) {
     const rlimit address{limits.bytes, limits.bytes};
     setrlimit(RLIMIT_AS, &address);
@@ -43,11 +47,12 @@ ChildResult run_child(const std::function<std::string()>& work, const Limits& li
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe");
   const auto begin = Clock::now();
+  const pid_t self = getpid();
   const pid_t pid = fork();
   if (pid < 0) throw std::runtime_error("no process");
   if (pid == 0) {
     close(ends[0]);
-    child(work, limits, ends[1]);
+    child(work, limits, ends[1], self);
   }
   close(ends[1]);
   ChildResult result;

@@ -20,7 +20,8 @@ struct ChildResult {
   double seconds = 0;         ///< wall time of the whole process
 };
 
-/// Runs `work` in a forked process and returns its text. The caller must not have started threads.
+/// Runs `work` in a forked process and returns its text. The caller must not have started threads. The process ends
+/// with its parent, however that ends.
 ChildResult run_child(const std::function<std::string()>& work, const Limits& limits = {});
 
 }  // namespace cnrg::bench

@@ -22,8 +22,9 @@ enum class Verdict : std::uint8_t {
   crashed,
   timed_out,
   out_of_memory,
+  unjudged,            ///< there is a result, but the exact one could not be had within the limits
 };
-inline constexpr std::size_t kVerdicts = 10;
+inline constexpr std::size_t kVerdicts = 11;
 /// `same`, `same-regularized`, ... as in files.
 const char* to_string(Verdict verdict);
 std::optional<Verdict> parse_verdict(const std::string& text);

@@ -1,0 +1,248 @@
+// Sweeps systems over problems: each run in a process with limits, judged against the exact result, a row each.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+#include "bench/command.h"
+#include "bench/sweep/plan.h"
+#include "bench/sweep/schedule.h"
+#include "bench/sweep/store.h"
+#include "csg/app/progress_bar.h"
+
+namespace cnrg::bench {
+namespace {
+
+constexpr int kProblemStatus = 4;  // the problem itself can not be made
+
+struct Options {
+  Choice choice;
+  std::vector<std::string> systems, programs, one;
+  std::string out, folder;
+  double seconds = 60, gigabytes = 4;
+  int jobs = 1;
+  bool list = false, units = false, quiet = false;
+};
+
+/// NAME=PROGRAM or NAME=PROGRAM:ROUNDING.
+System program_of(const std::string& text) {
+  const std::size_t equals = text.find('='), colon = text.rfind(':');
+  if (equals == std::string::npos || equals == 0)
+    throw std::runtime_error("'" + text + "' is no NAME=PROGRAM or NAME=PROGRAM:ROUNDING");
+  double rounding = 1e-12;
+  std::string program = text.substr(equals + 1);
+  if (colon != std::string::npos && colon > equals) {
+    std::size_t end = 0;
+    try {
+      rounding = std::stod(text.substr(colon + 1), &end);
+    } catch (const std::exception&) {
+    }
+    if (end == 0 || end != text.size() - colon - 1 || !(rounding >= 0))
+      throw std::runtime_error("'" + text.substr(colon + 1) + "' is no rounding; it is such as 1e-12");
+    program = text.substr(equals + 1, colon - equals - 1);
+  }
+  std::error_code error;
+  const auto path = std::filesystem::canonical(program, error);
+  if (error) throw std::runtime_error(program + ": there is no such program");
+  return external_system(text.substr(0, equals), path.string(), rounding);
+}
+
+Experiment experiment_of(const Options& options) {
+  Experiment experiment;
+  experiment.limits = {options.seconds, static_cast<std::size_t>(options.gigabytes * (1 << 30))};
+  experiment.systems = systems();
+  for (const std::string& text : options.programs) experiment.systems.push_back(program_of(text));
+  return experiment;
+}
+
+/// Those asked for, or all that can run here.
+std::vector<std::string> chosen_systems(const Experiment& experiment, const Options& options) {
+  std::vector<std::string> names;
+  for (const std::string& name : options.systems) {
+    const System& system = experiment.system(name);
+    if (!system.absent.empty()) throw std::runtime_error(name + ": " + system.absent);
+    names.push_back(name);
+  }
+  if (!names.empty()) return names;
+  for (const System& system : experiment.systems) {
+    if (system.absent.empty()) names.push_back(system.name);
+    else std::fprintf(stderr, "bench_sweep: notice: %s is left out: %s\n", system.name.c_str(), system.absent.c_str());
+  }
+  return names;
+}
+
+void list_all(const Experiment& experiment) {
+  std::printf("Families:\n");
+  for (const Family& f : families()) {
+    std::string sizes, operations;
+    for (const long size : f.sizes) sizes += " " + std::to_string(size);
+    for (const std::string& operation : f.operations) operations += " " + operation;
+    std::printf("  %-14s %s\n  %-14s %s:%s;%s%s; seeds 1 to %d\n", f.name.c_str(), f.title.c_str(), "",
+                f.size_means.c_str(), sizes.c_str(), operations.c_str(),
+                f.has_distance ? "; distance exact or 10^-k" : "", f.seeds);
+  }
+  std::printf("Systems:\n");
+  for (const System& s : experiment.systems)
+    std::printf("  %-14s %s, %s: %s\n", s.name.c_str(), s.title.c_str(), s.version.c_str(),
+                s.absent.empty() ? s.guarantee.c_str() : ("absent: " + s.absent).c_str());
+}
+
+/// One unit: its record goes to the folder of the sweep, or is shown.
+int run_one(const Options& options, Experiment& experiment) {
+  const std::string &problem = options.one[0], &system = options.one[1];
+  if (!options.folder.empty()) experiment.folder = std::filesystem::canonical(options.folder).string();
+  std::optional<Store> store;
+  if (!options.out.empty()) {
+    store.emplace(options.out);
+    store->settle(experiment);
+  }
+  try {
+    if (system == "truth") {
+      const Truth truth = establish_truth(experiment, problem);
+      if (store) store->write_truth(problem, truth);
+      else std::cout << to_json(truth);
+      return 0;
+    }
+    const std::optional<Truth> known = store ? store->truth(problem) : std::nullopt;
+    const SweepRow row = run_unit(experiment, problem, system, known ? *known : establish_truth(experiment, problem));
+    if (store) store->write_row(row);
+    else std::cout << to_json(row);
+    return 0;
+  } catch (const ProblemError& error) {
+    std::fprintf(stderr, "bench_sweep: left out: %s\n", error.what());
+    return kProblemStatus;
+  }
+}
+
+std::string duration(double seconds) {
+  const long s = static_cast<long>(seconds + 0.5);
+  char text[40];
+  std::snprintf(text, sizeof text, "%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
+  return text;
+}
+
+std::vector<Unit> missing_units(const Store& store, const Plan& plan, const std::vector<std::string>& systems) {
+  std::vector<Unit> units;
+  for (const std::string& problem : plan.problems) {
+    if (!store.truth(problem)) units.push_back({problem, "truth"});
+    for (const std::string& system : systems)
+      if (!store.has_row(problem, system)) units.push_back({problem, system});
+  }
+  return units;
+}
+
+/// Words of the command that runs a unit, up to its problem.
+std::vector<std::string> unit_command(const Options& options, const Experiment& experiment) {
+  char seconds[40], gigabytes[40];
+  std::snprintf(seconds, sizeof seconds, "%.17g", options.seconds);
+  std::snprintf(gigabytes, sizeof gigabytes, "%.17g", options.gigabytes);
+  std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(),
+                                 "--out", options.out, "--seconds", seconds, "--gigabytes", gigabytes};
+  if (!experiment.folder.empty()) words.insert(words.end(), {"--folder", experiment.folder});
+  for (const std::string& program : options.programs) words.insert(words.end(), {"--system", program});
+  words.push_back("--one");
+  return words;
+}
+
+/// What could not be done, in groups. True when that is a fault of ours.
+bool say_failed(const std::vector<FailedUnit>& failed) {
+  std::size_t left_out = 0, broken = 0;
+  for (const FailedUnit& f : failed) {
+    if (f.waited) continue;
+    if (f.status == kProblemStatus) {
+      ++left_out;
+      continue;
+    }
+    ++broken;
+    std::fprintf(stderr, "bench_sweep: error: %s of %s ended with status %d and has no row; run it again by --one\n",
+                 f.unit.system.c_str(), f.unit.problem.c_str(), f.status);
+  }
+  if (left_out != 0) std::fprintf(stderr, "bench_sweep: %zu problems are left out\n", left_out);
+  return broken != 0;
+}
+
+int sweep(const Options& options, Experiment& experiment) {
+  const Plan plan = plan_of(options.choice);
+  experiment.folder = plan.folder;
+  const std::vector<std::string> names = chosen_systems(experiment, options);
+  if (options.units) {
+    for (const std::string& problem : plan.problems)
+      for (const std::string& system : names) std::printf("%s %s\n", problem.c_str(), system.c_str());
+    return 0;
+  }
+  Store store(options.out);
+  store.lock();
+  store.settle(experiment);
+  store.describe(experiment, names);
+  const std::vector<Unit> units = missing_units(store, plan, names);
+  std::printf("%zu problems, %zu systems: %zu of %zu rows are there\n", plan.problems.size(), names.size(),
+              plan.problems.size() * names.size() -
+                  static_cast<std::size_t>(std::count_if(units.begin(), units.end(),
+                                                         [](const Unit& u) { return u.system != "truth"; })),
+              plan.problems.size() * names.size());
+  std::fflush(stdout);
+  app::ProgressBar bar(options.quiet);
+  const std::vector<std::string> command = unit_command(options, experiment);
+  const std::vector<FailedUnit> failed = run_units(
+      units, options.jobs,
+      [&](const Unit& unit) {
+        std::vector<std::string> words = command;
+        words.insert(words.end(), {unit.problem, unit.system});
+        return words;
+      },
+      [&](const Progress& p) {
+        bar.show(p.seconds_left > 0 ? "sweep, " + duration(p.seconds_left) + " to go" : "sweep", p.done, p.total);
+      });
+  bar.clear();
+  std::printf("%zu of %zu units done\n", units.size() - failed.size(), units.size());
+  return say_failed(failed) ? 1 : 0;
+}
+
+int run(Options& options) {
+  Experiment experiment = experiment_of(options);
+  if (options.list) {
+    list_all(experiment);
+    return 0;
+  }
+  if (!options.one.empty()) return run_one(options, experiment);
+  if (options.out.empty()) options.out = "out/sweep";
+  options.out = std::filesystem::absolute(options.out).string();
+  return sweep(options, experiment);
+}
+
+}  // namespace
+}  // namespace cnrg::bench
+
+int main(int argc, char** argv) {
+  using namespace cnrg::bench;
+  Options options;
+  Choice& choice = options.choice;
+  CLI::App program{"Systems over families of problems or a folder of meshes: what becomes of each. A sweep that was "
+                   "stopped goes on with the same command.\nExample: bench/run turned edge --seeds 3 --jobs 2",
+                   "bench_sweep"};
+  program.add_option("NAMES", choice.names, "Families, problems, `all`, or one folder of meshes");
+  program.add_flag("--list", options.list, "List families and systems");
+  program.add_option("--systems", options.systems, "Systems, all that can run otherwise")->delimiter(',');
+  program.add_option("--system", options.programs, "A program as a system of its own; see bench/peers/system.h")
+      ->type_name("NAME=PROGRAM[:ROUNDING]");
+  program.add_option("--sizes", choice.sizes, "Sizes instead of the usual ones")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
+  program.add_option("--distances", choice.distances, "`exact` and k from 0 to 16, instead of all")->delimiter(',');
+  program.add_option("--operations", choice.operations, "Of union, difference, intersection, fold")->delimiter(',');
+  program.add_option("--seeds", choice.seeds, "Seeds of each, instead of the usual number")
+      ->check(CLI::Range(1, 1000000));
+  program.add_option("--first-seed", choice.first_seed, "The first seed (1)")->check(CLI::Range(1, 1000000000));
+  program.add_option("--limit", choice.limit, "At most so many problems, spread evenly");
+  program.add_option("--out", options.out, "Folder of the rows (out/sweep)")->type_name("FOLDER");
+  program.add_option("--jobs", options.jobs, "Runs at a time (1)")->check(CLI::Range(1, 1024));
+  program.add_option("--seconds", options.seconds, "Time limit of a run (60)")->check(CLI::PositiveNumber);
+  program.add_option("--gigabytes", options.gigabytes, "Memory limit of a run (4)")->check(CLI::PositiveNumber);
+  program.add_flag("--quiet", options.quiet, "No progress bar");
+  program.add_flag("--units", options.units, "Print problem and system of each row, and run nothing");
+  program.add_option("--one", options.one, "Run one row, and print it, or with --out write it")
+      ->expected(2)
+      ->type_name("PROBLEM SYSTEM");
+  program.add_option("--folder", options.folder, "Folder of meshes of --one")->type_name("FOLDER");
+  return command(program, argc, argv, [&] { return run(options); });
+}

@@ -1,0 +1,272 @@
+#include "bench/sweep/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "bench/cases/soup_of.h"
+#include "bench/sweep/facts.h"
+#include "csg/operators/boolean.h"
+#include "csg/operators/leaf_group.h"
+#include "kernel/base/error.h"
+#include "kernel/base/union_find.h"
+#include "kernel/selection/measure.h"
+
+namespace cnrg::bench {
+namespace {
+
+using Leaves = std::vector<std::vector<LeafId>>;
+
+BooleanOp boolean_op(Operation operation) {
+  switch (operation) {
+    case Operation::unite: return BooleanOp::unite;
+    case Operation::intersect: return BooleanOp::intersect;
+    case Operation::subtract: break;
+  }
+  return BooleanOp::subtract;
+}
+
+Group united(const Complex& complex, const std::vector<Group>& groups, const std::vector<LeafId>& leaves) {
+  Group all = groups[leaves[0].index()];
+  for (std::size_t i = 1; i < leaves.size(); ++i)
+    all = apply(complex, BooleanOp::unite, Dominance::equal, all, groups[leaves[i].index()]).group;
+  return all;
+}
+
+CellSet point_set(const Complex& complex, const Group& group) { return support(selection_of(complex, group)); }
+
+/// The exact result by the tables.
+CellSet exact_set(const Complex& complex, const std::vector<Group>& groups, const Problem& problem,
+                  const Leaves& operands) {
+  Group value = united(complex, groups, operands[0]);
+  for (std::size_t i = 0; i < problem.steps.size(); ++i)
+    value = apply(complex, boolean_op(problem.steps[i]), Dominance::equal, value,
+                  united(complex, groups, operands[i + 1])).group;
+  return point_set(complex, value);
+}
+
+/// Vertices that are used and lie where another used one lies.
+std::size_t duplicates_of(const Model& model) {
+  std::vector<char> used(model.points.size());
+  for (const Model::Face& face : model.faces)
+    for (const auto& loop : face.loops)
+      for (const std::uint32_t p : loop) used[p] = 1;
+  for (const auto& [a, b] : model.wires) used[a] = used[b] = 1;
+  for (const std::uint32_t p : model.isolated) used[p] = 1;
+  std::vector<const RationalPoint*> points;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i]) points.push_back(&model.points[i]);
+  std::sort(points.begin(), points.end(), [](const auto* a, const auto* b) { return *a < *b; });
+  const auto end = std::unique(points.begin(), points.end(), [](const auto* a, const auto* b) { return *a == *b; });
+  return static_cast<std::size_t>(points.end() - end);
+}
+
+/// Shells and genus of the boundary as the system's own vertices and faces say it; nothing when these are no closed
+/// 2-manifold.
+std::optional<BoundarySurface> own_surface(const Model& model) {
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> face_left_of;  // by directed edge
+  UnionFind faces(model.faces.size()), places(model.points.size());
+  long euler = 0;
+  std::vector<char> used(model.points.size());
+  for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
+    if (!model.faces[f].solid) continue;
+    euler += 2;
+    for (const auto& loop : model.faces[f].loops) {
+      --euler;
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const std::array edge{loop[i], loop[(i + 1) % loop.size()]};
+        if (!face_left_of.emplace(edge, f).second) return {};
+        used[loop[i]] = 1;
+      }
+    }
+  }
+  std::vector<std::uint32_t> fan(model.points.size());  // edges that leave each vertex
+  for (const auto& [edge, f] : face_left_of) {
+    const auto other = face_left_of.find({edge[1], edge[0]});
+    if (other == face_left_of.end()) return {};
+    if (edge[0] < edge[1]) --euler;
+    faces.unite(f, other->second);
+    ++fan[edge[0]];
+  }
+  // A vertex is one only if its faces go around it once.
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> before;  // of each directed edge, where the loop comes from
+  for (const Model::Face& face : model.faces) {
+    if (!face.solid) continue;
+    for (const auto& loop : face.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i)
+        before[{loop[i], loop[(i + 1) % loop.size()]}] = loop[(i + loop.size() - 1) % loop.size()];
+  }
+  std::vector<char> done(model.points.size());
+  for (const auto& [edge, f] : face_left_of) {
+    const std::uint32_t v = edge[0];
+    if (done[v]) continue;
+    done[v] = 1;
+    std::uint32_t to = edge[1], steps = 0;
+    do {
+      to = before.at({v, to});
+      ++steps;
+    } while (to != edge[1] && steps <= fan[v]);
+    if (steps != fan[v]) return {};
+  }
+  BoundarySurface surface;
+  for (std::uint32_t f = 0; f < model.faces.size(); ++f)
+    if (model.faces[f].solid && faces.find(f) == f) ++surface.shells;
+  for (const char u : used) euler += u;
+  surface.genus = static_cast<long>(surface.shells) - euler / 2;
+  return surface;
+}
+
+double extent_of(const Problem& problem) {
+  Rational largest = 0;
+  for (const Model& operand : problem.operands)
+    for (const RationalPoint& p : operand.points)
+      for (const Rational& x : p) largest = std::max<Rational>(largest, abs(x));
+  return to_double(largest);
+}
+
+/// Everything that a judgement compares.
+struct Comparison {
+  const Complex& complex;
+  CellSet exact, found;
+  double rounding = 0, extent = 0;
+  bool solids = true;  ///< all operands are
+
+  std::vector<FaceId> boundary(const CellSet& set) const {
+    const auto in = [&](RegionId r) { return std::binary_search(set.regions.begin(), set.regions.end(), r); };
+    std::vector<FaceId> faces;
+    for (const FaceId f : set.faces)
+      if (in(complex.face_regions[f][0]) != in(complex.face_regions[f][1])) faces.push_back(f);
+    return faces;
+  }
+};
+
+std::string cells_of(const CellSet& set) {
+  const std::size_t counts[] = {set.regions.size(), set.faces.size(), set.edges.size(), set.vertices.size()};
+  const char* const names[] = {"regions", "faces", "edges", "vertices"};
+  std::string text;
+  for (int i = 0; i < 4; ++i)
+    if (counts[i] != 0) text += (text.empty() ? "" : ", ") + std::to_string(counts[i]) + " " + names[i];
+  return text;
+}
+
+/// What lacks, when it bounds no solid: the fault of the operation or of the system.
+Verdict without_dangling(const Comparison& c) {
+  return c.solids ? Verdict::same_regularized : Verdict::dangling_lost;
+}
+
+Verdict same_with(const Judgement& j) {
+  const bool contact = j.truth.non_manifold_edges + j.truth.non_manifold_vertices > 0;
+  return contact && j.duplicates > 0 ? Verdict::contact_duplicated : Verdict::same;
+}
+
+void judge_exact(const Comparison& c, Judgement& j) {
+  const CellSet excess = subtract(c.found, c.exact), missing = subtract(c.exact, c.found);
+  if (!excess.empty()) j.message = "too much: " + cells_of(excess) + " of the refinement";
+  else if (!missing.regions.empty()) j.message = "missing: " + cells_of(missing) + " of the refinement";
+  if (!j.message.empty()) return;
+  j.verdict = missing.empty() ? same_with(j) : without_dangling(c);
+}
+
+struct Loose {
+  double area = 0, length = 0;
+  std::size_t points = 0;
+};
+Loose loose_of(const Comparison& c, const CellSet& set) {
+  const CellSet all = dangling(c.complex, set);
+  CellSet sheets, curves;
+  sheets.faces = all.faces;
+  const CellSet wires = subtract(all, closure(c.complex, sheets));
+  curves.edges = wires.edges;
+  return {area(c.complex, sheets.faces), length(c.complex, wires.edges),
+          subtract(wires, closure(c.complex, curves)).vertices.size()};
+}
+
+/// Less than what the set has (-1), as much (0) or more (1), up to the rounding.
+int compare_loose(const Comparison& c, const Loose& found, const Loose& exact) {
+  const double step = 16 * c.rounding * c.extent;
+  const auto sign = [](double difference, double allowed) {
+    return difference > allowed ? 1 : difference < -allowed ? -1 : 0;
+  };
+  const int signs[] = {sign(found.area - exact.area, step * (c.extent + std::sqrt(exact.area))),
+                       sign(found.length - exact.length, step + 16 * c.rounding * exact.length),
+                       sign(static_cast<double>(found.points) - static_cast<double>(exact.points), 0)};
+  if (std::count(signs, signs + 3, 1) > 0) return 1;
+  return std::count(signs, signs + 3, -1) > 0 ? -1 : 0;
+}
+
+void judge_rounded(const Comparison& c, const Model& result, double apart, Judgement& j) {
+  const double surface = area(c.complex, c.boundary(c.exact)) + area(c.complex, c.boundary(c.found));
+  if (apart > 8 * c.rounding * c.extent * surface) {
+    j.message = "the volume of the symmetric difference is beyond what rounding explains";
+    return;
+  }
+  const BoundarySurface expected{j.truth.shells, j.truth.genus};
+  const BoundarySurface own = own_surface(result).value_or(BoundarySurface{j.facts->shells, j.facts->genus});
+  if (own.shells != expected.shells || own.genus != expected.genus) {
+    j.message = "another topology: " + std::to_string(own.shells) + " shells of genus " + std::to_string(own.genus) +
+                " instead of " + std::to_string(expected.shells) + " of " + std::to_string(expected.genus);
+    return;
+  }
+  const int loose = compare_loose(c, loose_of(c, c.found), loose_of(c, c.exact));
+  if (loose > 0) {
+    j.message = "faces, wires or points that bound no solid are too many";
+  } else if (loose < 0) {
+    j.verdict = without_dangling(c);
+  } else {
+    const bool contact = j.truth.non_manifold_edges + j.truth.non_manifold_vertices > 0;
+    const bool touches = j.facts->non_manifold_edges + j.facts->non_manifold_vertices > 0;
+    j.verdict = contact && !touches ? Verdict::contact_lost : same_with(j);
+  }
+}
+
+Leaves add_operands(Soup& soup, const Problem& problem) {
+  Leaves leaves;
+  for (const Model& operand : problem.operands) leaves.push_back(add_model(soup, operand));
+  return leaves;
+}
+
+}  // namespace
+
+Facts exact_facts(const Problem& problem) {
+  Soup soup;
+  const Leaves operands = add_operands(soup, problem);
+  const Complex complex = build_complex(soup);
+  return facts_of(complex, exact_set(complex, leaf_groups(complex), problem, operands));
+}
+
+Judgement judge(const Problem& problem, const Model& result, double rounding) {
+  Judgement j;
+  j.duplicates = duplicates_of(result);
+  Soup soup;
+  const Leaves operands = add_operands(soup, problem);
+  const std::vector<LeafId> found = add_model(soup, result);
+  std::optional<Complex> built;
+  try {
+    built = build_complex(soup);
+  } catch (const InputError& error) {
+    j.truth = exact_facts(problem);  // throws if it is the operands
+    j.message = std::string("the result bounds no solid: ") + error.what();
+    return j;
+  }
+  const Complex& complex = *built;
+  const std::vector<Group> groups = leaf_groups(complex);
+  Comparison c{complex, exact_set(complex, groups, problem, operands), {}, rounding, extent_of(problem),
+               problem.solids()};
+  for (const LeafId leaf : found) c.found = unite(c.found, point_set(complex, groups[leaf.index()]));
+  j.truth = facts_of(complex, c.exact);
+  j.facts = facts_of(complex, c.found);
+
+  const double whole = to_double(Rational(j.truth.volume));
+  const auto part = [&](const CellSet& a, const CellSet& b) {
+    return to_double(volume(complex, subtract(a, b).regions).value());
+  };
+  const double excess = part(c.found, c.exact), missing = part(c.exact, c.found);
+  const double unit = whole > 0 ? whole : c.extent * c.extent * c.extent;
+  j.excess = excess / unit;
+  j.missing = missing / unit;
+  if (rounding == 0) judge_exact(c, j);
+  else judge_rounded(c, result, excess + missing, j);
+  return j;
+}
+
+}  // namespace cnrg::bench

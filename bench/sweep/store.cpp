@@ -1,0 +1,146 @@
+#include "bench/sweep/store.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+namespace cnrg::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, const std::string& what) {
+  throw std::runtime_error(path + ": " + what + ": " + std::strerror(errno));
+}
+
+void make_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw std::runtime_error(path.string() + ": can not be made a folder: " + error.message());
+}
+
+std::string read(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw std::runtime_error(path + ": can not be read");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+nlohmann::json settings_of(const Experiment& experiment) {
+  nlohmann::json programs = nlohmann::json::object();
+  for (const System& system : experiment.systems)
+    if (!system.executable.empty()) programs[system.name] = {{"program", system.executable}, {"rounding", system.rounding}};
+  return {{"seconds", experiment.limits.seconds},
+          {"bytes", experiment.limits.bytes},
+          {"folder", experiment.folder},
+          {"programs", programs}};
+}
+
+}  // namespace
+
+Store::Store(const std::string& folder) : folder_(folder) {
+  make_folder(fs::path(folder) / "truth");
+  make_folder(fs::path(folder) / "rows");
+}
+
+Store::~Store() {
+  if (lock_ >= 0) close(lock_);
+}
+
+void Store::settle(const Experiment& experiment) {
+  const std::string path = folder_ + "/settings.json";
+  const nlohmann::json wanted = settings_of(experiment);
+  if (!fs::exists(path)) {
+    write_whole(path, wanted.dump(1) + "\n");
+    return;
+  }
+  nlohmann::json there;
+  try {
+    there = nlohmann::json::parse(read(path));
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(path + ": is broken (" + error.what() + "); remove " + folder_ + " and sweep again");
+  }
+  for (const auto& [key, value] : wanted.items()) {
+    if (there.contains(key) && there[key] == value) continue;
+    throw std::runtime_error(path + ": the sweep in this folder has " + key + " " +
+                             (there.contains(key) ? there[key].dump() : "nothing") + ", this command " +
+                             value.dump() + "; give the same, or another folder by --out");
+  }
+}
+
+void Store::lock() {
+  const std::string path = folder_ + "/lock";
+  lock_ = open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+  if (lock_ < 0) fail(path, "can not be opened");
+  if (flock(lock_, LOCK_EX | LOCK_NB) != 0)
+    throw std::runtime_error(folder_ + ": another sweep is at work here; wait for it, or give another folder by --out");
+}
+
+std::string Store::truth_path(const std::string& problem) const { return folder_ + "/truth/" + problem + ".json"; }
+
+std::string Store::row_path(const std::string& problem, const std::string& system) const {
+  return folder_ + "/rows/" + problem + "/" + system + ".json";
+}
+
+std::optional<Truth> Store::truth(const std::string& problem) const {
+  const std::string path = truth_path(problem);
+  if (!fs::exists(path)) return {};
+  try {
+    return truth_of_json(read(path));
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path + ": " + error.what() + "; remove it and sweep again");
+  }
+}
+
+bool Store::has_row(const std::string& problem, const std::string& system) const {
+  return fs::exists(row_path(problem, system));
+}
+
+void Store::write_truth(const std::string& problem, const Truth& truth) const {
+  write_whole(truth_path(problem), to_json(truth));
+}
+
+void Store::write_row(const SweepRow& row) const {
+  const std::string path = row_path(row.problem, row.system);
+  make_folder(fs::path(path).parent_path());
+  write_whole(path, to_json(row));
+}
+
+void write_whole(const std::string& path, const std::string& text) {
+  // Units of one sweep never write the same file, but its settings may be made by several jobs at once.
+  const std::string beside = path + "." + std::to_string(getpid()) + ".part";
+  const int file = open(beside.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0644);
+  if (file < 0) fail(beside, "can not be written");
+  const auto give_up = [&](const char* what) {
+    const int reason = errno;
+    close(file);
+    unlink(beside.c_str());
+    errno = reason;
+    fail(path, what);
+  };
+  for (std::size_t at = 0; at < text.size();) {
+    const ssize_t n = write(file, text.data() + at, text.size() - at);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) give_up("can not be written");
+    at += static_cast<std::size_t>(n);
+  }
+  if (fsync(file) != 0) give_up("can not be written");
+  close(file);
+  if (std::rename(beside.c_str(), path.c_str()) != 0) {
+    const int reason = errno;
+    unlink(beside.c_str());
+    errno = reason;
+    fail(path, "can not be written");
+  }
+}
+
+}  // namespace cnrg::bench

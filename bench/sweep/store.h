@@ -1,0 +1,47 @@
+// The folder of a sweep: a file per unit, each written whole or not at all, so that a sweep can be killed at any
+// moment and goes on where it was.
+//
+//   settings.json                 what all units have in common; the same command goes on, another one is refused
+//   systems.json machine.json     for the report
+//   truth/PROBLEM.json            who confirms the exact result
+//   rows/PROBLEM/SYSTEM.json      one row
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bench/sweep/unit.h"
+
+namespace cnrg::bench {
+
+class Store {
+ public:
+  /// Makes the folders. Throws std::runtime_error if they can not be made.
+  explicit Store(const std::string& folder);
+  ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
+
+  /// Writes the settings, or compares them with those that are there: limits, folder of meshes, programs of the
+  /// user. Throws std::runtime_error that says what differs and what to do.
+  void settle(const Experiment& experiment);
+  /// Only one sweep at a time. Throws std::runtime_error if another one has the folder.
+  void lock();
+
+  std::string truth_path(const std::string& problem) const;
+  std::string row_path(const std::string& problem, const std::string& system) const;
+  /// Nothing when there is none yet. Throws std::runtime_error for a broken file, naming it.
+  std::optional<Truth> truth(const std::string& problem) const;
+  bool has_row(const std::string& problem, const std::string& system) const;
+  void write_truth(const std::string& problem, const Truth& truth) const;
+  void write_row(const SweepRow& row) const;
+
+ private:
+  std::string folder_;
+  int lock_ = -1;
+};
+
+/// Writes beside and renames; the text is on the disk before. Throws std::runtime_error.
+void write_whole(const std::string& path, const std::string& text);
+
+}  // namespace cnrg::bench

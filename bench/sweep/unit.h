@@ -1,0 +1,42 @@
+// The unit of a sweep: one system on one problem, run in a process with limits and judged in another one.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bench/cases/child.h"
+#include "bench/cases/family.h"
+#include "bench/peers/system.h"
+#include "bench/sweep/row.h"
+
+namespace cnrg::bench {
+
+/// The problem itself can not be made, such as one of a mesh file that is broken.
+class ProblemError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What all units of a sweep share.
+struct Experiment {
+  std::string folder;                     ///< of mesh files; empty: problems are of families
+  Limits limits{60, std::size_t{4} << 30};  ///< of each run; judging may take five times as long
+  std::vector<System> systems;
+  Problem make(const std::string& problem) const;
+  /// Throws std::runtime_error with the names that there are.
+  const System& system(const std::string& name) const;
+};
+
+/// Says who agrees with our exact result: Nef polyhedra, else corefinement. Throws ProblemError.
+Truth establish_truth(const Experiment& experiment, const std::string& problem);
+
+/// Runs and judges. Throws ProblemError.
+SweepRow run_unit(const Experiment& experiment, const std::string& problem, const std::string& system,
+                  const Truth& truth);
+
+/// Truth as a JSON object and back.
+std::string to_json(const Truth& truth);
+Truth truth_of_json(const std::string& text);
+
+}  // namespace cnrg::bench
