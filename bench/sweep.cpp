@@ -18,7 +18,7 @@ constexpr int kProblemStatus = 4;  // the problem itself can not be made
 struct Options {
   Choice choice;
   std::vector<std::string> systems, programs, one;
-  std::string out, folder;
+  std::string out;
   double seconds = 60, gigabytes = 4;
   int jobs = 1;
   bool list = false, units = false, quiet = false;
@@ -90,7 +90,8 @@ void list_all(const Experiment& experiment) {
 /// One unit: its record goes to the folder of the sweep, or is shown.
 int run_one(const Options& options, Experiment& experiment) {
   const std::string &problem = options.one[0], &system = options.one[1];
-  if (!options.folder.empty()) experiment.folder = std::filesystem::canonical(options.folder).string();
+  for (const std::string& name : options.choice.names)  // other names choose problems, and here one is chosen
+    if (std::filesystem::is_directory(name)) experiment.folder = std::filesystem::canonical(name).string();
   std::optional<Store> store;
   if (!options.out.empty()) {
     store.emplace(options.out);
@@ -138,7 +139,7 @@ std::vector<std::string> unit_command(const Options& options, const Experiment& 
   std::snprintf(gigabytes, sizeof gigabytes, "%.17g", options.gigabytes);
   std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(),
                                  "--out", options.out, "--seconds", seconds, "--gigabytes", gigabytes};
-  if (!experiment.folder.empty()) words.insert(words.end(), {"--folder", experiment.folder});
+  if (!experiment.folder.empty()) words.push_back(experiment.folder);
   for (const std::string& program : options.programs) words.insert(words.end(), {"--system", program});
   words.push_back("--one");
   return words;
@@ -167,7 +168,7 @@ int sweep(const Options& options, Experiment& experiment) {
   const std::vector<std::string> names = chosen_systems(experiment, options);
   if (options.units) {
     for (const std::string& problem : plan.problems)
-      for (const std::string& system : names) std::printf("%s %s\n", problem.c_str(), system.c_str());
+      for (const std::string& system : names) std::printf("%s\t%s\n", problem.c_str(), system.c_str());
     return 0;
   }
   Store store(options.out);
@@ -240,9 +241,8 @@ int main(int argc, char** argv) {
   program.add_option("--gigabytes", options.gigabytes, "Memory limit of a run (4)")->check(CLI::PositiveNumber);
   program.add_flag("--quiet", options.quiet, "No progress bar");
   program.add_flag("--units", options.units, "Print problem and system of each row, and run nothing");
-  program.add_option("--one", options.one, "Run one row, and print it, or with --out write it")
+  program.add_option("--one", options.one, "Run one row, and print it, or with --out write it; SYSTEM may be `truth`")
       ->expected(2)
       ->type_name("PROBLEM SYSTEM");
-  program.add_option("--folder", options.folder, "Folder of meshes of --one")->type_name("FOLDER");
   return command(program, argc, argv, [&] { return run(options); });
 }

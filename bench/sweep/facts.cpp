@@ -151,7 +151,7 @@ double length(const Complex& complex, const std::vector<EdgeId>& edges) {
 
 Facts facts_of(const Complex& complex, const CellSet& set) {
   Facts facts;
-  facts.volume = to_string(volume(complex, set.regions).value());
+  facts.volume = cnrg::to_string(volume(complex, set.regions).value());
   const SimplifiedComplex simplified = simplify(complex, as_one(set), {}, SimplifyMode::points);
   const auto counts = active_counts(simplified);
   facts.vertices = counts[0];

@@ -276,8 +276,8 @@ SweepRow run_unit(const Experiment& experiment, const std::string& problem, cons
   row.truth = truth;
   row.limit_seconds = experiment.limits.seconds;
   row.limit_bytes = experiment.limits.bytes;
-  row.command = "bench/run --one " + quoted(problem) + " " + name;
-  if (!experiment.folder.empty()) row.command += " --folder " + quoted(experiment.folder);
+  row.command = "bench/run " + (experiment.folder.empty() ? "" : quoted(experiment.folder) + " ") + "--one " +
+                quoted(problem) + " " + name;
   describe(experiment, row);
 
   const Run r = run(experiment, problem, system);
