@@ -46,6 +46,8 @@ struct Family {
 
 /// All families, in the order of a report.
 const std::vector<Family>& families();
+/// Those of a usual sweep: the exact position, then k from 0 to 16; the first alone without a distance.
+std::vector<std::optional<int>> distances_of(const Family& family);
 
 /// Makes a problem of a family. Throws std::runtime_error with what is known for an unknown family, an operation or
 /// a size that the family does not have, and a distance out of 0 to 16.
