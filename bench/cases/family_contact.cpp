@@ -72,7 +72,7 @@ Problem vertex(const ProblemId& id) {
 Problem wall(const ProblemId& id) {
   Random random = random_of(id);
   const auto corners = static_cast<std::size_t>(id.size);
-  const auto sixteenths = [&](int low, int high) { return Rational(random.integer(low, high)) / 16; };
+  const auto sixteenths = [&](int low, int high) -> Rational { return Rational(random.integer(low, high)) / 16; };
   const Polygon whole = random_polygon(corners, random);
   Polygon part;
   switch (kind_of(id, 3)) {

@@ -61,7 +61,7 @@ Problem sheet(const ProblemId& id) {
 Problem bolt(const ProblemId& id) {
   Random random = random_of(id);
   const auto corners = static_cast<std::size_t>(id.size);
-  const auto part = [&](int low, int high) { return Rational(random.integer(low, high)) / 64; };
+  const auto part = [&](int low, int high) -> Rational { return Rational(random.integer(low, high)) / 64; };
   const Rational x = part(8, 24), y = part(4, 20), z = part(40, 60);
   Model solid, wire;
   switch (kind_of(id, 3)) {

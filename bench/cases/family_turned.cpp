@@ -9,7 +9,7 @@ namespace {
 RationalPoint axis_of(unsigned seed) {
   if (seed == 1) return {0, 0, 1};
   constexpr std::array<std::array<int, 4>, 6> kAxes{  // the last number is the length of the first three
-      {{2, 3, 6, 7}, {1, 4, 8, 9}, {2, 6, 9, 11}, {6, 6, 7, 11}, {3, 4, 12, 13}, {2, 5, 14, 15}}};
+      {{2, 3, 6, 7}, {1, 4, 8, 9}, {2, 6, 9, 11}, {6, 10, 15, 19}, {3, 4, 12, 13}, {2, 5, 14, 15}}};
   const auto& quadruple = kAxes[seed % kAxes.size()];
   Random random(seed);
   RationalPoint axis;

@@ -23,9 +23,9 @@ AffineMap turn_in_plane(const ProblemId& id, int sign) {
   constexpr std::array<std::array<int, 3>, 4> kAxes{{{5, 12, 13}, {-7, 24, 25}, {-5, 12, 13}, {9, 40, 41}}};
   const auto& [x, y, length] = kAxes[id.seed / 2 % kAxes.size()];
   const Rational u = Rational(x) / length, v = Rational(y) / length;
-  const RationalPoint middle{v / 2, -u / 2, 0};
+  const RationalPoint middle{v / 2, -u / 2, Rational(1, 4)};
   const AffineMap turn = rotation({2 / power_of_tenth(*id.distance), sign * u, sign * v, 0});
-  return then(then(translation({-middle[0], -middle[1], 0}), turn), translation(middle));
+  return then(then(translation({-middle[0], -middle[1], -middle[2]}), turn), translation(middle));
 }
 
 }  // namespace

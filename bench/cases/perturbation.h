@@ -8,8 +8,8 @@ namespace cnrg::bench {
 
 /// Operands touch in the plane z = 0, about the origin; the second one is above. Seeds go in turn, from 1:
 /// it moves up by 10^-k, it turns, it moves down, it turns the other way. A turn is by 2 atan(10^-k / 2) about an
-/// axis in the plane whose distance from the origin is 1/2 and which is within 0.4 radians of the y axis, so that
-/// it passes by whatever is no longer than 1 along the y axis. The identity without a distance.
+/// axis near the direction of y that passes the origin at a distance of 1/2, above the plane at 1/4, so that no
+/// point of the plane stays where it is. The identity without a distance.
 AffineMap perturbation(const ProblemId& id);
 
 /// Which of `kinds` a seed is: seeds in a row go through all, and `4 * kinds` of them through all pairs of a kind

@@ -12,7 +12,7 @@ Rational height(Side side, Random& random) {
 
 AffineMap own_shear(Side side, Random& random) {
   const int least = side == Side::below ? 2 : 9;
-  const auto part = [&] {
+  const auto part = [&]() -> Rational {
     return Rational((random.integer(0, 1) == 0 ? 1 : -1) * random.integer(least, least + 5)) / 128;
   };
   const Rational a = part(), b = part();
