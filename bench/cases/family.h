@@ -20,12 +20,12 @@ struct Problem {
   std::size_t triangle_count() const;  ///< of all operands
 };
 
-/// `FAMILY-OPERATION-sSIZE-kDISTANCE-rSEED`, such as `edge-union-s1-k7-r3`. A file's name can be made of it.
+/// `FAMILY-OPERATION-sSIZE-kDISTANCE-rSEED`, such as `edge-union-s4-k7-r3`. A file's name can be made of it.
 struct ProblemId {
   std::string family;
   std::string operation;        ///< `union`, `difference`, `intersection`; `fold` where the family mixes them
   long size = 1;
-  /// k: the operands are 10^-k of their size away from the degenerate position; `exact` in names when there is none:
+  /// k: the operands are 10^-k of their size away from the degenerate position; `kexact` in names when there is none:
   /// they are in it.
   std::optional<int> distance;
   unsigned seed = 1;
@@ -55,7 +55,8 @@ Problem make_problem(const ProblemId& id);
 
 /// Problems of a folder of mesh files (OFF, OBJ, STL, PLY; searched through), by name: files that belong together by
 /// their names (`x_left` and `x_right`, `src-x` and `cut-x`, `xA` and `xB`) are united, each other file with its copy
-/// turned about its middle. An open mesh is a surface. Names start with `files-union-`.
+/// turned about its middle. An open mesh is a surface. Names are as
+/// `files-union-x_left.off-x_right.off`, paths below the folder with `+` for `/`.
 std::vector<std::string> folder_problems(const std::string& folder);
 /// Throws std::runtime_error, or as the reader of mesh leaves does.
 Problem make_folder_problem(const std::string& folder, const std::string& name);

@@ -9,7 +9,7 @@ namespace cnrg::bench {
 namespace {
 
 /// Of the cube that `iterated` works in.
-constexpr int kSide = 64;
+constexpr int kSide = 96;
 
 Problem problem_of_case(const ProblemId& id, const Case& c) {
   const AffineMap place = placement(id);
@@ -40,14 +40,14 @@ Problem spheres(const ProblemId& id) {
   return problem_of(id, std::move(operands));
 }
 
-/// A box or a tetrahedron, integer coordinates from 0 to kSide, about a quarter of that wide.
+/// A box or a tetrahedron, integer coordinates from 0 to kSide, about 12 wide.
 Model small_solid(Random& random) {
   RationalPoint low;
-  for (Rational& x : low) x = random.integer(0, kSide - 20);
+  for (Rational& x : low) x = random.integer(0, kSide - 16);
   const auto corner = [&](bool x, bool y, bool z) {
     RationalPoint p = low;
     const std::array<bool, 3> far{x, y, z};
-    for (int k = 0; k < 3; ++k) p[k] += far[k] ? random.integer(14, 20) : random.integer(0, 4);
+    for (int k = 0; k < 3; ++k) p[k] += far[k] ? random.integer(11, 16) : random.integer(0, 3);
     return p;
   };
   const RationalPoint first = corner(false, false, false);
@@ -60,9 +60,11 @@ Model small_solid(Random& random) {
 /// All of [0, kSide]^3 but what a plane takes off one of its corners.
 Model all_but_a_corner(Random& random) {
   // Three corners of the tetrahedron are far out, so that three of its planes are outside of the cube.
-  const int reach = random.integer(5 * kSide / 2, 11 * kSide / 4);
-  Model model = tetrahedron({RationalPoint{-1, -1, -1}, RationalPoint{reach, -1, -1}, RationalPoint{-1, reach, -1},
-                             RationalPoint{-1, -1, reach}});
+  const auto far = [&] { return random.integer(5 * kSide / 2, 11 * kSide / 4); };
+  std::array<RationalPoint, 4> corners;
+  corners.fill({-1, -1, -1});
+  for (int k = 0; k < 3; ++k) corners[static_cast<std::size_t>(k)][k] = far();
+  Model model = tetrahedron(corners);
   AffineMap mirror;
   for (int k = 0; k < 3; ++k) {
     if (random.integer(0, 1) == 0) continue;
@@ -72,8 +74,8 @@ Model all_but_a_corner(Random& random) {
   return mapped(std::move(model), mirror);
 }
 
-/// Each step writes over a place of the same cube, so that the result has a bounded number of faces: half of the
-/// steps unite, two of five subtract, one of ten cuts a corner off. It starts with a cube.
+/// Starts with a cube. Each step writes over a place in the same space, so that the result has a bounded number of
+/// faces: half of the steps unite, two of five subtract, one of ten cuts a corner off.
 Problem iterated(const ProblemId& id) {
   Random random = random_of(id);
   Problem problem;

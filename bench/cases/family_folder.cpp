@@ -72,7 +72,8 @@ std::map<std::string, Files> problem_files(const std::string& folder) {
       const fs::path other = partner_of(path, rule);
       if (!meshes.contains(other) || paired.contains(path) || paired.contains(other)) continue;
       paired.insert({path, other});
-      add(word_of(path.lexically_relative(folder)) + "-" + word_of(other.filename()), {path.string(), other.string()});
+      const std::string word = word_of(path.lexically_relative(folder)) + "-" + word_of(other.filename());
+      add(word, {path.string(), other.string()});
     }
   }
   for (const fs::path& path : meshes)

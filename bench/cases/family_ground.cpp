@@ -18,8 +18,7 @@ using Heights = std::vector<int>;
 
 constexpr std::uint32_t kRow = kCells + 1;
 
-/// Between two height fields, the lower one below everywhere; they meet no lower nor upper neighbour's points but
-/// their own. Triangles above and below, upright quadrilaterals around.
+/// Between two height fields, `low` below everywhere: triangles above and below, upright quadrilaterals around.
 Model layer(const Heights& low, const Heights& high) {
   Model model;
   for (const Heights* heights : {&low, &high})
@@ -49,8 +48,11 @@ Model layer(const Heights& low, const Heights& high) {
 /// A parallelogram that dips, beyond the ground on all sides.
 Model fault(int height, Random& random) {
   constexpr int kEnd = kCells * kWidth;
-  const Rational low = random.integer(4, kEnd - 4), high = random.integer(4, kEnd - 4), skew = random.integer(-3, 3);
-  return sheet_of({{low, -2, -2}, {low + skew, kEnd + 2, -2}, {high + skew, kEnd + 2, height + 2}, {high, -2, height + 2}});
+  const int low = random.integer(4, kEnd - 4), high = random.integer(4, kEnd - 4), skew = random.integer(-3, 3);
+  return sheet_of({{low, -2, -2},
+                   {low + skew, kEnd + 2, -2},
+                   {high + skew, kEnd + 2, height + 2},
+                   {high, -2, height + 2}});
 }
 
 /// An octagonal prism along x: from wall to wall, or beyond them.
@@ -155,7 +157,7 @@ Problem fractures(const ProblemId& id) {
 
 std::vector<FamilyMaker> ground_families() {
   return {
-      {{"ground", "layers of ground, united; faults taken out as slits, tunnels bored from wall to wall and beyond",
+      {{"ground", "layers of ground, united; faults taken out as slits, tunnels from wall to wall and beyond",
         "layers", {"fold"}, {2, 4, 8}, false, 3},
        1, 1000, ground},
       {{"fractures", "fractures and wells, cut off at the box around them; or the box without them",

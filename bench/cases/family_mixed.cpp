@@ -12,14 +12,15 @@ RationalPoint lying(const std::array<Rational, 2>& p) { return {p[0], p[1], 0}; 
 Model lying_sheet(Random& random) {
   // Sides along (4, 3) and (-3, 4).
   const Rational x = Rational(random.integer(-8, 8)) / 128, y = Rational(random.integer(-8, 8)) / 128;
-  const std::array<Rational, 2> middle{x, y}, along{Rational(9, 8), Rational(27, 32)}, across{Rational(-9, 32), Rational(3, 8)};
+  const std::array<Rational, 2> middle{x, y}, along{Rational(9, 8), Rational(27, 32)};
+  const std::array<Rational, 2> across{Rational(-9, 32), Rational(3, 8)};
   const auto corner = [&](int i, int j) {
     return lying({middle[0] + i * along[0] + j * across[0], middle[1] + i * along[1] + j * across[1]});
   };
   return sheet_of({corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)});
 }
 
-/// A rectangle that stands on the upper face, its lower edge within it, leaning by nothing.
+/// A rectangle that stands on the upper face, its lower edge within it.
 Model standing_sheet(Random& random) {
   const Rational x = Rational(random.integer(2, 8)) / 32, y = Rational(random.integer(2, 8)) / 32;
   const Rational top = Rational(random.integer(20, 28)) / 16;
@@ -86,11 +87,11 @@ Problem bolt(const ProblemId& id) {
 std::vector<FamilyMaker> mixed_families() {
   constexpr long kLargest = 1000;
   return {
-      {{"sheet", "a solid and a rectangle: on its face, standing on it, or through it along an edge", "corners of the "
-        "solid's section", kOperations, {4, 16}, true, 3},
+      {{"sheet", "a solid and a rectangle: on its face, standing on it, or through it along an edge",
+        "corners of the solid's section", kOperations, {4, 16}, true, 3},
        4, kLargest, sheet},
-      {{"bolt", "a solid and a wire: along its face, along an edge, or through a vertex", "corners of the solid's "
-        "section", kOperations, {4, 16}, true, 3},
+      {{"bolt", "a solid and a wire: along its face, along an edge, or through a vertex",
+        "corners of the solid's section", kOperations, {4, 16}, true, 3},
        4, kLargest, bolt},
   };
 }

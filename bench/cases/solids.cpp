@@ -16,7 +16,8 @@ RationalPoint difference(const RationalPoint& p, const RationalPoint& q) {
 }
 
 Rational determinant(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
 void turn_over(Model& model) {
@@ -271,7 +272,8 @@ Model random_hull(std::size_t faces, Random& random) {
     std::vector<std::uint32_t> loop;
     for (const std::uint32_t i : t) {
       const auto& [x, y, z] = points[i];
-      if (number[i] == points.size()) number[i] = add_point(model, {fraction(x, kUnit), fraction(y, kUnit), fraction(z, kUnit)});
+      if (number[i] == points.size())
+        number[i] = add_point(model, {fraction(x, kUnit), fraction(y, kUnit), fraction(z, kUnit)});
       loop.push_back(number[i]);
     }
     add_face(model, std::move(loop));

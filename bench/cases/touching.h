@@ -1,7 +1,7 @@
 // Solids that reach the plane z = 0 from below or above in a face, an edge or a vertex at the origin.
 //
-// They are about 1 wide and more than 1 high. Each is sheared along the plane by its own numbers, so that no two of
-// them have parallel sides or cross edges but where they touch, and they part as soon as one of them moves.
+// They are about 1 wide and more than 1 high. Each is sheared along the plane by its own numbers and gets wider or
+// narrower: sides of two of them are in no common plane, and nothing of the contact stays when one of them moves.
 #pragma once
 
 #include "bench/cases/solids.h"

@@ -55,8 +55,8 @@ TEST_CASE("files that belong together are one problem", "[families]") {
   const std::vector<std::string> names = folder_problems(folder.path());
   CHECK(names == std::vector<std::string>{
                      "files-union-a_b.off", "files-union-a_b.off_2", "files-union-alone_left.OFF",
-                     "files-union-deep+er+zA.off", "files-union-deep+zB.off", "files-union-qA.off", "files-union-qB.stl",
-                     "files-union-src-wA.off-cut-wA.off", "files-union-src-wB.off-cut-wB.off",
+                     "files-union-deep+er+zA.off", "files-union-deep+zB.off", "files-union-qA.off",
+                     "files-union-qB.stl", "files-union-src-wA.off-cut-wA.off", "files-union-src-wB.off-cut-wB.off",
                      "files-union-src-y.off-cut-y.off", "files-union-x_left.off-x_right.off",
                      "files-union-zA.off-zB.off"});
   const Problem pair = folder.problem("files-union-x_left.off-x_right.off");
@@ -119,7 +119,8 @@ TEST_CASE("a mesh that can not be read is listed and named", "[families]") {
   const Folder folder;
   folder.write("broken.off", "OFF\n3 1 0\n0 0 0\n1 0\n");
   folder.write("empty.off", "OFF\n0 0 0\n");
-  CHECK(folder_problems(folder.path()) == std::vector<std::string>{"files-union-broken.off", "files-union-empty.off"});
+  CHECK(folder_problems(folder.path()) ==
+        std::vector<std::string>{"files-union-broken.off", "files-union-empty.off"});
   CHECK_THROWS_WITH(folder.problem("files-union-broken.off"), Contains("broken.off:"));
   CHECK_THROWS_WITH(folder.problem("files-union-empty.off"), Contains("empty.off: "));
 }

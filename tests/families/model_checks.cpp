@@ -132,9 +132,7 @@ Meeting meeting(const Model& a, const Model& b) {
   Meeting m;
   for (std::uint32_t i = 0; i < complex.face_count(); ++i) {
     const FaceId f(i);
-    if (!covers(complex, f, first) || !covers(complex, f, second)) continue;
-    ++m.faces;
-    m.area_square = squared_area(complex, f);
+    if (covers(complex, f, first) && covers(complex, f, second)) ++m.faces;
   }
   for (std::uint32_t i = 0; i < complex.edge_count(); ++i)
     if (on_edge(complex, EdgeId(i), first) && on_edge(complex, EdgeId(i), second)) ++m.edges;
