@@ -81,14 +81,7 @@ constexpr MeshPair kMeshPairs[] = {
 Case mesh_pair(const std::string& name, const std::string& first, const std::string& second) {
   TriangleMesh fixed = read_mesh(first), other = read_mesh(second);
   if (first == second) {
-    std::array<double, 3> middle{}, back{};
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax_element(other.points.begin(), other.points.end(),
-                                                   [k](const auto& p, const auto& q) { return p[k] < q[k]; });
-      middle[k] = ((*low)[k] + (*high)[k]) / 2;
-      back[k] = middle[k] + 0.02 * ((*high)[k] - (*low)[k]);
-    }
-    other = turned(moved(other, {-middle[0], -middle[1], -middle[2]}), 0.7, back);
+    other = turned_about_middle(other);
   } else {
     other = turned(other, 0.7, {0.05, 0.03, 0.01});
   }

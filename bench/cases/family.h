@@ -20,12 +20,12 @@ struct Problem {
   std::size_t triangle_count() const;  ///< of all operands
 };
 
-/// `FAMILY-OPERATION-sSIZE-kDISTANCE-rSEED`, such as `edge-union-s1-k7-r3`. A file's name can be made of it.
+/// `FAMILY-OPERATION-sSIZE-kDISTANCE-rSEED`, such as `edge-union-s4-k7-r3`. A file's name can be made of it.
 struct ProblemId {
   std::string family;
   std::string operation;        ///< `union`, `difference`, `intersection`; `fold` where the family mixes them
   long size = 1;
-  /// k: the operands are 10^-k of their size away from the degenerate position; `exact` in names when there is none:
+  /// k: the operands are 10^-k of their size away from the degenerate position; `kexact` in names when there is none:
   /// they are in it.
   std::optional<int> distance;
   unsigned seed = 1;
@@ -46,6 +46,8 @@ struct Family {
 
 /// All families, in the order of a report.
 const std::vector<Family>& families();
+/// Those of a usual sweep: the exact position, then k from 0 to 16; the first alone without a distance.
+std::vector<std::optional<int>> distances_of(const Family& family);
 
 /// Makes a problem of a family. Throws std::runtime_error with what is known for an unknown family, an operation or
 /// a size that the family does not have, and a distance out of 0 to 16.
@@ -53,7 +55,8 @@ Problem make_problem(const ProblemId& id);
 
 /// Problems of a folder of mesh files (OFF, OBJ, STL, PLY; searched through), by name: files that belong together by
 /// their names (`x_left` and `x_right`, `src-x` and `cut-x`, `xA` and `xB`) are united, each other file with its copy
-/// turned about its middle. An open mesh is a surface. Names start with `files-union-`.
+/// turned about its middle. An open mesh is a surface. Names are as
+/// `files-union-x_left.off-x_right.off`, paths below the folder with `+` for `/`.
 std::vector<std::string> folder_problems(const std::string& folder);
 /// Throws std::runtime_error, or as the reader of mesh leaves does.
 Problem make_folder_problem(const std::string& folder, const std::string& name);

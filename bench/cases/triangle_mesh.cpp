@@ -1,5 +1,6 @@
 #include "bench/cases/triangle_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -42,6 +43,17 @@ TriangleMesh turned(const TriangleMesh& mesh, double angle, const std::array<dou
     z = v + move[2];
   }
   return result;
+}
+
+TriangleMesh turned_about_middle(const TriangleMesh& mesh) {
+  std::array<double, 3> middle{}, back{};
+  for (int k = 0; k < 3; ++k) {
+    const auto [low, high] = std::minmax_element(mesh.points.begin(), mesh.points.end(),
+                                                 [k](const auto& p, const auto& q) { return p[k] < q[k]; });
+    middle[k] = ((*low)[k] + (*high)[k]) / 2;
+    back[k] = middle[k] + 0.02 * ((*high)[k] - (*low)[k]);
+  }
+  return turned(moved(mesh, {-middle[0], -middle[1], -middle[2]}), 0.7, back);
 }
 
 TriangleMesh turned_at_random(const TriangleMesh& mesh, unsigned seed, const std::array<double, 3>& move) {

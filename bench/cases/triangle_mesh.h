@@ -27,6 +27,10 @@ void write_off(const std::string& path, const TriangleMesh& mesh);
 /// Turned about the y axis through the origin by `angle` (radians), then moved; coordinates rounded to doubles.
 TriangleMesh turned(const TriangleMesh& mesh, double angle, const std::array<double, 3>& move);
 
+/// Turned about the parallel to the y axis through the middle of its box by 0.7, then moved by 2 % of the box: a
+/// mesh and this copy of it overlap in general position. Coordinates rounded to doubles.
+TriangleMesh turned_about_middle(const TriangleMesh& mesh);
+
 /// Turned in a direction and by an angle that the seed chooses, then moved; coordinates rounded to doubles.
 TriangleMesh turned_at_random(const TriangleMesh& mesh, unsigned seed, const std::array<double, 3>& move);
 
