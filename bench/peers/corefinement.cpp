@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "bench/peers/cgal_mesh.h"
 #include "bench/peers/peer.h"
 
 namespace cnrg::bench {
@@ -17,10 +18,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 Mesh mesh_of(const TriangleMesh& in) {
   Mesh mesh;
   for (const auto& p : in.points) mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
-  for (const auto& t : in.triangles)
-    if (mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2])) ==
-        Mesh::null_face())
-      throw std::runtime_error("a mesh is no 2-manifold");
+  if (!add_polygons(mesh, in.triangles)) throw std::runtime_error("a mesh is no 2-manifold");
   return mesh;
 }
 

@@ -4,10 +4,10 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <optional>
-#include <sstream>
+#include <stdexcept>
 
+#include "bench/peers/cgal_mesh.h"
 #include "bench/peers/peer.h"
-#include "kernel/exact/rational.h"
 
 namespace cnrg::bench {
 namespace {
@@ -19,14 +19,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 Mesh mesh_of(const TriangleMesh& in) {
   Mesh mesh;
   for (const auto& p : in.points) mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
-  for (const auto& polygon : in.polygons) {
-    std::vector<Mesh::Vertex_index> corners;
-    for (const std::uint32_t p : polygon) corners.emplace_back(p);
-    mesh.add_face(corners);
-  }
-  if (!in.polygons.empty()) return mesh;
-  for (const auto& t : in.triangles)
-    mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+  if (!(in.polygons.empty() ? add_polygons(mesh, in.triangles) : add_polygons(mesh, in.polygons)))
+    throw std::runtime_error("a mesh is no 2-manifold");
   return mesh;
 }
 
@@ -35,13 +29,6 @@ Nef united(std::vector<Nef>& operands, std::size_t first) {
   CGAL::Nef_nary_union_3<Nef> all;
   for (std::size_t i = first; i < operands.size(); ++i) all.add_polyhedron(operands[i]);
   return all.get_union();
-}
-
-/// Whatever number type CGAL was built with.
-Rational rational(const Kernel::FT& x) {
-  std::ostringstream text;
-  text << CGAL::exact(x);
-  return Rational(text.str());
 }
 
 /// The sum of cones from the origin over the sides of the marked volumes. A side is the fan of its loops from one
@@ -58,7 +45,7 @@ Rational volume_of(const Nef& nef) {
         const Kernel::Point_3 p = at->source()->source()->point(), q = at->next()->source()->source()->point();
         if (!apex) apex = p;
         six_times.push_back(
-            rational(CGAL::determinant(*apex - CGAL::ORIGIN, p - CGAL::ORIGIN, q - CGAL::ORIGIN)));
+            rational_of(CGAL::exact(CGAL::determinant(*apex - CGAL::ORIGIN, p - CGAL::ORIGIN, q - CGAL::ORIGIN))));
       } while (++at != end);
     }
   }
@@ -97,7 +84,7 @@ Outcome evaluate(const Case& c, const Checks& checks, Nef (*combine)(const Case&
   if (checks.volume) {
     const Rational volume = volume_of(result);
     outcome.volume = to_double(volume);
-    outcome.exact_volume = to_string(volume);
+    outcome.exact_volume = cnrg::to_string(volume);
   }
   return outcome;
 }

@@ -34,7 +34,7 @@ Outcome evaluate_ours(const Case& c, const Checks& checks, int threads) {
   if (checks.volume) {
     const Rational exact = volume(complex, support(selection).regions).value();
     outcome.volume = to_double(exact);
-    outcome.exact_volume = to_string(exact);
+    outcome.exact_volume = cnrg::to_string(exact);
   }
   if (checks.validate) {
     outcome.invalid = validate(complex);

@@ -1,0 +1,16 @@
+// The systems built in, one function each; see system.h.
+#pragma once
+
+#include "bench/peers/system.h"
+
+namespace cnrg::bench {
+
+System our_system();
+System mantyla_double_system();
+System mantyla_exact_system();
+System nef_system();
+System corefinement_system();
+System occt_system();
+System openscad_system();
+
+}  // namespace cnrg::bench

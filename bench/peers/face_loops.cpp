@@ -1,0 +1,58 @@
+#include "bench/peers/face_loops.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace cnrg::bench {
+namespace {
+
+/// Cuts a walk at each point that it comes back to; what is no polygon is a slit.
+void cut_walk(const PointLoop& walk, std::vector<PointLoop>& loops) {
+  PointLoop path;
+  std::unordered_map<std::uint32_t, std::size_t> place;  // of the points of the path
+  for (const std::uint32_t p : walk) {
+    const auto seen = place.find(p);
+    if (seen != place.end()) {
+      const auto first = path.begin() + std::ptrdiff_t(seen->second);
+      if (path.end() - first > 2) loops.emplace_back(first, path.end());
+      for (auto q = first; q != path.end(); ++q) place.erase(*q);
+      path.erase(first, path.end());
+    }
+    place[p] = path.size();
+    path.push_back(p);
+  }
+  if (path.size() > 2) loops.push_back(std::move(path));
+}
+
+}  // namespace
+
+RationalPoint doubled_area(const std::vector<RationalPoint>& points, const PointLoop& loop) {
+  RationalPoint area{0, 0, 0};
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const RationalPoint &p = points[loop[i]], &q = points[loop[(i + 1) % loop.size()]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+      area[k] += p[l] * q[m] - p[m] * q[l];
+    }
+  }
+  return area;
+}
+
+std::vector<PointLoop> simple_loops(const std::vector<RationalPoint>& points,
+                                    const std::vector<PointLoop>& walks) {
+  std::vector<PointLoop> loops;
+  for (const PointLoop& walk : walks) cut_walk(walk, loops);
+  if (loops.size() < 2) return loops;
+  std::vector<RationalPoint> areas;
+  RationalPoint whole{0, 0, 0};
+  for (const PointLoop& loop : loops) {
+    areas.push_back(doubled_area(points, loop));
+    for (std::size_t k = 0; k < 3; ++k) whole[k] += areas.back()[k];
+  }
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (dot(areas[i], whole) > 0) std::swap(loops[0], loops[i]);
+  }
+  return loops;
+}
+
+}  // namespace cnrg::bench

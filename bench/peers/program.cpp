@@ -1,0 +1,122 @@
+#include "bench/peers/program.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <stdexcept>
+
+namespace cnrg::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Waits until nobody holds the other end of the pipe. A program that dies together with this process may still
+/// write for a moment, so one attempt may not be enough.
+[[noreturn]] void remove_at_end(int pipe, const std::string& path) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  dup2(pipe, 0);
+  close_range(1, ~0u, 0);  // above all the pipes of others, who wait for their end
+  char byte;
+  while (read(0, &byte, 1) < 0 && errno == EINTR) {}
+  for (int attempt = 0; attempt < 50; ++attempt) {
+    std::error_code error;
+    fs::remove_all(path, error);
+    if (!fs::exists(path, error)) break;
+    usleep(20000);
+  }
+  _exit(0);
+}
+
+void open_as(int descriptor, const char* path, int flags) {
+  const int opened = open(path, flags, 0600);
+  if (opened < 0 || dup2(opened, descriptor) < 0) _exit(126);
+  if (opened != descriptor) close(opened);
+}
+
+[[noreturn]] void become(char* const* arguments, const char* errors, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(126);  // it ended before that
+  open_as(0, "/dev/null", O_RDONLY);
+  open_as(1, "/dev/null", O_WRONLY);
+  open_as(2, errors, O_WRONLY | O_CREAT | O_TRUNC);
+  close_range(3, ~0u, 0);
+  execvp(arguments[0], arguments);
+  dprintf(2, "%s: %s\n", arguments[0], std::strerror(errno));
+  _exit(127);
+}
+
+std::vector<std::string> lines_of(const std::string& path) {
+  std::ifstream in(path);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  path_ = (fs::temp_directory_path() / "cnrg-XXXXXX").string();
+  if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder: " + path_);
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) {
+    fs::remove(path_);
+    throw std::runtime_error("no pipe");
+  }
+  remover_ = fork();
+  if (remover_ == 0) {
+    close(ends[1]);
+    remove_at_end(ends[0], path_);
+  }
+  close(ends[0]);
+  alive_ = ends[1];
+  if (remover_ < 0) {
+    close(alive_);
+    fs::remove(path_);
+    throw std::runtime_error("no process");
+  }
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  close(alive_);
+  while (waitpid(remover_, nullptr, 0) < 0 && errno == EINTR) {}
+}
+
+std::string ProgramRun::reason() const {
+  if (signal != 0) return "ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
+  const auto last = std::find_if(errors.rbegin(), errors.rend(), [](const std::string& s) { return !s.empty(); });
+  return last != errors.rend() ? *last : "ended with status " + std::to_string(status);
+}
+
+ProgramRun run_program(const std::vector<std::string>& arguments, const TemporaryFolder& folder) {
+  std::vector<char*> words;
+  for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+  words.push_back(nullptr);
+  const std::string errors = folder.file("standard-error");
+  const pid_t parent = getpid(), pid = fork();
+  if (pid < 0) throw std::runtime_error("no process");
+  if (pid == 0) become(words.data(), errors.c_str(), parent);
+  int status = 0;
+  rusage usage{};
+  while (wait4(pid, &status, 0, &usage) < 0 && errno == EINTR) {}
+  ProgramRun run;
+  if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
+  else run.status = WEXITSTATUS(status);
+  run.errors = lines_of(errors);
+  run.peak_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+  const auto no_memory = [](const std::string& line) { return line.find("std::bad_alloc") != std::string::npos; };
+  if (!run.succeeded() && std::any_of(run.errors.begin(), run.errors.end(), no_memory)) throw std::bad_alloc();
+  return run;
+}
+
+}  // namespace cnrg::bench

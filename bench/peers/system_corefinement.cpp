@@ -1,0 +1,97 @@
+// CGAL's corefinement of triangle meshes: exact predicates, points rounded to doubles after each step.
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/version.h>
+
+#include "bench/peers/built_in.h"
+#include "bench/peers/closed_surface.h"
+
+namespace cnrg::bench {
+namespace {
+
+namespace processing = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+Mesh mesh_of(const Model& model) {
+  if (!model.solid()) throw Refusal("input", "an operand is no solid");
+  const auto rounded = [](const RationalPoint& p) {
+    return Kernel::Point_3(to_double(p[0]), to_double(p[1]), to_double(p[2]));
+  };
+  Mesh mesh = triangulated(closed_surface<Mesh>(model, rounded));
+  for (const auto f : mesh.faces())
+    if (processing::is_degenerate_triangle_face(f, mesh))
+      throw Refusal("input", "an operand has a face without area");
+  if (processing::does_self_intersect(mesh)) throw Refusal("input", "an operand intersects or touches itself");
+  if (!processing::does_bound_a_volume(mesh)) throw Refusal("input", "an operand bounds no volume");
+  return mesh;
+}
+
+Model model_of(const Mesh& mesh) {
+  Model model;
+  std::vector<std::uint32_t> number(mesh.num_vertices());
+  for (const auto v : mesh.vertices()) {
+    number[v] = static_cast<std::uint32_t>(model.points.size());
+    const Kernel::Point_3& p = mesh.point(v);
+    model.points.push_back({from_double(p.x()), from_double(p.y()), from_double(p.z())});
+  }
+  for (const auto f : mesh.faces()) {
+    PointLoop loop;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f))) loop.push_back(number[v]);
+    model.faces.push_back({{std::move(loop)}, true});
+  }
+  return model;
+}
+
+bool combine(Operation operation, Mesh& a, Mesh& b) {
+  const auto check = CGAL::parameters::throw_on_self_intersection(true);
+  switch (operation) {
+    case Operation::unite: return processing::corefine_and_compute_union(a, b, a, check, check);
+    case Operation::intersect: return processing::corefine_and_compute_intersection(a, b, a, check, check);
+    default: return processing::corefine_and_compute_difference(a, b, a, check, check);
+  }
+}
+
+Answer evaluate(const Problem& problem) {
+  std::vector<Mesh> meshes;
+  try {
+    for (const Model& operand : problem.operands) meshes.push_back(mesh_of(operand));
+  } catch (const CGAL::Failure_exception& error) {
+    throw Refusal("input", words_of(error));
+  }
+  Measurement measurement;
+  Mesh& result = meshes[0];
+  for (std::size_t i = 0; i < problem.steps.size(); ++i) {
+    const std::string step = "step " + std::to_string(i + 1) + ": ";
+    try {
+      if (!combine(problem.steps[i], result, meshes[i + 1]))
+        throw Refusal("output", step + "the result is no 2-manifold");
+    } catch (const processing::Corefinement::Self_intersection_exception&) {
+      throw Refusal("refinement", step + "an operand intersects itself");
+    } catch (const CGAL::Failure_exception& error) {
+      throw Refusal("refinement", step + words_of(error));
+    }
+  }
+  measurement.lap("Boolean");
+  Answer answer;
+  answer.measures = measurement.stop();
+  answer.model = model_of(result);
+  return answer;
+}
+
+}  // namespace
+
+System corefinement_system() {
+  return {.name = "corefinement",
+          .title = "CGAL corefinement",
+          .guarantee = "closed 2-manifolds that do not intersect themselves; exact predicates, points rounded to "
+                       "doubles; refuses what is no 2-manifold",
+          .version = std::string("CGAL ") + CGAL_VERSION_STR,
+          .rounding = 0x1p-50,
+          .regularized = true,
+          .absent = "",
+          .evaluate = evaluate};
+}
+
+}  // namespace cnrg::bench

@@ -1,0 +1,262 @@
+// CGAL's Nef polyhedra: exact, of mixed dimension. Built with CGAL's assertions, so that what goes wrong is said.
+//
+// Differences are closed after each step: cl(A - B), as everywhere in this project.
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/IO/Nef_polyhedron_iostream_3.h>
+#include <CGAL/Nef_S2/SM_const_decorator.h>
+#include <CGAL/Nef_S2/SM_point_locator.h>
+#include <CGAL/Nef_nary_union_3.h>
+#include <CGAL/Nef_polyhedron_3.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/version.h>
+
+#include <fstream>
+#include <unordered_map>
+
+#include "bench/peers/built_in.h"
+#include "bench/peers/closed_surface.h"
+#include "bench/peers/nef_file.h"
+
+namespace cnrg::bench {
+namespace {
+
+namespace processing = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Nef = CGAL::Nef_polyhedron_3<Kernel>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+Kernel::Point_3 point_of(const RationalPoint& p) {
+  const auto number = [](const Rational& x) { return lazy_number<Kernel::FT>(x); };
+  return {number(p[0]), number(p[1]), number(p[2])};
+}
+
+RationalPoint point_of(const Kernel::Point_3& p) {
+  const auto number = [](const Kernel::FT& x) { return rational_of(CGAL::exact(x)); };
+  return {number(p.x()), number(p.y()), number(p.z())};
+}
+
+// --- operands
+
+/// The parts of an operand in CGAL's own forms: their union is the operand.
+struct Parts {
+  std::vector<Mesh> surfaces;
+  std::vector<std::vector<Kernel::Point_3>> sheets;
+  std::vector<std::array<Kernel::Point_3, 2>> wires;
+  std::vector<Kernel::Point_3> points;
+};
+
+/// The surface as one, or, where its pieces touch or intersect each other, each by itself: their union is the same
+/// solid if all of them are outer shells. Throws Refusal unless CGAL takes them.
+std::vector<Mesh> valid_surfaces(const Mesh& surface) {
+  const Mesh triangles = triangulated(surface);
+  if (!processing::does_self_intersect(triangles)) {
+    if (!processing::does_bound_a_volume(triangles)) throw Refusal("input", "an operand bounds no volume");
+    return {surface};
+  }
+  std::vector<Mesh> pieces;
+  processing::split_connected_components(surface, pieces);
+  for (const Mesh& piece : pieces) {
+    const Mesh cut = triangulated(piece);
+    if (processing::does_self_intersect(cut)) throw Refusal("input", "a shell intersects or touches itself");
+    if (!processing::is_outward_oriented(cut))
+      throw Refusal("input", "a cavity intersects or touches another shell");
+  }
+  return pieces;
+}
+
+Parts parts_of(const Model& model) {
+  Parts parts;
+  const auto is_solid = [](const Model::Face& face) { return face.solid; };
+  if (std::any_of(model.faces.begin(), model.faces.end(), is_solid))
+    parts.surfaces = valid_surfaces(
+        closed_surface<Mesh>(model, [](const RationalPoint& p) { return point_of(p); }));
+  for (const Model::Face& face : model.faces) {
+    if (face.solid) continue;
+    if (face.loops.size() != 1) throw Refusal("input", "a face has holes");
+    parts.sheets.emplace_back();
+    for (const std::uint32_t p : face.loops[0]) parts.sheets.back().push_back(point_of(model.points[p]));
+  }
+  for (const auto& [a, b] : model.wires)
+    parts.wires.push_back({point_of(model.points[a]), point_of(model.points[b])});
+  for (const std::uint32_t p : model.isolated) parts.points.push_back(point_of(model.points[p]));
+  return parts;
+}
+
+// --- operations
+
+/// Makes nothing; `delegate` with it makes facets and volumes anew.
+class Nothing : public CGAL::Modifier_base<Nef::SNC_structure> {
+ public:
+  void operator()(Nef::SNC_structure&) override {}
+};
+
+/// True if the first volume is the one around the lexicographically smallest vertex, on its side of smaller x.
+bool first_volume_is_unbounded(const Nef& nef) {
+  using Map = Nef::SNC_structure::Sphere_map;
+  if (nef.number_of_vertices() == 0) return true;
+  auto smallest = nef.vertices_begin();
+  for (auto v = nef.vertices_begin(); v != nef.vertices_end(); ++v)
+    if (CGAL::lexicographically_xyz_smaller(v->point(), smallest->point())) smallest = v;
+  const Map* map = &*smallest;
+  CGAL::SM_point_locator<CGAL::SM_const_decorator<Map>> locator(const_cast<Map*>(map));
+  Nef::SFace_const_handle face;
+  return CGAL::assign(face, locator.locate(Map::Sphere_point(-1, 0, 0))) && face->volume() == nef.volumes_begin();
+}
+
+/// CGAL takes the first volume for the unbounded one. When simplification merges it with others, CGAL 5.5 may keep
+/// one of them in its place; facets and volumes are then made anew. All sets here are bounded.
+Nef settled(Nef nef) {
+  if (!first_volume_is_unbounded(nef)) {
+    Nothing nothing;
+    nef.delegate(nothing, true, false);
+    if (!first_volume_is_unbounded(nef)) throw Refusal("output", "the unbounded volume is not the first");
+  }
+  if (!nef.volumes_begin()->mark()) return nef;
+  if (nef.number_of_vertices() > 0) throw Refusal("output", "the unbounded volume is marked");
+  return Nef(Nef::EMPTY);  // CGAL reads the mark off a vertex, and there is none
+}
+
+Nef united(const std::vector<Nef>& sets) {
+  if (sets.empty()) return Nef(Nef::EMPTY);
+  if (sets.size() == 1) return sets[0];
+  if (sets.size() == 2) return settled(sets[0] + sets[1]);
+  CGAL::Nef_nary_union_3<Nef> all;
+  for (const Nef& set : sets) all.add_polyhedron(set);
+  return settled(all.get_union());
+}
+
+Nef set_of(const Parts& parts) {
+  std::vector<Nef> sets;
+  for (const Mesh& surface : parts.surfaces) sets.emplace_back(surface);
+  for (const auto& sheet : parts.sheets) sets.emplace_back(sheet.begin(), sheet.end());
+  for (const auto& [a, b] : parts.wires) sets.emplace_back(Nef::Segment_3(a, b));
+  for (const Kernel::Point_3& p : parts.points) sets.emplace_back(p);
+  return united(sets);
+}
+
+Nef folded(const Problem& problem, const std::vector<Nef>& operands) {
+  Nef value = operands[0];
+  for (std::size_t i = 0; i < problem.steps.size();) {
+    if (problem.steps[i] == Operation::unite) {
+      std::vector<Nef> run{value};
+      for (; i < problem.steps.size() && problem.steps[i] == Operation::unite; ++i) run.push_back(operands[i + 1]);
+      value = united(run);
+      continue;
+    }
+    const Nef& right = operands[i + 1];
+    value = settled(problem.steps[i] == Operation::intersect ? value * right : value - right);
+    if (problem.steps[i] == Operation::subtract) value = settled(value.closure());
+    ++i;
+  }
+  return value;
+}
+
+// --- results
+
+class ModelMaker {
+ public:
+  explicit ModelMaker(const Nef& nef) : nef_(nef) {}
+
+  Model run() {
+    for (auto f = nef_.halffacets_begin(); f != nef_.halffacets_end(); ++f) add_facet(f);
+    for (auto e = nef_.halfedges_begin(); e != nef_.halfedges_end(); ++e) add_edge(e);
+    for (auto v = nef_.vertices_begin(); v != nef_.vertices_end(); ++v) add_vertex(v);
+    return std::move(model_);
+  }
+
+ private:
+  std::uint32_t number(Nef::Vertex_const_handle v) {
+    const auto [it, is_new] = numbers_.emplace(&*v, static_cast<std::uint32_t>(model_.points.size()));
+    if (is_new) model_.points.push_back(point_of(v->point()));
+    return it->second;
+  }
+
+  /// The half-facet that looks out of a solid, or one of the two of a surface: its plane's normal points into the
+  /// volume that it bounds.
+  void add_facet(Nef::Halffacet_const_handle f) {
+    if (f->incident_volume()->mark()) return;
+    const bool solid = f->twin()->incident_volume()->mark();
+    const RationalPoint normal = point_of(CGAL::ORIGIN + f->plane().orthogonal_vector());
+    if (!solid && (!f->mark() || normal < RationalPoint{0, 0, 0})) return;
+    std::vector<PointLoop> walks;
+    for (auto cycle = f->facet_cycles_begin(); cycle != f->facet_cycles_end(); ++cycle) {
+      if (!cycle.is_shalfedge()) continue;
+      PointLoop& walk = walks.emplace_back();
+      Nef::SHalfedge_around_facet_const_circulator at(cycle), end(at);
+      CGAL_For_all(at, end) walk.push_back(number(at->source()->source()));
+    }
+    std::vector<PointLoop> loops = simple_loops(model_.points, walks);
+    if (dot(doubled_area(model_.points, loops[0]), normal) < 0)
+      for (PointLoop& loop : loops) std::reverse(loop.begin(), loop.end());
+    model_.faces.push_back({std::move(loops), solid});
+  }
+
+  void add_edge(Nef::Halfedge_const_handle e) {
+    const bool in_no_facet = e->out_sedge() == Nef::SHalfedge_const_handle();
+    if (e->is_twin() || !in_no_facet || !e->mark() || e->incident_sface()->mark()) return;
+    model_.wires.push_back({number(e->source()), number(e->twin()->source())});
+  }
+
+  void add_vertex(Nef::Vertex_const_handle v) {
+    const bool by_itself = v->svertices_begin() == v->svertices_end() && !v->has_shalfloop();
+    if (by_itself && v->mark() && !v->sfaces_begin()->mark()) model_.isolated.push_back(number(v));
+  }
+
+  const Nef& nef_;
+  Model model_;
+  std::unordered_map<const void*, std::uint32_t> numbers_;
+};
+
+/// Runs a stage; an assertion of CGAL that fails there is a refusal.
+template <class Work>
+auto guarded(const char* stage, Work work) {
+  try {
+    return work();
+  } catch (const CGAL::Failure_exception& error) {
+    throw Refusal(stage, words_of(error));
+  }
+}
+
+Answer evaluate(const Problem& problem) {
+  std::vector<Parts> parts;
+  guarded("input", [&] {
+    for (const Model& operand : problem.operands) parts.push_back(parts_of(operand));
+  });
+  Measurement measurement;
+  std::vector<Nef> operands;
+  guarded("conversion", [&] {
+    for (const Parts& of_operand : parts) operands.push_back(set_of(of_operand));
+  });
+  measurement.lap("conversion");
+  const Nef result = guarded("Boolean", [&] { return folded(problem, operands); });
+  measurement.lap("Boolean");
+  Answer answer;
+  answer.measures = measurement.stop();
+  answer.model = guarded("output", [&] { return ModelMaker(result).run(); });
+  return answer;
+}
+
+}  // namespace
+
+Model read_nef(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) throw std::runtime_error("can not read " + path);
+  Nef nef;
+  guarded("output", [&] { in >> nef; });
+  if (!in) throw std::runtime_error("is no text of a Nef polyhedron: " + path);
+  return guarded("output", [&] { return ModelMaker(nef).run(); });
+}
+
+System nef_system() {
+  return {.name = "nef",
+          .title = "CGAL Nef polyhedra",
+          .guarantee = "closed 2-manifolds, surfaces, wires and points; exact; CGAL's assertions on",
+          .version = std::string("CGAL ") + CGAL_VERSION_STR,
+          .rounding = 0,
+          .regularized = false,
+          .absent = "",
+          .evaluate = evaluate};
+}
+
+}  // namespace cnrg::bench

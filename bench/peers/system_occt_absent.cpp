@@ -1,0 +1,15 @@
+// Where OpenCASCADE was not found; system_occt.cpp otherwise.
+#include "bench/peers/built_in.h"
+
+namespace cnrg::bench {
+
+System occt_system() {
+  return {.name = "occt",
+          .title = "OpenCASCADE General Fuse",
+          .guarantee = "",
+          .version = "",
+          .absent = "built without OpenCASCADE; install libocct-modeling-algorithms-dev and configure again",
+          .evaluate = [](const Problem&) -> Answer { throw Refusal("input", "built without OpenCASCADE"); }};
+}
+
+}  // namespace cnrg::bench

@@ -1,0 +1,210 @@
+// The library: one refinement of all operands, groups on it, group Booleans, the point set simplified.
+#include <tbb/global_control.h>
+
+#include "bench/peers/built_in.h"
+#include "bench/peers/face_loops.h"
+#include "csg/evaluate/operate.h"
+#include "csg/operators/leaf_group.h"
+#include "kernel/base/error.h"
+#include "kernel/selection/simplify.h"
+
+namespace cnrg::bench {
+namespace {
+
+/// The leaves of an operand: its solid, and what hangs loose, if there is any.
+struct OperandLeaves {
+  LeafId solid, loose;
+};
+
+OperandLeaves add_operand(Soup& soup, const Model& model) {
+  OperandLeaves leaves{soup.add_leaf(Fill::winding), LeafId::none()};
+  if (!model.solid()) leaves.loose = soup.add_leaf(Fill::none);
+  std::vector<PointId> ids;
+  ids.reserve(model.points.size());
+  for (const RationalPoint& p : model.points) ids.push_back(soup.add_point(p));
+  std::uint32_t number = 0;
+  for (const Model::Face& face : model.faces) {
+    std::vector<std::vector<PointId>> loops;
+    for (const PointLoop& loop : face.loops) {
+      loops.emplace_back();
+      for (const std::uint32_t p : loop) loops.back().push_back(ids[p]);
+    }
+    soup.add_face(face.solid ? leaves.solid : leaves.loose, loops, number, number);
+    ++number;
+  }
+  number = 0;
+  for (const auto& [a, b] : model.wires) soup.add_wire(leaves.loose, ids[a], ids[b], number++);
+  for (const std::uint32_t p : model.isolated) soup.add_isolated(leaves.loose, ids[p]);
+  return leaves;
+}
+
+Operator operator_of(Operation operation) {
+  switch (operation) {
+    case Operation::unite: return Operator::unite;
+    case Operation::intersect: return Operator::intersect;
+    default: return Operator::subtract;
+  }
+}
+
+/// One n-ary node, as a tree has it.
+NodeValue node_value(const Complex& complex, Operation operation, std::vector<NodeValue> values) {
+  Node node;
+  node.op = operator_of(operation);
+  node.name = "node";
+  node.operator_name = to_string(operation);
+  node.dominant = DominantOperand::equal;
+  std::vector<Operand> operands;
+  for (NodeValue& value : values) operands.push_back({&value, "operand", &value, {}});
+  return std::move(operate(complex, node, operands, false).value);
+}
+
+NodeValue operand_value(const Complex& complex, std::vector<Group>& groups, const OperandLeaves& leaves) {
+  NodeValue solid(complex, std::move(groups[leaves.solid.index()]));
+  if (!leaves.loose.valid()) return solid;
+  std::vector<NodeValue> both;
+  both.push_back(std::move(solid));
+  both.emplace_back(complex, std::move(groups[leaves.loose.index()]));
+  return node_value(complex, Operation::unite, std::move(both));
+}
+
+/// Runs of one operation are one node each: (m0 op m1 op m2 ...).
+NodeValue folded(const Complex& complex, const Problem& problem, std::vector<NodeValue> operands) {
+  NodeValue value = std::move(operands[0]);
+  for (std::size_t i = 0; i < problem.steps.size();) {
+    std::vector<NodeValue> run;
+    run.push_back(std::move(value));
+    std::size_t end = i;
+    for (; end < problem.steps.size() && problem.steps[end] == problem.steps[i]; ++end)
+      run.push_back(std::move(operands[end + 1]));
+    value = node_value(complex, problem.steps[i], std::move(run));
+    i = end;
+  }
+  return value;
+}
+
+/// The point set alone, so that walls between regions and what hangs inside of them fall out.
+SimplifiedComplex point_set(const Complex& complex, const NodeValue& value) {
+  Selection selection = selection_of(complex, value);
+  const auto join = [](auto& cells) {
+    for (auto& [cell, component] : cells) component = 1;
+  };
+  join(selection.vertices);
+  join(selection.edges);
+  join(selection.faces);
+  join(selection.regions);
+  return simplify(complex, selection, {}, SimplifyMode::points);
+}
+
+/// The simplified cells as a model. All faces are planar and all edges straight, so points that are no vertices of
+/// the simplified complex are not needed.
+class ModelMaker {
+ public:
+  ModelMaker(const Complex& complex, const SimplifiedComplex& simplified)
+      : complex_(complex), simplified_(simplified), number_(complex.points.size(), kNone),
+        bounds_(complex.edge_count(), 0) {}
+
+  Model run() {
+    for (const SimplifiedComplex::Face& face : simplified_.faces) add_face(face);
+    for (const SimplifiedComplex::Edge& edge : simplified_.edges) add_wire(edge);
+    for (const SimplifiedComplex::Vertex& vertex : simplified_.vertices) add_isolated(vertex);
+    return std::move(model_);
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  bool active(std::uint32_t region) const { return simplified_.regions[region].component != 0; }
+  bool is_vertex(VertexId v) const { return simplified_.vertex_place[v.index()].dimension == 0; }
+
+  std::uint32_t number(VertexId v) {
+    std::uint32_t& n = number_[v.index()];
+    if (n == kNone) {
+      n = static_cast<std::uint32_t>(model_.points.size());
+      model_.points.push_back(complex_.points.rational(v));
+    }
+    return n;
+  }
+
+  void add_face(const SimplifiedComplex::Face& face) {
+    for (const auto& loop : face.loops)
+      for (const HalfEdge h : loop) bounds_[h.edge().index()] = 1;
+    for (const VertexId v : face.isolated) number(v);  // on a face, so not by itself
+    if (face.component == 0) return;
+    const bool front = active(face.regions[0]), back = active(face.regions[1]);
+    std::vector<PointLoop> walks;
+    for (const auto& loop : face.loops) {
+      PointLoop& walk = walks.emplace_back();
+      for (const HalfEdge h : loop)
+        if (is_vertex(complex_.origin(h))) walk.push_back(number(complex_.origin(h)));
+      if (front) std::reverse(walk.begin(), walk.end());
+    }
+    model_.faces.push_back({simple_loops(model_.points, walks), front != back});
+  }
+
+  void add_wire(const SimplifiedComplex::Edge& edge) {
+    const HalfEdge first = edge.chain.front(), last = edge.chain.back();
+    const VertexId from = complex_.origin(first), to = complex_.target(last);
+    if (bounds_[first.edge().index()] == 0) model_.wires.push_back({number(from), number(to)});
+  }
+
+  /// Whatever is a corner of a face or an end of a wire has a number by now.
+  void add_isolated(const SimplifiedComplex::Vertex& vertex) {
+    if (number_[vertex.cell.index()] == kNone) model_.isolated.push_back(number(vertex.cell));
+  }
+
+  const Complex& complex_;
+  const SimplifiedComplex& simplified_;
+  std::vector<std::uint32_t> number_;  // of each point of the complex in the model
+  std::vector<char> bounds_;           // edges of the complex on the boundary of a face
+  Model model_;
+};
+
+Complex complex_of(const Soup& soup, RefineReport& report) {
+  try {
+    return build_complex(soup, {.threads = 1}, &report);
+  } catch (const InputError& error) {
+    throw Refusal("input", error.what());
+  }
+}
+
+Answer evaluate(const Problem& problem) {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  Measurement measurement;
+  Soup soup;
+  std::vector<OperandLeaves> leaves;
+  for (const Model& operand : problem.operands) leaves.push_back(add_operand(soup, operand));
+  measurement.lap("conversion");
+  RefineReport report;
+  const Complex complex = complex_of(soup, report);
+  measurement.lap("complex");
+  std::vector<Group> groups = leaf_groups(complex);
+  std::vector<NodeValue> operands;
+  for (const OperandLeaves& of_operand : leaves) operands.push_back(operand_value(complex, groups, of_operand));
+  measurement.lap("leaves");
+  const NodeValue value = folded(complex, problem, std::move(operands));
+  measurement.lap("Boolean");
+  const SimplifiedComplex simplified = point_set(complex, value);
+  measurement.lap("simplify");
+
+  Answer answer;
+  answer.measures = measurement.stop();
+  answer.model = ModelMaker(complex, simplified).run();
+  answer.exact_share = report.stages.exact_share();
+  answer.note = "constructed " + std::to_string(report.constructed);
+  return answer;
+}
+
+}  // namespace
+
+System our_system() {
+  return {.name = "ours",
+          .title = "cnrg",
+          .guarantee = "solids by winding number, surfaces, wires and points; exact; one thread",
+          .version = CNRG_VERSION,
+          .rounding = 0,
+          .regularized = false,
+          .absent = "",
+          .evaluate = evaluate};
+}
+
+}  // namespace cnrg::bench
