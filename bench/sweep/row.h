@@ -75,7 +75,8 @@ struct SweepRow {
   std::string command;                     ///< reproduces the row
 };
 
-/// A JSON object and back. `row_of_json` throws std::runtime_error for what is no row.
+/// A JSON object on one line and back. Parts of volumes that are not finite are `null` there and come back as not a
+/// number. `row_of_json` throws std::runtime_error for what is no row, with the member that is wrong.
 std::string to_json(const SweepRow& row);
 SweepRow row_of_json(const std::string& text);
 
