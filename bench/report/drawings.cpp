@@ -8,7 +8,7 @@
 namespace cnrg::bench {
 namespace {
 
-constexpr int kExactPlace = 18;  // on the axis of k, two beyond the nearest distance
+constexpr int kExactPlace = 19;  // on the axis of k, beyond the nearest distance
 
 Axis distance_axis(int step, const std::string& title) {
   Axis axis;
@@ -20,9 +20,10 @@ Axis distance_axis(int step, const std::string& title) {
   return axis;
 }
 
-Axis rate_axis() {
+/// Lines along 0 % are drawn beside each other, each in a lane of its own below.
+Axis rate_axis(std::size_t lanes, double lane) {
   Axis axis;
-  axis.low = -0.03;
+  axis.low = -lane * static_cast<double>(lanes + 1);
   axis.high = 1.05;
   for (const int percent : {0, 25, 50, 75, 100}) {
     axis.ticks.push_back({percent / 100.0, std::to_string(percent) + " %"});
@@ -31,14 +32,15 @@ Axis rate_axis() {
 }
 
 /// Ours comes first, below the others: its line is the widest, so that others that run along it are seen as well.
-LinePlot distance_plot(const Page& page, const DistanceStudy& study) {
+LinePlot distance_plot(const Page& page, const DistanceStudy& study, double lane) {
   LinePlot plot;
-  plot.y = rate_axis();
+  plot.y = rate_axis(study.curves.size(), lane);
   for (const DistanceCurve& curve : study.curves) {
     Series series{page.label(curve.system), curve.system, page.summary.ours == curve.system, {}};
     for (const DistancePoint& point : curve.points) {
       if (!point.k) series.joined = series.points.size();
-      series.points.emplace_back(point.k ? *point.k : kExactPlace, point.tally.failure_rate());
+      const double rate = point.tally.failure_rate(), zero = -lane * static_cast<double>(plot.series.size());
+      series.points.emplace_back(point.k ? *point.k : kExactPlace, rate > 0 ? rate : zero);
     }
     plot.series.push_back(std::move(series));
   }
@@ -46,7 +48,7 @@ LinePlot distance_plot(const Page& page, const DistanceStudy& study) {
 }
 
 std::size_t add_all_distances(const Page& page, Gallery& gallery) {
-  LinePlot plot = distance_plot(page, page.summary.all_distances);
+  LinePlot plot = distance_plot(page, page.summary.all_distances, 0.014);
   plot.description = "Failure rate against distance to degeneracy, all families with a distance, a line per system";
   plot.width = 1080;
   plot.height = 340;
@@ -55,7 +57,7 @@ std::size_t add_all_distances(const Page& page, Gallery& gallery) {
 }
 
 std::size_t add_distance(const Page& page, const DistanceStudy& study, Gallery& gallery) {
-  LinePlot plot = distance_plot(page, study);
+  LinePlot plot = distance_plot(page, study, 0.026);
   plot.title = page.family(*study.family).name;
   plot.description = "Failure rate against distance to degeneracy, a line per system";
   plot.width = 350;
@@ -67,7 +69,8 @@ std::size_t add_distance(const Page& page, const DistanceStudy& study, Gallery& 
 
 /// Nothing to draw when no value is positive.
 std::optional<std::size_t> add_growth(const Page& page, const GrowthStudy& study, double GrowthPoint::*cost,
-                                      double unit, const std::string& title, Gallery& gallery) {
+                                      std::optional<PowerLaw> GrowthCurve::*law, double unit, const std::string& title,
+                                      Gallery& gallery) {
   LinePlot plot;
   plot.title = title;
   plot.description = page.family(study.family).name + ", against triangles of all operands, a line per system";
@@ -75,6 +78,7 @@ std::optional<std::size_t> add_growth(const Page& page, const GrowthStudy& study
   std::vector<double> triangles, costs;
   for (const GrowthCurve& curve : study.curves) {
     Series series{page.label(curve.system), curve.system, page.summary.ours == curve.system, {}};
+    if (curve.*law) series.name += " " + exponent_text((curve.*law)->exponent);
     for (const GrowthPoint& p : curve.points) {
       if (p.triangles <= 0 || p.*cost <= 0) continue;
       series.points.emplace_back(p.triangles, p.*cost / unit);
@@ -118,8 +122,10 @@ Drawings make_drawings(const Page& page) {
   for (const DistanceStudy& study : summary.distances) distances.push_back(add_distance(page, study, gallery));
   std::vector<std::array<std::optional<std::size_t>, 2>> growth;
   for (const GrowthStudy& study : summary.growth) {
-    growth.push_back({add_growth(page, study, &GrowthPoint::seconds, 1, "time, seconds", gallery),
-                      add_growth(page, study, &GrowthPoint::own_bytes, 1e6, "memory, MB", gallery)});
+    growth.push_back({add_growth(page, study, &GrowthPoint::seconds, &GrowthCurve::time, 1, "time, seconds",
+                                 gallery),
+                      add_growth(page, study, &GrowthPoint::own_bytes, &GrowthCurve::memory, 1e6, "memory, MB",
+                                 gallery)});
   }
   const auto time = add_ratios(page, &Ratio::time, "time", gallery);
   const auto memory = add_ratios(page, &Ratio::memory, "memory", gallery);

@@ -56,17 +56,15 @@ MainFact exact_results(const Experiment& experiment, const Summary& summary) {
   }
   const Tally& ours = summary.totals[*summary.ours];
   fact.headline = part_text(ours.of(Class::exact), ours.runs());
-  fact.sentence = "problems: ours gives the exact point set.";
-  if (ours.of(Class::wrong) > 0) {
-    fact.sentence += " In " + grouped(ours.of(Class::wrong)) + " ours is wrong without saying so.";
-  }
+  fact.sentence = "results of " + title_of(experiment, *summary.ours) + " are exact.";
+  if (ours.of(Class::wrong) > 0) fact.sentence += " " + grouped(ours.of(Class::wrong)) + " are wrong, unsaid.";
   if (systems.size() == 1) return fact;
   const std::size_t best = systems[1], worst = systems.back();
   const auto said = [&](std::size_t s) {
-    return title_of(experiment, s) + ": " + part_text(summary.totals[s].of(Class::exact), summary.totals[s].runs());
+    return title_of(experiment, s) + " with " + part_text(summary.totals[s].of(Class::exact), summary.totals[s].runs());
   };
-  fact.sentence += " Best of the others, " + said(best);
-  if (worst != best) fact.sentence += "; worst, " + said(worst);
+  fact.sentence += " Best of the others is " + said(best);
+  if (worst != best) fact.sentence += ", last " + said(worst);
   fact.sentence += unsaid == 0 ? ". None of the others is wrong without saying so."
                                : ". " + plural(unsaid, "result") + " of " + plural(systems_unsaid, "other system") +
                                      (unsaid == 1 ? " is" : " are") + " wrong without saying so.";
@@ -97,6 +95,12 @@ std::size_t runs_of(const DistanceCurve& curve) {
   return runs;
 }
 
+std::size_t failures_of(const DistanceCurve& curve) {
+  std::size_t failures = 0;
+  for (const DistancePoint& point : curve.points) failures += point.tally.failures();
+  return failures;
+}
+
 std::string begin_text(const DistanceCurve& curve) {
   const std::optional<int>& k = curve.points[*curve.onset].k;
   return k ? "at " + distance_text(k) : "in the exactly degenerate position";
@@ -104,7 +108,7 @@ std::string begin_text(const DistanceCurve& curve) {
 
 MainFact failures_near_degeneracy(const Experiment& experiment, const Summary& summary) {
   MainFact fact;
-  fact.question = "How near to degeneracy do they hold?";
+  fact.question = "Where do failures begin?";
   const std::vector<DistanceCurve>& curves = summary.all_distances.curves;
   if (curves.empty()) {
     fact.headline = "–";
@@ -131,19 +135,14 @@ MainFact failures_near_degeneracy(const Experiment& experiment, const Summary& s
   const DistanceCurve* ours = summary.ours ? curve_of(summary.all_distances, *summary.ours) : nullptr;
   if (ours == nullptr) {
     fact.headline = "–";
-    fact.sentence = "There are no runs of ours.";
-  } else if (!ours->onset) {
-    fact.headline = "never fails";
-    fact.sentence = "is what ours does in " + plural(runs_of(*ours), "run") + " at all distances.";
-    std::size_t failures = 0;
-    for (const DistancePoint& point : ours->points) failures += point.tally.failures();
-    if (failures > 0) {
-      fact.headline = plural(failures, "failure");
-      fact.sentence = "of ours in " + plural(runs_of(*ours), "run") + " at all distances.";
-    }
+    fact.sentence = "There are no runs of ours at distances.";
   } else {
-    fact.headline = "from " + onset_text(*ours);
-    fact.sentence = "on ours fails.";
+    const std::string said = " of " + title_of(experiment, *summary.ours) + " in " + plural(runs_of(*ours), "run") +
+                             " at all distances";
+    const std::size_t failures = failures_of(*ours);
+    fact.headline = ours->onset ? "from " + onset_text(*ours) : plural(failures, "failure");
+    fact.sentence = (ours->onset ? plural(failures, "failure") : "") + said + ".";
+    if (!ours->onset) fact.sentence.erase(0, 1);
   }
   if (first != nullptr) {
     const DistancePoint& worst = first->points[first->worst];
@@ -173,7 +172,7 @@ MainFact speed(const Experiment& experiment, const Summary& summary) {
   }
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Ratio* a, const Ratio* b) { return a->time.median > b->time.median; });
-  fact.columns = {"median", "quartiles", "problems"};
+  fact.columns = {"median", "quartiles", "n"};
   const Ratio* shown = sorted.front();
   const Ratio* second = nullptr;
   for (const Ratio* ratio : sorted) {
@@ -188,13 +187,13 @@ MainFact speed(const Experiment& experiment, const Summary& summary) {
     return "(quartiles " + quartiles(ratio.time) + ", " + plural(ratio.time.count, "problem") + ")";
   };
   fact.headline = three_digits(shown->time.median) + " ×";
-  fact.sentence = "our time is what " + title_of(experiment, shown->system) + " takes, in the median " +
-                  described(*shown) + ".";
+  fact.sentence = "the time of " + title_of(experiment, *summary.ours) + " is what " +
+                  title_of(experiment, shown->system) + " takes, in the median " + described(*shown) + ".";
   if (second != nullptr && second != shown) {
     fact.sentence += " " + title_of(experiment, second->system) + ": " + three_digits(second->time.median) + " × " +
                      described(*second) + ".";
   }
-  fact.note = "Time of the system over ours, on problems that both did right; below 1 the system is faster. "
+  fact.note = "Time of the system over ours, on the n problems that both did right; below 1 the system is faster. "
               "Their guarantees are not equal.";
   return fact;
 }

@@ -45,11 +45,12 @@ std::string percent(double part) {
   if (value == 0 || value == 100) return printed("%.*f %%", 0, value);
   if (value > 99) return printed("%.*f %%", 2, std::min(value, 99.99));
   if (value >= 10) return printed("%.*f %%", 0, value);
-  if (value >= 0.95) return printed("%.*f %%", 1, value);
   return printed("%.*g %%", 2, value);
 }
 
 std::string megabytes(double bytes) { return three_digits(bytes / 1e6); }
+
+std::string exponent_text(double exponent) { return printed("%.*f", 2, exponent); }
 
 std::string power_of_ten(int exponent) {
   constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};

@@ -15,6 +15,8 @@ std::string grouped(std::size_t count);
 std::string percent(double part);
 /// MB of 10^6 bytes, three digits.
 std::string megabytes(double bytes);
+/// Of a power law, two digits after the point.
+std::string exponent_text(double exponent);
 /// `10⁻⁹`; 10^-k, `exact` for none.
 std::string distance_text(const std::optional<int>& k);
 /// `10³`.

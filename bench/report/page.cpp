@@ -66,8 +66,9 @@ const std::string& Page::label(std::size_t place) const {
 
 std::string Page::mark(std::size_t place) const {
   const std::string colour = std::to_string(place % kSeriesColours);
-  return "<i class=\"dot\" style=\"background:var(--s" + colour + ")\"></i>" +
-         element("span", escaped(label(place)), attribute("title", system(place).title));
+  return element("span", "<i class=\"dot\" style=\"background:var(--s" + colour + ")\"></i>" +
+                             element("span", escaped(label(place)), attribute("title", system(place).title)),
+                 "class=\"mark\"");
 }
 
 std::vector<std::size_t> Page::systems() const {
@@ -88,6 +89,15 @@ std::string table(const std::string& head, const std::string& rows, const std::s
   return "<div class=\"wide\">" +
          element("table", element("thead", element("tr", head)) + "\n" + element("tbody", rows) + "\n", attributes) +
          "</div>\n";
+}
+
+std::string heads(const std::vector<Head>& names) {
+  std::string text;
+  for (const Head& head : names) {
+    const std::string css = *head.css == '\0' ? "" : " " + attribute("class", head.css);
+    text += element("th", escaped(head.name), "scope=\"col\"" + css);
+  }
+  return text;
 }
 
 std::string legend(const Page& page, const std::vector<std::size_t>& systems) {
@@ -112,14 +122,16 @@ std::string report_html(const Experiment& experiment, const Summary& summary, co
        stage_table(page)},
       {"distance", "Failures near degeneracy",
        "The part of the runs that fail, against the distance of the operands from the degenerate position: "
-       "10<sup>-k</sup> of their size, and <em>exact</em> for operands that are in it.",
+       "10<sup>−<i>k</i></sup> of their size, and <em>exact</em> for operands that are in it. Lines along 0 % are drawn "
+       "beside each other, so that all are seen.",
        distance_section(page, drawings)},
       {"growth", "Time and memory against size",
        "Medians over the right runs of each size, on logarithmic axes. Exponents are fitted by least squares to the "
-       "logarithms of the medians, ± their standard error, where a system is right in three sizes or more.",
+       "logarithms of the medians, ± their standard error, where a system is right in three sizes or more; "
+       "they are also beside the names in the plots.",
        growth_section(page, drawings)},
       {"ratios", "Time and memory beside ours",
-       "What a system takes as a multiple of what ours takes, on problems that both did right; each problem counts "
+       "What a system takes as a multiple of what ours takes, on the n problems that both did right; each counts "
        "once, whatever its size. Boxes are quartiles, lines reach from the least to the most. "
        "<strong>The guarantees are not equal</strong>: they are named beside the numbers.",
        ratio_section(page, drawings)},

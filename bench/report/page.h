@@ -60,6 +60,12 @@ std::string section(const std::string& id, const std::string& heading, const std
                     const std::string& content);
 /// `<table class=...>` of a head and rows, which are HTML; the table scrolls by itself if it is too wide.
 std::string table(const std::string& head, const std::string& rows, const std::string& attributes = "");
+/// Cells of a head; those of numbers are aligned to the right by the class `count`.
+struct Head {
+  const char* name;
+  const char* css = "";
+};
+std::string heads(const std::vector<Head>& names);
 /// Marks and labels of systems in a line.
 std::string legend(const Page& page, const std::vector<std::size_t>& systems);
 

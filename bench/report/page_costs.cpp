@@ -7,22 +7,14 @@
 namespace cnrg::bench {
 namespace {
 
-std::string heads(const std::vector<std::string>& names) {
-  std::string head;
-  for (const std::string& name : names) head += element("th", escaped(name), "scope=\"col\"");
-  return head;
-}
-
 std::string figure(const std::string& svg, const std::string& attributes = "") {
   return element("figure", "\n" + svg + "\n", attributes) + "\n";
 }
 
 /// None: nullptr.
-std::string exponent_text(const PowerLaw* law) {
+std::string law_text(const PowerLaw* law) {
   if (law == nullptr) return "–";
-  char text[60];
-  std::snprintf(text, sizeof text, "%.2f ± %.2f", law->exponent, law->error);
-  return text;
+  return exponent_text(law->exponent) + " ± " + exponent_text(law->error);
 }
 
 std::string fit_title(const PowerLaw* law) {
@@ -33,7 +25,7 @@ std::string fit_title(const PowerLaw* law) {
 }
 
 std::string exponent_table(const Page& page, const char* caption, std::optional<PowerLaw> GrowthCurve::*law) {
-  std::string head = heads({caption});
+  std::string head = heads({{caption}});
   for (const std::size_t s : page.systems()) head += element("th", page.mark(s), "scope=\"col\"");
   std::string rows;
   for (const GrowthStudy& study : page.summary.growth) {
@@ -43,7 +35,7 @@ std::string exponent_table(const Page& page, const char* caption, std::optional<
                                       [&](const GrowthCurve& c) { return c.system == s; });
       const PowerLaw* fitted = nullptr;
       if (curve != study.curves.end() && (*curve).*law) fitted = &*((*curve).*law);
-      cells += element("td", exponent_text(fitted),
+      cells += element("td", law_text(fitted),
                        attribute("title", fit_title(fitted)) + (fitted != nullptr ? "" : " class=\"zero\""));
     }
     rows += element("tr", cells) + "\n";
@@ -111,12 +103,12 @@ std::string ratio_section(const Page& page, const Drawings& drawings) {
   }
   rows += element("tr",
                   element("th", page.mark(*summary.ours), "scope=\"row\"") +
-                      element("td", "1, by definition", "colspan=\"8\" class=\"zero\"") +
+                      element("td", "1, by definition", "colspan=\"8\" class=\"defined\"") +
                       element("td", escaped(page.system(*summary.ours).guarantee), "class=\"text\""),
                   "class=\"total\"");
-  const std::string head = heads({"", "time, median", "quartiles", "least–most", "problems", "memory, median",
-                                  "quartiles", "least–most", "problems"}) +
-                           element("th", "guarantee", "scope=\"col\" class=\"text\"");
+  const std::string head =
+      heads({{""}, {"time, median"}, {"quartiles"}, {"least–most"}, {"n"}, {"memory, median"}, {"quartiles"},
+             {"least–most"}, {"n"}, {"guarantee", "text"}});
   std::string figures;
   for (const std::string* svg : {&drawings.time_ratios, &drawings.memory_ratios}) {
     if (!svg->empty()) figures += figure(*svg);
@@ -136,7 +128,7 @@ std::string exact_section(const Page& page) {
   };
   for (const ExactShare& share : summary.exact_shares) add(page.family(share.family).name, share, "");
   add("All", *summary.exact_share, "class=\"total\"");
-  return table(heads({"family", "runs", "median", "most"}), rows, "class=\"numbers narrow\"");
+  return table(heads({{"family"}, {"runs"}, {"median"}, {"most"}}), rows, "class=\"numbers narrow\"");
 }
 
 }  // namespace cnrg::bench

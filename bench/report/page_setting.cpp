@@ -1,6 +1,8 @@
 // What surrounds the numbers: systems, machine, truth, and every run.
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstdio>
 #include <map>
 
 #include "bench/report/format.h"
@@ -16,13 +18,24 @@ std::string definition(const std::string& name, const std::string& text) {
 }
 
 std::string rounding_text(double rounding) {
-  return rounding == 0 ? "exact" : three_digits(rounding) + " of the largest coordinate";
+  if (rounding == 0) return "exact";
+  const int exponent = static_cast<int>(std::floor(std::log10(rounding) + 1e-9));
+  const double factor = rounding / std::pow(10.0, exponent);
+  const std::string times = std::abs(factor - 1) < 5e-3 ? "" : three_digits(factor) + " × ";
+  return times + power_of_ten(exponent) + " of the largest coordinate";
+}
+
+/// Without zeros after the point: limits are round numbers.
+std::string seconds_text(double seconds) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%g s", seconds);
+  return text;
 }
 
 std::string seconds_limit(double least, double most) {
   if (most == 0) return "none";
-  if (least == most) return three_digits(most) + " s of wall time per run";
-  return (least == 0 ? "none" : three_digits(least) + " s") + " to " + three_digits(most) + " s of wall time per run";
+  if (least == most) return seconds_text(most) + " of wall time per run";
+  return (least == 0 ? "none" : seconds_text(least)) + " to " + seconds_text(most) + " of wall time per run";
 }
 
 std::string bytes_limit(std::size_t least, std::size_t most) {
@@ -77,8 +90,7 @@ std::string systems_section(const Page& page) {
   for (std::size_t s = 0; s < page.experiment.systems.size(); ++s) {
     const SystemInfo& info = page.system(s);
     const std::size_t runs = page.summary.totals[s].runs();
-    std::string ran = plural(runs, "run");
-    if (!info.absent.empty()) ran += "; absent: " + info.absent;
+    const std::string ran = grouped(runs) + (info.absent.empty() ? "" : "; absent: " + info.absent);
     const bool described = !info.guarantee.empty() || !info.version.empty();
     std::string name = page.mark(s);
     name += element("small", escaped(page.label(s) == info.name ? info.title : info.name));
@@ -90,10 +102,8 @@ std::string systems_section(const Page& page) {
                               element("td", escaped(ran))) +
             "\n";
   }
-  std::string head;
-  for (const char* name : {"system", "takes and promises", "version", "rounding of results", "results", "runs"}) {
-    head += element("th", name, "scope=\"col\"");
-  }
+  const std::string head = heads({{"system"}, {"takes and promises"}, {"version"}, {"rounding of results"}, {"results"},
+                                  {"runs"}});
   return table(head, rows, "class=\"list\"");
 }
 
@@ -141,8 +151,7 @@ std::string truth_section(const Page& page) {
                     alarming ? "class=\"alarming\"" : "") +
             "\n";
   }
-  std::string head;
-  for (const char* name : {"confirmed by", "problems", "meaning", "such as"}) head += element("th", name, "scope=\"col\"");
+  const std::string head = heads({{"confirmed by"}, {"problems", "count"}, {"meaning"}, {"such as"}});
   return table(head, rows, "class=\"list\"");
 }
 

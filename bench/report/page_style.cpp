@@ -36,13 +36,13 @@ section { margin-top: 48px; break-inside: auto; }
 .lead { max-width: none; margin-bottom: 20px; }
 code { font: 12px/1.4 ui-monospace, "Noto Sans Mono", "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
 .facts { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: 16px; }
-.facts article { background: var(--card); border-radius: 8px; padding: 18px 18px 14px; display: flex;
-  flex-direction: column; break-inside: avoid; }
+.facts article { background: var(--card); border-radius: 8px; padding: 18px 18px 14px; break-inside: avoid;
+  display: grid; grid-row: span 5; grid-template-rows: subgrid; row-gap: 0; align-content: start; }
 .facts h2 { font-size: 15px; color: var(--muted); font-weight: 600; margin: 0; }
 .facts .big { font-size: 36px; line-height: 1.25; font-weight: 700; letter-spacing: -0.02em; color: var(--s0);
   margin: 2px 0 2px; font-variant-numeric: tabular-nums; }
 .facts .said { margin-bottom: 12px; }
-.facts .note { margin: auto 0 0; padding-top: 10px; color: var(--muted); font-size: 12px; line-height: 1.4; }
+.facts .note { margin: 0; color: var(--muted); font-size: 12px; line-height: 1.4; }
 nav { margin-top: 20px; display: flex; flex-wrap: wrap; gap: 4px 18px; font-size: 13px; }
 a { color: var(--s0); text-decoration: none; }
 a:hover { text-decoration: underline; }
@@ -52,24 +52,32 @@ th, td { padding: 5px 8px; text-align: left; vertical-align: top; border-bottom:
 th { font-weight: 600; }
 thead th { color: var(--muted); font-size: 12px; vertical-align: bottom; white-space: nowrap; }
 thead th span { color: var(--ink); }
-.count, table.numbers td, table.numbers thead th, table.fact td, table.fact thead th { text-align: right; }
+td.count, thead th.count, table.numbers td, table.numbers thead th, table.fact td, table.fact thead th { text-align: right; }
 table.numbers th:first-child, table.fact th:first-child { text-align: left; }
 table.numbers td { white-space: nowrap; }
 table.numbers td.text, table.numbers thead th.text { text-align: left; white-space: normal; }
-table.ratios td.text { font-size: 12px; line-height: 1.35; min-width: 190px; }
+table.ratios { font-size: 12px; }
+table.ratios th, table.ratios td { padding: 5px 6px; }
+table.ratios td.text { line-height: 1.35; min-width: 170px; font-weight: normal; }
 table.narrow { width: auto; min-width: 480px; }
+table.fact { font-size: 12.5px; }
 table.fact th, table.fact td { padding: 3px 0 3px 8px; white-space: nowrap; }
-table.fact th:first-child { padding-left: 0; font-weight: normal; }
+table.fact th:first-child { padding-left: 0; font-weight: normal; white-space: normal; }
 table.fact tr.ours th, table.fact tr.ours td { font-weight: 700; }
 table.fact tbody tr:last-child > * { border-bottom: 0; }
 tr.group th { color: var(--muted); font-size: 12px; padding-top: 16px; }
 tr.total > * { border-top: 1px solid var(--muted); font-weight: 600; }
 tr.first-failure > * { border-top: 1px solid var(--muted); }
+table.numbers td.defined { text-align: left; font-weight: normal; color: var(--muted); }
 table.list td.example { max-width: 420px; }
 table.list td small { color: var(--muted); overflow-wrap: anywhere; }
+.count { white-space: nowrap; }
 .zero, .none { color: var(--muted); }
-.matrix th[scope="row"] { min-width: 190px; }
-.matrix td.tally { min-width: 96px; }
+table.matrix { table-layout: fixed; min-width: 900px; }
+.matrix thead th { white-space: normal; }
+.matrix thead th:first-child { width: 172px; }
+.matrix thead th.count { width: 74px; }
+.matrix th, .matrix td { padding: 5px 6px; }
 .bar { display: flex; height: 12px; margin: 3px 0 1px; border-radius: 2px; overflow: hidden; background: var(--rule); }
 .bar i { flex: 0 0 0; min-width: 2px; }
 .counts { font-size: 11.5px; color: var(--muted); white-space: nowrap; }
@@ -77,6 +85,7 @@ table.list td small { color: var(--muted); overflow-wrap: anywhere; }
 .counts .failed { color: var(--alarm); font-weight: 600; }
 .dot, .box { display: inline-block; width: 10px; height: 10px; border-radius: 50%; margin-right: 6px; flex: none; }
 .box { border-radius: 2px; }
+.mark { display: inline-flex; align-items: baseline; }
 .legend { display: flex; flex-wrap: wrap; gap: 2px 18px; font-size: 12.5px; max-width: none; }
 .v-same { background: var(--same); } .v-same-regularized { background: var(--same-regularized); }
 .v-contact-duplicated { background: var(--contact-duplicated); } .v-contact-lost { background: var(--contact-lost); }

@@ -94,8 +94,7 @@ std::string verdict_matrix(const Page& page) {
   std::string total = element("th", "All", "scope=\"row\"") + element("td", grouped(summary.problems), "class=\"count\"");
   for (const std::size_t s : page.systems()) total += tally_cell(summary.totals[s]);
   rows += element("tr", total, "class=\"total\"");
-  const std::string head = element("th", "family", "scope=\"col\"") +
-                           element("th", "problems", "scope=\"col\" class=\"count\"") + system_heads(page);
+  const std::string head = heads({{"family"}, {"problems", "count"}}) + system_heads(page);
   return verdict_legend(sum_of(summary.totals)) + table(head, rows, "class=\"matrix\"");
 }
 
@@ -118,13 +117,12 @@ std::string verdict_totals(const Page& page) {
   };
   line("runs", [](const Tally& t) { return grouped(t.runs()); });
   line("failure rate", [](const Tally& t) { return percent(t.failure_rate()); });
-  return table(element("th", "verdict", "scope=\"col\"") + system_heads(page), rows, "class=\"numbers\"");
+  return table(heads({{"verdict"}}) + system_heads(page), rows, "class=\"numbers\"");
 }
 
 std::string stage_table(const Page& page) {
   if (page.summary.stages.empty()) return element("p", "No run failed.");
-  std::string head;
-  for (const char* name : {"system", "stage", "failures", "as", "such as"}) head += element("th", name, "scope=\"col\"");
+  const std::string head = heads({{"system"}, {"stage"}, {"failures", "count"}, {"as"}, {"such as"}});
   std::string rows;
   for (std::size_t i = 0; i < page.summary.stages.size(); ++i) {
     const StageTally& stage = page.summary.stages[i];
@@ -165,8 +163,7 @@ std::string verdict_meanings() {
                               element("td", kClassNames[group]) + element("td", kMeanings[v])) +
             "\n";
   }
-  const std::string head = element("th", "verdict", "scope=\"col\"") + element("th", "counts as", "scope=\"col\"") +
-                           element("th", "meaning", "scope=\"col\"");
+  const std::string head = heads({{"verdict"}, {"counts as"}, {"meaning"}});
   return table(head, rows, "class=\"list\"");
 }
 

@@ -41,10 +41,17 @@ int marker(std::size_t system) {
   return kMarkers[system % kSeriesColours];
 }
 
+/// The texts of ticks are formats.
+std::string as_format(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '%' ? "%%" : std::string(1, c);
+  return out;
+}
+
 std::string ticks(const char* axis, const Axis& a) {
   std::string text = "set " + std::string(axis) + "tics (";
   for (std::size_t i = 0; i < a.ticks.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + quoted(a.ticks[i].text) + " " + number(a.ticks[i].at);
+    text += (i == 0 ? "" : ", ") + quoted(as_format(a.ticks[i].text)) + " " + number(a.ticks[i].at);
   }
   return text + ") scale 0.4 nomirror textcolor rgb " + kMuted + "\n";
 }
@@ -129,7 +136,7 @@ Axis decades(const std::string& title, const std::vector<double>& values) {
 }
 
 std::size_t Gallery::add(const LinePlot& plot) {
-  const int left = 52, right = plot.named ? 128 : 14, top = plot.title.empty() ? 10 : 30, bottom = 46;
+  const int left = 52, right = plot.named ? 160 : 24, top = plot.title.empty() ? 10 : 30, bottom = plot.x.title.empty() ? 26 : 46;
   const double inner_height = plot.height - top - bottom;
   std::string text = head(plot.width, plot.height);
   const auto margin = [&](const char* side, double place) {
