@@ -18,7 +18,7 @@ constexpr int kProblemStatus = 4;  // the problem itself can not be made
 struct Options {
   Choice choice;
   std::vector<std::string> systems, programs, one;
-  std::string out;
+  std::string out, commit;
   double seconds = 60, gigabytes = 4;
   int jobs = 1;
   bool list = false, units = false, quiet = false;
@@ -47,31 +47,31 @@ System program_of(const std::string& text) {
   return external_system(text.substr(0, equals), path.string(), rounding);
 }
 
-Experiment experiment_of(const Options& options) {
-  Experiment experiment;
-  experiment.limits = {options.seconds, static_cast<std::size_t>(options.gigabytes * (1 << 30))};
-  experiment.systems = systems();
-  for (const std::string& text : options.programs) experiment.systems.push_back(program_of(text));
-  return experiment;
+Setup setup_of(const Options& options) {
+  Setup setup;
+  setup.limits = {options.seconds, static_cast<std::size_t>(options.gigabytes * (1 << 30))};
+  setup.systems = systems();
+  for (const std::string& text : options.programs) setup.systems.push_back(program_of(text));
+  return setup;
 }
 
 /// Those asked for, or all that can run here.
-std::vector<std::string> chosen_systems(const Experiment& experiment, const Options& options) {
+std::vector<std::string> chosen_systems(const Setup& setup, const Options& options) {
   std::vector<std::string> names;
   for (const std::string& name : options.systems) {
-    const System& system = experiment.system(name);
+    const System& system = setup.system(name);
     if (!system.absent.empty()) throw std::runtime_error(name + ": " + system.absent);
     names.push_back(name);
   }
   if (!names.empty()) return names;
-  for (const System& system : experiment.systems) {
+  for (const System& system : setup.systems) {
     if (system.absent.empty()) names.push_back(system.name);
     else std::fprintf(stderr, "bench_sweep: notice: %s is left out: %s\n", system.name.c_str(), system.absent.c_str());
   }
   return names;
 }
 
-void list_all(const Experiment& experiment) {
+void list_all(const Setup& setup) {
   std::printf("Families:\n");
   for (const Family& f : families()) {
     std::string sizes, operations;
@@ -82,30 +82,30 @@ void list_all(const Experiment& experiment) {
                 f.has_distance ? "; distance exact or 10^-k" : "", f.seeds);
   }
   std::printf("Systems:\n");
-  for (const System& s : experiment.systems)
+  for (const System& s : setup.systems)
     std::printf("  %-14s %s, %s: %s\n", s.name.c_str(), s.title.c_str(), s.version.c_str(),
                 s.absent.empty() ? s.guarantee.c_str() : ("absent: " + s.absent).c_str());
 }
 
 /// One unit: its record goes to the folder of the sweep, or is shown.
-int run_one(const Options& options, Experiment& experiment) {
+int run_one(const Options& options, Setup& setup) {
   const std::string &problem = options.one[0], &system = options.one[1];
   for (const std::string& name : options.choice.names)  // other names choose problems, and here one is chosen
-    if (std::filesystem::is_directory(name)) experiment.folder = std::filesystem::canonical(name).string();
+    if (std::filesystem::is_directory(name)) setup.folder = std::filesystem::canonical(name).string();
   std::optional<Store> store;
   if (!options.out.empty()) {
     store.emplace(options.out);
-    store->settle(experiment);
+    store->settle(setup);
   }
   try {
     if (system == "truth") {
-      const Truth truth = establish_truth(experiment, problem);
+      const Truth truth = establish_truth(setup, problem);
       if (store) store->write_truth(problem, truth);
       else std::cout << to_json(truth);
       return 0;
     }
     const std::optional<Truth> known = store ? store->truth(problem) : std::nullopt;
-    const SweepRow row = run_unit(experiment, problem, system, known ? *known : establish_truth(experiment, problem));
+    const SweepRow row = run_unit(setup, problem, system, known ? *known : establish_truth(setup, problem));
     if (store) store->write_row(row);
     else std::cout << to_json(row);
     return 0;
@@ -133,13 +133,13 @@ std::vector<Unit> missing_units(const Store& store, const Plan& plan, const std:
 }
 
 /// Words of the command that runs a unit, up to its problem.
-std::vector<std::string> unit_command(const Options& options, const Experiment& experiment) {
+std::vector<std::string> unit_command(const Options& options, const Setup& setup) {
   char seconds[40], gigabytes[40];
   std::snprintf(seconds, sizeof seconds, "%.17g", options.seconds);
   std::snprintf(gigabytes, sizeof gigabytes, "%.17g", options.gigabytes);
   std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(),
                                  "--out", options.out, "--seconds", seconds, "--gigabytes", gigabytes};
-  if (!experiment.folder.empty()) words.push_back(experiment.folder);
+  if (!setup.folder.empty()) words.push_back(setup.folder);
   for (const std::string& program : options.programs) words.insert(words.end(), {"--system", program});
   words.push_back("--one");
   return words;
@@ -162,10 +162,10 @@ bool say_failed(const std::vector<FailedUnit>& failed) {
   return broken != 0;
 }
 
-int sweep(const Options& options, Experiment& experiment) {
+int sweep(const Options& options, Setup& setup) {
   const Plan plan = plan_of(options.choice);
-  experiment.folder = plan.folder;
-  const std::vector<std::string> names = chosen_systems(experiment, options);
+  setup.folder = plan.folder;
+  const std::vector<std::string> names = chosen_systems(setup, options);
   if (options.units) {
     for (const std::string& problem : plan.problems)
       for (const std::string& system : names) std::printf("%s\t%s\n", problem.c_str(), system.c_str());
@@ -173,8 +173,8 @@ int sweep(const Options& options, Experiment& experiment) {
   }
   Store store(options.out);
   store.lock();
-  store.settle(experiment);
-  store.describe(experiment, names);
+  store.settle(setup);
+  store.describe(setup, options.commit);
   const std::vector<Unit> units = missing_units(store, plan, names);
   std::printf("%zu problems, %zu systems: %zu of %zu rows are there\n", plan.problems.size(), names.size(),
               plan.problems.size() * names.size() -
@@ -183,7 +183,7 @@ int sweep(const Options& options, Experiment& experiment) {
               plan.problems.size() * names.size());
   std::fflush(stdout);
   app::ProgressBar bar(options.quiet);
-  const std::vector<std::string> command = unit_command(options, experiment);
+  const std::vector<std::string> command = unit_command(options, setup);
   const std::vector<FailedUnit> failed = run_units(
       units, options.jobs,
       [&](const Unit& unit) {
@@ -200,15 +200,15 @@ int sweep(const Options& options, Experiment& experiment) {
 }
 
 int run(Options& options) {
-  Experiment experiment = experiment_of(options);
+  Setup setup = setup_of(options);
   if (options.list) {
-    list_all(experiment);
+    list_all(setup);
     return 0;
   }
-  if (!options.one.empty()) return run_one(options, experiment);
+  if (!options.one.empty()) return run_one(options, setup);
   if (options.out.empty()) options.out = "out/sweep";
   options.out = std::filesystem::absolute(options.out).string();
-  return sweep(options, experiment);
+  return sweep(options, setup);
 }
 
 }  // namespace
@@ -239,6 +239,7 @@ int main(int argc, char** argv) {
   program.add_option("--jobs", options.jobs, "Runs at a time (1)")->check(CLI::Range(1, 1024));
   program.add_option("--seconds", options.seconds, "Time limit of a run (60)")->check(CLI::PositiveNumber);
   program.add_option("--gigabytes", options.gigabytes, "Memory limit of a run (4)")->check(CLI::PositiveNumber);
+  program.add_option("--commit", options.commit, "Of the sources, for the report");
   program.add_flag("--quiet", options.quiet, "No progress bar");
   program.add_flag("--units", options.units, "Print problem and system of each row, and run nothing");
   program.add_option("--one", options.one, "Run one row, and print it, or with --out write it; SYSTEM may be `truth`")

@@ -76,8 +76,13 @@ struct SweepRow {
   std::string command;                     ///< reproduces the row
 };
 
-/// A JSON object and back. `row_of_json` throws std::runtime_error for what is no row.
+/// JSON objects on one line and back. Parts of volumes that are not finite are `null` there and come back as not a
+/// number. The readers throw std::runtime_error for what is no such object, with the member that is wrong.
 std::string to_json(const SweepRow& row);
 SweepRow row_of_json(const std::string& text);
+std::string to_json(const Truth& truth);
+Truth truth_of_json(const std::string& text);
+std::string to_json(const Facts& facts);
+Facts facts_of_json(const std::string& text);
 
 }  // namespace cnrg::bench

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "bench/sweep/machine.h"
+
 namespace cnrg::bench {
 namespace {
 
@@ -35,13 +37,13 @@ std::string read(const std::string& path) {
   return text.str();
 }
 
-nlohmann::json settings_of(const Experiment& experiment) {
+nlohmann::json settings_of(const Setup& setup) {
   nlohmann::json programs = nlohmann::json::object();
-  for (const System& system : experiment.systems)
+  for (const System& system : setup.systems)
     if (!system.executable.empty()) programs[system.name] = {{"program", system.executable}, {"rounding", system.rounding}};
-  return {{"seconds", experiment.limits.seconds},
-          {"bytes", experiment.limits.bytes},
-          {"folder", experiment.folder},
+  return {{"seconds", setup.limits.seconds},
+          {"bytes", setup.limits.bytes},
+          {"folder", setup.folder},
           {"programs", programs}};
 }
 
@@ -56,9 +58,9 @@ Store::~Store() {
   if (lock_ >= 0) close(lock_);
 }
 
-void Store::settle(const Experiment& experiment) {
+void Store::settle(const Setup& setup) {
   const std::string path = folder_ + "/settings.json";
-  const nlohmann::json wanted = settings_of(experiment);
+  const nlohmann::json wanted = settings_of(setup);
   if (!fs::exists(path)) {
     write_whole(path, wanted.dump(1) + "\n");
     return;
@@ -75,6 +77,24 @@ void Store::settle(const Experiment& experiment) {
                              (there.contains(key) ? there[key].dump() : "nothing") + ", this command " +
                              value.dump() + "; give the same, or another folder by --out");
   }
+}
+
+void Store::describe(const Setup& setup, const std::string& commit) const {
+  std::vector<SystemInfo> systems;
+  for (const System& s : setup.systems)
+    systems.push_back({s.name, s.title, s.guarantee, s.version, s.rounding, s.regularized, s.absent});
+  std::vector<FamilyInfo> all;
+  for (const Family& f : families()) all.push_back({f.name, f.title, f.size_means});
+  all.push_back({kFilesFamily, "meshes of a folder: two that belong together, or one and its copy turned about its middle",
+                 "triangles"});
+  MachineInfo machine = this_machine();
+  machine.commit = commit;
+  machine.limit_seconds = setup.limits.seconds;
+  machine.limit_bytes = setup.limits.bytes;
+  const std::string rows = folder_ + "/rows/";
+  write_whole(rows + kSystemsFile, to_json(systems));
+  write_whole(rows + kFamiliesFile, to_json(all));
+  write_whole(rows + kMachineFile, to_json(machine));
 }
 
 void Store::lock() {

@@ -2,9 +2,9 @@
 // moment and goes on where it was.
 //
 //   settings.json                 what all units have in common; the same command goes on, another one is refused
-//   systems.json machine.json     for the report
 //   truth/PROBLEM.json            who confirms the exact result
 //   rows/PROBLEM/SYSTEM.json      one row
+//   rows/{systems,families,machine}.json    what the report says of them (bench/report/experiment.h)
 #pragma once
 
 #include <optional>
@@ -24,7 +24,9 @@ class Store {
 
   /// Writes the settings, or compares them with those that are there: limits, folder of meshes, programs of the
   /// user. Throws std::runtime_error that says what differs and what to do.
-  void settle(const Experiment& experiment);
+  void settle(const Setup& setup);
+  /// Writes what the report says of systems, families and this machine. `commit`: of the sources.
+  void describe(const Setup& setup, const std::string& commit) const;
   /// Only one sweep at a time. Throws std::runtime_error if another one has the folder.
   void lock();
 

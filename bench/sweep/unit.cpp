@@ -15,8 +15,6 @@ namespace {
 using Json = nlohmann::json;
 using End = ChildResult::End;
 
-constexpr const char* kFilesFamily = "files";
-
 /// What a process says of itself: a head in one line, then a model or nothing.
 struct Reply {
   Json head;
@@ -35,10 +33,10 @@ struct Run {
 };
 
 /// The work of the process that runs a system.
-std::string answer_text(const Experiment& experiment, const std::string& name, const System& system) {
+std::string answer_text(const Setup& setup, const std::string& name, const System& system) {
   Problem problem;
   try {
-    problem = experiment.make(name);
+    problem = setup.make(name);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
@@ -67,38 +65,13 @@ std::string answer_text(const Experiment& experiment, const std::string& name, c
   }
 }
 
-Run run(const Experiment& experiment, const std::string& problem, const System& system) {
+Run run(const Setup& setup, const std::string& problem, const System& system) {
   Run result;
-  result.child = run_child([&] { return answer_text(experiment, problem, system); }, experiment.limits);
+  result.child = run_child([&] { return answer_text(setup, problem, system); }, setup.limits);
   if (result.child.end == End::done) result.reply = reply_of(result.child.text);
   if (result.reply.head.contains("problem"))
     throw ProblemError(problem + " could not be made: " + result.reply.head["problem"].get<std::string>());
   return result;
-}
-
-Json json_of(const Facts& f) {
-  return {{"volume", f.volume}, {"vertices", f.vertices}, {"edges", f.edges}, {"faces", f.faces},
-          {"regions", f.regions}, {"shells", f.shells}, {"genus", f.genus},
-          {"non_manifold_edges", f.non_manifold_edges}, {"non_manifold_vertices", f.non_manifold_vertices},
-          {"dangling_faces", f.dangling_faces}, {"dangling_edges", f.dangling_edges},
-          {"dangling_vertices", f.dangling_vertices}};
-}
-
-Facts facts_of_json(const Json& in) {
-  Facts f;
-  in.at("volume").get_to(f.volume);
-  in.at("vertices").get_to(f.vertices);
-  in.at("edges").get_to(f.edges);
-  in.at("faces").get_to(f.faces);
-  in.at("regions").get_to(f.regions);
-  in.at("shells").get_to(f.shells);
-  in.at("genus").get_to(f.genus);
-  in.at("non_manifold_edges").get_to(f.non_manifold_edges);
-  in.at("non_manifold_vertices").get_to(f.non_manifold_vertices);
-  in.at("dangling_faces").get_to(f.dangling_faces);
-  in.at("dangling_edges").get_to(f.dangling_edges);
-  in.at("dangling_vertices").get_to(f.dangling_vertices);
-  return f;
 }
 
 Limits judging_limits(const Limits& limits) { return {5 * limits.seconds, 3 * limits.bytes}; }
@@ -119,16 +92,16 @@ std::string why(const ChildResult& child, double limit) {
   return "ended without a result";
 }
 
-Judged judged(const Experiment& experiment, const std::string& name, const System& system, const std::string& model) {
-  const Limits limits = judging_limits(experiment.limits);
+Judged judged(const Setup& setup, const std::string& name, const System& system, const std::string& model) {
+  const Limits limits = judging_limits(setup.limits);
   const ChildResult child = run_child(
       [&] {
         try {
           std::istringstream in(model);
-          const Judgement j = judge(experiment.make(name), read_model(in), system.rounding);
-          Json out{{"verdict", to_string(j.verdict)}, {"message", j.message}, {"truth", json_of(j.truth)},
+          const Judgement j = judge(setup.make(name), read_model(in), system.rounding);
+          Json out{{"verdict", to_string(j.verdict)}, {"message", j.message}, {"truth", to_json(j.truth)},
                    {"excess", j.excess}, {"missing", j.missing}, {"duplicates", j.duplicates}};
-          if (j.facts) out["facts"] = json_of(*j.facts);
+          if (j.facts) out["facts"] = to_json(*j.facts);
           return out.dump() + "\n";
         } catch (const std::bad_alloc&) {
           throw;
@@ -146,32 +119,32 @@ Judged judged(const Experiment& experiment, const std::string& name, const Syste
   head.at("excess").get_to(j.excess);
   head.at("missing").get_to(j.missing);
   head.at("duplicates").get_to(j.duplicates);
-  j.truth = facts_of_json(head.at("truth"));
-  if (head.contains("facts")) j.facts = facts_of_json(head["facts"]);
+  j.truth = facts_of_json(head.at("truth").get<std::string>());
+  if (head.contains("facts")) j.facts = facts_of_json(head["facts"].get<std::string>());
   return {j, {}};
 }
 
 /// Names and sizes of the problem, by a process of its own: this one stays small.
-void describe(const Experiment& experiment, SweepRow& row) {
+void describe(const Setup& setup, SweepRow& row) {
   const ChildResult child = run_child(
       [&] {
         try {
-          const Problem problem = experiment.make(row.problem);
+          const Problem problem = setup.make(row.problem);
           return Json{{"operands", problem.operands.size()}, {"triangles", problem.triangle_count()}}.dump() + "\n";
         } catch (const std::exception& error) {
           return Json{{"error", error.what()}}.dump() + "\n";
         }
       },
-      judging_limits(experiment.limits));
+      judging_limits(setup.limits));
   const Json head = child.end == End::done ? reply_of(child.text).head : Json();
   if (head.is_null())
     throw ProblemError(row.problem + " could not be made: " +
-                             why(child, judging_limits(experiment.limits).seconds));
+                             why(child, judging_limits(setup.limits).seconds));
   if (head.contains("error"))
     throw ProblemError(row.problem + " could not be made: " + head["error"].get<std::string>());
   head.at("operands").get_to(row.operands);
   head.at("triangles").get_to(row.triangles);
-  if (!experiment.folder.empty()) {
+  if (!setup.folder.empty()) {
     row.family = kFilesFamily;
     row.operation = to_string(Operation::unite);
     row.size = static_cast<long>(row.triangles);
@@ -217,11 +190,11 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
-Problem Experiment::make(const std::string& problem) const {
+Problem Setup::make(const std::string& problem) const {
   return folder.empty() ? make_problem(ProblemId::parse(problem)) : make_folder_problem(folder, problem);
 }
 
-const System& Experiment::system(const std::string& name) const {
+const System& Setup::system(const std::string& name) const {
   std::string known;
   for (const System& system : systems) {
     if (system.name == name) return system;
@@ -231,21 +204,21 @@ const System& Experiment::system(const std::string& name) const {
                            ", and any program by `--system NAME=PROGRAM`");
 }
 
-Truth establish_truth(const Experiment& experiment, const std::string& problem) {
+Truth establish_truth(const Setup& setup, const std::string& problem) {
   Truth truth;
   for (const char* const name : {"nef", "corefinement"}) {
-    const System& system = experiment.system(name);
+    const System& system = setup.system(name);
     const auto add_reason = [&](const std::string& reason) {
       truth.reason += (truth.reason.empty() ? "" : "; ") + std::string(name) + ": " + reason;
     };
-    const Run r = run(experiment, problem, system);
+    const Run r = run(setup, problem, system);
     if (!r.answered()) {
       SweepRow row;
-      no_answer(r, experiment.limits.seconds, row);
+      no_answer(r, setup.limits.seconds, row);
       add_reason(row.message);
       continue;
     }
-    const Judged j = judged(experiment, problem, system, r.reply.rest);
+    const Judged j = judged(setup, problem, system, r.reply.rest);
     if (!j.judgement) {
       add_reason(j.reason);
       continue;
@@ -267,23 +240,23 @@ Truth establish_truth(const Experiment& experiment, const std::string& problem) 
   return truth;
 }
 
-SweepRow run_unit(const Experiment& experiment, const std::string& problem, const std::string& name,
+SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& name,
                   const Truth& truth) {
-  const System& system = experiment.system(name);
+  const System& system = setup.system(name);
   SweepRow row;
   row.problem = problem;
   row.system = name;
   row.truth = truth;
-  row.limit_seconds = experiment.limits.seconds;
-  row.limit_bytes = experiment.limits.bytes;
-  row.command = "bench/run " + (experiment.folder.empty() ? "" : quoted(experiment.folder) + " ") + "--one " +
+  row.limit_seconds = setup.limits.seconds;
+  row.limit_bytes = setup.limits.bytes;
+  row.command = "bench/run " + (setup.folder.empty() ? "" : quoted(setup.folder) + " ") + "--one " +
                 quoted(problem) + " " + name;
-  describe(experiment, row);
+  describe(setup, row);
 
-  const Run r = run(experiment, problem, system);
+  const Run r = run(setup, problem, system);
   row.peak_bytes = r.child.peak_bytes;
   if (!r.answered()) {
-    no_answer(r, experiment.limits.seconds, row);
+    no_answer(r, setup.limits.seconds, row);
     return row;
   }
   for (const Json& stage : r.reply.head.at("stages")) {
@@ -294,7 +267,7 @@ SweepRow run_unit(const Experiment& experiment, const std::string& problem, cons
   r.reply.head.at("exact_share").get_to(row.exact_share);
   r.reply.head.at("note").get_to(row.note);
 
-  const Judged j = judged(experiment, problem, system, r.reply.rest);
+  const Judged j = judged(setup, problem, system, r.reply.rest);
   if (!j.judgement) {
     row.verdict = Verdict::unjudged;
     row.message = j.reason;
@@ -309,20 +282,6 @@ SweepRow run_unit(const Experiment& experiment, const std::string& problem, cons
   row.duplicates = j.judgement->duplicates;
   row.truth.facts = j.judgement->truth;
   return row;
-}
-
-std::string to_json(const Truth& truth) {
-  return Json{{"confirmed", truth.confirmed}, {"reason", truth.reason}, {"facts", json_of(truth.facts)}}.dump(1) +
-         "\n";
-}
-
-Truth truth_of_json(const std::string& text) {
-  try {
-    const Json in = Json::parse(text);
-    return {facts_of_json(in.at("facts")), in.at("confirmed"), in.at("reason")};
-  } catch (const Json::exception& error) {
-    throw std::runtime_error(std::string("is no record of a truth: ") + error.what());
-  }
 }
 
 }  // namespace cnrg::bench

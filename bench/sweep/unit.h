@@ -18,8 +18,11 @@ class ProblemError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The family of problems of a folder, in rows.
+inline constexpr const char* kFilesFamily = "files";
+
 /// What all units of a sweep share.
-struct Experiment {
+struct Setup {
   std::string folder;                     ///< of mesh files; empty: problems are of families
   Limits limits{60, std::size_t{4} << 30};  ///< of each run; judging may take five times as long
   std::vector<System> systems;
@@ -29,14 +32,10 @@ struct Experiment {
 };
 
 /// Says who agrees with our exact result: Nef polyhedra, else corefinement. Throws ProblemError.
-Truth establish_truth(const Experiment& experiment, const std::string& problem);
+Truth establish_truth(const Setup& setup, const std::string& problem);
 
 /// Runs and judges. Throws ProblemError.
-SweepRow run_unit(const Experiment& experiment, const std::string& problem, const std::string& system,
+SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& system,
                   const Truth& truth);
-
-/// Truth as a JSON object and back.
-std::string to_json(const Truth& truth);
-Truth truth_of_json(const std::string& text);
 
 }  // namespace cnrg::bench

@@ -1,0 +1,12 @@
+// The machine that a sweep runs on, as far as the system tells.
+#pragma once
+
+#include "bench/report/experiment.h"
+
+namespace cnrg::bench {
+
+/// Processor, cores, memory, operating system, compiler and date; the rest is for the caller. What can not be found
+/// out is empty or 0.
+MachineInfo this_machine();
+
+}  // namespace cnrg::bench
