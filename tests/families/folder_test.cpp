@@ -89,7 +89,7 @@ TEST_CASE("closed meshes are solids, others are surfaces", "[families]") {
   const Folder folder;
   folder.write("inside.off", kInsideOut);
   folder.write("open.off", kOpen);
-  folder.write("plate.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n4 2 1 0 3\n");
+  folder.write("plate.off", "OFF\n4 2 0\n0 0 0\n3 1 2\n4 5 7\n1 4 5\n4 0 1 2 3\n4 1 0 3 2\n");
   const Problem inside = folder.problem("files-union-inside.off");
   CHECK(inside.solids());
   CHECK(fault_of(inside.operands[0]) == "");
