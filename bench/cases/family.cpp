@@ -106,8 +106,8 @@ ProblemId ProblemId::parse(const std::string& name) {
                            std::find(kOperations.begin(), kOperations.end(), id.operation) != kOperations.end();
     if (operation && !id.family.empty() && id.name() == name) return id;
   }
-  throw std::runtime_error("'" + name + "' names no problem; names are FAMILY-OPERATION-sSIZE-kDISTANCE-rSEED as in "
-                           "edge-union-s4-k7-r3, or kexact in place of a distance");
+  throw std::runtime_error("'" + name + "' names no problem; names are FAMILY-OPERATION-sSIZE-kDISTANCE-rSEED "
+                           "as in edge-union-s4-k7-r3, or kexact in place of a distance");
 }
 
 const std::vector<Family>& families() {
@@ -117,13 +117,6 @@ const std::vector<Family>& families() {
     return families;
   }();
   return all;
-}
-
-std::vector<std::optional<int>> distances_of(const Family& family) {
-  std::vector<std::optional<int>> distances{std::nullopt};
-  if (!family.has_distance) return distances;
-  for (int k = 0; k <= kLargestExponent; ++k) distances.push_back(k);
-  return distances;
 }
 
 Problem make_problem(const ProblemId& id) {

@@ -1,6 +1,7 @@
 // Families of problems for experiments on robustness: each by a size, a seed and a distance to degeneracy.
 //
-// A problem is a fold: ((m0 op1 m1) op2 m2) ... . Its name says how it was made, so that any process makes it again.
+// A problem is a fold: ((m0 op1 m1) op2 m2) ... . Its name says how it was made, so that any process makes it
+// again.
 #pragma once
 
 #include <optional>
@@ -25,8 +26,8 @@ struct ProblemId {
   std::string family;
   std::string operation;        ///< `union`, `difference`, `intersection`; `fold` where the family mixes them
   long size = 1;
-  /// k: the operands are 10^-k of their size away from the degenerate position; `kexact` in names when there is none:
-  /// they are in it.
+  /// k: the operands are 10^-k of their size away from the degenerate position; `kexact` in names when there is
+  /// none: they are in it.
   std::optional<int> distance;
   unsigned seed = 1;
   std::string name() const;
@@ -46,17 +47,15 @@ struct Family {
 
 /// All families, in the order of a report.
 const std::vector<Family>& families();
-/// Those of a usual sweep: the exact position, then k from 0 to 16; the first alone without a distance.
-std::vector<std::optional<int>> distances_of(const Family& family);
 
-/// Makes a problem of a family. Throws std::runtime_error with what is known for an unknown family, an operation or
-/// a size that the family does not have, and a distance out of 0 to 16.
+/// Makes a problem of a family. Throws std::runtime_error with what is known for an unknown family, an operation
+/// or a size that the family does not have, and a distance out of 0 to 16.
 Problem make_problem(const ProblemId& id);
 
-/// Problems of a folder of mesh files (OFF, OBJ, STL, PLY; searched through), by name: files that belong together by
-/// their names (`x_left` and `x_right`, `src-x` and `cut-x`, `xA` and `xB`) are united, each other file with its copy
-/// turned about its middle. An open mesh is a surface. Names are as
-/// `files-union-x_left.off-x_right.off`, paths below the folder with `+` for `/`.
+/// Problems of a folder of mesh files (OFF, OBJ, STL, PLY; searched through), by name: files that belong together
+/// by their names (`x_left` and `x_right`, `src-x` and `cut-x`, `xA` and `xB`) are united, each other file with
+/// its copy turned about its middle. An open mesh is a surface, and so is one without volume. Names are as
+/// `files-union-a+x_left.off-x_right.off`, paths below the folder with `+` for `/`.
 std::vector<std::string> folder_problems(const std::string& folder);
 /// Throws std::runtime_error, or as the reader of mesh leaves does.
 Problem make_folder_problem(const std::string& folder, const std::string& name);

@@ -96,8 +96,8 @@ std::vector<FamilyMaker> contact_families() {
   constexpr long kLargest = 1000;
   return {
       {family("face", "two solids that touch in a whole face of both"), 4, kLargest, face},
-      {family("part-of-face", "two solids that touch in a part of a face: inside of it, across its border, or up to "
-                              "it"),
+      {family("part-of-face", "two solids that touch in a part of a face: inside of it, across its border, or "
+                              "up to it"),
        4, kLargest, part_of_face},
       {family("edge", "two solids that touch in an edge: whole edges, parts of them, or an edge in a face"),
        4, kLargest, edge},

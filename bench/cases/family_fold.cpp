@@ -82,7 +82,9 @@ Problem iterated(const ProblemId& id) {
   problem.operands.push_back(box_between({8, 8, 8}, {kSide - 8, kSide - 8, kSide - 8}));
   for (long i = 0; i < id.size; ++i) {
     const int choice = random.integer(0, 9);
-    problem.steps.push_back(choice < 5 ? Operation::unite : choice < 9 ? Operation::subtract : Operation::intersect);
+    problem.steps.push_back(choice < 5   ? Operation::unite
+                            : choice < 9 ? Operation::subtract
+                                         : Operation::intersect);
     problem.operands.push_back(choice < 9 ? small_solid(random) : all_but_a_corner(random));
   }
   return problem;
@@ -92,8 +94,8 @@ Problem iterated(const ProblemId& id) {
 
 std::vector<FamilyMaker> fold_families() {
   return {
-      {{"menger", "Menger sponge: a cube without the prisms of its holes", "level", {"difference"}, {1, 2, 3}, false,
-        1},
+      {{"menger", "Menger sponge: a cube without the prisms of its holes", "level", {"difference"}, {1, 2, 3},
+        false, 1},
        1, 4, sponge},
       {{"boxes", "random boxes on an integer grid: many faces in a plane", "boxes", {"union"}, {10, 30, 100, 200},
         false, 3},

@@ -44,7 +44,7 @@ fs::path partner_of(const fs::path& path, const PairRule& rule) {
   return path.parent_path() / (rule.second_begin + middle + rule.second_end + path.extension().string());
 }
 
-/// Letters, digits and dots of a path below the folder; folders are parted by `+`, all else becomes `_`.
+/// Letters, digits, dots and hyphens of a path below the folder; folders are parted by `+`, all else becomes `_`.
 std::string word_of(const fs::path& path) {
   std::string word = path.generic_string();
   for (char& letter : word) {

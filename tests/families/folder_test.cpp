@@ -47,17 +47,18 @@ const std::string kBox =
 
 TEST_CASE("files that belong together are one problem", "[families]") {
   const Folder folder;
-  for (const char* name : {"x_left.off", "x_right.off", "src-y.off", "cut-y.off", "zA.off", "zB.off", "deep/er/zA.off",
-                           "deep/zB.off", "alone_left.OFF", "src-wA.off", "cut-wA.off", "src-wB.off", "cut-wB.off",
-                           "a b.off", "a_b.off", "qA.off", "qB.stl"})
+  for (const char* name : {"x_left.off", "x_right.off", "src-y.off", "cut-y.off", "zA.off", "zB.off",
+                           "deep/er/zA.off", "deep/zB.off", "alone_left.OFF", "src-wA.off", "cut-wA.off",
+                           "src-wB.off", "cut-wB.off", "a b.off", "a_b.off", "qA.off", "qB.stl"})
     folder.write(name, kTetrahedron);
   folder.write("notes.txt", "no mesh");
   const std::vector<std::string> names = folder_problems(folder.path());
   CHECK(names == std::vector<std::string>{
                      "files-union-a_b.off", "files-union-a_b.off_2", "files-union-alone_left.OFF",
                      "files-union-deep+er+zA.off", "files-union-deep+zB.off", "files-union-qA.off",
-                     "files-union-qB.stl", "files-union-src-wA.off-cut-wA.off", "files-union-src-wB.off-cut-wB.off",
-                     "files-union-src-y.off-cut-y.off", "files-union-x_left.off-x_right.off",
+                     "files-union-qB.stl", "files-union-src-wA.off-cut-wA.off",
+                     "files-union-src-wB.off-cut-wB.off", "files-union-src-y.off-cut-y.off",
+                     "files-union-x_left.off-x_right.off",
                      "files-union-zA.off-zB.off"});
   const Problem pair = folder.problem("files-union-x_left.off-x_right.off");
   CHECK(pair.name == "files-union-x_left.off-x_right.off");
@@ -88,7 +89,7 @@ TEST_CASE("closed meshes are solids, others are surfaces", "[families]") {
   const Folder folder;
   folder.write("inside.off", kInsideOut);
   folder.write("open.off", kOpen);
-  folder.write("plate.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n4 2 1 0 3\n");
+  folder.write("plate.off", "OFF\n4 2 0\n0 0 0\n3 1 2\n4 5 7\n1 4 5\n4 0 1 2 3\n4 1 0 3 2\n");
   const Problem inside = folder.problem("files-union-inside.off");
   CHECK(inside.solids());
   CHECK(fault_of(inside.operands[0]) == "");

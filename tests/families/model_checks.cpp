@@ -148,6 +148,7 @@ Meeting meeting(const Model& a, const Model& b) {
       face[side] = std::any_of(faces.begin(), faces.end(), [&](FaceId f) { return covers(complex, f, leaf); });
       corner[side] = corners[side].contains(complex.points.rational(v));
     }
+    if (edge[0] && edge[1] && !corner[0] && !corner[1]) ++m.crossings;
     if ((edge[0] && edge[1]) || (corner[0] && face[1]) || (corner[1] && face[0])) ++m.vertices;
   }
   for (std::uint32_t r = 1; r < complex.region_count; ++r) {
