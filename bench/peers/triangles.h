@@ -6,7 +6,8 @@
 namespace cnrg::bench {
 
 /// The face as seen from its front, by its own points; a face of three points is its own triangle. Coordinates may
-/// be rounded, so that the face is only about planar. Throws InvariantError if its loops cross.
+/// be rounded, so that the face is only about planar. Throws InvariantError if its loops cross or two of its
+/// points are at one place.
 std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<RationalPoint>& points,
                                                        const Model::Face& face);
 
@@ -15,7 +16,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<Rationa
 Rational scale_to(const std::vector<Model>& models, int exponent);
 
 /// Solid faces as triangles, coordinates times `scale` rounded to doubles. Throws Refusal with stage `input` for a
-/// model that is no solid.
+/// model that is no solid and for faces that are no polygons.
 TriangleMesh rounded_triangles(const Model& model, const Rational& scale = 1);
 
 }  // namespace cnrg::bench
