@@ -1,6 +1,7 @@
 #include "bench/peers/program.h"
 
 #include <fcntl.h>
+#include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -51,6 +52,8 @@ void open_as(int descriptor, const char* path, int flags) {
   open_as(1, "/dev/null", O_WRONLY);
   open_as(2, errors, O_WRONLY | O_CREAT | O_TRUNC);
   close_range(3, ~0u, 0);
+  // OpenSCAD writes its cells in the order of their addresses: the same every time where these are.
+  personality(ADDR_NO_RANDOMIZE);
   execvp(arguments[0], arguments);
   dprintf(2, "%s: %s\n", arguments[0], std::strerror(errno));
   _exit(127);

@@ -76,6 +76,8 @@ Answer evaluate(const Problem& problem) {
   measurement.lap("Boolean");
   Answer answer;
   answer.measures = measurement.stop();
+  // It may say that it is done and leave faces in the mesh whose sides do not fit to each other.
+  if (!CGAL::is_valid_polygon_mesh(result)) throw Refusal("output", "done, but the result is no valid mesh");
   answer.model = model_of(result);
   return answer;
 }

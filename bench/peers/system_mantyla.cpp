@@ -25,7 +25,8 @@ Answer folded(const Problem& problem, Boolean boolean) {
   return answer;
 }
 
-System mantyla_system(const std::string& numbers, double rounding, std::function<Answer(const Problem&)> evaluate) {
+System mantyla_system(const std::string& numbers, double rounding,
+                      std::function<Answer(const Problem&)> evaluate) {
   return {.name = "mantyla-" + numbers,
           .title = "Mäntylä's Boolean (" + numbers + ")",
           .guarantee = "closed 2-manifolds of planar faces; as published, nothing repaired",
@@ -48,7 +49,8 @@ System mantyla_double_system() {
 }
 
 System mantyla_exact_system() {
-  return mantyla_system("exact", 0, [](const Problem& problem) { return folded(problem, mantyla::boolean_exact); });
+  return mantyla_system("exact", 0,
+                        [](const Problem& problem) { return folded(problem, mantyla::boolean_exact); });
 }
 
 }  // namespace cnrg::bench

@@ -8,9 +8,11 @@
 #include <CGAL/Nef_nary_union_3.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/version.h>
 
+#include <algorithm>
 #include <fstream>
 #include <unordered_map>
 
@@ -38,39 +40,56 @@ RationalPoint point_of(const Kernel::Point_3& p) {
 
 // --- operands
 
-/// The parts of an operand in CGAL's own forms: their union is the operand.
+struct Shell {
+  Mesh mesh;  ///< oriented outward
+  bool cavity = false;
+};
+
+/// The parts of an operand in CGAL's own forms: it is their union, cavities taken out of the shells before them.
 struct Parts {
-  std::vector<Mesh> surfaces;
+  std::vector<Shell> shells;
   std::vector<std::vector<Kernel::Point_3>> sheets;
   std::vector<std::array<Kernel::Point_3, 2>> wires;
   std::vector<Kernel::Point_3> points;
 };
 
-/// The surface as one, or, where its pieces touch or intersect each other, each by itself: their union is the same
-/// solid if all of them are outer shells. Throws Refusal unless CGAL takes them.
-std::vector<Mesh> valid_surfaces(const Mesh& surface) {
-  const Mesh triangles = triangulated(surface);
-  if (!processing::does_self_intersect(triangles)) {
-    if (!processing::does_bound_a_volume(triangles)) throw Refusal("input", "an operand bounds no volume");
-    return {surface};
-  }
+/// Each piece by itself, from the largest to the smallest.
+std::vector<Shell> pieces_of(const Mesh& surface, bool touching) {
   std::vector<Mesh> pieces;
   processing::split_connected_components(surface, pieces);
-  for (const Mesh& piece : pieces) {
+  std::vector<std::pair<Kernel::FT, Shell>> sized;
+  for (Mesh& piece : pieces) {
     const Mesh cut = triangulated(piece);
-    if (processing::does_self_intersect(cut)) throw Refusal("input", "a shell intersects or touches itself");
-    if (!processing::is_outward_oriented(cut))
-      throw Refusal("input", "a cavity intersects or touches another shell");
+    if (touching && processing::does_self_intersect(cut))
+      throw Refusal("input", "a shell intersects or touches itself");
+    const Kernel::FT volume = processing::volume(cut);
+    const bool cavity = volume < 0;
+    if (touching && cavity) throw Refusal("input", "a cavity intersects or touches another shell");
+    if (cavity) processing::reverse_face_orientations(piece);
+    sized.emplace_back(CGAL::abs(volume), Shell{std::move(piece), cavity});
   }
-  return pieces;
+  std::stable_sort(sized.begin(), sized.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Shell> shells;
+  for (auto& [volume, shell] : sized) shells.push_back(std::move(shell));
+  return shells;
+}
+
+/// A Nef polyhedron of a surface fills all that it encloses, also cavities, and takes no shells that touch. So the
+/// surface is given as one only if it has neither. Throws Refusal for what CGAL does not take.
+std::vector<Shell> shells_of(const Mesh& surface) {
+  const Mesh triangles = triangulated(surface);
+  if (processing::does_self_intersect(triangles)) return pieces_of(surface, true);
+  if (!processing::does_bound_a_volume(triangles)) throw Refusal("input", "an operand bounds no volume");
+  std::vector<Shell> pieces = pieces_of(surface, false);
+  if (std::any_of(pieces.begin(), pieces.end(), [](const Shell& shell) { return shell.cavity; })) return pieces;
+  return {{surface, false}};
 }
 
 Parts parts_of(const Model& model) {
   Parts parts;
   const auto is_solid = [](const Model::Face& face) { return face.solid; };
   if (std::any_of(model.faces.begin(), model.faces.end(), is_solid))
-    parts.surfaces = valid_surfaces(
-        closed_surface<Mesh>(model, [](const RationalPoint& p) { return point_of(p); }));
+    parts.shells = shells_of(closed_surface<Mesh>(model, [](const RationalPoint& p) { return point_of(p); }));
   for (const Model::Face& face : model.faces) {
     if (face.solid) continue;
     if (face.loops.size() != 1) throw Refusal("input", "a face has holes");
@@ -126,9 +145,15 @@ Nef united(const std::vector<Nef>& sets) {
   return settled(all.get_union());
 }
 
+/// Closed.
+Nef difference(const Nef& a, const Nef& b) { return settled(settled(a - b).closure()); }
+
 Nef set_of(const Parts& parts) {
   std::vector<Nef> sets;
-  for (const Mesh& surface : parts.surfaces) sets.emplace_back(surface);
+  for (const auto& [mesh, cavity] : parts.shells) {
+    if (cavity) sets = {difference(united(sets), Nef(mesh))};
+    else sets.emplace_back(mesh);
+  }
   for (const auto& sheet : parts.sheets) sets.emplace_back(sheet.begin(), sheet.end());
   for (const auto& [a, b] : parts.wires) sets.emplace_back(Nef::Segment_3(a, b));
   for (const Kernel::Point_3& p : parts.points) sets.emplace_back(p);
@@ -145,8 +170,7 @@ Nef folded(const Problem& problem, const std::vector<Nef>& operands) {
       continue;
     }
     const Nef& right = operands[i + 1];
-    value = settled(problem.steps[i] == Operation::intersect ? value * right : value - right);
-    if (problem.steps[i] == Operation::subtract) value = settled(value.closure());
+    value = problem.steps[i] == Operation::intersect ? settled(value * right) : difference(value, right);
     ++i;
   }
   return value;

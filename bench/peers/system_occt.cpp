@@ -1,4 +1,4 @@
-// OpenCASCADE: one General Fuse of all operands (BOPAlgo_CellsBuilder), whose parts the steps add and take away.
+// OpenCASCADE: one General Fuse of all operands (BOPAlgo_CellsBuilder), from whose parts the fold is selected.
 //
 // CellsBuilder is what OpenCASCADE has for Booleans of mixed dimension: BRepAlgoAPI's operators refuse most of
 // them. Parts have the dimension of their argument; what two arguments have in common of lower dimension than both
@@ -198,12 +198,6 @@ TopTools_ListOfShape list_of(const Arguments& arguments) {
   return list;
 }
 
-TopTools_ListOfShape list_of(const TopoDS_Shape& argument) {
-  TopTools_ListOfShape list;
-  list.Append(argument);
-  return list;
-}
-
 /// The first line of what the algorithm reports.
 template <class Dump>
 std::string first_line(Dump dump) {
@@ -219,21 +213,34 @@ void require_no_errors(const BOPAlgo_CellsBuilder& fuse, const char* stage) {
   throw Refusal(stage, first_line([&](std::ostream& out) { fuse.DumpErrors(out); }));
 }
 
-void select_parts(BOPAlgo_CellsBuilder& fuse, const Problem& problem, const std::vector<Arguments>& operands) {
-  const TopTools_ListOfShape none;
-  Arguments seen = operands[0];
-  for (const TopoDS_Shape& a : operands[0]) fuse.AddToResult(list_of(a), none, kMaterial);
+/// The parts that are in all of `in` and in none of `out`.
+struct Term {
+  Arguments in, out;
+};
+
+/// The fold as a union of terms. A part of a surface is in a solid that it lies inside of, so it is terms that say
+/// what belongs to an intersection, and not the parts of its operands.
+std::vector<Term> terms_of(const Problem& problem, const std::vector<Arguments>& operands) {
+  std::vector<Term> terms;
+  for (const TopoDS_Shape& a : operands[0]) terms.push_back({{a}, {}});
   for (std::size_t i = 0; i < problem.steps.size(); ++i) {
     const Arguments& right = operands[i + 1];
     if (problem.steps[i] == Operation::unite) {
-      for (const TopoDS_Shape& b : right) fuse.AddToResult(list_of(b), none, kMaterial);
+      for (const TopoDS_Shape& b : right) terms.push_back({{b}, {}});
     } else if (problem.steps[i] == Operation::subtract) {
-      for (const TopoDS_Shape& b : right) fuse.RemoveFromResult(list_of(b), none);
+      for (Term& term : terms) term.out.insert(term.out.end(), right.begin(), right.end());
     } else {
-      for (const TopoDS_Shape& a : seen) fuse.RemoveFromResult(list_of(a), list_of(right));
+      std::vector<Term> both;
+      for (const Term& term : terms)
+        for (const TopoDS_Shape& b : right) both.emplace_back(term).in.push_back(b);
+      terms = std::move(both);
     }
-    seen.insert(seen.end(), right.begin(), right.end());
   }
+  return terms;
+}
+
+void select_parts(BOPAlgo_CellsBuilder& fuse, const std::vector<Term>& terms) {
+  for (const Term& term : terms) fuse.AddToResult(list_of(term.in), list_of(term.out), kMaterial);
   fuse.RemoveInternalBoundaries();
 }
 
@@ -244,9 +251,11 @@ class ModelMaker {
   ModelMaker(const TopoDS_Shape& shape, const Rational& scale) : shape_(shape), scale_(scale) {}
 
   Model run() {
-    for (TopExp_Explorer solids(shape_, TopAbs_SOLID); solids.More(); solids.Next())
+    for (TopExp_Explorer solids(shape_, TopAbs_SOLID); solids.More(); solids.Next()) {
+      cover(solids.Current());  // also what hangs inside of it
       for (TopExp_Explorer faces(solids.Current(), TopAbs_FACE); faces.More(); faces.Next())
         take_side(faces.Current());
+    }
     for (const TopoDS_Shape& face : sides_) {
       if (side_count_(face) == 1) add_face(TopoDS::Face(face), true);
     }
@@ -335,7 +344,7 @@ class ModelMaker {
 
   void add_wire(const TopoDS_Edge& edge) {
     cover(edge);
-    model_.wires.push_back(ends(edge));
+    model_.wires.push_back(ends(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD))));
   }
 
   const TopoDS_Shape& shape_;
@@ -375,7 +384,7 @@ Answer evaluate(const Problem& problem) {
   });
   require_no_errors(fuse, "General Fuse");
   measurement.lap("General Fuse");
-  guarded("parts", [&] { select_parts(fuse, problem, operands); });
+  guarded("parts", [&] { select_parts(fuse, terms_of(problem, operands)); });
   require_no_errors(fuse, "parts");
   measurement.lap("parts");
 
@@ -397,7 +406,7 @@ Answer evaluate(const Problem& problem) {
 System occt_system() {
   return {.name = "occt",
           .title = "OpenCASCADE General Fuse",
-          .guarantee = "solids, surfaces, wires, points; doubles with a tolerance; parts of an operand's dimension",
+          .guarantee = "solids, surfaces, wires, points; doubles, a tolerance; parts of an operand's dimension",
           .version = std::string("OpenCASCADE ") + OCC_VERSION_COMPLETE,
           .rounding = 1e-9,
           .regularized = false,

@@ -1,8 +1,8 @@
 // OpenSCAD as a program: polyhedra and operators as its text in, its Nef polyhedron out.
 //
 // OpenSCAD 2021.01 cuts coordinates off to multiples of 2^-20, whatever their size, and computes exactly from
-// there. Operands are therefore multiplied by a power of two, so that nearly all bits of a double lie above that. Results
-// come as `nef3`, which is exact; its OFF, STL and AMF have six digits.
+// there. Operands are therefore multiplied by a power of two, so that nearly all bits of a double lie above that.
+// Results come as `nef3`, which is exact; its OFF, STL and AMF have six digits.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

@@ -1,9 +1,11 @@
 #include "bench/peers/triangles.h"
 
 #include <cmath>
+#include <unordered_map>
 
 #include "bench/peers/face_loops.h"
 #include "bench/peers/system.h"
+#include "kernel/base/error.h"
 #include "kernel/exact/triangulate.h"
 
 namespace cnrg::bench {
@@ -32,12 +34,17 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<Rationa
     return {{face.loops[0][0], face.loops[0][1], face.loops[0][2]}};
   PointTable table;
   std::vector<std::uint32_t> place;  // in `points`, of each point of the table
+  std::unordered_map<std::uint32_t, VertexId> vertex;
   std::vector<std::vector<VertexId>> loops;
   for (const PointLoop& loop : face.loops) {
     loops.emplace_back();
     for (const std::uint32_t p : loop) {
-      loops.back().push_back(table.add(points[p]));
-      place.push_back(p);
+      const auto [it, is_new] = vertex.try_emplace(p);
+      if (is_new) {
+        it->second = table.add(points[p]);
+        place.push_back(p);
+      }
+      loops.back().push_back(it->second);
     }
   }
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -63,9 +70,13 @@ TriangleMesh rounded_triangles(const Model& model, const Rational& scale) {
   TriangleMesh mesh;
   const auto rounded = [&](const Rational& x) { return to_double(x * scale); };
   for (const auto& [x, y, z] : model.points) mesh.points.push_back({rounded(x), rounded(y), rounded(z)});
-  for (const Model::Face& face : model.faces) {
-    const auto triangles = triangles_of(model.points, face);
-    mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
+  try {
+    for (const Model::Face& face : model.faces) {
+      const auto triangles = triangles_of(model.points, face);
+      mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
+    }
+  } catch (const InvariantError&) {
+    throw Refusal("input", "a face of an operand crosses or touches itself");
   }
   return mesh;
 }

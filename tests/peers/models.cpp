@@ -11,7 +11,10 @@ RationalPoint area_of(const Model& model, const std::vector<std::uint32_t>& loop
   RationalPoint area{0, 0, 0};
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const RationalPoint &p = model.points[loop[i]], &q = model.points[loop[(i + 1) % loop.size()]];
-    for (std::size_t k = 0; k < 3; ++k) area[k] += (p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3]) / 2;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+      area[k] += (p[l] * q[m] - p[m] * q[l]) / 2;
+    }
   }
   return area;
 }
