@@ -147,7 +147,7 @@ MainFact failures_near_degeneracy(const Experiment& experiment, const Summary& s
   if (first != nullptr) {
     const DistancePoint& worst = first->points[first->worst];
     fact.sentence += " First of the others, " + title_of(experiment, first->system) + " begins to fail " +
-                     begin_text(*first) + " and fails in up to " + percent(worst.tally.failure_rate()) + " of the runs.";
+                     begin_text(*first) + " and fails in up to " + percent(worst.tally.failure_rate()) + " of the runs at a distance.";
   } else if (curves.size() > (ours == nullptr ? 0 : 1)) {
     fact.sentence += " None of the others begins to fail.";
   }
@@ -173,23 +173,25 @@ MainFact speed(const Experiment& experiment, const Summary& summary) {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Ratio* a, const Ratio* b) { return a->time.median > b->time.median; });
   fact.columns = {"median", "quartiles", "n"};
-  const Ratio* shown = sorted.front();
-  const Ratio* second = nullptr;
+  // The peers of the project, else the fastest: the least flattering.
+  const Ratio *nef = nullptr, *corefinement = nullptr;
   for (const Ratio* ratio : sorted) {
     const std::string& name = experiment.systems[ratio->system].name;
-    if (name == "nef") shown = ratio;
-    if (name == "corefinement") second = ratio;
+    if (name == "nef") nef = ratio;
+    if (name == "corefinement") corefinement = ratio;
     fact.lines.push_back(
         {ratio->system,
          {three_digits(ratio->time.median) + " ×", quartiles(ratio->time), grouped(ratio->time.count)}});
   }
+  const Ratio* const second = nef != nullptr ? corefinement : nullptr;
+  const Ratio* const shown = nef != nullptr ? nef : corefinement != nullptr ? corefinement : sorted.back();
   const auto described = [&](const Ratio& ratio) {
     return "(quartiles " + quartiles(ratio.time) + ", " + plural(ratio.time.count, "problem") + ")";
   };
   fact.headline = three_digits(shown->time.median) + " ×";
   fact.sentence = "the time of " + title_of(experiment, *summary.ours) + " is what " +
                   title_of(experiment, shown->system) + " takes, in the median " + described(*shown) + ".";
-  if (second != nullptr && second != shown) {
+  if (second != nullptr) {
     fact.sentence += " " + title_of(experiment, second->system) + ": " + three_digits(second->time.median) + " × " +
                      described(*second) + ".";
   }

@@ -110,7 +110,8 @@ summary { cursor: pointer; font-weight: 600; }
 #runs-view thead button { border: 0; background: none; padding: 0; color: var(--muted); font-weight: 600;
   cursor: pointer; }
 #runs-view td.number { text-align: right; white-space: nowrap; }
-#runs-view td code { display: block; color: var(--muted); }
+#runs-view td:first-child { min-width: 170px; }
+#runs-view td:last-child code { display: block; color: var(--muted); }
 @media (max-width: 820px) { .facts, .two, .three { grid-template-columns: minmax(0, 1fr); } }
 )css";
 
@@ -197,6 +198,7 @@ const char* const kScript = R"js(
     COLUMNS.forEach(function (column, i) {
       const cell = make('th', null, head);
       cell.scope = 'col';
+      if (column[1]) { cell.className = 'count'; }
       make('button', column[0], cell).addEventListener('click', function () {
         down = sorted === i ? !down : false;
         sorted = i;
@@ -214,6 +216,7 @@ const char* const kScript = R"js(
   function opened() { if (details.open) { if (store === null) { open(); } } }
   details.addEventListener('toggle', opened);
   if (location.hash === '#runs') { details.open = true; }
+  opened();
 })();
 )js";
 
