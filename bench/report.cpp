@@ -1,11 +1,12 @@
 // bench_report: the page and the JSON of a sweep's rows.
+#include "bench/report/report.h"
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
 #include "bench/command.h"
-#include "bench/report/report.h"
 #include "csg/output/file.h"
 
 namespace cnrg::bench {

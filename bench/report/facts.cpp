@@ -34,9 +34,8 @@ MainFact exact_results(const Experiment& experiment, const Summary& summary) {
   const auto share = [&](std::size_t s, Class wanted) {
     return static_cast<double>(summary.totals[s].of(wanted)) / static_cast<double>(summary.totals[s].runs());
   };
-  const std::vector<std::size_t> systems = ordered(summary, [&](std::size_t a, std::size_t b) {
-    return share(a, Class::exact) > share(b, Class::exact);
-  });
+  const std::vector<std::size_t> systems = ordered(
+      summary, [&](std::size_t a, std::size_t b) { return share(a, Class::exact) > share(b, Class::exact); });
   fact.columns = {"exact", "right", "wrong"};
   std::size_t unsaid = 0, systems_unsaid = 0;
   for (const std::size_t s : systems) {
@@ -61,13 +60,15 @@ MainFact exact_results(const Experiment& experiment, const Summary& summary) {
   if (systems.size() == 1) return fact;
   const std::size_t best = systems[1], worst = systems.back();
   const auto said = [&](std::size_t s) {
-    return title_of(experiment, s) + " with " + part_text(summary.totals[s].of(Class::exact), summary.totals[s].runs());
+    return title_of(experiment, s) + " with " +
+           part_text(summary.totals[s].of(Class::exact), summary.totals[s].runs());
   };
   fact.sentence += " Best of the others is " + said(best);
   if (worst != best) fact.sentence += ", last " + said(worst);
-  fact.sentence += unsaid == 0 ? ". None of the others is wrong without saying so."
-                               : ". " + plural(unsaid, "result") + " of " + plural(systems_unsaid, "other system") +
-                                     (unsaid == 1 ? " is" : " are") + " wrong without saying so.";
+  fact.sentence += unsaid == 0
+                       ? ". None of the others is wrong without saying so."
+                       : ". " + plural(unsaid, "result") + " of " + plural(systems_unsaid, "other system") +
+                             (unsaid == 1 ? " is" : " are") + " wrong without saying so.";
   return fact;
 }
 
@@ -126,8 +127,8 @@ MainFact failures_near_degeneracy(const Experiment& experiment, const Summary& s
   for (const DistanceCurve* curve : sorted) {
     const DistancePoint& worst = curve->points[curve->worst];
     const double rate = worst.tally.failure_rate();
-    fact.lines.push_back({curve->system,
-                          {onset_text(*curve), percent(rate), rate > 0 ? distance_text(worst.k) : "–"}});
+    fact.lines.push_back(
+        {curve->system, {onset_text(*curve), percent(rate), rate > 0 ? distance_text(worst.k) : "–"}});
     if (first == nullptr && curve->system != summary.ours && curve->onset) first = curve;
   }
   fact.note = "From: the farthest distance, as a part of the operands' size, at which " + percent(kOnset) +
@@ -137,8 +138,8 @@ MainFact failures_near_degeneracy(const Experiment& experiment, const Summary& s
     fact.headline = "–";
     fact.sentence = "There are no runs of ours at distances.";
   } else {
-    const std::string said = " of " + title_of(experiment, *summary.ours) + " in " + plural(runs_of(*ours), "run") +
-                             " at all distances";
+    const std::string said = " of " + title_of(experiment, *summary.ours) + " in " +
+                             plural(runs_of(*ours), "run") + " at all distances";
     const std::size_t failures = failures_of(*ours);
     fact.headline = ours->onset ? "from " + onset_text(*ours) : plural(failures, "failure");
     fact.sentence = (ours->onset ? plural(failures, "failure") : "") + said + ".";
@@ -147,7 +148,8 @@ MainFact failures_near_degeneracy(const Experiment& experiment, const Summary& s
   if (first != nullptr) {
     const DistancePoint& worst = first->points[first->worst];
     fact.sentence += " First of the others, " + title_of(experiment, first->system) + " begins to fail " +
-                     begin_text(*first) + " and fails in up to " + percent(worst.tally.failure_rate()) + " of the runs at a distance.";
+                     begin_text(*first) + " and fails in up to " + percent(worst.tally.failure_rate()) +
+                     " of the runs at a distance.";
   } else if (curves.size() > (ours == nullptr ? 0 : 1)) {
     fact.sentence += " None of the others begins to fail.";
   }
@@ -192,11 +194,12 @@ MainFact speed(const Experiment& experiment, const Summary& summary) {
   fact.sentence = "the time of " + title_of(experiment, *summary.ours) + " is what " +
                   title_of(experiment, shown->system) + " takes, in the median " + described(*shown) + ".";
   if (second != nullptr) {
-    fact.sentence += " " + title_of(experiment, second->system) + ": " + three_digits(second->time.median) + " × " +
-                     described(*second) + ".";
+    fact.sentence += " " + title_of(experiment, second->system) + ": " + three_digits(second->time.median) +
+                     " × " + described(*second) + ".";
   }
-  fact.note = "Time of the system over ours, on the n problems that both did right; below 1 the system is faster. "
-              "Their guarantees are not equal.";
+  fact.note =
+      "Time of the system over ours, on the n problems that both did right; below 1 the system is faster. "
+      "Their guarantees are not equal.";
   return fact;
 }
 

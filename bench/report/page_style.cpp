@@ -20,7 +20,6 @@ const char* const kStyle = R"css(
   --dangling-lost: #b48d35; --wrong: #f0602c; --refused: #8b94a3; --crashed: #a678cc; --timed-out: #697384;
   --out-of-memory: #4a5361;
 } }
-@media print { :root { color-scheme: light; } nav, #rows-section { display: none; } body { font-size: 11px; } }
 * { box-sizing: border-box; }
 html { background: var(--page); color: var(--ink); -webkit-print-color-adjust: exact; print-color-adjust: exact; }
 body { margin: 0; font: 15px/1.5 system-ui, "Segoe UI", "Noto Sans", "Liberation Sans", Arial, sans-serif; }
@@ -52,7 +51,8 @@ th, td { padding: 5px 8px; text-align: left; vertical-align: top; border-bottom:
 th { font-weight: 600; }
 thead th { color: var(--muted); font-size: 12px; vertical-align: bottom; white-space: nowrap; }
 thead th span { color: var(--ink); }
-td.count, thead th.count, table.numbers td, table.numbers thead th, table.fact td, table.fact thead th { text-align: right; }
+td.count, thead th.count, table.numbers td, table.numbers thead th, table.fact td, table.fact thead th {
+  text-align: right; }
 table.numbers th:first-child, table.fact th:first-child { text-align: left; }
 table.numbers td { white-space: nowrap; }
 table.numbers td.text, table.numbers thead th.text { text-align: left; white-space: normal; }
@@ -78,7 +78,8 @@ table.matrix { table-layout: fixed; min-width: 900px; }
 .matrix thead th:first-child { width: 172px; }
 .matrix thead th.count { width: 74px; }
 .matrix th, .matrix td { padding: 5px 6px; }
-.bar { display: flex; height: 12px; margin: 3px 0 1px; border-radius: 2px; overflow: hidden; background: var(--rule); }
+.bar { display: flex; height: 12px; margin: 3px 0 1px; border-radius: 2px; overflow: hidden;
+  background: var(--rule); }
 .bar i { flex: 0 0 0; min-width: 2px; }
 .counts { font-size: 11.5px; color: var(--muted); white-space: nowrap; }
 .counts .exact, .counts .right { color: var(--ink); }
@@ -88,7 +89,8 @@ table.matrix { table-layout: fixed; min-width: 900px; }
 .mark { display: inline-flex; align-items: baseline; }
 .legend { display: flex; flex-wrap: wrap; gap: 2px 18px; font-size: 12.5px; max-width: none; }
 .v-same { background: var(--same); } .v-same-regularized { background: var(--same-regularized); }
-.v-contact-duplicated { background: var(--contact-duplicated); } .v-contact-lost { background: var(--contact-lost); }
+.v-contact-duplicated { background: var(--contact-duplicated); }
+.v-contact-lost { background: var(--contact-lost); }
 .v-dangling-lost { background: var(--dangling-lost); } .v-wrong { background: var(--wrong); }
 .v-refused { background: var(--refused); } .v-crashed { background: var(--crashed); }
 .v-timed-out { background: var(--timed-out); } .v-out-of-memory { background: var(--out-of-memory); }
@@ -103,7 +105,8 @@ dt { color: var(--muted); } dd { margin: 0; overflow-wrap: anywhere; }
 .alarm h2, tr.alarming th, tr.alarming td { color: var(--alarm); }
 .alarm ul { margin: 0; padding-left: 20px; }
 summary { cursor: pointer; font-weight: 600; }
-#runs-view .tools { display: flex; flex-wrap: wrap; gap: 8px; align-items: center; margin: 12px 0; font-size: 13px; }
+#runs-view .tools { display: flex; flex-wrap: wrap; gap: 8px; align-items: center; margin: 12px 0;
+  font-size: 13px; }
 #runs-view input, #runs-view select, #runs-view button { font: inherit; color: inherit; background: var(--card);
   border: 1px solid var(--rule); border-radius: 5px; padding: 4px 8px; }
 #runs-view input { width: 300px; }
@@ -112,7 +115,19 @@ summary { cursor: pointer; font-weight: 600; }
 #runs-view td.number { text-align: right; white-space: nowrap; }
 #runs-view td:first-child { min-width: 170px; }
 #runs-view td:last-child code { display: block; color: var(--muted); }
-@media (max-width: 820px) { .facts, .two, .three { grid-template-columns: minmax(0, 1fr); } }
+@media screen and (max-width: 820px) { .facts, .two, .three { grid-template-columns: minmax(0, 1fr); } }
+@page { size: A4 landscape; margin: 12mm; }
+@media print {
+  nav, #rows-section { display: none; }
+  body { font-size: 12px; }
+  main { max-width: none; padding: 0; }
+  section { margin-top: 28px; }
+  h2, h3, .reading { break-after: avoid; }
+  tr { break-inside: avoid; }
+  .wide { overflow: visible; }
+  table, table.fact { font-size: 10.5px; }
+  th, td { padding: 3px 6px; }
+}
 )css";
 
 const char* const kScript = R"js(

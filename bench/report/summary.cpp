@@ -44,12 +44,14 @@ void for_each_run(const std::vector<Placed>& rows, const Same& same, const Visit
 
 template <class Visit>
 void for_each_problem(const std::vector<Placed>& rows, const Visit& visit) {
-  for_each_run(rows, [](const Placed& a, const Placed& b) { return a.row->problem == b.row->problem; }, visit);
+  for_each_run(
+      rows, [](const Placed& a, const Placed& b) { return a.row->problem == b.row->problem; }, visit);
 }
 
 template <class Visit>
 void for_each_family(const std::vector<Placed>& rows, const Visit& visit) {
-  for_each_run(rows, [](const Placed& a, const Placed& b) { return a.family == b.family; }, visit);
+  for_each_run(
+      rows, [](const Placed& a, const Placed& b) { return a.family == b.family; }, visit);
 }
 
 void tally(const std::vector<Placed>& rows, std::size_t systems, Summary& out) {
@@ -134,7 +136,11 @@ GrowthPoint growth_point(long size, const std::vector<const SweepRow*>& rows) {
     seconds.push_back(row->seconds);
     bytes.push_back(static_cast<double>(row->own_bytes));
   }
-  return {size, rows.size(), seconds.size(), spread_of(triangles).median, spread_of(seconds).median,
+  return {size,
+          rows.size(),
+          seconds.size(),
+          spread_of(triangles).median,
+          spread_of(seconds).median,
           spread_of(bytes).median};
 }
 
@@ -177,7 +183,8 @@ std::vector<GrowthStudy> study_growth(const std::vector<Placed>& rows) {
 std::vector<Ratio> ratios_to(std::size_t ours, const std::vector<Placed>& rows) {
   std::map<std::size_t, std::pair<std::vector<double>, std::vector<double>>> ratios;
   for_each_problem(rows, [&](auto begin, auto end) {
-    const auto reference = std::find_if(begin, end, [&](const Placed& p) { return p.system == ours && p.right(); });
+    const auto reference =
+        std::find_if(begin, end, [&](const Placed& p) { return p.system == ours && p.right(); });
     if (reference == end) return;
     for (auto i = begin; i != end; ++i) {
       if (i == reference || !i->right()) continue;

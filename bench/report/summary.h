@@ -1,7 +1,7 @@
 // The aggregates of a report: everything that its tables, plots and main facts say, computed from rows.
 //
-// Systems are places in Experiment::systems, families in Experiment::families. A run is right when its verdict is no
-// failure (is_failure); seconds and memory are looked at for right runs only.
+// Systems are places in Experiment::systems, families in Experiment::families. A run is right when its verdict is
+// no failure (is_failure); seconds and memory are looked at for right runs only.
 #pragma once
 
 #include <array>
@@ -75,7 +75,7 @@ struct GrowthPoint {
 
 struct GrowthCurve {
   std::size_t system = 0;
-  std::vector<GrowthPoint> points;  ///< ascending; those with right runs
+  std::vector<GrowthPoint> points;       ///< ascending; those with right runs
   std::optional<PowerLaw> time, memory;  ///< against triangles
 };
 
@@ -109,14 +109,14 @@ struct Disagreement {
 struct Summary {
   std::optional<std::size_t> ours;  ///< none: ours has no rows
   std::size_t problems = 0;
-  std::vector<Tally> totals;        ///< by system
+  std::vector<Tally> totals;          ///< by system
   std::vector<FamilyTally> families;  ///< those with rows: first the ones with distances, then by order
-  std::vector<StageTally> stages;   ///< by system, most failures first
+  std::vector<StageTally> stages;     ///< by system, most failures first
   DistanceStudy all_distances;
   std::vector<DistanceStudy> distances;
   std::vector<GrowthStudy> growth;
-  std::vector<Ratio> ratios;        ///< of all systems but ours that have right runs in common with ours
-  std::vector<ExactShare> exact_shares;  ///< of ours, by family
+  std::vector<Ratio> ratios;              ///< of all systems but ours that have right runs in common with ours
+  std::vector<ExactShare> exact_shares;   ///< of ours, by family
   std::optional<ExactShare> exact_share;  ///< of ours, all runs; `family` means nothing
   std::vector<TruthCount> truths;
   std::vector<Disagreement> disagreements;
@@ -134,9 +134,9 @@ struct FactLine {
 
 /// A main fact, in words made of the numbers.
 struct MainFact {
-  std::string question;  ///< what it answers
-  std::string headline;  ///< the number
-  std::string sentence;  ///< what the number is
+  std::string question;              ///< what it answers
+  std::string headline;              ///< the number
+  std::string sentence;              ///< what the number is
   std::vector<std::string> columns;  ///< of the lines
   std::vector<FactLine> lines;       ///< one per system; empty when there is not enough data: `sentence` says so
   std::string note;

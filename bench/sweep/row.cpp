@@ -7,8 +7,8 @@ namespace cnrg::bench {
 namespace {
 
 constexpr std::array<const char*, kVerdicts> kNames = {
-    "same",  "same-regularized", "contact-duplicated", "contact-lost", "dangling-lost",
-    "wrong", "refused",          "crashed",            "timed-out",    "out-of-memory"};
+    "same",    "same-regularized", "contact-duplicated", "contact-lost", "dangling-lost", "wrong",
+    "refused", "crashed",          "timed-out",          "out-of-memory"};
 
 nlohmann::ordered_json json_of(const Facts& f) {
   return {{"volume", f.volume},
@@ -87,12 +87,14 @@ bool is_failure(Verdict verdict) {
     case Verdict::same_regularized:
     case Verdict::contact_duplicated:
     case Verdict::contact_lost:
-    case Verdict::dangling_lost: return false;
+    case Verdict::dangling_lost:
+      return false;
     case Verdict::wrong:
     case Verdict::refused:
     case Verdict::crashed:
     case Verdict::timed_out:
-    case Verdict::out_of_memory: break;
+    case Verdict::out_of_memory:
+      break;
   }
   return true;
 }
@@ -124,9 +126,8 @@ std::string to_json(const SweepRow& row) {
   if (row.distance) out["distance"] = *row.distance;
   for (const auto& [name, seconds] : row.stages) out["stages"].push_back({{"name", name}, {"seconds", seconds}});
   if (row.facts) out["facts"] = json_of(*row.facts);
-  out["truth"] = {{"facts", json_of(row.truth.facts)},
-                  {"confirmed", row.truth.confirmed},
-                  {"reason", row.truth.reason}};
+  out["truth"] = {
+      {"facts", json_of(row.truth.facts)}, {"confirmed", row.truth.confirmed}, {"reason", row.truth.reason}};
   out["limit_seconds"] = row.limit_seconds;
   out["limit_bytes"] = row.limit_bytes;
   out["command"] = row.command;

@@ -67,7 +67,7 @@ struct SweepRow {
   std::string note;
 
   std::optional<Facts> facts;              ///< of the result
-  double excess = 0, missing = 0;          ///< volumes of result - truth and truth - result, as parts of the truth's
+  double excess = 0, missing = 0;          ///< volumes of result - truth, truth - result as parts of the truth's
   std::size_t duplicates = 0;              ///< vertices of the result at the place of another one
   Truth truth;
   double limit_seconds = 0;
@@ -75,8 +75,8 @@ struct SweepRow {
   std::string command;                     ///< reproduces the row
 };
 
-/// A JSON object on one line and back. Parts of volumes that are not finite are `null` there and come back as not a
-/// number. `row_of_json` throws std::runtime_error for what is no row, with the member that is wrong.
+/// A JSON object on one line and back. Parts of volumes that are not finite are `null` there and come back as not
+/// a number. `row_of_json` throws std::runtime_error for what is no row, with the member that is wrong.
 std::string to_json(const SweepRow& row);
 SweepRow row_of_json(const std::string& text);
 

@@ -62,7 +62,8 @@ std::string markup_fault(const std::string& page) {
   while (at < page.size()) {
     const char c = page[at];
     if (c == '&' && !entity(page, at)) return fault("bare &", page, at);
-    if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') return fault("control character", page, at);
+    if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')
+      return fault("control character", page, at);
     if (c != '<') {
       if (open.empty() && !std::isspace(static_cast<unsigned char>(c))) return fault("text outside", page, at);
       ++at;

@@ -36,14 +36,15 @@ nlohmann::json runs_data(const std::string& page) {
   return nlohmann::json::parse(page.substr(at, page.find("</script>", at) - at));
 }
 
-constexpr const char* kHostile = "</script><script>alert(\"1\")</script> & 'x' <img src=\"http://a.b/c\"> ]]> \x01 \xFF";
+constexpr const char* kHostile =
+    "</script><script>alert(\"1\")</script> & 'x' <img src=\"http://a.b/c\"> ]]> \x01 \xFF";
 
 }  // namespace
 
 TEST_CASE("the check of markup finds faults") {
   CHECK(markup_fault("<a><b c=\"d\"/>e &amp; f</a>").empty());
-  for (const char* broken : {"<a>", "<a></b>", "<a b=c></a>", "<a>&</a>", "<a>&nbsp;</a>", "<a><</a>", "<a></a><b></b>",
-                             "<a b=\"<\"></a>", "<a><br></a>", "x<a></a>"}) {
+  for (const char* broken : {"<a>", "<a></b>", "<a b=c></a>", "<a>&</a>", "<a>&nbsp;</a>", "<a><</a>",
+                             "<a></a><b></b>", "<a b=\"<\"></a>", "<a><br></a>", "x<a></a>"}) {
     CHECK_FALSE(markup_fault(broken).empty());
   }
 }
@@ -150,7 +151,8 @@ TEST_CASE("the JSON holds the aggregates and all rows") {
     row.exact_share = 0.01;
     rows.push_back(row);
   }
-  const Experiment experiment = make_experiment(rows, {}, {}, MachineInfo{"cpu", 2, 8, "s", "c", "a1", "today", 1, 2, "x"});
+  const Experiment experiment =
+      make_experiment(rows, {}, {}, MachineInfo{"cpu", 2, 8, "s", "c", "a1", "today", 1, 2, "x"});
   const nlohmann::json json = nlohmann::json::parse(report_json(experiment, summarize(experiment), "t"));
   CHECK(json.at("schema") == 1);
   CHECK(json.at("title") == "t");

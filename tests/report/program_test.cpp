@@ -1,9 +1,10 @@
 // The folder of rows and the program bench_report.
+#include "tests/app/program.h"
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/app/program.h"
 #include "tests/report/markup.h"
 #include "tests/report/plausible.h"
 
@@ -131,10 +132,9 @@ TEST_CASE("descriptions come back as they were") {
 }
 
 TEST_CASE("ours comes first, then the order of the description, then names") {
-  const Experiment experiment =
-      make_experiment({right_row("b10", "f10"), right_row("b9", "f9"), right_row("ours", "f9"), right_row("z", "g")},
-                      {{"z", "Z", "", "", 0, true, ""}, {"ours", "O", "", "", 0, true, ""}}, {{"g", "G", ""}},
-                      std::nullopt);
+  const Experiment experiment = make_experiment(
+      {right_row("b10", "f10"), right_row("b9", "f9"), right_row("ours", "f9"), right_row("z", "g")},
+      {{"z", "Z", "", "", 0, true, ""}, {"ours", "O", "", "", 0, true, ""}}, {{"g", "G", ""}}, std::nullopt);
   std::vector<std::string> systems, families;
   for (const SystemInfo& info : experiment.systems) systems.push_back(info.name);
   for (const FamilyInfo& info : experiment.families) families.push_back(info.name);

@@ -1,17 +1,21 @@
 // Aggregates against numbers worked out by hand.
+#include "bench/report/summary.h"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "bench/report/format.h"
-#include "bench/report/summary.h"
 #include "tests/report/plausible.h"
 
 namespace cnrg::bench {
 namespace {
 
-Experiment experiment_of(std::vector<SweepRow> rows) { return make_experiment(std::move(rows), {}, {}, std::nullopt); }
+Experiment experiment_of(std::vector<SweepRow> rows) {
+  return make_experiment(std::move(rows), {}, {}, std::nullopt);
+}
 
-SweepRow with_verdict(SweepRow row, Verdict verdict, const std::string& stage = "", const std::string& message = "") {
+SweepRow with_verdict(SweepRow row, Verdict verdict, const std::string& stage = "",
+                      const std::string& message = "") {
   row.verdict = verdict;
   row.stage = stage;
   row.message = message;
@@ -32,7 +36,8 @@ std::size_t place(const Experiment& experiment, const std::string& system) {
   return 0;
 }
 
-const DistanceCurve& curve_of(const Experiment& experiment, const DistanceStudy& study, const std::string& system) {
+const DistanceCurve& curve_of(const Experiment& experiment, const DistanceStudy& study,
+                              const std::string& system) {
   for (const DistanceCurve& curve : study.curves) {
     if (curve.system == place(experiment, system)) return curve;
   }
@@ -40,7 +45,8 @@ const DistanceCurve& curve_of(const Experiment& experiment, const DistanceStudy&
   return study.curves.front();
 }
 
-/// Ten problems at each of the distances 0, 4, 8 and exact: `ours` never fails, `a` fails in 0, 0, 3 and 10 of them.
+/// Ten problems at each of the distances 0, 4, 8 and exact: `ours` never fails, `a` fails in 0, 0, 3 and 10 of
+/// them.
 std::vector<SweepRow> rows_at_distances(const std::string& family) {
   std::vector<SweepRow> rows;
   const std::pair<std::optional<int>, unsigned> failures[] = {{0, 0}, {4, 0}, {8, 3}, {std::nullopt, 10}};
@@ -79,8 +85,8 @@ TEST_CASE("an exact power law is found") {
 }
 
 TEST_CASE("a power law that does not fit says so") {
-  // With t = ln 10: x is 0, t, 2t and y is 0, 2t, 2t, so that the slope is 1, the line t/3 + x, and the residuals are
-  // -t/3, 2t/3, -t/3: their squares make 2t^2/3, the variance of y 8t^2/3, that of x 2t^2.
+  // With t = ln 10: x is 0, t, 2t and y is 0, 2t, 2t, so that the slope is 1, the line t/3 + x, and the residuals
+  // are -t/3, 2t/3, -t/3: their squares make 2t^2/3, the variance of y 8t^2/3, that of x 2t^2.
   const auto law = power_law({{1, 1}, {10, 100}, {100, 100}});
   REQUIRE(law);
   CHECK(law->exponent == Approx(1));
@@ -244,13 +250,15 @@ TEST_CASE("the main facts follow from the rows") {
   const std::vector<MainFact> facts = main_facts(experiment, summarize(experiment));
   REQUIRE(facts.size() == 3);
   CHECK(facts[0].headline == "40 of 40");
-  CHECK(facts[0].sentence == "results of ours are exact. Best of the others is a with 27 of 40. 7 results of 1 other "
-                             "system are wrong without saying so.");
+  CHECK(facts[0].sentence ==
+        "results of ours are exact. Best of the others is a with 27 of 40. 7 results of 1 other "
+        "system are wrong without saying so.");
   REQUIRE(facts[0].lines.size() == 2);
   CHECK(facts[0].lines[1].cells == std::vector<std::string>{"27", "27", "7"});
   CHECK(facts[1].headline == "0 failures");
-  CHECK(facts[1].sentence == "of ours in 40 runs at all distances. First of the others, a begins to fail at 10⁻⁸ and "
-                             "fails in up to 100 % of the runs at a distance.");
+  CHECK(facts[1].sentence ==
+        "of ours in 40 runs at all distances. First of the others, a begins to fail at 10⁻⁸ and "
+        "fails in up to 100 % of the runs at a distance.");
   CHECK(facts[1].lines[1].cells == std::vector<std::string>{"10⁻⁸", "100 %", "exact"});
   CHECK(facts[2].headline == "4.00 ×");
   CHECK(facts[2].lines[0].cells == std::vector<std::string>{"4.00 ×", "4.00–4.00", "27"});
@@ -265,7 +273,8 @@ TEST_CASE("the main facts do not flatter") {
   CHECK(facts[0].sentence.find("7 are wrong, unsaid.") != std::string::npos);
   CHECK(facts[0].sentence.find("None of the others is wrong") != std::string::npos);
   CHECK(facts[1].headline == "from 10⁻⁸");
-  CHECK(facts[1].sentence == "13 failures of ours in 40 runs at all distances. None of the others begins to fail.");
+  CHECK(facts[1].sentence ==
+        "13 failures of ours in 40 runs at all distances. None of the others begins to fail.");
 }
 
 TEST_CASE("too few data for a fact are said") {
