@@ -12,12 +12,12 @@ const std::string& title_of(const Experiment& experiment, std::size_t system) {
   return experiment.systems[system].title;
 }
 
-/// Systems that ran, ours first, then by `less`.
+/// Systems that have judged runs, ours first, then by `less`.
 template <class Less>
 std::vector<std::size_t> ordered(const Summary& summary, const Less& less) {
   std::vector<std::size_t> systems;
   for (std::size_t s = 0; s < summary.totals.size(); ++s) {
-    if (summary.totals[s].runs() > 0) systems.push_back(s);
+    if (summary.totals[s].judged() > 0) systems.push_back(s);
   }
   std::stable_sort(systems.begin(), systems.end(), [&](std::size_t a, std::size_t b) {
     const bool a_ours = summary.ours == a, b_ours = summary.ours == b;
@@ -32,7 +32,7 @@ MainFact exact_results(const Experiment& experiment, const Summary& summary) {
   MainFact fact;
   fact.question = "Who has the exact result?";
   const auto share = [&](std::size_t s, Class wanted) {
-    return static_cast<double>(summary.totals[s].of(wanted)) / static_cast<double>(summary.totals[s].runs());
+    return static_cast<double>(summary.totals[s].of(wanted)) / static_cast<double>(summary.totals[s].judged());
   };
   const std::vector<std::size_t> systems = ordered(
       summary, [&](std::size_t a, std::size_t b) { return share(a, Class::exact) > share(b, Class::exact); });
@@ -41,27 +41,30 @@ MainFact exact_results(const Experiment& experiment, const Summary& summary) {
   for (const std::size_t s : systems) {
     const Tally& tally = summary.totals[s];
     fact.lines.push_back({s,
-                          {grouped(tally.of(Class::exact)), grouped(tally.runs() - tally.failures()),
+                          {grouped(tally.of(Class::exact)), grouped(tally.right()),
                            grouped(tally.of(Class::wrong))}});
     if (s == summary.ours) continue;
     unsaid += tally.of(Class::wrong);
     systems_unsaid += tally.of(Class::wrong) > 0;
   }
   fact.note = "Right: by some contract, the exact ones included. Wrong: a wrong result and no word of it.";
-  if (!summary.ours) {
+  if (systems.empty() || systems[0] != summary.ours) {
     fact.headline = "–";
-    fact.sentence = "There are no runs of ours.";
+    fact.sentence = "There are no judged runs of ours.";
     return fact;
   }
   const Tally& ours = summary.totals[*summary.ours];
-  fact.headline = part_text(ours.of(Class::exact), ours.runs());
+  fact.headline = part_text(ours.of(Class::exact), ours.judged());
   fact.sentence = "results of " + title_of(experiment, *summary.ours) + " are exact.";
   if (ours.of(Class::wrong) > 0) fact.sentence += " " + grouped(ours.of(Class::wrong)) + " are wrong, unsaid.";
+  if (ours.judged() < ours.runs()) {
+    fact.sentence += " " + grouped(ours.of(Class::unjudged)) + " more could not be judged.";
+  }
   if (systems.size() == 1) return fact;
   const std::size_t best = systems[1], worst = systems.back();
   const auto said = [&](std::size_t s) {
     return title_of(experiment, s) + " with " +
-           part_text(summary.totals[s].of(Class::exact), summary.totals[s].runs());
+           part_text(summary.totals[s].of(Class::exact), summary.totals[s].judged());
   };
   fact.sentence += " Best of the others is " + said(best);
   if (worst != best) fact.sentence += ", last " + said(worst);

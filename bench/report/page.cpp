@@ -10,7 +10,7 @@
 namespace cnrg::bench {
 namespace {
 
-constexpr std::size_t kShortTitle = 20;  // bytes that fit a column's head and beside a plot
+constexpr std::size_t kShortTitle = 20;  // characters that fit a column's head and beside a plot
 
 std::string introduction(const Page& page, const std::string& title) {
   const Summary& summary = page.summary;
@@ -63,7 +63,7 @@ std::string contents(const std::vector<std::pair<std::string, std::string>>& sec
 
 const std::string& Page::label(std::size_t place) const {
   const SystemInfo& info = system(place);
-  return info.title.empty() || info.title.size() > kShortTitle ? info.name : info.title;
+  return info.title.empty() || characters(info.title) > kShortTitle ? info.name : info.title;
 }
 
 std::string Page::mark(std::size_t place) const {
@@ -119,7 +119,7 @@ std::string report_html(const Experiment& experiment, const Summary& summary, co
   };
   const Part parts[] = {
       {"verdicts", "Verdicts by family",
-       "A bar is all runs of a system on a family. Below it: exact / right by another contract / failed.",
+       "A bar is all runs of a system on a family. Below it: exact / right by another contract / failed, and with a question mark what could not be judged.",
        verdict_matrix(page)},
       {"totals", "Verdicts in numbers", "Runs of each system by verdict, over all families.",
        verdict_totals(page)},

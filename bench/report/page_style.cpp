@@ -10,7 +10,7 @@ const char* const kStyle = R"css(
   --s5: #3f97c4; --s6: #7a5c3e; --s7: #6b7280; --s8: #8a1c4a; --s9: #2f8580;
   --same: #00846a; --same-regularized: #6fbfae; --contact-duplicated: #efd470; --contact-lost: #d9ae2b;
   --dangling-lost: #ad8428; --wrong: #d1410c; --refused: #a3abb8; --crashed: #7b4aa0; --timed-out: #626b7a;
-  --out-of-memory: #363e4a;
+  --out-of-memory: #363e4a; --unjudged: #c9ced6;
 }
 @media (prefers-color-scheme: dark) { :root {
   --page: #14171b; --card: #1d2228; --ink: #e7eaee; --muted: #9ba5b1; --rule: #333b44; --alarm: #ff7a5c;
@@ -18,7 +18,7 @@ const char* const kStyle = R"css(
   --s5: #a3d6f4; --s6: #c4a384; --s7: #a3abb8; --s8: #e0739f; --s9: #74cdc6;
   --same: #1fa88a; --same-regularized: #8fd6c7; --contact-duplicated: #f3dc86; --contact-lost: #dcb443;
   --dangling-lost: #b48d35; --wrong: #f0602c; --refused: #8b94a3; --crashed: #a678cc; --timed-out: #697384;
-  --out-of-memory: #4a5361;
+  --out-of-memory: #4a5361; --unjudged: #6d7683;
 } }
 * { box-sizing: border-box; }
 html { background: var(--page); color: var(--ink); -webkit-print-color-adjust: exact; print-color-adjust: exact; }
@@ -93,7 +93,8 @@ table.matrix { table-layout: fixed; min-width: 900px; }
 .v-contact-lost { background: var(--contact-lost); }
 .v-dangling-lost { background: var(--dangling-lost); } .v-wrong { background: var(--wrong); }
 .v-refused { background: var(--refused); } .v-crashed { background: var(--crashed); }
-.v-timed-out { background: var(--timed-out); } .v-out-of-memory { background: var(--out-of-memory); }
+.v-timed-out { background: var(--timed-out); } .v-unjudged { background: repeating-linear-gradient(135deg, var(--unjudged) 0 2px, var(--page) 2px 4px); }
+.v-out-of-memory { background: var(--out-of-memory); }
 figure { margin: 0; break-inside: avoid; min-width: 0; }
 svg { display: block; width: 100%; height: auto; font-family: inherit; color: var(--ink); }
 .two { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 8px 20px; }

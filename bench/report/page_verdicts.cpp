@@ -41,7 +41,8 @@ std::string tally_cell(const Tally& tally) {
   }
   const std::string counts = count_part(tally.of(Class::exact), "exact") + " / " +
                              count_part(tally.of(Class::right), "right") + " / " +
-                             count_part(tally.failures(), "failed");
+                             count_part(tally.failures(), "failed") +
+                             (tally.judged() == tally.runs() ? "" : " / " + grouped(tally.of(Class::unjudged)) + " ?");
   return element("td",
                  element("span", bar, "class=\"bar\" role=\"img\" " + attribute("aria-label", spoken(tally))) +
                      element("span", counts, "class=\"counts\""),
@@ -122,7 +123,7 @@ std::string verdict_totals(const Page& page) {
     rows += element("tr", cells, "class=\"total\"") + "\n";
   };
   line("runs", [](const Tally& t) { return grouped(t.runs()); });
-  line("failure rate", [](const Tally& t) { return percent(t.failure_rate()); });
+  line("failure rate of the judged", [](const Tally& t) { return percent(t.failure_rate()); });
   return table(heads({{"verdict"}}) + system_heads(page), rows, "class=\"numbers\"");
 }
 
@@ -157,12 +158,13 @@ std::string verdict_meanings() {
       "The system says that it can not.",
       "The process ended by itself without a result, by a signal or otherwise.",
       "No result within the limit of time.",
-      "No result within the limit of memory."};
+      "No result within the limit of memory.",
+      "There is a result, but the exact one could not be had within the limits. No rate counts it."};
   static_assert(std::size(kMeanings) == kVerdicts);
   std::string rows;
   for (std::size_t v = 0; v < kVerdicts; ++v) {
     constexpr const char* kClassNames[] = {"exact", "right by another contract", "failed: wrong, unsaid",
-                                           "failed: says so", "failed: no result"};
+                                           "failed: says so", "failed: no result", "nothing"};
     const auto group = static_cast<std::size_t>(class_of(static_cast<Verdict>(v)));
     rows += element("tr", element("th", "<i class=\"box " + verdict_class(v) + "\"></i>" + verdict_name(v),
                                   "scope=\"row\"") +

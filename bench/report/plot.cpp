@@ -70,6 +70,11 @@ std::string head(int width, int height) {
          ",12'\nunset key\nunset mxtics\nunset mytics\n";
 }
 
+/// Pixels for names beside a plot: their letters are at most 7 wide on average. Half of the plot stays, whatever.
+int name_width(std::size_t letters, int width) {
+  return std::min(width / 2, 22 + 7 * static_cast<int>(letters));
+}
+
 /// Heights of names beside the ends of lines, in the axis's own linear measure from 0 to 1, at least `gap` apart
 /// and in the order of the ends.
 std::vector<double> spread_names(const std::vector<double>& ends, double gap) {
@@ -141,7 +146,9 @@ Axis decades(const std::string& title, const std::vector<double>& values) {
 }
 
 std::size_t Gallery::add(const LinePlot& plot) {
-  const int left = 52, right = plot.named ? 160 : 24, top = plot.title.empty() ? 10 : 30,
+  std::size_t longest = 0;
+  for (const Series& s : plot.series) longest = std::max(longest, characters(s.name));
+  const int left = 52, right = plot.named ? name_width(longest, plot.width) : 24, top = plot.title.empty() ? 10 : 30,
             bottom = plot.x.title.empty() ? 26 : 46;
   const double inner_height = plot.height - top - bottom;
   std::string text = head(plot.width, plot.height);
@@ -184,7 +191,9 @@ std::size_t Gallery::add(const LinePlot& plot) {
 
 std::size_t Gallery::add(const SpreadPlot& plot) {
   const auto lines = static_cast<int>(plot.bars.size());
-  const int left = 130, right = 20, top = plot.title.empty() ? 10 : 30, bottom = 46,
+  std::size_t longest = 0;
+  for (const SpreadPlot::Bar& bar : plot.bars) longest = std::max(longest, characters(bar.name));
+  const int left = name_width(longest, plot.width), right = 20, top = plot.title.empty() ? 10 : 30, bottom = 46,
             height = top + bottom + 30 * lines;
   std::string text = head(plot.width, height);
   text += "set lmargin at screen " + number(double(left) / plot.width) + "\nset rmargin at screen " +

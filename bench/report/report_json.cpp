@@ -11,6 +11,7 @@ Json json_of(const Tally& tally) {
   Json verdicts = Json::object();
   for (std::size_t i = 0; i < kVerdicts; ++i) verdicts[to_string(static_cast<Verdict>(i))] = tally.counts[i];
   return {{"runs", tally.runs()},
+          {"judged", tally.judged()},
           {"failures", tally.failures()},
           {"failure_rate", tally.failure_rate()},
           {"verdicts", verdicts}};

@@ -7,10 +7,11 @@ namespace cnrg::bench {
 namespace {
 
 constexpr std::array<const char*, kVerdicts> kNames = {
-    "same",    "same-regularized", "contact-duplicated", "contact-lost", "dangling-lost", "wrong",
-    "refused", "crashed",          "timed-out",          "out-of-memory"};
+    "same",  "same-regularized", "contact-duplicated", "contact-lost", "dangling-lost",
+    "wrong", "refused",          "crashed",            "timed-out",    "out-of-memory",
+    "unjudged"};
 
-nlohmann::ordered_json json_of(const Facts& f) {
+nlohmann::ordered_json object_of(const Facts& f) {
   return {{"volume", f.volume},
           {"vertices", f.vertices},
           {"edges", f.edges},
@@ -23,6 +24,10 @@ nlohmann::ordered_json json_of(const Facts& f) {
           {"dangling_faces", f.dangling_faces},
           {"dangling_edges", f.dangling_edges},
           {"dangling_vertices", f.dangling_vertices}};
+}
+
+nlohmann::ordered_json object_of(const Truth& truth) {
+  return {{"facts", object_of(truth.facts)}, {"confirmed", truth.confirmed}, {"reason", truth.reason}};
 }
 
 Facts facts_of(const nlohmann::json& object, const std::string& name) {
@@ -88,13 +93,12 @@ bool is_failure(Verdict verdict) {
     case Verdict::contact_duplicated:
     case Verdict::contact_lost:
     case Verdict::dangling_lost:
-      return false;
+    case Verdict::unjudged: return false;
     case Verdict::wrong:
     case Verdict::refused:
     case Verdict::crashed:
     case Verdict::timed_out:
-    case Verdict::out_of_memory:
-      break;
+    case Verdict::out_of_memory: break;
   }
   return true;
 }
@@ -125,9 +129,8 @@ std::string to_json(const SweepRow& row) {
                              {"duplicates", row.duplicates}};
   if (row.distance) out["distance"] = *row.distance;
   for (const auto& [name, seconds] : row.stages) out["stages"].push_back({{"name", name}, {"seconds", seconds}});
-  if (row.facts) out["facts"] = json_of(*row.facts);
-  out["truth"] = {
-      {"facts", json_of(row.truth.facts)}, {"confirmed", row.truth.confirmed}, {"reason", row.truth.reason}};
+  if (row.facts) out["facts"] = object_of(*row.facts);
+  out["truth"] = object_of(row.truth);
   out["limit_seconds"] = row.limit_seconds;
   out["limit_bytes"] = row.limit_bytes;
   out["command"] = row.command;
@@ -170,5 +173,10 @@ SweepRow row_of_json(const std::string& text) {
   row.command = in.text("command");
   return row;
 }
+
+std::string to_json(const Truth& truth) { return json_text(object_of(truth)); }
+Truth truth_of_json(const std::string& text) { return truth_of(parse_json(text)); }
+std::string to_json(const Facts& facts) { return json_text(object_of(facts)); }
+Facts facts_of_json(const std::string& text) { return facts_of(parse_json(text), "the facts"); }
 
 }  // namespace cnrg::bench

@@ -22,12 +22,13 @@ enum class Verdict : std::uint8_t {
   crashed,
   timed_out,
   out_of_memory,
+  unjudged,            ///< there is a result, but the exact one could not be had within the limits
 };
-inline constexpr std::size_t kVerdicts = 10;
+inline constexpr std::size_t kVerdicts = 11;
 /// `same`, `same-regularized`, ... as in files.
 const char* to_string(Verdict verdict);
 std::optional<Verdict> parse_verdict(const std::string& text);
-/// No result, or a wrong one: what a failure rate counts. The others are right by some contract.
+/// No result, or a wrong one: what a failure rate counts. The others are right by some contract, or unjudged.
 bool is_failure(Verdict verdict);
 
 /// What is counted in a point set, simplified to its canonical form: no coplanar faces and collinear edges apart.
@@ -75,9 +76,13 @@ struct SweepRow {
   std::string command;                     ///< reproduces the row
 };
 
-/// A JSON object on one line and back. Parts of volumes that are not finite are `null` there and come back as not
-/// a number. `row_of_json` throws std::runtime_error for what is no row, with the member that is wrong.
+/// JSON objects on one line and back. Parts of volumes that are not finite are `null` there and come back as not a
+/// number. The readers throw std::runtime_error for what is no such object, with the member that is wrong.
 std::string to_json(const SweepRow& row);
 SweepRow row_of_json(const std::string& text);
+std::string to_json(const Truth& truth);
+Truth truth_of_json(const std::string& text);
+std::string to_json(const Facts& facts);
+Facts facts_of_json(const std::string& text);
 
 }  // namespace cnrg::bench

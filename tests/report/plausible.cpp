@@ -94,6 +94,7 @@ Result result_of(const std::string& system, const Kind& kind, const SweepRow& ro
     if (system == "occt") return {Verdict::dangling_lost, "", ""};
     return {Verdict::refused, "input", "an operand is no solid"};
   }
+  if (family == "files" && row.seed == 2) return {Verdict::unjudged, "", "the exact result took too long"};
   if (family == "fractures" && system != "ours" && system != "nef") return {Verdict::same_regularized, "", ""};
   if (classic && row.triangles > 20000) return {Verdict::timed_out, "", "60 s"};
   if (system == "nef" && row.triangles > 50000) return {Verdict::out_of_memory, "", ""};

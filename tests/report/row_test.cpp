@@ -116,7 +116,7 @@ TEST_CASE("verdicts have names, and some are failures") {
   }
   CHECK(names == std::set<std::string>{"same", "same-regularized", "contact-duplicated", "contact-lost",
                                        "dangling-lost", "wrong", "refused", "crashed", "timed-out",
-                                       "out-of-memory"});
+                                       "out-of-memory", "unjudged"});
   CHECK(failures == std::set<std::string>{"wrong", "refused", "crashed", "timed-out", "out-of-memory"});
   CHECK_FALSE(parse_verdict("Same"));
 }

@@ -241,6 +241,35 @@ TEST_CASE("exact share, truth and limits") {
   CHECK(summary.most_limit_seconds == 40);
 }
 
+TEST_CASE("what could not be judged counts nowhere") {
+  std::vector<SweepRow> rows;
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const Verdict verdict = seed <= 2 ? Verdict::unjudged : seed == 3 ? Verdict::wrong : Verdict::same;
+    rows.push_back(at_distance(right_row("ours", "f", 1, seed), 3, Verdict::same));
+    rows.push_back(at_distance(right_row("a", "f", 1, seed), 3, verdict));
+    rows.push_back(at_distance(right_row("a", "f", 9, seed), 4, Verdict::unjudged));
+    rows.push_back(at_distance(right_row("ours", "f", 9, seed), 4, Verdict::unjudged));
+  }
+  const Experiment experiment = experiment_of(rows);
+  const Summary summary = summarize(experiment);
+  const Tally& a = summary.totals[place(experiment, "a")];
+  CHECK(a.runs() == 8);
+  CHECK(a.judged() == 2);
+  CHECK(a.right() == 1);
+  CHECK(a.failures() == 1);
+  CHECK(a.failure_rate() == Approx(0.5));
+  const DistanceCurve& curve = curve_of(experiment, summary.all_distances, "a");
+  REQUIRE(curve.points.size() == 1);
+  CHECK(curve.points[0].tally.failure_rate() == Approx(0.5));
+  REQUIRE(summary.ratios.size() == 1);
+  CHECK(summary.ratios[0].time.count == 1);
+  REQUIRE(summary.growth.size() == 1);
+  CHECK(summary.growth[0].curves.at(0).points.size() == 1);
+  const MainFact fact = main_facts(experiment, summary).at(0);
+  CHECK(fact.headline == "4 of 4");
+  CHECK(fact.sentence.find("4 more could not be judged. Best of the others is a with 1 of 2.") != std::string::npos);
+}
+
 TEST_CASE("the main facts follow from the rows") {
   std::vector<SweepRow> rows = rows_at_distances("edge");
   for (SweepRow& row : rows) {
