@@ -81,7 +81,7 @@ table.matrix { table-layout: fixed; min-width: 900px; }
 .bar { display: flex; height: 12px; margin: 3px 0 1px; border-radius: 2px; overflow: hidden;
   background: var(--rule); }
 .bar i { flex: 0 0 0; min-width: 2px; }
-.counts { font-size: 11.5px; color: var(--muted); white-space: nowrap; }
+.counts { display: block; font-size: 11.5px; color: var(--muted); }
 .counts .exact, .counts .right { color: var(--ink); }
 .counts .failed { color: var(--alarm); font-weight: 600; }
 .dot, .box { display: inline-block; width: 10px; height: 10px; border-radius: 50%; margin-right: 6px; flex: none; }

@@ -59,7 +59,10 @@ std::string ticks(const char* axis, const Axis& a) {
 }
 
 std::string range(const char* axis, const Axis& a) {
-  std::string text = "set " + std::string(axis) + "range [" + number(a.low) + ":" + number(a.high) + "]\n";
+  // gnuplot leaves out a tick at the very end of a logarithmic axis when its logarithms are rounded badly.
+  const double widened = a.logarithmic ? 1.001 : 1;
+  std::string text =
+      "set " + std::string(axis) + "range [" + number(a.low / widened) + ":" + number(a.high * widened) + "]\n";
   if (a.logarithmic) text += "set logscale " + std::string(axis) + "\n";
   return text;
 }
@@ -70,9 +73,9 @@ std::string head(int width, int height) {
          ",12'\nunset key\nunset mxtics\nunset mytics\n";
 }
 
-/// Pixels for names beside a plot: their letters are at most 7 wide on average. Half of the plot stays, whatever.
+/// Pixels for names beside a plot: their letters are less than 7 wide on average. Half of the plot stays, whatever.
 int name_width(std::size_t letters, int width) {
-  return std::min(width / 2, 22 + 7 * static_cast<int>(letters));
+  return std::min(width / 2, 24 + 67 * static_cast<int>(letters) / 10);
 }
 
 /// Heights of names beside the ends of lines, in the axis's own linear measure from 0 to 1, at least `gap` apart

@@ -1,6 +1,7 @@
 // The page and its JSON as a whole.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -187,6 +188,23 @@ TEST_CASE("the JSON holds the aggregates and all rows") {
   CHECK(all.at("truth").at("Nef") == 11);
   REQUIRE(json.at("rows").size() == rows.size());
   CHECK(json.at("rows").at(0) == nlohmann::json::parse(to_json(experiment.rows[0])));
+}
+
+TEST_CASE("gnuplot draws every tick, the ends of logarithmic axes too") {
+  Gallery gallery;
+  for (int low = -9; low <= 9; ++low) {
+    LinePlot plot;
+    plot.x = plot.y = decades("", {1.5 * std::pow(10, low), 500 * std::pow(10, low)});
+    plot.series = {{"a & b", 0, true, {{2 * std::pow(10, low), 3 * std::pow(10, low)}}}};
+    gallery.add(plot);
+  }
+  const std::vector<std::string> drawings = gallery.draw();
+  REQUIRE(drawings.size() == 19);
+  for (const std::string& svg : drawings) {
+    CHECK(markup_fault(svg) == "");
+    CHECK(count_of(svg, "<text>") == 2 * 4 + 1);  // and the name
+    CHECK(contains(svg, "<text>a &amp; b</text>"));
+  }
 }
 
 TEST_CASE("axes have whole decades") {
