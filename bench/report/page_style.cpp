@@ -82,6 +82,7 @@ table.matrix { table-layout: fixed; min-width: 900px; }
   background: var(--rule); }
 .bar i { flex: 0 0 0; min-width: 2px; }
 .counts { display: block; font-size: 11.5px; color: var(--muted); }
+.counts span { white-space: nowrap; }
 .counts .exact, .counts .right { color: var(--ink); }
 .counts .failed { color: var(--alarm); font-weight: 600; }
 .dot, .box { display: inline-block; width: 10px; height: 10px; border-radius: 50%; margin-right: 6px; flex: none; }

@@ -39,10 +39,11 @@ std::string tally_cell(const Tally& tally) {
     bar +=
         "<i class=\"" + verdict_class(v) + "\" style=\"flex-grow:" + std::to_string(tally.counts[v]) + "\"></i>";
   }
+  const std::size_t unjudged = tally.of(Class::unjudged);
   const std::string counts = count_part(tally.of(Class::exact), "exact") + " / " +
                              count_part(tally.of(Class::right), "right") + " / " +
                              count_part(tally.failures(), "failed") +
-                             (tally.judged() == tally.runs() ? "" : " / " + grouped(tally.of(Class::unjudged)) + " ?");
+                             (unjudged == 0 ? "" : " " + element("span", "/ " + grouped(unjudged) + " ?"));
   return element("td",
                  element("span", bar, "class=\"bar\" role=\"img\" " + attribute("aria-label", spoken(tally))) +
                      element("span", counts, "class=\"counts\""),
@@ -163,8 +164,8 @@ std::string verdict_meanings() {
   static_assert(std::size(kMeanings) == kVerdicts);
   std::string rows;
   for (std::size_t v = 0; v < kVerdicts; ++v) {
-    constexpr const char* kClassNames[] = {"exact", "right by another contract", "failed: wrong, unsaid",
-                                           "failed: says so", "failed: no result", "nothing"};
+    constexpr const char* kClassNames[] = {"exact",           "right by another contract", "failed: wrong, unsaid",
+                                           "failed: says so", "failed: no result",         "nothing"};
     const auto group = static_cast<std::size_t>(class_of(static_cast<Verdict>(v)));
     rows += element("tr", element("th", "<i class=\"box " + verdict_class(v) + "\"></i>" + verdict_name(v),
                                   "scope=\"row\"") +
