@@ -1,11 +1,12 @@
 // bench_report: the page and the JSON of a sweep's rows.
+#include "bench/report/report.h"
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
 #include "bench/command.h"
-#include "bench/report/report.h"
 #include "csg/output/file.h"
 
 namespace cnrg::bench {
@@ -19,7 +20,9 @@ struct Settings {
 /// A report among the rows would be taken for a row the next time.
 void check_place(const std::string& folder, const std::string& json) {
   namespace fs = std::filesystem;
-  const fs::path relative = fs::weakly_canonical(json).lexically_relative(fs::weakly_canonical(folder));
+  // `weakly_canonical` leaves a relative path as it is when its first part does not exist.
+  const auto canonical = [](const std::string& path) { return fs::weakly_canonical(fs::absolute(path)); };
+  const fs::path relative = canonical(json).lexically_relative(canonical(folder));
   if (relative.empty() || *relative.begin() != "..") {
     throw std::runtime_error(json + ": is in the folder of the rows; write the report's JSON outside of it");
   }

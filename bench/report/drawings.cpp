@@ -49,7 +49,8 @@ LinePlot distance_plot(const Page& page, const DistanceStudy& study, double lane
 
 std::size_t add_all_distances(const Page& page, Gallery& gallery) {
   LinePlot plot = distance_plot(page, page.summary.all_distances, 0.014);
-  plot.description = "Failure rate against distance to degeneracy, all families with a distance, a line per system";
+  plot.description =
+      "Failure rate against distance to degeneracy, all families with a distance, a line per system";
   plot.width = 1080;
   plot.height = 340;
   plot.x = distance_axis(1, "distance to the degenerate position, as a part of the operands' size");
@@ -69,8 +70,8 @@ std::size_t add_distance(const Page& page, const DistanceStudy& study, Gallery& 
 
 /// Nothing to draw when no value is positive.
 std::optional<std::size_t> add_growth(const Page& page, const GrowthStudy& study, double GrowthPoint::*cost,
-                                      std::optional<PowerLaw> GrowthCurve::*law, double unit, const std::string& title,
-                                      Gallery& gallery) {
+                                      std::optional<PowerLaw> GrowthCurve::*law, double unit,
+                                      const std::string& title, Gallery& gallery) {
   LinePlot plot;
   plot.title = title;
   plot.description = page.family(study.family).name + ", against triangles of all operands, a line per system";
@@ -122,16 +123,17 @@ Drawings make_drawings(const Page& page) {
   for (const DistanceStudy& study : summary.distances) distances.push_back(add_distance(page, study, gallery));
   std::vector<std::array<std::optional<std::size_t>, 2>> growth;
   for (const GrowthStudy& study : summary.growth) {
-    growth.push_back({add_growth(page, study, &GrowthPoint::seconds, &GrowthCurve::time, 1, "time, seconds",
-                                 gallery),
-                      add_growth(page, study, &GrowthPoint::own_bytes, &GrowthCurve::memory, 1e6, "memory, MB",
-                                 gallery)});
+    growth.push_back(
+        {add_growth(page, study, &GrowthPoint::seconds, &GrowthCurve::time, 1, "time, seconds", gallery),
+         add_growth(page, study, &GrowthPoint::own_bytes, &GrowthCurve::memory, 1e6, "memory, MB", gallery)});
   }
   const auto time = add_ratios(page, &Ratio::time, "time", gallery);
   const auto memory = add_ratios(page, &Ratio::memory, "memory", gallery);
 
   const std::vector<std::string> drawn = gallery.draw();
-  const auto drawing = [&](const std::optional<std::size_t>& place) { return place ? drawn[*place] : std::string(); };
+  const auto drawing = [&](const std::optional<std::size_t>& place) {
+    return place ? drawn[*place] : std::string();
+  };
   Drawings out;
   out.all_distances = drawing(all);
   for (const std::size_t place : distances) out.distances.push_back(drawn[place]);

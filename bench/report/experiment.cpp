@@ -44,9 +44,9 @@ std::vector<fs::path> row_files(const fs::path& folder) {
       continue;
     }
     if (!i->is_regular_file() || path.extension() != ".json") continue;
-    const bool described = path.parent_path() == folder &&
-                           (path.filename() == kSystemsFile || path.filename() == kFamiliesFile ||
-                            path.filename() == kMachineFile);
+    const bool described =
+        path.parent_path() == folder &&
+        (path.filename() == kSystemsFile || path.filename() == kFamiliesFile || path.filename() == kMachineFile);
     if (!described) files.push_back(path);
   }
   std::sort(files.begin(), files.end());
@@ -221,7 +221,8 @@ Experiment read_experiment(const std::string& folder, const std::string& machine
     rows.push_back(read_file(file, "remove the file and let the sweep make it again", row_of_json));
   }
   if (rows.empty()) {
-    throw std::runtime_error(folder + ": there are no rows (*.json); give the folder that a sweep wrote its rows to");
+    throw std::runtime_error(folder +
+                             ": there are no rows (*.json); give the folder that a sweep wrote its rows to");
   }
   constexpr const char* kRemedy = "correct or remove it";
   std::vector<SystemInfo> systems;

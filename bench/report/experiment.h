@@ -63,13 +63,13 @@ struct Experiment {
   std::vector<SweepRow> rows;  ///< by family, problem (numbers in names by value) and system
 };
 
-/// Completes the lists of systems and families and sorts. Throws std::runtime_error if a system has two rows of one
-/// problem, or if there is no row.
+/// Completes the lists of systems and families and sorts. Throws std::runtime_error if a system has two rows of
+/// one problem, or if there is no row.
 Experiment make_experiment(std::vector<SweepRow> rows, std::vector<SystemInfo> systems,
                            std::vector<FamilyInfo> families, std::optional<MachineInfo> machine);
 
-/// Reads a folder; `machine_file` replaces its machine.json unless it is empty. Throws std::runtime_error that names
-/// the file and what to do if one is broken, and if the folder or its rows are missing.
+/// Reads a folder; `machine_file` replaces its machine.json unless it is empty. Throws std::runtime_error that
+/// names the file and what to do if one is broken, and if the folder or its rows are missing.
 Experiment read_experiment(const std::string& folder, const std::string& machine_file = "");
 
 }  // namespace cnrg::bench

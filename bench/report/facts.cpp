@@ -12,12 +12,12 @@ const std::string& title_of(const Experiment& experiment, std::size_t system) {
   return experiment.systems[system].title;
 }
 
-/// Systems that ran, ours first, then by `less`.
+/// Systems that have judged runs, ours first, then by `less`.
 template <class Less>
 std::vector<std::size_t> ordered(const Summary& summary, const Less& less) {
   std::vector<std::size_t> systems;
   for (std::size_t s = 0; s < summary.totals.size(); ++s) {
-    if (summary.totals[s].runs() > 0) systems.push_back(s);
+    if (summary.totals[s].judged() > 0) systems.push_back(s);
   }
   std::stable_sort(systems.begin(), systems.end(), [&](std::size_t a, std::size_t b) {
     const bool a_ours = summary.ours == a, b_ours = summary.ours == b;
@@ -32,42 +32,46 @@ MainFact exact_results(const Experiment& experiment, const Summary& summary) {
   MainFact fact;
   fact.question = "Who has the exact result?";
   const auto share = [&](std::size_t s, Class wanted) {
-    return static_cast<double>(summary.totals[s].of(wanted)) / static_cast<double>(summary.totals[s].runs());
+    return static_cast<double>(summary.totals[s].of(wanted)) / static_cast<double>(summary.totals[s].judged());
   };
-  const std::vector<std::size_t> systems = ordered(summary, [&](std::size_t a, std::size_t b) {
-    return share(a, Class::exact) > share(b, Class::exact);
-  });
+  const std::vector<std::size_t> systems = ordered(
+      summary, [&](std::size_t a, std::size_t b) { return share(a, Class::exact) > share(b, Class::exact); });
   fact.columns = {"exact", "right", "wrong"};
   std::size_t unsaid = 0, systems_unsaid = 0;
   for (const std::size_t s : systems) {
     const Tally& tally = summary.totals[s];
     fact.lines.push_back({s,
-                          {grouped(tally.of(Class::exact)), grouped(tally.runs() - tally.failures()),
+                          {grouped(tally.of(Class::exact)), grouped(tally.right()),
                            grouped(tally.of(Class::wrong))}});
     if (s == summary.ours) continue;
     unsaid += tally.of(Class::wrong);
     systems_unsaid += tally.of(Class::wrong) > 0;
   }
   fact.note = "Right: by some contract, the exact ones included. Wrong: a wrong result and no word of it.";
-  if (!summary.ours) {
+  if (systems.empty() || systems[0] != summary.ours) {
     fact.headline = "–";
-    fact.sentence = "There are no runs of ours.";
+    fact.sentence = "There are no judged runs of ours.";
     return fact;
   }
   const Tally& ours = summary.totals[*summary.ours];
-  fact.headline = part_text(ours.of(Class::exact), ours.runs());
+  fact.headline = part_text(ours.of(Class::exact), ours.judged());
   fact.sentence = "results of " + title_of(experiment, *summary.ours) + " are exact.";
   if (ours.of(Class::wrong) > 0) fact.sentence += " " + grouped(ours.of(Class::wrong)) + " are wrong, unsaid.";
+  if (ours.judged() < ours.runs()) {
+    fact.sentence += " " + grouped(ours.of(Class::unjudged)) + " more could not be judged.";
+  }
   if (systems.size() == 1) return fact;
   const std::size_t best = systems[1], worst = systems.back();
   const auto said = [&](std::size_t s) {
-    return title_of(experiment, s) + " with " + part_text(summary.totals[s].of(Class::exact), summary.totals[s].runs());
+    return title_of(experiment, s) + " with " +
+           part_text(summary.totals[s].of(Class::exact), summary.totals[s].judged());
   };
   fact.sentence += " Best of the others is " + said(best);
   if (worst != best) fact.sentence += ", last " + said(worst);
-  fact.sentence += unsaid == 0 ? ". None of the others is wrong without saying so."
-                               : ". " + plural(unsaid, "result") + " of " + plural(systems_unsaid, "other system") +
-                                     (unsaid == 1 ? " is" : " are") + " wrong without saying so.";
+  fact.sentence += unsaid == 0
+                       ? ". None of the others is wrong without saying so."
+                       : ". " + plural(unsaid, "result") + " of " + plural(systems_unsaid, "other system") +
+                             (unsaid == 1 ? " is" : " are") + " wrong without saying so.";
   return fact;
 }
 
@@ -126,8 +130,8 @@ MainFact failures_near_degeneracy(const Experiment& experiment, const Summary& s
   for (const DistanceCurve* curve : sorted) {
     const DistancePoint& worst = curve->points[curve->worst];
     const double rate = worst.tally.failure_rate();
-    fact.lines.push_back({curve->system,
-                          {onset_text(*curve), percent(rate), rate > 0 ? distance_text(worst.k) : "–"}});
+    fact.lines.push_back(
+        {curve->system, {onset_text(*curve), percent(rate), rate > 0 ? distance_text(worst.k) : "–"}});
     if (first == nullptr && curve->system != summary.ours && curve->onset) first = curve;
   }
   fact.note = "From: the farthest distance, as a part of the operands' size, at which " + percent(kOnset) +
@@ -137,8 +141,8 @@ MainFact failures_near_degeneracy(const Experiment& experiment, const Summary& s
     fact.headline = "–";
     fact.sentence = "There are no runs of ours at distances.";
   } else {
-    const std::string said = " of " + title_of(experiment, *summary.ours) + " in " + plural(runs_of(*ours), "run") +
-                             " at all distances";
+    const std::string said = " of " + title_of(experiment, *summary.ours) + " in " +
+                             plural(runs_of(*ours), "run") + " at all distances";
     const std::size_t failures = failures_of(*ours);
     fact.headline = ours->onset ? "from " + onset_text(*ours) : plural(failures, "failure");
     fact.sentence = (ours->onset ? plural(failures, "failure") : "") + said + ".";
@@ -147,7 +151,8 @@ MainFact failures_near_degeneracy(const Experiment& experiment, const Summary& s
   if (first != nullptr) {
     const DistancePoint& worst = first->points[first->worst];
     fact.sentence += " First of the others, " + title_of(experiment, first->system) + " begins to fail " +
-                     begin_text(*first) + " and fails in up to " + percent(worst.tally.failure_rate()) + " of the runs.";
+                     begin_text(*first) + " and fails in up to " + percent(worst.tally.failure_rate()) +
+                     " of the runs at a distance.";
   } else if (curves.size() > (ours == nullptr ? 0 : 1)) {
     fact.sentence += " None of the others begins to fail.";
   }
@@ -173,28 +178,31 @@ MainFact speed(const Experiment& experiment, const Summary& summary) {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Ratio* a, const Ratio* b) { return a->time.median > b->time.median; });
   fact.columns = {"median", "quartiles", "n"};
-  const Ratio* shown = sorted.front();
-  const Ratio* second = nullptr;
+  // The peers of the project, else the fastest: the least flattering.
+  const Ratio *nef = nullptr, *corefinement = nullptr;
   for (const Ratio* ratio : sorted) {
     const std::string& name = experiment.systems[ratio->system].name;
-    if (name == "nef") shown = ratio;
-    if (name == "corefinement") second = ratio;
+    if (name == "nef") nef = ratio;
+    if (name == "corefinement") corefinement = ratio;
     fact.lines.push_back(
         {ratio->system,
          {three_digits(ratio->time.median) + " ×", quartiles(ratio->time), grouped(ratio->time.count)}});
   }
+  const Ratio* const second = nef != nullptr ? corefinement : nullptr;
+  const Ratio* const shown = nef != nullptr ? nef : corefinement != nullptr ? corefinement : sorted.back();
   const auto described = [&](const Ratio& ratio) {
     return "(quartiles " + quartiles(ratio.time) + ", " + plural(ratio.time.count, "problem") + ")";
   };
   fact.headline = three_digits(shown->time.median) + " ×";
   fact.sentence = "the time of " + title_of(experiment, *summary.ours) + " is what " +
                   title_of(experiment, shown->system) + " takes, in the median " + described(*shown) + ".";
-  if (second != nullptr && second != shown) {
-    fact.sentence += " " + title_of(experiment, second->system) + ": " + three_digits(second->time.median) + " × " +
-                     described(*second) + ".";
+  if (second != nullptr) {
+    fact.sentence += " " + title_of(experiment, second->system) + ": " + three_digits(second->time.median) +
+                     " × " + described(*second) + ".";
   }
-  fact.note = "Time of the system over ours, on the n problems that both did right; below 1 the system is faster. "
-              "Their guarantees are not equal.";
+  fact.note =
+      "Time of the system over ours, on the n problems that both did right; below 1 the system is faster. "
+      "Their guarantees are not equal.";
   return fact;
 }
 

@@ -24,8 +24,8 @@ struct PowerLaw {
   double r_squared = 1;  ///< the part of the variance of log y that the law explains; 1 when log y has none
 };
 
-/// Least squares on logarithms, each point with the same weight. None with fewer than three different x. All numbers
-/// are positive.
+/// Least squares on logarithms, each point with the same weight. None with fewer than three different x. All
+/// numbers are positive.
 std::optional<PowerLaw> power_law(const std::vector<std::pair<double, double>>& points);
 
 }  // namespace cnrg::bench

@@ -21,6 +21,8 @@ std::string exponent_text(double exponent);
 std::string distance_text(const std::optional<int>& k);
 /// `10³`.
 std::string power_of_ten(int exponent);
+/// Characters of a UTF-8 text.
+std::size_t characters(const std::string& text);
 /// `1 run`, `2 runs`.
 std::string plural(std::size_t count, const std::string& noun);
 

@@ -93,8 +93,8 @@ std::string for_page(std::string svg, const std::string& prefix, const std::stri
   std::string body = svg.substr(drawing);
   static const std::regex ink("rgb\\( *253, *0, *0\\)"), muted("rgb\\( *253, *0, *1\\)"),
       rule("rgb\\( *253, *0, *2\\)"), series("rgb\\( *254, *0, *([0-9]+)\\)"), font("font-family=\"PAGEFONT\""),
-      empty("<g [^>]*>\\s*</g>\\s*"), id("id=(['\"])"), reference("xlink:href='#"), filters("<filter[^]*?</filter>\\s*"),
-      blank("\\s*\n\\s*");
+      empty("<g [^>]*>\\s*</g>\\s*"), id("id=(['\"])"), reference("xlink:href='#"),
+      filters("<filter[^]*?</filter>\\s*"), blank("\\s*\n\\s*");
   body = std::regex_replace(body, filters, "");
   body = std::regex_replace(body, empty, "");
   body = std::regex_replace(body, ink, "var(--ink)");
@@ -106,9 +106,9 @@ std::string for_page(std::string svg, const std::string& prefix, const std::stri
   body = std::regex_replace(body, reference, "href='#" + prefix);
   body = std::regex_replace(body, blank, "\n");
   const std::string name = prefix + "title";
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" + box[1].str() + "\" role=\"img\" aria-labelledby=\"" +
-         name + "\">\n<title id=\"" + name + "\">" + escaped(title.empty() ? description : title + ". " + description) +
-         "</title>\n" + body;
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"" + box[1].str() +
+         "\" role=\"img\" aria-labelledby=\"" + name + "\">\n<title id=\"" + name + "\">" +
+         escaped(title.empty() ? description : title + ". " + description) + "</title>\n" + body;
 }
 
 }  // namespace
@@ -135,8 +135,8 @@ std::vector<std::string> Gallery::draw() const {
                              "; the package gnuplot-nox in version 5.4 or later is needed");
   }
   for (std::size_t i = 0; i < sheets_.size(); ++i) {
-    drawings.push_back(for_page(read_text(folder.path(name_of(i))), "p" + std::to_string(i) + "-", sheets_[i].title,
-                                sheets_[i].description));
+    drawings.push_back(for_page(read_text(folder.path(name_of(i))), "p" + std::to_string(i) + "-",
+                                sheets_[i].title, sheets_[i].description));
   }
   return drawings;
 }

@@ -6,11 +6,13 @@
 
 namespace cnrg::bench {
 
-/// Text for content and for attributes. Control characters, which XML has not, and bytes that are no UTF-8 become U+FFFD.
+/// Text for content and for attributes. Control characters, which XML has not, and bytes that are no UTF-8 become
+/// U+FFFD.
 std::string escaped(std::string_view text);
 
 /// `<name attributes>content</name>`; the content is HTML already, attributes such as `class="x"` as well.
-inline std::string element(const std::string& name, const std::string& content, const std::string& attributes = "") {
+inline std::string element(const std::string& name, const std::string& content,
+                           const std::string& attributes = "") {
   return "<" + name + (attributes.empty() ? "" : " ") + attributes + ">" + content + "</" + name + ">";
 }
 

@@ -1,22 +1,23 @@
 // The page from its parts.
+#include "bench/report/page.h"
+
 #include <algorithm>
 
 #include "bench/report/format.h"
-#include "bench/report/page.h"
 #include "bench/report/plot.h"
 #include "bench/report/report.h"
 
 namespace cnrg::bench {
 namespace {
 
-constexpr std::size_t kShortTitle = 20;  // bytes that fit a column's head and beside a plot
+constexpr std::size_t kShortTitle = 20;  // characters that fit a column's head and beside a plot
 
 std::string introduction(const Page& page, const std::string& title) {
   const Summary& summary = page.summary;
   const std::size_t systems = page.systems().size();
   std::string sentence = plural(systems, "system") + (systems == 1 ? " was" : " were") + " given " +
-                         plural(summary.problems, "Boolean problem") + " of " +
-                         grouped(summary.families.size()) + (summary.families.size() == 1 ? " family" : " families") +
+                         plural(summary.problems, "Boolean problem") + " of " + grouped(summary.families.size()) +
+                         (summary.families.size() == 1 ? " family" : " families") +
                          ", each in a process of its own, and each result was judged against the exact one: " +
                          plural(page.experiment.rows.size(), "run") + ".";
   std::string facts;
@@ -27,7 +28,8 @@ std::string introduction(const Page& page, const std::string& title) {
 }
 
 std::string fact_card(const Page& page, const MainFact& fact) {
-  std::string card = element("h2", escaped(fact.question)) + element("p", escaped(fact.headline), "class=\"big\"") +
+  std::string card = element("h2", escaped(fact.question)) +
+                     element("p", escaped(fact.headline), "class=\"big\"") +
                      element("p", escaped(fact.sentence), "class=\"said\"");
   if (!fact.lines.empty()) {
     std::string head = element("th", "", "scope=\"col\""), rows;
@@ -61,13 +63,14 @@ std::string contents(const std::vector<std::pair<std::string, std::string>>& sec
 
 const std::string& Page::label(std::size_t place) const {
   const SystemInfo& info = system(place);
-  return info.title.empty() || info.title.size() > kShortTitle ? info.name : info.title;
+  return info.title.empty() || characters(info.title) > kShortTitle ? info.name : info.title;
 }
 
 std::string Page::mark(std::size_t place) const {
   const std::string colour = std::to_string(place % kSeriesColours);
-  return element("span", "<i class=\"dot\" style=\"background:var(--s" + colour + ")\"></i>" +
-                             element("span", escaped(label(place)), attribute("title", system(place).title)),
+  return element("span",
+                 "<i class=\"dot\" style=\"background:var(--s" + colour + ")\"></i>" +
+                     element("span", escaped(label(place)), attribute("title", system(place).title)),
                  "class=\"mark\"");
 }
 
@@ -87,7 +90,8 @@ std::string section(const std::string& id, const std::string& heading, const std
 
 std::string table(const std::string& head, const std::string& rows, const std::string& attributes) {
   return "<div class=\"wide\">" +
-         element("table", element("thead", element("tr", head)) + "\n" + element("tbody", rows) + "\n", attributes) +
+         element("table", element("thead", element("tr", head)) + "\n" + element("tbody", rows) + "\n",
+                 attributes) +
          "</div>\n";
 }
 
@@ -115,18 +119,21 @@ std::string report_html(const Experiment& experiment, const Summary& summary, co
   };
   const Part parts[] = {
       {"verdicts", "Verdicts by family",
-       "A bar is all runs of a system on a family. Below it: exact / right by another contract / failed.",
+       "A bar is all runs of a system on a family. Below it: exact / right by another contract / failed, and with a question mark what could not be judged.",
        verdict_matrix(page)},
-      {"totals", "Verdicts in numbers", "Runs of each system by verdict, over all families.", verdict_totals(page)},
+      {"totals", "Verdicts in numbers", "Runs of each system by verdict, over all families.",
+       verdict_totals(page)},
       {"stages", "Where failures happen", "Failures by system and stage, with the first problem of each.",
        stage_table(page)},
       {"distance", "Failures near degeneracy",
        "The part of the runs that fail, against the distance of the operands from the degenerate position: "
-       "10<sup>−<i>k</i></sup> of their size, and <em>exact</em> for operands that are in it. Lines along 0 % are drawn "
+       "10<sup>−<i>k</i></sup> of their size, and <em>exact</em> for operands that are in it. Lines along 0 % are "
+       "drawn "
        "beside each other, so that all are seen.",
        distance_section(page, drawings)},
       {"growth", "Time and memory against size",
-       "Medians over the right runs of each size, on logarithmic axes. Exponents are fitted by least squares to the "
+       "Medians over the right runs of each size, on logarithmic axes. Exponents are fitted by least squares to "
+       "the "
        "logarithms of the medians, ± their standard error, where a system is right in three sizes or more; "
        "they are also beside the names in the plots.",
        growth_section(page, drawings)},
@@ -151,7 +158,8 @@ std::string report_html(const Experiment& experiment, const Summary& summary, co
     headings.emplace_back(part.id, part.heading);
     body += section(part.id, part.heading, part.reading, part.content);
   }
-  return "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n"
+  return "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n<meta "
+         "charset=\"utf-8\" />\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n"
          "<meta name=\"color-scheme\" content=\"light dark\" />\n" +
          element("title", escaped(title)) + "\n<style>" + kStyle + "</style>\n</head>\n<body>\n<main>\n" +

@@ -75,10 +75,12 @@ std::string growth_section(const Page& page, const Drawings& drawings) {
   for (std::size_t i = 0; i < drawings.growth.size(); ++i) {
     const FamilyInfo& family = page.family(page.summary.growth[i].family);
     std::string heading = escaped(family.name);
-    if (!family.title.empty() && family.title != family.name) heading += " " + element("small", escaped(family.title));
+    if (!family.title.empty() && family.title != family.name)
+      heading += " " + element("small", escaped(family.title));
     text += "<div class=\"keep\">" + element("h3", heading);
     const Drawings::Growth& drawing = drawings.growth[i];
-    if (drawing.time.empty()) text += element("p", "No system did a problem of this family right.");
+    if (drawing.time.empty())
+      text += element("p", "No system did a problem of this family right.");
     else {
       text += element("div", figure(drawing.time) + (drawing.memory.empty() ? "" : figure(drawing.memory)),
                       "class=\"two\"");
@@ -106,9 +108,16 @@ std::string ratio_section(const Page& page, const Drawings& drawings) {
                       element("td", "1, by definition", "colspan=\"8\" class=\"defined\"") +
                       element("td", escaped(page.system(*summary.ours).guarantee), "class=\"text\""),
                   "class=\"total\"");
-  const std::string head =
-      heads({{""}, {"time, median"}, {"quartiles"}, {"least–most"}, {"n"}, {"memory, median"}, {"quartiles"},
-             {"least–most"}, {"n"}, {"guarantee", "text"}});
+  const std::string head = heads({{""},
+                                  {"time, median"},
+                                  {"quartiles"},
+                                  {"least–most"},
+                                  {"n"},
+                                  {"memory, median"},
+                                  {"quartiles"},
+                                  {"least–most"},
+                                  {"n"},
+                                  {"guarantee", "text"}});
   std::string figures;
   for (const std::string* svg : {&drawings.time_ratios, &drawings.memory_ratios}) {
     if (!svg->empty()) figures += figure(*svg);
@@ -121,8 +130,9 @@ std::string exact_section(const Page& page) {
   if (!summary.exact_share) return element("p", "Not enough data: no run of ours says it.");
   std::string rows;
   const auto add = [&](const std::string& name, const ExactShare& share, const char* attributes) {
-    rows += element("tr", element("th", escaped(name), "scope=\"row\"") + element("td", grouped(share.runs)) +
-                              element("td", percent(share.median)) + element("td", percent(share.most)),
+    rows += element("tr",
+                    element("th", escaped(name), "scope=\"row\"") + element("td", grouped(share.runs)) +
+                        element("td", percent(share.median)) + element("td", percent(share.most)),
                     attributes) +
             "\n";
   };

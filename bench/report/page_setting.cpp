@@ -1,9 +1,8 @@
 // What surrounds the numbers: systems, machine, truth, and every run.
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "bench/report/format.h"
 #include "bench/report/page.h"
@@ -47,7 +46,8 @@ std::string bytes_limit(std::size_t least, std::size_t most) {
 
 /// Rows as lists, names by their places: a page of 20,000 rows stays small. The script shows them on demand.
 std::string rows_json(const Page& page) {
-  nlohmann::json systems = nlohmann::json::array(), verdicts = nlohmann::json::array(), rows = nlohmann::json::array();
+  nlohmann::json systems = nlohmann::json::array(), verdicts = nlohmann::json::array(),
+                 rows = nlohmann::json::array();
   std::map<std::string, std::size_t> places;
   for (std::size_t s = 0; s < page.experiment.systems.size(); ++s) {
     places.emplace(page.system(s).name, s);
@@ -78,8 +78,9 @@ std::string truth_alarm(const Page& page) {
   const std::string heading = "The truth is disputed for " + plural(all.size(), "problem");
   return element("div",
                  element("h2", heading) +
-                     element("p", "An independent exact system has another result than the one that the verdicts of "
-                                  "these problems were made with. Do not rely on them before that is settled.") +
+                     element("p",
+                             "An independent system has another result than the one that the verdicts of "
+                             "these problems were made with. Do not rely on them before that is settled.") +
                      element("ul", "\n" + list),
                  "class=\"alarm\" role=\"alert\"") +
          "\n";
@@ -98,12 +99,14 @@ std::string systems_section(const Page& page) {
                               element("td", described ? escaped(info.guarantee) : "not recorded") +
                               element("td", escaped(info.version)) +
                               element("td", described ? rounding_text(info.rounding) : "not recorded") +
-                              element("td", !described ? "not recorded" : info.regularized ? "regularized solids" : "point sets of all dimensions") +
+                              element("td", !described         ? "not recorded"
+                                            : info.regularized ? "regularized solids"
+                                                               : "point sets of all dimensions") +
                               element("td", escaped(ran))) +
             "\n";
   }
-  const std::string head = heads({{"system"}, {"takes and promises"}, {"version"}, {"rounding of results"}, {"results"},
-                                  {"runs"}});
+  const std::string head =
+      heads({{"system"}, {"takes and promises"}, {"version"}, {"rounding of results"}, {"results"}, {"runs"}});
   return table(head, rows, "class=\"list\"");
 }
 
@@ -124,19 +127,20 @@ std::string machine_section(const Page& page) {
   }
   list += definition("limit of time", seconds_limit(summary.least_limit_seconds, summary.most_limit_seconds)) +
           definition("limit of memory", bytes_limit(summary.least_limit_bytes, summary.most_limit_bytes)) +
-          definition("time", "from operands in memory to the result in memory; of a run without a result the wall time "
-                             "of its process") +
-          definition("memory", "the most that was resident during the run above what the program and its input take; "
-                               "MB are 10⁶ bytes");
+          definition("time",
+                     "from operands in memory to the result in memory; of a run without a result the wall time "
+                     "of its process") +
+          definition("memory",
+                     "the most that was resident during the run above what the program and its input take; "
+                     "MB are 10⁶ bytes");
   return element("dl", "\n" + list);
 }
 
 std::string truth_section(const Page& page) {
-  const std::map<std::string, std::string> meanings = {
-      {"Nef", "Nef polyhedra give the same point set, exactly."},
-      {"volume", "The volume agrees with corefinement to 10⁻⁹."},
-      {"none", "Neither was possible."},
-      {"DISAGREES", "One of them has another result."}};
+  const std::map<std::string, std::string> meanings = {{"Nef", "Nef polyhedra give the same point set, exactly."},
+                                                       {"volume", "The volume agrees with corefinement to 10⁻⁹."},
+                                                       {"none", "Neither was possible."},
+                                                       {"DISAGREES", "One of them has another result."}};
   std::string rows;
   for (const TruthCount& truth : page.summary.truths) {
     const bool alarming = truth.confirmed == "DISAGREES" && truth.problems > 0;
@@ -145,9 +149,10 @@ std::string truth_section(const Page& page) {
       example = element("code", escaped(truth.example));
       if (!truth.reason.empty()) example += " " + element("small", escaped(truth.reason));
     }
-    rows += element("tr", element("th", escaped(truth.confirmed), "scope=\"row\"") +
-                              element("td", grouped(truth.problems), "class=\"count\"") +
-                              element("td", meanings.at(truth.confirmed)) + element("td", example, "class=\"example\""),
+    rows += element("tr",
+                    element("th", escaped(truth.confirmed), "scope=\"row\"") +
+                        element("td", grouped(truth.problems), "class=\"count\"") +
+                        element("td", meanings.at(truth.confirmed)) + element("td", example, "class=\"example\""),
                     alarming ? "class=\"alarming\"" : "") +
             "\n";
   }
@@ -157,10 +162,12 @@ std::string truth_section(const Page& page) {
 
 std::string rows_section(const Page& page) {
   const std::string count = plural(page.experiment.rows.size(), "run");
-  return "<details id=\"runs\">\n" + element("summary", "Show " + count + ", each with the command that reproduces it") +
+  return "<details id=\"runs\">\n" +
+         element("summary", "Show " + count + ", each with the command that reproduces it") +
          "\n<div id=\"runs-view\"></div>\n" +
-         element("noscript", element("p", "The table is made by a script. The JSON that <code>bench_report "
-                                          "--json</code> writes holds all runs as well.")) +
+         element("noscript", element("p",
+                                     "The table is made by a script. The JSON that <code>bench_report "
+                                     "--json</code> writes holds all runs as well.")) +
          "\n</details>\n<script type=\"application/json\" id=\"runs-data\">" + rows_json(page) + "</script>";
 }
 

@@ -10,7 +10,7 @@ const char* const kStyle = R"css(
   --s5: #3f97c4; --s6: #7a5c3e; --s7: #6b7280; --s8: #8a1c4a; --s9: #2f8580;
   --same: #00846a; --same-regularized: #6fbfae; --contact-duplicated: #efd470; --contact-lost: #d9ae2b;
   --dangling-lost: #ad8428; --wrong: #d1410c; --refused: #a3abb8; --crashed: #7b4aa0; --timed-out: #626b7a;
-  --out-of-memory: #363e4a;
+  --out-of-memory: #363e4a; --unjudged: #c9ced6;
 }
 @media (prefers-color-scheme: dark) { :root {
   --page: #14171b; --card: #1d2228; --ink: #e7eaee; --muted: #9ba5b1; --rule: #333b44; --alarm: #ff7a5c;
@@ -18,9 +18,8 @@ const char* const kStyle = R"css(
   --s5: #a3d6f4; --s6: #c4a384; --s7: #a3abb8; --s8: #e0739f; --s9: #74cdc6;
   --same: #1fa88a; --same-regularized: #8fd6c7; --contact-duplicated: #f3dc86; --contact-lost: #dcb443;
   --dangling-lost: #b48d35; --wrong: #f0602c; --refused: #8b94a3; --crashed: #a678cc; --timed-out: #697384;
-  --out-of-memory: #4a5361;
+  --out-of-memory: #4a5361; --unjudged: #6d7683;
 } }
-@media print { :root { color-scheme: light; } nav, #rows-section { display: none; } body { font-size: 11px; } }
 * { box-sizing: border-box; }
 html { background: var(--page); color: var(--ink); -webkit-print-color-adjust: exact; print-color-adjust: exact; }
 body { margin: 0; font: 15px/1.5 system-ui, "Segoe UI", "Noto Sans", "Liberation Sans", Arial, sans-serif; }
@@ -52,7 +51,8 @@ th, td { padding: 5px 8px; text-align: left; vertical-align: top; border-bottom:
 th { font-weight: 600; }
 thead th { color: var(--muted); font-size: 12px; vertical-align: bottom; white-space: nowrap; }
 thead th span { color: var(--ink); }
-td.count, thead th.count, table.numbers td, table.numbers thead th, table.fact td, table.fact thead th { text-align: right; }
+td.count, thead th.count, table.numbers td, table.numbers thead th, table.fact td, table.fact thead th {
+  text-align: right; }
 table.numbers th:first-child, table.fact th:first-child { text-align: left; }
 table.numbers td { white-space: nowrap; }
 table.numbers td.text, table.numbers thead th.text { text-align: left; white-space: normal; }
@@ -78,9 +78,11 @@ table.matrix { table-layout: fixed; min-width: 900px; }
 .matrix thead th:first-child { width: 172px; }
 .matrix thead th.count { width: 74px; }
 .matrix th, .matrix td { padding: 5px 6px; }
-.bar { display: flex; height: 12px; margin: 3px 0 1px; border-radius: 2px; overflow: hidden; background: var(--rule); }
+.bar { display: flex; height: 12px; margin: 3px 0 1px; border-radius: 2px; overflow: hidden;
+  background: var(--rule); }
 .bar i { flex: 0 0 0; min-width: 2px; }
-.counts { font-size: 11.5px; color: var(--muted); white-space: nowrap; }
+.counts { display: block; font-size: 11.5px; color: var(--muted); }
+.counts span { white-space: nowrap; }
 .counts .exact, .counts .right { color: var(--ink); }
 .counts .failed { color: var(--alarm); font-weight: 600; }
 .dot, .box { display: inline-block; width: 10px; height: 10px; border-radius: 50%; margin-right: 6px; flex: none; }
@@ -88,10 +90,12 @@ table.matrix { table-layout: fixed; min-width: 900px; }
 .mark { display: inline-flex; align-items: baseline; }
 .legend { display: flex; flex-wrap: wrap; gap: 2px 18px; font-size: 12.5px; max-width: none; }
 .v-same { background: var(--same); } .v-same-regularized { background: var(--same-regularized); }
-.v-contact-duplicated { background: var(--contact-duplicated); } .v-contact-lost { background: var(--contact-lost); }
+.v-contact-duplicated { background: var(--contact-duplicated); }
+.v-contact-lost { background: var(--contact-lost); }
 .v-dangling-lost { background: var(--dangling-lost); } .v-wrong { background: var(--wrong); }
 .v-refused { background: var(--refused); } .v-crashed { background: var(--crashed); }
-.v-timed-out { background: var(--timed-out); } .v-out-of-memory { background: var(--out-of-memory); }
+.v-timed-out { background: var(--timed-out); } .v-unjudged { background: repeating-linear-gradient(135deg, var(--unjudged) 0 2px, var(--page) 2px 4px); }
+.v-out-of-memory { background: var(--out-of-memory); }
 figure { margin: 0; break-inside: avoid; min-width: 0; }
 svg { display: block; width: 100%; height: auto; font-family: inherit; color: var(--ink); }
 .two { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 8px 20px; }
@@ -103,15 +107,29 @@ dt { color: var(--muted); } dd { margin: 0; overflow-wrap: anywhere; }
 .alarm h2, tr.alarming th, tr.alarming td { color: var(--alarm); }
 .alarm ul { margin: 0; padding-left: 20px; }
 summary { cursor: pointer; font-weight: 600; }
-#runs-view .tools { display: flex; flex-wrap: wrap; gap: 8px; align-items: center; margin: 12px 0; font-size: 13px; }
+#runs-view .tools { display: flex; flex-wrap: wrap; gap: 8px; align-items: center; margin: 12px 0;
+  font-size: 13px; }
 #runs-view input, #runs-view select, #runs-view button { font: inherit; color: inherit; background: var(--card);
   border: 1px solid var(--rule); border-radius: 5px; padding: 4px 8px; }
 #runs-view input { width: 300px; }
 #runs-view thead button { border: 0; background: none; padding: 0; color: var(--muted); font-weight: 600;
   cursor: pointer; }
 #runs-view td.number { text-align: right; white-space: nowrap; }
-#runs-view td code { display: block; color: var(--muted); }
-@media (max-width: 820px) { .facts, .two, .three { grid-template-columns: minmax(0, 1fr); } }
+#runs-view td:first-child { min-width: 170px; }
+#runs-view td:last-child code { display: block; color: var(--muted); }
+@media screen and (max-width: 820px) { .facts, .two, .three { grid-template-columns: minmax(0, 1fr); } }
+@page { size: A4 landscape; margin: 12mm; }
+@media print {
+  nav, #rows-section { display: none; }
+  body { font-size: 12px; }
+  main { max-width: none; padding: 0; }
+  section { margin-top: 28px; }
+  h2, h3, .reading { break-after: avoid; }
+  tr { break-inside: avoid; }
+  .wide { overflow: visible; }
+  table, table.fact { font-size: 10.5px; }
+  th, td { padding: 3px 6px; }
+}
 )css";
 
 const char* const kScript = R"js(
@@ -197,6 +215,7 @@ const char* const kScript = R"js(
     COLUMNS.forEach(function (column, i) {
       const cell = make('th', null, head);
       cell.scope = 'col';
+      if (column[1]) { cell.className = 'count'; }
       make('button', column[0], cell).addEventListener('click', function () {
         down = sorted === i ? !down : false;
         sorted = i;
@@ -214,6 +233,7 @@ const char* const kScript = R"js(
   function opened() { if (details.open) { if (store === null) { open(); } } }
   details.addEventListener('toggle', opened);
   if (location.hash === '#runs') { details.open = true; }
+  opened();
 })();
 )js";
 

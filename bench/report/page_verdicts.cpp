@@ -36,13 +36,17 @@ std::string tally_cell(const Tally& tally) {
   std::string bar;
   for (std::size_t v = 0; v < kVerdicts; ++v) {
     if (tally.counts[v] == 0) continue;
-    bar += "<i class=\"" + verdict_class(v) + "\" style=\"flex-grow:" + std::to_string(tally.counts[v]) + "\"></i>";
+    bar +=
+        "<i class=\"" + verdict_class(v) + "\" style=\"flex-grow:" + std::to_string(tally.counts[v]) + "\"></i>";
   }
+  const std::size_t unjudged = tally.of(Class::unjudged);
   const std::string counts = count_part(tally.of(Class::exact), "exact") + " / " +
                              count_part(tally.of(Class::right), "right") + " / " +
-                             count_part(tally.failures(), "failed");
-  return element("td", element("span", bar, "class=\"bar\" role=\"img\" " + attribute("aria-label", spoken(tally))) +
-                           element("span", counts, "class=\"counts\""),
+                             count_part(tally.failures(), "failed") +
+                             (unjudged == 0 ? "" : " " + element("span", "/ " + grouped(unjudged) + " ?"));
+  return element("td",
+                 element("span", bar, "class=\"bar\" role=\"img\" " + attribute("aria-label", spoken(tally))) +
+                     element("span", counts, "class=\"counts\""),
                  "class=\"tally\" " + attribute("title", spoken(tally)));
 }
 
@@ -56,7 +60,8 @@ std::string family_row(const Page& page, const FamilyTally& family) {
   const FamilyInfo& info = page.family(family.family);
   std::string name = element("b", escaped(info.name));
   if (!info.title.empty() && info.title != info.name) name += element("small", escaped(info.title));
-  std::string cells = element("th", name, "scope=\"row\"") + element("td", grouped(family.problems), "class=\"count\"");
+  std::string cells =
+      element("th", name, "scope=\"row\"") + element("td", grouped(family.problems), "class=\"count\"");
   for (const std::size_t s : page.systems()) cells += tally_cell(family.systems[s]);
   return element("tr", cells) + "\n";
 }
@@ -86,12 +91,14 @@ std::string verdict_matrix(const Page& page) {
   for (const FamilyTally& family : summary.families) {
     if (before == nullptr || before->has_distance != family.has_distance) {
       const char* group = family.has_distance ? "At distances from a degenerate position" : "Without distances";
-      rows += element("tr", element("th", group, "scope=\"rowgroup\" colspan=\"" + span + "\""), "class=\"group\"");
+      rows +=
+          element("tr", element("th", group, "scope=\"rowgroup\" colspan=\"" + span + "\""), "class=\"group\"");
     }
     before = &family;
     rows += family_row(page, family);
   }
-  std::string total = element("th", "All", "scope=\"row\"") + element("td", grouped(summary.problems), "class=\"count\"");
+  std::string total =
+      element("th", "All", "scope=\"row\"") + element("td", grouped(summary.problems), "class=\"count\"");
   for (const std::size_t s : page.systems()) total += tally_cell(summary.totals[s]);
   rows += element("tr", total, "class=\"total\"");
   const std::string head = heads({{"family"}, {"problems", "count"}}) + system_heads(page);
@@ -108,7 +115,8 @@ std::string verdict_totals(const Page& page) {
       const std::size_t count = summary.totals[s].counts[v];
       cells += element("td", grouped(count), count == 0 ? "class=\"zero\"" : "");
     }
-    rows += element("tr", cells, v == static_cast<std::size_t>(Verdict::wrong) ? "class=\"first-failure\"" : "") + "\n";
+    rows += element("tr", cells, v == static_cast<std::size_t>(Verdict::wrong) ? "class=\"first-failure\"" : "") +
+            "\n";
   }
   const auto line = [&](const char* name, const auto& cell) {
     std::string cells = element("th", name, "scope=\"row\"");
@@ -116,7 +124,7 @@ std::string verdict_totals(const Page& page) {
     rows += element("tr", cells, "class=\"total\"") + "\n";
   };
   line("runs", [](const Tally& t) { return grouped(t.runs()); });
-  line("failure rate", [](const Tally& t) { return percent(t.failure_rate()); });
+  line("failure rate of the judged", [](const Tally& t) { return percent(t.failure_rate()); });
   return table(heads({{"verdict"}}) + system_heads(page), rows, "class=\"numbers\"");
 }
 
@@ -151,12 +159,13 @@ std::string verdict_meanings() {
       "The system says that it can not.",
       "The process ended by itself without a result, by a signal or otherwise.",
       "No result within the limit of time.",
-      "No result within the limit of memory."};
+      "No result within the limit of memory.",
+      "There is a result, but the exact one could not be had within the limits. No rate counts it."};
   static_assert(std::size(kMeanings) == kVerdicts);
   std::string rows;
   for (std::size_t v = 0; v < kVerdicts; ++v) {
-    constexpr const char* kClassNames[] = {"exact", "right by another contract", "failed: wrong, unsaid",
-                                           "failed: says so", "failed: no result"};
+    constexpr const char* kClassNames[] = {"exact",           "right by another contract", "failed: wrong, unsaid",
+                                           "failed: says so", "failed: no result",         "nothing"};
     const auto group = static_cast<std::size_t>(class_of(static_cast<Verdict>(v)));
     rows += element("tr", element("th", "<i class=\"box " + verdict_class(v) + "\"></i>" + verdict_name(v),
                                   "scope=\"row\"") +

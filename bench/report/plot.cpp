@@ -16,8 +16,10 @@ namespace {
 std::string quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
-    if (c == '\'') out += "''";
-    else out += c == '\n' ? ' ' : c;
+    if (c == '\'')
+      out += "''";
+    else
+      out += c == '\n' ? ' ' : c;
   }
   return out + "'";
 }
@@ -57,18 +59,27 @@ std::string ticks(const char* axis, const Axis& a) {
 }
 
 std::string range(const char* axis, const Axis& a) {
-  std::string text = "set " + std::string(axis) + "range [" + number(a.low) + ":" + number(a.high) + "]\n";
+  // gnuplot leaves out a tick at the very end of a logarithmic axis when its logarithms are rounded badly.
+  const double widened = a.logarithmic ? 1.001 : 1;
+  std::string text =
+      "set " + std::string(axis) + "range [" + number(a.low / widened) + ":" + number(a.high * widened) + "]\n";
   if (a.logarithmic) text += "set logscale " + std::string(axis) + "\n";
   return text;
 }
 
 std::string head(int width, int height) {
-  return "reset\nset encoding utf8\nset terminal svg size " + std::to_string(width) + "," + std::to_string(height) +
-         " dynamic noenhanced font '" + kFontPlaceholder + ",12'\nunset key\nunset mxtics\nunset mytics\n";
+  return "reset\nset encoding utf8\nset terminal svg size " + std::to_string(width) + "," +
+         std::to_string(height) + " dynamic noenhanced font '" + kFontPlaceholder +
+         ",12'\nunset key\nunset mxtics\nunset mytics\n";
 }
 
-/// Heights of names beside the ends of lines, in the axis's own linear measure from 0 to 1, at least `gap` apart and
-/// in the order of the ends.
+/// Pixels for names beside a plot: their letters are less than 7 wide on average. Half of the plot stays, whatever.
+int name_width(std::size_t letters, int width) {
+  return std::min(width / 2, 24 + 67 * static_cast<int>(letters) / 10);
+}
+
+/// Heights of names beside the ends of lines, in the axis's own linear measure from 0 to 1, at least `gap` apart
+/// and in the order of the ends.
 std::vector<double> spread_names(const std::vector<double>& ends, double gap) {
   std::vector<std::size_t> order(ends.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -93,7 +104,8 @@ double part_of(const Axis& axis, double value) {
 /// Names to the right of the plot, joined to the ends of their lines by position and colour.
 std::string names(const LinePlot& plot, double inner_height) {
   std::vector<double> ends;
-  for (const Series& s : plot.series) ends.push_back(s.points.empty() ? 0 : part_of(plot.y, s.points.back().second));
+  for (const Series& s : plot.series)
+    ends.push_back(s.points.empty() ? 0 : part_of(plot.y, s.points.back().second));
   const std::vector<double> heights = spread_names(ends, 14.5 / inner_height);
   std::string text;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
@@ -114,7 +126,8 @@ std::string data_block(std::size_t index, const std::vector<std::pair<double, do
 
 Axis decades(const std::string& title, const std::vector<double>& values) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  int low = static_cast<int>(std::floor(std::log10(*least))), high = static_cast<int>(std::ceil(std::log10(*most)));
+  int low = static_cast<int>(std::floor(std::log10(*least))),
+      high = static_cast<int>(std::ceil(std::log10(*most)));
   if (high <= low) high = low + 1;
   Axis axis;
   axis.title = title;
@@ -136,7 +149,10 @@ Axis decades(const std::string& title, const std::vector<double>& values) {
 }
 
 std::size_t Gallery::add(const LinePlot& plot) {
-  const int left = 52, right = plot.named ? 160 : 24, top = plot.title.empty() ? 10 : 30, bottom = plot.x.title.empty() ? 26 : 46;
+  std::size_t longest = 0;
+  for (const Series& s : plot.series) longest = std::max(longest, characters(s.name));
+  const int left = 52, right = plot.named ? name_width(longest, plot.width) : 24, top = plot.title.empty() ? 10 : 30,
+            bottom = plot.x.title.empty() ? 26 : 46;
   const double inner_height = plot.height - top - bottom;
   std::string text = head(plot.width, plot.height);
   const auto margin = [&](const char* side, double place) {
@@ -178,7 +194,10 @@ std::size_t Gallery::add(const LinePlot& plot) {
 
 std::size_t Gallery::add(const SpreadPlot& plot) {
   const auto lines = static_cast<int>(plot.bars.size());
-  const int left = 130, right = 20, top = plot.title.empty() ? 10 : 30, bottom = 46, height = top + bottom + 30 * lines;
+  std::size_t longest = 0;
+  for (const SpreadPlot::Bar& bar : plot.bars) longest = std::max(longest, characters(bar.name));
+  const int left = name_width(longest, plot.width), right = 20, top = plot.title.empty() ? 10 : 30, bottom = 46,
+            height = top + bottom + 30 * lines;
   std::string text = head(plot.width, height);
   text += "set lmargin at screen " + number(double(left) / plot.width) + "\nset rmargin at screen " +
           number(1 - double(right) / plot.width) + "\nset tmargin at screen " + number(1 - double(top) / height) +
@@ -203,10 +222,11 @@ std::size_t Gallery::add(const SpreadPlot& plot) {
             colour(bar.system) + "\n";
     text += data + " << EOD\n" + number(bar.median) + " " + number(y) + " " + number(bar.lower) + " " +
             number(bar.upper) + " " + number(bar.least) + " " + number(bar.most) + "\nEOD\n";
-    plots += (plots.empty() ? "" : ", ") + data + " using 5:2:($6-$5):(0) with vectors nohead linewidth 1.4" + paint +
-             " title " + quoted(bar.name) + ", " + data + " using 1:2:3:4:($2-0.26):($2+0.26) with boxxyerror" +
-             " fillstyle solid 0.35 border linewidth 1.2" + paint + " notitle, " + data +
-             " using 1:($2-0.26):(0):(0.52) with vectors nohead linewidth 3" + paint + " notitle";
+    plots += (plots.empty() ? "" : ", ") + data + " using 5:2:($6-$5):(0) with vectors nohead linewidth 1.4" +
+             paint + " title " + quoted(bar.name) + ", " + data +
+             " using 1:2:3:4:($2-0.26):($2+0.26) with boxxyerror" + " fillstyle solid 0.35 border linewidth 1.2" +
+             paint + " notitle, " + data + " using 1:($2-0.26):(0):(0.52) with vectors nohead linewidth 3" +
+             paint + " notitle";
   }
   text += "plot " + plots + "\n";
   sheets_.push_back({text, plot.title, plot.description});

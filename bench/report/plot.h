@@ -1,6 +1,7 @@
 // Plots by gnuplot as SVG for one HTML page: colours and font are the page's, ids are unique.
 //
-// A script takes its colours from `ink`, `muted`, `rule` and `series_colour`; in the SVG they become the CSS variables
+// A script takes its colours from `ink`, `muted`, `rule` and `series_colour`; in the SVG they become the CSS
+// variables
 // --ink, --muted, --rule and --s0, --s1, ... of the page, so that a plot follows light and dark.
 #pragma once
 
@@ -16,9 +17,9 @@ inline constexpr std::size_t kSeriesColours = 10;
 
 struct Series {
   std::string name;
-  std::size_t system = 0;  ///< chooses colour, dashes and marker
-  bool strong = false;     ///< drawn thicker
-  std::vector<std::pair<double, double>> points;  ///< on a logarithmic axis all positive
+  std::size_t system = 0;                             ///< chooses colour, dashes and marker
+  bool strong = false;                                ///< drawn thicker
+  std::vector<std::pair<double, double>> points;      ///< on a logarithmic axis all positive
   std::size_t joined = static_cast<std::size_t>(-1);  ///< of the points, those from this one on stand alone
 };
 

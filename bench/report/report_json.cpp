@@ -11,6 +11,7 @@ Json json_of(const Tally& tally) {
   Json verdicts = Json::object();
   for (std::size_t i = 0; i < kVerdicts; ++i) verdicts[to_string(static_cast<Verdict>(i))] = tally.counts[i];
   return {{"runs", tally.runs()},
+          {"judged", tally.judged()},
           {"failures", tally.failures()},
           {"failure_rate", tally.failure_rate()},
           {"verdicts", verdicts}};
@@ -18,14 +19,17 @@ Json json_of(const Tally& tally) {
 
 Json json_of(const Spread& s) {
   if (s.count == 0) return nullptr;
-  return {{"count", s.count}, {"min", s.least},  {"lower_quartile", s.lower}, {"median", s.median},
+  return {{"count", s.count},          {"min", s.least}, {"lower_quartile", s.lower}, {"median", s.median},
           {"upper_quartile", s.upper}, {"max", s.most}};
 }
 
 Json json_of(const std::optional<PowerLaw>& law) {
   if (!law) return nullptr;
-  return {{"points", law->points}, {"exponent", law->exponent}, {"standard_error", law->error},
-          {"factor", law->factor}, {"r_squared", law->r_squared}};
+  return {{"points", law->points},
+          {"exponent", law->exponent},
+          {"standard_error", law->error},
+          {"factor", law->factor},
+          {"r_squared", law->r_squared}};
 }
 
 Json distance_of(const DistancePoint& point) { return point.k ? Json(*point.k) : Json("exact"); }
@@ -98,8 +102,11 @@ Json facts_json(const Experiment& experiment, const Summary& summary, const Name
       for (std::size_t i = 0; i < line.cells.size(); ++i) entry[fact.columns[i]] = line.cells[i];
       lines.push_back(std::move(entry));
     }
-    out.push_back({{"question", fact.question}, {"headline", fact.headline}, {"sentence", fact.sentence},
-                   {"note", fact.note}, {"systems", lines}});
+    out.push_back({{"question", fact.question},
+                   {"headline", fact.headline},
+                   {"sentence", fact.sentence},
+                   {"note", fact.note},
+                   {"systems", lines}});
   }
   return out;
 }

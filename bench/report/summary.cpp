@@ -11,7 +11,7 @@ namespace {
 struct Placed {
   const SweepRow* row;
   std::size_t family, system;
-  bool right() const { return !is_failure(row->verdict); }
+  bool right() const { return is_right(row->verdict); }
 };
 
 template <class Info>
@@ -44,12 +44,14 @@ void for_each_run(const std::vector<Placed>& rows, const Same& same, const Visit
 
 template <class Visit>
 void for_each_problem(const std::vector<Placed>& rows, const Visit& visit) {
-  for_each_run(rows, [](const Placed& a, const Placed& b) { return a.row->problem == b.row->problem; }, visit);
+  for_each_run(
+      rows, [](const Placed& a, const Placed& b) { return a.row->problem == b.row->problem; }, visit);
 }
 
 template <class Visit>
 void for_each_family(const std::vector<Placed>& rows, const Visit& visit) {
-  for_each_run(rows, [](const Placed& a, const Placed& b) { return a.family == b.family; }, visit);
+  for_each_run(
+      rows, [](const Placed& a, const Placed& b) { return a.family == b.family; }, visit);
 }
 
 void tally(const std::vector<Placed>& rows, std::size_t systems, Summary& out) {
@@ -74,7 +76,7 @@ void tally(const std::vector<Placed>& rows, std::size_t systems, Summary& out) {
 std::vector<StageTally> tally_stages(const std::vector<Placed>& rows) {
   std::map<std::pair<std::size_t, std::string>, StageTally> stages;
   for (const Placed& p : rows) {
-    if (p.right()) continue;
+    if (!is_failure(p.row->verdict)) continue;
     const std::string name = p.row->stage.empty() ? "unknown" : p.row->stage;
     const auto [found, fresh] = stages.try_emplace({p.system, name});
     if (fresh) found->second = {p.system, name, {}, p.row->problem, p.row->message};
@@ -96,7 +98,7 @@ DistanceStudy study_distance(std::vector<Placed>::const_iterator begin, std::vec
                              std::optional<std::size_t> family) {
   std::map<std::size_t, std::map<int, DistancePoint>> points;
   for (auto i = begin; i != end; ++i) {
-    if (!i->row->has_distance) continue;
+    if (!i->row->has_distance || i->row->verdict == Verdict::unjudged) continue;
     DistancePoint& point = points[i->system][rank_of(i->row->distance)];
     point.k = i->row->distance;
     point.tally.add(i->row->verdict);
@@ -129,12 +131,16 @@ std::vector<DistanceStudy> study_distances(const std::vector<Placed>& rows) {
 GrowthPoint growth_point(long size, const std::vector<const SweepRow*>& rows) {
   std::vector<double> triangles, seconds, bytes;
   for (const SweepRow* row : rows) {
-    if (is_failure(row->verdict)) continue;
+    if (!is_right(row->verdict)) continue;
     triangles.push_back(static_cast<double>(row->triangles));
     seconds.push_back(row->seconds);
     bytes.push_back(static_cast<double>(row->own_bytes));
   }
-  return {size, rows.size(), seconds.size(), spread_of(triangles).median, spread_of(seconds).median,
+  return {size,
+          rows.size(),
+          seconds.size(),
+          spread_of(triangles).median,
+          spread_of(seconds).median,
           spread_of(bytes).median};
 }
 
@@ -177,7 +183,8 @@ std::vector<GrowthStudy> study_growth(const std::vector<Placed>& rows) {
 std::vector<Ratio> ratios_to(std::size_t ours, const std::vector<Placed>& rows) {
   std::map<std::size_t, std::pair<std::vector<double>, std::vector<double>>> ratios;
   for_each_problem(rows, [&](auto begin, auto end) {
-    const auto reference = std::find_if(begin, end, [&](const Placed& p) { return p.system == ours && p.right(); });
+    const auto reference =
+        std::find_if(begin, end, [&](const Placed& p) { return p.system == ours && p.right(); });
     if (reference == end) return;
     for (auto i = begin; i != end; ++i) {
       if (i == reference || !i->right()) continue;
@@ -244,9 +251,15 @@ void read_limits(const std::vector<SweepRow>& rows, Summary& out) {
 
 Class class_of(Verdict verdict) {
   if (verdict == Verdict::same) return Class::exact;
+  if (verdict == Verdict::unjudged) return Class::unjudged;
   if (!is_failure(verdict)) return Class::right;
   if (verdict == Verdict::wrong) return Class::wrong;
   return verdict == Verdict::refused ? Class::refused : Class::no_result;
+}
+
+bool is_right(Verdict verdict) {
+  const Class group = class_of(verdict);
+  return group == Class::exact || group == Class::right;
 }
 
 void Tally::add(const Tally& other) {
@@ -267,10 +280,14 @@ std::size_t Tally::runs() const {
   return sum;
 }
 
+std::size_t Tally::judged() const { return runs() - of(Class::unjudged); }
+
+std::size_t Tally::right() const { return of(Class::exact) + of(Class::right); }
+
 std::size_t Tally::failures() const { return of(Class::wrong) + of(Class::refused) + of(Class::no_result); }
 
 double Tally::failure_rate() const {
-  const std::size_t all = runs();
+  const std::size_t all = judged();
   return all == 0 ? 0 : static_cast<double>(failures()) / static_cast<double>(all);
 }
 

@@ -1,7 +1,8 @@
 // The aggregates of a report: everything that its tables, plots and main facts say, computed from rows.
 //
-// Systems are places in Experiment::systems, families in Experiment::families. A run is right when its verdict is no
-// failure (is_failure); seconds and memory are looked at for right runs only.
+// Systems are places in Experiment::systems, families in Experiment::families. A run is right when it
+// was judged and its verdict is no failure; seconds and memory are looked at for right runs only. Rates are parts of
+// the judged runs.
 #pragma once
 
 #include <array>
@@ -16,9 +17,10 @@
 namespace cnrg::bench {
 
 /// Verdicts as a reader groups them.
-enum class Class { exact, right, wrong, refused, no_result };
-inline constexpr std::size_t kClasses = 5;
+enum class Class { exact, right, wrong, refused, no_result, unjudged };
 Class class_of(Verdict verdict);
+/// Exact, or right by another contract.
+bool is_right(Verdict verdict);
 
 /// Runs by verdict.
 struct Tally {
@@ -28,8 +30,10 @@ struct Tally {
   std::size_t of(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
   std::size_t of(Class wanted) const;
   std::size_t runs() const;
+  std::size_t judged() const;
+  std::size_t right() const;
   std::size_t failures() const;
-  double failure_rate() const;  ///< 0 to 1; 0 without runs
+  double failure_rate() const;  ///< of the judged, 0 to 1; 0 without any
 };
 
 struct FamilyTally {
@@ -54,7 +58,7 @@ struct DistancePoint {
 
 struct DistanceCurve {
   std::size_t system = 0;
-  std::vector<DistancePoint> points;  ///< far to near, `exact` last; those that have runs
+  std::vector<DistancePoint> points;  ///< far to near, `exact` last; those that have judged runs
   std::optional<std::size_t> onset;   ///< the first point with a failure rate of `kOnset` or more
   std::size_t worst = 0;              ///< the first point with the highest failure rate
 };
@@ -75,7 +79,7 @@ struct GrowthPoint {
 
 struct GrowthCurve {
   std::size_t system = 0;
-  std::vector<GrowthPoint> points;  ///< ascending; those with right runs
+  std::vector<GrowthPoint> points;       ///< ascending; those with right runs
   std::optional<PowerLaw> time, memory;  ///< against triangles
 };
 
@@ -109,14 +113,14 @@ struct Disagreement {
 struct Summary {
   std::optional<std::size_t> ours;  ///< none: ours has no rows
   std::size_t problems = 0;
-  std::vector<Tally> totals;        ///< by system
+  std::vector<Tally> totals;          ///< by system
   std::vector<FamilyTally> families;  ///< those with rows: first the ones with distances, then by order
-  std::vector<StageTally> stages;   ///< by system, most failures first
+  std::vector<StageTally> stages;     ///< by system, most failures first
   DistanceStudy all_distances;
   std::vector<DistanceStudy> distances;
   std::vector<GrowthStudy> growth;
-  std::vector<Ratio> ratios;        ///< of all systems but ours that have right runs in common with ours
-  std::vector<ExactShare> exact_shares;  ///< of ours, by family
+  std::vector<Ratio> ratios;              ///< of all systems but ours that have right runs in common with ours
+  std::vector<ExactShare> exact_shares;   ///< of ours, by family
   std::optional<ExactShare> exact_share;  ///< of ours, all runs; `family` means nothing
   std::vector<TruthCount> truths;
   std::vector<Disagreement> disagreements;
@@ -134,9 +138,9 @@ struct FactLine {
 
 /// A main fact, in words made of the numbers.
 struct MainFact {
-  std::string question;  ///< what it answers
-  std::string headline;  ///< the number
-  std::string sentence;  ///< what the number is
+  std::string question;              ///< what it answers
+  std::string headline;              ///< the number
+  std::string sentence;              ///< what the number is
   std::vector<std::string> columns;  ///< of the lines
   std::vector<FactLine> lines;       ///< one per system; empty when there is not enough data: `sentence` says so
   std::string note;

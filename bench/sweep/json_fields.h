@@ -55,8 +55,8 @@ class JsonFields {
       return static_cast<Integer>(number);
     }
     const auto number = value.get<std::int64_t>();
-    if (number < 0 && (!std::numeric_limits<Integer>::is_signed ||
-                       number < std::int64_t(std::numeric_limits<Integer>::min()))) {
+    if (number < 0 &&
+        (!std::numeric_limits<Integer>::is_signed || number < std::int64_t(std::numeric_limits<Integer>::min()))) {
       fail(key, "a number in its range");
     }
     return static_cast<Integer>(number);
@@ -79,7 +79,8 @@ inline nlohmann::json parse_json(const std::string& text) {
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& e) {
-    const std::string what = e.what();  // "[json.exception.parse_error.101] parse error at ...": the class says nothing
+    const std::string what =
+        e.what();  // "[json.exception.parse_error.101] parse error at ...": the class says nothing
     const std::size_t bracket = what.find("] ");
     throw std::runtime_error("no JSON: " + (bracket == std::string::npos ? what : what.substr(bracket + 2)));
   }

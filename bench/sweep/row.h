@@ -28,7 +28,7 @@ inline constexpr std::size_t kVerdicts = 11;
 /// `same`, `same-regularized`, ... as in files.
 const char* to_string(Verdict verdict);
 std::optional<Verdict> parse_verdict(const std::string& text);
-/// No result, or a wrong one: what a failure rate counts. The others are right by some contract.
+/// No result, or a wrong one: what a failure rate counts. The others are right by some contract, or unjudged.
 bool is_failure(Verdict verdict);
 
 /// What is counted in a point set, simplified to its canonical form: no coplanar faces and collinear edges apart.
@@ -68,7 +68,7 @@ struct SweepRow {
   std::string note;
 
   std::optional<Facts> facts;              ///< of the result
-  double excess = 0, missing = 0;          ///< volumes of result - truth and truth - result, as parts of the truth's
+  double excess = 0, missing = 0;          ///< volumes of result - truth, truth - result as parts of the truth's
   std::size_t duplicates = 0;              ///< vertices of the result at the place of another one
   Truth truth;
   double limit_seconds = 0;

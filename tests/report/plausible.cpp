@@ -11,12 +11,12 @@ namespace {
 
 const std::vector<SystemInfo> kSystems = {
     {"ours", "cnrg", "any cells of dimension 0 to 3, exact, each contact once", "0.1.0", 0, false, ""},
-    {"mantyla-double", "Mäntylä, double", "closed 2-manifold solids; one epsilon for all comparisons", "as published",
-     1e-10, true, ""},
+    {"mantyla-double", "Mäntylä, double", "closed 2-manifold solids; one epsilon for all comparisons",
+     "as published", 1e-10, true, ""},
     {"mantyla-exact", "Mäntylä, exact", "closed 2-manifold solids; rationals", "as published", 0, true, ""},
     {"nef", "CGAL Nef", "any cells, exact", "CGAL 5.5.1", 0, false, ""},
-    {"corefinement", "CGAL corefinement", "closed 2-manifold surfaces; refuses a result that is none", "CGAL 5.5.1",
-     1e-15, true, ""},
+    {"corefinement", "CGAL corefinement", "closed 2-manifold surfaces; refuses a result that is none",
+     "CGAL 5.5.1", 1e-15, true, ""},
     {"occt", "OpenCASCADE", "boundary representations with a tolerance", "7.6.3", 1e-7, true, ""},
     {"openscad", "OpenSCAD", "solids; Nef polyhedra inside, doubles outside", "2021.01", 1e-6, true, ""}};
 
@@ -47,8 +47,8 @@ const std::vector<Kind> kKinds = {
 struct Cost {
   double seconds, exponent, bytes;
 };
-constexpr Cost kCosts[] = {{6e-6, 1.03, 420},   {2e-6, 1.9, 300},   {9e-5, 1.95, 900}, {5e-4, 1.12, 16000},
-                           {4e-6, 1.08, 700},   {1.5e-4, 1.3, 5000}, {6e-4, 1.1, 18000}};
+constexpr Cost kCosts[] = {{6e-6, 1.03, 420}, {2e-6, 1.9, 300},    {9e-5, 1.95, 900}, {5e-4, 1.12, 16000},
+                           {4e-6, 1.08, 700}, {1.5e-4, 1.3, 5000}, {6e-4, 1.1, 18000}};
 
 struct Draw {
   std::mt19937 engine;
@@ -94,11 +94,13 @@ Result result_of(const std::string& system, const Kind& kind, const SweepRow& ro
     if (system == "occt") return {Verdict::dangling_lost, "", ""};
     return {Verdict::refused, "input", "an operand is no solid"};
   }
+  if (family == "files" && row.seed == 2) return {Verdict::unjudged, "", "the exact result took too long"};
   if (family == "fractures" && system != "ours" && system != "nef") return {Verdict::same_regularized, "", ""};
   if (classic && row.triangles > 20000) return {Verdict::timed_out, "", "60 s"};
   if (system == "nef" && row.triangles > 50000) return {Verdict::out_of_memory, "", ""};
   if (kind.has_distance) return near_degeneracy(system, family, row, draw);
-  if (system == "mantyla-double" && draw.happens(0.15)) return {Verdict::refused, "null edges", "a sector has no side"};
+  if (system == "mantyla-double" && draw.happens(0.15))
+    return {Verdict::refused, "null edges", "a sector has no side"};
   return {};
 }
 
@@ -112,9 +114,8 @@ SweepRow plausible_row(const Kind& kind, std::size_t system, SweepRow row, Draw&
   row.stage = result.stage;
   row.message = result.message;
   const double noise = 0.8 + 0.5 * draw.part();
-  row.seconds = result.verdict == Verdict::timed_out
-                    ? 60
-                    : 2e-4 + cost.seconds * std::pow(triangles, cost.exponent) * noise;
+  row.seconds =
+      result.verdict == Verdict::timed_out ? 60 : 2e-4 + cost.seconds * std::pow(triangles, cost.exponent) * noise;
   row.own_bytes = static_cast<std::size_t>(60000 + cost.bytes * triangles * (0.9 + 0.2 * draw.part()));
   row.peak_bytes = row.own_bytes + 18000000;
   row.stages = {{"Boolean", row.seconds}};
@@ -123,7 +124,9 @@ SweepRow plausible_row(const Kind& kind, std::size_t system, SweepRow row, Draw&
   return row;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text << '\n'; }
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path) << text << '\n';
+}
 
 }  // namespace
 
@@ -160,25 +163,37 @@ SweepRow at_distance(SweepRow row, std::optional<int> k, Verdict verdict) {
 PlausibleSweep plausible_sweep(std::size_t families, std::size_t systems, unsigned seeds) {
   PlausibleSweep sweep;
   sweep.systems.assign(kSystems.begin(), kSystems.begin() + static_cast<long>(systems));
-  sweep.machine = {"Intel Xeon Platinum 8370C at 2.80 GHz", 2, 8000000000, "Debian GNU/Linux 12, Linux 6.1",
-                   "g++ 12.2.0 -O3", "0123abcd", "2026-11-21", 60, 4000000000, "bench/run sweep --families all"};
+  sweep.machine = {"Intel Xeon Platinum 8370C at 2.80 GHz",
+                   2,
+                   8000000000,
+                   "Debian GNU/Linux 12, Linux 6.1",
+                   "g++ 12.2.0 -O3",
+                   "0123abcd",
+                   "2026-11-21",
+                   60,
+                   4000000000,
+                   "bench/run sweep --families all"};
   Draw draw{std::mt19937(7)};
   for (std::size_t f = 0; f < families; ++f) {
     const Kind& kind = kKinds[f];
     sweep.families.push_back(kind.info);
     std::vector<std::optional<int>> distances = {std::nullopt};
-    if (kind.has_distance) for (int k = 0; k <= 16; ++k) distances.emplace_back(k);
+    if (kind.has_distance)
+      for (int k = 0; k <= 16; ++k) distances.emplace_back(k);
     for (const char* operation : {"union", "difference", "intersection"}) {
-      for (const long size : kind.sizes) for (const auto& k : distances) for (unsigned r = 1; r <= seeds; ++r) {
-        SweepRow row = right_row("", kind.info.name, size, r);
-        row.operation = operation;
-        row.problem = kind.info.name + "-" + operation + "-s" + std::to_string(size) + "-r" + std::to_string(r);
-        if (kind.has_distance) row = at_distance(row, k, Verdict::same);
-        row.triangles = kind.triangles_per_size * static_cast<std::size_t>(size) *
-                        (kind.info.name == "menger" ? static_cast<std::size_t>(std::pow(20, size - 1)) : 1);
-        if (kind.info.name == "files") row.truth.confirmed = "volume";
-        for (std::size_t s = 0; s < systems; ++s) sweep.rows.push_back(plausible_row(kind, s, row, draw));
-      }
+      for (const long size : kind.sizes)
+        for (const auto& k : distances)
+          for (unsigned r = 1; r <= seeds; ++r) {
+            SweepRow row = right_row("", kind.info.name, size, r);
+            row.operation = operation;
+            row.problem =
+                kind.info.name + "-" + operation + "-s" + std::to_string(size) + "-r" + std::to_string(r);
+            if (kind.has_distance) row = at_distance(row, k, Verdict::same);
+            row.triangles = kind.triangles_per_size * static_cast<std::size_t>(size) *
+                            (kind.info.name == "menger" ? static_cast<std::size_t>(std::pow(20, size - 1)) : 1);
+            if (kind.info.name == "files") row.truth.confirmed = "volume";
+            for (std::size_t s = 0; s < systems; ++s) sweep.rows.push_back(plausible_row(kind, s, row, draw));
+          }
     }
   }
   return sweep;
