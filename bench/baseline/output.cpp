@@ -1,0 +1,202 @@
+// The result as a model, if it is one: its structure, the Euler-Poincare formula and each face are checked.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bench/baseline/scene.h"
+
+namespace cnrg::bench::mantyla {
+namespace {
+
+[[noreturn]] void fail(const std::string& what) { throw Failure(Stage::output, what); }
+
+Rational exact(double x) { return from_double(x); }
+const Rational& exact(const Rational& x) { return x; }
+
+template <class N>
+void check_face(const Scene<N>& scene, FaceId face) {
+  const Plane<N>& plane = scene.plane(face);
+  const std::vector<LoopId>& loops = scene.topology.face(face).loops;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const std::vector<HalfEdgeId> all = scene.topology.cycle(loops[k]);
+    if (all.size() < 3) fail("a loop of less than three edges");
+    for (const HalfEdgeId h : all)
+      if (N(0) == scene.metric.length && scene.metric.side(plane, scene.point(scene.topology.origin(h))) != 0)
+        fail("a face that is not planar");
+    const N area = signed_area(scene, plane.normal, loops[k]);
+    if (k == 0 ? !(area > 0) : !(area < 0)) fail("a loop of a face runs the wrong way or has no area");
+  }
+}
+
+/// Ear clipping of one face in the plane of its two larger coordinates.
+class Clipping {
+ public:
+  Clipping(const std::vector<std::array<double, 3>>& points, const std::vector<std::vector<std::uint32_t>>& loops)
+      : points_(points), polygon_(loops.front()) {
+    std::array<double, 3> normal = {0, 0, 0};
+    for (std::size_t k = 2; k < polygon_.size(); ++k) {
+      const auto n = cross(at(k - 1) - at(0), at(k) - at(0));
+      for (int c = 0; c < 3; ++c) normal[c] += n[c];
+    }
+    const int axis = dominant_axis(normal);
+    x_ = (axis + 1) % 3;
+    y_ = (axis + 2) % 3;
+    if (normal[axis] < 0) std::swap(x_, y_);
+    std::vector<std::vector<std::uint32_t>> holes(loops.begin() + 1, loops.end());
+    const auto right = [&](const std::vector<std::uint32_t>& hole) -> std::ptrdiff_t {
+      const auto less = [&](auto p, auto q) { return points_[p][x_] < points_[q][x_]; };
+      return std::max_element(hole.begin(), hole.end(), less) - hole.begin();
+    };
+    std::sort(holes.begin(), holes.end(), [&](const auto& g, const auto& h) {
+      return points_[g[static_cast<std::size_t>(right(g))]][x_] > points_[h[static_cast<std::size_t>(right(h))]][x_];
+    });
+    for (auto& hole : holes) {
+      std::rotate(hole.begin(), hole.begin() + right(hole), hole.end());
+      bridge(hole);
+    }
+  }
+
+  std::vector<std::array<std::uint32_t, 3>> run() {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    while (polygon_.size() > 3) {
+      const std::size_t ear = best_ear();
+      const std::size_t n = polygon_.size();
+      triangles.push_back({polygon_[(ear + n - 1) % n], polygon_[ear], polygon_[(ear + 1) % n]});
+      polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(ear));
+    }
+    if (!(turn(polygon_[0], polygon_[1], polygon_[2]) >= 0)) fail("a face that can not be cut into triangles");
+    triangles.push_back({polygon_[0], polygon_[1], polygon_[2]});
+    return triangles;
+  }
+
+ private:
+  const std::array<double, 3>& at(std::size_t k) const { return points_[polygon_[k]]; }
+
+  double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    const auto&p = points_[a], &q = points_[b], &r = points_[c];
+    return (q[x_] - p[x_]) * (r[y_] - p[y_]) - (q[y_] - p[y_]) * (r[x_] - p[x_]);
+  }
+
+  double distance2(std::uint32_t a, std::uint32_t b) const {
+    const double dx = points_[a][x_] - points_[b][x_], dy = points_[a][y_] - points_[b][y_];
+    return dx * dx + dy * dy;
+  }
+
+  bool crosses(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+    if (a == c || a == d || b == c || b == d) return false;
+    return (turn(a, b, c) > 0) != (turn(a, b, d) > 0) && (turn(c, d, a) > 0) != (turn(c, d, b) > 0);
+  }
+
+  /// A hole, from its rightmost corner on, into the polygon over the shortest bridge that crosses nothing.
+  void bridge(const std::vector<std::uint32_t>& hole) {
+    const std::size_t n = polygon_.size();
+    std::size_t best = n;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (best < n && distance2(polygon_[k], hole[0]) >= distance2(polygon_[best], hole[0])) continue;
+      // Towards the hole's corner the bridge leaves between the edges of its own.
+      const std::uint32_t before = polygon_[(k + n - 1) % n], here = polygon_[k], after = polygon_[(k + 1) % n];
+      const bool convex = turn(before, here, after) > 0;
+      const bool left = turn(here, after, hole[0]) > 0, right = turn(before, here, hole[0]) > 0;
+      if (convex ? !(left && right) : !(left || right)) continue;
+      bool free = true;
+      for (std::size_t j = 0; j < n && free; ++j) free = !crosses(here, hole[0], polygon_[j], polygon_[(j + 1) % n]);
+      for (std::size_t j = 0; j < hole.size() && free; ++j)
+        free = !crosses(here, hole[0], hole[j], hole[(j + 1) % hole.size()]);
+      if (free) best = k;
+    }
+    if (best == n) fail("a hole of a face that can not be reached");
+    std::vector<std::uint32_t> with(hole);
+    with.push_back(hole[0]);
+    with.push_back(polygon_[best]);
+    polygon_.insert(polygon_.begin() + static_cast<std::ptrdiff_t>(best) + 1, with.begin(), with.end());
+  }
+
+  bool is_ear(std::size_t k) const {
+    const std::size_t n = polygon_.size();
+    const std::uint32_t a = polygon_[(k + n - 1) % n], b = polygon_[k], c = polygon_[(k + 1) % n];
+    if (!(turn(a, b, c) > 0)) return false;
+    for (const std::uint32_t p : polygon_) {
+      if (p == a || p == b || p == c) continue;
+      if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
+    }
+    return true;
+  }
+
+  /// The ear with the best shape: area by the longest side. Without any, a flat corner.
+  std::size_t best_ear() const {
+    const std::size_t n = polygon_.size();
+    std::size_t best = n;
+    double best_shape = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (!is_ear(k)) continue;
+      const std::uint32_t a = polygon_[(k + n - 1) % n], b = polygon_[k], c = polygon_[(k + 1) % n];
+      const double shape = turn(a, b, c) / std::max({distance2(a, b), distance2(b, c), distance2(c, a)});
+      if (best < n && shape <= best_shape) continue;
+      best = k;
+      best_shape = shape;
+    }
+    for (std::size_t k = 0; k < n && best == n; ++k)
+      if (turn(polygon_[(k + n - 1) % n], polygon_[k], polygon_[(k + 1) % n]) == 0) best = k;
+    if (best == n) fail("a face that can not be cut into triangles");
+    return best;
+  }
+
+  const std::vector<std::array<double, 3>>& points_;
+  std::vector<std::uint32_t> polygon_;
+  int x_ = 0, y_ = 1;
+};
+
+}  // namespace
+
+template <class N>
+Model write_result(const Scene<N>& scene, const std::vector<FaceId>& faces) {
+  const Topology& topology = scene.topology;
+  try {
+    topology.validate();
+  } catch (const TopologyError& error) {
+    fail(error.what());
+  }
+  Model model;
+  std::vector<std::uint32_t> places(scene.points.size(), 0xffffffffu);
+  std::vector<bool> ours(topology.face_ids(), false);
+  for (const FaceId f : faces) ours[static_cast<std::size_t>(f)] = true;
+  for (const FaceId f : faces) {
+    check_face(scene, f);
+    model.faces.emplace_back();
+    for (const LoopId loop : topology.face(f).loops) {
+      model.faces.back().loops.emplace_back();
+      for (const HalfEdgeId h : topology.cycle(loop)) {
+        if (!ours[static_cast<std::size_t>(topology.face(topology.mate(h)))]) fail("the result is open");
+        const VertexId v = topology.origin(h);
+        std::uint32_t& place = places.at(static_cast<std::size_t>(v));
+        if (place == 0xffffffffu) {
+          place = static_cast<std::uint32_t>(model.points.size());
+          const Vec<N>& p = scene.point(v);
+          model.points.push_back({exact(p[0]), exact(p[1]), exact(p[2])});
+        }
+        model.faces.back().loops.back().push_back(place);
+      }
+    }
+  }
+  return model;
+}
+
+Model triangulated(const Model& model) {
+  std::vector<std::array<double, 3>> points;
+  for (const RationalPoint& p : model.points) points.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+  Model result;
+  result.points = model.points;
+  for (const Model::Face& face : model.faces) {
+    if (face.loops.size() == 1 && face.loops[0].size() == 3) {
+      result.faces.push_back(face);
+      continue;
+    }
+    for (const auto& [a, b, c] : Clipping(points, face.loops).run()) result.faces.push_back({{{a, b, c}}, true});
+  }
+  return result;
+}
+
+template Model write_result(const Scene<double>&, const std::vector<FaceId>&);
+template Model write_result(const Scene<Rational>&, const std::vector<FaceId>&);
+
+}  // namespace cnrg::bench::mantyla
