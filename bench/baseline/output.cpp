@@ -1,6 +1,8 @@
 // The result as a model, if it is one: its structure, the Euler-Poincare formula and each face are checked.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "bench/baseline/scene.h"
@@ -64,7 +66,7 @@ class Clipping {
       triangles.push_back({polygon_[(ear + n - 1) % n], polygon_[ear], polygon_[(ear + 1) % n]});
       polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(ear));
     }
-    if (!(turn(polygon_[0], polygon_[1], polygon_[2]) >= 0)) fail("a face that can not be cut into triangles");
+    if (shape(1) < -kFlat) fail("a face that can not be cut into triangles");
     triangles.push_back({polygon_[0], polygon_[1], polygon_[2]});
     return triangles;
   }
@@ -111,74 +113,123 @@ class Clipping {
     polygon_.insert(polygon_.begin() + static_cast<std::ptrdiff_t>(best) + 1, with.begin(), with.end());
   }
 
-  bool is_ear(std::size_t k) const {
+  bool same_place(std::uint32_t a, std::uint32_t b) const {
+    return points_[a][x_] == points_[b][x_] && points_[a][y_] == points_[b][y_];
+  }
+
+  /// No other corner in the triangle, or on its border either.
+  bool is_ear(std::size_t k, bool border) const {
     const std::size_t n = polygon_.size();
     const std::uint32_t a = polygon_[(k + n - 1) % n], b = polygon_[k], c = polygon_[(k + 1) % n];
     if (!(turn(a, b, c) > 0)) return false;
     for (const std::uint32_t p : polygon_) {
-      if (p == a || p == b || p == c) continue;
-      if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
+      if (same_place(p, a) || same_place(p, b) || same_place(p, c)) continue;
+      const double least = std::min({turn(a, b, p), turn(b, c, p), turn(c, a, p)});
+      if (border ? least >= 0 : least > 0) return false;
     }
     return true;
   }
 
-  /// The ear with the best shape: area by the longest side. Without any, a flat corner.
+  /// The ear with the best shape: area by the longest side. Without any, the flattest corner if it is flat up to
+  /// rounding.
   std::size_t best_ear() const {
     const std::size_t n = polygon_.size();
-    std::size_t best = n;
-    double best_shape = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!is_ear(k)) continue;
-      const std::uint32_t a = polygon_[(k + n - 1) % n], b = polygon_[k], c = polygon_[(k + 1) % n];
-      const double shape = turn(a, b, c) / std::max({distance2(a, b), distance2(b, c), distance2(c, a)});
-      if (best < n && shape <= best_shape) continue;
-      best = k;
-      best_shape = shape;
+    for (const bool border : {true, false}) {
+      std::size_t best = n;
+      for (std::size_t k = 0; k < n; ++k)
+        if (is_ear(k, border) && (best == n || shape(k) > shape(best))) best = k;
+      if (best < n) return best;
     }
-    for (std::size_t k = 0; k < n && best == n; ++k)
-      if (turn(polygon_[(k + n - 1) % n], polygon_[k], polygon_[(k + 1) % n]) == 0) best = k;
-    if (best == n) fail("a face that can not be cut into triangles");
-    return best;
+    std::size_t flattest = 0;
+    for (std::size_t k = 1; k < n; ++k)
+      if (std::fabs(shape(k)) < std::fabs(shape(flattest))) flattest = k;
+    if (std::fabs(shape(flattest)) > kFlat) fail("a face that can not be cut into triangles");
+    return flattest;
   }
+
+  /// Area by the square of the longest side; 0 where two corners are at one place.
+  double shape(std::size_t k) const {
+    const std::size_t n = polygon_.size();
+    const std::uint32_t a = polygon_[(k + n - 1) % n], b = polygon_[k], c = polygon_[(k + 1) % n];
+    const double longest = std::max({distance2(a, b), distance2(b, c), distance2(c, a)});
+    return longest > 0 ? turn(a, b, c) / longest : 0;
+  }
+
+  static constexpr double kFlat = 1e-9;  ///< a shape that rounding may turn over
 
   const std::vector<std::array<double, 3>>& points_;
   std::vector<std::uint32_t> polygon_;
   int x_ = 0, y_ = 1;
 };
 
+/// Vertices become points, in the order of the faces.
+template <class N>
+class Writer {
+ public:
+  explicit Writer(const Scene<N>& scene) : scene_(scene), topology_(scene.topology) {}
+
+  Model run(const std::vector<FaceId>& faces) {
+    std::set<FaceId> ours(faces.begin(), faces.end());
+    for (const FaceId f : faces) {
+      check_face(scene_, f);
+      model_.faces.emplace_back();
+      for (const LoopId loop : topology_.face(f).loops) {
+        model_.faces.back().loops.emplace_back();
+        auto& polygon = model_.faces.back().loops.back();
+        for (const HalfEdgeId h : topology_.cycle(loop)) {
+          if (!ours.contains(topology_.face(topology_.mate(h)))) fail("the result is open");
+          polygon.push_back(vertex(topology_.origin(h)));
+          const std::uint32_t middle = middle_of(h);
+          if (middle != kNone) polygon.push_back(middle);
+        }
+      }
+    }
+    return std::move(model_);
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  std::uint32_t add(const Vec<N>& p) {
+    model_.points.push_back({exact(p[0]), exact(p[1]), exact(p[2])});
+    return static_cast<std::uint32_t>(model_.points.size() - 1);
+  }
+
+  std::uint32_t vertex(VertexId v) {
+    const auto [found, fresh] = vertices_.emplace(v, 0);
+    if (fresh) found->second = add(scene_.point(v));
+    return found->second;
+  }
+
+  /// Loops of vertices do not tell edges with the same ends apart: all but the first of them get a vertex.
+  std::uint32_t middle_of(HalfEdgeId h) {
+    const EdgeId edge = topology_.edge(h);
+    const VertexId v = topology_.origin(h), w = topology_.target(h);
+    const EdgeId first = first_edges_.emplace(std::minmax(v, w), edge).first->second;
+    if (first == edge) return kNone;
+    const auto [found, fresh] = middles_.emplace(edge, 0);
+    if (fresh) found->second = add((scene_.point(v) + scene_.point(w)) * N(N(1) / N(2)));
+    return found->second;
+  }
+
+  const Scene<N>& scene_;
+  const Topology& topology_;
+  Model model_;
+  std::map<VertexId, std::uint32_t> vertices_;
+  std::map<std::pair<VertexId, VertexId>, EdgeId> first_edges_;
+  std::map<EdgeId, std::uint32_t> middles_;
+};
+
 }  // namespace
 
 template <class N>
 Model write_result(const Scene<N>& scene, const std::vector<FaceId>& faces) {
-  const Topology& topology = scene.topology;
   try {
-    topology.validate();
+    scene.topology.validate();
   } catch (const TopologyError& error) {
     fail(error.what());
   }
-  Model model;
-  std::vector<std::uint32_t> places(scene.points.size(), 0xffffffffu);
-  std::vector<bool> ours(topology.face_ids(), false);
-  for (const FaceId f : faces) ours[static_cast<std::size_t>(f)] = true;
-  for (const FaceId f : faces) {
-    check_face(scene, f);
-    model.faces.emplace_back();
-    for (const LoopId loop : topology.face(f).loops) {
-      model.faces.back().loops.emplace_back();
-      for (const HalfEdgeId h : topology.cycle(loop)) {
-        if (!ours[static_cast<std::size_t>(topology.face(topology.mate(h)))]) fail("the result is open");
-        const VertexId v = topology.origin(h);
-        std::uint32_t& place = places.at(static_cast<std::size_t>(v));
-        if (place == 0xffffffffu) {
-          place = static_cast<std::uint32_t>(model.points.size());
-          const Vec<N>& p = scene.point(v);
-          model.points.push_back({exact(p[0]), exact(p[1]), exact(p[2])});
-        }
-        model.faces.back().loops.back().push_back(place);
-      }
-    }
-  }
-  return model;
+  return Writer<N>(scene).run(faces);
 }
 
 Model triangulated(const Model& model) {

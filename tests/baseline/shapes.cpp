@@ -100,4 +100,47 @@ Model fanned(const Model& model) {
   return result;
 }
 
+Model random_solid(Random& random) {
+  Model model;
+  switch (random.integer(0, 9)) {
+    case 0: model = tetrahedron(); break;
+    case 1: model = octahedron(); break;
+    case 2: model = box({-1, -1, -1}, {1, 2, 1}); break;
+    case 3: model = prism(ell(), {}, 0, 2); break;
+    case 4: model = prism(letter_u(), {}, 0, 2); break;
+    case 5: model = prism(plus(), {}, -1, 1); break;
+    case 6: model = frame(); break;
+    case 7: model = ladder(); break;
+    case 8: model = prism({{3, 0}, {2, 2}, {0, 3}, {-2, 2}, {-3, 0}, {-2, -2}, {0, -3}, {2, -2}}, {}, -2, 2); break;
+    default: model = fanned(box({-1, -1, -1}, {1, 1, 1})); break;
+  }
+  std::array<long, 4> q;
+  do
+    for (long& x : q) x = random.integer(-9, 9);
+  while (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] == 0);
+  RationalPoint move;
+  for (Rational& x : move) x = Rational(random.integer(-997, 997), 811);
+  for (Rational& x : move) x.canonicalize();
+  Rational scale(random.integer(700, 1900), 1009);
+  scale.canonicalize();
+  return placed(std::move(model), q, scale, move);
+}
+
+Model random_grid_solid(Random& random) {
+  Model model;
+  switch (random.integer(0, 7)) {
+    case 0: model = prism(ell(), {}, 0, random.integer(1, 2)); break;
+    case 1: model = prism(letter_u(), {}, 0, random.integer(1, 2)); break;
+    case 2: model = prism(plus(), {}, 0, random.integer(1, 3)); break;
+    case 3: model = frame(); break;
+    case 4: model = fanned(box({0, 0, 0}, {random.integer(1, 3), random.integer(1, 3), random.integer(1, 3)})); break;
+    case 5: model = prism({{0, 0}, {2, 0}, {0, 2}}, {}, 0, random.integer(1, 3)); break;
+    default: model = box({0, 0, 0}, {random.integer(1, 3), random.integer(1, 3), random.integer(1, 3)}); break;
+  }
+  model = with_axis(std::move(model), random.integer(0, 2));
+  const std::array<long, 4> turns[] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 0, 0, 1}, {0, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 1, 1}};
+  return placed(std::move(model), turns[random.integer(0, 5)], 1,
+                {random.integer(-2, 2), random.integer(-2, 2), random.integer(-2, 2)});
+}
+
 }  // namespace cnrg::bench::baseline_test

@@ -34,4 +34,9 @@ Model rounded(Model model);
 /// Faces cut from their first corners; for convex faces without rings.
 Model fanned(const Model& model);
 
+/// Any of the above, in general position: turned, scaled and moved at random.
+Model random_solid(Random& random);
+/// Boxes, prisms and frames on an integer grid, where everything touches.
+Model random_grid_solid(Random& random);
+
 }  // namespace cnrg::bench::baseline_test
