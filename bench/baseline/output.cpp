@@ -45,17 +45,7 @@ class Clipping {
     y_ = (axis + 2) % 3;
     if (normal[axis] < 0) std::swap(x_, y_);
     std::vector<std::vector<std::uint32_t>> holes(loops.begin() + 1, loops.end());
-    const auto right = [&](const std::vector<std::uint32_t>& hole) -> std::ptrdiff_t {
-      const auto less = [&](auto p, auto q) { return points_[p][x_] < points_[q][x_]; };
-      return std::max_element(hole.begin(), hole.end(), less) - hole.begin();
-    };
-    std::sort(holes.begin(), holes.end(), [&](const auto& g, const auto& h) {
-      return points_[g[static_cast<std::size_t>(right(g))]][x_] > points_[h[static_cast<std::size_t>(right(h))]][x_];
-    });
-    for (auto& hole : holes) {
-      std::rotate(hole.begin(), hole.begin() + right(hole), hole.end());
-      bridge(hole);
-    }
+    while (!holes.empty()) bridge(holes);
   }
 
   std::vector<std::array<std::uint32_t, 3>> run() {
@@ -89,28 +79,45 @@ class Clipping {
     return (turn(a, b, c) > 0) != (turn(a, b, d) > 0) && (turn(c, d, a) > 0) != (turn(c, d, b) > 0);
   }
 
-  /// A hole, from its rightmost corner on, into the polygon over the shortest bridge that crosses nothing.
-  void bridge(const std::vector<std::uint32_t>& hole) {
+  /// Whether the bridge leaves a corner of the polygon into its inside.
+  bool leaves_inward(std::size_t k, std::uint32_t to) const {
     const std::size_t n = polygon_.size();
-    std::size_t best = n;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (best < n && distance2(polygon_[k], hole[0]) >= distance2(polygon_[best], hole[0])) continue;
-      // Towards the hole's corner the bridge leaves between the edges of its own.
-      const std::uint32_t before = polygon_[(k + n - 1) % n], here = polygon_[k], after = polygon_[(k + 1) % n];
-      const bool convex = turn(before, here, after) > 0;
-      const bool left = turn(here, after, hole[0]) > 0, right = turn(before, here, hole[0]) > 0;
-      if (convex ? !(left && right) : !(left || right)) continue;
-      bool free = true;
-      for (std::size_t j = 0; j < n && free; ++j) free = !crosses(here, hole[0], polygon_[j], polygon_[(j + 1) % n]);
-      for (std::size_t j = 0; j < hole.size() && free; ++j)
-        free = !crosses(here, hole[0], hole[j], hole[(j + 1) % hole.size()]);
-      if (free) best = k;
-    }
-    if (best == n) fail("a hole of a face that can not be reached");
-    std::vector<std::uint32_t> with(hole);
-    with.push_back(hole[0]);
-    with.push_back(polygon_[best]);
-    polygon_.insert(polygon_.begin() + static_cast<std::ptrdiff_t>(best) + 1, with.begin(), with.end());
+    const std::uint32_t before = polygon_[(k + n - 1) % n], here = polygon_[k], after = polygon_[(k + 1) % n];
+    const bool left = turn(here, after, to) > 0, right = turn(before, here, to) > 0;
+    return turn(before, here, after) > 0 ? left && right : left || right;
+  }
+
+  bool crosses_any(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& loop) const {
+    for (std::size_t j = 0; j < loop.size(); ++j)
+      if (crosses(a, b, loop[j], loop[(j + 1) % loop.size()])) return true;
+    return false;
+  }
+
+  /// A hole into the polygon, over the shortest of all bridges that cross nothing.
+  void bridge(std::vector<std::vector<std::uint32_t>>& holes) {
+    std::size_t best_corner = 0, best_hole = holes.size(), best_start = 0;
+    double best = 0;
+    for (std::size_t h = 0; h < holes.size(); ++h)
+      for (std::size_t s = 0; s < holes[h].size(); ++s)
+        for (std::size_t k = 0; k < polygon_.size(); ++k) {
+          const std::uint32_t from = polygon_[k], to = holes[h][s];
+          const double length = distance2(from, to);
+          if (best_hole < holes.size() && length >= best) continue;
+          if (!leaves_inward(k, to) || crosses_any(from, to, polygon_)) continue;
+          if (std::any_of(holes.begin(), holes.end(), [&](const auto& hole) { return crosses_any(from, to, hole); }))
+            continue;
+          best_corner = k;
+          best_hole = h;
+          best_start = s;
+          best = length;
+        }
+    if (best_hole == holes.size()) fail("a hole of a face that can not be reached");
+    std::vector<std::uint32_t> with = holes[best_hole];
+    std::rotate(with.begin(), with.begin() + static_cast<std::ptrdiff_t>(best_start), with.end());
+    with.push_back(with.front());
+    with.push_back(polygon_[best_corner]);
+    polygon_.insert(polygon_.begin() + static_cast<std::ptrdiff_t>(best_corner) + 1, with.begin(), with.end());
+    holes.erase(holes.begin() + static_cast<std::ptrdiff_t>(best_hole));
   }
 
   bool same_place(std::uint32_t a, std::uint32_t b) const {
@@ -134,12 +141,13 @@ class Clipping {
   /// rounding.
   std::size_t best_ear() const {
     const std::size_t n = polygon_.size();
-    for (const bool border : {true, false}) {
-      std::size_t best = n;
-      for (std::size_t k = 0; k < n; ++k)
-        if (is_ear(k, border) && (best == n || shape(k) > shape(best))) best = k;
-      if (best < n) return best;
-    }
+    std::vector<std::pair<double, std::size_t>> corners;
+    for (std::size_t k = 0; k < n; ++k)
+      if (const double s = shape(k); s > 0) corners.push_back({-s, k});
+    std::sort(corners.begin(), corners.end());
+    for (const bool border : {true, false})
+      for (const auto& [s, k] : corners)
+        if (is_ear(k, border)) return k;
     std::size_t flattest = 0;
     for (std::size_t k = 1; k < n; ++k)
       if (std::fabs(shape(k)) < std::fabs(shape(flattest))) flattest = k;

@@ -89,10 +89,16 @@ Truth truth_of(const Model& a, const Model& b, Operation operation, const Model&
   std::vector<RegionId> cells;
   for (const auto& [cell, region] : whole.cells) cells.push_back(cell);
   truth.volume = cells.empty() ? Rational(0) : volume(complex, cells).value();
-  const auto counts = simplified_counts(complex, selection, {}, SimplifyMode::points);
+  const SimplifiedComplex simplified = simplify(complex, selection, {}, SimplifyMode::points);
+  const auto counts = active_counts(simplified);
   truth.vertices = counts[0];
   truth.edges = counts[1];
   truth.faces = counts[2];
+  long rings = 0, shells = 0;
+  for (const auto& face : simplified.faces) rings += static_cast<long>(face.loops.size()) - 1;
+  for (const auto& region : simplified.regions)
+    if (region.component != 0) shells += static_cast<long>(region.shells.size());
+  truth.genus = shells - (static_cast<long>(counts[0] + counts[2]) - static_cast<long>(counts[1]) - rings) / 2;
   return truth;
 }
 

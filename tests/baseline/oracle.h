@@ -27,6 +27,8 @@ struct Truth {
   Rational volume;
   /// Of the canonical form: maximal faces, no collinear edges; each place once.
   std::size_t vertices = 0, edges = 0, faces = 0;
+  /// Of the canonical form of a manifold set; elsewhere of no meaning.
+  long genus = 0;
   /// The model that was handed over encloses the same set.
   bool same_set = false;
 };

@@ -62,12 +62,13 @@ Model ladder() {
   return prism({{0, 0}, {5, 0}, {5, 3}, {0, 3}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}, {{3, 1}, {3, 2}, {4, 2}, {4, 1}}}, 0, 1);
 }
 
-Model placed(Model model, const std::array<long, 4>& q, const Rational& scale, const RationalPoint& move) {
-  const auto [w, x, y, z] = q;
+Model placed(Model model, const std::array<Rational, 4>& q, const Rational& scale, const RationalPoint& move) {
+  const auto& [w, x, y, z] = q;
   const Rational by = scale / (w * w + x * x + y * y + z * z);
-  const std::array<std::array<long, 3>, 3> m = {{{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-                                                 {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-                                                 {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}}};
+  const std::array<RationalPoint, 3> m = {
+      {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+       {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+       {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}}};
   for (RationalPoint& p : model.points) {
     RationalPoint to;
     for (int k = 0; k < 3; ++k) to[k] = (m[k][0] * p[0] + m[k][1] * p[1] + m[k][2] * p[2]) * by + move[k];
@@ -102,7 +103,7 @@ Model fanned(const Model& model) {
 
 Model random_solid(Random& random) {
   Model model;
-  switch (random.integer(0, 9)) {
+  switch (random.integer(0, 8)) {
     case 0: model = tetrahedron(); break;
     case 1: model = octahedron(); break;
     case 2: model = box({-1, -1, -1}, {1, 2, 1}); break;
@@ -111,13 +112,12 @@ Model random_solid(Random& random) {
     case 5: model = prism(plus(), {}, -1, 1); break;
     case 6: model = frame(); break;
     case 7: model = ladder(); break;
-    case 8: model = prism({{3, 0}, {2, 2}, {0, 3}, {-2, 2}, {-3, 0}, {-2, -2}, {0, -3}, {2, -2}}, {}, -2, 2); break;
-    default: model = fanned(box({-1, -1, -1}, {1, 1, 1})); break;
+    default: model = prism({{3, 0}, {2, 2}, {0, 3}, {-2, 2}, {-3, 0}, {-2, -2}, {0, -3}, {2, -2}}, {}, -2, 2); break;
   }
-  std::array<long, 4> q;
+  std::array<Rational, 4> q;
   do
-    for (long& x : q) x = random.integer(-9, 9);
-  while (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] == 0);
+    for (Rational& x : q) x = random.integer(-9, 9);
+  while (q == std::array<Rational, 4>{0, 0, 0, 0});
   RationalPoint move;
   for (Rational& x : move) x = Rational(random.integer(-997, 997), 811);
   for (Rational& x : move) x.canonicalize();
@@ -128,7 +128,9 @@ Model random_solid(Random& random) {
 
 Model random_grid_solid(Random& random) {
   Model model;
-  switch (random.integer(0, 7)) {
+  switch (random.integer(0, 9)) {
+    case 8: model = octahedron(); break;
+    case 9: model = tetrahedron(); break;
     case 0: model = prism(ell(), {}, 0, random.integer(1, 2)); break;
     case 1: model = prism(letter_u(), {}, 0, random.integer(1, 2)); break;
     case 2: model = prism(plus(), {}, 0, random.integer(1, 3)); break;
@@ -138,7 +140,7 @@ Model random_grid_solid(Random& random) {
     default: model = box({0, 0, 0}, {random.integer(1, 3), random.integer(1, 3), random.integer(1, 3)}); break;
   }
   model = with_axis(std::move(model), random.integer(0, 2));
-  const std::array<long, 4> turns[] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 0, 0, 1}, {0, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 1, 1}};
+  const std::array<Rational, 4> turns[] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 0, 0, 1}, {0, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 1, 1}};
   return placed(std::move(model), turns[random.integer(0, 5)], 1,
                 {random.integer(-2, 2), random.integer(-2, 2), random.integer(-2, 2)});
 }

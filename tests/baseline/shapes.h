@@ -26,7 +26,7 @@ Model frame();
 Model ladder();
 
 /// p -> (q p q*) / |q|^2 * scale + move, exact.
-Model placed(Model model, const std::array<long, 4>& q, const Rational& scale, const RationalPoint& move);
+Model placed(Model model, const std::array<Rational, 4>& q, const Rational& scale, const RationalPoint& move);
 /// Axes permuted: x to axis k, y to the next, z to the one after; outward stays outward.
 Model with_axis(Model model, int k);
 /// Coordinates rounded to doubles.
@@ -34,7 +34,7 @@ Model rounded(Model model);
 /// Faces cut from their first corners; for convex faces without rings.
 Model fanned(const Model& model);
 
-/// Any of the above, in general position: turned, scaled and moved at random.
+/// Any of the above with maximal faces, in general position: turned, scaled and moved at random.
 Model random_solid(Random& random);
 /// Boxes, prisms and frames on an integer grid, where everything touches.
 Model random_grid_solid(Random& random);
