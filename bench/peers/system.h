@@ -38,10 +38,10 @@ struct System {
   /// How far the coordinates of results may be from the exact ones, as a part of the largest coordinate; 0: exact.
   double rounding = 0;
   bool regularized = true;  ///< by its own contract results are closed solids and nothing else
-  std::string executable; ///< of an external system
   std::string absent;     ///< why it can not run here and what to install; empty: it can
   /// Throws Refusal; whatever else it throws counts as a failure of the system at stage `unknown`.
   std::function<Answer(const Problem&)> evaluate;
+  std::string executable{};  ///< of an external system
 };
 
 /// Those built in, ours first: ours, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad.

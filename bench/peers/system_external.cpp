@@ -85,7 +85,8 @@ System external_system(const std::string& name, const std::string& executable, d
           .rounding = rounding,
           .regularized = true,
           .absent = "",
-          .evaluate = [executable](const Problem& problem) { return evaluate(executable, problem); }};
+          .evaluate = [executable](const Problem& problem) { return evaluate(executable, problem); },
+          .executable = executable};
 }
 
 }  // namespace cnrg::bench

@@ -28,7 +28,7 @@ Answer folded(const Problem& problem, Boolean boolean) {
 System mantyla_system(const std::string& numbers, double rounding,
                       std::function<Answer(const Problem&)> evaluate) {
   return {.name = "mantyla-" + numbers,
-          .title = "Mäntylä's Boolean (" + numbers + ")",
+          .title = "Mäntylä, " + numbers,
           .guarantee = "closed 2-manifolds of planar faces; as published, nothing repaired",
           .version = CNRG_VERSION,
           .rounding = rounding,

@@ -405,7 +405,7 @@ Answer evaluate(const Problem& problem) {
 
 System occt_system() {
   return {.name = "occt",
-          .title = "OpenCASCADE General Fuse",
+          .title = "OpenCASCADE",
           .guarantee = "solids, surfaces, wires, points; doubles, a tolerance; parts of an operand's dimension",
           .version = std::string("OpenCASCADE ") + OCC_VERSION_COMPLETE,
           .rounding = 1e-9,

@@ -1,6 +1,7 @@
 // The library: one refinement of all operands, groups on it, group Booleans, the point set simplified.
 #include <tbb/global_control.h>
 
+#include "bench/cases/soup_of.h"
 #include "bench/peers/built_in.h"
 #include "bench/peers/face_loops.h"
 #include "csg/evaluate/operate.h"
@@ -10,33 +11,6 @@
 
 namespace cnrg::bench {
 namespace {
-
-/// The leaves of an operand: its solid, and what hangs loose, if there is any.
-struct OperandLeaves {
-  LeafId solid, loose;
-};
-
-OperandLeaves add_operand(Soup& soup, const Model& model) {
-  OperandLeaves leaves{soup.add_leaf(Fill::winding), LeafId::none()};
-  if (!model.solid()) leaves.loose = soup.add_leaf(Fill::none);
-  std::vector<PointId> ids;
-  ids.reserve(model.points.size());
-  for (const RationalPoint& p : model.points) ids.push_back(soup.add_point(p));
-  std::uint32_t number = 0;
-  for (const Model::Face& face : model.faces) {
-    std::vector<std::vector<PointId>> loops;
-    for (const PointLoop& loop : face.loops) {
-      loops.emplace_back();
-      for (const std::uint32_t p : loop) loops.back().push_back(ids[p]);
-    }
-    soup.add_face(face.solid ? leaves.solid : leaves.loose, loops, number, number);
-    ++number;
-  }
-  number = 0;
-  for (const auto& [a, b] : model.wires) soup.add_wire(leaves.loose, ids[a], ids[b], number++);
-  for (const std::uint32_t p : model.isolated) soup.add_isolated(leaves.loose, ids[p]);
-  return leaves;
-}
 
 Operator operator_of(Operation operation) {
   switch (operation) {
@@ -58,13 +32,12 @@ NodeValue node_value(const Complex& complex, Operation operation, std::vector<No
   return std::move(operate(complex, node, operands, false).value);
 }
 
-NodeValue operand_value(const Complex& complex, std::vector<Group>& groups, const OperandLeaves& leaves) {
-  NodeValue solid(complex, std::move(groups[leaves.solid.index()]));
-  if (!leaves.loose.valid()) return solid;
-  std::vector<NodeValue> both;
-  both.push_back(std::move(solid));
-  both.emplace_back(complex, std::move(groups[leaves.loose.index()]));
-  return node_value(complex, Operation::unite, std::move(both));
+/// An operand has one leaf, or one for its solid and one for what hangs loose.
+NodeValue operand_value(const Complex& complex, std::vector<Group>& groups, const std::vector<LeafId>& leaves) {
+  std::vector<NodeValue> values;
+  for (const LeafId leaf : leaves) values.emplace_back(complex, std::move(groups[leaf.index()]));
+  if (values.size() == 1) return std::move(values[0]);
+  return node_value(complex, Operation::unite, std::move(values));
 }
 
 /// Runs of one operation are one node each: (m0 op m1 op m2 ...).
@@ -171,15 +144,15 @@ Answer evaluate(const Problem& problem) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   Measurement measurement;
   Soup soup;
-  std::vector<OperandLeaves> leaves;
-  for (const Model& operand : problem.operands) leaves.push_back(add_operand(soup, operand));
+  std::vector<std::vector<LeafId>> leaves;
+  for (const Model& operand : problem.operands) leaves.push_back(add_model(soup, operand));
   measurement.lap("conversion");
   RefineReport report;
   const Complex complex = complex_of(soup, report);
   measurement.lap("complex");
   std::vector<Group> groups = leaf_groups(complex);
   std::vector<NodeValue> operands;
-  for (const OperandLeaves& of_operand : leaves) operands.push_back(operand_value(complex, groups, of_operand));
+  for (const std::vector<LeafId>& of_operand : leaves) operands.push_back(operand_value(complex, groups, of_operand));
   measurement.lap("leaves");
   const NodeValue value = folded(complex, problem, std::move(operands));
   measurement.lap("Boolean");
