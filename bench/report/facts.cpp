@@ -40,9 +40,8 @@ MainFact exact_results(const Experiment& experiment, const Summary& summary) {
   std::size_t unsaid = 0, systems_unsaid = 0;
   for (const std::size_t s : systems) {
     const Tally& tally = summary.totals[s];
-    fact.lines.push_back({s,
-                          {grouped(tally.of(Class::exact)), grouped(tally.right()),
-                           grouped(tally.of(Class::wrong))}});
+    fact.lines.push_back(
+        {s, {grouped(tally.of(Class::exact)), grouped(tally.right()), grouped(tally.of(Class::wrong))}});
     if (s == summary.ours) continue;
     unsaid += tally.of(Class::wrong);
     systems_unsaid += tally.of(Class::wrong) > 0;

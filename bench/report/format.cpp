@@ -62,8 +62,8 @@ std::string power_of_ten(int exponent) {
 std::string distance_text(const std::optional<int>& k) { return k ? power_of_ten(-*k) : "exact"; }
 
 std::size_t characters(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 std::string plural(std::size_t count, const std::string& noun) {

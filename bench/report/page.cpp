@@ -119,7 +119,8 @@ std::string report_html(const Experiment& experiment, const Summary& summary, co
   };
   const Part parts[] = {
       {"verdicts", "Verdicts by family",
-       "A bar is all runs of a system on a family. Below it: exact / right by another contract / failed, and with a question mark what could not be judged.",
+       "A bar is all runs of a system on a family. Below it: exact / right by another contract / failed, and "
+       "with a question mark what could not be judged.",
        verdict_matrix(page)},
       {"totals", "Verdicts in numbers", "Runs of each system by verdict, over all families.",
        verdict_totals(page)},

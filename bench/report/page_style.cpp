@@ -94,7 +94,8 @@ table.matrix { table-layout: fixed; min-width: 900px; }
 .v-contact-lost { background: var(--contact-lost); }
 .v-dangling-lost { background: var(--dangling-lost); } .v-wrong { background: var(--wrong); }
 .v-refused { background: var(--refused); } .v-crashed { background: var(--crashed); }
-.v-timed-out { background: var(--timed-out); } .v-unjudged { background: repeating-linear-gradient(135deg, var(--unjudged) 0 2px, var(--page) 2px 4px); }
+.v-timed-out { background: var(--timed-out); }
+.v-unjudged { background: repeating-linear-gradient(135deg, var(--unjudged) 0 2px, var(--page) 2px 4px); }
 .v-out-of-memory { background: var(--out-of-memory); }
 figure { margin: 0; break-inside: avoid; min-width: 0; }
 svg { display: block; width: 100%; height: auto; font-family: inherit; color: var(--ink); }

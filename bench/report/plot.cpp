@@ -73,7 +73,8 @@ std::string head(int width, int height) {
          ",12'\nunset key\nunset mxtics\nunset mytics\n";
 }
 
-/// Pixels for names beside a plot: their letters are less than 7 wide on average. Half of the plot stays, whatever.
+/// Pixels for names beside a plot: their letters are less than 7 wide on average. Half of the plot stays,
+/// whatever.
 int name_width(std::size_t letters, int width) {
   return std::min(width / 2, 24 + 67 * static_cast<int>(letters) / 10);
 }
@@ -151,8 +152,8 @@ Axis decades(const std::string& title, const std::vector<double>& values) {
 std::size_t Gallery::add(const LinePlot& plot) {
   std::size_t longest = 0;
   for (const Series& s : plot.series) longest = std::max(longest, characters(s.name));
-  const int left = 52, right = plot.named ? name_width(longest, plot.width) : 24, top = plot.title.empty() ? 10 : 30,
-            bottom = plot.x.title.empty() ? 26 : 46;
+  const int left = 52, right = plot.named ? name_width(longest, plot.width) : 24,
+            top = plot.title.empty() ? 10 : 30, bottom = plot.x.title.empty() ? 26 : 46;
   const double inner_height = plot.height - top - bottom;
   std::string text = head(plot.width, plot.height);
   const auto margin = [&](const char* side, double place) {

@@ -1,8 +1,8 @@
 // The aggregates of a report: everything that its tables, plots and main facts say, computed from rows.
 //
 // Systems are places in Experiment::systems, families in Experiment::families. A run is right when it
-// was judged and its verdict is no failure; seconds and memory are looked at for right runs only. Rates are parts of
-// the judged runs.
+// was judged and its verdict is no failure; seconds and memory are looked at for right runs only. Rates are parts
+// of the judged runs.
 #pragma once
 
 #include <array>

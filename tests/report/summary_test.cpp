@@ -267,7 +267,8 @@ TEST_CASE("what could not be judged counts nowhere") {
   CHECK(summary.growth[0].curves.at(0).points.size() == 1);
   const MainFact fact = main_facts(experiment, summary).at(0);
   CHECK(fact.headline == "4 of 4");
-  CHECK(fact.sentence.find("4 more could not be judged. Best of the others is a with 1 of 2.") != std::string::npos);
+  CHECK(fact.sentence.find("4 more could not be judged. Best of the others is a with 1 of 2.") !=
+        std::string::npos);
 }
 
 TEST_CASE("the main facts follow from the rows") {
