@@ -21,7 +21,7 @@ struct Options {
   std::string out, commit;
   double seconds = 60, gigabytes = 4;
   int jobs = 1;
-  bool list = false, units = false, quiet = false;
+  bool list = false, units = false, describe = false, quiet = false;
 };
 
 /// NAME=PROGRAM or NAME=PROGRAM:ROUNDING.
@@ -110,6 +110,7 @@ int run_one(const Options& options, Setup& setup) {
     else std::cout << to_json(row);
     return 0;
   } catch (const ProblemError& error) {
+    if (!store) throw;
     std::fprintf(stderr, "bench_sweep: left out: %s\n", error.what());
     return kProblemStatus;
   }
@@ -162,16 +163,35 @@ bool say_failed(const std::vector<FailedUnit>& failed) {
   return broken != 0;
 }
 
+/// Problem and system of each row, tabs between. Problems of files that can not be read are left out.
+void list_units(const Setup& setup, const Plan& plan, const std::vector<std::string>& systems) {
+  for (const std::string& problem : plan.problems) {
+    if (!setup.folder.empty()) {
+      try {
+        setup.make(problem);
+      } catch (const std::exception& error) {
+        std::fprintf(stderr, "bench_sweep: left out: %s could not be made: %s\n", problem.c_str(), error.what());
+        continue;
+      }
+    }
+    for (const std::string& system : systems) std::printf("%s\t%s\n", problem.c_str(), system.c_str());
+  }
+}
+
 int sweep(const Options& options, Setup& setup) {
   const Plan plan = plan_of(options.choice);
   setup.folder = plan.folder;
   const std::vector<std::string> names = chosen_systems(setup, options);
   if (options.units) {
-    for (const std::string& problem : plan.problems)
-      for (const std::string& system : names) std::printf("%s\t%s\n", problem.c_str(), system.c_str());
+    list_units(setup, plan, names);
     return 0;
   }
   Store store(options.out);
+  if (options.describe) {
+    store.settle(setup);
+    store.describe(setup, options.commit);
+    return 0;
+  }
   store.lock();
   store.settle(setup);
   store.describe(setup, options.commit);
@@ -242,6 +262,8 @@ int main(int argc, char** argv) {
   program.add_option("--commit", options.commit, "Of the sources, for the report");
   program.add_flag("--quiet", options.quiet, "No progress bar");
   program.add_flag("--units", options.units, "Print problem and system of each row, and run nothing");
+  program.add_flag("--describe", options.describe,
+                   "Write what the report says of systems, families and this machine, and run nothing");
   program.add_option("--one", options.one, "Run one row, and print it, or with --out write it; SYSTEM may be `truth`")
       ->expected(2)
       ->type_name("PROBLEM SYSTEM");

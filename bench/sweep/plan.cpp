@@ -30,8 +30,14 @@ std::vector<std::optional<int>> distances_of(const Family& family, const Choice&
   return distances;
 }
 
+/// Throws as `make_problem` does if the family has no such size.
+void check_size(const Family& family, long size) {
+  make_problem({family.name, family.operations[0], size, {}, 1});
+}
+
 void add_family(const Family& family, const Choice& choice, std::vector<std::string>& problems) {
   const int seeds = choice.seeds > 0 ? choice.seeds : family.seeds;
+  for (const long size : choice.sizes) check_size(family, size);
   for (const long size : choice.sizes.empty() ? family.sizes : choice.sizes)
     for (const std::string& operation : family.operations) {
       const auto& wanted = choice.operations;
