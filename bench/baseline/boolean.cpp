@@ -1,17 +1,16 @@
 // The Boolean as the sequence of its stages (mantyla1988, program 15.1).
 #include "bench/baseline/mantyla.h"
-
 #include "bench/baseline/scene.h"
 
 namespace cnrg::bench::mantyla {
 namespace {
 
-/// Runs a stage: what the structure refuses fails in it.
+/// Runs a stage: what the structure or an array refuses fails in it.
 template <class Step>
 auto staged(Stage stage, Step&& step) {
   try {
     return step();
-  } catch (const TopologyError& error) {
+  } catch (const std::logic_error& error) {
     throw Failure(stage, error.what());
   }
 }

@@ -1,5 +1,5 @@
-// Finishing (mantyla1988, section 15.8): null faces come apart into an OUT and an IN face, and with them the operands
-// into shells that lie on one side. Those of the kept sides are glued along their null faces.
+// Finishing (mantyla1988, section 15.8): null faces come apart into an OUT and an IN face, and with them the
+// operands into shells that lie on one side. Those of the kept sides are glued along their null faces.
 #include <map>
 
 #include "bench/baseline/scene.h"
@@ -90,29 +90,25 @@ class Finish {
         kept_[f] = found->second == scene_.kept(static_cast<int>(face.solid));
     }
     for (const auto& [s, faces] : apart) {
-      const bool keep = side_of_shell(faces) == scene_.kept(static_cast<int>(topology_.face(faces.front()).solid));
+      const FaceId first = faces.front();
+      const bool keep = side_of_shell(first) == scene_.kept(static_cast<int>(topology_.face(first).solid));
       for (const FaceId f : faces) kept_[static_cast<std::size_t>(f)] = keep;
     }
   }
 
-  /// By points inside of its faces; where all are on the other boundary, by the table of coplanar sectors.
-  Side side_of_shell(const std::vector<FaceId>& faces) const {
-    const auto solid = static_cast<int>(topology_.face(faces.front()).solid);
-    Side last = Side::out;
-    for (const FaceId f : faces) {
-      std::vector<std::vector<Vec<N>>> loops;
-      for (const LoopId loop : topology_.face(f).loops) {
-        loops.emplace_back();
-        for (const HalfEdgeId h : topology_.cycle(loop)) loops.back().push_back(scene_.point(topology_.origin(h)));
-      }
-      const Vec<N>& own = scene_.plane(f).normal;
-      Vec<N> normal;
-      const Side found =
-          locate_point(scene_.metric, scene_.boundaries[1 - solid], inner_point(own, loops), normal);
-      if (found != Side::on) return found;
-      last = scene_.coplanar_side(solid, dot(own, normal) > 0);
+  /// By a point inside of one face: without a curve all faces are on one side. A face on the other boundary goes
+  /// by the table of coplanar sectors.
+  Side side_of_shell(FaceId face) const {
+    const auto solid = static_cast<int>(topology_.face(face).solid);
+    std::vector<std::vector<Vec<N>>> loops;
+    for (const LoopId loop : topology_.face(face).loops) {
+      loops.emplace_back();
+      for (const HalfEdgeId h : topology_.cycle(loop)) loops.back().push_back(scene_.point(topology_.origin(h)));
     }
-    return last;
+    const Vec<N>& own = scene_.plane(face).normal;
+    Vec<N> normal;
+    const Side found = locate_point(scene_.metric, scene_.boundaries[1 - solid], inner_point(own, loops), normal);
+    return found == Side::on ? scene_.coplanar_side(solid, dot(own, normal) > 0) : found;
   }
 
   /// Zips two null faces: their loops, as runs of edges, are opposite. The edges of B go.

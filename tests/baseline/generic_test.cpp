@@ -48,8 +48,8 @@ TEST_CASE("random pairs in general position: double, exact and the kernel agree"
       if (counts.genus > 1) ++handles;
     }
   }
-  std::cout << "general position: seeds " << first << " to " << last - 1 << ", " << meet << " pairs meet; " << rings
-            << " results with rings, " << handles << " with two handles or more\n";
+  std::cout << "general position: seeds " << first << " to " << last - 1 << ", " << meet << " pairs meet; "
+            << rings << " results with rings, " << handles << " with two handles or more\n";
   if (last - first >= 1000) {
     CHECK(meet > 400);
     CHECK(rings > 100);

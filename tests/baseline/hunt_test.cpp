@@ -96,7 +96,9 @@ void hunt_near(std::uint64_t usual) {
       try {
         const Model answer = mantyla::boolean_double(a, b, operation);
         const double error = to_double(Rational(volume_of(answer) - volume));
-        ++verdicts["double"][std::fabs(error) < 1e-9 ? "right" : std::fabs(error) < 1e-6 ? "within 1e-6" : "wrong"];
+        ++verdicts["double"][std::fabs(error) < 1e-9   ? "right"
+                             : std::fabs(error) < 1e-6 ? "within 1e-6"
+                                                       : "wrong"];
       } catch (const mantyla::Failure& failure) {
         ++verdicts["double"][to_string(failure.stage())];
       }
