@@ -90,25 +90,29 @@ class Finish {
         kept_[f] = found->second == scene_.kept(static_cast<int>(face.solid));
     }
     for (const auto& [s, faces] : apart) {
-      const FaceId first = faces.front();
-      const bool keep = side_of_shell(first) == scene_.kept(static_cast<int>(topology_.face(first).solid));
+      const bool keep = side_of_shell(faces) == scene_.kept(static_cast<int>(topology_.face(faces.front()).solid));
       for (const FaceId f : faces) kept_[static_cast<std::size_t>(f)] = keep;
     }
   }
 
-  /// By a point inside of one face: without a curve all faces are on one side. A face on the other boundary goes
-  /// by the table of coplanar sectors.
-  Side side_of_shell(FaceId face) const {
-    const auto solid = static_cast<int>(topology_.face(face).solid);
-    std::vector<std::vector<Vec<N>>> loops;
-    for (const LoopId loop : topology_.face(face).loops) {
-      loops.emplace_back();
-      for (const HalfEdgeId h : topology_.cycle(loop)) loops.back().push_back(scene_.point(topology_.origin(h)));
+  /// Without a curve all faces are on one side: the first that tells, by a point inside of it. One in a face of
+  /// the other boundary goes by the table of coplanar sectors; one on an edge that its face meets tells nothing.
+  Side side_of_shell(const std::vector<FaceId>& faces) const {
+    for (const FaceId face : faces) {
+      const auto solid = static_cast<int>(topology_.face(face).solid);
+      std::vector<std::vector<Vec<N>>> loops;
+      for (const LoopId loop : topology_.face(face).loops) {
+        loops.emplace_back();
+        for (const HalfEdgeId h : topology_.cycle(loop)) loops.back().push_back(scene_.point(topology_.origin(h)));
+      }
+      const Vec<N>& own = scene_.plane(face).normal;
+      Vec<N> normal;
+      const Side found =
+          locate_point(scene_.metric, scene_.boundaries[1 - solid], inner_point(own, loops), normal);
+      if (found != Side::on) return found;
+      if (scene_.metric.null_unit(cross(own, normal))) return scene_.coplanar_side(solid, dot(own, normal) > 0);
     }
-    const Vec<N>& own = scene_.plane(face).normal;
-    Vec<N> normal;
-    const Side found = locate_point(scene_.metric, scene_.boundaries[1 - solid], inner_point(own, loops), normal);
-    return found == Side::on ? scene_.coplanar_side(solid, dot(own, normal) > 0) : found;
+    fail("no face says on which side its shell lies");
   }
 
   /// Zips two null faces: their loops, as runs of edges, are opposite. The edges of B go.

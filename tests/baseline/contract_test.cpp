@@ -114,6 +114,14 @@ TEST_CASE("several shells: a cavity and parts apart") {
   }
 }
 
+TEST_CASE("a shell whose faces have the other's edges through their middles") {
+  const Model cube = box({-1, -1, -1}, {1, 1, 1});
+  const Model cavity = mantyla::boolean_exact(fanned(cube), tetrahedron(), Operation::subtract);
+  const Model filled = mantyla::boolean_exact(cavity, tetrahedron(), Operation::unite);
+  CHECK(volume_of(filled) == 8);
+  CHECK(counts_of(filled).shells == 1);
+}
+
 // The point set of such an operand is no 2-manifold at the contact, although its representation is: the book's
 // classifiers see one neighbourhood at a time. They fail only where the other boundary crosses there.
 TEST_CASE("a vertex that crosses a boundary where that touches itself") {
