@@ -114,12 +114,16 @@ TEST_CASE("several shells: a cavity and parts apart") {
   }
 }
 
-TEST_CASE("a shell whose faces have the other's edges through their middles") {
-  const Model cube = box({-1, -1, -1}, {1, 1, 1});
-  const Model cavity = mantyla::boolean_exact(fanned(cube), tetrahedron(), Operation::subtract);
-  const Model filled = mantyla::boolean_exact(cavity, tetrahedron(), Operation::unite);
-  CHECK(volume_of(filled) == 8);
-  CHECK(counts_of(filled).shells == 1);
+TEST_CASE("an edge through the middle of a face that it lies on") {
+  // Of a tetrahedron that stands on the cube; one of the turns cuts the cube's faces across it.
+  const Model standing = placed(tetrahedron(), {1, 0, 0, 0}, 1, {0, 0, 2});
+  for (int axis = 0; axis < 3; ++axis)
+    for (const std::array<Rational, 4>& q : {std::array<Rational, 4>{1, 0, 0, 0}, {1, 0, 0, 1}, {0, 1, 0, 0}}) {
+      const Model cube = placed(with_axis(fanned(box({-1, -1, -1}, {1, 1, 1})), axis), q, 1, {0, 0, 0});
+      CHECK(volume_of(mantyla::boolean_exact(cube, standing, Operation::unite)) == Rational(32, 3));
+      CHECK(volume_of(mantyla::boolean_exact(cube, standing, Operation::subtract)) == 8);
+      CHECK(mantyla::boolean_exact(cube, standing, Operation::intersect).faces.empty());
+    }
 }
 
 // The point set of such an operand is no 2-manifold at the contact, although its representation is: the book's
