@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace cnrg::bench::mantyla {
