@@ -14,8 +14,8 @@
 //
 // What the method can not do, and says: operands that are no 2-manifold, or whose faces are not planar (input); a
 // boundary that touches itself, as the result of an earlier Boolean may, where the other crosses it
-// (classification, null_edges). Exact arithmetic is not known to fail in another way. Doubles may fail in any stage
-// where points are nearly within epsilon.
+// (classification, null_edges). Exact arithmetic is not known to fail in another way. Doubles may fail in any
+// stage where points are nearly within epsilon.
 #include "bench/baseline/mantyla.h"
 #include "bench/baseline/scene.h"
 
