@@ -1,17 +1,33 @@
 // The Boolean as the sequence of its stages (mantyla1988, program 15.1).
+//
+// Where it departs from the book, so that what fails is the method and no slip of its programs:
+// - loops run counter-clockwise from outside; operands are assembled from polygons, not by Euler operators;
+// - both operands live in one structure, so that moving faces to the result is choosing shells (finish.cpp);
+// - the tables of on-sectors and on-edges are applied to parts of arcs instead of pairs of sectors (classify.cpp);
+// - null edges are made in pairs, A's with B's, and keep the order of the curve's directions in a corner instead
+//   of finding their orientation from convexity (null_edges.cpp); so they are sorted in pairs, too;
+// - ends are joined with the nearest ahead on the line of their faces, and rings are moved where a join needs them
+//   and by place at the end (connect.cpp);
+// - null faces are paired by their curve and glued by its pieces, not by comparing coordinates (finish.cpp);
+// - shells without a curve, which the book leaves open, are located by rays (locate.cpp);
+// - the operands keep what reduction adds: neither collinear edges nor coplanar faces are joined, as in the book.
+//
+// What the method can not do, and says: operands that are no 2-manifold, or whose faces are not planar (input); a
+// boundary that touches itself, as the result of an earlier Boolean may, where the other crosses it
+// (classification, null_edges). Exact arithmetic is not known to fail in another way. Doubles may fail in any
+// stage where points are nearly within epsilon.
 #include "bench/baseline/mantyla.h"
-
 #include "bench/baseline/scene.h"
 
 namespace cnrg::bench::mantyla {
 namespace {
 
-/// Runs a stage: what the structure refuses fails in it.
+/// Runs a stage: what the structure or an array refuses fails in it.
 template <class Step>
 auto staged(Stage stage, Step&& step) {
   try {
     return step();
-  } catch (const TopologyError& error) {
+  } catch (const std::logic_error& error) {
     throw Failure(stage, error.what());
   }
 }

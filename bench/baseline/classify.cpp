@@ -1,8 +1,8 @@
 // Vertex neighbourhoods (mantyla1988, section 15.6). On a small sphere about a contact each boundary is a closed
 // curve: edges are its points, sectors of faces its arcs, wide sectors bisected. Where the curves cross is decided
 // from the arcs next to each point that they share: a part of an arc on the other curve (an on-sector) goes to the
-// side of the book's table, a point between an IN and an OUT arc (an on-edge) to a side that depends on the operation
-// alone, or to the side of an on-sector next to it. So both ends of an edge are decided alike.
+// side of the book's table, a point between an IN and an OUT arc (an on-edge) to a side that depends on the
+// operation alone, or to the side of an on-sector next to it. So both ends of an edge are decided alike.
 //
 // The book keeps sides by pairs of sectors and overwrites those of neighbouring pairs, which is the same where
 // coplanar sectors end at common edges; parts of arcs are needed where they overlap in part.
@@ -74,7 +74,9 @@ template <class N>
 class VertexVertexClassifier {
  public:
   VertexVertexClassifier(const Scene<N>& scene, const VertexVertex& pair)
-      : scene_(scene), metric_(scene.metric), sectors_{neighbourhood(scene, pair.a), neighbourhood(scene, pair.b)} {
+      : scene_(scene),
+        metric_(scene.metric),
+        sectors_{neighbourhood(scene, pair.a), neighbourhood(scene, pair.b)} {
     crossing_.vertices = {pair.a, pair.b};
     crossing_.point = scene.point(pair.a);
   }
@@ -123,7 +125,8 @@ class VertexVertexClassifier {
         if (metric_.null_unit(line)) continue;
         for (const int turned : {1, -1}) {
           const Vec<N> p = Metric<N>::direction(line * N(turned));
-          if (strictly_within(p, a[i]) && strictly_within(p, b[j])) meetings_.push_back({p, {i, j}, {false, false}});
+          if (strictly_within(p, a[i]) && strictly_within(p, b[j]))
+            meetings_.push_back({p, {i, j}, {false, false}});
         }
       }
   }

@@ -1,11 +1,12 @@
-// Connecting (mantyla1988, section 15.7). Ends of null edges in the same two faces are joined into the pieces of the
-// intersection curve: each piece becomes a strip without width in a face of A and in one of B, and where two strips
-// meet the null edge between them is cut, until each closed curve is one null face with two loops, OUT and IN.
+// Connecting (mantyla1988, section 15.7). Ends of null edges in the same two faces are joined into the pieces of
+// the intersection curve: each piece becomes a strip without width in a face of A and in one of B, and where two
+// strips meet the null edge between them is cut, until each closed curve is one null face with two loops, OUT and
+// IN.
 //
 // An end is joined with the nearest end ahead of it on the line of its faces, found before anything is joined; the
-// book takes the first of the ends seen so far in the sorted order, which may be behind it where three or more null
-// edges are on one line. Rings go to the part of a face that a join needs them in, and all others at the end, by their
-// places.
+// book takes the first of the ends seen so far in the sorted order, which may be behind it where three or more
+// null edges are on one line. Rings go to the part of a face that a join needs them in, and all others at the end,
+// by their places.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -66,7 +67,7 @@ class Connection {
       group->second.erase(std::find(group->second.begin(), group->second.end(), to));
       scene_.joints.push_back({k, to, {}, {}});
     }
-    if (loose > 0) fail(std::to_string(loose) + " of " + std::to_string(count) + " null edges stay loose");
+    if (loose > 0) fail(std::to_string(loose) + " of " + std::to_string(count) + " null edges stay loose ahead");
   }
 
   std::uint32_t nearest(std::uint32_t from, const std::pair<FaceId, FaceId>& faces,

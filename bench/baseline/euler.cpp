@@ -1,4 +1,5 @@
-// Euler operators. Each comes with its inverse; what a killed edge leaves without edges gets a half-edge of its own.
+// Euler operators. Each comes with its inverse; what a killed edge leaves without edges gets a half-edge of its
+// own.
 #include <algorithm>
 #include <utility>
 

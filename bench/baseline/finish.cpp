@@ -1,5 +1,5 @@
-// Finishing (mantyla1988, section 15.8): null faces come apart into an OUT and an IN face, and with them the operands
-// into shells that lie on one side. Those of the kept sides are glued along their null faces.
+// Finishing (mantyla1988, section 15.8): null faces come apart into an OUT and an IN face, and with them the
+// operands into shells that lie on one side. Those of the kept sides are glued along their null faces.
 #include <map>
 
 #include "bench/baseline/scene.h"
@@ -95,24 +95,24 @@ class Finish {
     }
   }
 
-  /// By points inside of its faces; where all are on the other boundary, by the table of coplanar sectors.
+  /// Without a curve all faces are on one side: the first that tells, by a point inside of it. One in a face of
+  /// the other boundary goes by the table of coplanar sectors; one on an edge that its face meets tells nothing.
   Side side_of_shell(const std::vector<FaceId>& faces) const {
-    const auto solid = static_cast<int>(topology_.face(faces.front()).solid);
-    Side last = Side::out;
-    for (const FaceId f : faces) {
+    for (const FaceId face : faces) {
+      const auto solid = static_cast<int>(topology_.face(face).solid);
       std::vector<std::vector<Vec<N>>> loops;
-      for (const LoopId loop : topology_.face(f).loops) {
+      for (const LoopId loop : topology_.face(face).loops) {
         loops.emplace_back();
         for (const HalfEdgeId h : topology_.cycle(loop)) loops.back().push_back(scene_.point(topology_.origin(h)));
       }
-      const Vec<N>& own = scene_.plane(f).normal;
+      const Vec<N>& own = scene_.plane(face).normal;
       Vec<N> normal;
       const Side found =
           locate_point(scene_.metric, scene_.boundaries[1 - solid], inner_point(own, loops), normal);
       if (found != Side::on) return found;
-      last = scene_.coplanar_side(solid, dot(own, normal) > 0);
+      if (scene_.metric.null_unit(cross(own, normal))) return scene_.coplanar_side(solid, dot(own, normal) > 0);
     }
-    return last;
+    fail("no face says on which side its shell lies");
   }
 
   /// Zips two null faces: their loops, as runs of edges, are opposite. The edges of B go.

@@ -1,7 +1,7 @@
 // Points, planes and comparisons of the baseline, for double with a tolerance and for exact rationals alike.
 //
-// For doubles normals and directions have unit length, so one epsilon serves all comparisons: as it is for them, times
-// the largest coordinate for lengths. Rationals are never normalized, and their tolerance is zero.
+// For doubles normals and directions have unit length, so one epsilon serves all comparisons: as it is for them,
+// times the largest coordinate for lengths. Rationals are never normalized, and their tolerance is zero.
 #pragma once
 
 #include <array>
@@ -58,7 +58,9 @@ struct Metric {
   int unit_sign(const N& x) const { return sign(x, unit); }
   int length_sign(const N& x) const { return sign(x, length); }
   bool null_unit(const Vec<N>& v) const { return !unit_sign(v[0]) && !unit_sign(v[1]) && !unit_sign(v[2]); }
-  bool null_length(const Vec<N>& v) const { return !length_sign(v[0]) && !length_sign(v[1]) && !length_sign(v[2]); }
+  bool null_length(const Vec<N>& v) const {
+    return !length_sign(v[0]) && !length_sign(v[1]) && !length_sign(v[2]);
+  }
   bool equal(const Vec<N>& p, const Vec<N>& q) const { return null_length(p - q); }
 
   /// Of unit length where lengths are rounded anyway; the null vector stays.

@@ -43,7 +43,8 @@ template <class N>
 void read_operand(Scene<N>& scene, const Model& model, int solid) {
   if (!model.solid()) refuse(solid, "surfaces, wires or points by themselves: no closed 2-manifold");
   std::vector<Vec<N>> points;
-  for (const RationalPoint& p : model.points) points.push_back({number<N>(p[0]), number<N>(p[1]), number<N>(p[2])});
+  for (const RationalPoint& p : model.points)
+    points.push_back({number<N>(p[0]), number<N>(p[1]), number<N>(p[2])});
   std::vector<std::vector<std::vector<std::uint32_t>>> faces;
   for (const Model::Face& face : model.faces) faces.push_back(face.loops);
   const auto first_surface = static_cast<std::uint32_t>(scene.surfaces.size());
@@ -82,7 +83,8 @@ Scene<N> read_operands(const Model& a, const Model& b, Operation operation, cons
   for (const Model* model : {&a, &b})
     for (const RationalPoint& p : model->points)
       for (const Rational& x : p) scene.extent = std::max(scene.extent, std::fabs(to_double(x)));
-  if (!std::isfinite(scene.extent)) throw Failure(Stage::input, "a coordinate beyond double");
+  // Products of three coordinates have to be finite.
+  if (!(scene.extent < 1e100)) throw Failure(Stage::input, "a coordinate above 1e100");
   scene.metric.unit = epsilon;
   if constexpr (std::is_floating_point_v<N>)
     scene.metric.length = epsilon * scene.extent;

@@ -1,6 +1,6 @@
 // Points against a boundary, for shells that the intersection curve does not reach: the book leaves them to the
-// reader (problem 15.1). The parity of a ray's crossings decides; a ray that meets an edge, a vertex or runs in a face
-// is given up for the next of a fixed list of directions.
+// reader (problem 15.1). The parity of a ray's crossings decides; a ray that meets an edge, a vertex or runs in a
+// face is given up for the next of a fixed list of directions.
 #include <cmath>
 
 #include "bench/baseline/scene.h"
@@ -49,7 +49,8 @@ template <class N>
 std::size_t least_corner(const std::vector<Vec<N>>& polygon, int x, int y) {
   std::size_t least = 0;
   for (std::size_t k = 1; k < polygon.size(); ++k)
-    if (polygon[k][x] < polygon[least][x] || (polygon[k][x] == polygon[least][x] && polygon[k][y] < polygon[least][y]))
+    if (polygon[k][x] < polygon[least][x] ||
+        (polygon[k][x] == polygon[least][x] && polygon[k][y] < polygon[least][y]))
       least = k;
   return least;
 }
@@ -110,6 +111,7 @@ Side locate_point(const Metric<N>& metric, const Boundary<N>& boundary, const Ve
 template Vec<double> inner_point(const Vec<double>&, const std::vector<std::vector<Vec<double>>>&);
 template Vec<Rational> inner_point(const Vec<Rational>&, const std::vector<std::vector<Vec<Rational>>>&);
 template Side locate_point(const Metric<double>&, const Boundary<double>&, const Vec<double>&, Vec<double>&);
-template Side locate_point(const Metric<Rational>&, const Boundary<Rational>&, const Vec<Rational>&, Vec<Rational>&);
+template Side locate_point(const Metric<Rational>&, const Boundary<Rational>&, const Vec<Rational>&,
+                           Vec<Rational>&);
 
 }  // namespace cnrg::bench::mantyla

@@ -1,6 +1,6 @@
-// Maentylae's Boolean set operations on boundary models (mantyla1986; mantyla1988, chapters 12 to 15), as published:
-// half-edge solids and Euler operators, reduction, vertex neighbourhood classification, null edges, connecting,
-// finishing. A baseline: nothing is repaired, and the exact kernel of this project takes no part.
+// Maentylae's Boolean set operations on boundary models (mantyla1986; mantyla1988, chapters 12 to 15), as
+// published: half-edge solids and Euler operators, reduction, vertex neighbourhood classification, null edges,
+// connecting, finishing. A baseline: nothing is repaired, and the exact kernel of this project takes no part.
 #pragma once
 
 #include <stdexcept>
@@ -33,7 +33,8 @@ class Failure : public std::runtime_error {
 };
 
 /// a op b in double with one epsilon for all comparisons, as a part of the largest coordinate of both operands.
-/// Operands' coordinates are rounded to doubles. Throws Failure.
+/// Operands' coordinates are rounded to doubles, faces of the result cut into triangles. An empty result has no
+/// faces; where the result touches itself points are there twice. Throws Failure.
 Model boolean_double(const Model& a, const Model& b, Operation operation, double epsilon = 1e-10);
 
 /// The same source on rationals, epsilon 0. Throws Failure.

@@ -1,9 +1,9 @@
-// Null edges (mantyla1988, sections 14.5.4 and 15.6.3): each vertex where the boundaries cross is split along pairs of
-// rays, between an OUT part that gets the new edge's first half's start and an IN part. A part without edges makes a
-// strut. A point inside of a face first becomes a ring of it.
+// Null edges (mantyla1988, sections 14.5.4 and 15.6.3): each vertex where the boundaries cross is split along
+// pairs of rays, between an OUT part that gets the new edge's first half's start and an IN part. A part without
+// edges makes a strut. A point inside of a face first becomes a ring of it.
 //
-// Rays are paired along A's arcs of the side that the result keeps, and their order inside of a corner is known, so
-// that no null edge has to be looked for or turned afterwards. The book pairs them as found.
+// Rays are paired along A's arcs of the side that the result keeps, and their order inside of a corner is known,
+// so that no null edge has to be looked for or turned afterwards. The book pairs them as found.
 #include <set>
 
 #include "bench/baseline/scene.h"
@@ -111,10 +111,8 @@ void insert(Scene<N>& scene, const Crossing<N>& crossing) {
     if (crossing.rays[r].forward == along_out) continue;
     const std::uint32_t forward = along_out ? t : r, backward = along_out ? r : t;
     const EdgeId edge_a = a.split(backward, forward), edge_b = b.split(forward, backward);
-    scene.null_pairs.push_back({{edge_a, edge_b},
-                                crossing.point,
-                                crossing.rays[forward].direction,
-                                crossing.rays[backward].direction});
+    scene.null_pairs.push_back(
+        {{edge_a, edge_b}, crossing.point, crossing.rays[forward].direction, crossing.rays[backward].direction});
   }
 }
 

@@ -30,11 +30,16 @@ void check_face(const Scene<N>& scene, FaceId face) {
   }
 }
 
-/// Ear clipping of one face in the plane of its two larger coordinates.
+/// Edges of a model, by their points, ascending.
+using Edges = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// Ear clipping of one face in the plane of its two larger coordinates. An edge that the model has already is made
+/// again only where nothing else is left: its faces could not be told apart.
 class Clipping {
  public:
-  Clipping(const std::vector<std::array<double, 3>>& points, const std::vector<std::vector<std::uint32_t>>& loops)
-      : points_(points), polygon_(loops.front()) {
+  Clipping(const std::vector<std::array<double, 3>>& points, const std::vector<std::vector<std::uint32_t>>& loops,
+           Edges& edges)
+      : points_(points), polygon_(loops.front()), edges_(edges) {
     std::array<double, 3> normal = {0, 0, 0};
     for (std::size_t k = 2; k < polygon_.size(); ++k) {
       const auto n = cross(at(k - 1) - at(0), at(k) - at(0));
@@ -54,6 +59,7 @@ class Clipping {
       const std::size_t ear = best_ear();
       const std::size_t n = polygon_.size();
       triangles.push_back({polygon_[(ear + n - 1) % n], polygon_[ear], polygon_[(ear + 1) % n]});
+      edges_.insert(std::minmax(triangles.back()[0], triangles.back()[2]));
       polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(ear));
     }
     if (shape(1) < -kFlat) fail("a face that can not be cut into triangles");
@@ -65,7 +71,7 @@ class Clipping {
   const std::array<double, 3>& at(std::size_t k) const { return points_[polygon_[k]]; }
 
   double turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    const auto&p = points_[a], &q = points_[b], &r = points_[c];
+    const auto &p = points_[a], &q = points_[b], &r = points_[c];
     return (q[x_] - p[x_]) * (r[y_] - p[y_]) - (q[y_] - p[y_]) * (r[x_] - p[x_]);
   }
 
@@ -103,8 +109,10 @@ class Clipping {
           const std::uint32_t from = polygon_[k], to = holes[h][s];
           const double length = distance2(from, to);
           if (best_hole < holes.size() && length >= best) continue;
+          if (edges_.contains(std::minmax(from, to))) continue;
           if (!leaves_inward(k, to) || crosses_any(from, to, polygon_)) continue;
-          if (std::any_of(holes.begin(), holes.end(), [&](const auto& hole) { return crosses_any(from, to, hole); }))
+          if (std::any_of(holes.begin(), holes.end(),
+                          [&](const auto& hole) { return crosses_any(from, to, hole); }))
             continue;
           best_corner = k;
           best_hole = h;
@@ -116,6 +124,7 @@ class Clipping {
     std::rotate(with.begin(), with.begin() + static_cast<std::ptrdiff_t>(best_start), with.end());
     with.push_back(with.front());
     with.push_back(polygon_[best_corner]);
+    edges_.insert(std::minmax(with.front(), with.back()));
     polygon_.insert(polygon_.begin() + static_cast<std::ptrdiff_t>(best_corner) + 1, with.begin(), with.end());
     holes.erase(holes.begin() + static_cast<std::ptrdiff_t>(best_hole));
   }
@@ -124,15 +133,19 @@ class Clipping {
     return points_[a][x_] == points_[b][x_] && points_[a][y_] == points_[b][y_];
   }
 
-  /// No other corner in the triangle, or on its border either.
+  /// The triangle at a corner is inside: no other corner in it, or on its border either. Corners at one place are
+  /// told apart by the directions in which the polygon goes on.
   bool is_ear(std::size_t k, bool border) const {
     const std::size_t n = polygon_.size();
     const std::uint32_t a = polygon_[(k + n - 1) % n], b = polygon_[k], c = polygon_[(k + 1) % n];
-    if (!(turn(a, b, c) > 0)) return false;
+    if (!leaves_inward((k + n - 1) % n, c) || !leaves_inward((k + 1) % n, a)) return false;
+    const auto beside = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+      const double height = turn(p, q, r), flat = kFlat * distance2(p, q);
+      return border ? height < -flat : height <= flat;
+    };
     for (const std::uint32_t p : polygon_) {
       if (same_place(p, a) || same_place(p, b) || same_place(p, c)) continue;
-      const double least = std::min({turn(a, b, p), turn(b, c, p), turn(c, a, p)});
-      if (border ? least >= 0 : least > 0) return false;
+      if (!beside(a, b, p) && !beside(b, c, p) && !beside(c, a, p)) return false;
     }
     return true;
   }
@@ -145,6 +158,11 @@ class Clipping {
     for (std::size_t k = 0; k < n; ++k)
       if (const double s = shape(k); s > 0) corners.push_back({-s, k});
     std::sort(corners.begin(), corners.end());
+    const auto is_new = [&](std::size_t k) {
+      return !edges_.contains(std::minmax(polygon_[(k + n - 1) % n], polygon_[(k + 1) % n]));
+    };
+    for (const auto& [s, k] : corners)
+      if (is_new(k) && is_ear(k, true)) return k;
     for (const bool border : {true, false})
       for (const auto& [s, k] : corners)
         if (is_ear(k, border)) return k;
@@ -167,6 +185,7 @@ class Clipping {
 
   const std::vector<std::array<double, 3>>& points_;
   std::vector<std::uint32_t> polygon_;
+  Edges& edges_;
   int x_ = 0, y_ = 1;
 };
 
@@ -242,7 +261,13 @@ Model write_result(const Scene<N>& scene, const std::vector<FaceId>& faces) {
 
 Model triangulated(const Model& model) {
   std::vector<std::array<double, 3>> points;
-  for (const RationalPoint& p : model.points) points.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+  for (const RationalPoint& p : model.points)
+    points.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+  Edges edges;
+  for (const Model::Face& face : model.faces)
+    for (const auto& loop : face.loops)
+      for (std::size_t k = 0; k < loop.size(); ++k)
+        edges.insert(std::minmax(loop[k], loop[(k + 1) % loop.size()]));
   Model result;
   result.points = model.points;
   for (const Model::Face& face : model.faces) {
@@ -250,7 +275,8 @@ Model triangulated(const Model& model) {
       result.faces.push_back(face);
       continue;
     }
-    for (const auto& [a, b, c] : Clipping(points, face.loops).run()) result.faces.push_back({{{a, b, c}}, true});
+    for (const auto& [a, b, c] : Clipping(points, face.loops, edges).run())
+      result.faces.push_back({{{a, b, c}}, true});
   }
   return result;
 }

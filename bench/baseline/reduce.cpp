@@ -1,6 +1,6 @@
 // Reduction (mantyla1988, section 15.5): edges of each solid against faces of the other. Afterwards the boundaries
-// meet in vertices only, up to coplanar faces: a vertex of one lies at a vertex or inside of a face of the other, and
-// the lists name all such pairs.
+// meet in vertices only, up to coplanar faces: a vertex of one lies at a vertex or inside of a face of the other,
+// and the lists name all such pairs.
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -24,7 +24,9 @@ template <class N>
 class Reduction {
  public:
   explicit Reduction(Scene<N>& scene)
-      : scene_(scene), topology_(scene.topology), margin_(scene.extent * 1e-12 + 2 * approximate(scene.metric.length)) {
+      : scene_(scene),
+        topology_(scene.topology),
+        margin_(scene.extent * 1e-12 + 2 * approximate(scene.metric.length)) {
     for (std::size_t f = 0; f < topology_.face_ids(); ++f) {
       const auto id = static_cast<FaceId>(f);
       Box box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
@@ -77,7 +79,8 @@ class Reduction {
     return box;
   }
 
-  /// Splits the edge at p. Its first half keeps the new vertex as start; gives the vertex and the edge of the rest.
+  /// Splits the edge at p. Its first half keeps the new vertex as start; gives the vertex and the edge of the
+  /// rest.
   std::pair<VertexId, EdgeId> split(EdgeId edge, const Vec<N>& p) {
     const HalfEdgeId half = topology_.edge(edge).first;
     const EdgeId rest = topology_.mev(half, topology_.around(half));
@@ -121,7 +124,8 @@ class Reduction {
     const VertexId v = topology_.origin(topology_.edge(edge).first);
     const VertexId w = topology_.origin(topology_.edge(edge).second);
     const Plane<N>& plane = scene_.plane(face);
-    const N dv = scene_.metric.distance(plane, scene_.point(v)), dw = scene_.metric.distance(plane, scene_.point(w));
+    const N dv = scene_.metric.distance(plane, scene_.point(v)),
+            dw = scene_.metric.distance(plane, scene_.point(w));
     const int sv = scene_.metric.length_sign(dv), sw = scene_.metric.length_sign(dw);
     if (sv * sw < 0) {
       const Vec<N> p = scene_.point(v) + (scene_.point(w) - scene_.point(v)) * N(dv / (dv - dw));

@@ -2,9 +2,9 @@
 //
 // Notation. A and B are solids 0 and 1. IN and OUT are sides of the other operand. A null edge has no length; its
 // first half starts at the vertex that keeps the OUT part of the neighbourhood. Null edges come in pairs, one of A
-// and one of B, at each point where the intersection curve turns. With n the outward normals of the faces fA and fB
-// whose intersection leaves such a point along nB x nA, that `forward` end is the first half of A's null edge (it lies
-// in fA) with the second half of B's; the `backward` end, where the curve arrives, is the other two.
+// and one of B, at each point where the intersection curve turns. With n the outward normals of the faces fA and
+// fB whose intersection leaves such a point along nB x nA, that `forward` end is the first half of A's null edge
+// (it lies in fA) with the second half of B's; the `backward` end, where the curve arrives, is the other two.
 #pragma once
 
 #include <array>
@@ -83,7 +83,7 @@ struct Scene {
   std::vector<Vec<N>> points;      ///< by vertex
   std::vector<Plane<N>> surfaces;  ///< by Face::surface
   std::array<Boundary<N>, 2> boundaries;
-  double extent = 1;               ///< the largest coordinate, at least 1e-300
+  double extent = 1;  ///< the largest coordinate, at least 1e-300
 
   std::vector<VertexFace> vertex_faces;
   std::vector<VertexVertex> vertex_vertices;

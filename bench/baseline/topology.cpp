@@ -34,8 +34,7 @@ std::vector<VertexId> Topology::assemble(const std::vector<std::vector<std::vect
         require(a < corners && b < corners, "a corner that is no point");
         require(a != b, "an edge from a point to itself");
         if (vertices[a] == kNo<VertexId>) vertices[a] = vertices_.add({});
-        const HalfEdgeId h =
-            half_edges_.add({vertices[a], kNo<EdgeId>, loop, kNo<HalfEdgeId>, kNo<HalfEdgeId>});
+        const HalfEdgeId h = half_edges_.add({vertices[a], kNo<EdgeId>, loop, kNo<HalfEdgeId>, kNo<HalfEdgeId>});
         vertices_[vertices[a]].out = h;
         ++degrees[a];
         require(by_ends.emplace(key(a, b), h).second, "an edge with more than two faces, or turned ones");
@@ -106,7 +105,9 @@ EulerCounts Topology::validate() const {
   for (const std::uint32_t s : shell_of)
     if (s != 0xffffffffu) counts.shells = std::max<std::size_t>(counts.shells, s + 1);
   std::vector<long> characteristic(counts.shells, 0);
-  const auto shell = [&](HalfEdgeId h) -> long& { return characteristic[shell_of[static_cast<std::size_t>(face(h))]]; };
+  const auto shell = [&](HalfEdgeId h) -> long& {
+    return characteristic[shell_of[static_cast<std::size_t>(face(h))]];
+  };
 
   for (std::size_t k = 0; k < half_edges_.size(); ++k) {
     const auto h = static_cast<HalfEdgeId>(k);

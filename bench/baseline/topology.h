@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace cnrg::bench::mantyla {
@@ -70,9 +70,9 @@ struct Loop {
   HalfEdgeId start = kNo<HalfEdgeId>;
 };
 struct Face {
-  std::vector<LoopId> loops;   ///< the outer one first; empty: killed
-  std::uint32_t surface = 0;   ///< the caller's; parts of a face inherit it
-  std::uint32_t solid = 0;     ///< likewise
+  std::vector<LoopId> loops;  ///< the outer one first; empty: killed
+  std::uint32_t surface = 0;  ///< the caller's; parts of a face inherit it
+  std::uint32_t solid = 0;    ///< likewise
 };
 
 /// Terms of the Euler-Poincare formula.
@@ -93,15 +93,15 @@ class Topology {
   Seed mvfs(std::uint32_t surface, std::uint32_t solid);
   void kvfs(FaceId face);
 
-  /// Make an edge and a vertex: splits the vertex of both. Half-edges from `from` on, clockwise and before `to`, go
-  /// to the new vertex; `from == to` makes a strut in the corner before it. The new edge's first half starts at the
-  /// new vertex and lies before `to`, its second half lies before `from`.
+  /// Make an edge and a vertex: splits the vertex of both. Half-edges from `from` on, clockwise and before `to`,
+  /// go to the new vertex; `from == to` makes a strut in the corner before it. The new edge's first half starts at
+  /// the new vertex and lies before `to`, its second half lies before `from`.
   EdgeId mev(HalfEdgeId from, HalfEdgeId to);
   /// Kills the edge of `half_edge` and its vertex, whose other half-edges go to the other end.
   void kev(HalfEdgeId half_edge);
 
-  /// Make an edge and a face: an edge between the vertices of two half-edges of one loop. The new face's loop holds
-  /// `from` up to before `to`, and the new edge's first half; with `from == to` nothing but that.
+  /// Make an edge and a face: an edge between the vertices of two half-edges of one loop. The new face's loop
+  /// holds `from` up to before `to`, and the new edge's first half; with `from == to` nothing but that.
   EdgeId mef(HalfEdgeId from, HalfEdgeId to);
   /// Kills the edge of `half_edge` and its face, which has one loop and differs from the face of the other half.
   void kef(HalfEdgeId half_edge);
@@ -109,8 +109,8 @@ class Topology {
   /// Kill an edge, make a ring: both halves are in one loop. What lies behind the end of `half_edge` becomes the
   /// ring, which is returned.
   LoopId kemr(HalfEdgeId half_edge);
-  /// Make an edge, kill a ring: joins two loops of a face by an edge whose first half runs from the vertex of `from`
-  /// to that of `to`, before both. An outer loop stays outer.
+  /// Make an edge, kill a ring: joins two loops of a face by an edge whose first half runs from the vertex of
+  /// `from` to that of `to`, before both. An outer loop stays outer.
   EdgeId mekr(HalfEdgeId from, HalfEdgeId to);
 
   /// Kill a face, make a ring and a hole: the only loop of `killed` becomes a ring of `kept`.
@@ -120,9 +120,9 @@ class Topology {
   /// Moves a ring to another face, as a ring.
   void ringmv(LoopId ring, FaceId face);
 
-  /// Adds closed oriented surfaces of polygons: loops of corners below `corners` by face, the outer one first. A face
-  /// gets the surface `first_surface` + its place. Gives the vertices by corner (none for a corner of no polygon).
-  /// Throws TopologyError where the polygons are no closed 2-manifold.
+  /// Adds closed oriented surfaces of polygons: loops of corners below `corners` by face, the outer one first. A
+  /// face gets the surface `first_surface` + its place. Gives the vertices by corner (none for a corner of no
+  /// polygon). Throws TopologyError where the polygons are no closed 2-manifold.
   std::vector<VertexId> assemble(const std::vector<std::vector<std::vector<std::uint32_t>>>& faces,
                                  std::size_t corners, std::uint32_t first_surface, std::uint32_t solid);
   /// Turns the faces of a solid inside out.

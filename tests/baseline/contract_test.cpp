@@ -75,7 +75,7 @@ TEST_CASE("operands that are no 2-manifold solids are refused") {
 TEST_CASE("a cone of two sheets at one vertex is refused") {
   // Two pyramids tip to tip, the tip one point.
   Model model;
-  model.points = {{0, 0, 0}, {1, 1, 1}, {-1, 1, 1}, {-1, -1, 1}, {1, -1, 1},
+  model.points = {{0, 0, 0},  {1, 1, 1},   {-1, 1, 1},   {-1, -1, 1}, {1, -1, 1},
                   {1, 1, -1}, {-1, 1, -1}, {-1, -1, -1}, {1, -1, -1}};
   for (std::uint32_t k = 0; k < 4; ++k) {
     const std::uint32_t up = 1 + k, next_up = 1 + (k + 1) % 4, down = 5 + k, next_down = 5 + (k + 1) % 4;
@@ -98,9 +98,11 @@ TEST_CASE("nothing is an operand, too") {
 }
 
 TEST_CASE("several shells: a cavity and parts apart") {
-  const Model hollow = mantyla::boolean_exact(box({0, 0, 0}, {6, 6, 6}), box({1, 1, 1}, {5, 5, 5}), Operation::subtract);
+  const Model hollow =
+      mantyla::boolean_exact(box({0, 0, 0}, {6, 6, 6}), box({1, 1, 1}, {5, 5, 5}), Operation::subtract);
   CHECK(counts_of(hollow).shells == 2);
-  const Model bits = mantyla::boolean_exact(box({2, 2, 2}, {3, 3, 3}), box({7, 0, 0}, {8, 1, 1}), Operation::unite);
+  const Model bits =
+      mantyla::boolean_exact(box({2, 2, 2}, {3, 3, 3}), box({7, 0, 0}, {8, 1, 1}), Operation::unite);
   CHECK(counts_of(bits).shells == 2);
   for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract}) {
     INFO(to_string(operation));
@@ -112,10 +114,25 @@ TEST_CASE("several shells: a cavity and parts apart") {
   }
 }
 
+TEST_CASE("an edge through the middle of a face that it lies on") {
+  // Of a small tetrahedron that stands on the centroid of one of the triangles of the cube's first face.
+  const Model cube = placed(fanned(box({-1, -1, -1}, {1, 1, 1})), {1, -1, 0, 0}, 1, {0, 0, 0});
+  for (const std::uint32_t p : cube.faces[0].loops[0]) CHECK(cube.points[p][2] == 1);
+  for (const int x : {-1, 1})
+    for (const int y : {-1, 1}) {
+      const Model standing =
+          placed(tetrahedron(), {1, 0, 0, 0}, Rational(1, 9), {Rational(x, 3), Rational(y, 3), Rational(10, 9)});
+      CHECK(volume_of(mantyla::boolean_exact(cube, standing, Operation::unite)) == 8 + Rational(8, 3 * 729));
+      CHECK(volume_of(mantyla::boolean_exact(cube, standing, Operation::subtract)) == 8);
+      CHECK(mantyla::boolean_exact(cube, standing, Operation::intersect).faces.empty());
+    }
+}
+
 // The point set of such an operand is no 2-manifold at the contact, although its representation is: the book's
 // classifiers see one neighbourhood at a time. They fail only where the other boundary crosses there.
 TEST_CASE("a vertex that crosses a boundary where that touches itself") {
-  const Model pair = mantyla::boolean_exact(box({0, 0, 0}, {2, 2, 2}), box({2, 2, 2}, {4, 4, 4}), Operation::unite);
+  const Model pair =
+      mantyla::boolean_exact(box({0, 0, 0}, {2, 2, 2}), box({2, 2, 2}, {4, 4, 4}), Operation::unite);
   CHECK(duplicates_of(pair) == 1);
   const Model across = box({0, 0, 2}, {2, 3, 3});
   const auto [stage, message] = failure_of(pair, across, Operation::unite);
@@ -152,7 +169,8 @@ TEST_CASE("faces of double results are triangles of doubles, those of exact ones
 
 TEST_CASE("stages have names") {
   std::set<std::string> names;
-  for (int s = 0; s <= static_cast<int>(Stage::output); ++s) names.insert(mantyla::to_string(static_cast<Stage>(s)));
+  for (int s = 0; s <= static_cast<int>(Stage::output); ++s)
+    names.insert(mantyla::to_string(static_cast<Stage>(s)));
   CHECK(names.size() == 7);
   CHECK(names.count("null_edges") == 1);
 }

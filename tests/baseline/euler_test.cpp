@@ -59,7 +59,8 @@ class RandomModel {
     CHECK(static_cast<long>(after.edges) == static_cast<long>(before.edges) + change.e);
     CHECK(static_cast<long>(after.faces) == static_cast<long>(before.faces) + change.f);
     CHECK(static_cast<long>(after.rings) == static_cast<long>(before.rings) + change.r);
-    const auto left = static_cast<long>(after.vertices + after.faces) - static_cast<long>(after.edges + after.rings);
+    const auto left =
+        static_cast<long>(after.vertices + after.faces) - static_cast<long>(after.edges + after.rings);
     CHECK(left == 2 * (static_cast<long>(after.shells) - after.genus));
   }
 

@@ -5,6 +5,7 @@
 
 #include "bench/baseline/mantyla.h"
 #include "bench/baseline/scene.h"
+#include "bench/cases/shapes.h"
 #include "tests/baseline/oracle.h"
 #include "tests/baseline/shapes.h"
 #include "tests/scenes/seeds.h"
@@ -48,12 +49,29 @@ TEST_CASE("random pairs in general position: double, exact and the kernel agree"
       if (counts.genus > 1) ++handles;
     }
   }
-  std::cout << "general position: seeds " << first << " to " << last - 1 << ", " << meet << " pairs meet; " << rings
-            << " results with rings, " << handles << " with two handles or more\n";
+  std::cout << "general position: seeds " << first << " to " << last - 1 << ", " << meet << " pairs meet; "
+            << rings << " results with rings, " << handles << " with two handles or more\n";
   if (last - first >= 1000) {
     CHECK(meet > 400);
     CHECK(rings > 100);
     CHECK(handles > 100);
+  }
+}
+
+TEST_CASE("triangle meshes in general position") {
+  const auto [first, last] = scenes::seeds(6);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    const Model a = model_of(bumpy_sphere(200, static_cast<unsigned>(seed + 1)));
+    const Model b = model_of(moved(bumpy_sphere(200, static_cast<unsigned>(seed + 1001)), {0.31, 0.22, 0.17}));
+    for (const Operation operation : {Operation::unite, Operation::intersect, Operation::subtract}) {
+      INFO("seed " << seed << ", " << to_string(operation));
+      const Model exact = mantyla::boolean_exact(a, b, operation);
+      const Truth truth = truth_of(a, b, operation, exact);
+      CHECK(truth.same_set);
+      CHECK(same_counts(counts_of(exact), truth));
+      const Model rounded = mantyla::boolean_double(a, b, operation);
+      CHECK(std::fabs(to_double(Rational(volume_of(rounded) - truth.volume))) < kVolumeRounding);
+    }
   }
 }
 

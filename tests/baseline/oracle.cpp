@@ -58,7 +58,8 @@ Rational volume_of(const Model& model) {
     for (const auto& loop : face.loops)
       for (std::size_t k = 2; k < loop.size(); ++k) {
         const RationalPoint &p = model.points[loop[0]], &q = model.points[loop[k - 1]], &r = model.points[loop[k]];
-        sum += p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
+        sum += p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
+               p[2] * (q[0] * r[1] - q[1] * r[0]);
       }
   return sum / 6;
 }

@@ -46,7 +46,8 @@ Model octahedron() {
   for (std::uint32_t k = 0; k < 8; ++k) {
     const std::uint32_t x = k & 1, y = 2 + (k >> 1 & 1), z = 4 + (k >> 2);
     const bool even = ((k & 1) + (k >> 1 & 1) + (k >> 2)) % 2 == 0;
-    model.faces.push_back({{even ? std::vector<std::uint32_t>{x, y, z} : std::vector<std::uint32_t>{x, z, y}}, true});
+    model.faces.push_back(
+        {{even ? std::vector<std::uint32_t>{x, y, z} : std::vector<std::uint32_t>{x, z, y}}, true});
   }
   return model;
 }
@@ -57,9 +58,12 @@ Polygon plus() {
   return {{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2}, {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
 }
 
-Model frame() { return prism({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, {{{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}}, -1, 1); }
+Model frame() {
+  return prism({{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, {{{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}}, -1, 1);
+}
 Model ladder() {
-  return prism({{0, 0}, {5, 0}, {5, 3}, {0, 3}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}, {{3, 1}, {3, 2}, {4, 2}, {4, 1}}}, 0, 1);
+  return prism({{0, 0}, {5, 0}, {5, 3}, {0, 3}},
+               {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}, {{3, 1}, {3, 2}, {4, 2}, {4, 1}}}, 0, 1);
 }
 
 Model placed(Model model, const std::array<Rational, 4>& q, const Rational& scale, const RationalPoint& move) {
@@ -104,15 +108,33 @@ Model fanned(const Model& model) {
 Model random_solid(Random& random) {
   Model model;
   switch (random.integer(0, 8)) {
-    case 0: model = tetrahedron(); break;
-    case 1: model = octahedron(); break;
-    case 2: model = box({-1, -1, -1}, {1, 2, 1}); break;
-    case 3: model = prism(ell(), {}, 0, 2); break;
-    case 4: model = prism(letter_u(), {}, 0, 2); break;
-    case 5: model = prism(plus(), {}, -1, 1); break;
-    case 6: model = frame(); break;
-    case 7: model = ladder(); break;
-    default: model = prism({{3, 0}, {2, 2}, {0, 3}, {-2, 2}, {-3, 0}, {-2, -2}, {0, -3}, {2, -2}}, {}, -2, 2); break;
+    case 0:
+      model = tetrahedron();
+      break;
+    case 1:
+      model = octahedron();
+      break;
+    case 2:
+      model = box({-1, -1, -1}, {1, 2, 1});
+      break;
+    case 3:
+      model = prism(ell(), {}, 0, 2);
+      break;
+    case 4:
+      model = prism(letter_u(), {}, 0, 2);
+      break;
+    case 5:
+      model = prism(plus(), {}, -1, 1);
+      break;
+    case 6:
+      model = frame();
+      break;
+    case 7:
+      model = ladder();
+      break;
+    default:
+      model = prism({{3, 0}, {2, 2}, {0, 3}, {-2, 2}, {-3, 0}, {-2, -2}, {0, -3}, {2, -2}}, {}, -2, 2);
+      break;
   }
   std::array<Rational, 4> q;
   do
@@ -129,18 +151,37 @@ Model random_solid(Random& random) {
 Model random_grid_solid(Random& random) {
   Model model;
   switch (random.integer(0, 9)) {
-    case 8: model = octahedron(); break;
-    case 9: model = tetrahedron(); break;
-    case 0: model = prism(ell(), {}, 0, random.integer(1, 2)); break;
-    case 1: model = prism(letter_u(), {}, 0, random.integer(1, 2)); break;
-    case 2: model = prism(plus(), {}, 0, random.integer(1, 3)); break;
-    case 3: model = frame(); break;
-    case 4: model = fanned(box({0, 0, 0}, {random.integer(1, 3), random.integer(1, 3), random.integer(1, 3)})); break;
-    case 5: model = prism({{0, 0}, {2, 0}, {0, 2}}, {}, 0, random.integer(1, 3)); break;
-    default: model = box({0, 0, 0}, {random.integer(1, 3), random.integer(1, 3), random.integer(1, 3)}); break;
+    case 8:
+      model = octahedron();
+      break;
+    case 9:
+      model = tetrahedron();
+      break;
+    case 0:
+      model = prism(ell(), {}, 0, random.integer(1, 2));
+      break;
+    case 1:
+      model = prism(letter_u(), {}, 0, random.integer(1, 2));
+      break;
+    case 2:
+      model = prism(plus(), {}, 0, random.integer(1, 3));
+      break;
+    case 3:
+      model = frame();
+      break;
+    case 4:
+      model = fanned(box({0, 0, 0}, {random.integer(1, 3), random.integer(1, 3), random.integer(1, 3)}));
+      break;
+    case 5:
+      model = prism({{0, 0}, {2, 0}, {0, 2}}, {}, 0, random.integer(1, 3));
+      break;
+    default:
+      model = box({0, 0, 0}, {random.integer(1, 3), random.integer(1, 3), random.integer(1, 3)});
+      break;
   }
   model = with_axis(std::move(model), random.integer(0, 2));
-  const std::array<Rational, 4> turns[] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 0, 0, 1}, {0, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 1, 1}};
+  const std::array<Rational, 4> turns[] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 0, 0, 1},
+                                           {0, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 1, 1}};
   return placed(std::move(model), turns[random.integer(0, 5)], 1,
                 {random.integer(-2, 2), random.integer(-2, 2), random.integer(-2, 2)});
 }

@@ -60,7 +60,8 @@ TEST_CASE("a cube against itself turned by 10^-k") {
   }
   CHECK(failures > 0);
   CHECK(outcomes.size() > 2);  // wrong ones and refused ones
-  for (const auto& [outcome, count] : outcomes) std::cout << "turned cubes, double: " << count << ' ' << outcome << '\n';
+  for (const auto& [outcome, count] : outcomes)
+    std::cout << "turned cubes, double: " << count << ' ' << outcome << '\n';
 }
 
 }  // namespace cnrg::bench::baseline_test
