@@ -129,8 +129,8 @@ std::string report_html(const Experiment& experiment, const Summary& summary, co
       {"distance", "Failures near degeneracy",
        "The part of the runs that fail, against the distance of the operands from the degenerate position: "
        "10<sup>−<i>k</i></sup> of their size, and <em>exact</em> for operands that are in it. Lines along 0 % are "
-       "drawn "
-       "beside each other, so that all are seen.",
+       "drawn beside each other, so that all are seen. Systems that refuse all operands of a family at the input "
+       "have no line there.",
        distance_section(page, drawings)},
       {"growth", "Time and memory against size",
        "Medians over the right runs of each size, on logarithmic axes. Exponents are fitted by least squares to "

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace cnrg::bench {
 namespace {
@@ -94,11 +95,26 @@ std::vector<StageTally> tally_stages(const std::vector<Placed>& rows) {
 /// Exactly degenerate comes after all distances.
 int rank_of(const std::optional<int>& k) { return k ? *k : 1000; }
 
+/// Systems, by family, that refused all operands of it at the input: they do not take such problems at all, and a
+/// rate of failures says nothing.
+std::set<std::pair<std::size_t, std::size_t>> not_taken(std::vector<Placed>::const_iterator begin,
+                                                        std::vector<Placed>::const_iterator end) {
+  std::set<std::pair<std::size_t, std::size_t>> all, some;
+  for (auto i = begin; i != end; ++i) {
+    all.emplace(i->system, i->family);
+    if (i->row->verdict != Verdict::refused || i->row->stage != "input") some.emplace(i->system, i->family);
+  }
+  std::erase_if(all, [&](const auto& pair) { return some.count(pair) != 0; });
+  return all;
+}
+
 DistanceStudy study_distance(std::vector<Placed>::const_iterator begin, std::vector<Placed>::const_iterator end,
                              std::optional<std::size_t> family) {
   std::map<std::size_t, std::map<int, DistancePoint>> points;
+  const auto left_out = not_taken(begin, end);
   for (auto i = begin; i != end; ++i) {
     if (!i->row->has_distance || i->row->verdict == Verdict::unjudged) continue;
+    if (left_out.count({i->system, i->family}) != 0) continue;
     DistancePoint& point = points[i->system][rank_of(i->row->distance)];
     point.k = i->row->distance;
     point.tally.add(i->row->verdict);
@@ -161,7 +177,7 @@ std::vector<GrowthStudy> study_growth(const std::vector<Placed>& rows) {
       by_size[i->system][i->row->size].push_back(i->row);
       sizes[i->row->size] = true;
     }
-    if (sizes.size() < 2) return;
+    if (sizes.size() < 3) return;
     GrowthStudy study;
     study.family = begin->family;
     for (const auto& [system, of_size] : by_size) {

@@ -64,7 +64,8 @@ struct DistanceCurve {
 };
 inline constexpr double kOnset = 0.01;
 
-/// Failures against distance, in one family or in all that have distances.
+/// Failures against distance, in one family or in all that have distances. A system that refuses all problems of a
+/// family at stage `input` takes no such operands; these runs are left out.
 struct DistanceStudy {
   std::optional<std::size_t> family;
   std::vector<DistanceCurve> curves;  ///< of systems that have runs
@@ -83,7 +84,7 @@ struct GrowthCurve {
   std::optional<PowerLaw> time, memory;  ///< against triangles
 };
 
-/// A family that was run in two sizes or more.
+/// A family that was run in three sizes or more.
 struct GrowthStudy {
   std::size_t family = 0;
   std::vector<GrowthCurve> curves;

@@ -159,11 +159,18 @@ Verdict same_with(const Judgement& j) {
   return contact && j.duplicates > 0 ? Verdict::contact_duplicated : Verdict::same;
 }
 
+void reject(Judgement& j, const char* stage, std::string message) {
+  j.verdict = Verdict::wrong;
+  j.stage = stage;
+  j.message = std::move(message);
+}
+
 void judge_exact(const Comparison& c, Judgement& j) {
   const CellSet excess = subtract(c.found, c.exact), missing = subtract(c.exact, c.found);
-  if (!excess.empty()) j.message = "too much: " + cells_of(excess) + " of the refinement";
-  else if (!missing.regions.empty()) j.message = "missing: " + cells_of(missing) + " of the refinement";
-  if (!j.message.empty()) return;
+  if (!excess.empty())
+    return reject(j, excess.regions.empty() ? "dangling" : "volume",
+                  "too much: " + cells_of(excess) + " of the refinement");
+  if (!missing.regions.empty()) return reject(j, "volume", "missing: " + cells_of(missing) + " of the refinement");
   j.verdict = missing.empty() ? same_with(j) : without_dangling(c);
 }
 
@@ -196,20 +203,18 @@ int compare_loose(const Comparison& c, const Loose& found, const Loose& exact) {
 
 void judge_rounded(const Comparison& c, const Model& result, double apart, Judgement& j) {
   const double surface = area(c.complex, c.boundary(c.exact)) + area(c.complex, c.boundary(c.found));
-  if (apart > 8 * c.rounding * c.extent * surface) {
-    j.message = "the volume of the symmetric difference is beyond what rounding explains";
-    return;
-  }
+  if (apart > 8 * c.rounding * c.extent * surface)
+    return reject(j, "volume", "the volume of the symmetric difference is beyond what rounding explains");
   const BoundarySurface expected{j.truth.shells, j.truth.genus};
   const BoundarySurface own = own_surface(result).value_or(BoundarySurface{j.facts->shells, j.facts->genus});
-  if (own.shells != expected.shells || own.genus != expected.genus) {
-    j.message = "another topology: " + std::to_string(own.shells) + " shells of genus " + std::to_string(own.genus) +
-                " instead of " + std::to_string(expected.shells) + " of " + std::to_string(expected.genus);
-    return;
-  }
+  if (own.shells != expected.shells || own.genus != expected.genus)
+    return reject(j, "topology",
+                  std::to_string(own.shells) + " shells of genus " + std::to_string(own.genus) + " instead of " +
+                      std::to_string(expected.shells) + " of " + std::to_string(expected.genus) +
+                      ", while the volume is right up to rounding");
   const int loose = compare_loose(c, loose_of(c, c.found), loose_of(c, c.exact));
   if (loose > 0) {
-    j.message = "faces, wires or points that bound no solid are too many";
+    reject(j, "dangling", "faces, wires or points that bound no solid are too many");
   } else if (loose < 0) {
     j.verdict = without_dangling(c);
   } else {
@@ -245,7 +250,7 @@ Judgement judge(const Problem& problem, const Model& result, double rounding) {
     built = build_complex(soup);
   } catch (const InputError& error) {
     j.truth = exact_facts(problem);  // throws if it is the operands
-    j.message = std::string("the result bounds no solid: ") + error.what();
+    reject(j, "surface", std::string("the result bounds no solid: ") + error.what());
     return j;
   }
   const Complex& complex = *built;

@@ -13,7 +13,10 @@ namespace cnrg::bench {
 
 struct Judgement {
   Verdict verdict = Verdict::wrong;
-  std::string message;                 ///< what is wrong, or worth a note; may be empty
+  /// Of what is wrong: `surface` (bounds no solid), `volume`, `topology` (shells or genus, while the volume is right up
+  /// to rounding), `dangling` (faces, wires or points too many).
+  std::string stage;
+  std::string message;                 ///< what is wrong in words
   std::optional<Facts> facts;          ///< of the result; none if it is no point set
   Facts truth;                         ///< of the exact result
   double excess = 0, missing = 0;      ///< as in SweepRow

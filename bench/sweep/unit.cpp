@@ -99,8 +99,9 @@ Judged judged(const Setup& setup, const std::string& name, const System& system,
         try {
           std::istringstream in(model);
           const Judgement j = judge(setup.make(name), read_model(in), system.rounding);
-          Json out{{"verdict", to_string(j.verdict)}, {"message", j.message}, {"truth", to_json(j.truth)},
-                   {"excess", j.excess}, {"missing", j.missing}, {"duplicates", j.duplicates}};
+          Json out{{"verdict", to_string(j.verdict)}, {"stage", j.stage},     {"message", j.message},
+                   {"truth", to_json(j.truth)},       {"excess", j.excess},   {"missing", j.missing},
+                   {"duplicates", j.duplicates}};
           if (j.facts) out["facts"] = to_json(*j.facts);
           return out.dump() + "\n";
         } catch (const std::bad_alloc&) {
@@ -115,6 +116,7 @@ Judged judged(const Setup& setup, const std::string& name, const System& system,
   if (head.contains("error")) return {{}, "judging: " + head["error"].get<std::string>()};
   Judgement j;
   j.verdict = parse_verdict(head.at("verdict").get<std::string>()).value();
+  head.at("stage").get_to(j.stage);
   head.at("message").get_to(j.message);
   head.at("excess").get_to(j.excess);
   head.at("missing").get_to(j.missing);
@@ -164,9 +166,9 @@ void no_answer(const Run& run, double limit, SweepRow& row) {
   row.seconds = run.child.seconds;
   row.message = why(run.child, limit);
   switch (run.child.end) {
-    case End::timeout: row.verdict = Verdict::timed_out; return;
-    case End::out_of_memory: row.verdict = Verdict::out_of_memory; return;
-    case End::crash: row.verdict = Verdict::crashed; return;
+    case End::timeout: row.verdict = Verdict::timed_out, row.stage = "time"; return;
+    case End::out_of_memory: row.verdict = Verdict::out_of_memory, row.stage = "memory"; return;
+    case End::crash: row.verdict = Verdict::crashed, row.stage = "signal"; return;
     case End::done: break;
   }
   if (run.reply.head.is_null()) {
@@ -275,7 +277,7 @@ SweepRow run_unit(const Setup& setup, const std::string& problem, const std::str
   }
   row.verdict = j.judgement->verdict;
   row.message = j.judgement->message;
-  if (row.verdict == Verdict::wrong) row.stage = "result";
+  row.stage = j.judgement->stage;
   row.facts = j.judgement->facts;
   row.excess = j.judgement->excess;
   row.missing = j.judgement->missing;

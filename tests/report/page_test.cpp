@@ -67,8 +67,8 @@ TEST_CASE("the page is well-formed and needs nothing else") {
   const std::set<std::string> distinct(ids.begin(), ids.end());
   CHECK(distinct.size() == ids.size());
   for (const std::string& href : attribute_values(page, "href")) CHECK(distinct.count(href.substr(1)) == 1);
-  // One for all distances, seven families with distances, eight families in sizes twice, two of ratios.
-  CHECK(count_of(page, "<svg ") == 1 + 7 + 2 * 8 + 2);
+  // One for all distances, seven families with distances, seven families in three sizes twice, two of ratios.
+  CHECK(count_of(page, "<svg ") == 1 + 7 + 2 * 7 + 2);
   CHECK_FALSE(contains(page, "rgb(25"));
   CHECK_FALSE(contains(page, "PAGEFONT"));
 }

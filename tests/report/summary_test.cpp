@@ -117,6 +117,31 @@ TEST_CASE("failure rates, and where failures begin") {
   CHECK(summary.totals[place(experiment, "a")].failure_rate() == Approx(13.0 / 40));
 }
 
+TEST_CASE("a system has no rate of failures in a family whose operands it does not take") {
+  std::vector<SweepRow> rows = rows_at_distances("edge");
+  for (SweepRow row : rows_at_distances("sheet")) {
+    if (row.system == "a") {
+      row.verdict = Verdict::refused;
+      row.stage = "input";
+    }
+    rows.push_back(row);
+  }
+  const Experiment experiment = experiment_of(rows);
+  const Summary summary = summarize(experiment);
+  CHECK(curve_of(experiment, summary.all_distances, "a").points.at(0).tally.failure_rate() == 0);
+  CHECK(curve_of(experiment, summary.all_distances, "ours").points.at(0).tally.runs() == 20);
+  CHECK(summary.totals[place(experiment, "a")].failures() == 13 + 40);
+  // One that is taken is enough: then a refusal counts.
+  for (SweepRow& row : rows) {
+    if (row.family != "sheet" || row.system != "a") continue;
+    row.verdict = Verdict::same;
+    row.stage.clear();
+    break;
+  }
+  const Experiment other = experiment_of(rows);
+  CHECK(curve_of(other, summarize(other).all_distances, "a").points.at(0).tally.failure_rate() > 0.4);
+}
+
 TEST_CASE("families are counted apart, those with distances first") {
   std::vector<SweepRow> rows = rows_at_distances("edge");
   rows.push_back(with_verdict(right_row("a", "boxes", 5), Verdict::same_regularized));
@@ -250,6 +275,7 @@ TEST_CASE("what could not be judged counts nowhere") {
     rows.push_back(at_distance(right_row("a", "f", 9, seed), 4, Verdict::unjudged));
     rows.push_back(at_distance(right_row("ours", "f", 9, seed), 4, Verdict::unjudged));
   }
+  rows.push_back(at_distance(right_row("ours", "f", 20, 1), 4, Verdict::unjudged));
   const Experiment experiment = experiment_of(rows);
   const Summary summary = summarize(experiment);
   const Tally& a = summary.totals[place(experiment, "a")];
@@ -267,7 +293,7 @@ TEST_CASE("what could not be judged counts nowhere") {
   CHECK(summary.growth[0].curves.at(0).points.size() == 1);
   const MainFact fact = main_facts(experiment, summary).at(0);
   CHECK(fact.headline == "4 of 4");
-  CHECK(fact.sentence.find("4 more could not be judged. Best of the others is a with 1 of 2.") !=
+  CHECK(fact.sentence.find("5 more could not be judged. Best of the others is a with 1 of 2.") !=
         std::string::npos);
 }
 
