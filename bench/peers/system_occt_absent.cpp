@@ -8,7 +8,7 @@ System occt_system() {
           .title = "OpenCASCADE General Fuse",
           .guarantee = "",
           .version = "",
-          .absent = "built without OpenCASCADE; install libocct-modeling-algorithms-dev and configure again",
+          .absent = "built without OpenCASCADE; bench/run installs what it needs",
           .evaluate = [](const Problem&) -> Answer { throw Refusal("input", "built without OpenCASCADE"); }};
 }
 
