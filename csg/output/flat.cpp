@@ -240,7 +240,9 @@ class Flattener {
       if (flipped_[i]) flip(face, facets);
       for (auto& [facet, cell] : facets) {
         add_triangles(cell, facet.loops, facet.isolated, face.triangles);
-        if (!flat) face.facets.push_back(std::move(facet));
+        if (flat) continue;
+        face.facets.push_back(std::move(facet));
+        face.facet_ends.push_back(Index(face.triangles.size()));
       }
       face.entity = from.component != 0 && !inside_component(from.component, from.regions);
       for (const HalfFace cell : from.cells) {

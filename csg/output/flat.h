@@ -63,6 +63,7 @@ struct FlatComplex {
     std::vector<Index> isolated;          ///< vertices in the interior, by point
     std::vector<Facet> facets;            ///< of a face that is not flat; empty for a flat one
     std::vector<std::array<Index, 3>> triangles;  ///< counter-clockwise as seen from the front
+    std::vector<Index> facet_ends;        ///< of a face that is not flat: where the triangles of each facet end
     Component component = 0;
     bool entity = false;
     std::array<Index, 2> regions{kNone, kNone};   ///< on front and back
