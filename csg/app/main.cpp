@@ -72,8 +72,8 @@ int run(int argc, char** argv) {
       ->type_name("N")
       ->expected(1)
       ->take_all();
-  sub->add_option("-o", eval.files, "Write this file, in the format of its extension: .json .vtu .obj .off .stl .ply .dot "
-                  ".regions.dot")
+  sub->add_option("-o", eval.files, "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off "
+                  ".stl .ply .dot .regions.dot")
       ->type_name("FILE")
       ->expected(1)
       ->take_all();

@@ -29,7 +29,7 @@ RoundedPoints round_points(const ResultView& view, const FlatComplex& flat) {
   return result;
 }
 
-bool is_embedded(const RoundedPoints& points, const Drawing& drawing) {
+Redrawing redraw(const RoundedPoints& points, const Drawing& drawing) {
   Soup soup;
   const LeafId leaf = soup.add_leaf(Fill::none);
   std::vector<PointId> ids(points.xyz.size());
@@ -54,10 +54,12 @@ bool is_embedded(const RoundedPoints& points, const Drawing& drawing) {
   for (auto& e : edges) std::sort(e.begin(), e.end());
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  if (used == 0) return true;
-  const Complex complex = build_complex(soup);
-  return complex.vertex_count() == used && complex.edge_count() == edges.size() &&
-         complex.face_count() == drawing.triangles.size();
+  return {build_complex(soup), used, edges.size(), drawing.triangles.size()};
+}
+
+bool is_embedded(const RoundedPoints& points, const Drawing& drawing) {
+  if (drawing.triangles.empty() && drawing.segments.empty() && drawing.points.empty()) return true;
+  return redraw(points, drawing).is_embedded();
 }
 
 RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing) {

@@ -24,8 +24,19 @@ struct Drawing {
   std::vector<std::uint32_t> points;                   ///< that are on no segment and no triangle
 };
 
-/// True if the rounded triangles, segments and points meet only where they share points: they are refined
-/// exactly, and nothing may be cut, merged or lost.
+/// The rounded triangles, segments and points refined exactly; triangle t of the drawing is leaf face t there.
+struct Redrawing {
+  Complex complex;
+  std::size_t points = 0, edges = 0, triangles = 0;    ///< that were put in
+  /// True if they meet only where they share points: nothing was cut, merged or lost.
+  bool is_embedded() const {
+    return complex.vertex_count() == points && complex.edge_count() == edges && complex.face_count() == triangles;
+  }
+};
+/// The drawing must not be empty.
+Redrawing redraw(const RoundedPoints& points, const Drawing& drawing);
+
+/// The same as `redraw(...).is_embedded()`; true for an empty drawing.
 bool is_embedded(const RoundedPoints& points, const Drawing& drawing);
 
 RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing);

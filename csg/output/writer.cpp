@@ -16,12 +16,16 @@ struct Format {
   FileText (*make)(const ResultView&);
 };
 
-constexpr std::array<Format, 6> kFormats{{{".json", json_text},
-                                          {".vtu", vtu_text},
-                                          {".obj", obj_text},
-                                          {".off", off_text},
-                                          {".stl", stl_text},
-                                          {".ply", ply_text}}};
+constexpr std::array<Format, 10> kFormats{{{".json", json_text},
+                                           {".vtu", vtu_text},
+                                           {".msh", msh_text},
+                                           {".mesh", medit_text},
+                                           {".smesh", smesh_text},
+                                           {".poly", poly_text},
+                                           {".obj", obj_text},
+                                           {".off", off_text},
+                                           {".stl", stl_text},
+                                           {".ply", ply_text}}};
 
 const Format& format_of(const std::string& path) {
   const std::string extension = extension_of(path);

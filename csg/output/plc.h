@@ -1,0 +1,36 @@
+// A result as a piecewise linear complex in doubles (si2015): what TetGen meshes.
+#pragma once
+
+#include "csg/output/rounded_result.h"
+
+namespace cnrg {
+
+struct Plc {
+  using Index = std::uint32_t;
+  /// A planar piece of a face. Of a face on one plane that is so in doubles too, and whose boundary walks meet
+  /// themselves nowhere, it is all of it; else a triangle.
+  struct Facet {
+    std::vector<std::vector<Index>> polygons;   ///< the outer one, then holes, then single points inside
+    std::vector<std::array<double, 3>> holes;   ///< a point in each hole, in the plane but for rounding
+    Index face = 0;
+  };
+  struct Segment {
+    std::array<Index, 2> ends;
+    Index edge = 0;
+    bool wire = false;
+  };
+  struct Seed {
+    std::array<double, 3> point;
+    Index region = 0;
+  };
+  std::vector<std::array<double, 3>> points;    ///< numbered as those of the flattened result
+  std::vector<Facet> facets;
+  std::vector<Segment> segments;                ///< all straight pieces of edges
+  std::vector<Seed> regions, holes;             ///< active regions; bounded inactive ones
+  bool outside = false;                         ///< a face, wire or point lies in no active region and bounds none
+};
+
+/// `polygons`: false makes every facet a triangle.
+Plc plc_of(const FlatComplex& flat, const RoundedResult& rounded, bool polygons);
+
+}  // namespace cnrg
