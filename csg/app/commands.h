@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "csg/output/tetrahedra.h"
+
 namespace cnrg::app {
 
 struct EvalArguments {
@@ -28,6 +30,16 @@ struct ExplainArguments {
 };
 /// `cnrg explain`: the way of a cell, or of what holds a point, through the tree.
 int run_explain(const ExplainArguments& arguments);
+
+struct MeshArguments {
+  std::string tree, node;
+  std::vector<std::string> files;
+  TetrahedraOptions options;
+  bool quiet = false;
+  int threads = 0;
+};
+/// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.
+int run_mesh(const MeshArguments& arguments);
 
 /// `cnrg tables`: the tables as the code has them.
 int run_tables();

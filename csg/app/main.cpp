@@ -50,7 +50,6 @@ struct LaterCommand {
   const char *name, *purpose;
 };
 constexpr LaterCommand kLaterCommands[] = {
-    {"mesh", "tetrahedra that conform to the result"},
     {"view", "one self-contained page that shows the result"},
 };
 
@@ -118,6 +117,31 @@ int run(int argc, char** argv) {
   sub->footer(
       "Example:\n  cnrg explain model.yaml --node split --cell f12\n  cnrg explain model.yaml --point 1/3,0.5,2");
   sub->callback([&] { command = [&] { return run_explain(explain); }; });
+
+  MeshArguments mesh;
+  sub = program.add_subcommand("mesh", "Fills the regions with tetrahedra that conform to every face, wire and point");
+  sub->add_option("TREE", mesh.tree, "Tree file (YAML or JSON)")->required();
+  sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N");
+  sub->add_option("-o", mesh.files, "Write this file, in the format of its extension: .msh .mesh .vtu")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all()
+      ->required();
+  sub->add_option("--max-volume", mesh.options.max_volume, "No tetrahedron is larger than V cubic units")
+      ->type_name("V")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--quality", mesh.options.quality,
+                  "Largest ratio of circumradius to shortest edge, from 1.1; below 1.4 may take very long")
+      ->type_name("Q")
+      ->check(CLI::Range(1.1, 100.0));
+  sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
+                "No new points on faces and edges, so that the meshes of neighbours fit");
+  sub->add_option("--threads", mesh.threads, "Threads; 0 is one per core")
+      ->type_name("K")
+      ->check(CLI::Range(0, 4096));
+  sub->add_flag("--quiet", mesh.quiet, "No table and no notices");
+  sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");
+  sub->callback([&] { command = [&] { return run_mesh(mesh); }; });
 
   sub = program.add_subcommand("tables", "Prints the tables of the Booleans in Markdown");
   sub->footer("Example:\n  cnrg tables > tables.md");

@@ -5,6 +5,7 @@
 
 #include "csg/output/dag_graph.h"
 #include "csg/output/file.h"
+#include "csg/output/formats.h"
 #include "csg/output/region_graph.h"
 
 namespace cnrg {
@@ -22,6 +23,28 @@ std::vector<ResultView::Material> materials_of(const Tree& tree, const NodeValue
   }
   return materials;
 }
+
+/// What writers see of a node, and what that refers to.
+class NodeView {
+ public:
+  NodeView(const Tree& tree, const Evaluation& evaluation, NodeId node) {
+    const KeptValue& value = evaluation.value(node);
+    for (const std::string& name : evaluation.leaf_names) leaves_.push_back({name});
+    view_.node = tree.nodes[node].name;
+    view_.complex = evaluation.complex.get();
+    view_.value = value.value.get();
+    view_.simplified = &value.simplified;
+    view_.leaves = &leaves_;
+    view_.materials = materials_of(tree, *value.value);
+  }
+  NodeView(const NodeView&) = delete;
+  NodeView& operator=(const NodeView&) = delete;
+  const ResultView& view() const { return view_; }
+
+ private:
+  std::vector<LeafInfo> leaves_;
+  ResultView view_;
+};
 
 bool shows_regions(const std::string& path) {
   return extension_of(path) == ".dot" && extension_of(path.substr(0, path.size() - 4)) == ".regions";
@@ -47,20 +70,40 @@ RoundingReport write(const std::string& path, const Tree& tree, const Evaluation
                                        : region_graph(value.simplified, value.value->attributes()).dot());
     return {};
   }
-  std::vector<LeafInfo> leaves;
-  for (const std::string& name : evaluation.leaf_names) leaves.push_back({name});
-  ResultView view;
-  view.node = tree.nodes[node].name;
-  view.complex = evaluation.complex.get();
-  view.value = value.value.get();
-  view.simplified = &value.simplified;
-  view.leaves = &leaves;
-  view.materials = materials_of(tree, *value.value);
+  const NodeView shown(tree, evaluation, node);
   try {
-    return write(path, view);
+    return write(path, shown.view());
   } catch (const InputError& e) {  // the format can not show this node
     throw TreeError(tree.file, tree.nodes[node].at, e.what());
   }
+}
+
+void check_mesh_file_name(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".msh" || extension == ".mesh" || extension == ".vtu") return;
+  const bool surface = extension == ".smesh" || extension == ".poly";
+  throw InputError(path + (surface ? ": this format holds faces and no tetrahedra; `cnrg eval -o` writes it"
+                                   : ": no writer of tetrahedra for the extension `" + extension + "`") +
+                   "; use one of .msh .mesh .vtu");
+}
+
+TetrahedralMesh tetrahedra(const Tree& tree, const Evaluation& evaluation, NodeId node,
+                           const TetrahedraOptions& options) {
+  const NodeView shown(tree, evaluation, node);
+  try {
+    return tetrahedra(shown.view(), options);
+  } catch (const InputError& e) {
+    throw TreeError(tree.file, tree.nodes[node].at, e.what());
+  }
+}
+
+void write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node, const Mesh& mesh) {
+  check_mesh_file_name(path);
+  const NodeView shown(tree, evaluation, node);
+  const std::string extension = extension_of(path);
+  replace_file(path, extension == ".msh"    ? msh_text(mesh)
+                     : extension == ".mesh" ? medit_text(mesh)
+                                            : vtu_text(shown.view(), mesh));
 }
 
 }  // namespace cnrg

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/output/tetrahedra.h"
 #include "csg/output/writer.h"
 
 namespace cnrg {
@@ -19,5 +20,13 @@ bool shows_dag(const std::string& path);
 /// Writes a kept node of an evaluation of `tree` as `write` (writer.h) does: with the node's name, the tree's
 /// materials and the names of the leaves below it. TreeError at the node for what the format can not show.
 RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node);
+
+/// The formats of tetrahedra: .msh .mesh .vtu. Throws InputError for any other extension.
+void check_mesh_file_name(const std::string& path);
+/// The tetrahedra of a kept node. TreeError at the node for what can not be meshed.
+TetrahedralMesh tetrahedra(const Tree& tree, const Evaluation& evaluation, NodeId node,
+                           const TetrahedraOptions& options = {});
+/// Writes the mesh of a kept node to `path`, beside and renamed.
+void write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node, const Mesh& mesh);
 
 }  // namespace cnrg

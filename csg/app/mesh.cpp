@@ -1,0 +1,62 @@
+// `cnrg mesh`.
+#include <iostream>
+
+#include "csg/app/commands.h"
+#include "csg/app/evaluation.h"
+#include "csg/app/exit_status.h"
+#include "csg/app/progress_bar.h"
+#include "csg/evaluate/evaluate.h"
+#include "csg/output/node_file.h"
+#include "csg/output/table.h"
+
+namespace cnrg::app {
+namespace {
+
+/// A row per region and one for all.
+std::string table_of(const TetrahedralMesh& made) {
+  Table table;
+  table.add_column("region", Table::Align::left);
+  table.add_column("tetrahedra");
+  table.add_column("volume", Table::Align::left);
+  std::size_t tetrahedra = 0;
+  Rational volume = 0;
+  for (const RegionTetrahedra& region : made.regions) {
+    table.add_row({region.name, std::to_string(region.tetrahedra), to_decimal(region.volume)});
+    tetrahedra += region.tetrahedra;
+    volume += region.volume;
+  }
+  table.add_row({"all", std::to_string(tetrahedra), to_decimal(volume)});
+  const Mesh& mesh = made.mesh;
+  return table.text() + std::to_string(mesh.points.size()) + " points, " + std::to_string(mesh.triangles.size()) +
+         " triangles on faces, " + std::to_string(mesh.segments.size()) + " segments on edges\n";
+}
+
+}  // namespace
+
+int run_mesh(const MeshArguments& arguments) {
+  for (const std::string& path : arguments.files) check_mesh_file_name(path);  // before the work, not after it
+  const Tree tree = read_tree(arguments.tree);
+  const NodeId node = arguments.node.empty() ? tree.result : tree.find(arguments.node);
+  print(unused_nodes(tree, {tree.result, node}), arguments.quiet);
+  EvaluateOptions options;
+  options.threads = arguments.threads;
+  options.rows = false;
+  options.nodes = {node};
+  const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
+  TetrahedralMesh made;
+  {
+    ProgressBar bar(arguments.quiet);
+    bar.show("mesh", 0, 0);
+    made = tetrahedra(tree, evaluation, node, arguments.options);
+  }
+  if (!arguments.quiet) std::cout << table_of(made) << std::flush;
+  for (const std::string& path : arguments.files) {
+    write(path, tree, evaluation, node, made.mesh);
+    if (made.rounding.moved == 0 || arguments.quiet) continue;
+    std::cerr << path << ": notice: rounding moved " << made.rounding.moved
+              << " vertices; the facets still meet as they should\n";
+  }
+  return kDone;
+}
+
+}  // namespace cnrg::app

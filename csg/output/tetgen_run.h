@@ -1,0 +1,27 @@
+// TetGen (si2015) in a process of its own: its library throws numbers, prints, and ends the process where an
+// assertion of its own fails; none of that reaches the caller.
+#pragma once
+
+#include <string>
+
+#include "csg/output/plc.h"
+
+namespace cnrg {
+
+/// What TetGen returns. The points of the complex keep their numbers; Steiner points follow.
+struct TetgenResult {
+  using Index = std::uint32_t;
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<Index, 4>> tetrahedra;
+  std::vector<std::int32_t> attribute;        ///< of each tetrahedron: place in `Plc::regions` + 1; more: none of them
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<std::int32_t> facet;            ///< of each triangle: place in `Plc::facets`
+  std::vector<std::array<Index, 2>> segments;
+  std::vector<std::int32_t> edge;             ///< of each segment: the edge, or -1 between two facets of a face
+};
+
+/// Runs TetGen's library with these switches besides `pAQMJ` (and `c` where the complex has something outside).
+/// Throws InputError with what TetGen said and what helps, std::bad_alloc when it runs out of memory.
+TetgenResult run_tetgen(const Plc& plc, const std::string& switches);
+
+}  // namespace cnrg
