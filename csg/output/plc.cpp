@@ -15,8 +15,8 @@ constexpr Index kNone = FlatComplex::kNone;
 
 class PlcMaker {
  public:
-  PlcMaker(const FlatComplex& flat, const RoundedResult& rounded, bool polygons)
-      : flat_(flat), rounded_(rounded), polygons_(polygons) {
+  PlcMaker(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets)
+      : exact_(view.complex->points), flat_(flat), rounded_(rounded), facets_(facets) {
     plc_.points = rounded.points().xyz;
     for (const Vector& p : plc_.points) table_.add(p[0], p[1], p[2]);
   }
@@ -34,9 +34,10 @@ class PlcMaker {
   }
 
  private:
+  const PointTable& exact_;
   const FlatComplex& flat_;
   const RoundedResult& rounded_;
-  const bool polygons_;
+  const PlcFacets facets_;
   PointTable table_;                      // the rounded points, by their numbers
   Plc plc_;
 
@@ -67,7 +68,7 @@ class PlcMaker {
   void add_facet(Index face, const std::vector<Loop>& loops, const std::vector<Index>& isolated, Index begin,
                  Index end) {
     const auto& triangles = flat_.faces[face].triangles;
-    if (polygons_ && end - begin > 1) {
+    if (facets_ != PlcFacets::triangles && end - begin > 1) {
       Plc::Facet facet;
       facet.face = face;
       if (make_polygons(loops, isolated, triangles[begin], facet)) {
@@ -80,25 +81,27 @@ class PlcMaker {
     }
   }
 
-  /// False where a facet is not planar in doubles, walks over itself or has a hole without a point of doubles in it.
+  /// False where a facet has to be triangles: it is not as planar as asked for, walks over itself, or has a hole
+  /// without a point of doubles in it.
   bool make_polygons(const std::vector<Loop>& loops, const std::vector<Index>& isolated,
                      const std::array<Index, 3>& corners, Plc::Facet& facet) {
     const VertexId a(corners[0]), b(corners[1]), c(corners[2]);
-    const auto in_plane = [&](Index p) { return orient3d(table_, a, b, c, VertexId(p)) == 0; };
+    const auto in_plane = [&](Index p) {
+      return facets_ == PlcFacets::all || orient3d(table_, a, b, c, VertexId(p)) == 0;
+    };
     for (const Loop& loop : loops) {
       if (loop.size() < 3 || !std::all_of(loop.begin(), loop.end(), in_plane)) return false;
       if (std::set<Index>(loop.begin(), loop.end()).size() != loop.size()) return false;
     }
     if (!std::all_of(isolated.begin(), isolated.end(), in_plane)) return false;
-    const PlaneId plane = table_.add_plane(a, b, c);
-    const Projection axes = projection_of(table_, plane);
+    const Projection axes = projection_of(table_, table_.add_plane(a, b, c));
     const std::size_t outer = outer_loop(loops, axes);
     facet.polygons.push_back(loops[outer]);
     for (std::size_t k = 0; k < loops.size(); ++k) {
       if (k == outer) continue;
       facet.polygons.push_back(loops[k]);
       Vector inside;
-      if (!point_in(loops[k], axes, inside)) return false;
+      if (!point_in(loops[k], corners, inside)) return false;
       facet.holes.push_back(inside);
     }
     for (const Index p : isolated) facet.polygons.push_back({p});
@@ -123,26 +126,34 @@ class PlcMaker {
     return outer;
   }
 
-  /// The middle of the largest triangle inside a loop, if rounding leaves it strictly inside of that triangle.
-  bool point_in(const Loop& loop, Projection axes, Vector& inside) const {
+  /// The middle of the largest triangle inside a loop, if rounding leaves it strictly inside of that triangle. The
+  /// exact points are triangulated, since rounded ones may cross as seen along an axis.
+  bool point_in(const Loop& loop, const std::array<Index, 3>& corners, Vector& inside) const {
+    PointTable table;
     std::vector<VertexId> walk;
-    for (const Index p : loop) walk.emplace_back(p);
-    double most = -1;
-    std::array<VertexId, 3> best;
-    for (const auto& t : triangulate(table_, axes, std::span(&walk, 1))) {
-      const Vector p = at(t[0].value()), q = at(t[1].value()), r = at(t[2].value());
+    for (const Index p : loop) walk.push_back(table.add(exact_.rational(flat_.points[p])));
+    std::array<VertexId, 3> plane;
+    for (std::size_t k = 0; k < 3; ++k) plane[k] = table.add(exact_.rational(flat_.points[corners[k]]));
+    const Projection axes = projection_of(table, table.add_plane(plane[0], plane[1], plane[2]));
+    double most = 0;
+    std::array<Index, 3> best{};
+    for (const auto& t : triangulate(table, axes, std::span(&walk, 1))) {
+      const Vector p = at(loop[t[0].index()]), q = at(loop[t[1].index()]), r = at(loop[t[2].index()]);
       const double area = (q[axes.u] - p[axes.u]) * (r[axes.v] - p[axes.v]) -
                           (q[axes.v] - p[axes.v]) * (r[axes.u] - p[axes.u]);
       if (area <= most) continue;
       most = area;
-      best = t;
-      for (std::size_t k = 0; k < 3; ++k) inside[k] = (p[k] + q[k] + r[k]) / 3;
+      for (std::size_t k = 0; k < 3; ++k) {
+        best[k] = loop[t[k].index()];
+        inside[k] = (p[k] + q[k] + r[k]) / 3;
+      }
     }
-    if (most < 0) return false;
-    const ExactPoint exact =
+    if (most == 0) return false;
+    const ExactPoint middle =
         ExactPoint::from({from_double(inside[0]), from_double(inside[1]), from_double(inside[2])});
     for (std::size_t k = 0; k < 3; ++k) {
-      if (orient2d(axes, table_.view(best[k]), table_.view(best[(k + 1) % 3]), view_of(exact)) <= 0) return false;
+      const VertexId from(best[k]), to(best[(k + 1) % 3]);
+      if (orient2d(axes, table_.view(from), table_.view(to), view_of(middle)) <= 0) return false;
     }
     return true;
   }
@@ -150,8 +161,8 @@ class PlcMaker {
 
 }  // namespace
 
-Plc plc_of(const FlatComplex& flat, const RoundedResult& rounded, bool polygons) {
-  return PlcMaker(flat, rounded, polygons).run();
+Plc plc_of(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets) {
+  return PlcMaker(view, flat, rounded, facets).run();
 }
 
 }  // namespace cnrg

@@ -7,8 +7,7 @@ namespace cnrg {
 
 struct Plc {
   using Index = std::uint32_t;
-  /// A planar piece of a face. Of a face on one plane that is so in doubles too, and whose boundary walks meet
-  /// themselves nowhere, it is all of it; else a triangle.
+  /// A planar piece of a face: a triangle, or all of a facet whose boundary walks meet themselves nowhere.
   struct Facet {
     std::vector<std::vector<Index>> polygons;   ///< the outer one, then holes, then single points inside
     std::vector<std::array<double, 3>> holes;   ///< a point in each hole, in the plane but for rounding
@@ -30,7 +29,13 @@ struct Plc {
   bool outside = false;                         ///< a face, wire or point lies in no active region and bounds none
 };
 
-/// `polygons`: false makes every facet a triangle.
-Plc plc_of(const FlatComplex& flat, const RoundedResult& rounded, bool polygons);
+/// What becomes a facet of the complex as a whole. What does not becomes its triangles.
+enum class PlcFacets {
+  triangles,      ///< nothing
+  planar,         ///< facets that are planar in doubles, exactly
+  all,            ///< all facets; rounding moves their points out of a plane by the last digits
+};
+
+Plc plc_of(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets);
 
 }  // namespace cnrg

@@ -1,5 +1,5 @@
 // TetGen's input (si2015): .smesh, a triangle per facet, and .poly, where a face on one plane is one facet with its
-// holes. Points are numbered from 1.
+// holes (and of a curved patch each facet). What walks over itself (a face with a slit) is triangles there, too. Points are numbered from 1.
 //
 //   marker of a facet    the number of its group of faces
 //   marker of a wire     the number of its group of wires after those of the faces; a wire is a facet of two points
@@ -36,7 +36,7 @@ FileText tetgen_text(const ResultView& view, const std::string& format, bool pol
   require_closed_and_bounded(flat, format);
   if (flat.faces.empty()) throw InputError(format + " holds facets, and the result has no face; write .vtu or .json");
   const RoundedResult rounded(view, flat, format);
-  const Plc plc = plc_of(flat, rounded, poly);
+  const Plc plc = plc_of(view, flat, rounded, poly ? PlcFacets::all : PlcFacets::triangles);
   const MeshGroups groups = mesh_groups(view, flat);
   const auto group = [&](int dimension, Index i) {
     const auto& of = groups.of[std::size_t(dimension)][i];

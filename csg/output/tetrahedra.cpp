@@ -49,7 +49,9 @@ class TetrahedraMaker {
                        "points");
     }
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
-    plc_ = plc_of(flat_, rounded, true);
+    // Points of whole facets are off their plane by rounding. TetGen may triangulate them as it likes, which gives
+    // better tetrahedra; only with our triangles the volumes stay exact.
+    plc_ = plc_of(view_, flat_, rounded, options_.keep_boundary ? PlcFacets::planar : PlcFacets::all);
     out_ = run_tetgen(plc_, switches_of(options_));
     result_.rounding = rounded.report();
     make_entities();
@@ -115,7 +117,6 @@ class TetrahedraMaker {
     }
     for (Index i = 0; i < flat_.faces.size(); ++i) {
       Mesh::Entity entity{groups.of[2][i], {}, true, false, tagger_.face(i)};
-      std::vector<char> listed;
       std::unordered_map<Index, char> seen;  // a slit is walked twice and listed once
       for (const auto& loop : flat_.faces[i].loops) {
         for (std::size_t k = 0; k < loop.size(); ++k) {
