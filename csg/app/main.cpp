@@ -71,7 +71,8 @@ int run(int argc, char** argv) {
       ->type_name("N")
       ->expected(1)
       ->take_all();
-  sub->add_option("-o", eval.files, "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off "
+  sub->add_option("-o", eval.files,
+                  "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off "
                   ".stl .ply .dot .regions.dot")
       ->type_name("FILE")
       ->expected(1)
@@ -119,7 +120,8 @@ int run(int argc, char** argv) {
   sub->callback([&] { command = [&] { return run_explain(explain); }; });
 
   MeshArguments mesh;
-  sub = program.add_subcommand("mesh", "Fills the regions with tetrahedra that conform to every face, wire and point");
+  sub = program.add_subcommand("mesh",
+                               "Fills the regions with tetrahedra that conform to every face, wire and point");
   sub->add_option("TREE", mesh.tree, "Tree file (YAML or JSON)")->required();
   sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N");
   sub->add_option("-o", mesh.files, "Write this file, in the format of its extension: .msh .mesh .vtu")

@@ -47,8 +47,9 @@ void ExactVolume::add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::ui
 Rational ExactVolume::value() const {
   Rational result(six_, 6);
   result.canonicalize();
-  if (exponent_ >= 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), 3 * static_cast<unsigned long>(exponent_));
-  else mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), 3 * static_cast<unsigned long>(-exponent_));
+  const auto bits = 3 * static_cast<unsigned long>(std::abs(exponent_));
+  if (exponent_ >= 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), bits);
+  else mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), bits);
   return result;
 }
 

@@ -1,14 +1,15 @@
 // A mesh of simplices that knows which cell of the result each simplex lies in: what writers for meshers write.
 //
 // Two meshes of a result:
-//   the surface mesh    triangles, segments and points; the solid regions are there as cells without tetrahedra,
-//                       so that a mesher can fill them. Its entities are flat: a face on one plane is one, a face of a
-//                       curved patch is one for each facet, an edge is one for each straight piece.
+//   the surface mesh    triangles, segments and points; the solid regions are there as entities without tetrahedra,
+//                       so that a mesher can fill them. Its entities are flat: a face on one plane is one, a face
+//                       of a curved patch is one for each facet, an edge is one for each straight piece. A face with
+//                       a slit or a point in its interior is one for each triangle, so that these are on borders.
 //   tetrahedra          as tetrahedra.h has it; its entities are the cells of the simplified result.
 //
 // Groups are what people call the entities: in dimension 3 a region by its name, and a material; in dimension 2
-// `boundary of rock`, `wall rock | ore`, `face of fault` (dangling); wires and free points by their leaf. Names are
-// distinct within a dimension.
+// `boundary of rock`, `wall rock | ore`, `face of fault` (dangling); wires and free points by their leaf. Names
+// are distinct within a dimension.
 #pragma once
 
 #include <array>
@@ -42,7 +43,7 @@ struct Mesh {
   std::vector<std::array<double, 3>> points;
   std::array<std::vector<std::string>, 4> groups;     ///< names by dimension; group g is at g - 1
   std::array<std::vector<Entity>, 4> entities;        ///< by dimension
-  // Sorted by entity, then by points.
+  // By entity, ascending.
   std::vector<Simplex<1>> vertices;
   std::vector<Simplex<2>> segments;
   std::vector<Simplex<3>> triangles;      ///< counter-clockwise as seen from the front of the face

@@ -67,7 +67,8 @@ class Grouper {
     group_regions();
     group(2, flat_.faces, [&](const auto& f) { return key_of_face(f); });
     group(1, flat_.edges, [&](const auto& e) { return e.wire ? Key{1, "wire" + of_leaf(e.origin, 1)} : Key{}; });
-    group(0, flat_.vertices, [&](const auto& v) { return v.free ? Key{1, "point" + of_leaf(v.origin, 0)} : Key{}; });
+    group(0, flat_.vertices,
+          [&](const auto& v) { return v.free ? Key{1, "point" + of_leaf(v.origin, 0)} : Key{}; });
     return std::move(groups_);
   }
 
@@ -126,7 +127,9 @@ class Grouper {
   Key key_of_face(const FlatComplex::Face& face) const {
     const std::size_t n = view_.value->component_count() + 1;
     Component c[2];
-    for (int k = 0; k < 2; ++k) c[k] = flat_.active(face.regions[k]) ? flat_.regions[face.regions[k]].component : 0;
+    for (int k = 0; k < 2; ++k) {
+      c[k] = flat_.active(face.regions[k]) ? flat_.regions[face.regions[k]].component : 0;
+    }
     if (c[0] > c[1]) std::swap(c[0], c[1]);
     switch (flat_.regions_bounded(face)) {
       case 1: return {c[1], "boundary of " + regions_.at(c[1])};

@@ -1,4 +1,5 @@
-// A mesh in VTK's XML: tetrahedra, and the triangles, segments and vertices of the result, with the tags of vtu.cpp.
+// A mesh in VTK's XML: tetrahedra, and the triangles, segments and vertices of the result, with the tags that
+// vtu.cpp explains.
 #include "csg/output/formats.h"
 #include "csg/output/mesh.h"
 #include "csg/output/vtu_grid.h"

@@ -1,29 +1,24 @@
 // Gmsh's format 4.1 in text: entities with what bounds them, groups by name in every dimension, nodes and elements
 // by entity.
 //
-// Of a surface mesh Gmsh can make a mesh of its own (`gmsh -3 FILE`): every piece of an edge and every facet has its
-// parametrization in the file, which is affine, and every region its boundary. A dangling face inside of a region
-// is listed with the boundary of the region, and Gmsh meshes conform to it. The format has no place for a wire or a
-// point inside of a region or a point inside of a face: they are entities with elements; to make Gmsh conform to
-// them, merge the file in a script and say `Curve {..} In Volume {..};`.
+// Of a surface mesh Gmsh can make a mesh of its own (`gmsh -3 FILE`): every piece of an edge and every facet has
+// its parametrization in the file, which is affine, and every region its boundary. A dangling face inside of a
+// region is listed with the boundary of the region, and Gmsh's mesh conforms to it. The format has no place for a
+// wire or a point inside of a region: they are entities with elements; to make Gmsh conform to them, merge the file
+// in a script and say `Curve {..} In Volume {..};`. Tetrahedra of ours conform.
 #include <algorithm>
 #include <cmath>
 
 #include "csg/output/formats.h"
 #include "csg/output/mesh.h"
-#include "csg/output/solid.h"
+#include "csg/output/vectors.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Mesh::Index;
-using Vector = std::array<double, 3>;
+using Vector = DoubleVector;
 
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 Vector unit(const Vector& a) {
   const double length = std::sqrt(dot(a, a));
   return {a[0] / length, a[1] / length, a[2] / length};
@@ -38,7 +33,8 @@ class MshWriter {
     for (char& c : comment) {
       if (static_cast<unsigned char>(c) < ' ' || c == '$') c = ' ';
     }
-    text_ = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nnode " + comment + ", written by cnrg\n$EndComments\n";
+    text_ = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nnode " + comment +
+            ", written by cnrg\n$EndComments\n";
     add_names();
     find_boxes();
     add_entities();
@@ -167,7 +163,9 @@ class MshWriter {
   template <class Simplices>
   static std::size_t blocks_of(const Simplices& simplices) {
     std::size_t n = 0;
-    for (std::size_t i = 0; i < simplices.size(); ++i) n += i == 0 || simplices[i].entity != simplices[i - 1].entity;
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+      n += i == 0 || simplices[i].entity != simplices[i - 1].entity;
+    }
     return n;
   }
   template <class Simplices>

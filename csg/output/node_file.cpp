@@ -97,7 +97,8 @@ TetrahedralMesh tetrahedra(const Tree& tree, const Evaluation& evaluation, NodeI
   }
 }
 
-void write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node, const Mesh& mesh) {
+void write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
+           const Mesh& mesh) {
   check_mesh_file_name(path);
   const NodeView shown(tree, evaluation, node);
   const std::string extension = extension_of(path);

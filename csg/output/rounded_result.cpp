@@ -5,24 +5,20 @@
 #include <map>
 
 #include "csg/output/mesh.h"
+#include "csg/output/vectors.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {
 
 using Index = FlatComplex::Index;
-using Vector = std::array<double, 3>;
+using Vector = DoubleVector;
 constexpr Index kNone = FlatComplex::kNone;
 
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 RationalPoint exactly(const Vector& p) { return {from_double(p[0]), from_double(p[1]), from_double(p[2])}; }
 
-/// Where the ray from p along d meets the triangle, as a multiple of d; infinite if it does not. In doubles: it only
-/// proposes points, which are proven afterwards.
+/// Where the ray from p along d meets the triangle, as a multiple of d; infinite if it does not. It only proposes
+/// points, which are proven afterwards.
 double hit(const Vector& p, const Vector& d, const Vector& a, const Vector& b, const Vector& c) {
   const Vector u = minus(b, a), v = minus(c, a), n = cross(d, v), w = minus(p, a), q = cross(w, u);
   const double det = dot(u, n);
@@ -107,7 +103,8 @@ void RoundedResult::match_wires_and_points() const {
     if (!edge.wire) continue;
     const std::size_t n = edge.points.size();
     for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
-      const RationalPoint a = exactly(points_.xyz[edge.points[k]]), b = exactly(points_.xyz[edge.points[(k + 1) % n]]);
+      const RationalPoint a = exactly(points_.xyz[edge.points[k]]);
+      const RationalPoint b = exactly(points_.xyz[edge.points[(k + 1) % n]]);
       const Location at = data_->locator.locate({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2});
       require(at.dimension == 1, "rounded result: the middle of a wire is not on it");
       check(complex.some_region(at.edge), edge.region);
@@ -140,7 +137,7 @@ Vector RoundedResult::seed(Index region) const {
   }
   std::stable_sort(triangles.begin(), triangles.end(),
                    [](const Triangle& s, const Triangle& t) { return s.area > t.area; });
-  // From the middle of a large triangle half-way to what is opposite; of several such points the farthest from both.
+  // From the middle of a large triangle half-way to what is opposite; of several such points the one with most room.
   constexpr std::size_t kAtOnce = 16, kAtMost = 1024;
   std::vector<std::pair<double, Vector>> proposals;
   for (std::size_t i = 0; i < std::min(triangles.size(), kAtMost); ++i) {
@@ -156,15 +153,16 @@ Vector RoundedResult::seed(Index region) const {
       proposals.emplace_back(gap, middle);
     }
     if (i + 1 < std::min(triangles.size(), kAtMost) && (i + 1) % kAtOnce != 0) continue;
-    std::stable_sort(proposals.begin(), proposals.end(), [](const auto& s, const auto& t) { return s.first > t.first; });
+    std::stable_sort(proposals.begin(), proposals.end(),
+                     [](const auto& s, const auto& t) { return s.first > t.first; });
     for (const auto& [distance, point] : proposals) {
       const Location at = data_->locator.locate(exactly(point));
       if (at.dimension == 3 && at.region == data_->region[region]) return point;
     }
     proposals.clear();
   }
-  throw InputError(format_ + " needs a point of doubles inside of every region, and one region is too thin for that; "
-                   "make it thicker, or move the model nearer to the origin");
+  throw InputError(format_ + " needs a point of doubles inside of every region, and one region is too thin for "
+                   "that; make it thicker, or move the model nearer to the origin");
 }
 
 }  // namespace cnrg

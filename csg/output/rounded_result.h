@@ -10,9 +10,9 @@ namespace cnrg {
 
 class RoundedResult {
  public:
-  /// Rounds a closed and bounded result. Throws InputError, naming `format`, unless it is embedded and each region,
-  /// wire and point still lies where it does in the exact result: the rounded drawing is refined exactly, and its
-  /// regions are compared with those of the result, side of a face by side of a face.
+  /// Rounds a closed and bounded result. Throws InputError, naming `format`, unless it is embedded and each
+  /// region, wire and point still lies where it does in the exact result: the rounded drawing is refined exactly,
+  /// and its regions are compared with those of the result, side of a face by side of a face.
   RoundedResult(const ResultView& view, const FlatComplex& flat, const std::string& format);
   ~RoundedResult();
 

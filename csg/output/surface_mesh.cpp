@@ -93,16 +93,12 @@ class SurfaceMesher {
     }
   }
 
-  void add_facet(Index face, const std::vector<FlatComplex::Loop>& loops, Index begin, Index end) {
+  void add_entity(Index face, const std::vector<std::array<Index, 2>>& steps, Index begin, Index end) {
     const Index number = Index(mesh_.entities[2].size());
     Mesh::Entity entity;
-    std::set<Index> listed;  // a slit is walked twice and listed once
-    for (const auto& loop : loops) {
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        const Index a = loop[k], b = loop[(k + 1) % loop.size()], s = segment(a, b);
-        if (!listed.insert(s).second) continue;
-        entity.boundary.push_back(point_[a] < point_[b] ? std::int32_t(s + 1) : -std::int32_t(s + 1));
-      }
+    for (const auto& [a, b] : steps) {
+      const std::int32_t s = std::int32_t(segment(a, b) + 1);
+      entity.boundary.push_back(point_[a] < point_[b] ? s : -s);
     }
     entity.groups = groups_.of[2][face];
     entity.tags = tagger_.face(face);
@@ -113,15 +109,34 @@ class SurfaceMesher {
     }
   }
 
+  /// One entity; or a triangle each, where an edge or a point lies inside that a mesher would not see otherwise.
+  void add_facet(Index face, const std::vector<FlatComplex::Loop>& loops, bool isolated, Index begin, Index end) {
+    std::vector<std::array<Index, 2>> steps;
+    std::set<std::uint64_t> walked;
+    bool inside = isolated;
+    for (const auto& loop : loops) {
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        steps.push_back({loop[k], loop[(k + 1) % loop.size()]});
+        inside = !walked.insert(key_of(steps.back()[0], steps.back()[1])).second || inside;
+      }
+    }
+    if (!inside) return add_entity(face, steps, begin, end);
+    for (Index t = begin; t < end; ++t) {
+      const auto& p = flat_.faces[face].triangles[t];
+      add_entity(face, {{p[0], p[1]}, {p[1], p[2]}, {p[2], p[0]}}, t, t + 1);
+    }
+  }
+
   void add_faces() {
     for (Index i = 0; i < flat_.faces.size(); ++i) {
       const auto& f = flat_.faces[i];
       const Index first = Index(mesh_.entities[2].size());
       if (f.facets.empty()) {
-        add_facet(i, f.loops, 0, Index(f.triangles.size()));
+        add_facet(i, f.loops, !f.isolated.empty(), 0, Index(f.triangles.size()));
       } else {
         for (std::size_t k = 0; k < f.facets.size(); ++k) {
-          add_facet(i, f.facets[k].loops, k == 0 ? 0 : f.facet_ends[k - 1], f.facet_ends[k]);
+          const auto& facet = f.facets[k];
+          add_facet(i, facet.loops, !facet.isolated.empty(), k == 0 ? 0 : f.facet_ends[k - 1], f.facet_ends[k]);
         }
       }
       facets_.push_back({first, Index(mesh_.entities[2].size())});

@@ -1,13 +1,15 @@
-// TetGen's input (si2015): .smesh, a triangle per facet, and .poly, where a face on one plane is one facet with its
-// holes (and of a curved patch each facet). What walks over itself (a face with a slit) is triangles there, too. Points are numbered from 1.
+// TetGen's input (si2015): .smesh, a triangle per facet, and .poly, where a face on one plane is one facet with
+// its holes, and each facet of a curved patch. What walks over itself (a face with a slit) is triangles there, too.
+// Points are numbered from 1.
 //
 //   marker of a facet    the number of its group of faces
-//   marker of a wire     the number of its group of wires after those of the faces; a wire is a facet of two points
+//   marker of a wire     the number of its group of wires after those of faces; a wire is a facet of two points
 //   marker of a point    the number of its group of free points; 0 for any other point
 //   holes                a point in each cavity that is not part of the result
 //   regions              a point in each region, with the number of its group of regions as attribute
 //
-// Names are in comments. Faces, wires and points outside of all regions are in the file; TetGen keeps them with -c.
+// Names are in comments. Faces, wires and points outside of all regions are in the file; TetGen keeps them with
+// its switch -c.
 #include "csg/output/formats.h"
 #include "csg/output/mesh.h"
 #include "csg/output/plc.h"
@@ -34,7 +36,9 @@ void append_point(std::string& text, std::size_t number, const std::array<double
 FileText tetgen_text(const ResultView& view, const std::string& format, bool poly) {
   const FlatComplex flat = flatten(view);
   require_closed_and_bounded(flat, format);
-  if (flat.faces.empty()) throw InputError(format + " holds facets, and the result has no face; write .vtu or .json");
+  if (flat.faces.empty()) {
+    throw InputError(format + " holds facets, and the result has no face; write .vtu or .json");
+  }
   const RoundedResult rounded(view, flat, format);
   const Plc plc = plc_of(view, flat, rounded, poly ? PlcFacets::all : PlcFacets::triangles);
   const MeshGroups groups = mesh_groups(view, flat);
@@ -47,7 +51,8 @@ FileText tetgen_text(const ResultView& view, const std::string& format, bool pol
   std::string text = "# node " + one_line(view.node) + ", written by cnrg; tetgen -pA reads it\n";
   const auto name = [&](const char* kind, std::size_t dimension, std::size_t shift) {
     for (std::size_t g = 0; g < groups.names[dimension].size(); ++g) {
-      text += "# " + std::string(kind) + " " + std::to_string(shift + g + 1) + " " + groups.names[dimension][g] + "\n";
+      text += "# " + std::string(kind) + " " + std::to_string(shift + g + 1) + " " + groups.names[dimension][g];
+      text += '\n';
     }
   };
   name("facets", 2, 0);
@@ -73,7 +78,8 @@ FileText tetgen_text(const ResultView& view, const std::string& format, bool pol
   for (const auto& facet : plc.facets) {
     const std::string number = std::to_string(group(2, facet.face));
     if (poly) {
-      text += std::to_string(facet.polygons.size()) + " " + std::to_string(facet.holes.size()) + " " + number + "\n";
+      text += std::to_string(facet.polygons.size()) + " " + std::to_string(facet.holes.size()) + " " + number;
+      text += '\n';
     }
     for (const auto& polygon : facet.polygons) {
       add_polygon(polygon);

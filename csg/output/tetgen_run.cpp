@@ -142,7 +142,8 @@ void write_result(const MemoryFile& file, const tetgenio& out) {
   write_list(file, out.edgemarkerlist, std::size_t(out.numberofedges));
 }
 
-[[noreturn]] void run_child(const Plc& plc, std::string switches, const MemoryFile& result, const MemoryFile& said) {
+[[noreturn]] void run_child(const Plc& plc, std::string switches, const MemoryFile& result,
+                            const MemoryFile& said) {
   int status = kUnknown;
   try {
     prctl(PR_SET_PDEATHSIG, SIGKILL);

@@ -45,8 +45,8 @@ class TetrahedraMaker {
     const bool solid = std::any_of(flat_.regions.begin(), flat_.regions.end(),
                                    [](const auto& region) { return region.component != 0; });
     if (!solid) {
-      throw InputError("the result has no region to fill with tetrahedra; `cnrg eval -o` writes its faces, wires and "
-                       "points");
+      throw InputError("the result has no region to fill with tetrahedra; `cnrg eval -o` writes its faces, wires "
+                       "and points");
     }
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
     // Points of whole facets are off their plane by rounding. TetGen may triangulate them as it likes, which gives
@@ -236,7 +236,8 @@ class TetrahedraMaker {
       for (const Index p : edge.points) {
         const bool end = !edge.closed && (p == edge.points.front() || p == edge.points.back());
         const auto found = degree.find(p);
-        require(found != degree.end() && found->second == (end ? 1 : 2), "tetrahedra: TetGen lost a part of an edge");
+        require(found != degree.end() && found->second == (end ? 1 : 2),
+                "tetrahedra: TetGen lost a part of an edge");
         degree.erase(found);
       }
       for (const auto& [p, n] : degree) require(n == 2, "tetrahedra: TetGen returns an edge with a gap");
@@ -259,7 +260,9 @@ class TetrahedraMaker {
     }
     std::vector<Side> sides;
     std::vector<char> present(flat_.faces.size(), 0);
-    const auto add = [&](Index face, Index a, Index b) { sides.push_back({face, std::min(a, b), std::max(a, b)}); };
+    const auto add = [&](Index face, Index a, Index b) {
+      sides.push_back({face, std::min(a, b), std::max(a, b)});
+    };
     for (const auto& t : mesh().triangles) {
       present[t.entity] = 1;
       for (std::size_t k = 0; k < 3; ++k) add(t.entity, t.points[k], t.points[(k + 1) % 3]);

@@ -8,7 +8,7 @@ namespace cnrg {
 struct TetrahedraOptions {
   double max_volume = 0;        ///< no tetrahedron is larger (cubic units); 0: no bound
   double quality = 0;           ///< largest ratio of circumradius to shortest edge, at least 1; 0: no bound
-  bool keep_boundary = false;   ///< triangles of faces and pieces of edges stay as they are: new points inside only
+  bool keep_boundary = false;   ///< no new points on faces and edges, but inside of regions only
 };
 
 /// What was made of one region.
@@ -24,17 +24,18 @@ struct TetrahedralMesh {
   std::vector<RegionTetrahedra> regions;      ///< in the order of the mesh's entities of dimension 3
 };
 
-/// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015). Faces, wires and points
-/// outside of them are in the mesh as triangles, segments and points that conform, too. The boundary of a region is
-/// that of the result rounded to doubles, which must be embedded.
+/// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015). Faces, wires and
+/// points outside of them are in the mesh as triangles, segments and points that conform, too. The boundary of a
+/// region is that of the result rounded to doubles, which must be embedded.
 ///
 /// What TetGen returns is proven before it is returned here: every tetrahedron is turned right; those of a region
-/// fill its exact rounded volume, to the last bit with `keep_boundary`, else to area * 1e-8 * size (TetGen's own
-/// tolerance for what lies in a plane); every face and edge is there, bounded as it should be; on both sides of each
-/// triangle are the regions of its face, and between regions are such triangles only.
+/// have together the volume that its rounded boundary encloses, to the last bit with `keep_boundary`, else but for
+/// area * 1e-8 * size (TetGen's own tolerance for what lies in a plane, times the longest side of the model's box);
+/// every face and edge is there, bounded as it should be; on both sides of each triangle are the regions of its
+/// face, and between regions are such triangles only.
 ///
-/// Throws InputError for a result without regions, open or unbounded, one that rounding breaks, and one that TetGen
-/// can not mesh; InvariantError when the proof fails.
+/// Throws InputError for a result without regions, open or unbounded, one that rounding breaks, and one that
+/// TetGen can not mesh; InvariantError when the proof fails.
 TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options = {});
 
 }  // namespace cnrg
