@@ -1,10 +1,11 @@
 // A mesh of simplices that knows which cell of the result each simplex lies in: what writers for meshers write.
 //
 // Two meshes of a result:
-//   the surface mesh    triangles, segments and points; the solid regions are there as entities without tetrahedra,
-//                       so that a mesher can fill them. Its entities are flat: a face on one plane is one, a face
-//                       of a curved patch is one for each facet, an edge is one for each straight piece. A face with
-//                       a slit or a point in its interior is one for each triangle, so that these are on borders.
+//   the surface mesh    triangles, segments and points; the solid regions are there as entities without
+//                       tetrahedra, so that a mesher can fill them. Its entities are flat: a face on one plane is
+//                       one, a face of a curved patch is one for each facet, an edge is one for each straight
+//                       piece. A face with a slit or a point in its interior is one for each triangle, so that
+//                       these are on borders.
 //   tetrahedra          as tetrahedra.h has it; its entities are the cells of the simplified result.
 //
 // Groups are what people call the entities: in dimension 3 a region by its name, and a material; in dimension 2

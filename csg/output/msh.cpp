@@ -4,8 +4,8 @@
 // Of a surface mesh Gmsh can make a mesh of its own (`gmsh -3 FILE`): every piece of an edge and every facet has
 // its parametrization in the file, which is affine, and every region its boundary. A dangling face inside of a
 // region is listed with the boundary of the region, and Gmsh's mesh conforms to it. The format has no place for a
-// wire or a point inside of a region: they are entities with elements; to make Gmsh conform to them, merge the file
-// in a script and say `Curve {..} In Volume {..};`. Tetrahedra of ours conform.
+// wire or a point inside of a region: they are entities with elements; to make Gmsh conform to them, merge the
+// file in a script and say `Curve {..} In Volume {..};`. Tetrahedra of ours conform.
 #include <algorithm>
 #include <cmath>
 

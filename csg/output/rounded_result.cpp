@@ -137,7 +137,7 @@ Vector RoundedResult::seed(Index region) const {
   }
   std::stable_sort(triangles.begin(), triangles.end(),
                    [](const Triangle& s, const Triangle& t) { return s.area > t.area; });
-  // From the middle of a large triangle half-way to what is opposite; of several such points the one with most room.
+  // From the middle of a large triangle half-way to what is opposite; of several such points the roomiest.
   constexpr std::size_t kAtOnce = 16, kAtMost = 1024;
   std::vector<std::pair<double, Vector>> proposals;
   for (std::size_t i = 0; i < std::min(triangles.size(), kAtMost); ++i) {

@@ -1,6 +1,6 @@
 // TetGen's input (si2015): .smesh, a triangle per facet, and .poly, where a face on one plane is one facet with
-// its holes, and each facet of a curved patch. What walks over itself (a face with a slit) is triangles there, too.
-// Points are numbered from 1.
+// its holes, and each facet of a curved patch. What walks over itself (a face with a slit) is triangles there,
+// too. Points are numbered from 1.
 //
 //   marker of a facet    the number of its group of faces
 //   marker of a wire     the number of its group of wires after those of faces; a wire is a facet of two points

@@ -13,7 +13,7 @@ struct TetgenResult {
   using Index = std::uint32_t;
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<Index, 4>> tetrahedra;
-  std::vector<std::int32_t> attribute;        ///< of each tetrahedron: place in `Plc::regions` + 1; more: no region
+  std::vector<std::int32_t> attribute;        ///< of each tetrahedron: place in `Plc::regions` + 1; more: none
   std::vector<std::array<Index, 3>> triangles;
   std::vector<std::int32_t> facet;            ///< of each triangle: place in `Plc::facets`
   std::vector<std::array<Index, 2>> segments;

@@ -30,9 +30,9 @@ struct TetrahedralMesh {
 ///
 /// What TetGen returns is proven before it is returned here: every tetrahedron is turned right; those of a region
 /// have together the volume that its rounded boundary encloses, to the last bit with `keep_boundary`, else but for
-/// area * 1e-8 * size (TetGen's own tolerance for what lies in a plane, times the longest side of the model's box);
-/// every face and edge is there, bounded as it should be; on both sides of each triangle are the regions of its
-/// face, and between regions are such triangles only.
+/// area * 1e-8 * size (TetGen's own tolerance for what lies in a plane, times the longest side of the model's
+/// box); every face and edge is there, bounded as it should be; on both sides of each triangle are the regions of
+/// its face, and between regions are such triangles only.
 ///
 /// Throws InputError for a result without regions, open or unbounded, one that rounding breaks, and one that
 /// TetGen can not mesh; InvariantError when the proof fails.

@@ -78,7 +78,7 @@ TEST_CASE("a command line that makes no sense is bad input", "[app][errors]") {
 TEST_CASE("commands of later versions say so", "[app][errors]") {
   const Workshop w;
   for (const std::string name :
-       {"mesh t.yaml -o a.msh", "view t.yaml -o a.html"}) {
+       {"view t.yaml -o a.html"}) {
     const Outcome o = w.run(name);
     CHECK(o.status == 2);
     CHECK_THAT(o.err, Contains("is not in this version of cnrg"));

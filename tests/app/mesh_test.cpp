@@ -1,0 +1,135 @@
+// `cnrg mesh` from outside; the tunnel of Pereira et al. through Gmsh and tetgen.
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "kernel/exact/rational.h"
+#include "tests/app/program.h"
+#include "tests/output/mesh_readers.h"
+
+namespace cnrg {
+namespace {
+
+using Catch::Contains;
+using Catch::StartsWith;
+
+const char* const kPair = R"(cnrg: 1
+materials: {rock: {color: "#998877"}}
+nodes:
+  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}, material: rock}
+  b: {box: {min: [2, 0, 0], max: [4, 2, 2]}}
+  sheet: {polygon: [["1/2", "1/2", 1], ["3/2", "1/2", 1], ["3/2", "3/2", 1]]}
+  u: {union: [sheet, a, b], dominance: left}
+result: u
+)";
+
+TEST_CASE("mesh: a row per region and files in every format", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", kPair);
+  const Outcome o = w.run("mesh t.yaml -o t.msh -o t.mesh -o t.vtu --quality 1.5 --max-volume 0.5");
+  CHECK(o.status == 0);
+  CHECK(o.err.empty());
+  CHECK_THAT(o.out, StartsWith("region  tetrahedra  volume\na ") && Contains("\nall ") && Contains("  16\n") &&
+                        Contains(" triangles on faces, "));
+  const test::MeshFile msh = test::read_msh(w.read("t.msh")), medit = test::read_medit(w.read("t.mesh"));
+  CHECK(msh.volume("a") == 8);
+  CHECK(msh.volume("material rock") == 8);
+  CHECK(medit.volume("b") == 8);
+  CHECK(msh.names_of(2).count("face of sheet") == 1);
+  CHECK_THAT(w.read("t.vtu"), Contains("NumberOfCells"));
+  CHECK(w.run("mesh t.yaml -Y --quiet -o again.msh").out.empty());
+  CHECK(w.run("mesh t.yaml --node sheet -o s.msh").status == 2);
+}
+
+TEST_CASE("mesh: one error for what can not be meshed or written", "[app][mesh][errors]") {
+  const Workshop w;
+  w.write("t.yaml", kPair);
+  Outcome o = w.run("mesh t.yaml");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, StartsWith("cnrg: error: ") && Contains("-o"));
+  o = w.run("mesh t.yaml -o t.stl");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Contains("no writer of tetrahedra for the extension `.stl`; use one of .msh .mesh .vtu"));
+  o = w.run("mesh t.yaml -o t.poly");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Contains("`cnrg eval -o` writes it"));
+  o = w.run("mesh t.yaml --node sheet -o s.msh");
+  CHECK_THAT(o.err, Contains("t.yaml:6:3: error: the result has no region to fill with tetrahedra"));
+  for (const std::string options : {"--quality 1", "--quality x", "--max-volume 0", "--max-volume -1"}) {
+    CHECK(w.run("mesh t.yaml -o t.msh " + options).status == 2);
+  }
+  w.write("open.yaml", "cnrg: 1\nnodes:\n  a: {halfspace: {point: [0, 0, 0], normal: [0, 0, 1]}}\nresult: a\n");
+  o = w.run("mesh open.yaml -o t.msh");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Contains("without bounds"));
+  CHECK_FALSE(std::filesystem::exists(w.path("t.msh")));
+}
+
+TEST_CASE("mesh: where TetGen ends by an assertion the program does not", "[app][mesh][errors]") {
+  // A tetrahedron as thin as the last digit of a double: embedded, and too much for TetGen.
+  const Workshop w;
+  w.write("thin.yaml", R"(cnrg: 1
+nodes:
+  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}
+  t: {tetrahedron: [[0.4, 0.5, 1.5], [1.5, 0.6, 1.5], [1.4, 1.5, 1.5], [0.5, 1.4, "1500000000000001/1000000000000000"]]}
+  w: {union: [t, a], dominance: left}
+result: w
+)");
+  const Outcome o = w.run("mesh thin.yaml -o t.msh --quality 1.2");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, StartsWith("thin.yaml:5:3: error: TetGen") && Contains("remove slivers"));
+  CHECK_FALSE(std::filesystem::exists(w.path("t.msh")));
+}
+
+TEST_CASE("the tunnel of Pereira et al.: our tetrahedra, Gmsh's and tetgen's have the volumes of the regions",
+          "[app][mesh][programs]") {
+  const Workshop w;
+  const std::string tree = "'" + std::filesystem::absolute("papers/pereira2012/fig10.yaml").string() + "'";
+  const auto close = [](double volume, const Rational& exact) {
+    return volume == Approx(to_double(exact)).epsilon(1e-9);
+  };
+  REQUIRE(w.run("mesh " + tree + " -Y --quiet -o kept.msh").status == 0);
+  const test::MeshFile kept = test::read_msh(w.read("kept.msh"));
+  CHECK(kept.names_of(3).size() == 8 + 4);
+  std::map<int, Rational> exact;
+  for (int region = 1; region <= 8; ++region) exact[region] = kept.volume(region);
+  CHECK(kept.loose(2) == 0);
+  REQUIRE(w.run("mesh " + tree + " --quality 1.8 --quiet -o fine.msh").status == 0);
+  const test::MeshFile fine = test::read_msh(w.read("fine.msh"));
+  CHECK(fine.count(3) > 3 * kept.count(3));
+  for (const auto& [region, volume] : exact) CHECK(close(to_double(fine.volume(region)), volume));
+
+  REQUIRE(w.run("eval " + tree + " --quiet -o m.msh -o p.poly -o s.smesh").status == 0);
+  if (test::installed("gmsh")) {
+    const Outcome o = w.shell("gmsh -3 m.msh -o out.msh >.out 2>.err");
+    CHECK(o.status == 0);
+    CHECK_THAT(o.out, !Contains("Error"));
+    const test::MeshFile mesh = test::read_msh(w.read("out.msh"));
+    for (const auto& [region, volume] : exact) CHECK(close(to_double(mesh.volume(region)), volume));
+    // It also opens the tetrahedra that we made.
+    CHECK(w.shell("gmsh kept.msh -save -o again.msh >.out 2>.err").status == 0);
+    const test::MeshFile again = test::read_msh(w.read("again.msh"));
+    for (const auto& [region, volume] : exact) CHECK(again.volume(region) == volume);
+  } else {
+    WARN("gmsh is not installed: left out");
+  }
+  if (test::installed("tetgen")) {
+    for (const std::string name : {"p.poly", "s.smesh"}) {
+      CHECK(w.shell("tetgen -pAQ " + name + " >.out 2>.err").status == 0);
+      const std::string stem = name.substr(0, 1);
+      const auto volumes = test::tetgen_volumes(w.read(stem + ".1.node"), w.read(stem + ".1.ele"));
+      REQUIRE(volumes.size() == 8);
+      double found = 0, all = 0;
+      for (const auto& [region, volume] : volumes) found += volume;
+      for (const auto& [region, volume] : exact) all += to_double(volume);
+      CHECK(found == Approx(all).epsilon(1e-12));
+    }
+  } else {
+    WARN("tetgen is not installed: left out");
+  }
+}
+
+}  // namespace
+}  // namespace cnrg
