@@ -104,7 +104,8 @@ double MeshFile::measure(const std::vector<Element>& list) const {
   double sum = 0;
   for (const Element& e : list) {
     const Vector u = minus(nodes.at(e.nodes.at(1)), nodes.at(e.nodes[0]));
-    sum += e.dimension == 1 ? length(u) : length(cross(u, minus(nodes.at(e.nodes.at(2)), nodes.at(e.nodes[0])))) / 2;
+    const Vector v = minus(nodes.at(e.nodes.back()), nodes.at(e.nodes[0]));
+    sum += e.dimension == 1 ? length(u) : length(cross(u, v)) / 2;
   }
   return sum;
 }
@@ -202,7 +203,8 @@ MeshFile read_medit(const std::string& text) {
     int number;
     words >> kind >> number >> std::ws;
     std::getline(words, name);
-    static const std::map<std::string, int> kinds{{"vertices", 0}, {"edges", 1}, {"triangles", 2}, {"tetrahedra", 3}};
+    static const std::map<std::string, int> kinds{
+        {"vertices", 0}, {"edges", 1}, {"triangles", 2}, {"tetrahedra", 3}};
     file.names[{kinds.at(kind), number}] = name;
   }
   auto in = without_comments(text);

@@ -54,7 +54,9 @@ void check_topology(const MeshFile& mesh) {
     if (key.first != 2) continue;
     std::map<int, int> ends;
     for (const int c : entity.boundary) {
-      for (const int p : mesh.entities.at({1, std::abs(c)}).boundary) ends[std::abs(p)] += (p > 0) == (c > 0) ? 1 : -1;
+      for (const int p : mesh.entities.at({1, std::abs(c)}).boundary) {
+        ends[std::abs(p)] += (p > 0) == (c > 0) ? 1 : -1;
+      }
     }
     for (const auto& [point, sum] : ends) CHECK(sum == 0);
   }
@@ -225,7 +227,7 @@ TEST_CASE(".smesh: a triangle per facet", "[mesh]") {
   CHECK(file.regions.size() == 2);
 }
 
-TEST_CASE("formats of meshers hold closed and bounded results only, and TetGen's embedded ones", "[mesh][errors]") {
+TEST_CASE("formats of meshers hold closed and bounded results, and TetGen's embedded ones", "[mesh][errors]") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {1, 1, 1});
   const Rational beyond = 1 + Rational(1, Integer("1000000000000000000000000000000"));
@@ -235,10 +237,10 @@ TEST_CASE("formats of meshers hold closed and bounded results only, and TetGen's
   const Scratch dir;
   for (const std::string extension : {".smesh", ".poly"}) {
     CHECK_THROWS_WITH(write(dir / ("m" + extension), c.view()),
-                      Catch::Contains("rounding to them makes facets cross") && Catch::Contains("4 vertices move"));
+                      Catch::Contains("makes facets cross") && Catch::Contains("4 vertices move"));
   }
   CHECK_FALSE(write(dir / "m.msh", c.view()).embedded);
-  c.show(interior(*c.complex, components_of(*c.complex, c.leaves[0])));
+  c.show(apply(*c.complex, Topological::interior, components_of(*c.complex, c.leaves[0])).value);
   for (const std::string extension : {".msh", ".mesh", ".smesh", ".poly"}) {
     CHECK_THROWS_WITH(write(dir / ("m" + extension), c.view()), Catch::Contains("apply `closure`"));
   }
