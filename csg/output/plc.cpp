@@ -11,7 +11,6 @@ namespace {
 using Index = Plc::Index;
 using Vector = std::array<double, 3>;
 using Loop = FlatComplex::Loop;
-constexpr Index kNone = FlatComplex::kNone;
 
 class PlcMaker {
  public:
@@ -24,7 +23,6 @@ class PlcMaker {
   Plc run() {
     for (Index i = 0; i < flat_.faces.size(); ++i) add_face(i);
     for (Index i = 0; i < flat_.edges.size(); ++i) add_edge(i);
-    for (const auto& v : flat_.vertices) plc_.outside |= v.region != kNone && !flat_.active(v.region);
     for (Index i = 0; i < flat_.regions.size(); ++i) {
       const auto& region = flat_.regions[i];
       if (region.component != 0) plc_.regions.push_back({rounded_.seed(i), i});
@@ -49,12 +47,10 @@ class PlcMaker {
     for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
       plc_.segments.push_back({{edge.points[k], edge.points[(k + 1) % n]}, i, edge.wire});
     }
-    plc_.outside |= edge.wire && !flat_.active(edge.region);
   }
 
   void add_face(Index i) {
     const auto& face = flat_.faces[i];
-    plc_.outside |= !flat_.active(face.regions[0]) && !flat_.active(face.regions[1]);
     if (face.facets.empty()) {
       add_facet(i, face.loops, face.isolated, 0, Index(face.triangles.size()));
       return;

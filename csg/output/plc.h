@@ -26,7 +26,6 @@ struct Plc {
   std::vector<Facet> facets;
   std::vector<Segment> segments;                ///< all straight pieces of edges
   std::vector<Seed> regions, holes;             ///< active regions; bounded inactive ones
-  bool outside = false;                         ///< a face, wire or point lies in no active region and bounds none
 };
 
 /// What becomes a facet of the complex as a whole. What does not becomes its triangles.

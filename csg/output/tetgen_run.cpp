@@ -1,5 +1,9 @@
 // The child gets the complex by the fork and writes what TetGen returns to a file in memory that the parent reads.
 // It never returns to the caller's code: it ends by _exit, whatever happens.
+//
+// TetGen is given a box around the complex and fills all of it, cavities too. So nothing has to be carved away
+// before the mesh is refined, which its version 1.5 often fails at, and faces, wires and points outside of all
+// regions are as good as others.
 #include "csg/output/tetgen_run.h"
 
 #include <signal.h>
@@ -8,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -88,19 +93,42 @@ void set_polygon(tetgenio::polygon& polygon, const auto& points) {
   for (std::size_t k = 0; k < points.size(); ++k) polygon.vertexlist[k] = int(points[k]);
 }
 
+/// A box around the complex, half its size away from it.
+void add_frame(std::vector<std::array<double, 3>>& points, std::vector<Plc::Facet>& facets) {
+  auto low = points[0], high = points[0];
+  for (const auto& p : points) {
+    for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  }
+  const double margin = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}) / 2;
+  const auto first = Plc::Index(points.size());
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    auto& p = points.emplace_back();
+    for (unsigned k = 0; k < 3; ++k) p[k] = corner >> k & 1 ? high[k] + margin : low[k] - margin;
+  }
+  constexpr Plc::Index kSides[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
+                                       {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};
+  for (const auto& side : kSides) {
+    auto& polygon = facets.emplace_back().polygons.emplace_back();
+    for (const Plc::Index corner : side) polygon.push_back(first + corner);
+  }
+}
+
 /// Facet markers are places from 1, edge markers edges from 2 (1 is TetGen's own), attributes regions from 1.
 void fill(const Plc& plc, tetgenio& in) {
+  auto points = plc.points;
+  auto facets = plc.facets;
+  add_frame(points, facets);
   in.firstnumber = 0;
-  in.numberofpoints = int(plc.points.size());
-  in.pointlist = new REAL[3 * plc.points.size()];
-  for (std::size_t i = 0; i < plc.points.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) in.pointlist[3 * i + k] = plc.points[i][k];
+  in.numberofpoints = int(points.size());
+  in.pointlist = new REAL[3 * points.size()];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) in.pointlist[3 * i + k] = points[i][k];
   }
-  in.numberoffacets = int(plc.facets.size());
-  in.facetlist = new tetgenio::facet[plc.facets.size()];
-  in.facetmarkerlist = new int[plc.facets.size()];
-  for (std::size_t i = 0; i < plc.facets.size(); ++i) {
-    const Plc::Facet& from = plc.facets[i];
+  in.numberoffacets = int(facets.size());
+  in.facetlist = new tetgenio::facet[facets.size()];
+  in.facetmarkerlist = new int[facets.size()];
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const Plc::Facet& from = facets[i];
     tetgenio::facet& facet = in.facetlist[i];
     tetgenio::init(&facet);
     facet.numberofpolygons = int(from.polygons.size());
@@ -117,11 +145,6 @@ void fill(const Plc& plc, tetgenio& in) {
   for (std::size_t i = 0; i < plc.segments.size(); ++i) {
     for (std::size_t k = 0; k < 2; ++k) in.edgelist[2 * i + k] = int(plc.segments[i].ends[k]);
     in.edgemarkerlist[i] = int(plc.segments[i].edge) + 2;
-  }
-  if (!plc.outside && !plc.holes.empty()) {
-    in.numberofholes = int(plc.holes.size());
-    in.holelist = new REAL[3 * plc.holes.size()];
-    for (std::size_t i = 0; i < 3 * plc.holes.size(); ++i) in.holelist[i] = plc.holes[i / 3].point[i % 3];
   }
   in.numberofregions = int(plc.regions.size());
   in.regionlist = new REAL[5 * plc.regions.size()];
@@ -229,7 +252,7 @@ TetgenResult run_tetgen(const Plc& plc, const std::string& switches) {
   std::fflush(stdout);  // so that the child has nothing of the caller's to print
   const pid_t child = fork();
   if (child < 0) throw FileError(std::string("TetGen could not be started: ") + std::strerror(errno));
-  if (child == 0) run_child(plc, "pAQMJ" + std::string(plc.outside ? "c" : "") + switches, result, said);
+  if (child == 0) run_child(plc, "pAQMJ" + switches, result, said);
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) throw FileError(std::string("TetGen was lost: ") + std::strerror(errno));

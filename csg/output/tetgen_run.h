@@ -8,19 +8,20 @@
 
 namespace cnrg {
 
-/// What TetGen returns. The points of the complex keep their numbers; Steiner points follow.
+/// What TetGen returns, of a box around the complex. The points of the complex keep their numbers; the corners of
+/// the box and Steiner points follow.
 struct TetgenResult {
   using Index = std::uint32_t;
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<Index, 4>> tetrahedra;
   std::vector<std::int32_t> attribute;        ///< of each tetrahedron: place in `Plc::regions` + 1; more: none
   std::vector<std::array<Index, 3>> triangles;
-  std::vector<std::int32_t> facet;            ///< of each triangle: place in `Plc::facets`
+  std::vector<std::int32_t> facet;            ///< of each triangle: place in `Plc::facets`; more: on the box
   std::vector<std::array<Index, 2>> segments;
-  std::vector<std::int32_t> edge;             ///< of each segment: the edge, or -1 between two facets of a face
+  std::vector<std::int32_t> edge;             ///< of each segment: the edge, or -1 where there is none
 };
 
-/// Runs TetGen's library with these switches besides `pAQMJ` (and `c` where the complex has something outside).
+/// Runs TetGen's library with these switches besides `pAQMJ`.
 /// Throws InputError with what TetGen said and what helps, std::bad_alloc when it runs out of memory.
 TetgenResult run_tetgen(const Plc& plc, const std::string& switches);
 

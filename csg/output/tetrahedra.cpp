@@ -49,10 +49,7 @@ class TetrahedraMaker {
                        "and points");
     }
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
-    // Points of whole facets are off their plane by rounding. TetGen may triangulate them as it likes, which gives
-    // better tetrahedra; only with our triangles the volumes stay exact.
-    plc_ = plc_of(view_, flat_, rounded, options_.keep_boundary ? PlcFacets::planar : PlcFacets::all);
-    out_ = run_tetgen(plc_, switches_of(options_));
+    run_tetgen_on(rounded);
     result_.rounding = rounded.report();
     make_entities();
     take_tetrahedra();
@@ -85,6 +82,21 @@ class TetrahedraMaker {
 
   Mesh& mesh() { return result_.mesh; }
   static std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
+
+  /// Points of whole facets are off their plane by rounding. TetGen may triangulate them as it likes, which gives
+  /// better tetrahedra, but now and then it stumbles over that. Our triangles are planar, and keep volumes exact.
+  void run_tetgen_on(const RoundedResult& rounded) {
+    if (!options_.keep_boundary) {
+      plc_ = plc_of(view_, flat_, rounded, PlcFacets::all);
+      try {
+        out_ = run_tetgen(plc_, switches_of(options_));
+        return;
+      } catch (const InputError&) {
+      }
+    }
+    plc_ = plc_of(view_, flat_, rounded, PlcFacets::planar);
+    out_ = run_tetgen(plc_, switches_of(options_));
+  }
 
   /// The edge that a step of a boundary walk follows: number + 1, negative against the chain.
   std::int32_t step(Index a, Index b) const {
@@ -149,10 +161,7 @@ class TetrahedraMaker {
     for (const Vector& p : out_.points) table.add(p[0], p[1], p[2]);
     for (std::size_t i = 0; i < out_.tetrahedra.size(); ++i) {
       const std::int32_t attribute = out_.attribute[i];
-      if (attribute < 1 || attribute > std::int32_t(plc_.regions.size())) {
-        require(plc_.outside, "tetrahedra: TetGen returns a tetrahedron of no region");
-        continue;
-      }
+      if (attribute < 1 || attribute > std::int32_t(plc_.regions.size())) continue;
       auto t = out_.tetrahedra[i];
       const int sign = orient3d(table, VertexId(t[0]), VertexId(t[1]), VertexId(t[2]), VertexId(t[3]));
       require(sign != 0, "tetrahedra: TetGen returns a flat tetrahedron");
@@ -186,8 +195,7 @@ class TetrahedraMaker {
     std::vector<Vector> normals;
     for (const auto& facet : plc_.facets) normals.push_back(normal_of(facet.polygons[0]));
     for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
-      require(out_.facet[i] >= 0 && std::size_t(out_.facet[i]) < plc_.facets.size(),
-              "tetrahedra: TetGen returns a triangle of no facet");
+      if (std::size_t(out_.facet[i]) >= plc_.facets.size()) continue;  // on the box
       auto t = out_.triangles[i];
       const Vector n = normal_of({t[0], t[1], t[2]}), &m = normals[std::size_t(out_.facet[i])];
       if (n[0] * m[0] + n[1] * m[1] + n[2] * m[2] < 0) std::swap(t[1], t[2]);
@@ -232,9 +240,12 @@ class TetrahedraMaker {
       for (; at < segments.size() && segments[at].entity == e; ++at) {
         for (const Index p : segments[at].points) ++degree[p];
       }
+      // A chain may come back to the vertex where it began.
       const auto& edge = flat_.edges[e];
-      for (const Index p : edge.points) {
-        const bool end = !edge.closed && (p == edge.points.front() || p == edge.points.back());
+      const bool returns = edge.closed || edge.points.front() == edge.points.back();
+      for (std::size_t k = 0; k + (returns && !edge.closed ? 1 : 0) < edge.points.size(); ++k) {
+        const Index p = edge.points[k];
+        const bool end = !returns && (k == 0 || k + 1 == edge.points.size());
         const auto found = degree.find(p);
         require(found != degree.end() && found->second == (end ? 1 : 2),
                 "tetrahedra: TetGen lost a part of an edge");

@@ -130,6 +130,37 @@ TEST_CASE("the same mesh every time, in every format", "[mesh]") {
   for (const std::string& name : msh.names_of(3)) CHECK(medit.volume(name) == msh.volume(name));
 }
 
+TEST_CASE("a rim that comes back to its only vertex", "[mesh]") {
+  Soup soup;
+  add_drum(soup, 12, 0, 3);
+  add_wire(soup, {5, 0, 3}, {8, 0, 3});
+  Case c(soup);
+  c.show(c.unite());
+  for (const TetrahedraOptions& options : {TetrahedraOptions{}, kKept}) {
+    const MeshFile mesh = meshed(c.view(), options);
+    CHECK(mesh.measure(mesh.in_group(1, "wire of leaf1")) == Approx(3).epsilon(1e-14));
+    CHECK(mesh.names_of(3).size() == 1);
+  }
+}
+
+TEST_CASE("crossing fractures: their area and the volume of the rock are kept", "[mesh]") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {2, 2, 2});
+  add_sheet(soup, {{Rational(1, 3), Rational(1, 3), 1}, {Rational(5, 3), Rational(1, 3), 1},
+                   {Rational(5, 3), Rational(5, 3), 1}, {Rational(1, 3), Rational(5, 3), 1}});
+  add_sheet(soup, {{1, Rational(1, 7), Rational(1, 7)}, {1, Rational(9, 7), Rational(1, 7)},
+                   {1, Rational(9, 7), Rational(13, 7)}, {1, Rational(1, 7), Rational(13, 7)}});
+  Case c(soup);
+  c.show(c.unite(Dominance::right));
+  for (const TetrahedraOptions& options : {TetrahedraOptions{}, kKept, TetrahedraOptions{0, 1.4, false}}) {
+    const MeshFile mesh = meshed(c.view(), options);
+    CHECK(to_double(mesh.volume("region 1")) == Approx(8).epsilon(1e-14));
+    CHECK(mesh.measure(mesh.in_group(2, "face of leaf1")) == Approx(16.0 / 9).epsilon(1e-14));
+    CHECK(mesh.measure(mesh.in_group(2, "face of leaf2")) == Approx(96.0 / 49).epsilon(1e-14));
+    CHECK(mesh.loose(2) == 0);
+  }
+}
+
 TEST_CASE("what can not be meshed says so", "[mesh][errors]") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {1, 1, 1});
