@@ -65,8 +65,11 @@ std::vector<std::string> chosen_systems(const Setup& setup, const Options& optio
   }
   if (!names.empty()) return names;
   for (const System& system : setup.systems) {
-    if (system.absent.empty()) names.push_back(system.name);
-    else std::fprintf(stderr, "bench_sweep: notice: %s is left out: %s\n", system.name.c_str(), system.absent.c_str());
+    if (system.absent.empty())
+      names.push_back(system.name);
+    else
+      std::fprintf(stderr, "bench_sweep: notice: %s is left out: %s\n", system.name.c_str(),
+                   system.absent.c_str());
   }
   return names;
 }
@@ -100,14 +103,18 @@ int run_one(const Options& options, Setup& setup) {
   try {
     if (system == "truth") {
       const Truth truth = establish_truth(setup, problem);
-      if (store) store->write_truth(problem, truth);
-      else std::cout << to_json(truth);
+      if (store)
+        store->write_truth(problem, truth);
+      else
+        std::cout << to_json(truth);
       return 0;
     }
     const std::optional<Truth> known = store ? store->truth(problem) : std::nullopt;
     const SweepRow row = run_unit(setup, problem, system, known ? *known : establish_truth(setup, problem));
-    if (store) store->write_row(row);
-    else std::cout << to_json(row);
+    if (store)
+      store->write_row(row);
+    else
+      std::cout << to_json(row);
     return 0;
   } catch (const ProblemError& error) {
     if (!store) throw;
@@ -139,7 +146,12 @@ std::vector<std::string> unit_command(const Options& options, const Setup& setup
   std::snprintf(seconds, sizeof seconds, "%.17g", options.seconds);
   std::snprintf(gigabytes, sizeof gigabytes, "%.17g", options.gigabytes);
   std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(),
-                                 "--out", options.out, "--seconds", seconds, "--gigabytes", gigabytes};
+                                 "--out",
+                                 options.out,
+                                 "--seconds",
+                                 seconds,
+                                 "--gigabytes",
+                                 gigabytes};
   if (!setup.folder.empty()) words.push_back(setup.folder);
   for (const std::string& program : options.programs) words.insert(words.end(), {"--system", program});
   words.push_back("--one");
@@ -156,7 +168,8 @@ bool say_failed(const std::vector<FailedUnit>& failed) {
       continue;
     }
     ++broken;
-    std::fprintf(stderr, "bench_sweep: error: %s of %s ended with status %d and has no row; run it again by --one\n",
+    std::fprintf(stderr,
+                 "bench_sweep: error: %s of %s ended with status %d and has no row; run it again by --one\n",
                  f.unit.system.c_str(), f.unit.problem.c_str(), f.status);
   }
   if (left_out != 0) std::fprintf(stderr, "bench_sweep: %zu problems are left out\n", left_out);
@@ -238,9 +251,10 @@ int main(int argc, char** argv) {
   using namespace cnrg::bench;
   Options options;
   Choice& choice = options.choice;
-  CLI::App program{"Systems over families of problems or a folder of meshes: what becomes of each. A sweep that was "
-                   "stopped goes on with the same command.\nExample: bench/run turned edge --seeds 3 --jobs 2",
-                   "bench_sweep"};
+  CLI::App program{
+      "Systems over families of problems or a folder of meshes: what becomes of each. A sweep that was "
+      "stopped goes on with the same command.\nExample: bench/run turned edge --seeds 3 --jobs 2",
+      "bench_sweep"};
   program.add_option("NAMES", choice.names, "Families, problems, `all`, or one folder of meshes");
   program.add_flag("--list", options.list, "List families and systems");
   program.add_option("--systems", options.systems, "Systems, all that can run otherwise")->delimiter(',');
@@ -249,8 +263,10 @@ int main(int argc, char** argv) {
   program.add_option("--sizes", choice.sizes, "Sizes instead of the usual ones")
       ->delimiter(',')
       ->check(CLI::PositiveNumber);
-  program.add_option("--distances", choice.distances, "`exact` and k from 0 to 16, instead of all")->delimiter(',');
-  program.add_option("--operations", choice.operations, "Of union, difference, intersection, fold")->delimiter(',');
+  program.add_option("--distances", choice.distances, "`exact` and k from 0 to 16, instead of all")
+      ->delimiter(',');
+  program.add_option("--operations", choice.operations, "Of union, difference, intersection, fold")
+      ->delimiter(',');
   program.add_option("--seeds", choice.seeds, "Seeds of each, instead of the usual number")
       ->check(CLI::Range(1, 1000000));
   program.add_option("--first-seed", choice.first_seed, "The first seed (1)")->check(CLI::Range(1, 1000000000));
@@ -264,7 +280,8 @@ int main(int argc, char** argv) {
   program.add_flag("--units", options.units, "Print problem and system of each row, and run nothing");
   program.add_flag("--describe", options.describe,
                    "Write what the report says of systems, families and this machine, and run nothing");
-  program.add_option("--one", options.one, "Run one row, and print it, or with --out write it; SYSTEM may be `truth`")
+  program
+      .add_option("--one", options.one, "Run one row, and print it, or with --out write it; SYSTEM may be `truth`")
       ->expected(2)
       ->type_name("PROBLEM SYSTEM");
   return command(program, argc, argv, [&] { return run(options); });

@@ -14,8 +14,8 @@ namespace {
 
 /// Faces with solid on one side only, and how they go on at their edges.
 ///
-/// Notation: a use is a place among the values of `Complex::edge_uses`; use * 2 is the end of its half-edge where it
-/// leaves, use * 2 + 1 where it arrives. Joined ends are one corner of the surface, seen from the solid.
+/// Notation: a use is a place among the values of `Complex::edge_uses`; use * 2 is the end of its half-edge where
+/// it leaves, use * 2 + 1 where it arrives. Joined ends are one corner of the surface, seen from the solid.
 class BoundaryWalk {
  public:
   BoundaryWalk(const Complex& complex, const std::vector<RegionId>& solid)

@@ -19,9 +19,12 @@ using Leaves = std::vector<std::vector<LeafId>>;
 
 BooleanOp boolean_op(Operation operation) {
   switch (operation) {
-    case Operation::unite: return BooleanOp::unite;
-    case Operation::intersect: return BooleanOp::intersect;
-    case Operation::subtract: break;
+    case Operation::unite:
+      return BooleanOp::unite;
+    case Operation::intersect:
+      return BooleanOp::intersect;
+    case Operation::subtract:
+      break;
   }
   return BooleanOp::subtract;
 }
@@ -41,7 +44,8 @@ CellSet exact_set(const Complex& complex, const std::vector<Group>& groups, cons
   Group value = united(complex, groups, operands[0]);
   for (std::size_t i = 0; i < problem.steps.size(); ++i)
     value = apply(complex, boolean_op(problem.steps[i]), Dominance::equal, value,
-                  united(complex, groups, operands[i + 1])).group;
+                  united(complex, groups, operands[i + 1]))
+                .group;
   return point_set(complex, value);
 }
 
@@ -57,12 +61,13 @@ std::size_t duplicates_of(const Model& model) {
   for (std::size_t i = 0; i < used.size(); ++i)
     if (used[i]) points.push_back(&model.points[i]);
   std::sort(points.begin(), points.end(), [](const auto* a, const auto* b) { return *a < *b; });
-  const auto end = std::unique(points.begin(), points.end(), [](const auto* a, const auto* b) { return *a == *b; });
+  const auto end =
+      std::unique(points.begin(), points.end(), [](const auto* a, const auto* b) { return *a == *b; });
   return static_cast<std::size_t>(points.end() - end);
 }
 
-/// Shells and genus of the boundary as the system's own vertices and faces say it; nothing when these are no closed
-/// 2-manifold.
+/// Shells and genus of the boundary as the system's own vertices and faces say it; nothing when these are no
+/// closed 2-manifold.
 std::optional<BoundarySurface> own_surface(const Model& model) {
   std::map<std::array<std::uint32_t, 2>, std::uint32_t> face_left_of;  // by directed edge
   UnionFind faces(model.faces.size()), places(model.points.size());
@@ -89,7 +94,8 @@ std::optional<BoundarySurface> own_surface(const Model& model) {
     ++fan[edge[0]];
   }
   // A vertex is one only if its faces go around it once.
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> before;  // of each directed edge, where the loop comes from
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t>
+      before;  // of each directed edge, where the loop comes from
   for (const Model::Face& face : model.faces) {
     if (!face.solid) continue;
     for (const auto& loop : face.loops)
@@ -255,7 +261,7 @@ Judgement judge(const Problem& problem, const Model& result, double rounding) {
   }
   const Complex& complex = *built;
   const std::vector<Group> groups = leaf_groups(complex);
-  Comparison c{complex, exact_set(complex, groups, problem, operands), {}, rounding, extent_of(problem),
+  Comparison c{complex,         exact_set(complex, groups, problem, operands), {}, rounding, extent_of(problem),
                problem.solids()};
   for (const LeafId leaf : found) c.found = unite(c.found, point_set(complex, groups[leaf.index()]));
   j.truth = facts_of(complex, c.exact);
@@ -269,8 +275,10 @@ Judgement judge(const Problem& problem, const Model& result, double rounding) {
   const double unit = whole > 0 ? whole : c.extent * c.extent * c.extent;
   j.excess = excess / unit;
   j.missing = missing / unit;
-  if (rounding == 0) judge_exact(c, j);
-  else judge_rounded(c, result, excess + missing, j);
+  if (rounding == 0)
+    judge_exact(c, j);
+  else
+    judge_rounded(c, result, excess + missing, j);
   return j;
 }
 

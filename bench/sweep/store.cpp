@@ -40,7 +40,8 @@ std::string read(const std::string& path) {
 nlohmann::json settings_of(const Setup& setup) {
   nlohmann::json programs = nlohmann::json::object();
   for (const System& system : setup.systems)
-    if (!system.executable.empty()) programs[system.name] = {{"program", system.executable}, {"rounding", system.rounding}};
+    if (!system.executable.empty())
+      programs[system.name] = {{"program", system.executable}, {"rounding", system.rounding}};
   return {{"seconds", setup.limits.seconds},
           {"bytes", setup.limits.bytes},
           {"folder", setup.folder},
@@ -85,7 +86,8 @@ void Store::describe(const Setup& setup, const std::string& commit) const {
     systems.push_back({s.name, s.title, s.guarantee, s.version, s.rounding, s.regularized, s.absent});
   std::vector<FamilyInfo> all;
   for (const Family& f : families()) all.push_back({f.name, f.title, f.size_means});
-  all.push_back({kFilesFamily, "meshes of a folder: two that belong together, or one and its copy turned about its middle",
+  all.push_back({kFilesFamily,
+                 "meshes of a folder: two that belong together, or one and its copy turned about its middle",
                  "triangles"});
   MachineInfo machine = this_machine();
   machine.commit = commit;
@@ -102,7 +104,8 @@ void Store::lock() {
   lock_ = open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
   if (lock_ < 0) fail(path, "can not be opened");
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0)
-    throw std::runtime_error(folder_ + ": another sweep is at work here; wait for it, or give another folder by --out");
+    throw std::runtime_error(folder_ +
+                             ": another sweep is at work here; wait for it, or give another folder by --out");
 }
 
 std::string Store::truth_path(const std::string& problem) const { return folder_ + "/truth/" + problem + ".json"; }

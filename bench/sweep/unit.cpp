@@ -61,7 +61,8 @@ std::string answer_text(const Setup& setup, const std::string& name, const Syste
   } catch (const Refusal& refusal) {
     return Json{{"answered", false}, {"stage", refusal.stage()}, {"message", refusal.what()}}.dump() + "\n";
   } catch (const std::exception& error) {
-    return Json{{"answered", false}, {"stage", "unknown"}, {"message", error.what()}, {"thrown", true}}.dump() + "\n";
+    return Json{{"answered", false}, {"stage", "unknown"}, {"message", error.what()}, {"thrown", true}}.dump() +
+           "\n";
   }
 }
 
@@ -84,10 +85,14 @@ struct Judged {
 
 std::string why(const ChildResult& child, double limit) {
   switch (child.end) {
-    case End::timeout: return "no result in " + std::to_string(static_cast<long>(limit)) + " s";
-    case End::out_of_memory: return "memory ran out";
-    case End::crash: return "crashed: " + std::string(strsignal(child.signal));
-    case End::done: break;
+    case End::timeout:
+      return "no result in " + std::to_string(static_cast<long>(limit)) + " s";
+    case End::out_of_memory:
+      return "memory ran out";
+    case End::crash:
+      return "crashed: " + std::string(strsignal(child.signal));
+    case End::done:
+      break;
   }
   return "ended without a result";
 }
@@ -99,8 +104,8 @@ Judged judged(const Setup& setup, const std::string& name, const System& system,
         try {
           std::istringstream in(model);
           const Judgement j = judge(setup.make(name), read_model(in), system.rounding);
-          Json out{{"verdict", to_string(j.verdict)}, {"stage", j.stage},     {"message", j.message},
-                   {"truth", to_json(j.truth)},       {"excess", j.excess},   {"missing", j.missing},
+          Json out{{"verdict", to_string(j.verdict)}, {"stage", j.stage},   {"message", j.message},
+                   {"truth", to_json(j.truth)},       {"excess", j.excess}, {"missing", j.missing},
                    {"duplicates", j.duplicates}};
           if (j.facts) out["facts"] = to_json(*j.facts);
           return out.dump() + "\n";
@@ -132,7 +137,8 @@ void describe(const Setup& setup, SweepRow& row) {
       [&] {
         try {
           const Problem problem = setup.make(row.problem);
-          return Json{{"operands", problem.operands.size()}, {"triangles", problem.triangle_count()}}.dump() + "\n";
+          return Json{{"operands", problem.operands.size()}, {"triangles", problem.triangle_count()}}.dump() +
+                 "\n";
         } catch (const std::exception& error) {
           return Json{{"error", error.what()}}.dump() + "\n";
         }
@@ -140,8 +146,7 @@ void describe(const Setup& setup, SweepRow& row) {
       judging_limits(setup.limits));
   const Json head = child.end == End::done ? reply_of(child.text).head : Json();
   if (head.is_null())
-    throw ProblemError(row.problem + " could not be made: " +
-                             why(child, judging_limits(setup.limits).seconds));
+    throw ProblemError(row.problem + " could not be made: " + why(child, judging_limits(setup.limits).seconds));
   if (head.contains("error"))
     throw ProblemError(row.problem + " could not be made: " + head["error"].get<std::string>());
   head.at("operands").get_to(row.operands);
@@ -166,10 +171,17 @@ void no_answer(const Run& run, double limit, SweepRow& row) {
   row.seconds = run.child.seconds;
   row.message = why(run.child, limit);
   switch (run.child.end) {
-    case End::timeout: row.verdict = Verdict::timed_out, row.stage = "time"; return;
-    case End::out_of_memory: row.verdict = Verdict::out_of_memory, row.stage = "memory"; return;
-    case End::crash: row.verdict = Verdict::crashed, row.stage = "signal"; return;
-    case End::done: break;
+    case End::timeout:
+      row.verdict = Verdict::timed_out, row.stage = "time";
+      return;
+    case End::out_of_memory:
+      row.verdict = Verdict::out_of_memory, row.stage = "memory";
+      return;
+    case End::crash:
+      row.verdict = Verdict::crashed, row.stage = "signal";
+      return;
+    case End::done:
+      break;
   }
   if (run.reply.head.is_null()) {
     row.verdict = Verdict::crashed;
@@ -242,8 +254,7 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
   return truth;
 }
 
-SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& name,
-                  const Truth& truth) {
+SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& name, const Truth& truth) {
   const System& system = setup.system(name);
   SweepRow row;
   row.problem = problem;

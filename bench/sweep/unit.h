@@ -23,7 +23,7 @@ inline constexpr const char* kFilesFamily = "files";
 
 /// What all units of a sweep share.
 struct Setup {
-  std::string folder;                     ///< of mesh files; empty: problems are of families
+  std::string folder;                       ///< of mesh files; empty: problems are of families
   Limits limits{60, std::size_t{4} << 30};  ///< of each run; judging may take five times as long
   std::vector<System> systems;
   Problem make(const std::string& problem) const;
@@ -35,7 +35,6 @@ struct Setup {
 Truth establish_truth(const Setup& setup, const std::string& problem);
 
 /// Runs and judges. Throws ProblemError.
-SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& system,
-                  const Truth& truth);
+SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& system, const Truth& truth);
 
 }  // namespace cnrg::bench

@@ -138,7 +138,8 @@ TEST_CASE("shells and genus of the exact result") {
   CHECK(facts.shells == 1);
   CHECK(facts.faces == 10);
   // A cavity is a shell of its own.
-  const Facts hollow = exact_facts(problem_of(box({0, 0, 0}, {3, 3, 3}), Operation::subtract, box({1, 1, 1}, {2, 2, 2})));
+  const Facts hollow =
+      exact_facts(problem_of(box({0, 0, 0}, {3, 3, 3}), Operation::subtract, box({1, 1, 1}, {2, 2, 2})));
   CHECK(hollow.shells == 2);
   CHECK(hollow.genus == 0);
   CHECK(hollow.regions == 1);

@@ -1,7 +1,6 @@
 // The program bench_sweep as its users have it: bad input, a kill at any moment, limits, the workflow, the report.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -25,7 +24,7 @@ std::map<std::pair<std::string, std::string>, SweepRow> rows_of(const Workshop& 
   for (const auto& entry : fs::recursive_directory_iterator(w.path(out + "/rows"))) {
     if (!entry.is_regular_file()) continue;
     const fs::path name = fs::relative(entry.path(), w.path(""));
-    if (name.extension() == ".part") continue;                    // of a killed process; never read
+    if (name.extension() == ".part") continue;                      // of a killed process; never read
     if (entry.path().parent_path().filename() == "rows") continue;  // systems, families, machine
     const SweepRow row = row_of_json(w.read(name.string()));
     CHECK(name.stem() == row.system);
@@ -62,8 +61,9 @@ TEST_CASE("bad input has one clear line", "[sweep]") {
 
 TEST_CASE("a sweep that is killed goes on, and nothing is lost or there twice", "[sweep]") {
   const Workshop w;
-  const std::string arguments = "edge --operations union --distances exact,3,16 --seeds 2 --sizes 4 "
-                                "--systems ours,mantyla-double,mantyla-exact,corefinement --out out --quiet --jobs 2";
+  const std::string arguments =
+      "edge --operations union --distances exact,3,16 --seeds 2 --sizes 4 "
+      "--systems ours,mantyla-double,mantyla-exact,corefinement --out out --quiet --jobs 2";
   const Outcome units = w.run(arguments + " --units");
   REQUIRE(units.status == 0);
   const auto count = static_cast<std::size_t>(std::count(units.out.begin(), units.out.end(), '\n'));
@@ -72,8 +72,8 @@ TEST_CASE("a sweep that is killed goes on, and nothing is lost or there twice", 
   std::map<std::string, fs::file_time_type> written;
   int kills = 0;
   for (const char* seconds : {"0.05", "0.3", "0.6"}) {
-    const Outcome killed = w.shell("timeout -s KILL " + std::string(seconds) + " '" CNRG_PROGRAM "' " + arguments +
-                                   " >.out 2>.err");
+    const Outcome killed =
+        w.shell("timeout -s KILL " + std::string(seconds) + " '" CNRG_PROGRAM "' " + arguments + " >.out 2>.err");
     if (killed.status != 0) ++kills;
     for (const auto& [path, time] : written) {
       INFO(path);
@@ -103,10 +103,12 @@ TEST_CASE("only one sweep has a folder at a time", "[sweep]") {
   const Workshop w;
   w.write("slow", "#!/bin/sh\nsleep 20\n");
   fs::permissions(w.path("slow"), fs::perms::owner_all);
-  const std::string arguments = "turned --operations union --distances exact --seeds 1 --system slow=slow "
-                                "--systems slow --out out --quiet";
-  const Outcome o = w.shell("('" CNRG_PROGRAM "' " + arguments + " >/dev/null 2>&1 & echo $! > pid); sleep 1; '"
-                            CNRG_PROGRAM "' " + arguments + " >.out 2>.err; s=$?; kill -9 $(cat pid); exit $s");
+  const std::string arguments =
+      "turned --operations union --distances exact --seeds 1 --system slow=slow "
+      "--systems slow --out out --quiet";
+  const Outcome o = w.shell("('" CNRG_PROGRAM "' " + arguments +
+                            " >/dev/null 2>&1 & echo $! > pid); sleep 1; '" CNRG_PROGRAM "' " + arguments +
+                            " >.out 2>.err; s=$?; kill -9 $(cat pid); exit $s");
   CHECK(o.status == 2);
   CHECK(o.err.find("another sweep is at work") != std::string::npos);
 }
@@ -119,9 +121,12 @@ TEST_CASE("programs of the user: slow, greedy, crashing, refusing", "[sweep]") {
     return " --system " + name + "=" + name;
   };
   const std::string programs = program("slow", "sleep 30") + program("crash", "kill -SEGV $$") +
-                               program("refuse", "echo I can not >&2; exit 3") + program("first", "cp \"$2\" \"$4\"");
-  const Outcome o = w.run("face --operations union --distances exact --seeds 1 --sizes 4 --systems "
-                          "slow,crash,refuse,first --seconds 2 --out out --quiet" + programs);
+                               program("refuse", "echo I can not >&2; exit 3") +
+                               program("first", "cp \"$2\" \"$4\"");
+  const Outcome o = w.run(
+      "face --operations union --distances exact --seeds 1 --sizes 4 --systems "
+      "slow,crash,refuse,first --seconds 2 --out out --quiet" +
+      programs);
   INFO(o.err);
   REQUIRE(o.status == 0);
   std::map<std::string, SweepRow> by_system;
@@ -161,12 +166,14 @@ TEST_CASE("a folder of meshes; a broken one is left out", "[sweep]") {
 
 TEST_CASE("the workflow makes the same rows, with several jobs; then the report", "[sweep]") {
   const Workshop w;
-  const std::string sweep = "vertex --operations union,intersection --distances exact,6 --seeds 1 --sizes 4 "
-                            "--systems ours,mantyla-exact";
+  const std::string sweep =
+      "vertex --operations union,intersection --distances exact,6 --seeds 1 --sizes 4 "
+      "--systems ours,mantyla-exact";
   REQUIRE(w.run(sweep + " --out plain --quiet --jobs 2").status == 0);
-  const Outcome o = w.shell("snakemake --snakefile '" CNRG_SNAKEFILE "' --cores 2 --quiet --nolock --config "
-                            "program='" CNRG_PROGRAM "' report='" CNRG_REPORT "' out=\"$PWD/flow\" sweep='" + sweep +
-                            "' >.out 2>.err");
+  const Outcome o = w.shell("snakemake --snakefile '" CNRG_SNAKEFILE
+                            "' --cores 2 --quiet --nolock --config "
+                            "program='" CNRG_PROGRAM "' report='" CNRG_REPORT "' out=\"$PWD/flow\" sweep='" +
+                            sweep + "' >.out 2>.err");
   INFO(o.err);
   REQUIRE(o.status == 0);
   const auto plain = rows_of(w, "plain"), flow = rows_of(w, "flow");
