@@ -21,7 +21,7 @@ struct ChildResult {
 };
 
 /// Runs `work` in a forked process and returns its text. The caller must not have started threads. The process
-/// ends with its parent, however that ends.
+/// ends with its parent, however that ends; what it started and left behind ends with it.
 ChildResult run_child(const std::function<std::string()>& work, const Limits& limits = {});
 
 }  // namespace cnrg::bench

@@ -179,7 +179,7 @@ System our_system() {
   return {.name = "ours",
           .title = "cnrg",
           .guarantee = "solids by winding number, surfaces, wires and points; exact; one thread",
-          .version = CNRG_VERSION,
+          .version = [] { return std::string(CNRG_VERSION); },
           .rounding = 0,
           .regularized = false,
           .absent = "",

@@ -58,6 +58,12 @@ void thin_out(std::vector<std::string>& problems, std::size_t limit) {
   problems = std::move(some);
 }
 
+bool is_operation(const std::string& name) {
+  return std::any_of(families().begin(), families().end(), [&](const Family& f) {
+    return std::find(f.operations.begin(), f.operations.end(), name) != f.operations.end();
+  });
+}
+
 bool is_problem(const std::string& name) {
   try {
     const ProblemId id = ProblemId::parse(name);
@@ -95,6 +101,10 @@ Plan plan_of(const Choice& choice) {
                                " (`all`: all of them); the benchmarks of speed are `bench/run speed NAME`");
     }
   }
+  for (const std::string& operation : choice.operations)
+    if (!is_operation(operation))
+      throw std::runtime_error("'" + operation +
+                               "' is no operation; there are union, difference, intersection, fold");
   thin_out(plan.problems, choice.limit);
   std::vector<std::string> sorted = plan.problems;
   std::sort(sorted.begin(), sorted.end());

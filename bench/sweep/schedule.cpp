@@ -15,7 +15,6 @@ namespace cnrg::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr const char* kTruth = "truth";
 
 pid_t start(const std::vector<std::string>& words) {
   std::vector<char*> argv;

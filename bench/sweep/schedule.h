@@ -8,8 +8,11 @@
 
 namespace cnrg::bench {
 
+/// Stands for a system: who confirms the exact result.
+inline constexpr const char* kTruth = "truth";
+
 struct Unit {
-  std::string problem, system;  ///< system `truth`: who confirms the exact result; it comes first
+  std::string problem, system;  ///< `kTruth` comes first
 };
 
 struct Progress {

@@ -58,6 +58,9 @@ std::string answer_text(const Setup& setup, const std::string& name, const Syste
     return out.str();
   } catch (const std::bad_alloc&) {
     throw;
+  } catch (const Crash& crash) {
+    return Json{{"answered", false}, {"stage", "signal"}, {"message", crash.what()}, {"thrown", true}}.dump() +
+           "\n";
   } catch (const Refusal& refusal) {
     return Json{{"answered", false}, {"stage", refusal.stage()}, {"message", refusal.what()}}.dump() + "\n";
   } catch (const std::exception& error) {
@@ -97,7 +100,10 @@ std::string why(const ChildResult& child, double limit) {
   return "ended without a result";
 }
 
-Judged judged(const Setup& setup, const std::string& name, const System& system, const std::string& model) {
+using Judge = Judgement(const Problem&, const Model&, double);
+
+Judged judged_by(Judge* judge, const Setup& setup, const std::string& name, const System& system,
+                 const std::string& model) {
   const Limits limits = judging_limits(setup.limits);
   const ChildResult child = run_child(
       [&] {
@@ -129,6 +135,13 @@ Judged judged(const Setup& setup, const std::string& name, const System& system,
   j.truth = facts_of_json(head.at("truth").get<std::string>());
   if (head.contains("facts")) j.facts = facts_of_json(head["facts"].get<std::string>());
   return {j, {}};
+}
+
+Judged judged(const Setup& setup, const std::string& name, const System& system, const std::string& model) {
+  const Judged compared = judged_by(judge, setup, name, system, model);
+  if (compared.judgement) return compared;
+  const Judged by_volume = judged_by(judge_by_volume, setup, name, system, model);
+  return by_volume.judgement && by_volume.judgement->verdict == Verdict::wrong ? by_volume : compared;
 }
 
 /// Names and sizes of the problem, by a process of its own: this one stays small.
@@ -192,16 +205,6 @@ void no_answer(const Run& run, double limit, SweepRow& row) {
   run.reply.head.at("message").get_to(row.message);
 }
 
-/// As a shell takes it.
-std::string quoted(const std::string& word) {
-  if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=:,+") ==
-      std::string::npos)
-    return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 }  // namespace
 
 Problem Setup::make(const std::string& problem) const {
@@ -239,7 +242,8 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
     }
     truth.facts = j.judgement->truth;
     if (system.rounding == 0) {
-      const bool agrees = j.judgement->verdict == Verdict::same;
+      const Verdict v = j.judgement->verdict;
+      const bool agrees = v == Verdict::same || v == Verdict::contact_duplicated;
       truth.confirmed = agrees ? "Nef" : "DISAGREES";
       if (!agrees) add_reason(j.judgement->message);
       return truth;
@@ -254,6 +258,29 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
   return truth;
 }
 
+std::string quoted(const std::string& word) {
+  if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=:,+") ==
+      std::string::npos)
+    return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+std::string reproducing_command(const Setup& setup, const std::string& problem, const System& system) {
+  const Limits usual = Setup().limits;
+  std::ostringstream text;
+  text << "bench/run ";
+  if (!setup.folder.empty()) text << quoted(setup.folder) << ' ';
+  text << "--one " << quoted(problem) << ' ' << quoted(system.name);
+  if (!system.executable.empty())
+    text << " --system " << quoted(system.name + "=" + system.executable) << ':' << system.rounding;
+  if (setup.limits.seconds != usual.seconds) text << " --seconds " << setup.limits.seconds;
+  if (setup.limits.bytes != usual.bytes)
+    text << " --gigabytes " << static_cast<double>(setup.limits.bytes) / (1 << 30);
+  return text.str();
+}
+
 SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& name, const Truth& truth) {
   const System& system = setup.system(name);
   SweepRow row;
@@ -262,8 +289,7 @@ SweepRow run_unit(const Setup& setup, const std::string& problem, const std::str
   row.truth = truth;
   row.limit_seconds = setup.limits.seconds;
   row.limit_bytes = setup.limits.bytes;
-  row.command = "bench/run " + (setup.folder.empty() ? "" : quoted(setup.folder) + " ") + "--one " +
-                quoted(problem) + " " + name;
+  row.command = reproducing_command(setup, problem, system);
   describe(setup, row);
 
   const Run r = run(setup, problem, system);

@@ -2,11 +2,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "bench/sweep/row.h"
@@ -56,6 +57,13 @@ TEST_CASE("bad input has one clear line", "[sweep]") {
   fails("turned nothing", "alone");
   fails("turned --system me=no/such/program", "there is no such program");
   fails("turned --system me", "NAME=PROGRAM");
+  fails("turned --system truth=/bin/true", "no name of a system");
+  fails("turned --system ../me=/bin/true", "no name of a system");
+  fails("turned --system ours=/bin/true", "there is a system 'ours' already");
+  fails("turned --system me=/bin/true:inf", "no rounding");
+  fails("turned --seconds nan", "--seconds");
+  fails("turned --operations union,foo", "'foo' is no operation");
+  fails("--systems ours trned", "'trned' is no family");
   fails("--one turned-union-s1 ours", "turned-union-s1");
 }
 
@@ -135,11 +143,51 @@ TEST_CASE("programs of the user: slow, greedy, crashing, refusing", "[sweep]") {
   CHECK(by_system["slow"].verdict == Verdict::timed_out);
   CHECK(by_system["refuse"].verdict == Verdict::refused);
   CHECK(by_system["refuse"].message.find("I can not") != std::string::npos);
-  CHECK(is_failure(by_system["crash"].verdict));
+  CHECK(by_system["crash"].verdict == Verdict::crashed);
   CHECK(by_system["first"].verdict == Verdict::wrong);  // the first operand is not the union
   CHECK(by_system["first"].missing > 0);
   CHECK(by_system["first"].truth.confirmed == "Nef");
-  CHECK(by_system["first"].command == "bench/run --one face-union-s4-kexact-r1 first");
+  CHECK(by_system["first"].command == "bench/run --one face-union-s4-kexact-r1 first --system first=" +
+                                          fs::canonical(w.path("first")).string() + ":1e-12 --seconds 2");
+}
+
+TEST_CASE("what a program started ends with its run", "[sweep]") {
+  const Workshop w;
+  w.write("slow", "#!/bin/sh\nsleep 54321.5 &\necho $! >> '" + w.path("pids").string() + "'\nsleep 30\n");
+  w.write("left", "#!/bin/sh\nsleep 54321.5 &\necho $! >> '" + w.path("pids").string() + "'\nexit 1\n");
+  for (const char* name : {"slow", "left"}) fs::permissions(w.path(name), fs::perms::owner_all);
+  REQUIRE(w.run("face --operations union --distances exact --seeds 1 --sizes 4 --systems slow,left --system "
+                "slow=slow --system left=left --seconds 1 --out out --quiet")
+              .status == 0);
+  std::istringstream pids(w.read("pids"));
+  int count = 0;
+  for (int pid; pids >> pid; ++count) {
+    bool gone = false;
+    for (int wait = 0; wait < 50 && !gone; ++wait) {
+      std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");  // `PID (NAME) STATE ...`
+      std::string number, name, state;
+      gone = !(stat >> number >> name >> state) || state == "Z";
+      if (!gone) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    CHECK(gone);
+  }
+  CHECK(count == 2);
+}
+
+TEST_CASE("programs join a sweep that is there, and keep their names", "[sweep]") {
+  const Workshop w;
+  w.write("mine", "#!/bin/sh\ncp \"$2\" \"$4\"\n");
+  w.write("other", "#!/bin/sh\ncp \"$3\" \"$4\"\n");
+  for (const char* name : {"mine", "other"}) fs::permissions(w.path(name), fs::perms::owner_all);
+  const std::string arguments = "face --operations union --distances exact --seeds 1 --sizes 4 --out out --quiet ";
+  REQUIRE(w.run(arguments + "--systems ours").status == 0);
+  REQUIRE(w.run(arguments + "--systems ours --system mine=mine").status == 0);
+  CHECK(rows_of(w, "out").size() == 2);
+  const Outcome o = w.run(arguments + "--systems ours --system mine=other");
+  CHECK(o.status == 2);
+  CHECK(o.err.find("a program mine") != std::string::npos);
+  const Json machine = Json::parse(w.read("out/rows/machine.json"));
+  CHECK(machine.at("command").get<std::string>().find("--system mine=mine") != std::string::npos);
 }
 
 TEST_CASE("a folder of meshes; a broken one is left out", "[sweep]") {
@@ -154,7 +202,8 @@ TEST_CASE("a folder of meshes; a broken one is left out", "[sweep]") {
   INFO(o.err);
   CHECK(o.status == 0);
   CHECK(o.err.find("broken.off:4") != std::string::npos);
-  CHECK(o.err.find("1 problems are left out") != std::string::npos);
+  const Json machine = Json::parse(w.read("out/rows/machine.json"));
+  CHECK(machine.at("left_out").size() == 1);
   const auto rows = rows_of(w, "out");
   REQUIRE(rows.size() == 2);
   for (const auto& [key, row] : rows) {
@@ -170,10 +219,13 @@ TEST_CASE("the workflow makes the same rows, with several jobs; then the report"
       "vertex --operations union,intersection --distances exact,6 --seeds 1 --sizes 4 "
       "--systems ours,mantyla-exact";
   REQUIRE(w.run(sweep + " --out plain --quiet --jobs 2").status == 0);
+  fs::create_directories(w.path("flow"));
+  std::string words = sweep;
+  std::replace(words.begin(), words.end(), ' ', '\n');
+  w.write("flow/words", words + "\n");
   const Outcome o = w.shell("snakemake --snakefile '" CNRG_SNAKEFILE
-                            "' --cores 2 --quiet --nolock --config "
-                            "program='" CNRG_PROGRAM "' report='" CNRG_REPORT "' out=\"$PWD/flow\" sweep='" +
-                            sweep + "' >.out 2>.err");
+                            "' --cores 2 --quiet --nolock --config program='" CNRG_PROGRAM "' report='" CNRG_REPORT
+                            "' out=\"$PWD/flow\" >.out 2>.err");
   INFO(o.err);
   REQUIRE(o.status == 0);
   const auto plain = rows_of(w, "plain"), flow = rows_of(w, "flow");
