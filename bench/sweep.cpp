@@ -297,7 +297,17 @@ int main(int argc, char** argv) {
   CLI::App program{
       "Systems over families of problems or a folder of meshes: what becomes of each. A sweep that was "
       "stopped goes on with the same command.\nExample: bench/run turned edge --seeds 3 --jobs 2",
-      "bench_sweep"};
+      "bench/run"};
+  program.footer(
+      "A folder of meshes makes a problem of each two files that belong together by their names (x_left and "
+      "x_right,\n"
+      "src-x and cut-x, xA and xB), and of each other file with its copy turned about its middle. An open mesh is "
+      "a\n"
+      "surface. A report shows all rows of its folder: give each experiment its own --out.\n"
+      "A program of your own is called as PROGRAM OPERATION A.off B.off OUT.off, with `union`, `intersection` or\n"
+      "`difference`, and ends with status 0 when OUT.off is written. ROUNDING (1e-12) is how far its points may "
+      "be\n"
+      "off, as a part of the largest coordinate.");
   program.add_option("NAMES", choice.names, "Families, problems, `all`, or one folder of meshes");
   program.add_flag("--list", options.list, "List families and systems");
   program.add_option("--systems", options.systems, "Systems, all that can run otherwise")
