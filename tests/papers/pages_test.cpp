@@ -1,8 +1,8 @@
 // The pages of the papers: each command in them prints what the page says, and each tree is in such a command.
 //
 // A page shows a command as a line `$ cnrg ...` in a block of code; the lines below it are its claim: they must be
-// printed, in this order. Lines may be left out, spaces and times are free, and `N/D (decimal)` counts as N/D, or as
-// the decimal where D is long.
+// printed, in this order. Lines may be left out, spaces and times are free, and `N/D (decimal)` counts as N/D, or
+// as the decimal where D is long.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -96,7 +96,8 @@ std::vector<fs::path> entries_of(const fs::path& folder, const std::string& exte
 
 TEST_CASE("claims are compared word by word", "[papers]") {
   const std::vector<std::string> printed{"node  op   regions  seconds  volume", "a  box  1  0.000  8",
-                                         "b  cone  2  0.125  1/123456789012 (8.1e-12)", "c  box  1  0.001  1/2 (0.5)"};
+                                         "b  cone  2  0.125  1/123456789012 (8.1e-12)",
+                                         "c  box  1  0.001  1/2 (0.5)"};
   CHECK(first_missing({"a box 1 9.999 8", "b cone 2 0.000 8.1e-12", "c box 1 0.000 1/2"}, printed).empty());
   CHECK(first_missing({"a box 1 0.000 9"}, printed) == "a box 1 0.000 9");
   CHECK(first_missing({"a box 2 0.000 8"}, printed) == "a box 2 0.000 8");
