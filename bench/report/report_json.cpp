@@ -1,5 +1,8 @@
 // The aggregates by name: places of systems and families are replaced by their names.
 #include "bench/report/report.h"
+
+#include <map>
+
 #include "bench/sweep/json_fields.h"
 
 namespace cnrg::bench {
@@ -167,11 +170,20 @@ std::string report_json(const Experiment& experiment, const Summary& summary, co
   out["facts"] = facts_json(experiment, summary, names);
   out["aggregates"] = aggregates(summary, names);
   std::string text = json_text(out);
-  // The rows one per line, as in their files.
   text.pop_back();
-  text += ",\"rows\":[";
+  // The exact results once, by problem; a row per line, as in its file but for them. Facts that are those of the
+  // exact result are the word `exact`.
+  std::map<std::string, std::string> truths;
+  for (const SweepRow& row : experiment.rows) truths.emplace(row.problem, to_json(row.truth));
+  text += ",\"truths\":{";
+  for (auto it = truths.begin(); it != truths.end(); ++it)
+    text += (it == truths.begin() ? "\n" : ",\n") + Json(it->first).dump() + ":" + it->second;
+  text += "\n},\"rows\":[";
   for (std::size_t i = 0; i < experiment.rows.size(); ++i) {
-    text += (i == 0 ? "\n" : ",\n") + to_json(experiment.rows[i]);
+    Json row = Json::parse(to_json(experiment.rows[i]));
+    if (row["facts"] == row["truth"]["facts"]) row["facts"] = "exact";
+    row.erase("truth");
+    text += (i == 0 ? "\n" : ",\n") + json_text(row);
   }
   return text + "\n]}\n";
 }
