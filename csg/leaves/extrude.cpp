@@ -1,6 +1,7 @@
 // Extrusion: S(u, t) = c + s(t) R(t) (p(u) - c) + t v with s from 1 to `scale` and R(t) the turn by t * twist about
 // the axis along v through c. The turns are rational and exactly orthogonal, so sections are planar and similar to
-// the profile, exactly, but for angles that are off by less than 1e-15.
+// the profile, exactly, but for angles that are off by less than 1e-15. Only the two ends need be planar: points of
+// turned sections between them are rounded to doubles.
 //
 // Without twist the facets of a step of the profile are planar quadrilaterals, and as far from the exact shape as
 // the profile's chords are from the profile: at most chord / 2, scaled up where s > 1 (the curve's steps are then
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/leaves/circle.h"
 #include "csg/leaves/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/planar_polygon.h"
@@ -145,12 +147,21 @@ class Extrusion {
     const Rational s = 1 + t * (shape_.scale - 1);
     Transform move = Transform::translation(t * shape_.vector);
     if (shape_.twist != 0) move = move * Transform::rotation(shape_.vector, t * shape_.twist, center_);
+    const Rational size = from_double(radius_);
     std::vector<std::vector<PointId>> result;
     const PointId apex = s == 0 ? builder.point(move.apply(center_)) : PointId::none();
     for (const SampledLine& line : lines) {
       result.emplace_back();
       for (const RationalPoint& p : line.points) {
-        result.back().push_back(s == 0 ? apex : builder.point(move.apply(center_ + s * (p - center_))));
+        if (s == 0) {
+          result.back().push_back(apex);
+          continue;
+        }
+        RationalPoint q = move.apply(center_ + s * (p - center_));
+        if (shape_.twist != 0 && k > 0 && k < sections_) {
+          for (Rational& x : q) x = rounded_for(x, size);
+        }
+        result.back().push_back(builder.point(q));
       }
     }
     return result;

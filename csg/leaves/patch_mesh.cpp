@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <unordered_map>
 
 #include "csg/leaves/chord.h"
+#include "csg/leaves/exact_vectors.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -18,6 +20,72 @@ constexpr std::size_t kMostFacets = 10'000'000;
 /// Parameters in units of 1 / `whole`.
 using Place = std::array<std::uint32_t, 2>;
 using Corners = std::array<std::uint32_t, 3>;
+
+/// The corner of a flat triangle that lies between the other two; its longest edge is opposite.
+std::size_t middle_corner(const PatchMesh& mesh, const Corners& c) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const RationalPoint &b = mesh.points[c[k]], &a = mesh.points[c[(k + 1) % 3]], &d = mesh.points[c[(k + 2) % 3]];
+    if (dot(a - b, d - b) < 0) return k;
+  }
+  throw InvariantError("mesh_patch: a flat triangle without a middle corner");
+}
+
+/// Triangles without area (near a point that a side has shrunk to, corners may lie on one line): a b c with b between a
+/// and c, and its neighbour at a c with the corner d, become a b d and b c d, which cover the neighbour exactly.
+void turn_flat_ones(PatchMesh& mesh) {
+  const auto flat = [&](const Corners& c) { return collinear(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]); };
+  std::multimap<Rational, std::size_t> left;  // by the square of the longest edge
+  const auto note_flat = [&](std::size_t t) {
+    const Corners& c = mesh.triangles[t];
+    if (!flat(c)) return;
+    const std::size_t k = middle_corner(mesh, c);
+    const RationalPoint edge = mesh.points[c[(k + 2) % 3]] - mesh.points[c[(k + 1) % 3]];
+    left.emplace(dot(edge, edge), t);
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) note_flat(t);
+  if (left.empty()) return;
+  std::map<std::array<std::uint32_t, 2>, std::size_t> at_edge;  // directed
+  const auto note = [&](std::size_t t) {
+    for (std::size_t k = 0; k < 3; ++k) at_edge[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}] = t;
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) note(t);
+  // The one with the longest edge first: a flat neighbour then has its longest edge there too, and the two flat ones
+  // that come of it have shorter ones; of another neighbour none comes. What has no neighbour there goes.
+  std::vector<bool> gone(mesh.triangles.size(), false);
+  while (!left.empty()) {
+    const std::size_t t = std::prev(left.end())->second;
+    left.erase(std::prev(left.end()));
+    const Corners c = mesh.triangles[t];
+    if (gone[t] || !flat(c)) continue;
+    const std::size_t k = middle_corner(mesh, c);
+    const std::uint32_t b = c[k], e = c[(k + 1) % 3], a = c[(k + 2) % 3];  // b between e and a
+    const auto other = at_edge.find({a, e});
+    if (other == at_edge.end() || gone[other->second]) {
+      gone[t] = true;
+      continue;
+    }
+    const std::size_t s = other->second;
+    const Corners n = mesh.triangles[s];
+    const std::uint32_t d = n[0] != a && n[0] != e ? n[0] : n[1] != a && n[1] != e ? n[1] : n[2];
+    at_edge.erase({a, e});
+    at_edge.erase({e, a});
+    if (d == b) {  // two flat ones back to back
+      gone[s] = gone[t] = true;
+      continue;
+    }
+    mesh.triangles[t] = {a, b, d};
+    mesh.triangles[s] = {b, e, d};
+    for (std::size_t x : {t, s}) {
+      note(x);
+      note_flat(x);
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!gone[t]) mesh.triangles[kept++] = mesh.triangles[t];
+  }
+  mesh.triangles.resize(kept);
+}
 
 class Mesher {
  public:
@@ -143,8 +211,8 @@ class Mesher {
   }
 
   void add_inside() {
-    for (std::uint32_t j = 1; j + 2 < grid_[1]; ++j) {
-      for (std::uint32_t i = 1; i + 2 < grid_[0]; ++i) {
+    for (std::uint32_t j = 1; j + 1 < grid_[1]; ++j) {
+      for (std::uint32_t i = 1; i + 1 < grid_[0]; ++i) {
         const std::uint32_t a = at_step(i, j), b = at_step(i + 1, j), c = at_step(i + 1, j + 1), d = at_step(i, j + 1);
         add_triangle(a, b, c);
         add_triangle(a, c, d);
@@ -255,6 +323,7 @@ class Mesher {
       const Corners p{point_of[c[0]], point_of[c[1]], point_of[c[2]]};
       if (p[0] != p[1] && p[1] != p[2] && p[2] != p[0]) mesh.triangles.push_back(p);
     }
+    turn_flat_ones(mesh);
     return mesh;
   }
 
