@@ -142,7 +142,7 @@ TEST_CASE("an open curve is swept to a surface") {
 }
 
 TEST_CASE("a ball and a torus by revolution") {
-  for (const char* text : {"0.1", "0.01", "0.001"}) {
+  for (const char* text : {"0.1", "0.01", "0.004"}) {
     const double e = to_double(r(text));
     RevolveShape ball;
     ball.tessellation.chord = r(text);
