@@ -15,16 +15,16 @@ Homogeneous operator+(const Homogeneous& a, const Homogeneous& b) {
 Homogeneous operator-(const Homogeneous& a, const Homogeneous& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
 }
-Homogeneous operator*(const Rational& s, const Homogeneous& a) {
-  return {s * a[0], s * a[1], s * a[2], s * a[3]};
-}
+Homogeneous operator*(const Rational& s, const Homogeneous& a) { return {s * a[0], s * a[1], s * a[2], s * a[3]}; }
 
 /// (1 - t) a + t b. Weights that are all 1 stay so without a product.
 Homogeneous between(const Homogeneous& a, const Homogeneous& b, const Rational& t) {
   Homogeneous h;
   for (std::size_t k = 0; k < 4; ++k) {
-    if (a[k] == b[k]) h[k] = a[k];
-    else h[k] = a[k] + t * (b[k] - a[k]);
+    if (a[k] == b[k])
+      h[k] = a[k];
+    else
+      h[k] = a[k] + t * (b[k] - a[k]);
   }
   return h;
 }
@@ -144,8 +144,10 @@ ControlRow elevated(ControlRow row, std::size_t degree) {
     const std::size_t n = row.size();  // the new degree
     ControlRow higher;
     for (std::size_t i = 0; i <= n; ++i) {
-      if (i == 0 || i == n) higher.push_back(i == 0 ? row.front() : row.back());
-      else higher.push_back(between(row[i], row[i - 1], ratio(i, n)));
+      if (i == 0 || i == n)
+        higher.push_back(i == 0 ? row.front() : row.back());
+      else
+        higher.push_back(between(row[i], row[i - 1], ratio(i, n)));
     }
     row = std::move(higher);
   }
@@ -205,7 +207,8 @@ CanonicalPatch canonical(const BezierPatch& patch) {
   return best;
 }
 
-std::vector<ControlRow> bezier_pieces(const ControlRow& points, std::size_t degree, const std::vector<Rational>& knots) {
+std::vector<ControlRow> bezier_pieces(const ControlRow& points, std::size_t degree,
+                                      const std::vector<Rational>& knots) {
   require(degree >= 1 && knots.size() == points.size() + degree + 1, "bezier_pieces: wrong number of knots");
   std::vector<ControlRow> pieces;
   for (std::size_t span = degree; span < points.size(); ++span) {
@@ -240,7 +243,7 @@ std::vector<Rational> clamped_knots(std::size_t points, std::size_t degree) {
 
 BezierPatch coons_patch(const std::array<BezierCurve, 4>& round) {
   // With c = N / w for each curve, a = w0 w2 in u and b = w1 w3 in v, the bilinearly blended patch
-  //   (1 - v) c0 + v c2 + (1 - u) c3 + u c1 - (the bilinear patch of the corners)      (Coons 1967)
+  //   (1 - v) c0 + v c2 + (1 - u) c3 + u c1 - (the bilinear patch of the corners)      (coons1967)
   // times a b is a sum of products of a polynomial in u and one in v.
   const BezierCurve c0 = round[0], c1 = round[1], c2 = reverse(round[2]), c3 = reverse(round[3]);
   const Polynomial w0 = weights(c0), w1 = weights(c1), w2 = weights(c2), w3 = weights(c3);

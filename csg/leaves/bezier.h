@@ -62,10 +62,10 @@ struct CanonicalPatch {
 };
 CanonicalPatch canonical(const BezierPatch& patch);
 
-/// The Bézier pieces of a B-spline curve, one for each knot span that is not empty, by its blossom (Ramshaw
-/// 1989). knots: ascending, as many as points + degree + 1; the curve runs from knots[degree] to
-/// knots[points].
-std::vector<ControlRow> bezier_pieces(const ControlRow& points, std::size_t degree, const std::vector<Rational>& knots);
+/// The Bézier pieces of a B-spline curve, one for each knot span that is not empty, by its blossom (ramshaw1989).
+/// knots: ascending, as many as points + degree + 1; the curve runs from knots[degree] to knots[points].
+std::vector<ControlRow> bezier_pieces(const ControlRow& points, std::size_t degree,
+                                      const std::vector<Rational>& knots);
 
 /// The knots of a B-spline that begins and ends in its first and last point, its spans of equal length.
 std::vector<Rational> clamped_knots(std::size_t points, std::size_t degree);

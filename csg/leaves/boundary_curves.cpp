@@ -90,8 +90,9 @@ void BoundaryCurves::check_closed(Fill fill) const {
                    (oriented_only ? "not oriented alike along " : "not closed along ") + std::to_string(count) +
                    (count == 1 ? " curve" : " curves") + ", such as " + open->first + ", from " +
                    describe(project(where->front())) + " to " + describe(project(where->back())) + ": " +
-                   (oriented_only ? "turn patches round (reverse the rows), or give `fill: parity` or `fill: cells`"
-                                  : "give patches that meet in sides with equal control points, or `fill: cells`"));
+                   (oriented_only
+                        ? "turn patches round (reverse the rows), or give `fill: parity` or `fill: cells`"
+                        : "give patches that meet in sides with equal control points, or `fill: cells`"));
 }
 
 }  // namespace cnrg

@@ -114,13 +114,16 @@ ChordTerms PatchChord::terms(const std::array<double, 2>& low, const std::array<
       if (right) u.see(difference(net[j][i + 1], net[j][i]), p);
       if (up) v.see(difference(net[j + 1][i], net[j][i]), q);
       if (right && up) {
-        uv.see(difference(difference(net[j + 1][i + 1], net[j + 1][i]), difference(net[j][i + 1], net[j][i])), p * q);
+        uv.see(difference(difference(net[j + 1][i + 1], net[j + 1][i]), difference(net[j][i + 1], net[j][i])),
+               p * q);
       }
       if (i + 2 < columns) {
-        uu.see(difference(difference(net[j][i + 2], net[j][i + 1]), difference(net[j][i + 1], net[j][i])), p * (p - 1));
+        uu.see(difference(difference(net[j][i + 2], net[j][i + 1]), difference(net[j][i + 1], net[j][i])),
+               p * (p - 1));
       }
       if (j + 2 < rows) {
-        vv.see(difference(difference(net[j + 2][i], net[j + 1][i]), difference(net[j + 1][i], net[j][i])), q * (q - 1));
+        vv.see(difference(difference(net[j + 2][i], net[j + 1][i]), difference(net[j + 1][i], net[j][i])),
+               q * (q - 1));
       }
     }
   }

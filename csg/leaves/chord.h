@@ -6,15 +6,16 @@
 //                 <= 1/2 sum l_i (Muu du_i^2 + 2 Muv |du_i dv_i| + Mvv dv_i^2)
 // with Muu, Muv, Mvv the largest lengths of the second derivatives. sum l_i du_i^2 is a variance of numbers in an
 // interval of length Hu, at most Hu^2 / 4 (Popoviciu), and by Cauchy and Schwarz sum l_i |du_i dv_i| <= Hu Hv / 4:
-//   |S(p) - L(p)| <= (Muu Hu^2 + 2 Muv Hu Hv + Mvv Hv^2) / 8                              (cf. Filip et al. 1986)
+//   |S(p) - L(p)| <= (Muu Hu^2 + 2 Muv Hu Hv + Mvv Hv^2) / 8                              (cf. filip1986)
 // for any triangle, whatever its shape. For a curve: M H^2 / 8.
 //
 // Derivatives are bounded by control nets. For S = Q / w with positive weights, |S| <= R, w >= W and
-//   |S_u|  <= (|Q_u| + R |w_u|) / W
-//   |S_uu| <= (|Q_uu| + R |w_uu| + 2 |S_u| |w_u|) / W,   |S_uv| <= (|Q_uv| + R |w_uv| + |S_u| |w_v| + |S_v| |w_u|) / W,
-// each term at most the largest control vector of its own Bernstein form. Nets are doubles here, taken about
-// the middle of the control points; every rounding of a step is bounded and added, so the bounds hold, and they are the same on every
-// machine (sums, products and roots of doubles, nothing contracted).
+//   |S_u| <= (|Q_u| + R |w_u|) / W
+//   |S_uu| <= (|Q_uu| + R |w_uu| + 2 |S_u| |w_u|) / W
+//   |S_uv| <= (|Q_uv| + R |w_uv| + |S_u| |w_v| + |S_v| |w_u|) / W,
+// each term at most the largest control vector of its own Bernstein form. Nets are doubles here, taken about the
+// middle of the control points; every rounding of a step is bounded and added, so the bounds hold, and they are
+// the same on every machine (sums, products and roots of doubles, nothing contracted).
 #pragma once
 
 #include <array>

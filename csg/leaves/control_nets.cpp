@@ -23,8 +23,8 @@ void check_degree(int degree, std::size_t points, const std::string& what) {
                      (degree > 0 ? "" : ", by several pieces or a `bspline`"));
   }
   if (points < d + 1) {
-    throw InputError(what + ": degree " + number(d) + " takes at least " + number(d + 1) + " control points, there are " +
-                     number(points) + ": add points or lower the degree");
+    throw InputError(what + ": degree " + number(d) + " takes at least " + number(d + 1) +
+                     " control points, there are " + number(points) + ": add points or lower the degree");
   }
 }
 
@@ -39,8 +39,8 @@ std::vector<Rational> knots_of(const std::vector<Rational>& knots, std::size_t p
   }
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if (knots[i - 1] <= knots[i]) continue;
-    throw InputError(what + ": knot " + number(i + 1) + " is " + to_decimal(knots[i]) + ", less than the one before it, " +
-                     to_decimal(knots[i - 1]) + ": give knots that ascend");
+    throw InputError(what + ": knot " + number(i + 1) + " is " + to_decimal(knots[i]) +
+                     ", less than the one before it, " + to_decimal(knots[i - 1]) + ": give knots that ascend");
   }
   const Rational &low = knots[degree], &high = knots[points];
   if (low == high) throw InputError(what + ": all spans between the knots are empty: give different knots");
@@ -53,7 +53,8 @@ std::vector<Rational> knots_of(const std::vector<Rational>& knots, std::size_t p
   return knots;
 }
 
-std::vector<ControlRow> pieces(ControlRow row, int degree, const std::vector<Rational>& knots, const std::string& what) {
+std::vector<ControlRow> pieces(ControlRow row, int degree, const std::vector<Rational>& knots,
+                               const std::string& what) {
   if (degree == 0) return {std::move(row)};
   const std::size_t d = static_cast<std::size_t>(degree);
   return bezier_pieces(row, d, knots_of(knots, row.size(), d, what));
@@ -64,8 +65,8 @@ std::vector<ControlRow> pieces(ControlRow row, int degree, const std::vector<Rat
 std::vector<BezierCurve> curve_pieces(const CurveNet& net, const std::string& what) {
   check_degree(net.degree, net.points.size(), what);
   if (!net.weights.empty() && net.weights.size() != net.points.size()) {
-    throw InputError(what + ": " + number(net.points.size()) + " control points have " + number(net.weights.size()) +
-                     " weights: give one for each");
+    throw InputError(what + ": " + number(net.points.size()) + " control points have " +
+                     number(net.weights.size()) + " weights: give one for each");
   }
   ControlRow row;
   for (std::size_t i = 0; i < net.points.size(); ++i) {
@@ -74,7 +75,8 @@ std::vector<BezierCurve> curve_pieces(const CurveNet& net, const std::string& wh
     row.push_back(homogeneous(net.points[i], weight));
   }
   std::vector<BezierCurve> result;
-  for (ControlRow& piece : pieces(std::move(row), net.degree, net.knots, what)) result.push_back({std::move(piece)});
+  for (ControlRow& piece : pieces(std::move(row), net.degree, net.knots, what))
+    result.push_back({std::move(piece)});
   return result;
 }
 
@@ -93,8 +95,8 @@ std::vector<BezierPatch> patch_pieces(const PatchNet& net, const std::string& wh
                        " control points, row 1 has " + number(columns) + ": give rows of equal length");
     }
     if (!net.weights.empty() && net.weights[j].size() != columns) {
-      throw InputError(what + ": row " + number(j + 1) + " has " + number(net.weights[j].size()) + " weights and " +
-                       number(columns) + " control points: give one weight for each point");
+      throw InputError(what + ": row " + number(j + 1) + " has " + number(net.weights[j].size()) +
+                       " weights and " + number(columns) + " control points: give one weight for each point");
     }
     grid.emplace_back();
     for (std::size_t i = 0; i < columns; ++i) {
@@ -114,7 +116,8 @@ std::vector<BezierPatch> patch_pieces(const PatchNet& net, const std::string& wh
     for (std::size_t i = 0; i < strips[s][0].size(); ++i) {
       ControlRow column;
       for (const ControlRow& row : strips[s]) column.push_back(row[i]);
-      const std::vector<ControlRow> cut = pieces(std::move(column), net.degree[1], net.knots[1], what + ", along v");
+      const std::vector<ControlRow> cut =
+          pieces(std::move(column), net.degree[1], net.knots[1], what + ", along v");
       table.resize(cut.size());
       for (std::size_t t = 0; t < cut.size(); ++t) {
         table[t].resize(strips.size());

@@ -1,15 +1,15 @@
-// Extrusion: S(u, t) = c + s(t) R(t) (p(u) - c) + t v with s from 1 to `scale` and R(t) the turn by t * twist about
-// the axis along v through c. The turns are rational and exactly orthogonal, so sections are planar and similar to
-// the profile, exactly, but for angles that are off by less than 1e-15. Only the two ends need be planar: points of
-// turned sections between them are rounded to doubles.
+// Extrusion: S(u, t) = c + s(t) R(t) (p(u) - c) + t v with s from 1 to `scale` and R(t) the turn by t * twist
+// about the axis along v through c. The turns are rational and exactly orthogonal, so sections are planar and
+// similar to the profile, exactly, but for angles that are off by less than 1e-15. Only the two ends need be
+// planar: points of turned sections between them are rounded to doubles.
 //
 // Without twist the facets of a step of the profile are planar quadrilaterals, and as far from the exact shape as
 // the profile's chords are from the profile: at most chord / 2, scaled up where s > 1 (the curve's steps are then
-// chosen for the larger one). With twist, take the polygon P in place of p: as far again. An edge of P of length l
-// is swept along a surface with second derivatives 0 in u, at most l (|s'| + m a) mixed and r (2 |s'| a + m a^2) in
-// t, with a the twist in radians, m the largest s and r the largest distance from the axis. So n sections in t and
-// edges not longer than l are within (2 l (|s'| + m a) / n + r (2 |s'| a + m a^2) / n^2) / 8 (chord.h), of which each
-// half is kept below chord / 4.
+// chosen for the larger one). With twist, take the polygon P in place of p: as far again. An edge of P of length
+// l is swept along a surface with second derivatives 0 in u, at most l (|s'| + m a) mixed and r (2 |s'| a +
+// m a^2) in t, with a the twist in radians, m the largest s and r the largest distance from the axis. So n sections
+// in t and edges not longer than l are within (2 l (|s'| + m a) / n + r (2 |s'| a + m a^2) / n^2) / 8 (chord.h),
+// of which each half is kept below chord / 4.
 //
 // Caps are faces 0 and 1, each segment of the profile is one more; of a curve the segments are from 0.
 #include <algorithm>
@@ -49,12 +49,15 @@ class Extrusion {
   }
 
   std::unique_ptr<PreparedLeaf> prepare() {
-    std::vector<SampledLine> lines = sample(shape_.profile, "extrude", [&](const BezierCurve& c) { return steps(c); });
+    std::vector<SampledLine> lines =
+        sample(shape_.profile, "extrude", [&](const BezierCurve& c) { return steps(c); });
     const bool closed = shape_.profile.closed;
     if (closed) {
       const RationalPoint normal = check_area(lines, "extrude");
       if (dot(normal, shape_.vector) == 0) {
-        throw InputError("extrude: the vector lies in the plane of the profile: give one that leaves it, or the line as `curve`");
+        throw InputError(
+            "extrude: the vector lies in the plane of the profile: give one that leaves it, or the line as "
+            "`curve`");
       }
       for (std::size_t l = 0; l < lines.size(); ++l) {
         const bool along = dot(area_vector(lines[l].points), shape_.vector) > 0;
@@ -89,9 +92,10 @@ class Extrusion {
         for (const RationalPoint& p : net.points) {
           radius_ = std::max(radius_, length(p - center_));
           if (dot(p - first, shape_.vector) == 0) continue;
-          throw InputError("extrude: with twist or scale the profile must lie at right angles to the vector, but " +
-                           describe(p) + " does not lie in such a plane with " + describe(first) +
-                           ": move it, or extrude without");
+          throw InputError(
+              "extrude: with twist or scale the profile must lie at right angles to the vector, but " +
+              describe(p) + " does not lie in such a plane with " + describe(first) +
+              ": move it, or extrude without");
         }
       }
     }
@@ -113,7 +117,7 @@ class Extrusion {
     longest_ = fineness_.chord() * sections_ / (growth + most * a) * (1 - 1e-12);
   }
 
-  /// Steps of a segment: those of the curve, larger where the sweep makes it so, and no edge too long for the twist.
+  /// Steps of a segment: those of the curve, as large as the sweep makes it, and no edge too long for the twist.
   int steps(const BezierCurve& curve) {
     int n = 0;
     if (shape_.scale > 1) {
@@ -141,7 +145,8 @@ class Extrusion {
     return n;
   }
 
-  std::vector<std::vector<PointId>> section(LeafBuilder& builder, const std::vector<SampledLine>& lines, int k) const {
+  std::vector<std::vector<PointId>> section(LeafBuilder& builder, const std::vector<SampledLine>& lines,
+                                            int k) const {
     Rational t(k, sections_);
     t.canonicalize();
     const Rational s = 1 + t * (shape_.scale - 1);
@@ -172,7 +177,8 @@ class Extrusion {
     const std::uint32_t first = shape_.profile.closed ? 2 : 0;
     for (std::size_t i = 0; i < line.segment.size(); ++i) {
       const std::size_t j = (i + 1) % line.points.size();
-      if (!shape_.profile.closed && is_zero(cross(line.points[j] - line.points[i], shape_.vector)) && shape_.scale == 1) {
+      if (!shape_.profile.closed && is_zero(cross(line.points[j] - line.points[i], shape_.vector)) &&
+          shape_.scale == 1) {
         throw InputError("extrude: the curve runs along the vector at " + describe(line.points[i]) +
                          ", where it sweeps no area: move it or the vector");
       }

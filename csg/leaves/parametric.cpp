@@ -23,7 +23,8 @@ class ParametricLeaf {
   void add_patch(const std::vector<BezierPatch>& pieces, std::uint32_t number, const std::string& name) {
     for (const BezierPatch& piece : pieces) {
       constexpr const char* kSides[] = {"v = 0", "u = 1", "v = 1", "u = 0"};
-      for (std::size_t k = 0; k < 4; ++k) boundary_.use(piece.side(k), std::string("side ") + kSides[k] + " of " + name);
+      for (std::size_t k = 0; k < 4; ++k)
+        boundary_.use(piece.side(k), std::string("side ") + kSides[k] + " of " + name);
     }
     for (const BezierPatch& piece : pieces) {
       const PatchMesh mesh = mesh_patch(piece, fineness_, boundary_);
@@ -69,7 +70,10 @@ class ParametricLeaf {
   }
 
  private:
-  struct Facet { PointId a, b, c; std::uint32_t number; };
+  struct Facet {
+    PointId a, b, c;
+    std::uint32_t number;
+  };
 
   PointId point(const RationalPoint& p) {
     const auto [it, is_new] = ids_.try_emplace(p);
@@ -95,7 +99,8 @@ std::string name_of(const char* kind, std::size_t index, std::size_t count) {
 std::unique_ptr<PreparedLeaf> prepare_bezier(const BezierShape& shape) {
   const char* name = shape.is_spline ? "bspline" : "bezier";
   const std::string prefix = std::string(name) + ": ";
-  if (shape.patches.empty() && shape.curves.empty()) throw InputError(prefix + "it has no patches or curves: give one");
+  if (shape.patches.empty() && shape.curves.empty())
+    throw InputError(prefix + "it has no patches or curves: give one");
   ParametricLeaf leaf(name, shape.tessellation, shape.fill);
   for (std::size_t i = 0; i < shape.patches.size(); ++i) {
     const std::string patch = name_of("patch", i, shape.patches.size());

@@ -30,10 +30,13 @@ std::size_t middle_corner(const PatchMesh& mesh, const Corners& c) {
   throw InvariantError("mesh_patch: a flat triangle without a middle corner");
 }
 
-/// Triangles without area (near a point that a side has shrunk to, corners may lie on one line): a b c with b between a
-/// and c, and its neighbour at a c with the corner d, become a b d and b c d, which cover the neighbour exactly.
+/// Triangles without area (near a point that a side has shrunk to, corners may lie on one line): a b c with b
+/// between a and c, and its neighbour at a c with the corner d, become a b d and b c d, which cover the neighbour
+/// exactly.
 void turn_flat_ones(PatchMesh& mesh) {
-  const auto flat = [&](const Corners& c) { return collinear(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]); };
+  const auto flat = [&](const Corners& c) {
+    return collinear(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
+  };
   std::multimap<Rational, std::size_t> left;  // by the square of the longest edge
   const auto note_flat = [&](std::size_t t) {
     const Corners& c = mesh.triangles[t];
@@ -49,8 +52,8 @@ void turn_flat_ones(PatchMesh& mesh) {
     for (std::size_t k = 0; k < 3; ++k) at_edge[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}] = t;
   };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) note(t);
-  // The one with the longest edge first: a flat neighbour then has its longest edge there too, and the two flat ones
-  // that come of it have shorter ones; of another neighbour none comes. What has no neighbour there goes.
+  // The one with the longest edge first: a flat neighbour then has its longest edge there too, and the two flat
+  // ones that come of it have shorter ones; of another neighbour none comes. What has no neighbour there goes.
   std::vector<bool> gone(mesh.triangles.size(), false);
   while (!left.empty()) {
     const std::size_t t = std::prev(left.end())->second;
@@ -160,9 +163,9 @@ class Mesher {
   void zip(const std::vector<std::uint32_t>& lower, const std::vector<std::uint32_t>& upper, Along along) {
     std::size_t i = 0, j = 0;
     while (i + 1 < lower.size() || j + 1 < upper.size()) {
-      const bool low = j + 1 == upper.size() ||
-                       (i + 1 < lower.size() &&
-                        along(lower[i]) + along(lower[i + 1]) <= along(upper[j]) + along(upper[j + 1]));
+      const bool low =
+          j + 1 == upper.size() ||
+          (i + 1 < lower.size() && along(lower[i]) + along(lower[i + 1]) <= along(upper[j]) + along(upper[j + 1]));
       if (low) {
         add_triangle(lower[i], lower[i + 1], upper[j]);
         ++i;
@@ -213,7 +216,8 @@ class Mesher {
   void add_inside() {
     for (std::uint32_t j = 1; j + 1 < grid_[1]; ++j) {
       for (std::uint32_t i = 1; i + 1 < grid_[0]; ++i) {
-        const std::uint32_t a = at_step(i, j), b = at_step(i + 1, j), c = at_step(i + 1, j + 1), d = at_step(i, j + 1);
+        const std::uint32_t a = at_step(i, j), b = at_step(i + 1, j), c = at_step(i + 1, j + 1),
+                            d = at_step(i, j + 1);
         add_triangle(a, b, c);
         add_triangle(a, c, d);
       }
@@ -274,7 +278,8 @@ class Mesher {
         on_side = on_side || (a[d] == b[d] && (a[d] == 0 || a[d] == whole_));
         part[d] = std::abs(static_cast<double>(a[d]) - static_cast<double>(b[d])) / extent[d];
       }
-      const double length = terms.uu * part[0] * part[0] + 2 * terms.uv * part[0] * part[1] + terms.vv * part[1] * part[1];
+      const double length =
+          terms.uu * part[0] * part[0] + 2 * terms.uv * part[0] * part[1] + terms.vv * part[1] * part[1];
       if (on_side || length <= most) continue;
       worst = k;
       most = length;

@@ -14,8 +14,11 @@ std::vector<SampledLine> sample(const Profile& profile, const std::string& shape
   std::vector<SampledLine> result;
   std::uint32_t number = 0;
   for (const ProfileLine& line : profile.lines) {
-    const std::string in_line = profile.lines.size() == 1 ? " of the profile" : " of line " + std::to_string(result.size() + 1) + " of the profile";
-    if (line.segments.empty()) throw InputError(shape + ": a line of the profile has no segments: give at least two corners");
+    const std::string in_line = profile.lines.size() == 1
+                                    ? " of the profile"
+                                    : " of line " + std::to_string(result.size() + 1) + " of the profile";
+    if (line.segments.empty())
+      throw InputError(shape + ": a line of the profile has no segments: give at least two corners");
     SampledLine& sampled = result.emplace_back();
     for (std::size_t s = 0; s < line.segments.size(); ++s) {
       const std::string name = "segment " + std::to_string(s + 1) + in_line;
@@ -24,12 +27,14 @@ std::vector<SampledLine> sample(const Profile& profile, const std::string& shape
       const std::vector<BezierCurve> pieces = curve_pieces(net, shape + ": " + name);
       const CurveNet& next = line.segments[last ? 0 : s + 1];
       if ((!last || profile.closed) && !next.points.empty() && net.points.back() != next.points[0]) {
-        throw InputError(shape + ": " + name + " ends in " + describe(net.points.back()) + ", the next one begins in " +
-                         describe(next.points[0]) + ": let segments follow each other");
+        throw InputError(shape + ": " + name + " ends in " + describe(net.points.back()) +
+                         ", the next one begins in " + describe(next.points[0]) +
+                         ": let segments follow each other");
       }
       for (const BezierCurve& piece : pieces) {
         if (piece.is_point()) {
-          throw InputError(shape + ": " + name + " is one point, " + describe(piece.at(0)) + ": leave a corner out");
+          throw InputError(shape + ": " + name + " is one point, " + describe(piece.at(0)) +
+                           ": leave a corner out");
         }
         const int n = steps(piece);
         for (int i = 0; i < n; ++i) {

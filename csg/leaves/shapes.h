@@ -109,9 +109,10 @@ struct CoonsShape {
   Fill fill = Fill::none;
   Tessellation tessellation;
 };
-/// A line of straight and curved segments: `[p, p, {bezier: [p, ...], weights: [...]}, p, ...]`. Between two corners
-/// a `bezier` gives the inner control points of the curve from one to the other (its weights are those of all its
-/// control points, ends too); without one the segment is straight. A closed line returns to its first corner.
+/// A line of straight and curved segments: `[p, p, {bezier: [p, ...], weights: [...]}, p, ...]`. Between two
+/// corners a `bezier` gives the inner control points of the curve from one to the other (its weights are those of
+/// all its control points, ends too); without one the segment is straight. A closed line returns to its first
+/// corner.
 struct ProfileLine { std::vector<CurveNet> segments; };
 /// `profile: [...]` or `{outer: [...], holes: [[...], ...]}`: closed lines that bound an area, for a solid;
 /// `curve: [...]`: an open line, for a surface.

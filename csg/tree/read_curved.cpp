@@ -1,4 +1,5 @@
-// Numbers and their counts are checked here, where their place is known; what a shape means is checked by `prepare`.
+// Numbers and their counts are checked here, where their place is known; what a shape means is checked by
+// `prepare`.
 #include "csg/tree/read_curved.h"
 
 #include <optional>
@@ -21,7 +22,8 @@ Tessellation read_tessellation(const Fields& f) {
   }
   if (const Value::Entry* segments = f.entry("segments")) {
     if (result.chord) {
-      segments->value.document().fail(segments->key_at, "this leaf has `chord` and `segments`; remove one of them");
+      segments->value.document().fail(segments->key_at,
+                                      "this leaf has `chord` and `segments`; remove one of them");
     }
     result.segments = static_cast<int>(segments->value.integer(f.name("segments"), 1, Fineness::kMostSteps));
   }
@@ -36,8 +38,8 @@ std::vector<Rational> read_weights(const Value& value, const std::string& what, 
     if (result.back() <= 0) w.fail(what + ": a weight must be positive");
   }
   if (result.size() != count) {
-    value.fail(what + ": there are " + std::to_string(count) + " control points and " + std::to_string(result.size()) +
-               " weights; give one weight for each point");
+    value.fail(what + ": there are " + std::to_string(count) + " control points and " +
+               std::to_string(result.size()) + " weights; give one weight for each point");
   }
   return result;
 }
@@ -61,8 +63,9 @@ std::vector<Rational> read_knots(const Value& value, const std::string& what, st
   }
   const std::size_t wanted = points + static_cast<std::size_t>(degree) + 1;
   if (knots.size() != wanted) {
-    value.fail(what + ": " + std::to_string(points) + " control points of degree " + std::to_string(degree) + " take " +
-               std::to_string(wanted) + " knots, not " + std::to_string(knots.size()) + "; give points + degree + 1");
+    value.fail(what + ": " + std::to_string(points) + " control points of degree " + std::to_string(degree) +
+               " take " + std::to_string(wanted) + " knots, not " + std::to_string(knots.size()) +
+               "; give points + degree + 1");
   }
   return knots;
 }
@@ -95,11 +98,13 @@ PatchNet read_patch(const Value& value, const std::string& what, bool spline) {
     for (const Value& row : rows.list(name, std::string("a list of rows ") + kRows)) {
       net.points.push_back(row.points("each row of " + name));
       if (net.points.back().size() != net.points[0].size()) {
-        row.fail("this row has " + std::to_string(net.points.back().size()) + " control points and the first has " +
-                 std::to_string(net.points[0].size()) + "; all rows must be equally long");
+        row.fail("this row has " + std::to_string(net.points.back().size()) +
+                 " control points and the first has " + std::to_string(net.points[0].size()) +
+                 "; all rows must be equally long");
       }
     }
-    if (net.points.size() < 2 || net.points[0].size() < 2) rows.fail(name + ": give at least two rows of two points");
+    if (net.points.size() < 2 || net.points[0].size() < 2)
+      rows.fail(name + ": give at least two rows of two points");
   };
   if (!value.is_map() && !spline) {
     read_points(value, what);
@@ -112,7 +117,8 @@ PatchNet read_patch(const Value& value, const std::string& what, bool spline) {
     const std::vector<Value> rows = weights->list(f.name("weights"), "a list of rows [[w, ...], ...]");
     if (rows.size() != net.points.size()) {
       weights->fail(f.name("weights") + ": there are " + std::to_string(net.points.size()) +
-                    " rows of control points and " + std::to_string(rows.size()) + " of weights; give one for each");
+                    " rows of control points and " + std::to_string(rows.size()) +
+                    " of weights; give one for each");
     }
     for (const Value& row : rows) {
       net.weights.push_back(read_weights(row, "each row of " + f.name("weights"), net.points[0].size()));
@@ -153,13 +159,14 @@ Shape read_nets(const Value& value, const char* name, bool spline) {
   const Fields f(value, name, {"patch", "patches", "curve", "curves", "fill", "chord", "segments"});
   BezierShape shape;
   shape.is_spline = spline;
-  read_each(f, "patch", "patches",
-            [&](const Value& v, const std::string& what) { shape.patches.push_back(read_patch(v, what, spline)); });
+  read_each(f, "patch", "patches", [&](const Value& v, const std::string& what) {
+    shape.patches.push_back(read_patch(v, what, spline));
+  });
   read_each(f, "curve", "curves",
             [&](const Value& v, const std::string& what) { shape.curves.push_back(read_curve(v, what, spline)); });
   if (shape.patches.empty() && shape.curves.empty()) {
-    value.fail(std::string(name) + " needs `patch`, `patches`, `curve` or `curves`; add `patch: {points: " + kRows +
-               (spline ? ", degree: [3, 3]" : "") + "}`");
+    value.fail(std::string(name) + " needs `patch`, `patches`, `curve` or `curves`; add `patch: {points: " +
+               kRows + (spline ? ", degree: [3, 3]" : "") + "}`");
   }
   if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
   shape.tessellation = read_tessellation(f);
@@ -185,7 +192,8 @@ ProfileLine read_line(const Value& value, const std::string& what, bool plane, b
       net.points.push_back(*last);
       if (curve) {
         const Fields f(*curve, "a curve of " + what, {"bezier", "weights"});
-        for (const Value& q : f.at("bezier", "[p, ...]").list(f.name("bezier"), "a list of inner control points")) {
+        for (const Value& q :
+             f.at("bezier", "[p, ...]").list(f.name("bezier"), "a list of inner control points")) {
           net.points.push_back(read_profile_point(q, f.name("bezier"), plane));
         }
         if (const Value* weights = f.find("weights")) {
@@ -209,8 +217,10 @@ ProfileLine read_line(const Value& value, const std::string& what, bool plane, b
     if (!first) first = last;
   }
   if (!first) value.fail(what + " is empty; give its corners");
-  if (closed) corner(*first);
-  else if (curve) curve->fail("a curve stands between two corners; end with a corner");
+  if (closed)
+    corner(*first);
+  else if (curve)
+    curve->fail("a curve stands between two corners; end with a corner");
   if (line.segments.size() < (closed ? 2u : 1u)) value.fail(what + ": give at least two corners");
   return line;
 }
@@ -267,7 +277,8 @@ Shape read_coons(const Value& value, const LeafContext&) {
     for (std::size_t k = 0; k < 4; ++k) round[k] = read_curve(curves[k], "each curve of coons", false);
   });
   if (shape.patches.empty()) {
-    value.fail("coons needs `patch` or `patches`; add `patch: [CURVE, CURVE, CURVE, CURVE]`, each a list of points");
+    value.fail(
+        "coons needs `patch` or `patches`; add `patch: [CURVE, CURVE, CURVE, CURVE]`, each a list of points");
   }
   if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
   shape.tessellation = read_tessellation(f);
@@ -275,7 +286,8 @@ Shape read_coons(const Value& value, const LeafContext&) {
 }
 
 Shape read_extrude(const Value& value, const LeafContext&) {
-  const Fields f(value, "extrude", {"profile", "curve", "vector", "twist", "scale", "center", "chord", "segments"});
+  const Fields f(value, "extrude",
+                 {"profile", "curve", "vector", "twist", "scale", "center", "chord", "segments"});
   ExtrudeShape shape;
   shape.profile = read_profile(value, f, "extrude", false);
   shape.vector = f.at("vector", kPoint).point(f.name("vector"));

@@ -1,6 +1,5 @@
 // Trees of curved leaves: a finer tessellation moves vertices and changes no count; cells are those of patches.
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -27,7 +26,8 @@ std::map<std::string, std::pair<Cells, double>> rows_of(const std::string& text)
 
 std::string with_chord(std::string text, const std::string& chord) {
   const std::string mark = "chord: 1/50";
-  for (std::size_t at; (at = text.find(mark)) != std::string::npos;) text.replace(at, mark.size(), "chord: " + chord);
+  for (std::size_t at; (at = text.find(mark)) != std::string::npos;)
+    text.replace(at, mark.size(), "chord: " + chord);
   return text;
 }
 
@@ -62,8 +62,8 @@ void check_refinement(const std::string& text, const std::array<const char*, 3>&
 }
 
 TEST_CASE("Fig. 7 of Pereira et al. has the same cells at any fineness", "[evaluate][curved]") {
-  // The bottle: two discs of four sectors and a wall of four patches, 10 - 20 + 12 = 2. The difference has one pit:
-  // 19 - 31 + 14 = 2.
+  // The bottle: two discs of four sectors and a wall of four patches, 10 - 20 + 12 = 2. The difference has one
+  // pit: 19 - 31 + 14 = 2.
   check_refinement(read_file("papers/pereira2012/fig07.yaml"), {"1/10", "1/40", "1/160"},
                    {{"cube", {8, 12, 6, 1}},
                     {"bottle", {10, 20, 12, 1}},
@@ -79,7 +79,13 @@ nodes:
     revolve:
       profile: [[0, 0], [1.2, 0], {bezier: [[1.5, 2], [1, 3.6]]}, [0.4, 3.5], [0.4, 4.5], [0, 4.5]]
       chord: 1/50
-  cube: {extrude: {profile: [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], vector: [0, 0, 3], center: [0, 0, 0], twist: 90, chord: 1/50}}
+  cube:
+    extrude:
+      profile: [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]
+      vector: [0, 0, 3]
+      center: [0, 0, 0]
+      twist: 90
+      chord: 1/50
   block: {box: {min: [0.1, 0.2, 1.1], max: [3, 3, 3.9]}}
   d: {difference: [bottle, block]}
   u: {union: [bottle, block], dominance: left}
@@ -100,9 +106,11 @@ result: all
 }
 
 TEST_CASE("two bottles that cross", "[evaluate][curved]") {
-  const std::string bottle = R"(revolve: {profile: [[0, 0], [1, 0], {bezier: [[1.3, 1.2], [0.2, 1.6]]}, [0.3, 2.5], [0, 2.5]], chord: 1/50})";
+  const std::string bottle =
+      R"(revolve: {profile: [[0, 0], [1, 0], {bezier: [[1.3, 1], [0, 2]]}, [0.3, 2.5], [0, 2.5]], chord: 1/50})";
   const std::string text = "cnrg: 1\nnodes:\n  a: {" + bottle + "}\n  b: {" + bottle +
-                           ", rotate: {axis: [1, 1, 0], degrees: 70}, translate: [-0.7, 0.9, 0.4]}\n" + R"(  u: {union: [a, b], dominance: equal}
+                           ", rotate: {axis: [1, 1, 0], degrees: 70}, translate: [-0.7, 0.9, 0.4]}\n" +
+                           R"(  u: {union: [a, b], dominance: equal}
   i: {intersection: [a, b], dominance: equal}
   d: {difference: [a, b]}
   all: {union: [u, i, d], dominance: equal}
@@ -117,22 +125,31 @@ result: all
 
 TEST_CASE("leaves that share a patch meet without a gap", "[evaluate][curved]") {
   // Below and above one bent sheet, each closed by its own walls (cells finds them); the sheet is given in both.
-  const std::string sheet = "[[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 1, 1], [1, 1, -3], [2, 1, 0]], [[0, 2, 0], [1, 2, 1], [2, 2, 0]]]";
-  const std::string turned = "[[[2, 0, 0], [1, 0, 1], [0, 0, 0]], [[2, 1, 0], [1, 1, -3], [0, 1, 1]], [[2, 2, 0], [1, 2, 1], [0, 2, 0]]]";
+  const std::string sheet =
+      "[[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 1, 1], [1, 1, -3], [2, 1, 0]], [[0, 2, 0], [1, 2, 1], [2, 2, 0]]]";
+  const std::string turned =
+      "[[[2, 0, 0], [1, 0, 1], [0, 0, 0]], [[2, 1, 0], [1, 1, -3], [0, 1, 1]], [[2, 2, 0], [1, 2, 1], [0, 2, 0]]]";
   const auto solid = [](const std::string& patch, const std::string& z) {
-    const auto wall = [&](const std::string& side, const std::string& foot) { return "[" + side + ", " + foot + "], "; };
-    const std::string a = "[0, 0, " + z + "]", b = "[2, 0, " + z + "]", c = "[2, 2, " + z + "]", d = "[0, 2, " + z + "]";
-    const auto mid = [&](const std::string& x, const std::string& y) { return "[" + x + ", " + y + ", " + z + "]"; };
+    const auto wall = [&](const std::string& side, const std::string& foot) {
+      return "[" + side + ", " + foot + "], ";
+    };
+    const std::string a = "[0, 0, " + z + "]", b = "[2, 0, " + z + "]", c = "[2, 2, " + z + "]",
+                      d = "[0, 2, " + z + "]";
+    const auto mid = [&](const std::string& x, const std::string& y) {
+      return "[" + x + ", " + y + ", " + z + "]";
+    };
     return "bezier: {fill: cells, chord: 1/50, patches: [" + patch + ", " +
            wall("[[0, 0, 0], [1, 0, 1], [2, 0, 0]]", "[" + a + ", " + mid("1", "0") + ", " + b + "]") +
            wall("[[2, 0, 0], [2, 1, 0], [2, 2, 0]]", "[" + b + ", " + mid("2", "1") + ", " + c + "]") +
            wall("[[2, 2, 0], [1, 2, 1], [0, 2, 0]]", "[" + c + ", " + mid("1", "2") + ", " + d + "]") +
-           wall("[[0, 2, 0], [0, 1, 1], [0, 0, 0]]", "[" + d + ", " + mid("0", "1") + ", " + a + "]") +
-           "[[" + a + ", " + b + "], [" + d + ", " + c + "]]]}";
+           wall("[[0, 2, 0], [0, 1, 1], [0, 0, 0]]", "[" + d + ", " + mid("0", "1") + ", " + a + "]") + "[[" + a +
+           ", " + b + "], [" + d + ", " + c + "]]]}";
   };
-  const auto rows = rows_of("cnrg: 1\nnodes:\n  low: {" + solid(sheet, "-5") + "}\n  high: {" + solid(turned, "5") +
-                            "}\n  both: {union: [low, high], dominance: equal}\n  shared: {intersection: [low, high], dominance: equal}\n" +
-                            "  all: {union: [both, shared], dominance: equal}\nresult: all\n");
+  const auto rows =
+      rows_of("cnrg: 1\nnodes:\n  low: {" + solid(sheet, "-5") + "}\n  high: {" + solid(turned, "5") +
+              "}\n  both: {union: [low, high], dominance: equal}\n  shared: {intersection: [low, high], "
+              "dominance: equal}\n" +
+              "  all: {union: [both, shared], dominance: equal}\nresult: all\n");
   CHECK(rows.at("low").first == Cells{8, 12, 6, 1});
   CHECK(rows.at("both").second == Approx(40).epsilon(1e-14));
   CHECK(rows.at("shared").second == 0);

@@ -1,8 +1,9 @@
 // Nets against independent formulas: Bernstein sums, Cox and de Boor's basis, the Coons formula.
+#include "csg/leaves/bezier.h"
+
 #include <algorithm>
 #include <functional>
 
-#include "csg/leaves/bezier.h"
 #include "csg/leaves/control_nets.h"
 #include "tests/leaves/soup_checks.h"
 
@@ -25,7 +26,8 @@ RationalPoint by_bernstein(const PatchNet& net, const Rational& u, const Rationa
   const std::size_t q = net.points.size() - 1, p = net.points[0].size() - 1;
   for (std::size_t j = 0; j <= q; ++j) {
     for (std::size_t i = 0; i <= p; ++i) {
-      const Rational b = bernstein(p, i, u) * bernstein(q, j, v) * (net.weights.empty() ? Rational(1) : net.weights[j][i]);
+      const Rational b =
+          bernstein(p, i, u) * bernstein(q, j, v) * (net.weights.empty() ? Rational(1) : net.weights[j][i]);
       sum = sum + b * net.points[j][i];
       weight += b;
     }
@@ -34,7 +36,8 @@ RationalPoint by_bernstein(const PatchNet& net, const Rational& u, const Rationa
 }
 
 /// The basis function i by its recursion; at the end of the domain the last span counts.
-Rational basis(const std::vector<Rational>& knots, std::size_t i, std::size_t degree, const Rational& t, const Rational& end) {
+Rational basis(const std::vector<Rational>& knots, std::size_t i, std::size_t degree, const Rational& t,
+               const Rational& end) {
   if (degree == 0) {
     const bool last = t == end && knots[i] < end && knots[i + 1] == end;
     return (knots[i] <= t && t < knots[i + 1]) || last ? 1 : 0;
@@ -89,8 +92,9 @@ TEST_CASE("patches are their Bernstein sums") {
 }
 
 TEST_CASE("B-splines are their basis sums, clamped or not") {
-  const std::vector<std::vector<Rational>> all_knots{
-      {0, 0, 0, 0, 1, 1, 3, 4, 4, 4, 4}, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, {0, 0, 1, 2, 2, 2, Rational(7, 3), 3, 4, 4, 5}};
+  const std::vector<std::vector<Rational>> all_knots{{0, 0, 0, 0, 1, 1, 3, 4, 4, 4, 4},
+                                                     {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10},
+                                                     {0, 0, 1, 2, 2, 2, Rational(7, 3), 3, 4, 4, 5}};
   for (const auto& knots : all_knots) {
     CurveNet net{{}, {}, 3, knots};
     for (int i = 0; i < 7; ++i) {
@@ -183,9 +187,10 @@ TEST_CASE("Coons patches are the formula, of rational curves too") {
     for (const Rational& u : kParameters) {
       for (const Rational& v : kParameters) {
         const Rational s = 1 - u, t = 1 - v;
-        const RationalPoint expected =
-            t * round[0].at(u) + v * round[2].at(s) + s * round[3].at(t) + u * round[1].at(v) -
-            (Rational(s * t) * corner[0] + Rational(u * t) * corner[1] + Rational(u * v) * corner[2] + Rational(s * v) * corner[3]);
+        const RationalPoint expected = t * round[0].at(u) + v * round[2].at(s) + s * round[3].at(t) +
+                                       u * round[1].at(v) -
+                                       (Rational(s * t) * corner[0] + Rational(u * t) * corner[1] +
+                                        Rational(u * v) * corner[2] + Rational(s * v) * corner[3]);
         CHECK(patch.at(u, v) == expected);
       }
     }
@@ -200,11 +205,13 @@ TEST_CASE("nets that are no nets are refused") {
   CHECK_THAT(curve({four, {1, 1}, 0, {}}), Catch::Contains("4 control points have 2 weights"));
   CHECK_THAT(curve({four, {}, 4, {}}), Catch::Contains("degree 4 takes at least 5"));
   CHECK_THAT(curve({four, {}, 2, {0, 0, 0, 1, 1, 1}}), Catch::Contains("take 7 knots, there are 6"));
-  CHECK_THAT(curve({four, {}, 2, {0, 0, 0, 1, Rational(1, 2), 1, 1}}), Catch::Contains("knot 5 is 0.5, less than"));
+  CHECK_THAT(curve({four, {}, 2, {0, 0, 0, 1, Rational(1, 2), 1, 1}}),
+             Catch::Contains("knot 5 is 0.5, less than"));
   CHECK_THAT(curve({four, {}, 2, {0, 0, 1, 1, 1, 1, 1}}), Catch::Contains("all spans"));
   CHECK_THAT(curve({four, {}, 1, {0, 0, 1, 1, 2, 2}}), Catch::Contains("would tear the spline"));
   CHECK_THAT(curve({four, {}, 3, {1, 1, 1, 1, 1, 1, 1, 1}}), Catch::Contains("all spans"));
   CHECK_THAT(curve({std::vector<RationalPoint>(40, {0, 0, 0}), {}, 0, {}}), Catch::Contains("its degree is 39"));
   PatchNet ragged{{four, {four[0]}}, {}, {0, 0}, {}};
-  CHECK_THAT(error_of([&] { patch_pieces(ragged, "bezier: the patch"); }), Catch::Contains("row 2 has 1 control points"));
+  CHECK_THAT(error_of([&] { patch_pieces(ragged, "bezier: the patch"); }),
+             Catch::Contains("row 2 has 1 control points"));
 }

@@ -1,8 +1,9 @@
 // Facets of patches: they cover the patch once, lie within the chord, and meet at shared curves.
+#include "csg/leaves/patch_mesh.h"
+
 #include <algorithm>
 
 #include "csg/leaves/control_nets.h"
-#include "csg/leaves/patch_mesh.h"
 #include "tests/leaves/soup_checks.h"
 
 using namespace cnrg;
@@ -28,9 +29,9 @@ PatchNet graph(const std::vector<std::vector<Rational>>& heights) {
 
 std::vector<std::vector<std::vector<Rational>>> many_heights() {
   std::vector<std::vector<std::vector<Rational>>> result{
-      {{0, 0}, {0, 1}},                                              // bilinear, straight sides
-      {{0, 0, 0}, {0, 4, 0}, {0, 0, 0}},                             // a bulge between straight sides
-      {{0, 9, 0}, {0, 0, 0}},                                        // one curved side against a straight one
+      {{0, 0}, {0, 1}},                   // bilinear, straight sides
+      {{0, 0, 0}, {0, 4, 0}, {0, 0, 0}},  // a bulge between straight sides
+      {{0, 9, 0}, {0, 0, 0}},             // one curved side against a straight one
       {{0, 0, 0, 0}, {0, 7, -7, 0}, {0, 1, 2, 0}, {0, 20, 0, 1}}};
   std::mt19937 random(3);
   for (int k = 0; k < 6; ++k) {
@@ -60,7 +61,8 @@ Sides sides(const PatchMesh& mesh) {
 std::vector<std::array<RationalPoint, 3>> facets(const PatchMesh& mesh, bool turned) {
   std::vector<std::array<RationalPoint, 3>> result;
   for (const auto& t : mesh.triangles) {
-    std::array<RationalPoint, 3> f{mesh.points[t[0]], mesh.points[t[turned ? 2 : 1]], mesh.points[t[turned ? 1 : 2]]};
+    std::array<RationalPoint, 3> f{mesh.points[t[0]], mesh.points[t[turned ? 2 : 1]],
+                                   mesh.points[t[turned ? 1 : 2]]};
     std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
     result.push_back(f);
   }
@@ -90,7 +92,8 @@ TEST_CASE("facets cover a patch once and lie within the chord") {
         const Rational twice = cross(b - a, c - a)[2];
         REQUIRE(twice > 0);  // none is turned over
         area += twice / 2;
-        for (const std::array<std::size_t, 3>& part : {std::array<std::size_t, 3>{1, 1, 1}, {2, 2, 0}, {0, 2, 2}, {2, 0, 2}}) {
+        for (const std::array<std::size_t, 3>& part :
+             {std::array<std::size_t, 3>{1, 1, 1}, {2, 2, 0}, {0, 2, 2}, {2, 0, 2}}) {
           const std::size_t all = part[0] + part[1] + part[2];
           const RationalPoint p = ratio(part[0], all) * a + ratio(part[1], all) * b + ratio(part[2], all) * c;
           farthest = std::max(farthest, Rational(abs(Rational(patch.at(p[0], p[1])[2] - p[2]))));
@@ -108,9 +111,13 @@ TEST_CASE("facets cover a patch once and lie within the chord") {
 
 TEST_CASE("chords of rational patches are bounded too") {
   // A quarter of a cylinder and an eighth of a sphere, one side of which is a point.
-  const PatchNet wall{{{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{1, 0, 2}, {1, 1, 2}, {0, 1, 2}}}, {{1, 1, 2}, {1, 1, 2}}, {0, 0}, {}};
-  const PatchNet eighth{{{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}},
-                        {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}}, {0, 0}, {}};
+  const PatchNet wall{
+      {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{1, 0, 2}, {1, 1, 2}, {0, 1, 2}}}, {{1, 1, 2}, {1, 1, 2}}, {0, 0}, {}};
+  const PatchNet eighth{
+      {{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}},
+      {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}},
+      {0, 0},
+      {}};
   for (const char* text : {"0.1", "0.01", "0.001"}) {
     const Rational chord = r(text);
     for (const bool round : {false, true}) {
@@ -192,10 +199,14 @@ TEST_CASE("chords and segments that can not be are refused") {
 
 TEST_CASE("solids of patches: an eighth of a ball, closed by its planes") {
   // Planes through the centre as patches with a side that is a point; all that meets is shared.
-  const std::vector<RationalPoint> x{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, y{{0, 1, 0}, {0, 1, 1}, {0, 0, 1}}, z{{1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
+  const std::vector<RationalPoint> x{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, y{{0, 1, 0}, {0, 1, 1}, {0, 0, 1}},
+      z{{1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
   BezierShape shape;
-  shape.patches.push_back({{{x[0], x[1], x[2]}, {{1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}},
-                           {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}}, {0, 0}, {}});
+  shape.patches.push_back(
+      {{{x[0], x[1], x[2]}, {{1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}},
+       {{1, 1, 2}, {1, 1, 2}, {2, 2, 4}},
+       {0, 0},
+       {}});
   const std::vector<RationalPoint> centre(3, {0, 0, 0});
   for (const auto& arc : {x, y}) shape.patches.push_back({{centre, arc}, {{1, 1, 2}, {1, 1, 2}}, {0, 0}, {}});
   shape.patches.push_back({{z, centre}, {{1, 1, 2}, {1, 1, 2}}, {0, 0}, {}});
@@ -220,7 +231,8 @@ TEST_CASE("solids of patches: an eighth of a ball, closed by its planes") {
     CHECK(volume(soup_of(shape)) == expected);
     std::reverse(shape.patches[1].points.begin(), shape.patches[1].points.end());
     std::reverse(shape.patches[1].weights.begin(), shape.patches[1].weights.end());
-    CHECK_THAT(error_of(shape), Catch::Contains("not oriented alike along 3 curves") && Catch::Contains("side u = 1 of patch 2"));
+    CHECK_THAT(error_of(shape),
+               Catch::Contains("not oriented alike along 3 curves") && Catch::Contains("side u = 1 of patch 2"));
     shape.fill = Fill::parity;
     CHECK(error_of(shape) == "");
     shape.patches.pop_back();
@@ -271,5 +283,6 @@ TEST_CASE("Coons patches close with the curves' own neighbours") {
   // The sum of heights: z = v-linear from the arc 2 u (1 - u) at y = 0 to 0, above and below.
   CHECK(abs(Rational(volume(soup) - Rational(4, 3))) < r("0.02") * 10);
   shape.patches[0][1] = line(b, d);
-  CHECK_THAT(error_of(shape), Catch::Contains("curve 2 of patch 1 ends in (0, 2, 0), but the next one begins in (2, 2, 0)"));
+  CHECK_THAT(error_of(shape),
+             Catch::Contains("curve 2 of patch 1 ends in (0, 2, 0), but the next one begins in (2, 2, 0)"));
 }

@@ -14,7 +14,8 @@ CurveNet line(const RationalPoint& a, const RationalPoint& b) { return {{a, b}, 
 
 ProfileLine polygon(const std::vector<RationalPoint>& corners) {
   ProfileLine result;
-  for (std::size_t i = 0; i < corners.size(); ++i) result.segments.push_back(line(corners[i], corners[(i + 1) % corners.size()]));
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    result.segments.push_back(line(corners[i], corners[(i + 1) % corners.size()]));
   return result;
 }
 
@@ -24,7 +25,8 @@ ProfileLine circle(const Rational& x, const Rational& y, const Rational& radius)
   Rational a = radius, b = 0;
   for (int k = 0; k < 4; ++k) {
     const Rational c = -b, d = a;
-    result.segments.push_back({{{x + a, y + b, 0}, {x + a + c, y + b + d, 0}, {x + c, y + d, 0}}, {1, 1, 2}, 0, {}});
+    result.segments.push_back(
+        {{{x + a, y + b, 0}, {x + a + c, y + b + d, 0}, {x + c, y + d, 0}}, {1, 1, 2}, 0, {}});
     a = c;
     b = d;
   }
@@ -179,7 +181,8 @@ TEST_CASE("a ball and a torus by revolution") {
 
 TEST_CASE("revolution counts its steps, and holes stay holes") {
   RevolveShape shape;
-  shape.profile.lines = {polygon({{1, 0, 0}, {4, 0, 0}, {4, 0, 3}, {1, 0, 3}}), polygon({{2, 0, 1}, {3, 0, 1}, {3, 0, 2}, {2, 0, 2}})};
+  shape.profile.lines = {polygon({{1, 0, 0}, {4, 0, 0}, {4, 0, 3}, {1, 0, 3}}),
+                         polygon({{2, 0, 1}, {3, 0, 1}, {3, 0, 2}, {2, 0, 2}})};
   shape.degrees = 90;
   shape.tessellation.segments = 4;
   const Soup soup = soup_of(shape);
@@ -202,7 +205,8 @@ TEST_CASE("sweeps that can not be are refused") {
   CHECK_THAT(error_of(shape), Catch::Contains("hole 1 of the profile of extrude is outside"));
   shape.profile.lines = {polygon(kSquare)};
   shape.profile.lines[0].segments[1].points[1] = {1, 2, 0};
-  CHECK_THAT(error_of(shape), Catch::Contains("segment 2 of the profile ends in (1, 2, 0), the next one begins in (1, 1, 0)"));
+  CHECK_THAT(error_of(shape),
+             Catch::Contains("segment 2 of the profile ends in (1, 2, 0), the next one begins in (1, 1, 0)"));
   shape.profile.lines = {polygon({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}})};
   CHECK_THAT(error_of(shape), Catch::Contains("segment 2 of the profile is one point"));
   shape.profile.lines = {polygon(kSquare)};

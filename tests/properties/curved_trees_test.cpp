@@ -83,7 +83,8 @@ class RandomTree {
     const char* profiles[] = {"[[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]]",
                               "[[0, 0, 0], [3, 0, 0], [3, 1, 0], [1, 1, 0], [1, 3, 0], [0, 3, 0]]",
                               "[[0, 0, 0], [2, 0, 0], {bezier: [[2, 2, 0], [0, 2, 0]]}]",
-                              "{outer: [[-2, -2, 0], [2, -2, 0], {bezier: [[2, 2, 0]], weights: [1, 1, 2]}, [-2, 2, 0]], "
+                              "{outer: [[-2, -2, 0], [2, -2, 0], {bezier: [[2, 2, 0]], weights: [1, 1, 2]}, "
+                              "[-2, 2, 0]], "
                               "holes: [[[-1, -1, 0], [0, -1, 0], [-1, 0, 0]]]}"};
     const char* turned[] = {"[[0, 0], [2, 0], [1, 2]]", "[[1, -1], {bezier: [[3, -1], [3, 1]]}, [1, 1]]",
                             "[[0, -2], {bezier: [[2, -2], [2, 2]]}, [0, 2]]"};
@@ -91,8 +92,8 @@ class RandomTree {
     switch (between(0, 4)) {
       case 0: return std::string("extrude: {profile: ") + profiles[between(0, 3)] + ", vector: " +
                      text({between(-1, 1), between(-1, 1), between(1, 3)}) + ", " + fineness() + "}" + place;
-      case 1: return std::string("extrude: {profile: ") + profiles[between(0, 2)] + ", vector: [0, 0, 2], twist: " +
-                     std::to_string(30 * between(-3, 3)) + ", scale: " + std::to_string(between(0, 2)) +
+      case 1: return std::string("extrude: {profile: ") + profiles[between(0, 2)] +
+                     ", vector: [0, 0, 2], twist: " + std::to_string(30 * between(-3, 3)) + ", scale: " + std::to_string(between(0, 2)) +
                      ", center: [1, 1, 0], chord: 1/4}" + place;
       case 2: return std::string("revolve: {profile: ") + turned[between(0, 2)] + ", degrees: " +
                      std::to_string(90 * between(1, 4)) + ", " + fineness() + "}" + place;
@@ -105,8 +106,8 @@ class RandomTree {
         }
         return "bezier: {patch: [" + rows + "], " + fineness() + "}" + place;
       }
-      default: return "bspline: {curve: {points: [" + text(point()) + ", [3, 3, 3], " + text(point()) + ", [-3, 3, 0], " +
-                      text(point()) + "], degree: 2}, segments: 2}";
+      default: return "bspline: {curve: {points: [" + text(point()) + ", [3, 3, 3], " + text(point()) +
+                      ", [-3, 3, 0], " + text(point()) + "], degree: 2}, segments: 2}";
     }
   }
   std::string leaf() {
@@ -236,7 +237,9 @@ TEST_CASE("random trees of curved and unbounded leaves satisfy every identity", 
   check_random_trees(400, false);
 }
 
-TEST_CASE("random trees with sweeps and patches satisfy every identity", "[trees]") { check_random_trees(150, true); }
+TEST_CASE("random trees with sweeps and patches satisfy every identity", "[trees]") {
+  check_random_trees(150, true);
+}
 
 }  // namespace
 }  // namespace cnrg
