@@ -1,28 +1,41 @@
 // Sweeps systems over problems: each run in a process with limits, judged against the exact result, a row each.
+#include <unistd.h>
+
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "bench/command.h"
 #include "bench/sweep/plan.h"
 #include "bench/sweep/schedule.h"
 #include "bench/sweep/store.h"
 #include "csg/app/progress_bar.h"
+#include "kernel/exact/rational.h"
 
 namespace cnrg::bench {
 namespace {
 
-constexpr int kProblemStatus = 4;  // the problem itself can not be made
-
 struct Options {
   Choice choice;
   std::vector<std::string> systems, programs, one;
-  std::string out, commit;
+  std::string out, commit, command;
   double seconds = 60, gigabytes = 4;
   int jobs = 1;
   bool list = false, units = false, describe = false, quiet = false;
 };
+
+/// Names of files and columns are made of it.
+void check_name(const std::string& name) {
+  constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  if (name.find_first_not_of(kLetters) != std::string::npos)
+    throw std::runtime_error("'" + name + "' is no name of a system; it has letters, digits, - and _ only");
+  if (name == kTruth)
+    throw std::runtime_error("'truth' is no name of a system: it says who confirms the exact result");
+}
 
 /// NAME=PROGRAM or NAME=PROGRAM:ROUNDING.
 System program_of(const std::string& text) {
@@ -37,10 +50,11 @@ System program_of(const std::string& text) {
       rounding = std::stod(text.substr(colon + 1), &end);
     } catch (const std::exception&) {
     }
-    if (end == 0 || end != text.size() - colon - 1 || !(rounding >= 0))
+    if (end == 0 || end != text.size() - colon - 1 || !(rounding >= 0 && rounding < 1))
       throw std::runtime_error("'" + text.substr(colon + 1) + "' is no rounding; it is such as 1e-12");
     program = text.substr(equals + 1, colon - equals - 1);
   }
+  check_name(text.substr(0, equals));
   std::error_code error;
   const auto path = std::filesystem::canonical(program, error);
   if (error) throw std::runtime_error(program + ": there is no such program");
@@ -49,24 +63,35 @@ System program_of(const std::string& text) {
 
 Setup setup_of(const Options& options) {
   Setup setup;
+  setup.commit = options.commit;
   setup.limits = {options.seconds, static_cast<std::size_t>(options.gigabytes * (1 << 30))};
   setup.systems = systems();
-  for (const std::string& text : options.programs) setup.systems.push_back(program_of(text));
+  for (const std::string& text : options.programs) {
+    const System system = program_of(text);
+    for (const System& other : setup.systems)
+      if (other.name == system.name) throw std::runtime_error("there is a system '" + other.name + "' already");
+    setup.systems.push_back(system);
+  }
   return setup;
 }
 
-/// Those asked for, or all that can run here.
+/// Those asked for and the programs of the user, or all that can run here.
 std::vector<std::string> chosen_systems(const Setup& setup, const Options& options) {
   std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
   for (const std::string& name : options.systems) {
     const System& system = setup.system(name);
     if (!system.absent.empty()) throw std::runtime_error(name + ": " + system.absent);
-    names.push_back(name);
+    add(name);
   }
-  if (!names.empty()) return names;
   for (const System& system : setup.systems) {
-    if (system.absent.empty()) names.push_back(system.name);
-    else std::fprintf(stderr, "bench_sweep: notice: %s is left out: %s\n", system.name.c_str(), system.absent.c_str());
+    if (!options.systems.empty() && system.executable.empty()) continue;
+    if (system.absent.empty())
+      add(system.name);
+    else
+      std::fprintf(stderr, "bench/run: notice: %s is left out: %s\n", system.name.c_str(), system.absent.c_str());
   }
   return names;
 }
@@ -83,8 +108,9 @@ void list_all(const Setup& setup) {
   }
   std::printf("Systems:\n");
   for (const System& s : setup.systems)
-    std::printf("  %-14s %s, %s: %s\n", s.name.c_str(), s.title.c_str(), s.version.c_str(),
-                s.absent.empty() ? s.guarantee.c_str() : ("absent: " + s.absent).c_str());
+    std::printf("  %-14s %s, %s: %s\n", s.name.c_str(), s.title.c_str(),
+                s.absent.empty() ? s.version().c_str() : "absent",
+                s.absent.empty() ? s.guarantee.c_str() : s.absent.c_str());
 }
 
 /// One unit: its record goes to the folder of the sweep, or is shown.
@@ -97,23 +123,21 @@ int run_one(const Options& options, Setup& setup) {
     store.emplace(options.out);
     store->settle(setup);
   }
-  try {
-    if (system == "truth") {
-      const Truth truth = establish_truth(setup, problem);
-      if (store) store->write_truth(problem, truth);
-      else std::cout << to_json(truth);
-      return 0;
-    }
-    const std::optional<Truth> known = store ? store->truth(problem) : std::nullopt;
-    const SweepRow row = run_unit(setup, problem, system, known ? *known : establish_truth(setup, problem));
-    if (store) store->write_row(row);
-    else std::cout << to_json(row);
+  if (system == kTruth) {
+    const Truth truth = establish_truth(setup, problem);
+    if (store)
+      store->write_truth(problem, truth);
+    else
+      std::cout << to_json(truth) << '\n';
     return 0;
-  } catch (const ProblemError& error) {
-    if (!store) throw;
-    std::fprintf(stderr, "bench_sweep: left out: %s\n", error.what());
-    return kProblemStatus;
   }
+  const std::optional<Truth> known = store ? store->truth(problem) : std::nullopt;
+  const SweepRow row = run_unit(setup, problem, system, known ? *known : establish_truth(setup, problem));
+  if (store)
+    store->write_row(row);
+  else
+    std::cout << to_json(row) << '\n';
+  return 0;
 }
 
 std::string duration(double seconds) {
@@ -126,7 +150,7 @@ std::string duration(double seconds) {
 std::vector<Unit> missing_units(const Store& store, const Plan& plan, const std::vector<std::string>& systems) {
   std::vector<Unit> units;
   for (const std::string& problem : plan.problems) {
-    if (!store.truth(problem)) units.push_back({problem, "truth"});
+    if (!store.truth(problem)) units.push_back({problem, kTruth});
     for (const std::string& system : systems)
       if (!store.has_row(problem, system)) units.push_back({problem, system});
   }
@@ -139,67 +163,77 @@ std::vector<std::string> unit_command(const Options& options, const Setup& setup
   std::snprintf(seconds, sizeof seconds, "%.17g", options.seconds);
   std::snprintf(gigabytes, sizeof gigabytes, "%.17g", options.gigabytes);
   std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string(),
-                                 "--out", options.out, "--seconds", seconds, "--gigabytes", gigabytes};
+                                 "--out",
+                                 options.out,
+                                 "--seconds",
+                                 seconds,
+                                 "--gigabytes",
+                                 gigabytes};
+  if (!options.commit.empty()) words.insert(words.end(), {"--commit", options.commit});
   if (!setup.folder.empty()) words.push_back(setup.folder);
   for (const std::string& program : options.programs) words.insert(words.end(), {"--system", program});
   words.push_back("--one");
   return words;
 }
 
-/// What could not be done, in groups. True when that is a fault of ours.
+/// What has no row. True if there is any.
 bool say_failed(const std::vector<FailedUnit>& failed) {
-  std::size_t left_out = 0, broken = 0;
+  std::size_t broken = 0;
   for (const FailedUnit& f : failed) {
     if (f.waited) continue;
-    if (f.status == kProblemStatus) {
-      ++left_out;
-      continue;
-    }
     ++broken;
-    std::fprintf(stderr, "bench_sweep: error: %s of %s ended with status %d and has no row; run it again by --one\n",
+    std::fprintf(stderr, "bench/run: error: %s of %s ended with status %d and has no row; run it again by --one\n",
                  f.unit.system.c_str(), f.unit.problem.c_str(), f.status);
   }
-  if (left_out != 0) std::fprintf(stderr, "bench_sweep: %zu problems are left out\n", left_out);
   return broken != 0;
 }
 
-/// Problem and system of each row, tabs between. Problems of files that can not be read are left out.
-void list_units(const Setup& setup, const Plan& plan, const std::vector<std::string>& systems) {
-  for (const std::string& problem : plan.problems) {
-    if (!setup.folder.empty()) {
+/// Takes problems of files that can not be read out of the plan, and says so. Their process is not this one.
+Store::LeftOut check_problems(const Setup& setup, Plan& plan) {
+  Store::LeftOut left_out;
+  if (setup.folder.empty()) return left_out;
+  const ChildResult child = run_child([&] {
+    nlohmann::json faults = nlohmann::json::array();
+    for (const std::string& problem : plan.problems) {
       try {
         setup.make(problem);
-      } catch (const std::exception& error) {
-        std::fprintf(stderr, "bench_sweep: left out: %s could not be made: %s\n", problem.c_str(), error.what());
-        continue;
+      } catch (const std::runtime_error& error) {
+        faults.push_back({problem, error.what()});
       }
     }
-    for (const std::string& system : systems) std::printf("%s\t%s\n", problem.c_str(), system.c_str());
+    return faults.dump();
+  });
+  if (child.end != ChildResult::End::done || child.text.empty())
+    throw std::runtime_error(setup.folder + ": reading its files ended without a result");
+  left_out = nlohmann::json::parse(child.text).get<Store::LeftOut>();
+  for (const auto& [problem, reason] : left_out) {
+    std::fprintf(stderr, "bench/run: left out: %s: %s\n", problem.c_str(), reason.c_str());
+    plan.problems.erase(std::find(plan.problems.begin(), plan.problems.end(), problem));
   }
+  if (plan.problems.empty()) throw std::runtime_error(setup.folder + ": has no file that makes a problem");
+  return left_out;
 }
 
 int sweep(const Options& options, Setup& setup) {
-  const Plan plan = plan_of(options.choice);
+  Plan plan = plan_of(options.choice);
   setup.folder = plan.folder;
   const std::vector<std::string> names = chosen_systems(setup, options);
+  const Store::LeftOut left_out = check_problems(setup, plan);
   if (options.units) {
-    list_units(setup, plan, names);
+    for (const std::string& problem : plan.problems)
+      for (const std::string& system : names) std::printf("%s\t%s\n", problem.c_str(), system.c_str());
     return 0;
   }
   Store store(options.out);
-  if (options.describe) {
-    store.settle(setup);
-    store.describe(setup, options.commit);
-    return 0;
-  }
-  store.lock();
+  if (!options.describe) store.lock();
   store.settle(setup);
-  store.describe(setup, options.commit);
+  store.describe(setup, options.command, left_out);
+  if (options.describe) return 0;
   const std::vector<Unit> units = missing_units(store, plan, names);
   std::printf("%zu problems, %zu systems: %zu of %zu rows are there\n", plan.problems.size(), names.size(),
               plan.problems.size() * names.size() -
-                  static_cast<std::size_t>(std::count_if(units.begin(), units.end(),
-                                                         [](const Unit& u) { return u.system != "truth"; })),
+                  static_cast<std::size_t>(
+                      std::count_if(units.begin(), units.end(), [](const Unit& u) { return u.system != kTruth; })),
               plan.problems.size() * names.size());
   std::fflush(stdout);
   app::ProgressBar bar(options.quiet);
@@ -215,8 +249,29 @@ int sweep(const Options& options, Setup& setup) {
         bar.show(p.seconds_left > 0 ? "sweep, " + duration(p.seconds_left) + " to go" : "sweep", p.done, p.total);
       });
   bar.clear();
-  std::printf("%zu of %zu units done\n", units.size() - failed.size(), units.size());
+  std::printf("%zu of %zu runs and confirmations done\n", units.size() - failed.size(), units.size());
   return say_failed(failed) ? 1 : 0;
+}
+
+/// CLI11's own range lets what is no number through.
+CLI::Validator number_between(double low, double high) {
+  std::ostringstream range;
+  range << "a number from " << low << " to " << high;
+  return CLI::Validator(
+      [=, text = range.str()](const std::string& word) {
+        const std::optional<Rational> value = parse_rational(word);
+        return value && *value >= from_double(low) && *value <= from_double(high)
+                   ? std::string()
+                   : "'" + word + "' is not " + text;
+      },
+      "NUMBER");
+}
+
+/// The sweep ends with its children; nothing is lost.
+void stop(int) {
+  constexpr char kText[] = "\nbench/run: stopped; the same command goes on\n";
+  if (write(STDERR_FILENO, kText, sizeof kText - 1) < 0) _exit(1);
+  _exit(130);
 }
 
 int run(Options& options) {
@@ -228,6 +283,7 @@ int run(Options& options) {
   if (!options.one.empty()) return run_one(options, setup);
   if (options.out.empty()) options.out = "out/sweep";
   options.out = std::filesystem::absolute(options.out).string();
+  std::signal(SIGINT, stop);
   return sweep(options, setup);
 }
 
@@ -238,33 +294,51 @@ int main(int argc, char** argv) {
   using namespace cnrg::bench;
   Options options;
   Choice& choice = options.choice;
-  CLI::App program{"Systems over families of problems or a folder of meshes: what becomes of each. A sweep that was "
-                   "stopped goes on with the same command.\nExample: bench/run turned edge --seeds 3 --jobs 2",
-                   "bench_sweep"};
+  CLI::App program{
+      "Systems over families of problems or a folder of meshes: what becomes of each. A sweep that was "
+      "stopped goes on with the same command.\nExample: bench/run turned edge --seeds 3 --jobs 2",
+      "bench_sweep"};
   program.add_option("NAMES", choice.names, "Families, problems, `all`, or one folder of meshes");
   program.add_flag("--list", options.list, "List families and systems");
-  program.add_option("--systems", options.systems, "Systems, all that can run otherwise")->delimiter(',');
+  program.add_option("--systems", options.systems, "Systems, all that can run otherwise")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   program.add_option("--system", options.programs, "A program as a system of its own; see bench/peers/system.h")
-      ->type_name("NAME=PROGRAM[:ROUNDING]");
+      ->type_name("NAME=PROGRAM[:ROUNDING]")
+      ->allow_extra_args(false);
   program.add_option("--sizes", choice.sizes, "Sizes instead of the usual ones")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::PositiveNumber);
-  program.add_option("--distances", choice.distances, "`exact` and k from 0 to 16, instead of all")->delimiter(',');
-  program.add_option("--operations", choice.operations, "Of union, difference, intersection, fold")->delimiter(',');
+  program.add_option("--distances", choice.distances, "`exact` and k from 0 to 16, instead of all")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  program.add_option("--operations", choice.operations, "Of union, difference, intersection, fold")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   program.add_option("--seeds", choice.seeds, "Seeds of each, instead of the usual number")
       ->check(CLI::Range(1, 1000000));
   program.add_option("--first-seed", choice.first_seed, "The first seed (1)")->check(CLI::Range(1, 1000000000));
-  program.add_option("--limit", choice.limit, "At most so many problems, spread evenly");
+  program.add_option("--limit", choice.limit, "At most so many problems, spread evenly")
+      ->check(CLI::Range(1, 1000000000));
   program.add_option("--out", options.out, "Folder of the rows (out/sweep)")->type_name("FOLDER");
   program.add_option("--jobs", options.jobs, "Runs at a time (1)")->check(CLI::Range(1, 1024));
-  program.add_option("--seconds", options.seconds, "Time limit of a run (60)")->check(CLI::PositiveNumber);
-  program.add_option("--gigabytes", options.gigabytes, "Memory limit of a run (4)")->check(CLI::PositiveNumber);
+  program.add_option("--seconds", options.seconds, "Time limit of a run (60)")->check(number_between(0.01, 1e5));
+  program.add_option("--gigabytes", options.gigabytes, "Memory limit of a run (4)")
+      ->check(number_between(0.01, 1e4));
   program.add_option("--commit", options.commit, "Of the sources, for the report");
+  for (int i = 1; i < argc; ++i)  // bench/run gives the commit, people do not
+    if (std::string(argv[i]) == "--commit")
+      ++i;
+    else
+      options.command += " " + quoted(argv[i]);
+  options.command = "bench/run" + options.command;
   program.add_flag("--quiet", options.quiet, "No progress bar");
   program.add_flag("--units", options.units, "Print problem and system of each row, and run nothing");
   program.add_flag("--describe", options.describe,
                    "Write what the report says of systems, families and this machine, and run nothing");
-  program.add_option("--one", options.one, "Run one row, and print it, or with --out write it; SYSTEM may be `truth`")
+  program
+      .add_option("--one", options.one, "Run one row, and print it, or with --out write it; SYSTEM may be `truth`")
       ->expected(2)
       ->type_name("PROBLEM SYSTEM");
   return command(program, argc, argv, [&] { return run(options); });

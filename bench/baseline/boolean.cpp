@@ -10,11 +10,17 @@
 //   and by place at the end (connect.cpp);
 // - null faces are paired by their curve and glued by its pieces, not by comparing coordinates (finish.cpp);
 // - shells without a curve, which the book leaves open, are located by rays (locate.cpp);
+// - one epsilon, relative to the operands' size, serves all comparisons of doubles; fractions have none;
+// - the result's own invariants are checked at the end, and edges that share both ends get a vertex in the middle
+//   (output.cpp); results in doubles are cut into triangles, since their points are in no plane any more. Both fail
+//   as stage output;
+// - a fold reads the result of a step as the operand of the next one;
 // - the operands keep what reduction adds: neither collinear edges nor coplanar faces are joined, as in the book.
 //
 // What the method can not do, and says: operands that are no 2-manifold, or whose faces are not planar (input); a
 // boundary that touches itself, as the result of an earlier Boolean may, where the other crosses it
-// (classification, null_edges). Exact arithmetic is not known to fail in another way. Doubles may fail in any
+// (classification, null_edges). Exact arithmetic is not known to fail in another way
+// (tests/baseline/hunt_test.cpp). Doubles may fail in any
 // stage where points are nearly within epsilon.
 #include "bench/baseline/mantyla.h"
 #include "bench/baseline/scene.h"

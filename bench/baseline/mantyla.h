@@ -1,4 +1,4 @@
-// Maentylae's Boolean set operations on boundary models (mantyla1986; mantyla1988, chapters 12 to 15), as
+// Mäntylä's Boolean set operations on boundary models (mantyla1986; mantyla1988, chapters 12 to 15), as
 // published: half-edge solids and Euler operators, reduction, vertex neighbourhood classification, null edges,
 // connecting, finishing. A baseline: nothing is repaired, and the exact kernel of this project takes no part.
 #pragma once

@@ -20,6 +20,7 @@ constexpr int kOutOfMemory = 77;
   // Nobody measures or waits once the parent is gone.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(0);
+  setsid();  // what it starts can be ended with it
   if (limits.bytes != 0) {
     const rlimit address{limits.bytes, limits.bytes};
     setrlimit(RLIMIT_AS, &address);
@@ -63,6 +64,7 @@ ChildResult run_child(const std::function<std::string()>& work, const Limits& li
     if (limits.seconds > 0) wait = static_cast<int>(1000 * (limits.seconds - elapsed())) + 1;
     pollfd ready{ends[0], POLLIN, 0};
     if ((limits.seconds > 0 && wait <= 0) || poll(&ready, 1, wait) == 0) {
+      kill(-pid, SIGKILL);
       kill(pid, SIGKILL);
       result.end = ChildResult::End::timeout;
       break;
@@ -75,6 +77,7 @@ ChildResult run_child(const std::function<std::string()>& work, const Limits& li
   int status = 0;
   rusage usage{};
   wait4(pid, &status, 0, &usage);
+  kill(-pid, SIGKILL);  // what it left behind
   result.seconds = elapsed();
   result.peak_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   if (result.end == ChildResult::End::timeout) return result;

@@ -26,7 +26,8 @@ std::size_t Model::triangle_count() const {
 Model model_of(const TriangleMesh& mesh, bool solid) {
   Model model;
   model.points.reserve(mesh.points.size());
-  for (const auto& [x, y, z] : mesh.points) model.points.push_back({from_double(x), from_double(y), from_double(z)});
+  for (const auto& [x, y, z] : mesh.points)
+    model.points.push_back({from_double(x), from_double(y), from_double(z)});
   for (const auto& polygon : mesh.polygons) model.faces.push_back({{polygon}, solid});
   if (!mesh.polygons.empty()) return model;
   model.faces.reserve(mesh.triangles.size());

@@ -1,8 +1,8 @@
 // A polyhedral set: what systems of a comparison get and what they give back.
 //
 // Points are exact, whatever the system; one that computes in doubles rounds its operands and gives doubles back.
-// A model says two things at once: a point set, and how the system represents it. Two points with equal coordinates
-// are one place in space but two vertices: that is how a manifold representation touches itself.
+// A model says two things at once: a point set, and how the system represents it. Two points with equal
+// coordinates are one place in space but two vertices: that is how a manifold representation touches itself.
 #pragma once
 
 #include <array>
@@ -39,8 +39,8 @@ struct Model {
 Model model_of(const TriangleMesh& mesh, bool solid = true);
 
 /// Coordinates rounded to the nearest doubles; faces, which must have one loop, become polygons, and triangles as
-/// fans of their first corner (right for convex faces). Throws std::invalid_argument for holes, surfaces, wires and
-/// points by themselves.
+/// fans of their first corner (right for convex faces). Throws std::invalid_argument for holes, surfaces, wires
+/// and points by themselves.
 TriangleMesh rounded_mesh(const Model& model);
 
 /// Text that reads back exactly; `read_model` throws std::runtime_error with the line of a fault.

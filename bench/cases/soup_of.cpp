@@ -51,7 +51,8 @@ std::vector<LeafId> add_model(Soup& soup, const Model& model) {
   ids.reserve(model.points.size());
   for (const RationalPoint& p : model.points) ids.push_back(soup.add_point(p));
   const bool all_solid = model.solid();
-  const bool some_solid = std::any_of(model.faces.begin(), model.faces.end(), [](const auto& f) { return f.solid; });
+  const bool some_solid =
+      std::any_of(model.faces.begin(), model.faces.end(), [](const auto& f) { return f.solid; });
   std::vector<LeafId> leaves;
   if (some_solid || all_solid) {
     leaves.push_back(soup.add_leaf(Fill::winding));

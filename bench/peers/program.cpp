@@ -15,7 +15,10 @@
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <sstream>
 #include <stdexcept>
+
+#include "bench/peers/system.h"
 
 namespace cnrg::bench {
 namespace {
@@ -26,10 +29,12 @@ namespace fs = std::filesystem;
 /// write for a moment, so one attempt may not be enough.
 [[noreturn]] void remove_at_end(int pipe, const std::string& path) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_IGN);
+  setsid();  // who ends this process may end all of its session
   dup2(pipe, 0);
   close_range(1, ~0u, 0);  // above all the pipes of others, who wait for their end
   char byte;
-  while (read(0, &byte, 1) < 0 && errno == EINTR) {}
+  while (read(0, &byte, 1) < 0 && errno == EINTR) {
+  }
   for (int attempt = 0; attempt < 50; ++attempt) {
     std::error_code error;
     fs::remove_all(path, error);
@@ -92,13 +97,22 @@ TemporaryFolder::TemporaryFolder() {
 
 TemporaryFolder::~TemporaryFolder() {
   close(alive_);
-  while (waitpid(remover_, nullptr, 0) < 0 && errno == EINTR) {}
+  while (waitpid(remover_, nullptr, 0) < 0 && errno == EINTR) {
+  }
 }
 
 std::string ProgramRun::reason() const {
-  if (signal != 0) return "ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
+  if (signal != 0) throw Crash("ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")");
   const auto last = std::find_if(errors.rbegin(), errors.rend(), [](const std::string& s) { return !s.empty(); });
   return last != errors.rend() ? *last : "ended with status " + std::to_string(status);
+}
+
+bool on_path(const std::string& program) {
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((folder + "/" + program).c_str(), X_OK) == 0) return true;
+  return false;
 }
 
 ProgramRun run_program(const std::vector<std::string>& arguments, const TemporaryFolder& folder) {
@@ -111,11 +125,17 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const Temporar
   if (pid == 0) become(words.data(), errors.c_str(), parent);
   int status = 0;
   rusage usage{};
-  while (wait4(pid, &status, 0, &usage) < 0 && errno == EINTR) {}
+  while (wait4(pid, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
   ProgramRun run;
-  if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
-  else run.status = WEXITSTATUS(status);
+  if (WIFSIGNALED(status))
+    run.signal = WTERMSIG(status);
+  else
+    run.status = WEXITSTATUS(status);
   run.errors = lines_of(errors);
+  for (std::string& line : run.errors)  // the folder's name is chance
+    for (std::size_t at; (at = line.find(folder.path() + "/")) != std::string::npos;)
+      line.erase(at, folder.path().size() + 1);
   run.peak_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   const auto no_memory = [](const std::string& line) { return line.find("std::bad_alloc") != std::string::npos; };
   if (!run.succeeded() && std::any_of(run.errors.begin(), run.errors.end(), no_memory)) throw std::bad_alloc();

@@ -31,9 +31,12 @@ struct ProgramRun {
   std::vector<std::string> errors;   ///< lines of standard error
   std::size_t peak_bytes = 0;        ///< resident
   bool succeeded() const { return status == 0 && signal == 0; }
-  /// The signal, or the last line that is not empty, or the status.
+  /// The last line that is not empty, or the status. Throws Crash (system.h) with the signal, if one ended it.
   std::string reason() const;
 };
+
+/// Whether PATH has a program of this name.
+bool on_path(const std::string& program);
 
 /// Runs `arguments[0]`, searched on PATH, without a shell; standard output is thrown away. It inherits the limits
 /// of this process and is killed when this process ends. `folder` takes the text of standard error. Throws

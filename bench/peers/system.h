@@ -15,9 +15,10 @@ namespace cnrg::bench {
 /// What a system gives back.
 struct Answer {
   Model model;
-  Measures measures;     ///< from operands in memory, in the system's own form or not, to its result in memory
-  double exact_share = -1;  ///< of predicate calls that went to exact arithmetic; negative: the system does not say
-  std::string note;      ///< a few words, or empty
+  Measures measures;  ///< from operands in memory, in the system's own form or not, to its result in memory
+  double exact_share =
+      -1;            ///< of predicate calls that went to exact arithmetic; negative: the system does not say
+  std::string note;  ///< a few words, or empty
 };
 
 /// The system itself says that it has no result, or stops at what it can not do: a verdict, no fault of ours.
@@ -30,16 +31,22 @@ class Refusal : public std::runtime_error {
   std::string stage_;
 };
 
+/// The program that is the system ended by a signal.
+class Crash : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 struct System {
   std::string name;       ///< in options, rows and file names, such as `mantyla-double`
   std::string title;      ///< for people
   std::string guarantee;  ///< what it takes and promises, in one line: named beside the numbers
-  std::string version;
+  std::function<std::string()> version;
   /// How far the coordinates of results may be from the exact ones, as a part of the largest coordinate; 0: exact.
   double rounding = 0;
   bool regularized = true;  ///< by its own contract results are closed solids and nothing else
-  std::string absent;     ///< why it can not run here and what to install; empty: it can
-  /// Throws Refusal; whatever else it throws counts as a failure of the system at stage `unknown`.
+  std::string absent;       ///< why it can not run here and what to install; empty: it can
+  /// Throws Refusal and Crash; whatever else it throws counts as a failure of the system at stage `unknown`.
   std::function<Answer(const Problem&)> evaluate;
   std::string executable{};  ///< of an external system
 };
@@ -47,8 +54,9 @@ struct System {
 /// Those built in, ours first: ours, mantyla-double, mantyla-exact, nef, corefinement, occt, openscad.
 std::vector<System> systems();
 
-/// Any program: `EXECUTABLE OPERATION A.off B.off OUT.off` for each step, status 0 when OUT.off is written; anything
-/// else is a refusal with the last line that it wrote to standard error. `rounding` as above.
+/// Any program: `EXECUTABLE OPERATION A.off B.off OUT.off` for each step, status 0 when OUT.off is written;
+/// another status is a refusal with the last line that it wrote to standard error, a signal a crash. `rounding` as
+/// above.
 System external_system(const std::string& name, const std::string& executable, double rounding);
 
 }  // namespace cnrg::bench

@@ -89,7 +89,7 @@ System corefinement_system() {
           .title = "CGAL corefinement",
           .guarantee = "closed 2-manifolds that do not intersect themselves; exact predicates, points rounded to "
                        "doubles; refuses what is no 2-manifold",
-          .version = std::string("CGAL ") + CGAL_VERSION_STR,
+          .version = [] { return std::string("CGAL ") + CGAL_VERSION_STR; },
           .rounding = 0x1p-50,
           .regularized = true,
           .absent = "",

@@ -80,8 +80,8 @@ Answer evaluate(const std::string& executable, const Problem& problem) {
 System external_system(const std::string& name, const std::string& executable, double rounding) {
   return {.name = name,
           .title = name,
-          .guarantee = "a program that takes and writes OFF files; doubles",
-          .version = "",
+          .guarantee = "a program that takes and writes OFF files; doubles; its process is in time and memory",
+          .version = [] { return std::string(); },
           .rounding = rounding,
           .regularized = true,
           .absent = "",

@@ -276,7 +276,7 @@ System nef_system() {
   return {.name = "nef",
           .title = "CGAL Nef polyhedra",
           .guarantee = "closed 2-manifolds, surfaces, wires and points; exact; CGAL's assertions on",
-          .version = std::string("CGAL ") + CGAL_VERSION_STR,
+          .version = [] { return std::string("CGAL ") + CGAL_VERSION_STR; },
           .rounding = 0,
           .regularized = false,
           .absent = "",

@@ -407,7 +407,7 @@ System occt_system() {
   return {.name = "occt",
           .title = "OpenCASCADE",
           .guarantee = "solids, surfaces, wires, points; doubles, a tolerance; parts of an operand's dimension",
-          .version = std::string("OpenCASCADE ") + OCC_VERSION_COMPLETE,
+          .version = [] { return std::string("OpenCASCADE ") + OCC_VERSION_COMPLETE; },
           .rounding = 1e-9,
           .regularized = false,
           .absent = "",

@@ -7,7 +7,7 @@ System occt_system() {
   return {.name = "occt",
           .title = "OpenCASCADE General Fuse",
           .guarantee = "",
-          .version = "",
+          .version = [] { return std::string(); },
           .absent = "built without OpenCASCADE; bench/run installs what it needs",
           .evaluate = [](const Problem&) -> Answer { throw Refusal("input", "built without OpenCASCADE"); }};
 }

@@ -90,19 +90,20 @@ Answer evaluate(const Problem& problem) {
 }  // namespace
 
 System openscad_system() {
-  System system{.name = "openscad",
-                .title = "OpenSCAD",
-                .guarantee = "closed 2-manifolds, coordinates cut off to a grid, exact from there",
-                .version = "",
-                .rounding = 0x1p-50,
-                .regularized = false,
-                .absent = "",
-                .evaluate = evaluate};
-  const TemporaryFolder folder;
-  const ProgramRun run = run_program({"openscad", "--version"}, folder);
-  if (run.succeeded() && !run.errors.empty()) system.version = run.errors.back();
-  else system.absent = "there is no program openscad; install the package openscad";
-  return system;
+  return {.name = "openscad",
+          .title = "OpenSCAD",
+          .guarantee = "closed 2-manifolds, coordinates cut off to a grid, exact from there; "
+                       "a program: its process is in time and memory",
+          .version =
+              [] {
+                const TemporaryFolder folder;
+                const ProgramRun run = run_program({"openscad", "--version"}, folder);
+                return run.errors.empty() ? std::string() : run.errors.back();
+              },
+          .rounding = 0x1p-50,
+          .regularized = false,
+          .absent = on_path("openscad") ? "" : "there is no program openscad; install the package openscad",
+          .evaluate = evaluate};
 }
 
 }  // namespace cnrg::bench

@@ -14,9 +14,12 @@ namespace {
 
 Operator operator_of(Operation operation) {
   switch (operation) {
-    case Operation::unite: return Operator::unite;
-    case Operation::intersect: return Operator::intersect;
-    default: return Operator::subtract;
+    case Operation::unite:
+      return Operator::unite;
+    case Operation::intersect:
+      return Operator::intersect;
+    default:
+      return Operator::subtract;
   }
 }
 
@@ -73,7 +76,9 @@ SimplifiedComplex point_set(const Complex& complex, const NodeValue& value) {
 class ModelMaker {
  public:
   ModelMaker(const Complex& complex, const SimplifiedComplex& simplified)
-      : complex_(complex), simplified_(simplified), number_(complex.points.size(), kNone),
+      : complex_(complex),
+        simplified_(simplified),
+        number_(complex.points.size(), kNone),
         bounds_(complex.edge_count(), 0) {}
 
   Model run() {
@@ -152,7 +157,8 @@ Answer evaluate(const Problem& problem) {
   measurement.lap("complex");
   std::vector<Group> groups = leaf_groups(complex);
   std::vector<NodeValue> operands;
-  for (const std::vector<LeafId>& of_operand : leaves) operands.push_back(operand_value(complex, groups, of_operand));
+  for (const std::vector<LeafId>& of_operand : leaves)
+    operands.push_back(operand_value(complex, groups, of_operand));
   measurement.lap("leaves");
   const NodeValue value = folded(complex, problem, std::move(operands));
   measurement.lap("Boolean");
@@ -173,7 +179,7 @@ System our_system() {
   return {.name = "ours",
           .title = "cnrg",
           .guarantee = "solids by winding number, surfaces, wires and points; exact; one thread",
-          .version = CNRG_VERSION,
+          .version = [] { return std::string(CNRG_VERSION); },
           .rounding = 0,
           .regularized = false,
           .absent = "",

@@ -142,7 +142,8 @@ std::string to_json(const MachineInfo& m) {
                                    {"date", m.date},
                                    {"limit_seconds", m.limit_seconds},
                                    {"limit_bytes", m.limit_bytes},
-                                   {"command", m.command}};
+                                   {"command", m.command},
+                                   {"left_out", m.left_out}};
   return json_text(out, 1);
 }
 
@@ -181,6 +182,11 @@ MachineInfo machine_of_json(const std::string& text) {
   m.limit_seconds = in.not_negative("limit_seconds");
   m.limit_bytes = in.integer<std::size_t>("limit_bytes");
   m.command = in.text("command");
+  for (const nlohmann::json& one : in.list("left_out")) {
+    if (!one.is_array() || one.size() != 2 || !one[0].is_string() || !one[1].is_string())
+      in.fail("left_out", "a list of pairs of texts");
+    m.left_out.emplace_back(one[0], one[1]);
+  }
   return m;
 }
 

@@ -38,7 +38,9 @@ struct MachineInfo {
   std::string commit, date;      ///< of the sources; of the sweep, such as 2026-11-21
   double limit_seconds = 0;      ///< of a run, wall time; 0: none
   std::size_t limit_bytes = 0;   ///< of a run, address space; 0: none
-  std::string command;           ///< that made the rows
+  std::string command;           ///< that made the rows; several one after the other
+  /// Problems that could not be made, such as those of a mesh file that is broken, and why.
+  std::vector<std::pair<std::string, std::string>> left_out{};
 };
 
 inline constexpr const char* kSystemsFile = "systems.json";

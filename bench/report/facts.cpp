@@ -30,14 +30,16 @@ std::string part_text(std::size_t part, std::size_t all) { return grouped(part) 
 
 MainFact exact_results(const Experiment& experiment, const Summary& summary) {
   MainFact fact;
-  fact.question = "Who has the exact result?";
+  fact.question = "Who has the right result?";
   const auto share = [&](std::size_t s, Class wanted) {
     return static_cast<double>(summary.totals[s].of(wanted)) / static_cast<double>(summary.totals[s].judged());
   };
   const std::vector<std::size_t> systems = ordered(
       summary, [&](std::size_t a, std::size_t b) { return share(a, Class::exact) > share(b, Class::exact); });
-  fact.columns = {"exact", "right", "wrong"};
-  std::size_t unsaid = 0, systems_unsaid = 0;
+  fact.columns = {"same", "right", "wrong"};
+  std::size_t unsaid = 0, systems_unsaid = 0, thin = 0;
+  for (const StageTally& stage : summary.stages)
+    if (stage.system != summary.ours && stage.stage == "topology") thin += stage.tally.of(Class::wrong);
   for (const std::size_t s : systems) {
     const Tally& tally = summary.totals[s];
     fact.lines.push_back(
@@ -46,7 +48,10 @@ MainFact exact_results(const Experiment& experiment, const Summary& summary) {
     unsaid += tally.of(Class::wrong);
     systems_unsaid += tally.of(Class::wrong) > 0;
   }
-  fact.note = "Right: by some contract, the exact ones included. Wrong: a wrong result and no word of it.";
+  fact.note =
+      "Same: the exact point set, of systems that round up to the rounding that they state. Right: by some "
+      "contract, "
+      "the same ones included. Wrong: a wrong result and no word of it.";
   if (systems.empty() || systems[0] != summary.ours) {
     fact.headline = "–";
     fact.sentence = "There are no judged runs of ours.";
@@ -54,7 +59,7 @@ MainFact exact_results(const Experiment& experiment, const Summary& summary) {
   }
   const Tally& ours = summary.totals[*summary.ours];
   fact.headline = part_text(ours.of(Class::exact), ours.judged());
-  fact.sentence = "results of " + title_of(experiment, *summary.ours) + " are exact.";
+  fact.sentence = "results of " + title_of(experiment, *summary.ours) + " are the exact ones.";
   if (ours.of(Class::wrong) > 0) fact.sentence += " " + grouped(ours.of(Class::wrong)) + " are wrong, unsaid.";
   if (ours.judged() < ours.runs()) {
     fact.sentence += " " + grouped(ours.of(Class::unjudged)) + " more could not be judged.";
@@ -67,10 +72,12 @@ MainFact exact_results(const Experiment& experiment, const Summary& summary) {
   };
   fact.sentence += " Best of the others is " + said(best);
   if (worst != best) fact.sentence += ", last " + said(worst);
-  fact.sentence += unsaid == 0
-                       ? ". None of the others is wrong without saying so."
-                       : ". " + plural(unsaid, "result") + " of " + plural(systems_unsaid, "other system") +
-                             (unsaid == 1 ? " is" : " are") + " wrong without saying so.";
+  fact.sentence +=
+      unsaid == 0
+          ? ". None of the others is wrong without saying so."
+          : ". " + plural(unsaid, "result") + " of " + plural(systems_unsaid, "other system") +
+                (unsaid == 1 ? " is" : " are") + " wrong without saying so" +
+                (thin == 0 ? "" : ", " + grouped(thin) + " of them in parts thinner than their rounding") + ".";
   return fact;
 }
 
@@ -123,7 +130,9 @@ MainFact failures_near_degeneracy(const Experiment& experiment, const Summary& s
   for (const DistanceCurve& curve : curves) sorted.push_back(&curve);
   std::stable_sort(sorted.begin(), sorted.end(), [&](const DistanceCurve* a, const DistanceCurve* b) {
     const bool a_ours = summary.ours == a->system, b_ours = summary.ours == b->system;
-    return a_ours != b_ours ? a_ours : onset_rank(*a) < onset_rank(*b);
+    if (a_ours != b_ours) return a_ours;
+    if (onset_rank(*a) != onset_rank(*b)) return onset_rank(*a) < onset_rank(*b);
+    return a->points[a->worst].tally.failure_rate() > b->points[b->worst].tally.failure_rate();
   });
   const DistanceCurve* first = nullptr;
   for (const DistanceCurve* curve : sorted) {
@@ -200,8 +209,8 @@ MainFact speed(const Experiment& experiment, const Summary& summary) {
                      " × " + described(*second) + ".";
   }
   fact.note =
-      "Time of the system over ours, on the n problems that both did right; below 1 the system is faster. "
-      "Their guarantees are not equal.";
+      "Time of the system over ours, on the n problems that both did right, each run once; below 1 the system is "
+      "faster. Most problems are small; below are times by size. Guarantees are not equal.";
   return fact;
 }
 

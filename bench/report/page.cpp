@@ -12,14 +12,22 @@ namespace {
 
 constexpr std::size_t kShortTitle = 20;  // characters that fit a column's head and beside a plot
 
+/// How many of the exact results an independent system has, too.
+std::string confirmed_text(const Summary& summary) {
+  for (const TruthCount& truth : summary.truths)
+    if (truth.confirmed == "Nef" && truth.problems > 0)
+      return ", which Nef polyhedra have, too, in " + grouped(truth.problems) + " problems";
+  return "";
+}
+
 std::string introduction(const Page& page, const std::string& title) {
   const Summary& summary = page.summary;
   const std::size_t systems = page.systems().size();
   std::string sentence = plural(systems, "system") + (systems == 1 ? " was" : " were") + " given " +
                          plural(summary.problems, "Boolean problem") + " of " + grouped(summary.families.size()) +
                          (summary.families.size() == 1 ? " family" : " families") +
-                         ", each in a process of its own, and each result was judged against the exact one: " +
-                         plural(page.experiment.rows.size(), "run") + ".";
+                         ", each in a process of its own, and each result was judged against the exact one" +
+                         confirmed_text(summary) + ": " + plural(page.experiment.rows.size(), "run") + ".";
   std::string facts;
   if (page.experiment.machine && !page.experiment.machine->date.empty()) {
     facts = page.experiment.machine->date + ". ";
@@ -119,7 +127,7 @@ std::string report_html(const Experiment& experiment, const Summary& summary, co
   };
   const Part parts[] = {
       {"verdicts", "Verdicts by family",
-       "A bar is all runs of a system on a family. Below it: exact / right by another contract / failed, and "
+       "A bar is all runs of a system on a family. Below it: same / right by another contract / failed, and "
        "with a question mark what could not be judged.",
        verdict_matrix(page)},
       {"totals", "Verdicts in numbers", "Runs of each system by verdict, over all families.",
@@ -145,7 +153,10 @@ std::string report_html(const Experiment& experiment, const Summary& summary, co
        ratio_section(page, drawings)},
       {"exact", "Exact stage of ours", "The part of the predicate calls that went to exact arithmetic.",
        exact_section(page)},
-      {"truth", "Truth", "What the exact results, which the verdicts are made with, were confirmed by.",
+      {"truth", "Truth",
+       "The exact results that the verdicts are made with come from the kernel of this project. Independent "
+       "systems "
+       "computed them, too; where none could, ours is judged by itself.",
        truth_section(page)},
       {"meanings", "What verdicts mean", "", verdict_meanings()},
       {"systems", "Systems", "", systems_section(page)},

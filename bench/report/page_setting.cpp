@@ -122,6 +122,8 @@ std::string machine_section(const Page& page) {
     list += definition("operating system", machine->system) + definition("compiler", machine->compiler) +
             definition("commit", machine->commit) + definition("date", machine->date) +
             definition("made by", machine->command);
+    for (const auto& [problem, reason] : machine->left_out)
+      list += definition("left out", problem + ": " + reason);
   } else {
     list += definition("machine", "not recorded: there was no machine.json");
   }

@@ -124,7 +124,8 @@ std::string verdict_totals(const Page& page) {
     rows += element("tr", cells, "class=\"total\"") + "\n";
   };
   line("runs", [](const Tally& t) { return grouped(t.runs()); });
-  line("failure rate of the judged", [](const Tally& t) { return percent(t.failure_rate()); });
+  line("failure rate of the judged",
+       [](const Tally& t) { return t.judged() == 0 ? std::string("–") : percent(t.failure_rate()); });
   return table(heads({{"verdict"}}) + system_heads(page), rows, "class=\"numbers\"");
 }
 
@@ -150,10 +151,11 @@ std::string stage_table(const Page& page) {
 
 std::string verdict_meanings() {
   constexpr const char* kMeanings[] = {
-      "The exact point set, up to the rounding that the system states, each contact once.",
+      "The exact point set, of a system that rounds up to the rounding that it states, each contact once.",
       "The closure of the interior: what the operation makes of lower dimension is missing.",
-      "The point set, but cells at a non-manifold contact are there twice or more.",
-      "Parts that touch in the exact result do not touch, for coordinates were rounded.",
+      "The point set, but edges or vertices at a non-manifold contact are there twice or more. A contact in the "
+      "interior of a face is not told apart.",
+      "Parts that touch in the exact result do not, or the other way round, for coordinates were rounded.",
       "A surface, wire or point of an operand that the exact result has is missing.",
       "Anything else: volume or surface too much or too little, or no solid at all, and no word of it.",
       "The system says that it can not.",
@@ -164,8 +166,9 @@ std::string verdict_meanings() {
   static_assert(std::size(kMeanings) == kVerdicts);
   std::string rows;
   for (std::size_t v = 0; v < kVerdicts; ++v) {
-    constexpr const char* kClassNames[] = {"exact",           "right by another contract", "failed: wrong, unsaid",
-                                           "failed: says so", "failed: no result",         "nothing"};
+    constexpr const char* kClassNames[] = {
+        "same",   "right by another contract", "failed: wrong, unsaid", "failed: says so", "failed: no result",
+        "nothing"};
     const auto group = static_cast<std::size_t>(class_of(static_cast<Verdict>(v)));
     rows += element("tr", element("th", "<i class=\"box " + verdict_class(v) + "\"></i>" + verdict_name(v),
                                   "scope=\"row\"") +

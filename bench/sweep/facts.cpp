@@ -14,8 +14,8 @@ namespace {
 
 /// Faces with solid on one side only, and how they go on at their edges.
 ///
-/// Notation: a use is a place among the values of `Complex::edge_uses`; use * 2 is the end of its half-edge where it
-/// leaves, use * 2 + 1 where it arrives. Joined ends are one corner of the surface, seen from the solid.
+/// Notation: a use is a place among the values of `Complex::edge_uses`; use * 2 is the end of its half-edge where
+/// it leaves, use * 2 + 1 where it arrives. Joined ends are one corner of the surface, seen from the solid.
 class BoundaryWalk {
  public:
   BoundaryWalk(const Complex& complex, const std::vector<RegionId>& solid)
@@ -95,18 +95,6 @@ class BoundaryWalk {
   std::vector<char> used_;
 };
 
-Selection as_one(const CellSet& set) {
-  Selection selection;
-  const auto fill = [](const auto& cells, auto& out) {
-    for (const auto cell : cells) out.emplace_back(cell, 1);
-  };
-  fill(set.vertices, selection.vertices);
-  fill(set.edges, selection.edges);
-  fill(set.faces, selection.faces);
-  fill(set.regions, selection.regions);
-  return selection;
-}
-
 /// Non-manifold cells of the simplified set; an edge that the refinement cut is one.
 void count_non_manifold(const Complex& complex, const CellSet& set, const SimplifiedComplex& simplified,
                         Facts& facts) {
@@ -126,6 +114,18 @@ void count_non_manifold(const Complex& complex, const CellSet& set, const Simpli
 }
 
 }  // namespace
+
+Selection as_one(const CellSet& set) {
+  Selection selection;
+  const auto fill = [](const auto& cells, auto& out) {
+    for (const auto cell : cells) out.emplace_back(cell, 1);
+  };
+  fill(set.vertices, selection.vertices);
+  fill(set.edges, selection.edges);
+  fill(set.faces, selection.faces);
+  fill(set.regions, selection.regions);
+  return selection;
+}
 
 BoundarySurface boundary_surface(const Complex& complex, const std::vector<RegionId>& solid) {
   return BoundaryWalk(complex, solid).surface();

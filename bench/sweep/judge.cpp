@@ -10,7 +10,9 @@
 #include "csg/operators/leaf_group.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
+#include "kernel/selection/manifold.h"
 #include "kernel/selection/measure.h"
+#include "kernel/selection/simplify.h"
 
 namespace cnrg::bench {
 namespace {
@@ -19,9 +21,12 @@ using Leaves = std::vector<std::vector<LeafId>>;
 
 BooleanOp boolean_op(Operation operation) {
   switch (operation) {
-    case Operation::unite: return BooleanOp::unite;
-    case Operation::intersect: return BooleanOp::intersect;
-    case Operation::subtract: break;
+    case Operation::unite:
+      return BooleanOp::unite;
+    case Operation::intersect:
+      return BooleanOp::intersect;
+    case Operation::subtract:
+      break;
   }
   return BooleanOp::subtract;
 }
@@ -41,7 +46,8 @@ CellSet exact_set(const Complex& complex, const std::vector<Group>& groups, cons
   Group value = united(complex, groups, operands[0]);
   for (std::size_t i = 0; i < problem.steps.size(); ++i)
     value = apply(complex, boolean_op(problem.steps[i]), Dominance::equal, value,
-                  united(complex, groups, operands[i + 1])).group;
+                  united(complex, groups, operands[i + 1]))
+                .group;
   return point_set(complex, value);
 }
 
@@ -57,12 +63,28 @@ std::size_t duplicates_of(const Model& model) {
   for (std::size_t i = 0; i < used.size(); ++i)
     if (used[i]) points.push_back(&model.points[i]);
   std::sort(points.begin(), points.end(), [](const auto* a, const auto* b) { return *a < *b; });
-  const auto end = std::unique(points.begin(), points.end(), [](const auto* a, const auto* b) { return *a == *b; });
+  const auto end =
+      std::unique(points.begin(), points.end(), [](const auto* a, const auto* b) { return *a == *b; });
   return static_cast<std::size_t>(points.end() - end);
 }
 
-/// Shells and genus of the boundary as the system's own vertices and faces say it; nothing when these are no closed
-/// 2-manifold.
+/// The volume that the faces of the solid enclose, each point counted as often as they wind around it.
+Rational signed_volume(const Model& model) {
+  std::vector<Rational> six_times;
+  for (const Model::Face& face : model.faces) {
+    if (!face.solid) continue;
+    for (const auto& loop : face.loops)
+      for (std::size_t k = 2; k < loop.size(); ++k) {
+        const RationalPoint &a = model.points[loop[0]], &b = model.points[loop[k - 1]], &c = model.points[loop[k]];
+        six_times.push_back(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                            a[2] * (b[0] * c[1] - b[1] * c[0]));
+      }
+  }
+  return sum(std::move(six_times)) / 6;
+}
+
+/// Shells and genus of the boundary as the system's own vertices and faces say it; nothing when these are no
+/// closed 2-manifold.
 std::optional<BoundarySurface> own_surface(const Model& model) {
   std::map<std::array<std::uint32_t, 2>, std::uint32_t> face_left_of;  // by directed edge
   UnionFind faces(model.faces.size()), places(model.points.size());
@@ -89,7 +111,8 @@ std::optional<BoundarySurface> own_surface(const Model& model) {
     ++fan[edge[0]];
   }
   // A vertex is one only if its faces go around it once.
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> before;  // of each directed edge, where the loop comes from
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t>
+      before;  // of each directed edge, where the loop comes from
   for (const Model::Face& face : model.faces) {
     if (!face.solid) continue;
     for (const auto& loop : face.loops)
@@ -128,8 +151,15 @@ double extent_of(const Problem& problem) {
 struct Comparison {
   const Complex& complex;
   CellSet exact, found;
+  std::vector<LeafId> result;  ///< the leaves of `found`
   double rounding = 0, extent = 0;
   bool solids = true;  ///< all operands are
+
+  bool of_result(SegmentId s) const {
+    for (const SourceId f : complex.segment_faces[s])
+      if (std::find(result.begin(), result.end(), complex.sources[f].leaf) != result.end()) return true;
+    return false;
+  }
 
   std::vector<FaceId> boundary(const CellSet& set) const {
     const auto in = [&](RegionId r) { return std::binary_search(set.regions.begin(), set.regions.end(), r); };
@@ -154,9 +184,36 @@ Verdict without_dangling(const Comparison& c) {
   return c.solids ? Verdict::same_regularized : Verdict::dangling_lost;
 }
 
-Verdict same_with(const Judgement& j) {
+/// At a non-manifold edge two edges of the result overlap, or at such a vertex one goes through it: cells that lie
+/// at one place without being one, though none of their ends coincide.
+bool overlaps_at_contact(const Comparison& c) {
+  Neighbourhoods neighbourhoods(c.complex);
+  const Manifoldness shapes = manifoldness(c.complex, c.found, neighbourhoods);
+  const auto segments_of = [&](EdgeId e) {
+    std::vector<SegmentId> segments;
+    for (const SegmentId s : c.complex.edge_segments[e])
+      if (c.of_result(s)) segments.push_back(s);
+    return segments;
+  };
+  for (const auto& [e, shape] : shapes.edges)
+    if (shape.form == LocalForm::non_manifold && segments_of(e).size() > 1) return true;
+  // Along such an edge the refinement has vertices that are no contact of their own.
+  const SimplifiedComplex simplified = simplify(c.complex, as_one(c.found), {}, SimplifyMode::points);
+  for (const auto& [v, shape] : shapes.vertices) {
+    if (shape.form != LocalForm::non_manifold || simplified.vertex_place[v.index()].dimension != 0) continue;
+    std::vector<SegmentId> through;
+    for (const EdgeId e : c.complex.vertex_edges[v])
+      for (const SegmentId s : segments_of(e)) through.push_back(s);
+    std::sort(through.begin(), through.end());
+    if (std::adjacent_find(through.begin(), through.end()) != through.end()) return true;
+  }
+  return false;
+}
+
+Verdict same_with(const Comparison& c, const Judgement& j) {
   const bool contact = j.truth.non_manifold_edges + j.truth.non_manifold_vertices > 0;
-  return contact && j.duplicates > 0 ? Verdict::contact_duplicated : Verdict::same;
+  if (!contact) return Verdict::same;
+  return j.duplicates > 0 || overlaps_at_contact(c) ? Verdict::contact_duplicated : Verdict::same;
 }
 
 void reject(Judgement& j, const char* stage, std::string message) {
@@ -171,7 +228,7 @@ void judge_exact(const Comparison& c, Judgement& j) {
     return reject(j, excess.regions.empty() ? "dangling" : "volume",
                   "too much: " + cells_of(excess) + " of the refinement");
   if (!missing.regions.empty()) return reject(j, "volume", "missing: " + cells_of(missing) + " of the refinement");
-  j.verdict = missing.empty() ? same_with(j) : without_dangling(c);
+  j.verdict = missing.empty() ? same_with(c, j) : without_dangling(c);
 }
 
 struct Loose {
@@ -201,27 +258,56 @@ int compare_loose(const Comparison& c, const Loose& found, const Loose& exact) {
   return std::count(signs, signs + 3, -1) > 0 ? -1 : 0;
 }
 
-void judge_rounded(const Comparison& c, const Model& result, double apart, Judgement& j) {
-  const double surface = area(c.complex, c.boundary(c.exact)) + area(c.complex, c.boundary(c.found));
-  if (apart > 8 * c.rounding * c.extent * surface)
-    return reject(j, "volume", "the volume of the symmetric difference is beyond what rounding explains");
-  const BoundarySurface expected{j.truth.shells, j.truth.genus};
-  const BoundarySurface own = own_surface(result).value_or(BoundarySurface{j.facts->shells, j.facts->genus});
-  if (own.shells != expected.shells || own.genus != expected.genus)
-    return reject(j, "topology",
-                  std::to_string(own.shells) + " shells of genus " + std::to_string(own.genus) + " instead of " +
-                      std::to_string(expected.shells) + " of " + std::to_string(expected.genus) +
-                      ", while the volume is right up to rounding");
-  const int loose = compare_loose(c, loose_of(c, c.found), loose_of(c, c.exact));
-  if (loose > 0) {
-    reject(j, "dangling", "faces, wires or points that bound no solid are too many");
-  } else if (loose < 0) {
-    j.verdict = without_dangling(c);
-  } else {
-    const bool contact = j.truth.non_manifold_edges + j.truth.non_manifold_vertices > 0;
-    const bool touches = j.facts->non_manifold_edges + j.facts->non_manifold_vertices > 0;
-    j.verdict = contact && !touches ? Verdict::contact_lost : same_with(j);
+/// What reaches out of the box of the operands further than rounding explains may have no volume to speak of, such
+/// as a spike.
+bool reaches_too_far(const Comparison& c, const Problem& problem, const Model& result) {
+  const double allowed = 8 * c.rounding * c.extent;
+  for (int k = 0; k < 3; ++k) {
+    std::optional<Rational> low, high;
+    for (const Model& operand : problem.operands)
+      for (const RationalPoint& p : operand.points) {
+        if (!low || p[k] < *low) low = p[k];
+        if (!high || p[k] > *high) high = p[k];
+      }
+    for (const RationalPoint& p : result.points)
+      if (!low || to_double(*low - p[k]) > allowed || to_double(p[k] - *high) > allowed) return true;
   }
+  return false;
+}
+
+std::string topology_text(const BoundarySurface& found, const BoundarySurface& expected) {
+  return std::to_string(found.shells) + " shells of genus " + std::to_string(found.genus) + " instead of " +
+         std::to_string(expected.shells) + " of " + std::to_string(expected.genus) +
+         ": what differs is thinner than the rounding of the system";
+}
+
+void judge_rounded(const Comparison& c, const Problem& problem, const Model& result, double apart, double allowed,
+                   Judgement& j) {
+  if (!(apart <= allowed))
+    return reject(j, "volume", "the volume of the symmetric difference is beyond what rounding explains");
+  if (reaches_too_far(c, problem, result))
+    return reject(j, "surface", "it reaches out of the box of the operands further than rounding explains");
+  const auto same = [](const BoundarySurface& a, const BoundarySurface& b) {
+    return a.shells == b.shells && a.genus == b.genus;
+  };
+  const BoundarySurface expected{j.truth.shells, j.truth.genus}, as_set{j.facts->shells, j.facts->genus};
+  const BoundarySurface own = own_surface(result).value_or(as_set);
+  if (!same(own, expected) && !same(as_set, expected)) return reject(j, "topology", topology_text(own, expected));
+  const int loose = compare_loose(c, loose_of(c, c.found), loose_of(c, c.exact));
+  if (loose > 0) return reject(j, "dangling", "faces, wires or points that bound no solid are too many");
+  if (loose < 0) {
+    j.verdict = without_dangling(c);
+    return;
+  }
+  const auto compare = [](std::size_t found, std::size_t exact) { return found < exact ? -1 : found > exact; };
+  const int edges = compare(j.facts->non_manifold_edges, j.truth.non_manifold_edges),
+            vertices = compare(j.facts->non_manifold_vertices, j.truth.non_manifold_vertices);
+  if (edges == 0 && vertices == 0) {
+    j.verdict = same_with(c, j);
+    return;
+  }
+  j.verdict = Verdict::contact_lost;
+  if (edges > 0 || vertices > 0) j.message = "it touches itself where the exact result does not";
 }
 
 Leaves add_operands(Soup& soup, const Problem& problem) {
@@ -255,8 +341,9 @@ Judgement judge(const Problem& problem, const Model& result, double rounding) {
   }
   const Complex& complex = *built;
   const std::vector<Group> groups = leaf_groups(complex);
-  Comparison c{complex, exact_set(complex, groups, problem, operands), {}, rounding, extent_of(problem),
-               problem.solids()};
+  Comparison c{
+      complex,         exact_set(complex, groups, problem, operands), {}, found, rounding, extent_of(problem),
+      problem.solids()};
   for (const LeafId leaf : found) c.found = unite(c.found, point_set(complex, groups[leaf.index()]));
   j.truth = facts_of(complex, c.exact);
   j.facts = facts_of(complex, c.found);
@@ -269,8 +356,32 @@ Judgement judge(const Problem& problem, const Model& result, double rounding) {
   const double unit = whole > 0 ? whole : c.extent * c.extent * c.extent;
   j.excess = excess / unit;
   j.missing = missing / unit;
-  if (rounding == 0) judge_exact(c, j);
-  else judge_rounded(c, result, excess + missing, j);
+  // Moving the boundary by the rounding changes the volume by that much.
+  const double allowed = 16 * rounding * c.extent * area(complex, c.boundary(c.exact));
+  const Rational around = signed_volume(result), inside = volume(complex, c.found.regions).value();
+  if (!(to_double(abs(around - inside)) <= allowed)) {
+    reject(j, "surface",
+           "its faces do not go around the solid once, outwards: their volume is " + to_decimal(around) +
+               ", that of the set " + to_decimal(inside));
+  } else if (rounding == 0) {
+    judge_exact(c, j);
+  } else {
+    judge_rounded(c, problem, result, excess + missing, allowed, j);
+  }
+  return j;
+}
+
+Judgement judge_by_volume(const Problem& problem, const Model& result, double rounding) {
+  Judgement j;
+  j.truth = exact_facts(problem);
+  j.duplicates = duplicates_of(result);
+  j.verdict = Verdict::unjudged;
+  const Rational exact(j.truth.volume), difference = signed_volume(result) - exact;
+  const double extent = extent_of(problem), unit = exact > 0 ? to_double(exact) : extent * extent * extent;
+  // Far beyond what rounding makes of any surface in reach.
+  if (std::fabs(to_double(difference)) <= std::max(1e-6, 1e6 * rounding) * extent * extent * extent) return j;
+  reject(j, "volume", "the volume that its faces enclose is not that of the exact result");
+  (difference > 0 ? j.excess : j.missing) = std::fabs(to_double(difference)) / unit;
   return j;
 }
 

@@ -23,7 +23,8 @@ std::string value_in(const char* path, const std::string& key) {
 
 std::string operating_system() {
   std::string text = value_in("/etc/os-release", "PRETTY_NAME");
-  if (utsname name{}; uname(&name) == 0) text += (text.empty() ? "" : ", ") + std::string(name.sysname) + " " + name.release;
+  if (utsname name{}; uname(&name) == 0)
+    text += (text.empty() ? "" : ", ") + std::string(name.sysname) + " " + name.release;
   return text;
 }
 
@@ -41,7 +42,8 @@ MachineInfo this_machine() {
   machine.cpu = value_in("/proc/cpuinfo", "model name");
   machine.cores = std::thread::hardware_concurrency();
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGE_SIZE);
-  if (pages > 0 && page > 0) machine.memory_bytes = static_cast<std::size_t>(pages) * static_cast<std::size_t>(page);
+  if (pages > 0 && page > 0)
+    machine.memory_bytes = static_cast<std::size_t>(pages) * static_cast<std::size_t>(page);
   machine.system = operating_system();
 #if defined(__GNUC__) && !defined(__clang__)
   machine.compiler = "g++ " __VERSION__;

@@ -5,8 +5,8 @@
 
 namespace cnrg::bench {
 
-/// Processor, cores, memory, operating system, compiler and date; the rest is for the caller. What can not be found
-/// out is empty or 0.
+/// Processor, cores, memory, operating system, compiler and date; the rest is for the caller. What can not be
+/// found out is empty or 0.
 MachineInfo this_machine();
 
 }  // namespace cnrg::bench

@@ -13,7 +13,8 @@ constexpr int kMostDistance = 16;
 
 std::optional<int> distance_of(const std::string& text) {
   if (text == "exact") return {};
-  const bool number = !text.empty() && text.size() <= 2 && text.find_first_not_of("0123456789") == std::string::npos;
+  const bool number =
+      !text.empty() && text.size() <= 2 && text.find_first_not_of("0123456789") == std::string::npos;
   if (!number || std::stoi(text) > kMostDistance)
     throw std::runtime_error("'" + text + "' is no distance; a distance is `exact` or k from 0 to 16, for 10^-k");
   return std::stoi(text);
@@ -44,7 +45,8 @@ void add_family(const Family& family, const Choice& choice, std::vector<std::str
       if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), operation) == wanted.end()) continue;
       for (const std::optional<int>& distance : distances_of(family, choice))
         for (int seed = choice.first_seed; seed < choice.first_seed + seeds; ++seed)
-          problems.push_back(ProblemId{family.name, operation, size, distance, static_cast<unsigned>(seed)}.name());
+          problems.push_back(
+              ProblemId{family.name, operation, size, distance, static_cast<unsigned>(seed)}.name());
     }
 }
 
@@ -54,6 +56,12 @@ void thin_out(std::vector<std::string>& problems, std::size_t limit) {
   std::vector<std::string> some;
   for (std::size_t i = 0; i < limit; ++i) some.push_back(problems[i * problems.size() / limit]);
   problems = std::move(some);
+}
+
+bool is_operation(const std::string& name) {
+  return std::any_of(families().begin(), families().end(), [&](const Family& f) {
+    return std::find(f.operations.begin(), f.operations.end(), name) != f.operations.end();
+  });
 }
 
 bool is_problem(const std::string& name) {
@@ -70,10 +78,11 @@ bool is_problem(const std::string& name) {
 Plan plan_of(const Choice& choice) {
   namespace fs = std::filesystem;
   Plan plan;
-  if (choice.names.empty()) throw std::runtime_error("name families or a folder of meshes; `--list` lists families");
+  if (choice.names.empty())
+    throw std::runtime_error("name families or a folder of meshes; `--list` lists families");
   for (const std::string& name : choice.names) {
-    const auto family = std::find_if(families().begin(), families().end(),
-                                     [&](const Family& f) { return f.name == name; });
+    const auto family =
+        std::find_if(families().begin(), families().end(), [&](const Family& f) { return f.name == name; });
     if (family != families().end()) {
       add_family(*family, choice, plan.problems);
     } else if (name == "all") {
@@ -92,6 +101,10 @@ Plan plan_of(const Choice& choice) {
                                " (`all`: all of them); the benchmarks of speed are `bench/run speed NAME`");
     }
   }
+  for (const std::string& operation : choice.operations)
+    if (!is_operation(operation))
+      throw std::runtime_error("'" + operation +
+                               "' is no operation; there are union, difference, intersection, fold");
   thin_out(plan.problems, choice.limit);
   std::vector<std::string> sorted = plan.problems;
   std::sort(sorted.begin(), sorted.end());

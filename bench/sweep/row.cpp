@@ -7,9 +7,8 @@ namespace cnrg::bench {
 namespace {
 
 constexpr std::array<const char*, kVerdicts> kNames = {
-    "same",  "same-regularized", "contact-duplicated", "contact-lost", "dangling-lost",
-    "wrong", "refused",          "crashed",            "timed-out",    "out-of-memory",
-    "unjudged"};
+    "same",    "same-regularized", "contact-duplicated", "contact-lost",  "dangling-lost", "wrong",
+    "refused", "crashed",          "timed-out",          "out-of-memory", "unjudged"};
 
 nlohmann::ordered_json object_of(const Facts& f) {
   return {{"volume", f.volume},
@@ -93,12 +92,14 @@ bool is_failure(Verdict verdict) {
     case Verdict::contact_duplicated:
     case Verdict::contact_lost:
     case Verdict::dangling_lost:
-    case Verdict::unjudged: return false;
+    case Verdict::unjudged:
+      return false;
     case Verdict::wrong:
     case Verdict::refused:
     case Verdict::crashed:
     case Verdict::timed_out:
-    case Verdict::out_of_memory: break;
+    case Verdict::out_of_memory:
+      break;
   }
   return true;
 }

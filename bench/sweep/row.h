@@ -14,8 +14,8 @@ namespace cnrg::bench {
 enum class Verdict : std::uint8_t {
   same,                ///< the exact point set (up to the system's stated rounding), each contact once
   same_regularized,    ///< the closure of the interior: what the operation makes of lower dimension is missing
-  contact_duplicated,  ///< the point set, but cells at a non-manifold contact are there twice or more
-  contact_lost,        ///< parts that touch in the exact result do not touch (rounded coordinates)
+  contact_duplicated,  ///< the point set, but edges or vertices at a non-manifold contact are there twice or more
+  contact_lost,        ///< parts that touch in the exact result do not, or the other way round (rounded coordinates)
   dangling_lost,       ///< a surface, wire or point of an operand that the exact result has is missing
   wrong,               ///< anything else: volume or surface too much or too little, or no solid at all
   refused,             ///< the system says that it can not

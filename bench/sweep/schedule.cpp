@@ -15,7 +15,6 @@ namespace cnrg::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr const char* kTruth = "truth";
 
 pid_t start(const std::vector<std::string>& words) {
   std::vector<char*> argv;
@@ -37,8 +36,10 @@ class Schedule {
       if (unit.system == kTruth) waiting_[unit.problem];
     for (const Unit& unit : units) {
       const auto truth = unit.system == kTruth ? waiting_.end() : waiting_.find(unit.problem);
-      if (truth == waiting_.end()) ready_.push_back(unit);
-      else truth->second.push_back(unit);
+      if (truth == waiting_.end())
+        ready_.push_back(unit);
+      else
+        truth->second.push_back(unit);
       ++left_of_[unit.system];
     }
     progress_.total = units.size();
@@ -122,8 +123,8 @@ class Schedule {
 }  // namespace
 
 std::vector<FailedUnit> run_units(const std::vector<Unit>& units, int jobs,
-                            const std::function<std::vector<std::string>(const Unit&)>& arguments,
-                            const std::function<void(const Progress&)>& progress) {
+                                  const std::function<std::vector<std::string>(const Unit&)>& arguments,
+                                  const std::function<void(const Progress&)>& progress) {
   Schedule schedule(units, jobs);
   progress(schedule.progress());
   while (!schedule.over()) {

@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -40,8 +41,10 @@ std::string read(const std::string& path) {
 nlohmann::json settings_of(const Setup& setup) {
   nlohmann::json programs = nlohmann::json::object();
   for (const System& system : setup.systems)
-    if (!system.executable.empty()) programs[system.name] = {{"program", system.executable}, {"rounding", system.rounding}};
-  return {{"seconds", setup.limits.seconds},
+    if (!system.executable.empty())
+      programs[system.name] = {{"program", system.executable}, {"rounding", system.rounding}};
+  return {{"commit", setup.commit},
+          {"seconds", setup.limits.seconds},
           {"bytes", setup.limits.bytes},
           {"folder", setup.folder},
           {"programs", programs}};
@@ -69,29 +72,47 @@ void Store::settle(const Setup& setup) {
   try {
     there = nlohmann::json::parse(read(path));
   } catch (const nlohmann::json::exception& error) {
-    throw std::runtime_error(path + ": is broken (" + error.what() + "); remove " + folder_ + " and sweep again");
+    throw std::runtime_error(path + ": is broken (" + error.what() + "); remove this file and sweep again");
   }
-  for (const auto& [key, value] : wanted.items()) {
-    if (there.contains(key) && there[key] == value) continue;
-    throw std::runtime_error(path + ": the sweep in this folder has " + key + " " +
-                             (there.contains(key) ? there[key].dump() : "nothing") + ", this command " +
-                             value.dump() + "; give the same, or another folder by --out");
-  }
+  const auto compare = [&](const std::string& what, const nlohmann::json& old, const nlohmann::json& now) {
+    if (old != now)
+      throw std::runtime_error(path + ": the sweep in this folder has " + what + " " + old.dump() +
+                               ", this command " + now.dump() + "; give the same, or another folder by --out");
+  };
+  for (const char* key : {"commit", "seconds", "bytes", "folder"})
+    compare(key, there.value(key, nlohmann::json()), wanted[key]);
+  nlohmann::json programs = there.value("programs", nlohmann::json::object());
+  for (const auto& [name, program] : wanted["programs"].items())
+    compare("a program " + name, programs.emplace(name, program).first.value(), program);
+  if (programs == there["programs"]) return;
+  there["programs"] = programs;
+  write_whole(path, there.dump(1) + "\n");
 }
 
-void Store::describe(const Setup& setup, const std::string& commit) const {
+void Store::describe(const Setup& setup, const std::string& command, const LeftOut& left_out) const {
+  const std::string rows = folder_ + "/rows/";
   std::vector<SystemInfo> systems;
-  for (const System& s : setup.systems)
-    systems.push_back({s.name, s.title, s.guarantee, s.version, s.rounding, s.regularized, s.absent});
+  for (const System& s : setup.systems) {
+    const std::string version = s.absent.empty() ? s.version() : "";
+    systems.push_back({s.name, s.title, s.guarantee, version, s.rounding, s.regularized, s.absent});
+  }
+  if (fs::exists(rows + kSystemsFile))  // programs of earlier commands
+    for (const SystemInfo& old : systems_of_json(read(rows + kSystemsFile)))
+      if (std::none_of(systems.begin(), systems.end(), [&](const SystemInfo& s) { return s.name == old.name; }))
+        systems.push_back(old);
   std::vector<FamilyInfo> all;
   for (const Family& f : families()) all.push_back({f.name, f.title, f.size_means});
-  all.push_back({kFilesFamily, "meshes of a folder: two that belong together, or one and its copy turned about its middle",
+  all.push_back({kFilesFamily,
+                 "meshes of a folder: two that belong together, or one and its copy turned about its middle",
                  "triangles"});
   MachineInfo machine = this_machine();
-  machine.commit = commit;
+  if (fs::exists(rows + kMachineFile)) machine = machine_of_json(read(rows + kMachineFile));
+  machine.commit = setup.commit;
   machine.limit_seconds = setup.limits.seconds;
   machine.limit_bytes = setup.limits.bytes;
-  const std::string rows = folder_ + "/rows/";
+  if (machine.command.find(command) == std::string::npos)
+    machine.command += (machine.command.empty() ? "" : "; ") + command;
+  machine.left_out = left_out;
   write_whole(rows + kSystemsFile, to_json(systems));
   write_whole(rows + kFamiliesFile, to_json(all));
   write_whole(rows + kMachineFile, to_json(machine));
@@ -102,7 +123,8 @@ void Store::lock() {
   lock_ = open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
   if (lock_ < 0) fail(path, "can not be opened");
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0)
-    throw std::runtime_error(folder_ + ": another sweep is at work here; wait for it, or give another folder by --out");
+    throw std::runtime_error(folder_ +
+                             ": another sweep is at work here; wait for it, or give another folder by --out");
 }
 
 std::string Store::truth_path(const std::string& problem) const { return folder_ + "/truth/" + problem + ".json"; }

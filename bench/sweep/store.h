@@ -22,11 +22,13 @@ class Store {
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
-  /// Writes the settings, or compares them with those that are there: limits, folder of meshes, programs of the
-  /// user. Throws std::runtime_error that says what differs and what to do.
+  /// Writes the settings, or compares them with those that are there: commit, limits, folder of meshes, programs
+  /// of the user, of which new ones may come. Throws std::runtime_error that says what differs and what to do.
   void settle(const Setup& setup);
-  /// Writes what the report says of systems, families and this machine. `commit`: of the sources.
-  void describe(const Setup& setup, const std::string& commit) const;
+  /// What could not be made of a folder of meshes, and why.
+  using LeftOut = std::vector<std::pair<std::string, std::string>>;
+  /// Writes what the report says of systems, families and this machine. What earlier commands said stays.
+  void describe(const Setup& setup, const std::string& command, const LeftOut& left_out) const;
   /// Only one sweep at a time. Throws std::runtime_error if another one has the folder.
   void lock();
 

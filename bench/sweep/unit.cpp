@@ -58,10 +58,14 @@ std::string answer_text(const Setup& setup, const std::string& name, const Syste
     return out.str();
   } catch (const std::bad_alloc&) {
     throw;
+  } catch (const Crash& crash) {
+    return Json{{"answered", false}, {"stage", "signal"}, {"message", crash.what()}, {"thrown", true}}.dump() +
+           "\n";
   } catch (const Refusal& refusal) {
     return Json{{"answered", false}, {"stage", refusal.stage()}, {"message", refusal.what()}}.dump() + "\n";
   } catch (const std::exception& error) {
-    return Json{{"answered", false}, {"stage", "unknown"}, {"message", error.what()}, {"thrown", true}}.dump() + "\n";
+    return Json{{"answered", false}, {"stage", "unknown"}, {"message", error.what()}, {"thrown", true}}.dump() +
+           "\n";
   }
 }
 
@@ -84,23 +88,30 @@ struct Judged {
 
 std::string why(const ChildResult& child, double limit) {
   switch (child.end) {
-    case End::timeout: return "no result in " + std::to_string(static_cast<long>(limit)) + " s";
-    case End::out_of_memory: return "memory ran out";
-    case End::crash: return "crashed: " + std::string(strsignal(child.signal));
-    case End::done: break;
+    case End::timeout:
+      return "no result in " + std::to_string(static_cast<long>(limit)) + " s";
+    case End::out_of_memory:
+      return "memory ran out";
+    case End::crash:
+      return "crashed: " + std::string(strsignal(child.signal));
+    case End::done:
+      break;
   }
   return "ended without a result";
 }
 
-Judged judged(const Setup& setup, const std::string& name, const System& system, const std::string& model) {
+using Judge = Judgement(const Problem&, const Model&, double);
+
+Judged judged_by(Judge* judge, const Setup& setup, const std::string& name, const System& system,
+                 const std::string& model) {
   const Limits limits = judging_limits(setup.limits);
   const ChildResult child = run_child(
       [&] {
         try {
           std::istringstream in(model);
           const Judgement j = judge(setup.make(name), read_model(in), system.rounding);
-          Json out{{"verdict", to_string(j.verdict)}, {"stage", j.stage},     {"message", j.message},
-                   {"truth", to_json(j.truth)},       {"excess", j.excess},   {"missing", j.missing},
+          Json out{{"verdict", to_string(j.verdict)}, {"stage", j.stage},   {"message", j.message},
+                   {"truth", to_json(j.truth)},       {"excess", j.excess}, {"missing", j.missing},
                    {"duplicates", j.duplicates}};
           if (j.facts) out["facts"] = to_json(*j.facts);
           return out.dump() + "\n";
@@ -126,13 +137,21 @@ Judged judged(const Setup& setup, const std::string& name, const System& system,
   return {j, {}};
 }
 
+Judged judged(const Setup& setup, const std::string& name, const System& system, const std::string& model) {
+  const Judged compared = judged_by(judge, setup, name, system, model);
+  if (compared.judgement) return compared;
+  const Judged by_volume = judged_by(judge_by_volume, setup, name, system, model);
+  return by_volume.judgement && by_volume.judgement->verdict == Verdict::wrong ? by_volume : compared;
+}
+
 /// Names and sizes of the problem, by a process of its own: this one stays small.
 void describe(const Setup& setup, SweepRow& row) {
   const ChildResult child = run_child(
       [&] {
         try {
           const Problem problem = setup.make(row.problem);
-          return Json{{"operands", problem.operands.size()}, {"triangles", problem.triangle_count()}}.dump() + "\n";
+          return Json{{"operands", problem.operands.size()}, {"triangles", problem.triangle_count()}}.dump() +
+                 "\n";
         } catch (const std::exception& error) {
           return Json{{"error", error.what()}}.dump() + "\n";
         }
@@ -140,8 +159,7 @@ void describe(const Setup& setup, SweepRow& row) {
       judging_limits(setup.limits));
   const Json head = child.end == End::done ? reply_of(child.text).head : Json();
   if (head.is_null())
-    throw ProblemError(row.problem + " could not be made: " +
-                             why(child, judging_limits(setup.limits).seconds));
+    throw ProblemError(row.problem + " could not be made: " + why(child, judging_limits(setup.limits).seconds));
   if (head.contains("error"))
     throw ProblemError(row.problem + " could not be made: " + head["error"].get<std::string>());
   head.at("operands").get_to(row.operands);
@@ -166,10 +184,17 @@ void no_answer(const Run& run, double limit, SweepRow& row) {
   row.seconds = run.child.seconds;
   row.message = why(run.child, limit);
   switch (run.child.end) {
-    case End::timeout: row.verdict = Verdict::timed_out, row.stage = "time"; return;
-    case End::out_of_memory: row.verdict = Verdict::out_of_memory, row.stage = "memory"; return;
-    case End::crash: row.verdict = Verdict::crashed, row.stage = "signal"; return;
-    case End::done: break;
+    case End::timeout:
+      row.verdict = Verdict::timed_out, row.stage = "time";
+      return;
+    case End::out_of_memory:
+      row.verdict = Verdict::out_of_memory, row.stage = "memory";
+      return;
+    case End::crash:
+      row.verdict = Verdict::crashed, row.stage = "signal";
+      return;
+    case End::done:
+      break;
   }
   if (run.reply.head.is_null()) {
     row.verdict = Verdict::crashed;
@@ -178,16 +203,6 @@ void no_answer(const Run& run, double limit, SweepRow& row) {
   row.verdict = run.reply.head.value("thrown", false) ? Verdict::crashed : Verdict::refused;
   run.reply.head.at("stage").get_to(row.stage);
   run.reply.head.at("message").get_to(row.message);
-}
-
-/// As a shell takes it.
-std::string quoted(const std::string& word) {
-  if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=:,+") ==
-      std::string::npos)
-    return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
 }
 
 }  // namespace
@@ -227,7 +242,8 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
     }
     truth.facts = j.judgement->truth;
     if (system.rounding == 0) {
-      const bool agrees = j.judgement->verdict == Verdict::same;
+      const Verdict v = j.judgement->verdict;
+      const bool agrees = v == Verdict::same || v == Verdict::contact_duplicated;
       truth.confirmed = agrees ? "Nef" : "DISAGREES";
       if (!agrees) add_reason(j.judgement->message);
       return truth;
@@ -242,8 +258,30 @@ Truth establish_truth(const Setup& setup, const std::string& problem) {
   return truth;
 }
 
-SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& name,
-                  const Truth& truth) {
+std::string quoted(const std::string& word) {
+  if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=:,+") ==
+      std::string::npos)
+    return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+std::string reproducing_command(const Setup& setup, const std::string& problem, const System& system) {
+  const Limits usual = Setup().limits;
+  std::ostringstream text;
+  text << "bench/run ";
+  if (!setup.folder.empty()) text << quoted(setup.folder) << ' ';
+  text << "--one " << quoted(problem) << ' ' << quoted(system.name);
+  if (!system.executable.empty())
+    text << " --system " << quoted(system.name + "=" + system.executable) << ':' << system.rounding;
+  if (setup.limits.seconds != usual.seconds) text << " --seconds " << setup.limits.seconds;
+  if (setup.limits.bytes != usual.bytes)
+    text << " --gigabytes " << static_cast<double>(setup.limits.bytes) / (1 << 30);
+  return text.str();
+}
+
+SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& name, const Truth& truth) {
   const System& system = setup.system(name);
   SweepRow row;
   row.problem = problem;
@@ -251,8 +289,7 @@ SweepRow run_unit(const Setup& setup, const std::string& problem, const std::str
   row.truth = truth;
   row.limit_seconds = setup.limits.seconds;
   row.limit_bytes = setup.limits.bytes;
-  row.command = "bench/run " + (setup.folder.empty() ? "" : quoted(setup.folder) + " ") + "--one " +
-                quoted(problem) + " " + name;
+  row.command = reproducing_command(setup, problem, system);
   describe(setup, row);
 
   const Run r = run(setup, problem, system);

@@ -23,9 +23,10 @@ inline constexpr const char* kFilesFamily = "files";
 
 /// What all units of a sweep share.
 struct Setup {
-  std::string folder;                     ///< of mesh files; empty: problems are of families
+  std::string folder;                       ///< of mesh files; empty: problems are of families
   Limits limits{60, std::size_t{4} << 30};  ///< of each run; judging may take five times as long
   std::vector<System> systems;
+  std::string commit;  ///< of the sources; may be empty
   Problem make(const std::string& problem) const;
   /// Throws std::runtime_error with the names that there are.
   const System& system(const std::string& name) const;
@@ -34,8 +35,12 @@ struct Setup {
 /// Says who agrees with our exact result: Nef polyhedra, else corefinement. Throws ProblemError.
 Truth establish_truth(const Setup& setup, const std::string& problem);
 
+/// A word as a shell takes it.
+std::string quoted(const std::string& word);
+/// The whole command that makes a row again.
+std::string reproducing_command(const Setup& setup, const std::string& problem, const System& system);
+
 /// Runs and judges. Throws ProblemError.
-SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& system,
-                  const Truth& truth);
+SweepRow run_unit(const Setup& setup, const std::string& problem, const std::string& system, const Truth& truth);
 
 }  // namespace cnrg::bench

@@ -307,7 +307,7 @@ TEST_CASE("the main facts follow from the rows") {
   REQUIRE(facts.size() == 3);
   CHECK(facts[0].headline == "40 of 40");
   CHECK(facts[0].sentence ==
-        "results of ours are exact. Best of the others is a with 27 of 40. 7 results of 1 other "
+        "results of ours are the exact ones. Best of the others is a with 27 of 40. 7 results of 1 other "
         "system are wrong without saying so.");
   REQUIRE(facts[0].lines.size() == 2);
   CHECK(facts[0].lines[1].cells == std::vector<std::string>{"27", "27", "7"});
@@ -338,7 +338,7 @@ TEST_CASE("too few data for a fact are said") {
   for (const MainFact& fact : main_facts(alone, summarize(alone))) CHECK(fact.headline == "–");
   const Experiment ours = experiment_of({right_row("ours", "f")});
   const std::vector<MainFact> facts = main_facts(ours, summarize(ours));
-  CHECK(facts[0].sentence == "results of ours are exact.");
+  CHECK(facts[0].sentence == "results of ours are the exact ones.");
   CHECK(facts[1].sentence.find("Not enough data") == 0);
   CHECK(facts[2].sentence.find("Not enough data") == 0);
 }

@@ -1,6 +1,7 @@
 // Verdicts on results that are made by hand, right and wrong in each way.
 #include "bench/sweep/judge.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/sweep/models.h"
@@ -67,6 +68,64 @@ TEST_CASE("a surface that is not closed or crosses itself inside out is no resul
   CHECK(j.truth.volume == "12");
 }
 
+TEST_CASE("faces that wind around the solid twice or inwards are no result") {
+  const Problem problem = problem_of(kCube, Operation::unite, box({1, 0, 0}, {3, 2, 2}));
+  const Model right = box({0, 0, 0}, {3, 2, 2});
+  Model inside_out = right;
+  for (Model::Face& face : inside_out.faces) std::reverse(face.loops[0].begin(), face.loops[0].end());
+  for (const double rounding : {0.0, kDouble}) {
+    CAPTURE(rounding);
+    CHECK(judge(problem, inside_out, rounding).stage == "surface");
+    CHECK(judge(problem, together(right, right), rounding).stage == "surface");
+    CHECK(judge(problem, together(kCube, box({1, 0, 0}, {3, 2, 2})), rounding).stage == "surface");  // not united
+    CHECK(judge(problem, together(right, box({1, 1, 1}, {2, Rational("3/2"), 2})), rounding).stage == "surface");
+  }
+}
+
+TEST_CASE("a spike and a point at infinity are no rounding") {
+  const Problem problem = problem_of(kCube, Operation::unite, box({1, 0, 0}, {3, 2, 2}));
+  Model spike = box({0, 0, 0}, {3, 2, 2});
+  const Rational far = 100, thin("1/1000000000000000000000000");
+  spike = together(spike, box({far, 0, 0}, {far + thin, thin, thin}));
+  CHECK(judge(problem, spike, kDouble).verdict == Verdict::wrong);
+  Model huge = box({0, 0, 0}, {3, 2, 2});
+  huge.points[7] = {from_double(1e308), from_double(1e308), from_double(1e308)};
+  const Model triangles = model_of([&] {
+    TriangleMesh mesh = rounded_mesh(huge);
+    mesh.polygons.clear();
+    return mesh;
+  }());
+  CHECK(judge(problem, triangles, kDouble).verdict == Verdict::wrong);
+}
+
+TEST_CASE("edges that overlap in part at a contact are two") {
+  // Along a part of the edge, so that no vertices coincide.
+  const Model other = box({2, 2, Rational("1/2")}, {3, 3, 1});
+  const Problem problem = problem_of(kCube, Operation::unite, other);
+  const Judgement j = judge(problem, together(kCube, other), 0);
+  CHECK(j.duplicates == 0);
+  CHECK(j.verdict == Verdict::contact_duplicated);
+}
+
+TEST_CASE("a contact that is kept in part is lost") {
+  const Model edge = box({2, 2, 0}, {3, 3, 2}), corner = box({-1, -1, 2}, {0, 0, 3});
+  Problem problem = problem_of(kCube, Operation::unite, edge);
+  problem.operands.push_back(corner);
+  problem.steps.push_back(Operation::unite);
+  const Model kept = welded(together(kCube, corner));
+  CHECK(judge(problem, welded(together(kept, edge)), kDouble).verdict == Verdict::same);
+  CHECK(judge(problem, together(kept, moved(edge, {kTiny, 0, 0})), kDouble).verdict == Verdict::contact_lost);
+}
+
+TEST_CASE("where comparing takes too long, a volume that is far off is wrong") {
+  const Problem problem = problem_of(kCube, Operation::unite, box({1, 0, 0}, {3, 2, 2}));
+  CHECK(judge_by_volume(problem, box({0, 0, 0}, {3, 2, 2}), 0).verdict == Verdict::unjudged);
+  const Judgement j = judge_by_volume(problem, kCube, kDouble);
+  CHECK(j.verdict == Verdict::wrong);
+  CHECK(j.stage == "volume");
+  CHECK(j.missing == Approx(1.0 / 3));
+}
+
 TEST_CASE("a non-manifold contact is there once, twice, or lost") {
   const Problem problem = problem_of(kCube, Operation::unite, kAtEdge);
   const Judgement twice = judge(problem, together(kCube, kAtEdge), 0);
@@ -109,7 +168,7 @@ TEST_CASE("what the operation makes of lower dimension may be lost by regulariza
 }
 
 TEST_CASE("surfaces and wires of operands may be lost") {
-  const Model fault = sheet({{1, 1, -1}, {1, 1, 3}, {1, 5, 3}, {1, 5, -1}});
+  const Model fault = sheet({{1, 3, -1}, {1, 3, 3}, {1, 5, 3}, {1, 5, -1}});
   const Problem problem = problem_of(kCube, Operation::unite, fault);
   for (const double rounding : {0.0, kDouble}) {
     CAPTURE(rounding);
@@ -138,16 +197,34 @@ TEST_CASE("shells and genus of the exact result") {
   CHECK(facts.shells == 1);
   CHECK(facts.faces == 10);
   // A cavity is a shell of its own.
-  const Facts hollow = exact_facts(problem_of(box({0, 0, 0}, {3, 3, 3}), Operation::subtract, box({1, 1, 1}, {2, 2, 2})));
+  const Facts hollow =
+      exact_facts(problem_of(box({0, 0, 0}, {3, 3, 3}), Operation::subtract, box({1, 1, 1}, {2, 2, 2})));
   CHECK(hollow.shells == 2);
   CHECK(hollow.genus == 0);
   CHECK(hollow.regions == 1);
 }
 
 TEST_CASE("a rounded result of the right volume and another topology is wrong") {
-  const Problem problem = problem_of(kCube, Operation::unite, box({1, 0, 0}, {3, 2, 2}));
-  const Model crumb = box({10, 10, 10}, {10 + kTiny, 10 + kTiny, 10 + kTiny});
-  const Judgement j = judge(problem, together(box({0, 0, 0}, {3, 2, 2}), crumb), kDouble);
+  const Model low = box({1, 0, 0}, {3, 1, 1});
+  const Problem problem = problem_of(kCube, Operation::unite, low);
+  Model right = kCube;  // an L, by what the exact result is known to be
+  right.points = {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {2, 1, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2},
+                  {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {3, 0, 1}, {3, 1, 1}, {2, 1, 1}, {2, 0, 1}};
+  right.faces.clear();
+  for (const auto& loop : std::vector<std::vector<std::uint32_t>>{{0, 5, 4, 3, 2, 1},
+                                                                  {6, 7, 8, 9},
+                                                                  {0, 6, 9, 5},
+                                                                  {5, 9, 8, 4},
+                                                                  {0, 1, 10, 13, 7, 6},
+                                                                  {1, 2, 11, 10},
+                                                                  {2, 3, 12, 11},
+                                                                  {10, 11, 12, 13},
+                                                                  {3, 4, 8, 7, 13, 12}})
+    right.faces.push_back({{loop}, true});
+  CHECK(judge(problem, right, 0).verdict == Verdict::same);
+  const Rational x("5/2");
+  const Judgement j =
+      judge(problem, together(right, box({x, x - 1, x - 1}, {x + kTiny, x - 1 + kTiny, x - 1 + kTiny})), kDouble);
   CHECK(j.verdict == Verdict::wrong);
   CHECK(j.stage == "topology");
 }

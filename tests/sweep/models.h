@@ -13,7 +13,8 @@ inline Model box(const Corner& min, const Corner& max) {
   Model model;
   for (int i = 0; i < 8; ++i)
     model.points.push_back({i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? max[2] : min[2]});
-  const std::uint32_t sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  const std::uint32_t sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                     {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
   for (const auto& s : sides) model.faces.push_back({{{s[0], s[1], s[2], s[3]}}, true});
   return model;
 }

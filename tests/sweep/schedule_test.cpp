@@ -1,9 +1,8 @@
 // Units as small shell commands: order, limits of jobs, failures.
 #include "bench/sweep/schedule.h"
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <sstream>
 
 #include "tests/app/program.h"
@@ -40,7 +39,9 @@ TEST_CASE("units wait for the truth of their problem, and problems are finished 
   for (const char* problem : {"p", "q"})
     for (const char* system : {"truth", "a", "b"}) units.push_back({problem, system});
   std::vector<Progress> seen;
-  CHECK(run_in(w, units, 1, [](const Unit&) { return "true"; }, &seen).empty());
+  CHECK(run_in(
+            w, units, 1, [](const Unit&) { return "true"; }, &seen)
+            .empty());
   CHECK(lines(w.read("log")) == std::vector<std::string>{"p.truth", "p.a", "p.b", "q.truth", "q.a", "q.b"});
   REQUIRE(seen.size() == 7);
   CHECK(seen.front().done == 0);
@@ -60,8 +61,10 @@ TEST_CASE("what waits for a truth that fails is not run") {
   std::size_t waited = 0;
   for (const FailedUnit& f : failed) {
     waited += f.waited;
-    if (f.unit.system == "b") CHECK(f.status == -9);
-    else CHECK(f.status == 4);
+    if (f.unit.system == "b")
+      CHECK(f.status == -9);
+    else
+      CHECK(f.status == 4);
   }
   CHECK(waited == 1);
   auto done = lines(w.read("log"));
@@ -75,7 +78,8 @@ TEST_CASE("no more jobs than asked for, and not fewer") {
   for (int i = 0; i < 12; ++i) units.push_back({"p" + std::to_string(i), "a"});
   // Each says how many run while it does.
   CHECK(run_in(w, units, 3, [](const Unit& u) {
-          return "mkdir run." + u.problem + "; sleep 0.1; ls -d run.* 2>/dev/null | wc -l >> count; rmdir run." + u.problem;
+          return "mkdir run." + u.problem + "; sleep 0.1; ls -d run.* 2>/dev/null | wc -l >> count; rmdir run." +
+                 u.problem;
         }).empty());
   std::vector<int> counts;
   for (const std::string& line : lines(w.read("count"))) counts.push_back(std::stoi(line));

@@ -1,13 +1,13 @@
 // The program bench_sweep as its users have it: bad input, a kill at any moment, limits, the workflow, the report.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "bench/sweep/row.h"
@@ -25,7 +25,7 @@ std::map<std::pair<std::string, std::string>, SweepRow> rows_of(const Workshop& 
   for (const auto& entry : fs::recursive_directory_iterator(w.path(out + "/rows"))) {
     if (!entry.is_regular_file()) continue;
     const fs::path name = fs::relative(entry.path(), w.path(""));
-    if (name.extension() == ".part") continue;                    // of a killed process; never read
+    if (name.extension() == ".part") continue;                      // of a killed process; never read
     if (entry.path().parent_path().filename() == "rows") continue;  // systems, families, machine
     const SweepRow row = row_of_json(w.read(name.string()));
     CHECK(name.stem() == row.system);
@@ -57,13 +57,21 @@ TEST_CASE("bad input has one clear line", "[sweep]") {
   fails("turned nothing", "alone");
   fails("turned --system me=no/such/program", "there is no such program");
   fails("turned --system me", "NAME=PROGRAM");
+  fails("turned --system truth=/bin/true", "no name of a system");
+  fails("turned --system ../me=/bin/true", "no name of a system");
+  fails("turned --system ours=/bin/true", "there is a system 'ours' already");
+  fails("turned --system me=/bin/true:inf", "no rounding");
+  fails("turned --seconds nan", "--seconds");
+  fails("turned --operations union,foo", "'foo' is no operation");
+  fails("--systems ours trned", "'trned' is no family");
   fails("--one turned-union-s1 ours", "turned-union-s1");
 }
 
 TEST_CASE("a sweep that is killed goes on, and nothing is lost or there twice", "[sweep]") {
   const Workshop w;
-  const std::string arguments = "edge --operations union --distances exact,3,16 --seeds 2 --sizes 4 "
-                                "--systems ours,mantyla-double,mantyla-exact,corefinement --out out --quiet --jobs 2";
+  const std::string arguments =
+      "edge --operations union --distances exact,3,16 --seeds 2 --sizes 4 "
+      "--systems ours,mantyla-double,mantyla-exact,corefinement --out out --quiet --jobs 2";
   const Outcome units = w.run(arguments + " --units");
   REQUIRE(units.status == 0);
   const auto count = static_cast<std::size_t>(std::count(units.out.begin(), units.out.end(), '\n'));
@@ -72,8 +80,8 @@ TEST_CASE("a sweep that is killed goes on, and nothing is lost or there twice", 
   std::map<std::string, fs::file_time_type> written;
   int kills = 0;
   for (const char* seconds : {"0.05", "0.3", "0.6"}) {
-    const Outcome killed = w.shell("timeout -s KILL " + std::string(seconds) + " '" CNRG_PROGRAM "' " + arguments +
-                                   " >.out 2>.err");
+    const Outcome killed =
+        w.shell("timeout -s KILL " + std::string(seconds) + " '" CNRG_PROGRAM "' " + arguments + " >.out 2>.err");
     if (killed.status != 0) ++kills;
     for (const auto& [path, time] : written) {
       INFO(path);
@@ -103,10 +111,12 @@ TEST_CASE("only one sweep has a folder at a time", "[sweep]") {
   const Workshop w;
   w.write("slow", "#!/bin/sh\nsleep 20\n");
   fs::permissions(w.path("slow"), fs::perms::owner_all);
-  const std::string arguments = "turned --operations union --distances exact --seeds 1 --system slow=slow "
-                                "--systems slow --out out --quiet";
-  const Outcome o = w.shell("('" CNRG_PROGRAM "' " + arguments + " >/dev/null 2>&1 & echo $! > pid); sleep 1; '"
-                            CNRG_PROGRAM "' " + arguments + " >.out 2>.err; s=$?; kill -9 $(cat pid); exit $s");
+  const std::string arguments =
+      "turned --operations union --distances exact --seeds 1 --system slow=slow "
+      "--systems slow --out out --quiet";
+  const Outcome o = w.shell("('" CNRG_PROGRAM "' " + arguments +
+                            " >/dev/null 2>&1 & echo $! > pid); sleep 1; '" CNRG_PROGRAM "' " + arguments +
+                            " >.out 2>.err; s=$?; kill -9 $(cat pid); exit $s");
   CHECK(o.status == 2);
   CHECK(o.err.find("another sweep is at work") != std::string::npos);
 }
@@ -119,9 +129,12 @@ TEST_CASE("programs of the user: slow, greedy, crashing, refusing", "[sweep]") {
     return " --system " + name + "=" + name;
   };
   const std::string programs = program("slow", "sleep 30") + program("crash", "kill -SEGV $$") +
-                               program("refuse", "echo I can not >&2; exit 3") + program("first", "cp \"$2\" \"$4\"");
-  const Outcome o = w.run("face --operations union --distances exact --seeds 1 --sizes 4 --systems "
-                          "slow,crash,refuse,first --seconds 2 --out out --quiet" + programs);
+                               program("refuse", "echo I can not >&2; exit 3") +
+                               program("first", "cp \"$2\" \"$4\"");
+  const Outcome o = w.run(
+      "face --operations union --distances exact --seeds 1 --sizes 4 --systems "
+      "slow,crash,refuse,first --seconds 2 --out out --quiet" +
+      programs);
   INFO(o.err);
   REQUIRE(o.status == 0);
   std::map<std::string, SweepRow> by_system;
@@ -130,11 +143,51 @@ TEST_CASE("programs of the user: slow, greedy, crashing, refusing", "[sweep]") {
   CHECK(by_system["slow"].verdict == Verdict::timed_out);
   CHECK(by_system["refuse"].verdict == Verdict::refused);
   CHECK(by_system["refuse"].message.find("I can not") != std::string::npos);
-  CHECK(is_failure(by_system["crash"].verdict));
+  CHECK(by_system["crash"].verdict == Verdict::crashed);
   CHECK(by_system["first"].verdict == Verdict::wrong);  // the first operand is not the union
   CHECK(by_system["first"].missing > 0);
   CHECK(by_system["first"].truth.confirmed == "Nef");
-  CHECK(by_system["first"].command == "bench/run --one face-union-s4-kexact-r1 first");
+  CHECK(by_system["first"].command == "bench/run --one face-union-s4-kexact-r1 first --system first=" +
+                                          fs::canonical(w.path("first")).string() + ":1e-12 --seconds 2");
+}
+
+TEST_CASE("what a program started ends with its run", "[sweep]") {
+  const Workshop w;
+  w.write("slow", "#!/bin/sh\nsleep 54321.5 &\necho $! >> '" + w.path("pids").string() + "'\nsleep 30\n");
+  w.write("left", "#!/bin/sh\nsleep 54321.5 &\necho $! >> '" + w.path("pids").string() + "'\nexit 1\n");
+  for (const char* name : {"slow", "left"}) fs::permissions(w.path(name), fs::perms::owner_all);
+  REQUIRE(w.run("face --operations union --distances exact --seeds 1 --sizes 4 --systems slow,left --system "
+                "slow=slow --system left=left --seconds 1 --out out --quiet")
+              .status == 0);
+  std::istringstream pids(w.read("pids"));
+  int count = 0;
+  for (int pid; pids >> pid; ++count) {
+    bool gone = false;
+    for (int wait = 0; wait < 50 && !gone; ++wait) {
+      std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");  // `PID (NAME) STATE ...`
+      std::string number, name, state;
+      gone = !(stat >> number >> name >> state) || state == "Z";
+      if (!gone) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    CHECK(gone);
+  }
+  CHECK(count == 2);
+}
+
+TEST_CASE("programs join a sweep that is there, and keep their names", "[sweep]") {
+  const Workshop w;
+  w.write("mine", "#!/bin/sh\ncp \"$2\" \"$4\"\n");
+  w.write("other", "#!/bin/sh\ncp \"$3\" \"$4\"\n");
+  for (const char* name : {"mine", "other"}) fs::permissions(w.path(name), fs::perms::owner_all);
+  const std::string arguments = "face --operations union --distances exact --seeds 1 --sizes 4 --out out --quiet ";
+  REQUIRE(w.run(arguments + "--systems ours").status == 0);
+  REQUIRE(w.run(arguments + "--systems ours --system mine=mine").status == 0);
+  CHECK(rows_of(w, "out").size() == 2);
+  const Outcome o = w.run(arguments + "--systems ours --system mine=other");
+  CHECK(o.status == 2);
+  CHECK(o.err.find("a program mine") != std::string::npos);
+  const Json machine = Json::parse(w.read("out/rows/machine.json"));
+  CHECK(machine.at("command").get<std::string>().find("--system mine=mine") != std::string::npos);
 }
 
 TEST_CASE("a folder of meshes; a broken one is left out", "[sweep]") {
@@ -149,7 +202,8 @@ TEST_CASE("a folder of meshes; a broken one is left out", "[sweep]") {
   INFO(o.err);
   CHECK(o.status == 0);
   CHECK(o.err.find("broken.off:4") != std::string::npos);
-  CHECK(o.err.find("1 problems are left out") != std::string::npos);
+  const Json machine = Json::parse(w.read("out/rows/machine.json"));
+  CHECK(machine.at("left_out").size() == 1);
   const auto rows = rows_of(w, "out");
   REQUIRE(rows.size() == 2);
   for (const auto& [key, row] : rows) {
@@ -161,12 +215,17 @@ TEST_CASE("a folder of meshes; a broken one is left out", "[sweep]") {
 
 TEST_CASE("the workflow makes the same rows, with several jobs; then the report", "[sweep]") {
   const Workshop w;
-  const std::string sweep = "vertex --operations union,intersection --distances exact,6 --seeds 1 --sizes 4 "
-                            "--systems ours,mantyla-exact";
+  const std::string sweep =
+      "vertex --operations union,intersection --distances exact,6 --seeds 1 --sizes 4 "
+      "--systems ours,mantyla-exact";
   REQUIRE(w.run(sweep + " --out plain --quiet --jobs 2").status == 0);
-  const Outcome o = w.shell("snakemake --snakefile '" CNRG_SNAKEFILE "' --cores 2 --quiet --nolock --config "
-                            "program='" CNRG_PROGRAM "' report='" CNRG_REPORT "' out=\"$PWD/flow\" sweep='" + sweep +
-                            "' >.out 2>.err");
+  fs::create_directories(w.path("flow"));
+  std::string words = sweep;
+  std::replace(words.begin(), words.end(), ' ', '\n');
+  w.write("flow/words", words + "\n");
+  const Outcome o = w.shell("snakemake --snakefile '" CNRG_SNAKEFILE
+                            "' --cores 2 --quiet --nolock --config program='" CNRG_PROGRAM "' report='" CNRG_REPORT
+                            "' out=\"$PWD/flow\" >.out 2>.err");
   INFO(o.err);
   REQUIRE(o.status == 0);
   const auto plain = rows_of(w, "plain"), flow = rows_of(w, "flow");
