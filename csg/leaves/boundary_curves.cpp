@@ -33,6 +33,13 @@ void Fineness::fail_too_fine() const {
                    std::to_string(kMostSteps) + " steps: give a larger one");
 }
 
+void Fineness::check_facets(double count) const {
+  constexpr long kMost = 10'000'000;
+  if (count <= static_cast<double>(kMost)) return;
+  throw InputError(shape_ + ": it would have more than " + std::to_string(kMost) + " facets: give " +
+                   (by_chord() ? "a larger chord" : "fewer segments"));
+}
+
 int Fineness::steps_of_turn(double radius, double degrees) const {
   const double turns = degrees / 360;
   if (!by_chord()) return static_cast<int>(std::ceil(std::max(3, segments_) * turns));

@@ -28,6 +28,8 @@ class Fineness {
   /// Steps of a whole turn: three at least, and with `chord` eight, so that a turn is round at any size.
   int steps_of_turn(double radius, double degrees) const;
   [[noreturn]] void fail_too_fine() const;
+  /// Throws InputError for a number of facets that no machine of today holds.
+  void check_facets(double count) const;
 
  private:
   std::string shape_;

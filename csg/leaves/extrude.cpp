@@ -6,9 +6,10 @@
 // Without twist the facets of a step of the profile are planar quadrilaterals, and as far from the exact shape as
 // the profile's chords are from the profile: at most chord / 2, scaled up where s > 1 (the curve's steps are then
 // chosen for the larger one). With twist, take the polygon P in place of p: as far again. An edge of P of length
-// l is swept along a surface with second derivatives 0 in u, at most l (|s'| + m a) mixed and r (2 |s'| a +
-// m a^2) in t, with a the twist in radians, m the largest s and r the largest distance from the axis. So n sections
-// in t and edges not longer than l are within (2 l (|s'| + m a) / n + r (2 |s'| a + m a^2) / n^2) / 8 (chord.h),
+// l is swept along a surface with second derivatives 0 in u, at most l (|s'| + m a) mixed and
+// r (2 |s'| a + m a^2) in t, with a the twist in radians, m the largest s and r the largest distance from the
+// axis. So n sections in t and edges not longer than l are within (chord.h)
+//   (2 l (|s'| + m a) / n + r (2 |s'| a + m a^2) / n^2) / 8
 // of which each half is kept below chord / 4.
 //
 // Caps are faces 0 and 1, each segment of the profile is one more; of a curve the segments are from 0.
@@ -51,6 +52,9 @@ class Extrusion {
   std::unique_ptr<PreparedLeaf> prepare() {
     std::vector<SampledLine> lines =
         sample(shape_.profile, "extrude", [&](const BezierCurve& c) { return steps(c); });
+    double points = 0;
+    for (const SampledLine& line : lines) points += static_cast<double>(line.points.size());
+    fineness_.check_facets(2 * points * sections_);
     const bool closed = shape_.profile.closed;
     if (closed) {
       const RationalPoint normal = check_area(lines, "extrude");

@@ -15,8 +15,6 @@
 namespace cnrg {
 namespace {
 
-constexpr std::size_t kMostFacets = 10'000'000;
-
 /// Parameters in units of 1 / `whole`.
 using Place = std::array<std::uint32_t, 2>;
 using Corners = std::array<std::uint32_t, 3>;
@@ -116,12 +114,10 @@ class Mesher {
       return fineness_.by_chord() || degree == 1 ? least : static_cast<std::uint32_t>(fineness_.segments());
     };
     grid_ = {direction(patch_.degree_u(), 0, 2), direction(patch_.degree_v(), 1, 3)};
-    while (fineness_.by_chord() && !grid_is_fine()) {
-      if (grid_[0] > Fineness::kMostSteps || grid_[1] > Fineness::kMostSteps ||
-          static_cast<double>(grid_[0]) * grid_[1] > kMostFacets) {
-        fineness_.fail_too_fine();
-      }
-    }
+    do {
+      if (grid_[0] > Fineness::kMostSteps || grid_[1] > Fineness::kMostSteps) fineness_.fail_too_fine();
+      fineness_.check_facets(2.0 * grid_[0] * grid_[1]);
+    } while (fineness_.by_chord() && !grid_is_fine());
     // A side that is one point has the steps of the grid: its triangles vanish.
     for (std::size_t k = 0; k < 4; ++k) {
       if (side_[k] == 0) side_[k] = grid_[k % 2];
@@ -153,7 +149,6 @@ class Mesher {
   }
 
   void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if (triangles_.size() > kMostFacets) fineness_.fail_too_fine();
     triangles_.push_back({a, b, c});
   }
 
@@ -299,7 +294,7 @@ class Mesher {
     const std::array<std::size_t, 2> both = at_edge_.at(key(a, b));
     for (std::size_t s : both) {
       require(s != kNone, "mesh_patch: an edge inside of a patch has one triangle");
-      if (triangles_.size() > kMostFacets) fineness_.fail_too_fine();
+      fineness_.check_facets(static_cast<double>(triangles_.size()));
       unhang(s);
       Corners first = triangles_[s], second = first;
       std::replace(first.begin(), first.end(), b, m);

@@ -69,6 +69,10 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape) {
   std::vector<SampledLine> lines =
       sample(shape.profile, "revolve", [&](const BezierCurve& curve) { return boundary.steps(curve); });
   const Rational radius = check_radii(lines);
+  const int turns = fineness.steps_of_turn(to_double(radius) * (1 + 1e-12), to_double(shape.degrees));
+  double points = 0;
+  for (const SampledLine& line : lines) points += static_cast<double>(line.points.size());
+  fineness.check_facets(points * turns);
   const bool closed = shape.profile.closed, full = shape.degrees == 360;
   if (closed) {
     check_area(lines, "revolve");
@@ -79,7 +83,6 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape) {
       std::reverse(lines[l].segment.begin(), lines[l].segment.end() - 1);
     }
   }
-  const int turns = fineness.steps_of_turn(to_double(radius) * (1 + 1e-12), to_double(shape.degrees));
   const CircleFrame frame(shape.axis);
   const RationalPoint up = unit(frame);
   LeafBuilder builder(closed ? Fill::winding : Fill::none);

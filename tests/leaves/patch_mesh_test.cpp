@@ -186,13 +186,18 @@ TEST_CASE("patches of different curvature meet in one curve's vertices") {
 }
 
 TEST_CASE("chords and segments that can not be are refused") {
-  const PatchNet net = graph({{0, 1, 0}, {0, 3, 0}});
+  const PatchNet net = graph({{0, 1, 0}, {0, 3, 0}, {0, 0, 0}});
   const auto error = [&](const Tessellation& t) {
     return error_of([&] { mesh_of(patch_pieces(net, "test")[0], t); });
   };
   CHECK_THAT(error({r("1e-30"), {}}), Catch::Contains("the chord is too small"));
   CHECK_THAT(error({r("1e-9999"), {}}), Catch::Contains("the chord is too small"));
   CHECK_THAT(error({r("-1"), {}}), Catch::Contains("chord is -1: give a positive length"));
+  CHECK_THAT(error({{}, 100000}), Catch::Contains("more than 10000000 facets: give fewer segments"));
+  PatchNet steep = net;
+  steep.weights = {{1, r("1e40"), 1}, {1, 1, 1}, {1, 1, 1}};
+  CHECK_THAT(error_of([&] { mesh_of(patch_pieces(steep, "test")[0], {r("0.1"), {}}); }),
+             Catch::Contains("the chord is too small"));
   CHECK_THAT(error({{}, 0}), Catch::Contains("segments is 0"));
   CHECK_THAT(error({r("1"), 4}), Catch::Contains("both chord and segments"));
 }

@@ -226,6 +226,9 @@ TEST_CASE("sweeps that can not be are refused") {
   CHECK_THAT(error_of(turn), Catch::Contains("lies on the axis"));
   turn.profile.lines = {polygon({{0, 0, 0}, {1, 0, 1}, {1, 0, 2}})};
   CHECK(error_of(turn) == "");
+  turn.tessellation.segments = 8192;
+  turn.profile.lines[0].segments[0] = {{{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, {}, 0, {}};
+  CHECK_THAT(error_of(turn), Catch::Contains("more than 10000000 facets"));
   turn.degrees = 361;
   CHECK_THAT(error_of(turn), Catch::Contains("degrees is 361"));
   turn.degrees = 360;

@@ -93,8 +93,8 @@ class RandomTree {
       case 0: return std::string("extrude: {profile: ") + profiles[between(0, 3)] + ", vector: " +
                      text({between(-1, 1), between(-1, 1), between(1, 3)}) + ", " + fineness() + "}" + place;
       case 1: return std::string("extrude: {profile: ") + profiles[between(0, 2)] +
-                     ", vector: [0, 0, 2], twist: " + std::to_string(30 * between(-3, 3)) + ", scale: " + std::to_string(between(0, 2)) +
-                     ", center: [1, 1, 0], chord: 1/4}" + place;
+                     ", vector: [0, 0, 2], twist: " + std::to_string(30 * between(-3, 3)) + ", scale: " +
+                     std::to_string(between(0, 2)) + ", center: [1, 1, 0], chord: 1/4}" + place;
       case 2: return std::string("revolve: {profile: ") + turned[between(0, 2)] + ", degrees: " +
                      std::to_string(90 * between(1, 4)) + ", " + fineness() + "}" + place;
       case 3: {
