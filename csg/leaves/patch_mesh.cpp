@@ -124,19 +124,25 @@ class Mesher {
     }
   }
 
-  /// False if a cell is above the chord; the grid then has twice the steps in the direction that adds more there.
+  /// False if more than a quarter of the cells are above the chord; the grid then has twice the steps in the
+  /// direction that adds more in most of those seen. Fewer are left to `refine`.
   bool grid_is_fine() {
     const double hu = 1.0 / grid_[0], hv = 1.0 / grid_[1];
-    for (std::uint32_t j = 0; j < grid_[1]; ++j) {
-      for (std::uint32_t i = 0; i < grid_[0]; ++i) {
+    const double cells = static_cast<double>(grid_[0]) * grid_[1];
+    double coarse = 0, along_u = 0;
+    for (std::uint32_t j = 0; j < grid_[1] && 4 * coarse <= cells; ++j) {
+      for (std::uint32_t i = 0; i < grid_[0] && 4 * coarse <= cells; ++i) {
         const ChordTerms terms = chord_.terms({i * hu, j * hv}, {(i + 1) * hu, (j + 1) * hv});
         if (terms.sum() <= fineness_.chord()) continue;
         const bool twist = terms.uv >= terms.uu && terms.uv >= terms.vv;
-        grid_[(twist ? grid_[0] <= grid_[1] : terms.uu > terms.vv) ? 0 : 1] *= 2;
-        return false;
+        if (twist ? grid_[0] <= grid_[1] : terms.uu > terms.vv) ++along_u;
+        ++coarse;
       }
     }
-    return true;
+    cells_are_fine_ = coarse == 0;
+    if (4 * coarse <= cells) return true;
+    grid_[2 * along_u >= coarse ? 0 : 1] *= 2;
+    return false;
   }
 
   std::uint32_t vertex(const Place& place) {
@@ -243,8 +249,8 @@ class Mesher {
     }
   }
 
-  /// The edge of a triangle to cut, or nothing if it is near enough to the patch. What lies in one cell of the
-  /// grid is, and so is every piece of a triangle that is.
+  /// The edge of a triangle to cut, or nothing if it is near enough to the patch. What lies in a cell that is
+  /// fine is, and so is every piece of a triangle that is.
   std::optional<std::size_t> worst_edge(const Corners& corners) const {
     Place low = places_[corners[0]], high = low;
     for (std::uint32_t v : corners) {
@@ -259,7 +265,7 @@ class Mesher {
       const std::uint32_t cell = whole_ / grid_[d];
       in_cell = in_cell && high[d] <= (low[d] / cell + 1) * cell;
     }
-    if (in_cell) return std::nullopt;
+    if (in_cell && cells_are_fine_) return std::nullopt;
     const double unit = 1.0 / whole_;
     const ChordTerms terms = chord_.terms({low[0] * unit, low[1] * unit}, {high[0] * unit, high[1] * unit});
     if (terms.sum() <= fineness_.chord()) return std::nullopt;
@@ -334,6 +340,7 @@ class Mesher {
   std::uint32_t whole_ = 1;
   std::array<std::uint32_t, 4> side_{0, 0, 0, 0};  // steps of each side; 0: a point
   std::array<std::uint32_t, 2> grid_{1, 1};
+  bool cells_are_fine_ = true;
   std::map<Place, std::uint32_t> number_;
   std::vector<Place> places_;
   std::vector<Corners> triangles_;
