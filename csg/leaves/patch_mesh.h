@@ -2,10 +2,10 @@
 //
 // A grid of equal steps, a power of two in each direction, so fine that the bound of chord.h holds in most cells.
 // Sides may have fewer steps than the grid, for they are sampled by their own data. The outermost ring of cells
-// joins both, as triangles. Each triangle that is in no cell with a good bound is bounded on its own, and while its
-// bound is above the chord, its worst edge inside of the patch is bisected, which splits both triangles at it and
-// leaves no hanging vertex. That ends: edges on a side are never cut, and as a triangle at a side gets thinner, its
-// bound becomes that of the side's own segment, at most half of the chord.
+// joins both, as triangles. Each triangle that is in no cell with a good bound is bounded on its own, and while
+// its bound is above the chord, its worst edge inside of the patch is bisected, which splits both triangles at it
+// and leaves no hanging vertex. That ends: edges on a side are never cut, and as a triangle at a side gets
+// thinner, its bound becomes that of the side's own segment, at most half of the chord.
 //
 // The facets depend on the patch alone, not on the way its net is written: of the eight ways the smallest is
 // taken. A patch that is in two leaves has the same facets in both.
