@@ -34,14 +34,18 @@ CircleFrame::CircleFrame(const RationalPoint& axis) : axis_(primitive(axis)) {
   e2_ = primitive(cross(axis_, e1_));
 }
 
-std::vector<RationalPoint> CircleFrame::offsets(const Rational& radius, int segments) const {
+RationalPoint CircleFrame::offset(const Rational& radius, const Rational& degrees) const {
   const Rational square1 = radius * radius / dot(e1_, e1_), square2 = radius * radius / dot(e2_, e2_);
   const int grid1 = exponent_of_root(square1) - 51, grid2 = exponent_of_root(square2) - 51;
+  return round_cosine(degrees, square1, grid1) * e1_ + round_cosine(90 - degrees, square2, grid2) * e2_;
+}
+
+std::vector<RationalPoint> CircleFrame::offsets(const Rational& radius, int segments) const {
   std::vector<RationalPoint> result;
   for (int i = 0; i < segments; ++i) {
     Rational degrees(360L * i, segments);
     degrees.canonicalize();
-    result.push_back(round_cosine(degrees, square1, grid1) * e1_ + round_cosine(90 - degrees, square2, grid2) * e2_);
+    result.push_back(offset(radius, degrees));
   }
   return result;
 }

@@ -26,6 +26,8 @@ class CircleFrame {
   /// Offsets from the centre: `segments` points by equal angles, the first along e1, turning by the right-hand
   /// rule about the axis. radius > 0.
   std::vector<RationalPoint> offsets(const Rational& radius, int segments) const;
+  /// The offset at one angle.
+  RationalPoint offset(const Rational& radius, const Rational& degrees) const;
 
  private:
   RationalPoint axis_, e1_, e2_;

@@ -1,4 +1,4 @@
-// Tessellated solids: cylinder, cone, sphere, torus.
+// Tessellated solids: cylinder, cone, sphere, torus (extrude.cpp, revolve.cpp, parametric.cpp have the others).
 //
 // All facets of a curved side have one number, caps have their own. Corners are doubles where the shape allows
 // it (circle.h); caps and cylinder sides are planar by construction: a cap's points are rounded within its

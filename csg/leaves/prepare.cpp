@@ -20,6 +20,10 @@ struct Dispatch {
   Leaf operator()(const CylinderShape& shape) const { return prepare_cylinder(shape); }
   Leaf operator()(const ConeShape& shape) const { return prepare_cone(shape); }
   Leaf operator()(const TorusShape& shape) const { return prepare_torus(shape); }
+  Leaf operator()(const BezierShape& shape) const { return prepare_bezier(shape); }
+  Leaf operator()(const CoonsShape& shape) const { return prepare_coons(shape); }
+  Leaf operator()(const ExtrudeShape& shape) const { return prepare_extrude(shape); }
+  Leaf operator()(const RevolveShape& shape) const { return prepare_revolve(shape); }
   Leaf operator()(const HeightfieldShape& shape) const { return prepare_heightfield(shape); }
   Leaf operator()(const MeshShape& shape) const { return prepare_mesh(shape); }
   Leaf operator()(const GroupShape& shape) const { return prepare_group(shape); }

@@ -23,6 +23,14 @@ std::unique_ptr<PreparedLeaf> prepare_cylinder(const CylinderShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape);
 
+// parametric.cpp: Bézier and B-spline patches and curves, Coons patches; fill as the shape says.
+std::unique_ptr<PreparedLeaf> prepare_bezier(const BezierShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape);
+
+// extrude.cpp, revolve.cpp: Fill::winding, or none for a curve.
+std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape);
+
 // unbounded.cpp
 std::unique_ptr<PreparedLeaf> prepare_plane(const PlaneShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_halfspace(const HalfspaceShape& shape);

@@ -68,12 +68,81 @@ struct GroupShape {
   std::map<std::uint32_t, Region> regions;
   std::optional<Fill> fill;          ///< instead of sides
 };
+/// How fine curved leaves are: `chord: e`, the largest distance of a facet or wire from the exact shape, in the
+/// model's unit; or `segments: n`, equal steps of every curve and of a whole turn. Neither: 16 segments.
+struct Tessellation { std::optional<Rational> chord; std::optional<int> segments; };
+/// `{points: [p, ...], weights: [w, ...], degree: d, knots: [t, ...]}` or a list of points. Weights are positive
+/// and rational (default 1): [1, 1, 2] makes of three points a quarter of a circle exactly, sqrt(2)/2 can not be
+/// given. Bézier curves have neither degree nor knots; B-splines have a degree, and knots that ascend, degree + 1
+/// more than points, with inner ones at most `degree` times (default: clamped, spans of equal length).
+struct CurveNet {
+  std::vector<RationalPoint> points;
+  std::vector<Rational> weights;     ///< empty: all 1
+  int degree = 0;                    ///< 0: Bézier
+  std::vector<Rational> knots;
+};
+/// `{points: [[p, ...], ...], weights: [[w, ...], ...], degree: [p, q], knots: [[...], [...]]}`: rows run along v,
+/// the entries of a row along u (degree and knots: u, then v). The front is the side of S_u x S_v: where rows go
+/// up on a sheet of paper and entries to the right, it is the side that one sees.
+struct PatchNet {
+  std::vector<std::vector<RationalPoint>> points;
+  std::vector<std::vector<Rational>> weights;
+  std::array<int, 2> degree{0, 0};
+  std::array<std::vector<Rational>, 2> knots;
+};
+/// `{bezier: {patches: [...], curves: [...], fill: winding, chord: e}}`; a single one as `patch:` or `curve:`.
+/// Patches are surfaces, curves are wires; with `fill` (as for a group) patches that meet in sides with equal
+/// control points make a solid. Facets of one patch are one face, wires of one curve one curve. `bspline` is the
+/// same with degrees and knots (`is_spline`); its spans are Bézier patches of one number.
+struct BezierShape {
+  std::vector<PatchNet> patches;
+  std::vector<CurveNet> curves;
+  Fill fill = Fill::none;
+  Tessellation tessellation;
+  bool is_spline = false;
+};
+/// `{coons: {patches: [[c, c, c, c], ...], fill: winding, chord: e}}` or `patch: [c, c, c, c]`: the bilinearly
+/// blended patch of four Bézier curves that go round, each beginning where the one before it ends. Its front is
+/// the side from which they go counter-clockwise. The first runs along u; a side may be one point: `[p, p]`.
+struct CoonsShape {
+  std::vector<std::array<CurveNet, 4>> patches;
+  Fill fill = Fill::none;
+  Tessellation tessellation;
+};
+/// A line of straight and curved segments: `[p, p, {bezier: [p, ...], weights: [...]}, p, ...]`. Between two
+/// corners a `bezier` gives the inner control points of the curve from one to the other (its weights are those of
+/// all its control points, ends too); without one the segment is straight. A closed line returns to its first
+/// corner.
+struct ProfileLine { std::vector<CurveNet> segments; };
+/// `profile: [...]` or `{outer: [...], holes: [[...], ...]}`: closed lines that bound an area, for a solid;
+/// `curve: [...]`: an open line, for a surface.
+struct Profile { std::vector<ProfileLine> lines; bool closed = true; };
+/// `{extrude: {profile: ..., vector: [x, y, z], twist: degrees, scale: s, center: p, chord: e}}`: a planar profile
+/// (a curve may be any) swept along a vector, meanwhile turned about the axis through `center` along the vector,
+/// by `twist` in all, and scaled from 1 to s about the center (default: the first corner). Profiles that are
+/// twisted or scaled lie at right angles to the vector. s = 0 ends in a point.
+struct ExtrudeShape {
+  Profile profile;
+  RationalPoint vector;
+  Rational twist = 0, scale = 1;
+  std::optional<RationalPoint> center;
+  Tessellation tessellation;
+};
+/// `{revolve: {profile: [[r, z], ...], center: p, axis: n, degrees: 360, chord: e}}`: the profile, r >= 0 from the
+/// axis and z along it, turned about the axis by the right-hand rule.
+struct RevolveShape {
+  Profile profile;                   ///< points are (r, 0, z)
+  RationalPoint center{0, 0, 0}, axis{0, 0, 1};
+  Rational degrees = 360;
+  Tessellation tessellation;
+};
 /// `{cnrg: file.json}`: a result read back.
 struct ResultShape { std::string file; };
 
 using Shape = std::variant<BoxShape, PrismShape, PyramidShape, TetrahedronShape, PolygonShape, PolylineShape, PointsShape,
                            PlaneShape, HalfspaceShape, SphereShape, CylinderShape, ConeShape, TorusShape,
-                           HeightfieldShape, MeshShape, GroupShape, ResultShape>;
+                           BezierShape, CoonsShape, ExtrudeShape, RevolveShape, HeightfieldShape, MeshShape,
+                           GroupShape, ResultShape>;
 
 /// An exact affine map: p -> A p + b.
 struct Transform {

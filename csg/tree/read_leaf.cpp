@@ -4,6 +4,8 @@
 #include <array>
 #include <filesystem>
 
+#include "csg/tree/read_curved.h"
+
 namespace cnrg {
 namespace {
 
@@ -158,15 +160,6 @@ Shape read_heightfield(const Value& value, const LeafContext& context) {
   return shape;
 }
 
-Fill read_fill(const Value& value, const std::string& what) {
-  const std::string name = value.text(what);
-  if (name == "winding") return Fill::winding;
-  if (name == "parity") return Fill::parity;
-  if (name == "cells") return Fill::cells;
-  if (name == "none") return Fill::none;
-  value.fail_type(what, "one of winding, parity, cells, none");
-}
-
 Shape read_mesh(const Value& value, const LeafContext& context) {
   const Fields f(value, "mesh", {"file", "fill", "coordinates"});
   MeshShape shape;
@@ -266,7 +259,7 @@ struct Reader {
   Shape (*read)(const Value&, const LeafContext&);
 };
 
-constexpr std::array<Reader, 17> kReaders{{
+constexpr std::array<Reader, 22> kReaders{{
     {"box", read_box},
     {"prism", read_prism},
     {"pyramid", read_pyramid},
@@ -280,6 +273,11 @@ constexpr std::array<Reader, 17> kReaders{{
     {"cylinder", read_cylinder},
     {"cone", read_cone},
     {"torus", read_torus},
+    {"extrude", read_extrude},
+    {"revolve", read_revolve},
+    {"bezier", read_bezier},
+    {"bspline", read_bspline},
+    {"coons", read_coons},
     {"heightfield", read_heightfield},
     {"mesh", read_mesh},
     {"group", read_group},

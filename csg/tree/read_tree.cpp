@@ -44,9 +44,6 @@ constexpr std::array<OperatorName, 14> kOperators{{
     {"simplify", Operator::simplify},
 }};
 
-/// Names of the tree file that this version does not evaluate.
-constexpr std::array<std::string_view, 4> kLaterLeaves{"extrude", "revolve", "bezier", "bspline"};
-
 constexpr std::array<std::string_view, 8> kAttributes{"material",  "dominance", "name",  "each",
                                                       "translate", "rotate",    "scale", "mirror"};
 
@@ -237,16 +234,9 @@ class TreeReader {
 
   void check_operator_name(const Value::Entry& e, const std::string& what) {
     if (find_operator(e.key) || contains(leaf_names(), e.key)) return;
-    if (contains(kLaterLeaves, e.key)) {
-      document_.fail(e.key_at,
-                     "`" + e.key +
-                         "` is a leaf that this version of cnrg can not evaluate; use another primitive or a "
-                         "mesh file");
-    }
     std::vector<std::string_view> known(leaf_names().begin(), leaf_names().end());
     for (const OperatorName& o : kOperators) known.push_back(o.name);
     known.insert(known.end(), kAttributes.begin(), kAttributes.end());
-    known.insert(known.end(), kLaterLeaves.begin(), kLaterLeaves.end());
     const std::string hint = did_you_mean(e.key, known);
     document_.fail(e.key_at, "unknown key `" + e.key + "` in " + what + ": neither an operator nor an attribute" +
                                  (hint.empty() ? "; remove it or write the one that is meant" : hint));

@@ -19,7 +19,8 @@ namespace {
 
 class RandomTree {
  public:
-  explicit RandomTree(std::uint64_t seed) : random_(seed) {}
+  /// `swept`: half of the leaves are extrusions, revolutions and patches.
+  explicit RandomTree(std::uint64_t seed, bool swept = false) : random_(seed), swept_(swept) {}
 
   std::string text() {
     std::vector<std::string> pool;
@@ -74,7 +75,43 @@ class RandomTree {
     const char* normals[] = {"[0, 0, 1]", "[1, 0, 0]", "[1, 1, 0]", "[1, 2, 3]"};
     return "{point: " + text(point()) + ", normal: " + normals[between(0, 3)] + "}";
   }
+  std::string fineness() {
+    return between(0, 1) == 0 ? "segments: " + std::to_string(between(2, 4)) : std::string("chord: 1/4");
+  }
+  // Corners on whole numbers, so that leaves touch: a square, an L or a half-round, turned or not.
+  std::string swept_leaf() {
+    const char* profiles[] = {"[[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]]",
+                              "[[0, 0, 0], [3, 0, 0], [3, 1, 0], [1, 1, 0], [1, 3, 0], [0, 3, 0]]",
+                              "[[0, 0, 0], [2, 0, 0], {bezier: [[2, 2, 0], [0, 2, 0]]}]",
+                              "{outer: [[-2, -2, 0], [2, -2, 0], {bezier: [[2, 2, 0]], weights: [1, 1, 2]}, "
+                              "[-2, 2, 0]], "
+                              "holes: [[[-1, -1, 0], [0, -1, 0], [-1, 0, 0]]]}"};
+    const char* turned[] = {"[[0, 0], [2, 0], [1, 2]]", "[[1, -1], {bezier: [[3, -1], [3, 1]]}, [1, 1]]",
+                            "[[0, -2], {bezier: [[2, -2], [2, 2]]}, [0, 2]]"};
+    const std::string place = ", translate: " + text(point());
+    switch (between(0, 4)) {
+      case 0: return std::string("extrude: {profile: ") + profiles[between(0, 3)] + ", vector: " +
+                     text({between(-1, 1), between(-1, 1), between(1, 3)}) + ", " + fineness() + "}" + place;
+      case 1: return std::string("extrude: {profile: ") + profiles[between(0, 2)] +
+                     ", vector: [0, 0, 2], twist: " + std::to_string(30 * between(-3, 3)) + ", scale: " +
+                     std::to_string(between(0, 2)) + ", center: [1, 1, 0], chord: 1/4}" + place;
+      case 2: return std::string("revolve: {profile: ") + turned[between(0, 2)] + ", degrees: " +
+                     std::to_string(90 * between(1, 4)) + ", " + fineness() + "}" + place;
+      case 3: {
+        std::string rows;
+        for (int j = 0; j < 3; ++j) {
+          rows += j == 0 ? "[" : ", [";
+          for (int i = 0; i < 3; ++i) rows += (i == 0 ? "" : ", ") + text({2 * i - 2, 2 * j - 2, between(-2, 2)});
+          rows += "]";
+        }
+        return "bezier: {patch: [" + rows + "], " + fineness() + "}" + place;
+      }
+      default: return "bspline: {curve: {points: [" + text(point()) + ", [3, 3, 3], " + text(point()) +
+                      ", [-3, 3, 0], " + text(point()) + "], degree: 2}, segments: 2}";
+    }
+  }
   std::string leaf() {
+    if (swept_ && between(0, 1) == 0) return swept_leaf();
     switch (between(0, 9)) {
       case 0: {
         const auto low = point(-3, 1);
@@ -103,6 +140,7 @@ class RandomTree {
     }
   }
   std::mt19937_64 random_;
+  bool swept_;
 };
 
 std::optional<BooleanOp> boolean_of(const std::string& operator_name) {
@@ -175,11 +213,11 @@ std::uint64_t from_environment(const char* variable, std::uint64_t otherwise) {
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-TEST_CASE("random trees of curved and unbounded leaves satisfy every identity", "[trees]") {
+void check_random_trees(std::uint64_t count, bool swept) {
   const std::uint64_t first = from_environment("CNRG_FIRST_SEED", 0);
-  const std::uint64_t count = from_environment("CNRG_SEEDS", 400);
+  count = from_environment("CNRG_SEEDS", count);
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
-    const std::string text = RandomTree(seed).text();
+    const std::string text = RandomTree(seed, swept).text();
     INFO("seed " << seed << "\n" << text);
     const Tree tree = parse_tree(text, "random.yaml");
     EvaluateOptions options;
@@ -193,6 +231,14 @@ TEST_CASE("random trees of curved and unbounded leaves satisfy every identity", 
       REQUIRE(check_node(tree, evaluation, locator, id) == "");
     }
   }
+}
+
+TEST_CASE("random trees of curved and unbounded leaves satisfy every identity", "[trees]") {
+  check_random_trees(400, false);
+}
+
+TEST_CASE("random trees with sweeps and patches satisfy every identity", "[trees]") {
+  check_random_trees(150, true);
 }
 
 }  // namespace

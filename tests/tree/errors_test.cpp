@@ -216,12 +216,6 @@ TEST_CASE("operators say how many operands they take", "[tree][errors]") {
   expect_node("closure: p, each: 3", 19, {"true or false"});
 }
 
-TEST_CASE("leaves of later versions are known", "[tree][errors]") {
-  for (const std::string name : {"extrude", "revolve", "bezier", "bspline"}) {
-    expect_node(name + ": {}", 1, {"`" + name + "` is a leaf that this version of cnrg can not evaluate"});
-  }
-}
-
 TEST_CASE("nesting and aliases are bounded", "[tree][errors]") {
   std::string deep = "p";
   for (int i = 0; i < 5000; ++i) deep = "{complement: " + deep + "}";

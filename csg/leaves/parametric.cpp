@@ -1,0 +1,138 @@
+// Bézier, B-spline and Coons patches as surfaces or solids, and curves as wires.
+//
+// All become Bézier pieces. The pieces of one patch of the tree share its number, the wires of one curve the
+// curve's; so people see the patches and curves that were given.
+#include <map>
+#include <utility>
+
+#include "csg/leaves/control_nets.h"
+#include "csg/leaves/exact_vectors.h"
+#include "csg/leaves/geometry_leaf.h"
+#include "csg/leaves/patch_mesh.h"
+#include "csg/leaves/prepare_shapes.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+class ParametricLeaf {
+ public:
+  ParametricLeaf(const char* shape, const Tessellation& tessellation, Fill fill)
+      : fineness_(shape, tessellation), boundary_(fineness_), fill_(fill), builder_(fill) {}
+
+  void add_patch(const std::vector<BezierPatch>& pieces, std::uint32_t number, const std::string& name) {
+    for (const BezierPatch& piece : pieces) {
+      constexpr const char* kSides[] = {"v = 0", "u = 1", "v = 1", "u = 0"};
+      for (std::size_t k = 0; k < 4; ++k)
+        boundary_.use(piece.side(k), std::string("side ") + kSides[k] + " of " + name);
+    }
+    for (const BezierPatch& piece : pieces) {
+      const PatchMesh mesh = mesh_patch(piece, fineness_, boundary_);
+      for (const auto& t : mesh.triangles) {
+        const RationalPoint &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+        if (collinear(a, b, c)) continue;
+        facets_.push_back({point(a), point(b), point(c), number});
+        volumes_.push_back(dot(a, cross(b, c)));
+      }
+    }
+    if (facets_.empty() || facets_.back().number != number) {
+      throw InputError(fineness_.shape() + ": " + name + " has no area: move its control points apart");
+    }
+  }
+
+  void add_curve(const std::vector<BezierCurve>& pieces, std::uint32_t number, const std::string& name) {
+    bool any = false;
+    for (const BezierCurve& piece : pieces) {
+      const int n = boundary_.steps(piece);
+      PointId last = point(piece.at(0));
+      for (int i = 1; i <= n; ++i) {
+        Rational t(i, n);
+        t.canonicalize();
+        const PointId next = point(piece.at(t));
+        if (next == last) continue;
+        builder_.soup().add_wire(builder_.leaf(), last, next, number);
+        last = next;
+        any = true;
+      }
+    }
+    if (!any) throw InputError(fineness_.shape() + ": " + name + " is one point: give it as `points`");
+  }
+
+  std::unique_ptr<PreparedLeaf> finish() {
+    if (fill_ != Fill::none && facets_.empty()) {
+      throw InputError(fineness_.shape() + ": fill is given, but there are no patches: leave it out");
+    }
+    boundary_.check_closed(fill_);
+    // Of a solid whose patches all face inward the facets are turned round.
+    const bool turn = fill_ == Fill::winding && sum(std::move(volumes_)) < 0;
+    for (const Facet& f : facets_) builder_.triangle(f.a, turn ? f.c : f.b, turn ? f.b : f.c, f.number);
+    return builder_.finish();
+  }
+
+ private:
+  struct Facet {
+    PointId a, b, c;
+    std::uint32_t number;
+  };
+
+  PointId point(const RationalPoint& p) {
+    const auto [it, is_new] = ids_.try_emplace(p);
+    if (is_new) it->second = builder_.point(p);
+    return it->second;
+  }
+
+  Fineness fineness_;
+  BoundaryCurves boundary_;
+  Fill fill_;
+  LeafBuilder builder_;
+  std::map<RationalPoint, PointId> ids_;
+  std::vector<Facet> facets_;
+  std::vector<Rational> volumes_;  // six times, of the facets' tetrahedra with the origin
+};
+
+std::string name_of(const char* kind, std::size_t index, std::size_t count) {
+  return count == 1 ? std::string("the ") + kind : std::string(kind) + " " + std::to_string(index + 1);
+}
+
+}  // namespace
+
+std::unique_ptr<PreparedLeaf> prepare_bezier(const BezierShape& shape) {
+  const char* name = shape.is_spline ? "bspline" : "bezier";
+  const std::string prefix = std::string(name) + ": ";
+  if (shape.patches.empty() && shape.curves.empty())
+    throw InputError(prefix + "it has no patches or curves: give one");
+  ParametricLeaf leaf(name, shape.tessellation, shape.fill);
+  for (std::size_t i = 0; i < shape.patches.size(); ++i) {
+    const std::string patch = name_of("patch", i, shape.patches.size());
+    leaf.add_patch(patch_pieces(shape.patches[i], prefix + patch), static_cast<std::uint32_t>(i), patch);
+  }
+  for (std::size_t i = 0; i < shape.curves.size(); ++i) {
+    const std::string curve = name_of("curve", i, shape.curves.size());
+    leaf.add_curve(curve_pieces(shape.curves[i], prefix + curve), static_cast<std::uint32_t>(i), curve);
+  }
+  return leaf.finish();
+}
+
+std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape) {
+  if (shape.patches.empty()) throw InputError("coons: it has no patches: give one");
+  ParametricLeaf leaf("coons", shape.tessellation, shape.fill);
+  for (std::size_t i = 0; i < shape.patches.size(); ++i) {
+    const std::string patch = name_of("patch", i, shape.patches.size());
+    std::array<BezierCurve, 4> round;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::string curve = "coons: curve " + std::to_string(k + 1) + " of " + patch;
+      if (shape.patches[i][k].degree != 0) throw InputError(curve + " is a B-spline: give its Bézier pieces");
+      round[k] = curve_pieces(shape.patches[i][k], curve)[0];
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const RationalPoint end = shape.patches[i][k].points.back(), next = shape.patches[i][(k + 1) % 4].points[0];
+      if (end == next) continue;
+      throw InputError("coons: curve " + std::to_string(k + 1) + " of " + patch + " ends in " + describe(end) +
+                       ", but the next one begins in " + describe(next) + ": let the four curves go round");
+    }
+    leaf.add_patch({coons_patch(round)}, static_cast<std::uint32_t>(i), patch);
+  }
+  return leaf.finish();
+}
+
+}  // namespace cnrg

@@ -1,0 +1,320 @@
+// Numbers and their counts are checked here, where their place is known; what a shape means is checked by
+// `prepare`.
+#include "csg/tree/read_curved.h"
+
+#include <optional>
+
+#include "csg/leaves/boundary_curves.h"
+#include "csg/leaves/control_nets.h"
+
+namespace cnrg {
+namespace {
+
+constexpr const char* kPoint = "[x, y, z]";
+constexpr const char* kPoints = "[[x, y, z], ...]";
+constexpr const char* kRows = "[[[x, y, z], ...], ...]";
+
+Tessellation read_tessellation(const Fields& f) {
+  Tessellation result;
+  if (const Value* chord = f.find("chord")) {
+    result.chord = chord->number(f.name("chord"));
+    if (*result.chord <= 0) chord->fail(f.name("chord") + " must be a positive length");
+  }
+  if (const Value::Entry* segments = f.entry("segments")) {
+    if (result.chord) {
+      segments->value.document().fail(segments->key_at,
+                                      "this leaf has `chord` and `segments`; remove one of them");
+    }
+    result.segments = static_cast<int>(segments->value.integer(f.name("segments"), 1, Fineness::kMostSteps));
+  }
+  return result;
+}
+
+/// Positive numbers, `count` of them.
+std::vector<Rational> read_weights(const Value& value, const std::string& what, std::size_t count) {
+  std::vector<Rational> result;
+  for (const Value& w : value.list(what, "a list of positive numbers")) {
+    result.push_back(w.number(what));
+    if (result.back() <= 0) w.fail(what + ": a weight must be positive");
+  }
+  if (result.size() != count) {
+    value.fail(what + ": there are " + std::to_string(count) + " control points and " +
+               std::to_string(result.size()) + " weights; give one weight for each point");
+  }
+  return result;
+}
+
+int read_degree(const Value& value, const std::string& what, std::size_t points) {
+  const int degree = static_cast<int>(value.integer(what, 1, kMostDegree));
+  if (points < static_cast<std::size_t>(degree) + 1) {
+    value.fail(what + ": degree " + std::to_string(degree) + " takes at least " + std::to_string(degree + 1) +
+               " control points, there are " + std::to_string(points) + "; add points or lower the degree");
+  }
+  return degree;
+}
+
+std::vector<Rational> read_knots(const Value& value, const std::string& what, std::size_t points, int degree) {
+  std::vector<Rational> knots;
+  for (const Value& k : value.list(what, "a list of numbers that ascend")) {
+    knots.push_back(k.number(what));
+    if (knots.size() > 1 && knots.back() < knots[knots.size() - 2]) {
+      k.fail(what + ": this knot is less than the one before it; give knots that ascend");
+    }
+  }
+  const std::size_t wanted = points + static_cast<std::size_t>(degree) + 1;
+  if (knots.size() != wanted) {
+    value.fail(what + ": " + std::to_string(points) + " control points of degree " + std::to_string(degree) +
+               " take " + std::to_string(wanted) + " knots, not " + std::to_string(knots.size()) +
+               "; give points + degree + 1");
+  }
+  return knots;
+}
+
+/// A list of control points, or a map with weights (and, of a spline, degree and knots).
+CurveNet read_curve(const Value& value, const std::string& what, bool spline) {
+  CurveNet net;
+  if (!value.is_map() && !spline) {
+    net.points = value.points(what);
+    return net;
+  }
+  const Fields f = spline ? Fields(value, what, {"points", "weights", "degree", "knots"})
+                          : Fields(value, what, {"points", "weights"});
+  net.points = f.at("points", kPoints).points(f.name("points"));
+  if (const Value* weights = f.find("weights")) {
+    net.weights = read_weights(*weights, f.name("weights"), net.points.size());
+  }
+  if (!spline) return net;
+  net.degree = read_degree(f.at("degree", "3"), f.name("degree"), net.points.size());
+  if (const Value* knots = f.find("knots")) {
+    net.knots = read_knots(*knots, f.name("knots"), net.points.size(), net.degree);
+  }
+  return net;
+}
+
+/// A list of rows, or a map likewise.
+PatchNet read_patch(const Value& value, const std::string& what, bool spline) {
+  PatchNet net;
+  const auto read_points = [&](const Value& rows, const std::string& name) {
+    for (const Value& row : rows.list(name, std::string("a list of rows ") + kRows)) {
+      net.points.push_back(row.points("each row of " + name));
+      if (net.points.back().size() != net.points[0].size()) {
+        row.fail("this row has " + std::to_string(net.points.back().size()) +
+                 " control points and the first has " + std::to_string(net.points[0].size()) +
+                 "; all rows must be equally long");
+      }
+    }
+    if (net.points.size() < 2 || net.points[0].size() < 2)
+      rows.fail(name + ": give at least two rows of two points");
+  };
+  if (!value.is_map() && !spline) {
+    read_points(value, what);
+    return net;
+  }
+  const Fields f = spline ? Fields(value, what, {"points", "weights", "degree", "knots"})
+                          : Fields(value, what, {"points", "weights"});
+  read_points(f.at("points", kRows), f.name("points"));
+  if (const Value* weights = f.find("weights")) {
+    const std::vector<Value> rows = weights->list(f.name("weights"), "a list of rows [[w, ...], ...]");
+    if (rows.size() != net.points.size()) {
+      weights->fail(f.name("weights") + ": there are " + std::to_string(net.points.size()) +
+                    " rows of control points and " + std::to_string(rows.size()) +
+                    " of weights; give one for each");
+    }
+    for (const Value& row : rows) {
+      net.weights.push_back(read_weights(row, "each row of " + f.name("weights"), net.points[0].size()));
+    }
+  }
+  if (!spline) return net;
+  const std::size_t count[] = {net.points[0].size(), net.points.size()};
+  const std::vector<Value> degree =
+      f.at("degree", "[3, 3]").list(f.name("degree"), "a list of two degrees [u, v]");
+  if (degree.size() != 2) f.at("degree", "").fail_type(f.name("degree"), "a list of two degrees [u, v]");
+  for (std::size_t k = 0; k < 2; ++k) net.degree[k] = read_degree(degree[k], f.name("degree"), count[k]);
+  if (const Value* knots = f.find("knots")) {
+    const std::vector<Value> both = knots->list(f.name("knots"), "two lists of knots [[...], [...]]");
+    if (both.size() != 2) knots->fail_type(f.name("knots"), "two lists of knots [[...], [...]]");
+    for (std::size_t k = 0; k < 2; ++k) {
+      net.knots[k] = read_knots(both[k], f.name("knots"), count[k], net.degree[k]);
+    }
+  }
+  return net;
+}
+
+/// One value under `one`, or a list of them under `many`.
+template <class Read>
+void read_each(const Fields& f, const char* one, const char* many, Read read) {
+  const Value::Entry* single = f.entry(one);
+  const Value::Entry* list = f.entry(many);
+  if (single && list) {
+    list->value.document().fail(list->key_at, "this leaf has `" + std::string(one) + "` and `" + many +
+                                                  "`; give all of them in `" + many + "`");
+  }
+  if (single) read(single->value, f.name(one));
+  if (!list) return;
+  const std::vector<Value> values = list->value.list(f.name(many), "a list");
+  for (const Value& value : values) read(value, "each of " + f.name(many));
+}
+
+Shape read_nets(const Value& value, const char* name, bool spline) {
+  const Fields f(value, name, {"patch", "patches", "curve", "curves", "fill", "chord", "segments"});
+  BezierShape shape;
+  shape.is_spline = spline;
+  read_each(f, "patch", "patches", [&](const Value& v, const std::string& what) {
+    shape.patches.push_back(read_patch(v, what, spline));
+  });
+  read_each(f, "curve", "curves",
+            [&](const Value& v, const std::string& what) { shape.curves.push_back(read_curve(v, what, spline)); });
+  if (shape.patches.empty() && shape.curves.empty()) {
+    value.fail(std::string(name) + " needs `patch`, `patches`, `curve` or `curves`; add `patch: {points: " +
+               kRows + (spline ? ", degree: [3, 3]" : "") + "}`");
+  }
+  if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
+  shape.tessellation = read_tessellation(f);
+  return shape;
+}
+
+/// A point of a profile: three numbers, or of a revolution two, r and z.
+RationalPoint read_profile_point(const Value& value, const std::string& what, bool plane) {
+  if (!plane) return value.point("each point of " + what);
+  const std::array<Rational, 2> rz = value.pair("each point of " + what);
+  return {rz[0], 0, rz[1]};
+}
+
+ProfileLine read_line(const Value& value, const std::string& what, bool plane, bool closed) {
+  const std::vector<Value> items =
+      value.list(what, std::string("a list of corners ") + (plane ? "[[r, z], ...]" : kPoints));
+  ProfileLine line;
+  std::optional<RationalPoint> last;
+  const Value* curve = nullptr;
+  const auto corner = [&](const RationalPoint& p) {
+    if (last) {
+      CurveNet& net = line.segments.emplace_back();
+      net.points.push_back(*last);
+      if (curve) {
+        const Fields f(*curve, "a curve of " + what, {"bezier", "weights"});
+        for (const Value& q :
+             f.at("bezier", "[p, ...]").list(f.name("bezier"), "a list of inner control points")) {
+          net.points.push_back(read_profile_point(q, f.name("bezier"), plane));
+        }
+        if (const Value* weights = f.find("weights")) {
+          net.weights = read_weights(*weights, f.name("weights"), net.points.size() + 1);
+        }
+      }
+      net.points.push_back(p);
+    }
+    last = p;
+    curve = nullptr;
+  };
+  std::optional<RationalPoint> first;
+  for (const Value& item : items) {
+    if (item.is_map()) {
+      if (!last) item.fail("a curve stands between two corners; begin with a corner");
+      if (curve) item.fail("two curves follow each other; give the corner between them");
+      curve = &item;
+      continue;
+    }
+    corner(read_profile_point(item, what, plane));
+    if (!first) first = last;
+  }
+  if (!first) value.fail(what + " is empty; give its corners");
+  if (closed)
+    corner(*first);
+  else if (curve)
+    curve->fail("a curve stands between two corners; end with a corner");
+  if (line.segments.size() < (closed ? 2u : 1u)) value.fail(what + ": give at least two corners");
+  return line;
+}
+
+Profile read_profile(const Value& value, const Fields& f, const std::string& name, bool plane) {
+  Profile profile;
+  const Value::Entry* area = f.entry("profile");
+  const Value::Entry* curve = f.entry("curve");
+  if (area && curve) {
+    value.document().fail(curve->key_at, name + " has `profile` and `curve`; remove one of them");
+  }
+  if (curve) {
+    profile.closed = false;
+    profile.lines.push_back(read_line(curve->value, f.name("curve"), plane, false));
+    return profile;
+  }
+  const Value& lines = f.at("profile", plane ? "[[r, z], ...]" : kPoints);
+  if (!lines.is_map()) {
+    profile.lines.push_back(read_line(lines, f.name("profile"), plane, true));
+    return profile;
+  }
+  const Fields parts(lines, f.name("profile"), {"outer", "holes"});
+  profile.lines.push_back(read_line(parts.at("outer", kPoints), parts.name("outer"), plane, true));
+  if (const Value* holes = parts.find("holes")) {
+    for (const Value& hole : holes->list(parts.name("holes"), "a list of lines")) {
+      profile.lines.push_back(read_line(hole, "each of " + parts.name("holes"), plane, true));
+    }
+  }
+  return profile;
+}
+
+}  // namespace
+
+Fill read_fill(const Value& value, const std::string& what) {
+  const std::string name = value.text(what);
+  if (name == "winding") return Fill::winding;
+  if (name == "parity") return Fill::parity;
+  if (name == "cells") return Fill::cells;
+  if (name == "none") return Fill::none;
+  value.fail_type(what, "one of winding, parity, cells, none");
+}
+
+Shape read_bezier(const Value& value, const LeafContext&) { return read_nets(value, "bezier", false); }
+
+Shape read_bspline(const Value& value, const LeafContext&) { return read_nets(value, "bspline", true); }
+
+Shape read_coons(const Value& value, const LeafContext&) {
+  const Fields f(value, "coons", {"patch", "patches", "fill", "chord", "segments"});
+  CoonsShape shape;
+  read_each(f, "patch", "patches", [&](const Value& v, const std::string& what) {
+    const std::vector<Value> curves = v.list(what, "a list of four curves that go round");
+    if (curves.size() != 4) v.fail_type(what, "a list of four curves that go round");
+    auto& round = shape.patches.emplace_back();
+    for (std::size_t k = 0; k < 4; ++k) round[k] = read_curve(curves[k], "each curve of coons", false);
+  });
+  if (shape.patches.empty()) {
+    value.fail(
+        "coons needs `patch` or `patches`; add `patch: [CURVE, CURVE, CURVE, CURVE]`, each a list of points");
+  }
+  if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
+  shape.tessellation = read_tessellation(f);
+  return shape;
+}
+
+Shape read_extrude(const Value& value, const LeafContext&) {
+  const Fields f(value, "extrude",
+                 {"profile", "curve", "vector", "twist", "scale", "center", "chord", "segments"});
+  ExtrudeShape shape;
+  shape.profile = read_profile(value, f, "extrude", false);
+  shape.vector = f.at("vector", kPoint).point(f.name("vector"));
+  if (const Value* twist = f.find("twist")) shape.twist = twist->number(f.name("twist"));
+  if (const Value* scale = f.find("scale")) {
+    shape.scale = scale->number(f.name("scale"));
+    if (shape.scale < 0) scale->fail(f.name("scale") + " must be 0 or more");
+  }
+  if (const Value* center = f.find("center")) shape.center = center->point(f.name("center"));
+  shape.tessellation = read_tessellation(f);
+  return shape;
+}
+
+Shape read_revolve(const Value& value, const LeafContext&) {
+  const Fields f(value, "revolve", {"profile", "curve", "center", "axis", "degrees", "chord", "segments"});
+  RevolveShape shape;
+  shape.profile = read_profile(value, f, "revolve", true);
+  if (const Value* center = f.find("center")) shape.center = center->point(f.name("center"));
+  if (const Value* axis = f.find("axis")) shape.axis = axis->point(f.name("axis"));
+  if (const Value* degrees = f.find("degrees")) {
+    shape.degrees = degrees->number(f.name("degrees"));
+    if (shape.degrees <= 0 || shape.degrees > 360) {
+      degrees->fail(f.name("degrees") + " must be more than 0 and at most 360");
+    }
+  }
+  shape.tessellation = read_tessellation(f);
+  return shape;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,17 @@
+// Curved leaves in a tree file: control nets, profiles, fineness.
+#pragma once
+
+#include "csg/tree/read_leaf.h"
+
+namespace cnrg {
+
+Shape read_extrude(const Value& value, const LeafContext& context);
+Shape read_revolve(const Value& value, const LeafContext& context);
+Shape read_bezier(const Value& value, const LeafContext& context);
+Shape read_bspline(const Value& value, const LeafContext& context);
+Shape read_coons(const Value& value, const LeafContext& context);
+
+/// winding, parity, cells or none.
+Fill read_fill(const Value& value, const std::string& what);
+
+}  // namespace cnrg
