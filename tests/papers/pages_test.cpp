@@ -52,8 +52,10 @@ std::vector<Claim> claims_of(const fs::path& page) {
   return claims;
 }
 
-/// The words of a line without what is free: decimals of fractions, and the time of a row (before the volume).
-std::vector<std::string> words_of(const std::string& line) {
+/// The words of a line without what is free: decimals of fractions, the remark that one is too long to be printed,
+/// and the time of a row (before the volume).
+std::vector<std::string> words_of(const std::string& whole) {
+  const std::string line = whole.substr(0, whole.find(" (the fraction has "));
   static const std::regex fraction("-?[0-9]+/([0-9]+)"), seconds("[0-9]+\\.[0-9]{3}");
   std::istringstream stream(line);
   std::vector<std::string> words;
