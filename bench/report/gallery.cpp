@@ -1,80 +1,27 @@
 // gnuplot as a child, and what becomes of its SVG.
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <regex>
 #include <stdexcept>
 
+#include "bench/peers/program.h"
 #include "bench/report/html.h"
 #include "bench/report/placeholders.h"
 #include "bench/report/plot.h"
 
-extern char** environ;
-
 namespace cnrg::bench {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A folder that is removed again.
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (fs::temp_directory_path() / "bench_report_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) {
-      throw std::runtime_error("no temporary folder for plots: " + std::string(std::strerror(errno)));
-    }
-    path_ = pattern;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  fs::path path(const std::string& name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
-std::string read_text(const fs::path& path) {
+std::string read_text(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Runs gnuplot on a script; its messages go to `messages`.
-int run_gnuplot(const fs::path& script, const fs::path& messages) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 2, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  std::string program = "gnuplot", file = script.string();
-  char* const arguments[] = {program.data(), file.data(), nullptr};
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error == ENOENT) throw std::runtime_error("gnuplot was not found; install the package gnuplot-nox");
-  if (error != 0) throw std::runtime_error("gnuplot can not be started: " + std::string(std::strerror(error)));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw std::runtime_error("gnuplot was lost: " + std::string(std::strerror(errno)));
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-std::string first_line(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \n\t");
-  return begin == std::string::npos ? "no message" : text.substr(begin, text.find('\n', begin) - begin);
+std::string first_line(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines)
+    if (const std::size_t begin = line.find_first_not_of(" \t"); begin != std::string::npos)
+      return line.substr(begin);
+  return "no message";
 }
 
 /// The `svg` element alone, with the page's colours and font, and ids that begin with `prefix`.
@@ -116,26 +63,27 @@ std::string for_page(std::string svg, const std::string& prefix, const std::stri
 std::vector<std::string> Gallery::draw() const {
   std::vector<std::string> drawings;
   if (sheets_.empty()) return drawings;
-  const Folder folder;
+  if (!on_path("gnuplot")) throw std::runtime_error("gnuplot was not found; install the package gnuplot-nox");
+  const TemporaryFolder folder;
   const auto name_of = [](std::size_t i) { return std::to_string(i) + ".svg"; };
   {
-    std::ofstream script(folder.path("script"));
+    std::ofstream script(folder.file("script"));
     for (std::size_t i = 0; i < sheets_.size(); ++i) {
       const std::string& text = sheets_[i].script;
       const std::size_t plot = text.rfind("\nplot ") + 1;
-      script << text.substr(0, plot) << "set output '" << folder.path(name_of(i)).string() << "'\n"
+      script << text.substr(0, plot) << "set output '" << folder.file(name_of(i)) << "'\n"
              << text.substr(plot) << "unset output\n";
     }
     script.close();
     if (!script) throw std::runtime_error("the temporary folder has no room for plots");
   }
-  const int status = run_gnuplot(folder.path("script"), folder.path("messages"));
-  if (status != 0) {
-    throw std::runtime_error("gnuplot failed: " + first_line(read_text(folder.path("messages"))) +
+  const ProgramRun run = run_program({"gnuplot", folder.file("script")}, folder);
+  if (!run.succeeded()) {
+    throw std::runtime_error("gnuplot failed: " + first_line(run.errors) +
                              "; the package gnuplot-nox in version 5.4 or later is needed");
   }
   for (std::size_t i = 0; i < sheets_.size(); ++i) {
-    drawings.push_back(for_page(read_text(folder.path(name_of(i))), "p" + std::to_string(i) + "-",
+    drawings.push_back(for_page(read_text(folder.file(name_of(i))), "p" + std::to_string(i) + "-",
                                 sheets_[i].title, sheets_[i].description));
   }
   return drawings;

@@ -357,7 +357,7 @@ Judgement judge(const Problem& problem, const Model& result, double rounding) {
   j.excess = excess / unit;
   j.missing = missing / unit;
   // Moving the boundary by the rounding changes the volume by that much.
-  const double allowed = 16 * rounding * c.extent * area(complex, c.boundary(c.exact));
+  const double allowed = rounding == 0 ? 0 : 16 * rounding * c.extent * area(complex, c.boundary(c.exact));
   const Rational around = signed_volume(result), inside = volume(complex, c.found.regions).value();
   if (!(to_double(abs(around - inside)) <= allowed)) {
     reject(j, "surface",

@@ -155,6 +155,19 @@ LABELS = (("clay", (235, 70, 102), INK), ("marl", (60, 70, 83), INK), ("limeston
           ("granite", (60, 70, 16), INK), ("tunnel", (60, 70, 54.5), WHITE), ("fault", (172, 100, 97), WHITE))
 
 
+def save(window, path):
+    """Renders the window and writes it as PNG."""
+    window.Render()
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetCompressionLevel(9)
+    writer.SetFileName(path)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
 def main():
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -178,15 +191,7 @@ def main():
         camera.Zoom(zoom)
         renderer.ResetCameraClippingRange()
         window.AddRenderer(renderer)
-    window.Render()
-    image = vtk.vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtk.vtkPNGWriter()
-    writer.SetCompressionLevel(9)
-    writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else str(HERE / "fig10.png"))
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+    save(window, sys.argv[1] if len(sys.argv) > 1 else str(HERE / "fig10.png"))
 
 
 if __name__ == "__main__":

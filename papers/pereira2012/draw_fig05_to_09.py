@@ -6,7 +6,7 @@ Facets have a colour per leaf, in the order of the leaves. Lines are the edges o
 import numpy
 import vtk
 
-from draw import HERE, OUT, cells, light, read, surface
+from draw import HERE, OUT, cells, light, read, save, surface
 from draw_fig07 import curves, smooth
 
 COLOURS = ((0.86, 0.66, 0.46), (0.42, 0.66, 0.62), (0.66, 0.6, 0.74), (0.78, 0.76, 0.5), (0.6, 0.7, 0.82))
@@ -52,15 +52,7 @@ def draw(figure, nodes):
     for i, (node, opacity) in enumerate(nodes):
         viewport = (i / len(nodes), 0, (i + 1) / len(nodes), 1)
         window.AddRenderer(scene(read(OUT / f"{figure}-{node}.vtu"), opacity, viewport))
-    window.Render()
-    image = vtk.vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtk.vtkPNGWriter()
-    writer.SetCompressionLevel(9)
-    writer.SetFileName(str(HERE / f"{figure}.png"))
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+    save(window, str(HERE / f"{figure}.png"))
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import sys
 import numpy
 import vtk
 
-from draw import HERE, OUT, cells, field, light, read, surface
+from draw import HERE, OUT, cells, field, light, read, save, surface
 
 COLOURS = {"cube": (0.86, 0.66, 0.46), "bottle": (0.42, 0.66, 0.62)}
 VIEWS = (("both", 0.33), ("intersection", 1), ("difference", 1))
@@ -77,15 +77,7 @@ def main():
         camera.SetViewAngle(26)
         renderer.ResetCameraClippingRange()
         window.AddRenderer(renderer)
-    window.Render()
-    image = vtk.vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtk.vtkPNGWriter()
-    writer.SetCompressionLevel(9)
-    writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else str(HERE / "fig07.png"))
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+    save(window, sys.argv[1] if len(sys.argv) > 1 else str(HERE / "fig07.png"))
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bench/baseline/topology.h"
+#include "bench/cases/soup_of.h"
 #include "csg/operators/boolean.h"
 #include "csg/operators/leaf_group.h"
 #include "kernel/refine/refine.h"
@@ -15,20 +16,6 @@
 
 namespace cnrg::bench::baseline_test {
 namespace {
-
-void add_leaf(Soup& soup, const Model& model) {
-  const LeafId leaf = soup.add_leaf(Fill::winding);
-  std::vector<PointId> ids;
-  for (const RationalPoint& p : model.points) ids.push_back(soup.add_point(p));
-  for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
-    std::vector<std::vector<PointId>> loops;
-    for (const auto& loop : model.faces[f].loops) {
-      loops.emplace_back();
-      for (const std::uint32_t p : loop) loops.back().push_back(ids[p]);
-    }
-    soup.add_face(leaf, loops, f, f);
-  }
-}
 
 std::set<RegionId> inside(const Group& group) {
   std::set<RegionId> cells;
@@ -71,7 +58,7 @@ std::size_t duplicates_of(const Model& model) {
 
 Truth truth_of(const Model& a, const Model& b, Operation operation, const Model& answer) {
   Soup soup;
-  for (const Model* model : {&a, &b, &answer}) add_leaf(soup, *model);
+  for (const Model* model : {&a, &b, &answer}) add_model(soup, *model);
   const Complex complex = build_complex(soup, {.threads = 1}, nullptr);
   const std::vector<Group> groups = leaf_groups(complex);
   const BooleanOp op = operation == Operation::unite       ? BooleanOp::unite

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "bench/cases/soup_of.h"
 #include "kernel/selection/measure.h"
 
 namespace cnrg::bench {
@@ -29,24 +30,6 @@ RationalPoint area_of(const Model& model, const std::vector<std::uint32_t>& loop
   return sum;
 }
 
-LeafId add_leaf(Soup& soup, const Model& model) {
-  const LeafId leaf = soup.add_leaf(!model.faces.empty() && model.solid() ? Fill::winding : Fill::none);
-  std::vector<PointId> ids;
-  for (const RationalPoint& p : model.points) ids.push_back(soup.add_point(p));
-  for (std::uint32_t f = 0; f < model.faces.size(); ++f) {
-    std::vector<std::vector<PointId>> loops;
-    for (const auto& loop : model.faces[f].loops) {
-      loops.emplace_back();
-      for (const std::uint32_t p : loop) loops.back().push_back(ids[p]);
-    }
-    soup.add_face(leaf, loops, f, f);
-  }
-  for (std::uint32_t w = 0; w < model.wires.size(); ++w)
-    soup.add_wire(leaf, ids[model.wires[w][0]], ids[model.wires[w][1]], w);
-  for (const std::uint32_t p : model.isolated) soup.add_isolated(leaf, ids[p]);
-  return leaf;
-}
-
 std::string loop_fault(const Model& model, const std::vector<std::uint32_t>& loop) {
   if (loop.size() < 3) return "a face has less than three corners";
   if (std::set(loop.begin(), loop.end()).size() != loop.size()) return "a face has a corner twice";
@@ -68,7 +51,7 @@ std::string solid_fault(const Model& model) {
   const Rational expected = volume_of(model);
   if (expected <= 0) return "the volume is not positive";
   Soup soup;
-  add_leaf(soup, model);
+  add_model(soup, model);
   const Complex complex = build_complex(soup, {.threads = 1});
   if (complex.region_count != 2) return "the faces cut space into " + std::to_string(complex.region_count);
   if (volume(complex, RegionId(1)) != expected) return "the faces cross each other";
@@ -127,7 +110,7 @@ std::string fault_of(const Model& model) {
 
 Meeting meeting(const Model& a, const Model& b) {
   Soup soup;
-  const LeafId first = add_leaf(soup, a), second = add_leaf(soup, b);
+  const LeafId first = add_model(soup, a).front(), second = add_model(soup, b).front();
   const Complex complex = build_complex(soup, {.threads = 1});
   Meeting m;
   for (std::uint32_t i = 0; i < complex.face_count(); ++i) {
