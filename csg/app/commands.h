@@ -8,25 +8,31 @@
 
 namespace cnrg::app {
 
+// `finer`: every curved leaf is that many times finer than the tree says.
+
 struct EvalArguments {
   std::string tree;
   std::vector<std::string> nodes;
   std::vector<std::string> files;
   bool trace = false, raw = false, topology = false, quiet = false;
-  int threads = 0;
+  int threads = 0, finer = 1;
 };
 /// `cnrg eval`: a row per node, a file per `-o`.
 int run_eval(const EvalArguments& arguments);
 
 /// `cnrg check`: reads and validates only.
-int run_check(const std::string& tree);
+int run_check(const std::string& tree, int finer);
 
+struct LocateArguments {
+  std::string tree, node;
+  int threads = 0, finer = 1;
+};
 /// `cnrg locate`: the cell that holds each point of standard input.
-int run_locate(const std::string& tree, const std::string& node, int threads);
+int run_locate(const LocateArguments& arguments);
 
 struct ExplainArguments {
   std::string tree, node, cell, point;  ///< one of cell and point is empty
-  int threads = 0;
+  int threads = 0, finer = 1;
 };
 /// `cnrg explain`: the way of a cell, or of what holds a point, through the tree.
 int run_explain(const ExplainArguments& arguments);
@@ -36,7 +42,7 @@ struct MeshArguments {
   std::vector<std::string> files;
   TetrahedraOptions options;
   bool quiet = false;
-  int threads = 0;
+  int threads = 0, finer = 1;
 };
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.
 int run_mesh(const MeshArguments& arguments);

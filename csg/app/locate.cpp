@@ -83,12 +83,12 @@ std::string describe(const SimplifiedComplex& simplified, const SimplifiedComple
 
 }  // namespace
 
-int run_locate(const std::string& path, const std::string& name, int threads) {
-  const Tree tree = read_tree(path);
-  const NodeId node = name.empty() ? tree.result : tree.find(name);
+int run_locate(const LocateArguments& arguments) {
+  const Tree tree = read_tree(arguments.tree, arguments.finer);
+  const NodeId node = arguments.node.empty() ? tree.result : tree.find(arguments.node);
   const std::vector<std::optional<RationalPoint>> points = read_points();
   EvaluateOptions options;
-  options.threads = threads;
+  options.threads = arguments.threads;
   options.rows = false;
   options.nodes = {node};
   for (const auto& point : points) {
