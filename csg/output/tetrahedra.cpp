@@ -51,6 +51,7 @@ class TetrahedraMaker {
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
     for (const Attempt& attempt : kAttempts) {
       if (options_.keep_boundary && attempt.facets == PlcFacets::all) continue;
+      if (std::string_view(attempt.switches) == "Y" && !switches_of(options_).empty()) continue;
       const bool last = &attempt == std::end(kAttempts) - 1;
       try {
         make(rounded, attempt);
@@ -70,7 +71,8 @@ class TetrahedraMaker {
   /// Points of whole facets are off their plane by rounding. TetGen may triangulate them as it likes, which gives
   /// better tetrahedra, but now and then it stumbles over that, or returns what the proof refuses. Our triangles are
   /// planar, and keep volumes exact. A box about the model that is less regular has helped where both did not, and a
-  /// finer tolerance for what lies in one plane where faces are nearly coplanar.
+  /// finer tolerance for what lies in one plane where faces are nearly coplanar. So has a mesh without new points on
+  /// faces, which is tried where no bound is asked for.
   struct Attempt {
     PlcFacets facets;
     TetgenFrame frame;
@@ -80,6 +82,7 @@ class TetrahedraMaker {
                                           {PlcFacets::planar, TetgenFrame::even, ""},
                                           {PlcFacets::all, TetgenFrame::uneven, ""},
                                           {PlcFacets::planar, TetgenFrame::uneven, ""},
+                                          {PlcFacets::planar, TetgenFrame::even, "Y"},
                                           {PlcFacets::planar, TetgenFrame::uneven, "T1e-14"}};
 
   const ResultView& view_;
