@@ -20,7 +20,7 @@ class Result:
         self.faces, self.edges = {}, {}
         self.area_by_leaf = defaultdict(lambda: ZERO)
         self.length_by_leaf = defaultdict(lambda: ZERO)
-        self.face_leaves = {}
+        self.face_leaves, self.length_of_wires = {}, 0.0
         for i, face in enumerate(data["faces"]):
             if not face["component"]:
                 continue
@@ -40,6 +40,8 @@ class Result:
             for piece in pieces:
                 length = plus(length, piece)
             self.edges[i] = (length, sum(map(size, pieces)))
+            if any(o.get("edges") for o in edge["origin"]):
+                self.length_of_wires += self.edges[i][1]
             for o in edge["origin"]:
                 if o.get("edges"):
                     name = self.leaves[o["leaf"]]
@@ -77,7 +79,7 @@ class Tetrahedra:
         tags = list(points)
         scaled, bits = integers([points[t] for t in tags])
         at = dict(zip(tags, scaled))
-        self.largest = max(abs(x) for p in points.values() for x in p)
+        self.largest = max((abs(x) for p in points.values() for x in p), default=0.0)
         self.volumes = {}
         for region, cells in tetrahedra.items():
             parts = [tetrahedron(*(at[c] for c in cell)) for cell in cells]
