@@ -58,8 +58,10 @@ class TetrahedraMaker {
         break;
       } catch (const InputError&) {
         if (last) throw;
-      } catch (const InvariantError&) {  // the proof refuses what TetGen returns
-        if (last) throw;
+      } catch (const InvariantError& e) {  // the proof refuses what TetGen returns
+        if (!last) continue;
+        throw InputError(std::string("what TetGen returns is not what was asked for (") + e.what() +
+                         "); try --quality 2, --keep-boundary, or curved leaves that are finer or coarser");
       }
     }
     result_.rounding = rounded.report();
