@@ -104,7 +104,9 @@ void add_frame(TetgenFrame frame, std::vector<std::array<double, 3>>& points, st
   const auto first = Plc::Index(points.size());
   for (unsigned corner = 0; corner < 8; ++corner) {
     auto& p = points.emplace_back();
-    for (unsigned k = 0; k < 3; ++k) p[k] = corner >> k & 1 ? high[k] + (margin + (k + 4) * more) : low[k] - (margin + (k + 1) * more);
+    for (unsigned k = 0; k < 3; ++k) {
+      p[k] = corner >> k & 1 ? high[k] + (margin + (k + 4) * more) : low[k] - (margin + (k + 1) * more);
+    }
   }
   constexpr Plc::Index kSides[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
                                        {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 #include <unordered_map>
 
 #include "csg/output/exact_volume.h"
@@ -49,21 +50,25 @@ class TetrahedraMaker {
                        "and points");
     }
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
+    std::string refused;
+    bool made = false, disproved = false;
     for (const Attempt& attempt : kAttempts) {
       if (options_.keep_boundary && attempt.facets == PlcFacets::all) continue;
-      if (std::string_view(attempt.switches) == "Y" && !switches_of(options_).empty()) continue;
-      const bool last = &attempt == std::end(kAttempts) - 1;
+      const bool keeps = std::string_view(attempt.switches) == "Y";
+      if (keeps && (!disproved || !switches_of(options_).empty())) continue;
       try {
         make(rounded, attempt);
+        made = true;
         break;
-      } catch (const InputError&) {
-        if (last) throw;
+      } catch (const InputError& e) {
+        refused = e.what();
       } catch (const InvariantError& e) {  // the proof refuses what TetGen returns
-        if (!last) continue;
-        throw InputError(std::string("what TetGen returns is not what was asked for (") + e.what() +
-                         "); try --quality 2, --keep-boundary, or curved leaves that are finer or coarser");
+        disproved = true;
+        refused = std::string("what TetGen returns is not what was asked for (") + e.what() +
+                  "); try --quality 2, --keep-boundary, or curved leaves that are finer or coarser";
       }
     }
+    if (!made) throw InputError(refused);
     result_.rounding = rounded.report();
     number_points();
     return std::move(result_);
@@ -71,20 +76,20 @@ class TetrahedraMaker {
 
  private:
   /// Points of whole facets are off their plane by rounding. TetGen may triangulate them as it likes, which gives
-  /// better tetrahedra, but now and then it stumbles over that, or returns what the proof refuses. Our triangles are
-  /// planar, and keep volumes exact. A box about the model that is less regular has helped where both did not, and a
-  /// finer tolerance for what lies in one plane where faces are nearly coplanar. So has a mesh without new points on
-  /// faces, which is tried where no bound is asked for.
+  /// better tetrahedra, but now and then it stumbles over that. Our triangles are planar, and keep volumes exact.
+  /// A box about the model that is less regular has helped where both did not, and a finer tolerance for what lies
+  /// in one plane where faces are nearly coplanar. Where TetGen returns what the proof refuses, a mesh without new
+  /// points on faces helps, and is tried if no bound is asked for.
   struct Attempt {
     PlcFacets facets;
     TetgenFrame frame;
     const char* switches;
   };
   static constexpr Attempt kAttempts[] = {{PlcFacets::all, TetgenFrame::even, ""},
+                                          {PlcFacets::planar, TetgenFrame::even, "Y"},
                                           {PlcFacets::planar, TetgenFrame::even, ""},
                                           {PlcFacets::all, TetgenFrame::uneven, ""},
                                           {PlcFacets::planar, TetgenFrame::uneven, ""},
-                                          {PlcFacets::planar, TetgenFrame::even, "Y"},
                                           {PlcFacets::planar, TetgenFrame::uneven, "T1e-14"}};
 
   const ResultView& view_;
