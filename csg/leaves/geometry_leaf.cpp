@@ -107,6 +107,7 @@ LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
   }
   for (const Soup::Wire& wire : from.wires()) soup.add_wire(leaf, moved(wire.a), moved(wire.b), wire.leaf_edge);
   for (const Soup::Isolated& isolated : from.isolated()) soup.add_isolated(leaf, moved(isolated.point));
+  for (const Soup::Isolated& end : from.curve_ends()) soup.add_curve_end(leaf, moved(end.point));
   return leaf;
 }
 

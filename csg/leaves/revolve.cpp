@@ -117,6 +117,12 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape) {
     }
     last = next;
   }
+  if (!closed && !full) {
+    for (const auto& ids : {first[0], last[0]}) {
+      if (builder.value(ids.front()) == builder.value(ids.back())) continue;  // a tube
+      for (const PointId end : {ids.front(), ids.back()}) builder.soup().add_curve_end(builder.leaf(), end);
+    }
+  }
   if (closed && !full) {
     builder.face(first, 0);
     for (auto& loop : last) std::reverse(loop.begin(), loop.end());

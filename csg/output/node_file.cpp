@@ -6,6 +6,7 @@
 #include "csg/output/dag_graph.h"
 #include "csg/output/file.h"
 #include "csg/output/formats.h"
+#include "csg/output/material_field.h"
 #include "csg/output/region_graph.h"
 
 namespace cnrg {
@@ -16,7 +17,7 @@ std::vector<ResultView::Material> materials_of(const Tree& tree, const NodeValue
   std::vector<ResultView::Material> materials;
   for (const Material& m : tree.materials) materials.push_back({m.name, m.color});
   for (Component i = 1; i <= value.component_count(); ++i) {
-    const std::string& name = value.attributes(i).material;
+    const std::string& name = value.attributes(i).material.name();
     const auto same = [&](const ResultView::Material& m) { return m.name == name; };
     if (name.empty() || std::any_of(materials.begin(), materials.end(), same)) continue;
     materials.push_back({name, ""});
@@ -91,7 +92,9 @@ TetrahedralMesh tetrahedra(const Tree& tree, const Evaluation& evaluation, NodeI
                            const TetrahedraOptions& options) {
   const NodeView shown(tree, evaluation, node);
   try {
-    return tetrahedra(shown.view(), options);
+    TetrahedralMesh made = tetrahedra(shown.view(), options);
+    sample_materials(shown.view(), made.mesh);
+    return made;
   } catch (const InputError& e) {
     throw TreeError(tree.file, tree.nodes[node].at, e.what());
   }

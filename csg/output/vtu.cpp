@@ -11,6 +11,9 @@
 //   source_leaf, source_face      the first leaf (a row of LeafNames) with a face that the cell came from, and
 //                                 that face; of a cell from no face the first leaf and -1 (.json has all)
 //
+// Where a material is graded, `fraction of NAME` has the part of each material at the centroid of the cell as drawn
+// (a triangle, a tetrahedron), as the region that the cell belongs to has it.
+//
 // Field data holds the names: RegionNames (by component; 0 is outside), MaterialNames, LeafNames. Arrays are
 // base64 of little-endian numbers, doubles unrounded. Cells that bound the result without being part of it are not
 // drawn: an open region has dimension 3 alone, its triangles are where it ends.
