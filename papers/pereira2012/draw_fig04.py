@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws fig04.png from out/pereira2012/fig04-*.vtu. Needs what draw.py needs.
+"""Draws fig04.png from out/pereira2012/fig04-*.vtu. Needs what draw.py needs, and fonts-dejavu-core for ∪ and ∩.
 
 Left G1 and what only it has, right G2 and what only it has, between them both under each dominance. Regions have
 the colour of their material and can be seen through; sheets, wires and points have that of their group."""

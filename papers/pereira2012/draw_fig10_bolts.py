@@ -14,7 +14,7 @@ from draw_fig04 import rods
 from draw_fig07 import curves, smooth
 
 SHELL, BOLT, INK, WHITE = (0.64, 0.68, 0.72), (0.72, 0.10, 0.08), (0.10, 0.09, 0.09), (1, 1, 1)
-LABELS = (("shell", (70, 71, 54), INK), ("unlined", (205, 84, 57.5), WHITE), ("clay", (225, 82, 104), INK),
+LABELS = (("shell", (70, 71, 50.5), INK), ("unlined", (205, 84, 57.5), WHITE), ("clay", (225, 82, 104), INK),
           ("marl", (225, 82, 74), INK), ("limestone", (160, 81, 37), INK), ("granite", (60, 77, 12), INK))
 # Centre, direction to the eye, height of what is seen, labels, part of the window.
 VIEWS = (((117, 90, 64), (-0.38, -1.5, 0.42), 176, LABELS, (0, 0, 0.5, 1)),
