@@ -8,7 +8,7 @@ std::int32_t CellTagger::region_number(FlatComplex::Index region) const {
 
 /// Material and source. An entity of a group has the material of its region.
 void CellTagger::finish(CellTags& tags, const FlatComplex::Provenance& origin) const {
-  const bool entity = view_.value->is_group() && tags.dimension < 3;
+  const bool entity = (view_.value->is_group() || view_.of_group) && tags.dimension < 3;
   const std::string& name = attributes_of(view_, Component(entity ? tags.region : tags.component)).material;
   for (std::size_t i = 0; i < view_.materials.size(); ++i) {
     if (view_.materials[i].name != name) continue;
