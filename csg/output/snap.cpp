@@ -71,9 +71,11 @@ class Labeller {
     put_in_order(exact_, simplified_);  // so that its cells have the numbers of `flat`
   }
 
-  void run() {
+  /// False if the drawing is the result's, with every region, wire and point where it is: the exact result will do.
+  bool run() {
     find_sides();
     name_regions();
+    if (snapped_.plain && is_faithful()) return false;
     decide_faces();
     decide_edges();
     decide_vertices();
@@ -81,7 +83,8 @@ class Labeller {
     take_covers();
     take_curves();
     take_labels();
-    collect_attributes();
+    value_.attributes = exact_value_.attributes;
+    return true;
   }
 
   Components value() { return std::move(value_); }
@@ -89,7 +92,18 @@ class Labeller {
   /// The edges and vertices of the result, where they still are.
   Features kept() const { return kept_; }
 
-  void count(SnapReport& report) const {
+  SnapReport report() const {
+    SnapReport report;
+    report.rounds = snapped_.rounds;
+    report.displacement = snapped_.displacement;
+    report.points = flat_.points.size();
+    std::vector<char> old(complex_.points.size(), 0);
+    for (Index p = 0; p < flat_.points.size(); ++p) {
+      const VertexId v = snapped_.points[p];
+      report.moved += !v.valid() || complex_.points.rational(v) != exact_.points.rational(flat_.points[p]);
+      if (v.valid()) old[v.index()] = 1;
+    }
+    for (const VertexId v : complex_.vertices) report.added += !old[v.index()];
     std::vector<char> faces(flat_.faces.size(), 0), regions(flat_.regions.size(), 0);
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
       if (!remains_[f]) continue;
@@ -100,6 +114,7 @@ class Labeller {
     }
     report.faces = std::size_t(std::count(faces.begin(), faces.end(), 0));
     for (Index r = 0; r < regions.size(); ++r) report.regions += flat_.active(r) && !regions[r];
+    return report;
   }
 
  private:
@@ -113,6 +128,7 @@ class Labeller {
   Features kept_;
   IdVector<FaceId, std::array<std::vector<Index>, 2>> sides_;  // regions named on front and back, the rest of a stack
   IdVector<RegionId, Index> region_;       // region of the result
+  bool contradicted_ = false;              // the sides of a 3-cell name several regions
   IdVector<FaceId, char> remains_;         // it did not vanish
   IdVector<EdgeId, char> edge_remains_;
   IdVector<FaceId, Component> face_state_;
@@ -148,6 +164,7 @@ class Labeller {
         for (const Index region : sides_[h.face()][h.side()]) area[region] = 0;
       }
       if (area.empty()) continue;
+      contradicted_ = contradicted_ || area.size() > 1;
       region_[r] = area.size() == 1 ? area.begin()->first : largest(r, area);
       named[r.index()] = 1;
       ready.push_back(r);
@@ -178,6 +195,23 @@ class Labeller {
     }
     return std::max_element(area.begin(), area.end(),
                             [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  }
+
+  bool is_faithful() const {
+    if (contradicted_) return false;
+    std::vector<Index> used(region_.begin(), region_.end());
+    sort_unique(used);
+    if (used.size() != complex_.region_count) return false;
+    const Index outside = region_[RegionId(0)];
+    if (outside != kNone && flat_.regions[outside].bounded) return false;
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+      const auto edges = snapped_.edges[e];
+      if (!complex_.edge_uses[e].empty() || edges.empty()) continue;
+      if (region_[complex_.some_region(e)] != flat_.edges[edges[0]].region) return false;
+    }
+    return std::all_of(flat_.vertices.begin(), flat_.vertices.end(), [&](const auto& v) {
+      return v.region == kNone || region_[complex_.some_region(snapped_.points[v.point])] == v.region;
+    });
   }
 
   Component component(Index region) const { return flat_.active(region) ? flat_.regions[region].component : 0; }
@@ -411,8 +445,6 @@ class Labeller {
       complex_.region_labels[r] = it->second;
     }
   }
-
-  void collect_attributes() { value_.attributes = exact_value_.attributes; }
 };
 
 }  // namespace
@@ -427,24 +459,10 @@ struct SnappedResult::Data {
 SnappedResult::SnappedResult(const ResultView& view, bool raw) {
   const FlatComplex flat = flatten(view);
   require_off_frame(flat);
-  report_.points = flat.points.size();
-  const RoundedPoints rounded = round_points(view, flat);
-  if (rounded.moved == 0) return;
-  SnappedDrawing drawing = snap(view.complex->points, drawing_of_cells(flat));
-  report_.rounds = drawing.rounds;
-  report_.displacement = drawing.displacement;
-  for (Index p = 0; p < flat.points.size(); ++p) {
-    const VertexId v = drawing.points[p];
-    const PointTable& exact = view.complex->points;
-    report_.moved += !v.valid() || drawing.complex.points.rational(v) != exact.rational(flat.points[p]);
-  }
-  std::vector<char> old(drawing.complex.points.size(), 0);
-  for (const VertexId v : drawing.points) if (v.valid()) old[v.index()] = 1;
-  for (const VertexId v : drawing.complex.vertices) report_.added += !old[v.index()];
-
-  Labeller labeller(view, flat, std::move(drawing));
-  labeller.run();
-  labeller.count(report_);
+  if (round_points(view, flat).moved == 0) return;
+  Labeller labeller(view, flat, snap(view.complex->points, drawing_of_cells(flat)));
+  if (!labeller.run()) return;
+  report_ = labeller.report();
   data_ = std::make_unique<Data>();
   data_->value = NodeValue(labeller.value());
   data_->of_group = view.value->is_group() || view.of_group;

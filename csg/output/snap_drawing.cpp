@@ -79,7 +79,8 @@ Xyz on_grid(Xyz p, double cell) {
 
 class Snapper {
  public:
-  Snapper(const PointTable& table, const NumberedDrawing& drawing) : at_(drawing.points.size()) {
+  Snapper(const PointTable& table, const NumberedDrawing& drawing)
+      : triangle_count_(drawing.triangles.size()), piece_count_(drawing.pieces.size()), at_(drawing.points.size()) {
     isolated_ = drawing.isolated;
     std::vector<Xyz> xyz;
     std::vector<double> moves(drawing.points.size(), 0);
@@ -127,6 +128,7 @@ class Snapper {
     Index faces;                           // a list of faces and turns
   };
 
+  const std::size_t triangle_count_, piece_count_;  // of the drawing
   Lists lists_;
   std::vector<Xyz> xyz_;
   std::unordered_map<Xyz, Index, HashXyz> number_;
@@ -181,6 +183,19 @@ class Snapper {
     for (const auto& [ends, edges] : pieces_) pieces[{number[ends[0]], number[ends[1]]}] = edges;
     pieces_ = std::move(pieces);
     for (Index& p : at_) p = p == kNone ? kNone : number[p];
+  }
+
+  /// The refinement of a drawing that has not been cut yet is that drawing.
+  bool is_plain(const Complex& complex) const {
+    std::vector<std::uint64_t> edges;
+    for (const auto& t : triangles_) {
+      for (std::size_t k = 0; k < 3; ++k) edges.push_back(key_of(t.points[k], t.points[(k + 1) % 3]));
+    }
+    for (const auto& [ends, list] : pieces_) edges.push_back(key_of(ends[0], ends[1]));
+    sort_unique(edges);
+    return xyz_.size() == at_.size() && triangles_.size() == triangle_count_ && pieces_.size() == piece_count_ &&
+           complex.vertex_count() == xyz_.size() && complex.edge_count() == edges.size() &&
+           complex.face_count() == triangles_.size();
   }
 
   Complex refine() const {
@@ -305,6 +320,7 @@ class Snapper {
     }
     for (const Index p : at_) result.points.push_back(p == kNone ? VertexId::none() : VertexId(p));
     result.rounds = rounds;
+    result.plain = rounds == 1 && is_plain(complex);
     result.displacement = displacement_;
     return result;
   }

@@ -52,6 +52,7 @@ struct SnappedDrawing {
   Csr<EdgeId, std::uint32_t> edges;      ///< of each edge those edges of the drawing that run along it, ascending
   std::vector<VertexId> points;          ///< where each point is; none() if all that had it has collapsed
   int rounds = 0;                        ///< refinements
+  bool plain = false;                    ///< rounding each point by itself was enough: nothing was cut, merged or lost
   double displacement = 0;               ///< no point of the drawing moved farther (units of the model)
 };
 
