@@ -4,8 +4,8 @@
 //   bench_snap [--seconds N] [--gigabytes N] [--copy none|turned|close] PATH...
 //
 // PATH is a mesh file or a folder (searched through). The result is the file with all of its self-intersections; or
-// its union with a copy of itself, turned by 30 degrees, or by 1e-14 degrees so that nearly everything of the two
-// almost coincides. A line per case: `ok` and what was snapped, `plain` where rounding alone is right, `error` with
+// its union with a copy of itself, turned by 30 degrees, or by 7e-16 so that nearly everything of the two almost
+// coincides. A line per case: `ok` and what was snapped, `plain` where rounding alone is right, `error` with
 // the message of a file that can not be read or of a result that can not be snapped, or CRASH, TIMEOUT, OOM, BUG (a
 // broken invariant), WRONG (what was written is not what it should be). Exit status 1 if any of those.
 #include <algorithm>
@@ -33,6 +33,23 @@ namespace {
 namespace fs = std::filesystem;
 
 enum class Copy { none, turned, close };
+
+/// Turned about (1, 2, 3) by 7e-16: the quaternion 1 + 1e-16 (i + 2 j + 3 k), exactly.
+Transform turned_a_little(const RationalPoint& center) {
+  const Rational x(1, Integer("10000000000000000")), y = 2 * x, z = 3 * x, square = 1 + x * x + y * y + z * z;
+  Transform t;
+  t.linear = {{{1 + x * x - y * y - z * z, 2 * (x * y - z), 2 * (x * z + y)},
+               {2 * (x * y + z), 1 - x * x + y * y - z * z, 2 * (y * z - x)},
+               {2 * (x * z - y), 2 * (y * z + x), 1 - x * x - y * y + z * z}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    t.offset[i] = center[i];
+    for (std::size_t j = 0; j < 3; ++j) {
+      t.linear[i][j] /= square;
+      t.offset[i] -= t.linear[i][j] * center[j];
+    }
+  }
+  return t;
+}
 
 std::optional<Rational> volume_of(const Complex& complex, const Selection& selection) {
   std::vector<RegionId> cells;
@@ -105,8 +122,8 @@ std::string evaluate(const std::string& file, Copy copy, const std::string& fold
         }
         middle[k] = (from_double(low) + from_double(high)) / 2;
       }
-      const Rational degrees = copy == Copy::turned ? Rational(30) : *parse_rational("1e-14");
-      instances.push_back({leaf.get(), Transform::rotation({1, 2, 3}, degrees, middle)});
+      instances.push_back({leaf.get(), copy == Copy::turned ? Transform::rotation({1, 2, 3}, 30, middle)
+                                                            : turned_a_little(middle)});
     }
     const Complex complex = build_complex(make_soup(instances));
     const std::vector<Group> groups = leaf_groups(complex);

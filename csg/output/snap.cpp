@@ -82,7 +82,7 @@ class Labeller {
     list_regions();
     take_covers();
     take_curves();
-    take_labels();
+    take_leaves();
     value_.attributes = exact_value_.attributes;
     return true;
   }
@@ -425,25 +425,12 @@ class Labeller {
     complex_.wires = std::move(wires);
   }
 
-  /// The leaves' regions in each 3-cell: those of the result's region.
-  void take_labels() {
+  /// The snapped complex names no regions of leaves: the result's region holds several of each, and a wall of one
+  /// leaf may lie where another one has its own.
+  void take_leaves() {
     complex_.leaf_count = exact_.leaf_count + 1;
     complex_.fills.assign(complex_.leaf_count, Fill::none);
-    complex_.leaf_regions = exact_.leaf_regions;
-    complex_.leaf_regions.push_back(0);
-    std::map<std::vector<Label>, LabelSetId> known;
-    complex_.label_sets = {};
-    for (const RegionId r : IdRange<RegionId>(complex_.region_count)) {
-      std::vector<Label> list;
-      if (region_[r] != kNone) {
-        for (const LeafCell& cell : flat_.regions[region_[r]].origin.cells) {
-          if (cell.dimension == 3) list.push_back({cell.leaf, cell.number});
-        }
-      }
-      const auto [it, fresh] = known.try_emplace(std::move(list));
-      if (fresh) it->second = complex_.label_sets.push_back(it->first);
-      complex_.region_labels[r] = it->second;
-    }
+    complex_.leaf_regions.assign(complex_.leaf_count, 0);
   }
 };
 

@@ -26,7 +26,9 @@
 
 namespace cnrg {
 
-inline constexpr int kSnapRounds = 24;
+/// The first grid, in units in the last place of the largest coordinate; how much coarser each next one is; how many.
+inline constexpr double kSnapFirstCell = 4, kSnapGrowth = 16;
+inline constexpr int kSnapAttempts = 9;
 
 /// What is drawn, by numbers of points; triangles of one face share its number, pieces of one edge that.
 struct NumberedDrawing {
