@@ -144,16 +144,17 @@ class Snapper {
     if (first.crossings == 0) return finish(start_, first, 1);
     int rounds = 1;
     double cell = unit_ * kSnapFirstCell;
-    for (int attempt = 0; attempt < kSnapAttempts; ++attempt, cell *= kSnapGrowth) {
+    for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
       State state = moved(start_, first, cell);
-      for (std::size_t before = std::numeric_limits<std::size_t>::max();;) {
+      std::size_t fewest = std::numeric_limits<std::size_t>::max();
+      for (int patience = kSnapPatience; patience > 0;) {
         Refined refined = refine(state);
         ++rounds;
-        if (getenv("SNAPDBG")) fprintf(stderr, "round %d: tri %zu -> v %zu f %zu r %zu unsettled %ld cell %g disp %g\n", rounds, state.triangles.size(), refined.complex.vertex_count(), refined.complex.face_count(), refined.complex.region_count, refined.crossings, cell, state.displacement);
         if (refined.crossings == 0) return finish(state, refined, rounds);
-        if (refined.crossings >= before) break;
-        before = refined.crossings;
-        state = moved(state, refined, cell);
+        patience = refined.crossings < fewest ? kSnapPatience : patience - 1;
+        fewest = std::min(fewest, refined.crossings);
+        if (refined.crossings > 8 * fewest + 64) break;
+        if (patience > 0) state = moved(state, refined, cell);
       }
     }
     std::string last;

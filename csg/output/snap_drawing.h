@@ -1,17 +1,20 @@
 // Iterated snap rounding: a drawing whose vertices all become doubles and that stays a drawing.
 //
 // A round refines what there is exactly; where that makes vertices that are not doubles (rounding made triangles
-// cross), all vertices are rounded, faces are triangulated and the next round begins. It ends when a refinement
-// has doubles only: then nothing is left to round, and the refinement is embedded by construction.
+// cross), these are snapped and the next round begins. It ends when a refinement has doubles only: then nothing is
+// left to round, and the refinement is embedded by construction.
 //
-//   * The first rounding takes each vertex to its nearest doubles.
-//   * Later ones take each new vertex to a uniform grid, and with it the vertices of doubles in the same cell of
-//     the grid. Doubles near zero are so dense that nearly coincident faces would cross again and again there; on a
-//     grid they meet.
-//   * The first cell is one unit in the last place of the largest coordinate. From the fourth round on cells grow
-//     by the factor 4 each time, so that what still crosses meets in a few rounds. No proof bounds their number
-//     (devillers2018 has an algorithm with a proof, of high degree; lazard2025 grows the grid for the same
-//     reason): after kSnapRounds there is an error.
+//   * The first rounding takes each vertex to its nearest doubles. Most drawings are done with that.
+//   * Where they are not, what is near the crossings goes to a uniform grid: doubles near zero are so dense that
+//     nearly coincident faces would cross again and again there. The cells of the grid that hold a new vertex, or a
+//     corner of a triangle that was cut, are *hot* (as pixels are, halperin2002). Their boxes are refined together
+//     with the drawing, so that every face and edge that passes through a hot cell is cut on its boundary; then all
+//     that is in the cell is drawn together in its center. So a vertex does not pass through an edge or a face that
+//     lies nearer to it than the grid is fine: these come to it.
+//   * The first grid is four units in the last place of the largest coordinate. When the crossings do not become
+//     fewer on a grid, the next one is 16 times as coarse and begins with the first rounding again (lazard2025
+//     coarsens its grid, too). No proof bounds the number of rounds: devillers2018 has an algorithm with a proof, of
+//     high degree. After the last grid there is an error.
 //
 // A vertex that moves takes the triangles around it along; a point of a triangle moves no farther than its corners
 // do, so no point of the drawing moves farther than the largest moves of all rounds together.
@@ -26,9 +29,11 @@
 
 namespace cnrg {
 
-/// The first grid, in units in the last place of the largest coordinate; how much coarser each next one is; how many.
+/// The first grid in units in the last place of the largest coordinate, how much coarser each next one is, how many.
 inline constexpr double kSnapFirstCell = 4, kSnapGrowth = 16;
-inline constexpr int kSnapAttempts = 9;
+inline constexpr int kSnapGrids = 9;
+/// A grid is given up after so many rounds without fewer crossings than ever before.
+inline constexpr int kSnapPatience = 8;
 
 /// What is drawn, by numbers of points; triangles of one face share its number, pieces of one edge that.
 struct NumberedDrawing {
