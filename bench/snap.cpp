@@ -1,13 +1,15 @@
-// Results of mesh files on doubles: evaluates each file, snaps the result, writes it and reads it back; in a process
-// of its own with limits.
+// Results of mesh files on doubles: evaluates each file, snaps the result, writes it and reads it back; in a
+// process of its own with limits.
 //
 //   bench_snap [--seconds N] [--gigabytes N] [--copy none|turned|close] PATH...
 //
-// PATH is a mesh file or a folder (searched through). The result is the file with all of its self-intersections; or
-// its union with a copy of itself, turned by 30 degrees, or by 7e-16 so that nearly everything of the two almost
-// coincides. A line per case: `ok` and what was snapped, `plain` where rounding alone is right, `error` with
-// the message of a file that can not be read or of a result that can not be snapped, or CRASH, TIMEOUT, OOM, BUG (a
-// broken invariant), WRONG (what was written is not what it should be). Exit status 1 if any of those.
+// PATH is a mesh file or a folder (searched through). The result is the file with all of its self-intersections;
+// or its union with a copy of itself, turned by 30 degrees, or by 7e-16 so that nearly everything of the two
+// almost coincides. A line per case: `ok` and what was snapped, `plain` where rounding alone is right, `error`
+// with the message of a file that can not be read or of a result that can not be snapped, or CRASH, TIMEOUT, OOM,
+// BUG (a broken invariant), WRONG (what was written is not what it should be). Exit status 1 if any of those.
+#include "csg/output/snap.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,7 +24,6 @@
 #include "csg/operators/leaf_group.h"
 #include "csg/output/flat.h"
 #include "csg/output/mesh.h"
-#include "csg/output/snap.h"
 #include "kernel/base/error.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
@@ -61,7 +62,8 @@ std::optional<Rational> volume_of(const Complex& complex, const Selection& selec
 double area_of(const Complex& complex, const Selection& selection) {
   double area = 0;
   for (const auto& [cell, component] : selection.regions) {
-    for (const HalfFace h : complex.region_faces[cell]) area += std::sqrt(to_double(squared_area(complex, h.face())));
+    for (const HalfFace h : complex.region_faces[cell])
+      area += std::sqrt(to_double(squared_area(complex, h.face())));
   }
   return area;
 }
@@ -84,19 +86,20 @@ std::string check_file(const std::string& path, const Drawing& drawing) {
 std::string check(const ResultView& exact, const SnappedResult& snapped, const std::string& folder) {
   const ResultView view = snapped.shown(exact);
   if (view.complex != exact.complex) {
-    if (const std::string invalid = validate(*view.complex); !invalid.empty()) return "snapped complex: " + invalid;
+    if (const std::string invalid = validate(*view.complex); !invalid.empty())
+      return "snapped complex: " + invalid;
     const FlatComplex flat = flatten(view);
     const RoundedPoints points = round_points(view, flat);
     if (points.moved != 0) return std::to_string(points.moved) + " vertices are no doubles";
     const auto before = volume_of(*exact.complex, selection_of(*exact.complex, *exact.value));
     const Selection selection = view.value->components().selection;
     const auto after = volume_of(*view.complex, selection);
-    const double area = area_of(*exact.complex, selection_of(*exact.complex, *exact.value)) +
-                        area_of(*view.complex, selection);
+    const double area =
+        area_of(*exact.complex, selection_of(*exact.complex, *exact.value)) + area_of(*view.complex, selection);
     const double change = to_double(abs(*after - *before)), bound = area * snapped.report().displacement;
     if (change > bound) {
-      return "volume changed by " + std::to_string(change) + ", more than area * displacement = " +
-             std::to_string(bound);
+      return "volume changed by " + std::to_string(change) +
+             ", more than area * displacement = " + std::to_string(bound);
     }
   }
   for (const char* name : {"out.vtu", "out.msh", "out.obj"}) {
@@ -206,10 +209,17 @@ int run(int argc, char** argv) {
     const ChildResult child = run_child([&] { return evaluate(file, copy, scratch.path()); }, limits);
     std::string text = child.text;
     switch (child.end) {
-      case ChildResult::End::done: break;
-      case ChildResult::End::crash: text = "CRASH signal " + std::to_string(child.signal); break;
-      case ChildResult::End::timeout: text = "TIMEOUT"; break;
-      case ChildResult::End::out_of_memory: text = "OOM"; break;
+      case ChildResult::End::done:
+        break;
+      case ChildResult::End::crash:
+        text = "CRASH signal " + std::to_string(child.signal);
+        break;
+      case ChildResult::End::timeout:
+        text = "TIMEOUT";
+        break;
+      case ChildResult::End::out_of_memory:
+        text = "OOM";
+        break;
     }
     ++totals[text.substr(0, text.find_first_of(" :"))];
     std::printf("%s: %.2f s, %.0f MB: %s\n", file.c_str(), child.seconds,

@@ -24,12 +24,14 @@ void require_off_frame(const FlatComplex& flat) {
       return std::binary_search(flat.frame_points.begin(), flat.frame_points.end(), p);
     });
   };
-  const bool reached = std::any_of(flat.faces.begin(), flat.faces.end(), [&](const auto& face) {
-    return std::any_of(face.loops.begin(), face.loops.end(), on_frame);
-  }) || std::any_of(flat.edges.begin(), flat.edges.end(), [&](const auto& e) { return on_frame(e.points); });
+  const bool reached =
+      std::any_of(flat.faces.begin(), flat.faces.end(),
+                  [&](const auto& face) { return std::any_of(face.loops.begin(), face.loops.end(), on_frame); }) ||
+      std::any_of(flat.edges.begin(), flat.edges.end(), [&](const auto& e) { return on_frame(e.points); });
   if (reached) {
-    throw InputError("--snap needs faces and lines with bounds; cut the node with a box first (`intersection`, or "
-                     "`product` where it is not closed)");
+    throw InputError(
+        "--snap needs faces and lines with bounds; cut the node with a box first (`intersection`, or "
+        "`product` where it is not closed)");
   }
 }
 
@@ -64,14 +66,18 @@ std::vector<Index> difference(const std::vector<Index>& a, const std::vector<Ind
 class Labeller {
  public:
   Labeller(const ResultView& view, const FlatComplex& flat, SnappedDrawing drawing)
-      : exact_(*view.complex), flat_(flat), snapped_(std::move(drawing)), complex_(snapped_.complex),
+      : exact_(*view.complex),
+        flat_(flat),
+        snapped_(std::move(drawing)),
+        complex_(snapped_.complex),
         exact_value_(view.value->is_group() ? components_of(exact_, view.value->group())
                                             : view.value->components()),
         simplified_(*view.simplified) {
     put_in_order(exact_, simplified_);  // so that its cells have the numbers of `flat`
   }
 
-  /// False if the drawing is the result's, with every region, wire and point where it is: the exact result will do.
+  /// False if the drawing is the result's, with every region, wire and point where it is: the exact result will
+  /// do.
   bool run() {
     find_sides();
     name_regions();
@@ -126,15 +132,17 @@ class Labeller {
   SimplifiedComplex simplified_;
   Components value_;
   Features kept_;
-  IdVector<FaceId, std::array<std::vector<Index>, 2>> sides_;  // regions named on front and back, the rest of a stack
-  IdVector<RegionId, Index> region_;       // region of the result
-  bool contradicted_ = false;              // the sides of a 3-cell name several regions
-  IdVector<FaceId, char> remains_;         // it did not vanish
+  IdVector<FaceId, std::array<std::vector<Index>, 2>>
+      sides_;                         // regions named on front and back, the rest of a stack
+  IdVector<RegionId, Index> region_;  // region of the result
+  bool contradicted_ = false;         // the sides of a 3-cell name several regions
+  IdVector<FaceId, char> remains_;    // it did not vanish
   IdVector<EdgeId, char> edge_remains_;
   IdVector<FaceId, Component> face_state_;
   IdVector<EdgeId, Component> edge_state_;
 
-  /// What a stack of faces says of its two sides: all fronts but those that are backs, too, and the other way round.
+  /// What a stack of faces says of its two sides: all fronts but those that are backs, too, and the other way
+  /// round.
   void find_sides() {
     sides_.resize(complex_.face_count());
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
@@ -194,7 +202,8 @@ class Labeller {
       for (const Index region : named) area[region] += size;
     }
     return std::max_element(area.begin(), area.end(),
-                            [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
   }
 
   bool is_faithful() const {
@@ -349,16 +358,16 @@ class Labeller {
     leaves.insert(leaves.end(), cell.origin.leaves.begin(), cell.origin.leaves.end());
   }
   template <class IdT>
-  void list(std::vector<std::pair<IdT, Component>>& cells, std::vector<LeafSetId>& origins, IdT id, Component state,
-            std::vector<LeafId>& leaves) {
+  void list(std::vector<std::pair<IdT, Component>>& cells, std::vector<LeafSetId>& origins, IdT id,
+            Component state, std::vector<LeafId>& leaves) {
     if (state == 0) return;
     sort_unique(leaves);
     cells.emplace_back(id, state);
     origins.push_back(value_.origins.sets.intern(leaves));
   }
 
-  /// Faces of the snapped complex lie on the leaf faces that the result's faces lie on. One more leaf has the faces
-  /// of the result as its patches: facets of one face stay together.
+  /// Faces of the snapped complex lie on the leaf faces that the result's faces lie on. One more leaf has the
+  /// faces of the result as its patches: facets of one face stay together.
   void take_covers() {
     const LeafId result(exact_.leaf_count);
     IdVector<SourceId, Soup::Face> sources;
@@ -419,7 +428,8 @@ class Labeller {
       const SegmentId segment = complex_.segment_ends.push_back(complex_.edge_ends[e]);
       complex_.edge_segments.push_back(std::array{segment});
       complex_.segment_faces.push_back(std::array<SourceId, 0>{});
-      for (const Index i : snapped_.edges[e]) for (const WireId w : of_edge[i]) on.emplace_back(segment, w);
+      for (const Index i : snapped_.edges[e])
+        for (const WireId w : of_edge[i]) on.emplace_back(segment, w);
     }
     complex_.segment_wires = SparseLists(on);
     complex_.wires = std::move(wires);

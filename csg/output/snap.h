@@ -2,8 +2,8 @@
 //
 // The drawing of the flattened result is snapped; the refinement that this ends with is the complex of the snapped
 // result, and every cell of it is told what it is by the cells of the exact result that it stems from:
-// Where rounding each vertex by itself leaves the drawing as it is, and each region, wire and point where it is, the
-// result stays the exact one: its writers round it.
+// Where rounding each vertex by itself leaves the drawing as it is, and each region, wire and point where it is,
+// the result stays the exact one: its writers round it.
 //
 //   * A 3-cell is the region that the sides of its faces name. Where faces have crossed, sides may contradict each
 //     other (the cavity is no thicker than the displacement): then the region with the largest area of sides has
@@ -13,8 +13,8 @@
 //     vanishes, and with it edges and vertices that nothing else has. Dangling faces, wires and points stay.
 //   * Of several exact cells on one snapped cell, the first active component has it.
 //   * Components keep their numbers, names and materials; cells know the leaf faces, patches and leaves that they
-//     came from. Edges and vertices of the result stay edges and vertices, and a face stays one face: what was flat
-//     is a face of several facets now, unless it still is flat.
+//     came from. Edges and vertices of the result stay edges and vertices, and a face stays one face: what was
+//     flat is a face of several facets now, unless it still is flat.
 #pragma once
 
 #include <memory>
@@ -25,13 +25,13 @@
 namespace cnrg {
 
 struct SnapReport {
-  std::size_t points = 0;     ///< of the result
-  std::size_t moved = 0;      ///< of these: those that are elsewhere now, or nowhere
-  std::size_t added = 0;      ///< vertices where there was none
-  std::size_t faces = 0;      ///< of the result: faces that vanished
-  std::size_t regions = 0;    ///< of the result: active regions that vanished
-  int rounds = 0;             ///< refinements; 0: nothing had to be snapped, and all of this is 0
-  double displacement = 0;    ///< no point of the result moved farther (units of the model)
+  std::size_t points = 0;   ///< of the result
+  std::size_t moved = 0;    ///< of these: those that are elsewhere now, or nowhere
+  std::size_t added = 0;    ///< vertices where there was none
+  std::size_t faces = 0;    ///< of the result: faces that vanished
+  std::size_t regions = 0;  ///< of the result: active regions that vanished
+  int rounds = 0;           ///< refinements; 0: nothing had to be snapped, and all of this is 0
+  double displacement = 0;  ///< no point of the result moved farther (units of the model)
   /// `3 of 20 vertices moved, by 1e-16 at most; ...`: one line without its end.
   std::string text() const;
 };
@@ -44,8 +44,8 @@ class SnappedResult {
   ~SnappedResult();
   SnappedResult(SnappedResult&&) noexcept;
 
-  /// The view with the snapped result in place of the exact one, all of its vertices doubles; the view itself where
-  /// nothing had to be snapped. It refers to this object.
+  /// The view with the snapped result in place of the exact one, all of its vertices doubles; the view itself
+  /// where nothing had to be snapped. It refers to this object.
   ResultView shown(ResultView view) const;
   const SnapReport& report() const { return report_; }
 

@@ -104,7 +104,8 @@ void add_box(Soup& soup, LeafId leaf, const Xyz& center, double half) {
     p[i] = soup.add_point(center[0] + (i & 1 ? half : -half), center[1] + (i & 2 ? half : -half),
                           center[2] + (i & 4 ? half : -half));
   }
-  constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (const auto& f : kFaces) {
     const std::vector<PointId> loop{p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
     soup.add_face(leaf, std::span(&loop, 1), 0, 0);
@@ -166,19 +167,19 @@ class Snapper {
  private:
   struct Triangle {
     std::array<Index, 3> points;
-    Index faces;                           // a list of faces and turns
+    Index faces;  // a list of faces and turns
   };
   struct State {
     std::vector<Xyz> xyz;
     std::vector<Triangle> triangles;
     std::map<std::array<Index, 2>, Index> pieces;  // between two points: a list of edges
-    std::vector<Index> at;                 // of each point of the drawing, or kNone
+    std::vector<Index> at;                         // of each point of the drawing, or kNone
     double displacement = 0;
   };
   struct Refined {
-    Complex complex;                       // its first vertices are the points of the state
-    std::vector<char> settled;             // vertices that are doubles
-    std::size_t crossings = 0;             // vertices that are not
+    Complex complex;            // its first vertices are the points of the state
+    std::vector<char> settled;  // vertices that are doubles
+    std::size_t crossings = 0;  // vertices that are not
   };
   /// Points by their coordinates.
   class Numbering {
@@ -197,8 +198,8 @@ class Snapper {
 
   const NumberedDrawing& drawing_;
   Lists lists_;
-  State start_;                            // each point rounded by itself
-  double unit_ = 1;                        // one unit in the last place of the largest coordinate
+  State start_;      // each point rounded by itself
+  double unit_ = 1;  // one unit in the last place of the largest coordinate
 
   void add_piece(State& state, Index a, Index b, Index edges) {
     if (a == b) return;
@@ -236,8 +237,10 @@ class Snapper {
   /// Numbers the points again: those that something has, so that a point of the soup is the vertex of its number.
   void keep_used_points(State& state) const {
     std::vector<Index> number(state.xyz.size(), kNone);
-    for (const auto& t : state.triangles) for (const Index p : t.points) number[p] = 0;
-    for (const auto& [ends, edges] : state.pieces) for (const Index p : ends) number[p] = 0;
+    for (const auto& t : state.triangles)
+      for (const Index p : t.points) number[p] = 0;
+    for (const auto& [ends, edges] : state.pieces)
+      for (const Index p : ends) number[p] = 0;
     for (const Index p : drawing_.isolated) number[state.at[p]] = 0;
     Index n = 0;
     for (Index p = 0; p < number.size(); ++p) {
@@ -246,7 +249,8 @@ class Snapper {
       number[p] = n++;
     }
     state.xyz.resize(n);
-    for (auto& t : state.triangles) for (Index& p : t.points) p = number[p];
+    for (auto& t : state.triangles)
+      for (Index& p : t.points) p = number[p];
     std::map<std::array<Index, 2>, Index> pieces;
     for (const auto& [ends, edges] : state.pieces) pieces[{number[ends[0]], number[ends[1]]}] = edges;
     state.pieces = std::move(pieces);
@@ -398,9 +402,12 @@ class Snapper {
       if (used[v.index()]) to[v.index()] = numbers(there[v.index()]);
     }
     std::vector<std::vector<std::array<VertexId, 3>>> made(complex.face_count());
-    for_each_index(made.size(), [&](std::size_t f) {
-      if (!lists_[faces[f]].empty()) triangulate_face(complex, FaceId(f), made[f]);
-    }, 64);
+    for_each_index(
+        made.size(),
+        [&](std::size_t f) {
+          if (!lists_[faces[f]].empty()) triangulate_face(complex, FaceId(f), made[f]);
+        },
+        64);
     for (std::size_t f = 0; f < made.size(); ++f) {
       for (const auto& [a, b, c] : made[f]) {
         next.triangles.push_back({{to[a.index()], to[b.index()], to[c.index()]}, faces[f]});

@@ -1,7 +1,8 @@
-// Snapped results: every vertex is three doubles, nothing crosses, and regions, walls, wires and points are what they
-// were, but for what was thinner than the displacement.
-#include <catch2/catch.hpp>
+// Snapped results: every vertex is three doubles, nothing crosses, and regions, walls, wires and points are what
+// they were, but for what was thinner than the displacement.
+#include "csg/output/snap.h"
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
@@ -10,7 +11,6 @@
 #include "csg/output/formats.h"
 #include "csg/output/mesh.h"
 #include "csg/output/rounding.h"
-#include "csg/output/snap.h"
 #include "csg/output/tetrahedra.h"
 #include "kernel/base/error.h"
 #include "kernel/selection/measure.h"
@@ -96,7 +96,8 @@ LeafId add_turned_box(Soup& soup, const RationalPoint& half, const Rational& ste
     t.linear = {{{1 + x * x - y * y - z * z, 2 * (x * y - z), 2 * (x * z + y)},
                  {2 * (x * y + z), 1 - x * x + y * y - z * z, 2 * (y * z - x)},
                  {2 * (x * z - y), 2 * (y * z + x), 1 - x * x - y * y + z * z}}};
-    for (auto& row : t.linear) for (Rational& entry : row) entry /= square;
+    for (auto& row : t.linear)
+      for (Rational& entry : row) entry /= square;
     t.offset = center;
     return t;
   }();
@@ -182,9 +183,12 @@ TEST_CASE("snap: a slab thinner than doubles vanishes, a sheet does not", "[snap
 TEST_CASE("snap: crossing sheets, wires and points keep what they came from", "[snap]") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {Rational(1, 3), Rational(1, 3), Rational(1, 3)});
-  add_sheet(soup, {{-1, -1, Rational(1, 7)}, {1, -1, Rational(1, 7)}, {1, 1, Rational(1, 7)}, {-1, 1, Rational(1, 7)}});
-  add_sheet(soup, {{-1, -1, Rational(1, 7) - kTiny}, {1, -1, Rational(1, 7) + kTiny},
-                   {1, 1, Rational(1, 7) + kTiny}, {-1, 1, Rational(1, 7) - kTiny}});
+  add_sheet(soup,
+            {{-1, -1, Rational(1, 7)}, {1, -1, Rational(1, 7)}, {1, 1, Rational(1, 7)}, {-1, 1, Rational(1, 7)}});
+  add_sheet(soup, {{-1, -1, Rational(1, 7) - kTiny},
+                   {1, -1, Rational(1, 7) + kTiny},
+                   {1, 1, Rational(1, 7) + kTiny},
+                   {-1, 1, Rational(1, 7) - kTiny}});
   add_wire(soup, {Rational(1, 9), Rational(1, 9), -1}, {Rational(1, 9), Rational(1, 9), 1});
   add_point(soup, {Rational(1, 5), Rational(1, 5), Rational(1, 4)});
   add_point(soup, {Rational(7, 5), Rational(1, 5), Rational(1, 4)});
@@ -256,7 +260,8 @@ TEST_CASE("snap: a region without bounds stays one", "[snap]") {
   CHECK(snapped.report().rounds == 1);
   const FlatComplex flat = flatten(view);
   CHECK(round_points(view, flat).moved == 0);
-  const auto outside = std::find_if(flat.regions.begin(), flat.regions.end(), [](const auto& r) { return !r.bounded; });
+  const auto outside =
+      std::find_if(flat.regions.begin(), flat.regions.end(), [](const auto& r) { return !r.bounded; });
   REQUIRE(outside != flat.regions.end());
   CHECK(outside->component == 1);
   CHECK_NOTHROW(vtu_text(view));
