@@ -120,6 +120,9 @@ class Labeller {
     }
     report.faces = std::size_t(std::count(faces.begin(), faces.end(), 0));
     for (Index r = 0; r < regions.size(); ++r) report.regions += flat_.active(r) && !regions[r];
+    std::vector<char> edges(flat_.edges.size(), 0);
+    for (const Index i : snapped_.edges.values()) edges[i] = 1;
+    for (Index i = 0; i < edges.size(); ++i) report.wires += flat_.edges[i].wire && !edges[i];
     return report;
   }
 
@@ -494,6 +497,7 @@ std::string SnapReport::text() const {
     text += "; " + counted(faces, "face", "faces") + " and " + counted(regions, "region", "regions") +
             " without thickness vanished";
   }
+  if (wires > 0) text += "; " + counted(wires, "wire", "wires") + " without length vanished";
   return text;
 }
 

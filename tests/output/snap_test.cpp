@@ -164,6 +164,7 @@ TEST_CASE("snap: a slab thinner than doubles vanishes, a sheet does not", "[snap
   add_box(soup, {0, 0, 0}, {1, 1, 1});
   add_box(soup, {3, 0, 1}, {4, 1, 1 + kTiny});
   add_sheet(soup, {{0, 0, 3}, {1, 0, 3}, {1, Rational(1, 3), 3}});
+  add_wire(soup, {2, 0, 5}, {2, 0, 5 + kTiny});
   Case c(soup);
   c.show(c.unite());
   REQUIRE(!plainly_embedded(c.view()));
@@ -171,6 +172,7 @@ TEST_CASE("snap: a slab thinner than doubles vanishes, a sheet does not", "[snap
   const ResultView view = snapped.shown(c.view());
   CHECK(snapped.report().faces == 6);
   CHECK(snapped.report().regions == 1);
+  CHECK(snapped.report().wires == 1);
   CHECK(snapped.report().displacement >= 1e-17);
   CHECK(snapped.report().displacement < 3e-17);  // 1/3, rounded
   CHECK_THAT(snapped.report().text(), Catch::Contains("6 faces and 1 region without thickness vanished"));
