@@ -82,6 +82,8 @@ int run(int argc, char** argv) {
   sub->add_flag("--topology", eval.topology,
                 "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions "
                 "touch");
+  sub->add_flag("--snap", eval.snap,
+                "Files of doubles: move vertices until the rounded facets meet as they should, and say how far");
   sub->add_option("--threads", eval.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));
@@ -138,6 +140,7 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(1.1, 100.0));
   sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
                 "No new points on faces and edges, so that the meshes of neighbours fit");
+  sub->add_flag("--snap", mesh.snap, "Move vertices until the facets, rounded to doubles, meet as they should");
   sub->add_option("--threads", mesh.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));

@@ -7,7 +7,7 @@ std::int32_t CellTagger::region_number(FlatComplex::Index region) const {
 }
 
 Component material_component(const ResultView& view, const CellTags& tags) {
-  const bool entity = view.value->is_group() && tags.dimension < 3;
+  const bool entity = (view.value->is_group() || view.of_group) && tags.dimension < 3;
   return Component(entity ? tags.region : tags.component);
 }
 

@@ -41,6 +41,7 @@ class NodeView {
   NodeView(const NodeView&) = delete;
   NodeView& operator=(const NodeView&) = delete;
   const ResultView& view() const { return view_; }
+  ResultView view(const SnappedResult* snapped) const { return snapped == nullptr ? view_ : snapped->shown(view_); }
 
  private:
   std::vector<LeafInfo> leaves_;
@@ -64,7 +65,22 @@ void check_file_name(const std::string& path) {
   }
 }
 
-RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node) {
+bool is_exact(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".json" || extension == ".dot";
+}
+
+SnappedResult snap(const Tree& tree, const Evaluation& evaluation, NodeId node, bool raw) {
+  const NodeView shown(tree, evaluation, node);
+  try {
+    return SnappedResult(shown.view(), raw);
+  } catch (const InputError& e) {
+    throw TreeError(tree.file, tree.nodes[node].at, e.what());
+  }
+}
+
+RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
+                     const SnappedResult* snapped) {
   const KeptValue& value = evaluation.value(node);
   if (extension_of(path) == ".dot") {
     replace_file(path, shows_dag(path) ? dag_dot(evaluation)
@@ -73,7 +89,7 @@ RoundingReport write(const std::string& path, const Tree& tree, const Evaluation
   }
   const NodeView shown(tree, evaluation, node);
   try {
-    return write(path, shown.view());
+    return write(path, shown.view(is_exact(path) ? nullptr : snapped));
   } catch (const InputError& e) {  // the format can not show this node
     throw TreeError(tree.file, tree.nodes[node].at, e.what());
   }
@@ -89,11 +105,11 @@ void check_mesh_file_name(const std::string& path) {
 }
 
 TetrahedralMesh tetrahedra(const Tree& tree, const Evaluation& evaluation, NodeId node,
-                           const TetrahedraOptions& options) {
+                           const TetrahedraOptions& options, const SnappedResult* snapped) {
   const NodeView shown(tree, evaluation, node);
   try {
-    TetrahedralMesh made = tetrahedra(shown.view(), options);
-    sample_materials(shown.view(), made.mesh);
+    TetrahedralMesh made = tetrahedra(shown.view(snapped), options);
+    sample_materials(shown.view(snapped), made.mesh);
     return made;
   } catch (const InputError& e) {
     throw TreeError(tree.file, tree.nodes[node].at, e.what());

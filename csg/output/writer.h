@@ -25,6 +25,7 @@ struct ResultView {
     std::string name, color;
   };
   std::vector<Material> materials{};
+  bool of_group = false;                  ///< `value` has the components of a group (snap.h): the last are entities
 };
 
 /// What rounding to doubles did to a written file.
