@@ -128,6 +128,16 @@ void LeafParameters::add_facet(std::span<const std::vector<PatchCorner>> cells) 
   facets_.push_back(static_cast<Index>(cells_.size() - 1));
 }
 
+void LeafParameters::add_wire(const Wire& wire) {
+  wires_.push_back({intern(wire.ends[0]), intern(wire.ends[1]), intern(wire.at[0]), intern(wire.at[1])});
+}
+
+LeafParameters::Wire LeafParameters::wire(std::size_t i) const {
+  require(i < wire_count(), "parameters: a leaf has fewer wires than its soup");
+  const auto& [a, b, from, to] = wires_[i];
+  return {{points_[a], points_[b]}, {values_[from], values_[to]}};
+}
+
 const std::string& LeafParameters::patch_name(std::uint32_t patch) const {
   static const std::string kNone;
   const auto it = patches_.find(patch);

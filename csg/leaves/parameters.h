@@ -59,8 +59,13 @@ class LeafParameters {
   /// The next face is the union of parts of cells, none for a face without parameters.
   void add_facet(std::span<const std::vector<PatchCorner>> cells);
   void add_flat_facet() { add_facet(std::span<const std::vector<PatchCorner>>()); }
-  /// The next wire, as it runs: from C(from) to C(to), linear between.
-  void add_wire(const Rational& from, const Rational& to) { wires_.push_back({intern(from), intern(to)}); }
+  /// A straight piece of a curve, from C(at[0]) to C(at[1]); parameters are linear between.
+  struct Wire {
+    std::array<RationalPoint, 2> ends;
+    std::array<Rational, 2> at;
+  };
+  /// The next wire.
+  void add_wire(const Wire& wire);
 
   // --- reading
   std::size_t facet_count() const { return facets_.size() - 1; }
@@ -70,8 +75,8 @@ class LeafParameters {
   const std::string& curve_name(std::uint32_t curve) const;
   /// The cells of facet i, counted from the leaf's first face.
   std::vector<std::vector<PatchCorner>> cells(std::size_t facet) const;
-  /// Parameters at both ends of wire i.
-  std::array<Rational, 2> wire(std::size_t i) const { return {values_[wires_[i][0]], values_[wires_[i][1]]}; }
+  /// Wire i, counted from the leaf's first one; its two parameters are equal if it has none.
+  Wire wire(std::size_t i) const;
 
  private:
   using Index = std::uint32_t;
@@ -88,9 +93,9 @@ class LeafParameters {
     Index point, u, v;
   };
   std::vector<Corner> corners_;
-  std::vector<Index> cells_{0};   // where the corners of each cell begin, and their end
-  std::vector<Index> facets_{0};  // where the cells of each facet begin, and their end
-  std::vector<std::array<Index, 2>> wires_;
+  std::vector<Index> cells_{0};              // where the corners of each cell begin, and their end
+  std::vector<Index> facets_{0};             // where the cells of each facet begin, and their end
+  std::vector<std::array<Index, 4>> wires_;  // points, then values
 };
 
 /// Makes the parameters of a leaf; it needs nothing of the leaf to be left. Empty for a leaf without patches and

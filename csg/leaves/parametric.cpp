@@ -57,7 +57,7 @@ class ParametricLeaf {
         const PointId next = point(pieces[k].at(t));
         if (next == last) continue;
         builder_.soup().add_wire(builder_.leaf(), last, next, number);
-        if (record_ != nullptr) record_->add_wire(from, to);
+        if (record_ != nullptr) record_->add_wire({{builder_.value(last), builder_.value(next)}, {from, to}});
         last = next;
         from = to;
         any = true;
