@@ -1,6 +1,8 @@
 // Interpolation in cells, and the tables of a leaf; see the header.
 #include "csg/leaves/parameters.h"
 
+#include <tuple>
+
 #include "csg/leaves/exact_vectors.h"
 #include "kernel/base/error.h"
 
@@ -88,6 +90,14 @@ Parameters parameters_in(std::span<const PatchCorner> corners, const RationalPoi
   const Rational side = cell.area(cell.point(0), cell.point(2), p);
   const bool first = side == 0 || (side > 0) == (cell.area(cell.point(0), cell.point(2), cell.point(1)) > 0);
   return first ? cell.in_triangle(0, 1, 2, p) : cell.in_triangle(0, 2, 3, p);
+}
+
+bool is_cell(std::span<const PatchCorner> corners) {
+  if (corners.size() < 3 || corners.size() > 4) return false;
+  const auto& [a, b, c] = std::tie(corners[0].point, corners[1].point, corners[2].point);
+  if (corners.size() == 3) return !collinear(a, b, c);
+  const RationalPoint& d = corners[3].point;
+  return volume6(a, b, c, d) == 0 && !(collinear(a, b, c) && collinear(a, c, d));
 }
 
 bool holds(std::span<const PatchCorner> corners, const RationalPoint& p) {

@@ -36,12 +36,18 @@ using Parameters = std::array<Rational, 2>;  ///< u, v
 struct PatchCorner {
   RationalPoint point;
   Parameters at;
+  friend bool operator==(const PatchCorner&, const PatchCorner&) = default;
+  friend bool operator<(const PatchCorner& a, const PatchCorner& b) {
+    return a.point != b.point ? a.point < b.point : a.at < b.at;
+  }
 };
 
 /// The parameters of a point of the cell (a point of its plane); see above. 3 or 4 corners that are no line; of 4
 /// one side may be a point. At that point itself, where the parameter along the side is anything, it is that of
 /// the side's middle.
 Parameters parameters_in(std::span<const PatchCorner> corners, const RationalPoint& p);
+/// True for corners that `parameters_in` takes: three or four, in one plane, not on one line.
+bool is_cell(std::span<const PatchCorner> corners);
 /// True if the cell, its sides included, holds a point of its plane.
 bool holds(std::span<const PatchCorner> corners, const RationalPoint& p);
 
