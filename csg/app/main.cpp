@@ -104,8 +104,8 @@ int run(int argc, char** argv) {
   sub->add_option("--node", node, "Node to look into; the result without it")->type_name("N");
   sub->add_option("--threads", threads, "Threads; 0 is one per core")->type_name("K")->check(CLI::Range(0, 4096));
   sub->add_flag("--parameters", parameters,
-                "Also the place on patches and curves of leaves: `leaf: patch: u v`, `leaf: curve: t`, each behind "
-                "a tabulator");
+                "Also the place on patches and curves of leaves: `leaf: patch: u v`, `leaf: curve: t`, each "
+                "behind a tabulator");
   sub->footer("Example:\n  echo \"1/3 0.5 2\" | cnrg locate model.yaml --node split");
   sub->callback([&] { command = [&] { return run_locate(tree, node, parameters, threads); }; });
 

@@ -19,8 +19,8 @@
 // outer loop of a flat face comes first and is counter-clockwise. `facets` are the planar pieces of a face that is
 // not flat. Faces with the same `patch` are of one patch of a leaf.
 //
-// With parameters (leaves/parameters.h) there are two more lists before "faces", and a member of faces, where there
-// are any:
+// With parameters (leaves/parameters.h) there are two more lists before "faces", and a member of faces, where
+// there are any:
 //   "patches": [{"patch", "leaf", "name"}],           of those that have parameters
 //   "cells": [[[x, y, z, u, v], ...]],                cells of patches by their corners
 //   "faces": [{..., "cells": [[cell]]}]               in which cells each facet lies, all of a flat face
