@@ -46,7 +46,7 @@ class FileWriter {
         snapped = &snapped_of(node);
       }
       bar.show("write " + path, 0, 0);
-      rounding = write(path, tree_, evaluation_, node, snapped);
+      rounding = write(path, tree_, evaluation_, node, {arguments_.parameters, snapped});
     }
     if (!rounding.embedded) {
       std::cerr << path << ": warning: rounding moved " << rounding.moved

@@ -28,7 +28,7 @@ std::vector<ResultView::Material> materials_of(const Tree& tree, const NodeValue
 /// What writers see of a node, and what that refers to.
 class NodeView {
  public:
-  NodeView(const Tree& tree, const Evaluation& evaluation, NodeId node) {
+  NodeView(const Tree& tree, const Evaluation& evaluation, NodeId node, bool parameters = false) {
     const KeptValue& value = evaluation.value(node);
     for (const std::string& name : evaluation.leaf_names) leaves_.push_back({name});
     view_.node = tree.nodes[node].name;
@@ -36,6 +36,7 @@ class NodeView {
     view_.value = value.value.get();
     view_.simplified = &value.simplified;
     view_.leaves = &leaves_;
+    if (parameters) view_.parameters = evaluation.parameters.get();
     view_.materials = materials_of(tree, *value.value);
   }
   NodeView(const NodeView&) = delete;
@@ -80,16 +81,16 @@ SnappedResult snap(const Tree& tree, const Evaluation& evaluation, NodeId node, 
 }
 
 RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
-                     const SnappedResult* snapped) {
+                     const FileOptions& options) {
   const KeptValue& value = evaluation.value(node);
   if (extension_of(path) == ".dot") {
     replace_file(path, shows_dag(path) ? dag_dot(evaluation)
                                        : region_graph(value.simplified, value.value->attributes()).dot());
     return {};
   }
-  const NodeView shown(tree, evaluation, node);
+  const NodeView shown(tree, evaluation, node, options.parameters);
   try {
-    return write(path, shown.view(is_exact(path) ? nullptr : snapped));
+    return write(path, shown.view(is_exact(path) ? nullptr : options.snapped));
   } catch (const InputError& e) {  // the format can not show this node
     throw TreeError(tree.file, tree.nodes[node].at, e.what());
   }

@@ -24,11 +24,16 @@ bool is_exact(const std::string& path);
 /// The kept node on doubles; `raw` as the evaluation was. TreeError at the node for what can not be snapped.
 SnappedResult snap(const Tree& tree, const Evaluation& evaluation, NodeId node, bool raw = false);
 
+/// How a node is shown in a file.
+struct FileOptions {
+  bool parameters = false;                  ///< ResultView::parameters, for the exact result only
+  const SnappedResult* snapped = nullptr;   ///< shown in its place where the format is not exact
+};
+
 /// Writes a kept node of an evaluation of `tree` as `write` (writer.h) does: with the node's name, the tree's
-/// materials and the names of the leaves below it; where a format is not exact, in its snapped form if there is
-/// one. TreeError at the node for what the format can not show.
+/// materials and the names of the leaves below it. TreeError at the node for what the format can not show.
 RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
-                     const SnappedResult* snapped = nullptr);
+                     const FileOptions& options = {});
 
 /// The formats of tetrahedra: .msh .mesh .vtu. Throws InputError for any other extension.
 void check_mesh_file_name(const std::string& path);
