@@ -22,6 +22,7 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/shapes.h"
+#include "csg/tree/finer.h"
 #include "csg/tree/tree.h"
 
 // Operators.

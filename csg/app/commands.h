@@ -8,27 +8,34 @@
 
 namespace cnrg::app {
 
+// `finer`: every curved leaf is that many times finer than the tree says.
+
 struct EvalArguments {
   std::string tree;
   std::vector<std::string> nodes;
   std::vector<std::string> files;
   bool trace = false, raw = false, topology = false, snap = false, quiet = false;
   bool parameters = false;  ///< .json and .vtu with the parameters of patches
-  int threads = 0;
+  int threads = 0, finer = 1;
 };
 /// `cnrg eval`: a row per node, a file per `-o`.
 int run_eval(const EvalArguments& arguments);
 
 /// `cnrg check`: reads and validates only.
-int run_check(const std::string& tree);
+int run_check(const std::string& tree, int finer);
 
+struct LocateArguments {
+  std::string tree, node;
+  bool parameters = false, material = false;
+  int threads = 0, finer = 1;
+};
 /// `cnrg locate`: the cell that holds each point of standard input; with `parameters` also its place on patches
-/// and curves of leaves.
-int run_locate(const std::string& tree, const std::string& node, bool parameters, int threads);
+/// and curves of leaves, with `material` what it is made of.
+int run_locate(const LocateArguments& arguments);
 
 struct ExplainArguments {
   std::string tree, node, cell, point;  ///< one of cell and point is empty
-  int threads = 0;
+  int threads = 0, finer = 1;
 };
 /// `cnrg explain`: the way of a cell, or of what holds a point, through the tree.
 int run_explain(const ExplainArguments& arguments);
@@ -38,7 +45,7 @@ struct MeshArguments {
   std::vector<std::string> files;
   TetrahedraOptions options;
   bool snap = false, quiet = false;
-  int threads = 0;
+  int threads = 0, finer = 1;
 };
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.
 int run_mesh(const MeshArguments& arguments);

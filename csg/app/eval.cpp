@@ -91,7 +91,7 @@ std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vec
 
 int run_eval(const EvalArguments& arguments) {
   for (const std::string& path : arguments.files) check_file_name(path);  // before the work, not after it
-  const Tree tree = read_tree(arguments.tree);
+  const Tree tree = read_tree(arguments.tree, arguments.finer);
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.raw = arguments.raw;
@@ -114,8 +114,8 @@ int run_eval(const EvalArguments& arguments) {
   return kDone;
 }
 
-int run_check(const std::string& path) {
-  const Tree tree = read_tree(path);
+int run_check(const std::string& path, int finer) {
+  const Tree tree = read_tree(path, finer);
   print(unused_nodes(tree, {tree.result}), false);
   print(check(tree), false);
   const auto leaves =

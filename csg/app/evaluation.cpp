@@ -3,8 +3,15 @@
 #include <iostream>
 
 #include "csg/app/progress_bar.h"
+#include "csg/tree/finer.h"
 
 namespace cnrg::app {
+
+Tree read_tree(const std::string& path, int finer) {
+  Tree tree = cnrg::read_tree(path);
+  make_finer(tree, finer);
+  return tree;
+}
 
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet) {
   ProgressBar bar(quiet);

@@ -1,9 +1,14 @@
-// One way to evaluate for all commands: with a progress bar, and with what is to be said about the tree.
+// One way to read a tree and to evaluate it for all commands: with a progress bar, and with what is to be said
+// about the tree.
 #pragma once
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/tree/tree.h"
 
 namespace cnrg::app {
+
+/// Reads a tree file and makes its curved leaves `finer` times finer.
+Tree read_tree(const std::string& path, int finer);
 
 /// Evaluates behind a progress bar and prints the diagnostics; `quiet`: no bar, warnings only.
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet);

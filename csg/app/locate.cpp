@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -107,14 +108,30 @@ std::string describe_parameters(const Evaluation& evaluation, const NodeValue& v
   return text;
 }
 
+/// The field of the material, exact but for distances.
+class Materials {
+ public:
+  explicit Materials(const NodeValue& value) : value_(value) {}
+  std::string describe(Component component, const RationalPoint& p) {
+    if (component == 0) return {};
+    const auto [it, fresh] = samplers_.try_emplace(component, value_.attributes(component).material);
+    const Mixture mixture = it->second.at(p);
+    return mixture.empty() ? "" : "\tmaterial: " + one_line(to_text(mixture));
+  }
+
+ private:
+  const NodeValue& value_;
+  std::map<Component, MaterialSampler> samplers_;
+};
+
 }  // namespace
 
-int run_locate(const std::string& path, const std::string& name, bool parameters, int threads) {
-  const Tree tree = read_tree(path);
-  const NodeId node = name.empty() ? tree.result : tree.find(name);
+int run_locate(const LocateArguments& arguments) {
+  const Tree tree = read_tree(arguments.tree, arguments.finer);
+  const NodeId node = arguments.node.empty() ? tree.result : tree.find(arguments.node);
   const std::vector<std::optional<RationalPoint>> points = read_points();
   EvaluateOptions options;
-  options.threads = threads;
+  options.threads = arguments.threads;
   options.rows = false;
   options.nodes = {node};
   for (const auto& point : points) {
@@ -123,6 +140,7 @@ int run_locate(const std::string& path, const std::string& name, bool parameters
   const Evaluation evaluation = evaluate_in_view(tree, options, false);
   const KeptValue& value = evaluation.value(node);
   const Locator locator(*evaluation.complex);
+  Materials materials(*value.value);
   for (const auto& point : points) {
     if (!point) {
       std::cout << "\n";
@@ -131,7 +149,8 @@ int run_locate(const std::string& path, const std::string& name, bool parameters
     const Location cell = locator.locate(*point);
     const SimplifiedComplex::Place place = value.simplified.place(*evaluation.complex, cell);
     std::cout << describe(value.simplified, place, *value.value);
-    if (parameters) std::cout << describe_parameters(evaluation, *value.value, cell, *point);
+    if (arguments.parameters) std::cout << describe_parameters(evaluation, *value.value, cell, *point);
+    if (arguments.material) std::cout << materials.describe(component_of(value.simplified, place), *point);
     std::cout << "\n";
   }
   return kDone;

@@ -53,6 +53,14 @@ constexpr LaterCommand kLaterCommands[] = {
     {"view", "one self-contained page that shows the result"},
 };
 
+/// What several commands have.
+void add_finer(CLI::App* sub, int& finer) {
+  sub->add_option("--finer", finer,
+                  "Curved leaves are K times finer than the tree says: segments times K, chord by K squared")
+      ->type_name("K")
+      ->check(CLI::Range(1, 1000));
+}
+
 int run(int argc, char** argv) {
   CLI::App program{"Exact Booleans of non-manifold solids, surfaces, wires and points, by tree files.", "cnrg"};
   program.set_version_flag("--version", version_text(), "Versions of cnrg and of the libraries in it");
@@ -90,27 +98,34 @@ int run(int argc, char** argv) {
   sub->add_option("--threads", eval.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));
+  add_finer(sub, eval.finer);
   sub->add_flag("--quiet", eval.quiet, "No rows and no notices");
   sub->footer("Example:\n  cnrg eval model.yaml --node split -o split.vtu --trace");
   sub->callback([&] { command = [&] { return run_eval(eval); }; });
 
-  std::string tree, node;
-  int threads = 0;
-  bool parameters = false;
+  std::string tree;
+  int finer = 1;
   sub = program.add_subcommand("check", "Reads and validates a tree file without evaluating it");
   sub->add_option("TREE", tree, "Tree file (YAML or JSON)")->required();
+  add_finer(sub, finer);
   sub->footer("Example:\n  cnrg check model.yaml");
-  sub->callback([&] { command = [&] { return run_check(tree); }; });
+  sub->callback([&] { command = [&] { return run_check(tree, finer); }; });
 
+  LocateArguments locate;
   sub = program.add_subcommand("locate", "Reads points `x y z` and prints `dim cell component name` for each");
-  sub->add_option("TREE", tree, "Tree file (YAML or JSON)")->required();
-  sub->add_option("--node", node, "Node to look into; the result without it")->type_name("N");
-  sub->add_option("--threads", threads, "Threads; 0 is one per core")->type_name("K")->check(CLI::Range(0, 4096));
-  sub->add_flag("--parameters", parameters,
+  sub->add_option("TREE", locate.tree, "Tree file (YAML or JSON)")->required();
+  sub->add_option("--node", locate.node, "Node to look into; the result without it")->type_name("N");
+  sub->add_option("--threads", locate.threads, "Threads; 0 is one per core")
+      ->type_name("K")
+      ->check(CLI::Range(0, 4096));
+  sub->add_flag("--parameters", locate.parameters,
                 "Also the place on patches and curves of leaves: `leaf: patch: u v`, `leaf: curve: t`, each "
                 "behind a tabulator");
+  sub->add_flag("--material", locate.material,
+                "Also what a graded material is there: `material: steel 3/4, ceramic 1/4`, behind a tabulator");
+  add_finer(sub, locate.finer);
   sub->footer("Example:\n  echo \"1/3 0.5 2\" | cnrg locate model.yaml --node split");
-  sub->callback([&] { command = [&] { return run_locate(tree, node, parameters, threads); }; });
+  sub->callback([&] { command = [&] { return run_locate(locate); }; });
 
   ExplainArguments explain;
   sub = program.add_subcommand("explain",
@@ -124,6 +139,7 @@ int run(int argc, char** argv) {
   sub->add_option("--threads", explain.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));
+  add_finer(sub, explain.finer);
   sub->footer(
       "Example:\n  cnrg explain model.yaml --node split --cell f12\n  cnrg explain model.yaml --point 1/3,0.5,2");
   sub->callback([&] { command = [&] { return run_explain(explain); }; });
@@ -151,6 +167,7 @@ int run(int argc, char** argv) {
   sub->add_option("--threads", mesh.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));
+  add_finer(sub, mesh.finer);
   sub->add_flag("--quiet", mesh.quiet, "No table and no notices");
   sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");
   sub->callback([&] { command = [&] { return run_mesh(mesh); }; });

@@ -19,6 +19,7 @@ namespace cnrg {
 class Fineness {
  public:
   static constexpr int kMostSteps = 1 << 20;
+  static constexpr int kUsualSegments = 16;  ///< where nothing is asked for
   Fineness(const char* shape, const Tessellation& tessellation);
   bool by_chord() const { return chord_ > 0; }
   /// Not above what is asked for; 0 where the number of steps is given.
@@ -34,7 +35,7 @@ class Fineness {
  private:
   std::string shape_;
   double chord_ = 0;
-  int segments_ = 16;
+  int segments_ = kUsualSegments;
 };
 
 class BoundaryCurves {

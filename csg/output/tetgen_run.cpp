@@ -93,17 +93,18 @@ void set_polygon(tetgenio::polygon& polygon, const auto& points) {
   for (std::size_t k = 0; k < points.size(); ++k) polygon.vertexlist[k] = int(points[k]);
 }
 
-/// A box around the complex, half its size away from it.
-void add_frame(std::vector<std::array<double, 3>>& points, std::vector<Plc::Facet>& facets) {
+/// A box around the complex, half its size away from it, or on each side a little further than on the one before.
+void add_frame(TetgenFrame frame, std::vector<std::array<double, 3>>& points, std::vector<Plc::Facet>& facets) {
   auto low = points[0], high = points[0];
   for (const auto& p : points) {
     for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
   }
   const double margin = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}) / 2;
+  const double more = frame == TetgenFrame::uneven ? margin / 16 : 0;
   const auto first = Plc::Index(points.size());
   for (unsigned corner = 0; corner < 8; ++corner) {
     auto& p = points.emplace_back();
-    for (unsigned k = 0; k < 3; ++k) p[k] = corner >> k & 1 ? high[k] + margin : low[k] - margin;
+    for (unsigned k = 0; k < 3; ++k) p[k] = corner >> k & 1 ? high[k] + (margin + (k + 4) * more) : low[k] - (margin + (k + 1) * more);
   }
   constexpr Plc::Index kSides[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
                                        {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};
@@ -114,10 +115,10 @@ void add_frame(std::vector<std::array<double, 3>>& points, std::vector<Plc::Face
 }
 
 /// Facet markers are places from 1, edge markers edges from 2 (1 is TetGen's own), attributes regions from 1.
-void fill(const Plc& plc, tetgenio& in) {
+void fill(const Plc& plc, TetgenFrame frame, tetgenio& in) {
   auto points = plc.points;
   auto facets = plc.facets;
-  add_frame(points, facets);
+  add_frame(frame, points, facets);
   in.firstnumber = 0;
   in.numberofpoints = int(points.size());
   in.pointlist = new REAL[3 * points.size()];
@@ -165,7 +166,7 @@ void write_result(const MemoryFile& file, const tetgenio& out) {
   write_list(file, out.edgemarkerlist, std::size_t(out.numberofedges));
 }
 
-[[noreturn]] void run_child(const Plc& plc, std::string switches, const MemoryFile& result,
+[[noreturn]] void run_child(const Plc& plc, std::string switches, TetgenFrame frame, const MemoryFile& result,
                             const MemoryFile& said) {
   int status = kUnknown;
   try {
@@ -173,7 +174,7 @@ void write_result(const MemoryFile& file, const tetgenio& out) {
     dup2(said.descriptor(), STDOUT_FILENO);
     dup2(said.descriptor(), STDERR_FILENO);
     tetgenio in, out;
-    fill(plc, in);
+    fill(plc, frame, in);
     tetrahedralize(switches.data(), &in, &out);
     write_result(result, out);
     status = kDone;
@@ -247,12 +248,12 @@ TetgenResult read_result(const MemoryFile& file) {
 
 }  // namespace
 
-TetgenResult run_tetgen(const Plc& plc, const std::string& switches) {
+TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame) {
   const MemoryFile result, said;
   std::fflush(stdout);  // so that the child has nothing of the caller's to print
   const pid_t child = fork();
   if (child < 0) throw FileError(std::string("TetGen could not be started: ") + std::strerror(errno));
-  if (child == 0) run_child(plc, "pAQMJ" + switches, result, said);
+  if (child == 0) run_child(plc, "pAQMJ" + switches, frame, result, said);
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) throw FileError(std::string("TetGen was lost: ") + std::strerror(errno));

@@ -21,8 +21,13 @@ struct TetgenResult {
   std::vector<std::int32_t> edge;             ///< of each segment: the edge, or -1 where there is none
 };
 
+/// The box around the complex: equally far away on all sides, or a little further on each than on the one before.
+/// A model and its even box may be so regular together (their corners on one sphere) that TetGen stops at an
+/// assertion of its own.
+enum class TetgenFrame { even, uneven };
+
 /// Runs TetGen's library with these switches besides `pAQMJ`.
 /// Throws InputError with what TetGen said and what helps, std::bad_alloc when it runs out of memory.
-TetgenResult run_tetgen(const Plc& plc, const std::string& switches);
+TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame);
 
 }  // namespace cnrg

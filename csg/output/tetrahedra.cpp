@@ -49,23 +49,44 @@ class TetrahedraMaker {
                        "and points");
     }
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
-    run_tetgen_on(rounded);
+    for (const Attempt& attempt : kAttempts) {
+      if (options_.keep_boundary && attempt.facets == PlcFacets::all) continue;
+      if (std::string_view(attempt.switches) == "Y" && !switches_of(options_).empty()) continue;
+      const bool last = &attempt == std::end(kAttempts) - 1;
+      try {
+        make(rounded, attempt);
+        break;
+      } catch (const InputError&) {
+        if (last) throw;
+      } catch (const InvariantError& e) {  // the proof refuses what TetGen returns
+        if (!last) continue;
+        throw InputError(std::string("what TetGen returns is not what was asked for (") + e.what() +
+                         "); try --quality 2, --keep-boundary, or curved leaves that are finer or coarser");
+      }
+    }
     result_.rounding = rounded.report();
-    make_entities();
-    take_tetrahedra();
-    take_triangles();
-    take_segments();
-    take_vertices();
-    prove_boundary_kept();
-    prove_edges();
-    prove_faces();
-    prove_sides();
-    prove_volumes();
     number_points();
     return std::move(result_);
   }
 
  private:
+  /// Points of whole facets are off their plane by rounding. TetGen may triangulate them as it likes, which gives
+  /// better tetrahedra, but now and then it stumbles over that, or returns what the proof refuses. Our triangles are
+  /// planar, and keep volumes exact. A box about the model that is less regular has helped where both did not, and a
+  /// finer tolerance for what lies in one plane where faces are nearly coplanar. So has a mesh without new points on
+  /// faces, which is tried where no bound is asked for.
+  struct Attempt {
+    PlcFacets facets;
+    TetgenFrame frame;
+    const char* switches;
+  };
+  static constexpr Attempt kAttempts[] = {{PlcFacets::all, TetgenFrame::even, ""},
+                                          {PlcFacets::planar, TetgenFrame::even, ""},
+                                          {PlcFacets::all, TetgenFrame::uneven, ""},
+                                          {PlcFacets::planar, TetgenFrame::uneven, ""},
+                                          {PlcFacets::planar, TetgenFrame::even, "Y"},
+                                          {PlcFacets::planar, TetgenFrame::uneven, "T1e-14"}};
+
   const ResultView& view_;
   const TetrahedraOptions options_;
   const FlatComplex flat_;
@@ -83,19 +104,22 @@ class TetrahedraMaker {
   Mesh& mesh() { return result_.mesh; }
   static std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
 
-  /// Points of whole facets are off their plane by rounding. TetGen may triangulate them as it likes, which gives
-  /// better tetrahedra, but now and then it stumbles over that. Our triangles are planar, and keep volumes exact.
-  void run_tetgen_on(const RoundedResult& rounded) {
-    if (!options_.keep_boundary) {
-      plc_ = plc_of(view_, flat_, rounded, PlcFacets::all);
-      try {
-        out_ = run_tetgen(plc_, switches_of(options_));
-        return;
-      } catch (const InputError&) {
-      }
-    }
-    plc_ = plc_of(view_, flat_, rounded, PlcFacets::planar);
-    out_ = run_tetgen(plc_, switches_of(options_));
+  void make(const RoundedResult& rounded, const Attempt& attempt) {
+    result_ = {};
+    region_entity_.clear();
+    pieces_.clear();
+    plc_ = plc_of(view_, flat_, rounded, attempt.facets);
+    out_ = run_tetgen(plc_, switches_of(options_) + attempt.switches, attempt.frame);
+    make_entities();
+    take_tetrahedra();
+    take_triangles();
+    take_segments();
+    take_vertices();
+    prove_boundary_kept();
+    prove_edges();
+    prove_faces();
+    prove_sides();
+    prove_volumes();
   }
 
   /// The edge that a step of a boundary walk follows: number + 1, negative against the chain.

@@ -35,8 +35,8 @@ struct TetrahedralMesh {
 /// box); every face and edge is there, bounded as it should be; on both sides of each triangle are the regions of
 /// its face, and between regions are such triangles only.
 ///
-/// Throws InputError for a result without regions, open or unbounded, one that rounding breaks, and one that
-/// TetGen can not mesh; InvariantError when the proof fails.
+/// Throws InputError for a result without regions, open or unbounded, one that rounding breaks, and one of
+/// which TetGen makes no mesh that is proven, whichever of several ways it is asked.
 TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options = {});
 
 }  // namespace cnrg

@@ -322,6 +322,38 @@ TEST_CASE("check reads and validates only", "[app]") {
   CHECK(o.out == "t.yaml: 7 nodes, 4 of them leaves; no faults\n");
 }
 
+TEST_CASE("every command that reads a tree can make its curved leaves finer", "[app]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 4}}
+result: a
+)");
+  CHECK(row(w.run("eval t.yaml").out, "a").back() == "2");
+  const Outcome fine = w.run("eval t.yaml --finer 25");
+  CHECK(fine.status == 0);
+  CHECK_THAT(row(fine.out, "a").back(), StartsWith("(3.139525976"));  // 50 sin(2 pi / 100)
+  // Between the square and the circle.
+  CHECK_THAT(w.run("locate t.yaml", "0.6 0.6 0.5\n").out, Catch::Matches("3 (r[0-9]+|-) 0\n"));
+  CHECK_THAT(w.run("locate t.yaml --finer 3", "0.6 0.6 0.5\n").out, Catch::Matches("3 r[0-9]+ 1 a\n"));
+  CHECK_THAT(w.run("explain t.yaml --point 0.6,0.6,0.5 --finer 3").out, Contains("region 1 `a`"));
+  const Outcome mesh = w.run("mesh t.yaml --finer 25 -o t.msh");
+  INFO(mesh.err);
+  CHECK(mesh.status == 0);
+  CHECK_THAT(row(mesh.out, "all").back(), StartsWith("3.139525976"));
+  CHECK(w.run("check t.yaml --finer 3").status == 0);
+  w.write("many.yaml",
+          "cnrg: 1\nnodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 999999}}\nresult: a\n");
+  for (const std::string command : {"eval", "check"}) {
+    const Outcome o = w.run(command + " many.yaml --finer 2");
+    CHECK(o.status == 2);
+    CHECK_THAT(o.err, StartsWith("many.yaml:3:7: error: made 2 times finer, `sphere` would have "));
+  }
+  const Outcome none = w.run("eval t.yaml --finer 0");
+  CHECK(none.status == 2);
+  CHECK_THAT(none.err, Contains("--finer: Value 0 not in range 1 to 1000"));
+}
+
 TEST_CASE("locate names cell, component and region", "[app]") {
   const Workshop w;
   w.write("t.yaml", kBoxes);

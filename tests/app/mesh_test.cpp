@@ -188,5 +188,25 @@ TEST_CASE("the supported tunnel: bolts are edges of tetrahedra, the shell is a p
   }
 }
 
+TEST_CASE("where TetGen stumbles over a regular model it is meshed another way", "[app][mesh]") {
+  // Two triangles in a cube about the same centre as TetGen's own box: it stops at an assertion of its own there.
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  box: {box: {min: [-0.13, -0.13, -0.13], max: [1.13, 1.13, 1.13]}}
+  folded:
+    group:
+      vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+      faces: [{loops: [[0, 1, 2]]}, {loops: [[0, 3, 2]]}]
+      fill: none
+  model: {union: [box, folded]}
+result: model
+)");
+  const Outcome o = w.run("mesh t.yaml -o t.msh");
+  INFO(o.err);
+  CHECK(o.status == 0);
+  CHECK_THAT(o.out, Contains("2.000376"));
+}
+
 }  // namespace
 }  // namespace cnrg

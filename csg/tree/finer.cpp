@@ -1,0 +1,64 @@
+// Every shape with counts of segments, or with a tessellation, is curved; no other shape has either.
+#include "csg/tree/finer.h"
+
+#include <algorithm>
+
+#include "csg/leaves/boundary_curves.h"
+
+namespace cnrg {
+namespace {
+
+constexpr long kMostSegments = 1'000'000;  // as in a tree file
+
+class Refiner {
+ public:
+  Refiner(const std::string& file, const Node& node, int times) : file_(file), node_(node), times_(times) {}
+
+  template <class S>
+  void operator()(S& shape) const {
+    if constexpr (requires { shape.rings; }) {
+      if constexpr (std::is_same_v<S, SphereShape>) {
+        if (shape.rings == 0) shape.rings = std::max(2, shape.segments / 2);
+      }
+      multiply(shape.rings, "rings", kMostSegments);
+    }
+    if constexpr (requires { shape.segments; }) multiply(shape.segments, "segments", kMostSegments);
+    if constexpr (requires { shape.tessellation; }) {
+      Tessellation& t = shape.tessellation;
+      if (t.chord) {
+        *t.chord /= Rational(times_) * times_;
+      } else {
+        if (!t.segments) t.segments = Fineness::kUsualSegments;
+        multiply(*t.segments, "segments", Fineness::kMostSteps);
+      }
+    }
+  }
+
+ private:
+  const std::string& file_;
+  const Node& node_;
+  const int times_;
+
+  void multiply(int& count, const char* what, long most) const {
+    const long product = static_cast<long>(count) * times_;
+    if (product > most) {
+      throw TreeError(file_, node_.operator_at,
+                      "made " + std::to_string(times_) + " times finer, `" + node_.operator_name +
+                          "` would have " + std::to_string(product) + " " + what + ", more than " +
+                          std::to_string(most) + "; make it less fine, or give it fewer " + what);
+    }
+    count = static_cast<int>(product);
+  }
+};
+
+}  // namespace
+
+void make_finer(Tree& tree, int times) {
+  if (times < 1) throw InputError("finer: give 1 or more, not " + std::to_string(times));
+  if (times == 1) return;
+  for (Node& node : tree.nodes) {
+    if (node.shape) std::visit(Refiner(tree.file, node, times), *node.shape);
+  }
+}
+
+}  // namespace cnrg

@@ -1,0 +1,134 @@
+// Trees made finer: counts stay, volumes go to those of the exact shapes.
+#include "csg/tree/finer.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "csg/evaluate/evaluate.h"
+
+namespace cnrg {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// One of each curved leaf; curves of none are straight.
+const char* const kLeaves = R"(cnrg: 1
+nodes:
+  cylinder: {cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: 8}}
+  cone: {cone: {from: [9, 0, 0], to: [9, 0, 3], radius: 1, segments: 6}}
+  sphere: {sphere: {center: [18, 0, 0], radius: 1, segments: 8}}
+  odd: {sphere: {center: [18, 9, 0], radius: 1, segments: 7, rings: 5}}
+  torus: {torus: {center: [27, 0, 0], axis: [0, 0, 1], radius: 3, tube: 1}}
+  turned: {revolve: {profile: [[0, 0], [2, 0], [2, 1], [0, 1]], center: [36, 0, 0], degrees: 90}}
+  by_chord: {revolve: {profile: [[0, 0], [1, 0], [1, 1], [0, 1]], center: [45, 0, 0], chord: 1/10}}
+  all: {union: [cylinder, cone, sphere, odd, torus, turned, by_chord]}
+result: all
+)";
+
+/// What the exact shapes have.
+const std::map<std::string, double> kExact{{"cylinder", 2 * kPi}, {"cone", kPi},           {"sphere", 4 * kPi / 3},
+                                           {"odd", 4 * kPi / 3},  {"torus", 6 * kPi* kPi}, {"turned", kPi},
+                                           {"by_chord", kPi}};
+
+std::vector<NodeRow> rows_of(Tree tree, int times) {
+  make_finer(tree, times);
+  EvaluateOptions options;
+  options.validate = true;
+  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) options.nodes.push_back(id);
+  return evaluate(tree, options).rows;
+}
+
+/// A leaf of the tree after it was made finer.
+template <class S>
+S shape_of(const std::string& leaf, int times) {
+  Tree tree = parse_tree("cnrg: 1\nnodes:\n  a: {" + leaf + "}\nresult: a\n", "t.yaml");
+  make_finer(tree, times);
+  return std::get<S>(*tree.nodes[tree.result].shape);
+}
+
+TEST_CASE("segments and rings are multiplied, a chord is divided by the square", "[evaluate][finer]") {
+  const auto given = shape_of<SphereShape>("sphere: {center: [0, 0, 0], radius: 1, segments: 7, rings: 5}", 3);
+  CHECK(given.segments == 21);
+  CHECK(given.rings == 15);
+  const auto odd = shape_of<SphereShape>("sphere: {center: [0, 0, 0], radius: 1, segments: 7}", 2);
+  CHECK(odd.rings ==
+        6);  // 7 segments have 3 rings, so that points of the coarse sphere are points of the fine one
+  const auto torus = shape_of<TorusShape>("torus: {center: [0, 0, 0], axis: [0, 0, 1], radius: 2, tube: 1}", 2);
+  CHECK(torus.segments == 64);
+  CHECK(torus.rings == 32);
+  const auto usual = shape_of<BezierShape>("bezier: {curve: [[0, 0, 0], [1, 1, 0], [2, 0, 0]]}", 5);
+  CHECK(usual.tessellation.segments == 80);
+  CHECK(!usual.tessellation.chord);
+  const auto chord = shape_of<BezierShape>("bezier: {curve: [[0, 0, 0], [1, 1, 0], [2, 0, 0]], chord: 1/10}", 3);
+  CHECK(!chord.tessellation.segments);
+  CHECK(*chord.tessellation.chord == Rational(1, 90));
+  CHECK(shape_of<CylinderShape>("cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1}", 1).segments == 32);
+}
+
+TEST_CASE("curved leaves made finer keep their counts and approach the exact volume", "[evaluate][finer]") {
+  const std::vector<NodeRow> coarse = rows_of(parse_tree(kLeaves, "t.yaml"), 1);
+  std::map<std::string, Rational> last;
+  for (const NodeRow& row : coarse) last[row.name] = *row.volume();
+  for (const int times : {2, 4, 8}) {
+    const std::vector<NodeRow> fine = rows_of(parse_tree(kLeaves, "t.yaml"), times);
+    REQUIRE(fine.size() == coarse.size());
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+      INFO(fine[i].name << " made " << times << " times finer");
+      CHECK(fine[i].cells == coarse[i].cells);
+      CHECK(last[fine[i].name] < *fine[i].volume());
+      const auto exact = kExact.find(fine[i].name);
+      if (exact != kExact.end()) {
+        const double before = exact->second - to_double(last[fine[i].name]);
+        const double now = exact->second - to_double(*fine[i].volume());
+        CHECK(now > 0);
+        CHECK(now <= 0.3 * before);  // 1/4 in the limit
+      }
+      last[fine[i].name] = *fine[i].volume();
+    }
+  }
+}
+
+TEST_CASE("trees of the papers keep their counts when they are made finer", "[evaluate][finer]") {
+  std::size_t curved = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator("papers")) {
+    if (entry.path().extension() != ".yaml" || entry.path().filename() == "section.yaml") continue;
+    Tree tree = read_tree(entry.path().string());
+    const bool is_curved = std::any_of(tree.nodes.begin(), tree.nodes.end(), [](const Node& node) {
+      return node.operator_name == "cylinder" || node.operator_name == "bspline" || node.operator_name == "sphere";
+    });
+    if (!is_curved) continue;
+    ++curved;
+    const std::vector<NodeRow> coarse = rows_of(std::move(tree), 1);
+    for (const int times : {2, 3}) {
+      const std::vector<NodeRow> fine = rows_of(read_tree(entry.path().string()), times);
+      REQUIRE(fine.size() == coarse.size());
+      for (std::size_t i = 0; i < fine.size(); ++i) {
+        INFO(entry.path() << ": " << fine[i].name << " made " << times << " times finer");
+        CHECK(fine[i].cells == coarse[i].cells);
+      }
+    }
+  }
+  CHECK(curved >= 4);
+}
+
+TEST_CASE("a leaf that can not be made so fine is named with its place", "[evaluate][finer]") {
+  Tree tree = parse_tree(R"(cnrg: 1
+nodes:
+  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}
+  b: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 600000}}
+  u: {union: [a, b]}
+result: u
+)",
+                         "t.yaml");
+  CHECK_THROWS_WITH(make_finer(tree, 2),
+                    "t.yaml:4:7: error: made 2 times finer, `cylinder` would have 1200000 segments, more than "
+                    "1000000; make it less fine, or give it fewer segments");
+  CHECK_THROWS_WITH(make_finer(tree, 0), "finer: give 1 or more, not 0");
+}
+
+}  // namespace
+}  // namespace cnrg
