@@ -33,6 +33,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 
 #include "csg/leaves/boundary_curves.h"
 #include "csg/leaves/cad_occt.h"
@@ -120,6 +121,7 @@ class Tessellator {
     const BRepAdaptor_Surface surface(face(f), false);
     if (surface.GetType() == GeomAbs_Plane) return;
     fineness_.check_facets(mesh->NbTriangles());
+    const std::set<int> poles = pole_nodes(face(f), mesh, location);
     for (int t = 1; t <= mesh->NbTriangles(); ++t) {
       int n[3];
       mesh->Triangle(t).Get(n[0], n[1], n[2]);
@@ -128,6 +130,9 @@ class Tessellator {
       for (int k = 0; k < 3; ++k) {
         p[k] = mesh->Node(n[k]).Transformed(location);
         uv[k] = mesh->UVNode(n[k]).XY();
+      }
+      for (int k = 0; k < 3; ++k) {
+        if (poles.contains(n[k])) meet(surface, uv[k], (uv[(k + 1) % 3] + uv[(k + 2) % 3]) / 2);
       }
       gp_Vec normal = gp_Vec(p[0], p[1]).Crossed(gp_Vec(p[0], p[2]));
       if (normal.Magnitude() == 0) continue;
@@ -138,6 +143,28 @@ class Tessellator {
         note_distance(std::abs(gp_Vec(p[0], surface.Value(x.X(), x.Y())).Dot(normal)), face_name(f));
       }
     }
+  }
+
+  /// Nodes of a face that are on its edges without length.
+  static std::set<int> pole_nodes(const TopoDS_Face& face, const Handle(Poly_Triangulation)& mesh,
+                                  const TopLoc_Location& location) {
+    std::set<int> nodes;
+    for (TopExp_Explorer part(face, TopAbs_EDGE); part.More(); part.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(part.Current());
+      if (!BRep_Tool::Degenerated(edge)) continue;
+      const Handle(Poly_PolygonOnTriangulation) polygon = BRep_Tool::PolygonOnTriangulation(edge, mesh, location);
+      for (int i = 1; !polygon.IsNull() && i <= polygon->NbNodes(); ++i) nodes.insert(polygon->Node(i));
+    }
+    return nodes;
+  }
+
+  /// At a pole one parameter is anything: there it is that of `middle`.
+  static void meet(const BRepAdaptor_Surface& surface, gp_XY& uv, const gp_XY& middle) {
+    gp_Pnt p;
+    gp_Vec along_u, along_v;
+    surface.D1(uv.X(), uv.Y(), p, along_u, along_v);
+    if (along_u.SquareMagnitude() < along_v.SquareMagnitude()) uv.SetX(middle.X());
+    else uv.SetY(middle.Y());
   }
 
   void measure_edge(int e) {
