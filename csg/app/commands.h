@@ -13,6 +13,7 @@ struct EvalArguments {
   std::vector<std::string> nodes;
   std::vector<std::string> files;
   bool trace = false, raw = false, topology = false, quiet = false;
+  bool parameters = false;  ///< .json and .vtu with the parameters of patches
   int threads = 0;
 };
 /// `cnrg eval`: a row per node, a file per `-o`.
@@ -21,8 +22,9 @@ int run_eval(const EvalArguments& arguments);
 /// `cnrg check`: reads and validates only.
 int run_check(const std::string& tree);
 
-/// `cnrg locate`: the cell that holds each point of standard input.
-int run_locate(const std::string& tree, const std::string& node, int threads);
+/// `cnrg locate`: the cell that holds each point of standard input; with `parameters` also its place on patches
+/// and curves of leaves.
+int run_locate(const std::string& tree, const std::string& node, bool parameters, int threads);
 
 struct ExplainArguments {
   std::string tree, node, cell, point;  ///< one of cell and point is empty

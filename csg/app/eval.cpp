@@ -29,12 +29,12 @@ std::vector<NodeId> nodes_of_files(const Tree& tree, const EvalArguments& argume
 }
 
 void write_file(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
-                bool quiet) {
+                bool parameters, bool quiet) {
   RoundingReport rounding;
   {
     ProgressBar bar(quiet);
     bar.show("write " + path, 0, 0);
-    rounding = write(path, tree, evaluation, node);
+    rounding = write(path, tree, evaluation, node, parameters);
   }
   if (!rounding.embedded) {
     std::cerr << path << ": warning: rounding moved " << rounding.moved
@@ -81,7 +81,7 @@ int run_eval(const EvalArguments& arguments) {
   std::cout << std::flush;
 
   for (std::size_t i = 0; i < arguments.files.size(); ++i) {
-    write_file(arguments.files[i], tree, evaluation, shown[i], arguments.quiet);
+    write_file(arguments.files[i], tree, evaluation, shown[i], arguments.parameters, arguments.quiet);
   }
   return kDone;
 }

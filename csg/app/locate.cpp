@@ -3,6 +3,9 @@
 // A cell is named by its letter (v, e, f, r) and its number in the simplified node, `-` where an inactive region
 // touches nothing of the node. Component 0 is inactive and has no name; the entities of a group (walls, wires,
 // points) are one component after its regions.
+//
+// With parameters, a point on a patch or curve of a leaf that its cell came from has more fields, each behind a
+// tabulator (a name has none): `leaf: patch: u v`, `leaf: curve: t`, exactly; one for each patch and curve.
 #include <algorithm>
 #include <cctype>
 #include <iostream>
@@ -14,6 +17,7 @@
 #include "csg/app/exit_status.h"
 #include "csg/app/evaluation.h"
 #include "csg/evaluate/evaluate.h"
+#include "csg/evaluate/lives.h"
 
 namespace cnrg::app {
 namespace {
@@ -69,21 +73,43 @@ std::vector<std::optional<RationalPoint>> read_points() {
   return points;
 }
 
-/// On one line: breaks in a name become blanks.
+/// On one line and in one field: breaks in a name become blanks.
+std::string one_line(std::string name) {
+  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return name;
+}
+
 std::string describe(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place,
                      const NodeValue& value) {
   const Component component = component_of(simplified, place);
   const std::string text = std::to_string(place.dimension) + " " + cell_name(place.dimension, place.index) + " " +
                            std::to_string(component);
   if (component == 0) return text;
-  std::string name = value.attributes(component).name;
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  const std::string name = one_line(value.attributes(component).name);
   return name.empty() ? text : text + " " + name;
+}
+
+/// The fields of parameters, the least where a seam or a pole has many.
+std::string describe_parameters(const Evaluation& evaluation, const NodeValue& value, const Location& cell,
+                                const RationalPoint& p) {
+  const SurfaceParameters& parameters = *evaluation.parameters;
+  const std::vector<LeafId> leaves = origins_in(*evaluation.complex, value, cell);
+  std::string text;
+  const auto add = [&](LeafId leaf, const std::string& surface, const std::string& at) {
+    text += "\t" + one_line(evaluation.leaf_names[leaf.index()]) + ": " + one_line(surface) + ": " + at;
+  };
+  for (const PatchPoint& q : first_of_each(parameters.on_patches(cell, p, leaves))) {
+    add(q.leaf, parameters.patch_name(q.leaf, q.patch), to_string(q.at[0]) + " " + to_string(q.at[1]));
+  }
+  for (const CurvePoint& q : first_of_each(parameters.on_curves(cell, p, leaves))) {
+    add(q.leaf, parameters.curve_name(q.leaf, q.curve), to_string(q.at));
+  }
+  return text;
 }
 
 }  // namespace
 
-int run_locate(const std::string& path, const std::string& name, int threads) {
+int run_locate(const std::string& path, const std::string& name, bool parameters, int threads) {
   const Tree tree = read_tree(path);
   const NodeId node = name.empty() ? tree.result : tree.find(name);
   const std::vector<std::optional<RationalPoint>> points = read_points();
@@ -102,8 +128,11 @@ int run_locate(const std::string& path, const std::string& name, int threads) {
       std::cout << "\n";
       continue;
     }
-    const SimplifiedComplex::Place place = value.simplified.place(*evaluation.complex, locator.locate(*point));
-    std::cout << describe(value.simplified, place, *value.value) << "\n";
+    const Location cell = locator.locate(*point);
+    const SimplifiedComplex::Place place = value.simplified.place(*evaluation.complex, cell);
+    std::cout << describe(value.simplified, place, *value.value);
+    if (parameters) std::cout << describe_parameters(evaluation, *value.value, cell, *point);
+    std::cout << "\n";
   }
   return kDone;
 }

@@ -82,6 +82,8 @@ int run(int argc, char** argv) {
   sub->add_flag("--topology", eval.topology,
                 "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions "
                 "touch");
+  sub->add_flag("--parameters", eval.parameters,
+                "In .json and .vtu: the parameters u, v of faces on curved patches");
   sub->add_option("--threads", eval.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));
@@ -91,6 +93,7 @@ int run(int argc, char** argv) {
 
   std::string tree, node;
   int threads = 0;
+  bool parameters = false;
   sub = program.add_subcommand("check", "Reads and validates a tree file without evaluating it");
   sub->add_option("TREE", tree, "Tree file (YAML or JSON)")->required();
   sub->footer("Example:\n  cnrg check model.yaml");
@@ -100,8 +103,11 @@ int run(int argc, char** argv) {
   sub->add_option("TREE", tree, "Tree file (YAML or JSON)")->required();
   sub->add_option("--node", node, "Node to look into; the result without it")->type_name("N");
   sub->add_option("--threads", threads, "Threads; 0 is one per core")->type_name("K")->check(CLI::Range(0, 4096));
+  sub->add_flag("--parameters", parameters,
+                "Also the place on patches and curves of leaves: `leaf: patch: u v`, `leaf: curve: t`, each behind "
+                "a tabulator");
   sub->footer("Example:\n  echo \"1/3 0.5 2\" | cnrg locate model.yaml --node split");
-  sub->callback([&] { command = [&] { return run_locate(tree, node, threads); }; });
+  sub->callback([&] { command = [&] { return run_locate(tree, node, parameters, threads); }; });
 
   ExplainArguments explain;
   sub = program.add_subcommand("explain",

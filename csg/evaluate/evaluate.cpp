@@ -58,8 +58,12 @@ void refine(const PreparedLeaves& leaves, const EvaluateOptions& options, Evalua
     require(violation.empty(), "the complex of the leaves is broken: " + violation);
   }
   result.leaf_names.resize(result.complex->leaf_count);
-  for (std::size_t i = 0; i < leaves.instances().size(); ++i)
+  std::vector<PlacedParameters> placed;
+  for (std::size_t i = 0; i < leaves.instances().size(); ++i) {
     result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
+    placed.push_back({leaves.instances()[i].leaf->parameters(), leaves.instances()[i].transform});
+  }
+  result.parameters = std::make_unique<const SurfaceParameters>(*result.complex, std::move(placed));
   result.refine_seconds = stopwatch.seconds();
 }
 

@@ -7,9 +7,11 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csg/leaves/cell_table.h"
+#include "csg/leaves/parameters.h"
 #include "csg/leaves/shapes.h"
 #include "kernel/base/error.h"
 
@@ -43,6 +45,13 @@ class PreparedLeaf {
   virtual std::vector<std::string> notices() const { return {}; }
   /// True for planes and half-spaces.
   virtual bool unbounded() const { return false; }
+
+  /// How to get the parameters of a curved leaf: `add_to` adds faces and wires in their order. Empty for others.
+  const ParameterSource& parameters() const { return parameters_; }
+  void set_parameters(ParameterSource source) { parameters_ = std::move(source); }
+
+ private:
+  ParameterSource parameters_;
 };
 
 /// Reads files and checks everything that can be checked for the leaf alone. Throws InputError: the message

@@ -17,44 +17,53 @@ namespace {
 
 class ParametricLeaf {
  public:
-  ParametricLeaf(const char* shape, const Tessellation& tessellation, Fill fill)
-      : fineness_(shape, tessellation), boundary_(fineness_), fill_(fill), builder_(fill) {}
+  ParametricLeaf(const char* shape, const Tessellation& tessellation, Fill fill, LeafParameters* record)
+      : fineness_(shape, tessellation), boundary_(fineness_), fill_(fill), builder_(fill), record_(record) {}
 
-  void add_patch(const std::vector<BezierPatch>& pieces, std::uint32_t number, const std::string& name) {
+  /// `spans`: of the pieces, along u and v.
+  void add_patch(const std::vector<BezierPatch>& pieces, const std::vector<std::array<Span, 2>>& spans,
+                 std::uint32_t number, const std::string& name) {
     for (const BezierPatch& piece : pieces) {
       constexpr const char* kSides[] = {"v = 0", "u = 1", "v = 1", "u = 0"};
       for (std::size_t k = 0; k < 4; ++k)
         boundary_.use(piece.side(k), std::string("side ") + kSides[k] + " of " + name);
     }
-    for (const BezierPatch& piece : pieces) {
-      const PatchMesh mesh = mesh_patch(piece, fineness_, boundary_);
-      for (const auto& t : mesh.triangles) {
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const PatchMesh mesh = mesh_patch(pieces[k], fineness_, boundary_);
+      for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto& t = mesh.triangles[i];
         const RationalPoint &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
         if (collinear(a, b, c)) continue;
         facets_.push_back({point(a), point(b), point(c), number});
         volumes_.push_back(dot(a, cross(b, c)));
+        if (record_ != nullptr) record_cell(cell_of(mesh, i, pieces[k]), spans[k]);
       }
     }
+    if (record_ != nullptr) record_->name_patch(number, label(name));
     if (facets_.empty() || facets_.back().number != number) {
       throw InputError(fineness_.shape() + ": " + name + " has no area: move its control points apart");
     }
   }
 
-  void add_curve(const std::vector<BezierCurve>& pieces, std::uint32_t number, const std::string& name) {
+  void add_curve(const std::vector<BezierCurve>& pieces, const std::vector<Span>& spans, std::uint32_t number,
+                 const std::string& name) {
     bool any = false;
-    for (const BezierCurve& piece : pieces) {
-      const int n = boundary_.steps(piece);
-      PointId last = point(piece.at(0));
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const int n = boundary_.steps(pieces[k]);
+      PointId last = point(pieces[k].at(0));
+      Rational from = spans[k][0];
       for (int i = 1; i <= n; ++i) {
-        Rational t(i, n);
-        t.canonicalize();
-        const PointId next = point(piece.at(t));
+        const Rational t = fraction(i, n), to = in_span(spans[k], t);
+        const PointId next = point(pieces[k].at(t));
         if (next == last) continue;
         builder_.soup().add_wire(builder_.leaf(), last, next, number);
+        if (record_ != nullptr) record_->add_wire({{builder_.value(last), builder_.value(next)}, {from, to}});
         last = next;
+        from = to;
         any = true;
       }
     }
+    if (record_ != nullptr) record_->name_curve(number, label(name));
     if (!any) throw InputError(fineness_.shape() + ": " + name + " is one point: give it as `points`");
   }
 
@@ -75,6 +84,18 @@ class ParametricLeaf {
     std::uint32_t number;
   };
 
+  /// "the patch" is called "bezier patch", "patch 2" "bezier patch 2".
+  std::string label(const std::string& name) const {
+    return fineness_.shape() + " " + (name.starts_with("the ") ? name.substr(4) : name);
+  }
+
+  void record_cell(std::vector<PatchCorner> cell, const std::array<Span, 2>& span) {
+    for (PatchCorner& corner : cell) {
+      for (std::size_t d = 0; d < 2; ++d) corner.at[d] = in_span(span[d], corner.at[d]);
+    }
+    record_->add_facet(cell);
+  }
+
   PointId point(const RationalPoint& p) {
     const auto [it, is_new] = ids_.try_emplace(p);
     if (is_new) it->second = builder_.point(p);
@@ -84,7 +105,8 @@ class ParametricLeaf {
   Fineness fineness_;
   BoundaryCurves boundary_;
   Fill fill_;
-  LeafBuilder builder_;
+  LeafBuilder builder_;  // of the geometry alone
+  LeafParameters* record_;
   std::map<RationalPoint, PointId> ids_;
   std::vector<Facet> facets_;
   std::vector<Rational> volumes_;  // six times, of the facets' tetrahedra with the origin
@@ -96,26 +118,28 @@ std::string name_of(const char* kind, std::size_t index, std::size_t count) {
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_bezier(const BezierShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_bezier(const BezierShape& shape, LeafParameters* record) {
   const char* name = shape.is_spline ? "bspline" : "bezier";
   const std::string prefix = std::string(name) + ": ";
   if (shape.patches.empty() && shape.curves.empty())
     throw InputError(prefix + "it has no patches or curves: give one");
-  ParametricLeaf leaf(name, shape.tessellation, shape.fill);
+  ParametricLeaf leaf(name, shape.tessellation, shape.fill, record);
   for (std::size_t i = 0; i < shape.patches.size(); ++i) {
     const std::string patch = name_of("patch", i, shape.patches.size());
-    leaf.add_patch(patch_pieces(shape.patches[i], prefix + patch), static_cast<std::uint32_t>(i), patch);
+    const std::vector<BezierPatch> pieces = patch_pieces(shape.patches[i], prefix + patch);
+    leaf.add_patch(pieces, patch_spans(shape.patches[i]), static_cast<std::uint32_t>(i), patch);
   }
   for (std::size_t i = 0; i < shape.curves.size(); ++i) {
     const std::string curve = name_of("curve", i, shape.curves.size());
-    leaf.add_curve(curve_pieces(shape.curves[i], prefix + curve), static_cast<std::uint32_t>(i), curve);
+    const std::vector<BezierCurve> pieces = curve_pieces(shape.curves[i], prefix + curve);
+    leaf.add_curve(pieces, curve_spans(shape.curves[i]), static_cast<std::uint32_t>(i), curve);
   }
   return leaf.finish();
 }
 
-std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape, LeafParameters* record) {
   if (shape.patches.empty()) throw InputError("coons: it has no patches: give one");
-  ParametricLeaf leaf("coons", shape.tessellation, shape.fill);
+  ParametricLeaf leaf("coons", shape.tessellation, shape.fill, record);
   for (std::size_t i = 0; i < shape.patches.size(); ++i) {
     const std::string patch = name_of("patch", i, shape.patches.size());
     std::array<BezierCurve, 4> round;
@@ -130,7 +154,7 @@ std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape) {
       throw InputError("coons: curve " + std::to_string(k + 1) + " of " + patch + " ends in " + describe(end) +
                        ", but the next one begins in " + describe(next) + ": let the four curves go round");
     }
-    leaf.add_patch({coons_patch(round)}, static_cast<std::uint32_t>(i), patch);
+    leaf.add_patch({coons_patch(round)}, {{{{0, 1}, {0, 1}}}}, static_cast<std::uint32_t>(i), patch);
   }
   return leaf.finish();
 }

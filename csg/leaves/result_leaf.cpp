@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 #include <nlohmann/json.hpp>
 
 #include "csg/leaves/mesh_file.h"
@@ -87,6 +88,7 @@ struct Facet {
   std::vector<Loop> loops;     ///< without slits, the outer one first, counter-clockwise seen from the front
   Index face = 0, patch = 0;
   Index front = 0, back = 0;   ///< labels
+  std::vector<std::vector<PatchCorner>> cells;  ///< of its patch, that it lies in
 };
 
 struct Edge {
@@ -104,6 +106,7 @@ struct Content {
   std::vector<Edge> edges;
   std::vector<Index> isolated;
   std::vector<LeafRegion> components;
+  std::map<Index, std::string> patches;         ///< names of those with parameters
 };
 
 RationalPoint minus(const RationalPoint& a, const RationalPoint& b) {
@@ -170,6 +173,7 @@ class Reader {
     read_regions();
     read_vertices();
     read_edges();
+    if (root_.has("cells")) read_cells();
     read_faces();
     choose_wires();
     require_all_points();
@@ -184,6 +188,7 @@ class Reader {
   std::vector<Edge>& edges_ = content_.edges;
   std::vector<char> frame_, used_;               // by point
   std::vector<Index> labels_;                    // by region; 0: unbounded
+  std::vector<std::vector<PatchCorner>> cells_;  // of patches
 
   template <class F>
   void each(const char* key, F f) {
@@ -323,13 +328,45 @@ class Reader {
       const std::vector<Loop> walks = read_walks(f);
       const bool flat = !f.has("facets");
       walk_boundary(f, walks, component, flat);
+      const std::size_t first = content_.facets.size();
       if (flat) {
         add_facet(f, walks, facet);
-        return;
+      } else {
+        const Cursor facets = f.member("facets").array();
+        for (std::size_t i = 0; i < facets.size(); ++i) add_curved(facets.at(i), facet);
       }
-      const Cursor facets = f.member("facets").array();
-      for (std::size_t i = 0; i < facets.size(); ++i) add_curved(facets.at(i), facet);
+      if (f.has("cells")) choose_cells(f.member("cells"), first);
     });
+  }
+
+  void read_cells() {
+    each("patches", [&](const Cursor& p) {
+      content_.patches[p.member("patch").number(1u << 31, "patch")] = p.member("name").text();
+    });
+    each("cells", [&](const Cursor& c) {
+      if (c.array().size() != 3 && c.size() != 4) c.fail(std::string("a cell has three corners or four") + kAgain);
+      auto& cell = cells_.emplace_back();
+      for (std::size_t i = 0; i < c.size(); ++i) {
+        const Cursor corner = c.at(i).array();
+        if (corner.size() != 5) corner.fail(std::string("x, y, z, u and v are needed here") + kAgain);
+        const auto number = [&](std::size_t k) { return corner.at(k).rational(); };
+        cell.push_back({{number(0), number(1), number(2)}, {number(3), number(4)}});
+      }
+      if (!is_cell(cell)) c.fail(std::string("the corners of a cell lie in a plane and not on a line") + kAgain);
+    });
+  }
+
+  /// For the facets of a face, from number `first`.
+  void choose_cells(const Cursor& lists, std::size_t first) {
+    if (lists.array().size() != content_.facets.size() - first) {
+      lists.fail(std::string("one list for each facet is needed here") + kAgain);
+    }
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      const Cursor list = lists.at(i).array();
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        content_.facets[first + i].cells.push_back(cells_[list.at(k).number(cells_.size(), "cell")]);
+      }
+    }
   }
 
   void add_curved(const Cursor& at, const Facet& facet) {
@@ -443,7 +480,10 @@ class Reader {
 
 class ResultLeaf : public PreparedLeaf {
  public:
-  explicit ResultLeaf(Content content) : content_(std::move(content)) {}
+  explicit ResultLeaf(Content content) : content_(std::move(content)) {
+    if (content_.patches.empty()) return;
+    set_parameters([made = parameters_of(content_)] { return made; });
+  }
 
   LeafId add_to(Soup& soup, const Transform& transform) const override {
     const LeafId leaf = soup.add_leaf(Fill::sides);
@@ -476,6 +516,21 @@ class ResultLeaf : public PreparedLeaf {
   const CellTable* cells() const override { return &content_.table; }
 
  private:
+  /// Faces and wires as `add_to` adds them; curves have no parameters in files.
+  static std::shared_ptr<const LeafParameters> parameters_of(Content& content) {
+    auto parameters = std::make_shared<LeafParameters>();
+    for (const auto& [patch, name] : content.patches) parameters->name_patch(patch, name);
+    for (Facet& facet : content.facets) parameters->add_facet(std::exchange(facet.cells, {}));
+    for (const Edge& edge : content.edges) {
+      if (!edge.wire) continue;
+      const auto& points = content.table.points;
+      for (std::size_t i = 1; i < edge.points.size(); ++i) {
+        parameters->add_wire({{points[edge.points[i - 1]], points[edge.points[i]]}, {0, 0}});
+      }
+    }
+    return parameters;
+  }
+
   Content content_;
 };
 

@@ -19,6 +19,11 @@
 // outer loop of a flat face comes first and is counter-clockwise. `facets` are the planar pieces of a face that is
 // not flat. Faces with the same `patch` are of one patch of a leaf.
 //
+// With parameters (leaves/parameters.h) there are two more lists before "faces", and a member of faces:
+//   "patches": [{"patch", "leaf", "name"}],           of those that have parameters
+//   "cells": [[[x, y, z, u, v], ...]],                cells of patches by their corners
+//   "faces": [{..., "cells": [[cell]]}]               in which cells each facet lies, all of a flat face
+//
 // `origin` names the leaves that a cell of the result came from, and what of them holds it (boundaries included),
 // over all cells that simplification united in it: [{"leaf", "faces": [...], "edges": [...], "point": true,
 // "regions": [...]}], by the leaf's own numbers; what is empty is left out. Edges are wires, a point is isolated,
@@ -104,6 +109,7 @@ class JsonWriter {
     lines("vertices", flat_.vertices, [&](std::string& out, const auto& v) { vertex(out, v); });
     lines("edges", flat_.edges, [&](std::string& out, const auto& e) { edge(out, e); });
     number_patches();
+    if (view_.parameters != nullptr) cells();
     lines("faces", flat_.faces, [&](std::string& out, const auto& f) { face(out, f); });
     lines("regions", flat_.regions, [&](std::string& out, const auto& r) { region(out, r); });
     text_ += "\n}\n";
@@ -117,6 +123,7 @@ class JsonWriter {
   std::string text_;
   std::map<LeafId, std::size_t> leaf_number_;
   std::vector<std::size_t> patch_;  // by face
+  std::map<std::vector<PatchCorner>, std::size_t> cell_number_;
 
   template <class Range, class Make>
   void list(const char* key, const Range& range, Make make) {
@@ -190,6 +197,34 @@ class JsonWriter {
     for (const auto& f : flat_.faces) patch_.push_back(patches(f.patch));
   }
 
+  /// The patches with parameters, and their cells in the order in which faces lie in them.
+  void cells() {
+    std::map<std::size_t, FlatComplex::Patch> patches;
+    std::vector<const std::vector<PatchCorner>*> list;
+    for (std::size_t i = 0; i < flat_.faces.size(); ++i) {
+      const FlatComplex::Face& f = flat_.faces[i];
+      if (!f.cells.empty()) patches.emplace(patch_[i], *f.patch);
+      for (const auto& facet : f.cells) {
+        for (const auto& cell : facet) {
+          if (cell_number_.try_emplace(cell, list.size()).second) list.push_back(&cell);
+        }
+      }
+    }
+    this->list("patches", patches, [&](const auto& entry) {
+      const auto& [leaf, patch] = entry.second;
+      return Json{{"patch", entry.first},
+                  {"leaf", leaf_number_.at(leaf)},
+                  {"name", view_.parameters->patch_name(leaf, patch)}};
+    });
+    lines("cells", list, [](std::string& out, const std::vector<PatchCorner>* cell) {
+      append_json(out, *cell, [&](const PatchCorner& corner) {
+        const auto& [x, y, z] = corner.point;
+        const auto& [u, v] = corner.at;
+        append_json(out, std::array{&x, &y, &z, &u, &v}, [&](const Rational* c) { append_quoted(out, *c); });
+      });
+    });
+  }
+
   void point(std::string& out, VertexId v) const {
     if (const double* x = view_.complex->points.doubles(v)) {
       append_json(out, std::span(x, 3), [&](double c) { append_quoted(out, c); });
@@ -255,6 +290,11 @@ class JsonWriter {
       });
     }
     object.add("triangles", f.triangles);
+    if (!f.cells.empty()) {
+      append_json(object.key("cells"), f.cells, [&](const auto& facet) {
+        append_json(out, facet, [&](const auto& cell) { append_json(out, cell_number_.at(cell)); });
+      });
+    }
     if (f.component != 0) add_origin(object, f.origin);
   }
 

@@ -27,7 +27,7 @@ std::vector<ResultView::Material> materials_of(const Tree& tree, const NodeValue
 /// What writers see of a node, and what that refers to.
 class NodeView {
  public:
-  NodeView(const Tree& tree, const Evaluation& evaluation, NodeId node) {
+  NodeView(const Tree& tree, const Evaluation& evaluation, NodeId node, bool parameters = false) {
     const KeptValue& value = evaluation.value(node);
     for (const std::string& name : evaluation.leaf_names) leaves_.push_back({name});
     view_.node = tree.nodes[node].name;
@@ -35,6 +35,7 @@ class NodeView {
     view_.value = value.value.get();
     view_.simplified = &value.simplified;
     view_.leaves = &leaves_;
+    if (parameters) view_.parameters = evaluation.parameters.get();
     view_.materials = materials_of(tree, *value.value);
   }
   NodeView(const NodeView&) = delete;
@@ -63,14 +64,15 @@ void check_file_name(const std::string& path) {
   }
 }
 
-RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node) {
+RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
+                     bool parameters) {
   const KeptValue& value = evaluation.value(node);
   if (extension_of(path) == ".dot") {
     replace_file(path, shows_dag(path) ? dag_dot(evaluation)
                                        : region_graph(value.simplified, value.value->attributes()).dot());
     return {};
   }
-  const NodeView shown(tree, evaluation, node);
+  const NodeView shown(tree, evaluation, node, parameters);
   try {
     return write(path, shown.view());
   } catch (const InputError& e) {  // the format can not show this node

@@ -18,8 +18,10 @@ void check_file_name(const std::string& path);
 bool shows_dag(const std::string& path);
 
 /// Writes a kept node of an evaluation of `tree` as `write` (writer.h) does: with the node's name, the tree's
-/// materials and the names of the leaves below it. TreeError at the node for what the format can not show.
-RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node);
+/// materials and the names of the leaves below it, and on demand with parameters (ResultView::parameters).
+/// TreeError at the node for what the format can not show.
+RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
+                     bool parameters = false);
 
 /// The formats of tetrahedra: .msh .mesh .vtu. Throws InputError for any other extension.
 void check_mesh_file_name(const std::string& path);
