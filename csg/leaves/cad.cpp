@@ -2,8 +2,8 @@
 //
 // Facets of a face have its number, so that a face of the model is one face of the complex, however many facets it
 // has. Edges are wires along their segments and vertices isolated points: both lie on faces mostly, where they are
-// features (SEMANTICS 6), so the complex has the edges and vertices of the model and no others; each wire knows its
-// edge. Seams are no features unless they are asked for: a cylinder's side is one face without a cut.
+// features (SEMANTICS 6), so the complex has the edges and vertices of the model and no others; each wire knows
+// its edge. Seams are no features unless they are asked for: a cylinder's side is one face without a cut.
 //
 // What the tessellation says of itself is not believed. Points with equal coordinates are made one, then:
 //   * the border of a face's facets, as a chain, is the chain of its edges' segments;
@@ -49,6 +49,30 @@ class CadLeaf {
     return std::make_unique<GeometryLeaf>(std::move(soup_), regions(), std::move(model_.notices));
   }
 
+  /// The parameters of the facets and wires of the leaf, in their order.
+  std::shared_ptr<const LeafParameters> parameters() const {
+    auto made = std::make_shared<LeafParameters>();
+    for (Index f = 0; f < model_.faces.size(); ++f) {
+      const CadModel::Face& face = model_.faces[f];
+      made->name_patch(f, face_name(f));
+      std::vector<std::vector<PatchCorner>> cells;
+      for (std::size_t i = 0; i < face.triangles.size(); ++i) {
+        if (!flat(face.triangles[i])) cells.push_back(cell(face.triangles[i], face.places[i]));
+      }
+      const bool whole = !polygon(face).empty();
+      for (std::size_t use = 0; use < uses(f).size(); ++use) {
+        if (whole) made->add_facet(cells);
+        for (std::size_t i = 0; i < cells.size() && !whole; ++i) made->add_facet(cells[i]);
+      }
+    }
+    for (Index e = 0; e < model_.edges.size(); ++e) {
+      const std::vector<double>& at = model_.edges[e].parameters;
+      each_segment(e, [&](std::size_t i) { made->add_wire(from_double(at[i - 1]), from_double(at[i])); });
+      made->name_curve(e, "edge " + std::to_string(e));
+    }
+    return made;
+  }
+
  private:
   /// A face with its sides: `back` and `front` are the regions there.
   struct Use {
@@ -78,10 +102,10 @@ class CadLeaf {
         for (Index& p : t) p = number[p];
         if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
         face.triangles[kept] = t;
-        face.parameters[kept++] = face.parameters[i];
+        face.places[kept++] = face.places[i];
       }
       face.triangles.resize(kept);
-      face.parameters.resize(kept);
+      face.places.resize(kept);
     }
     for (CadModel::Edge& edge : model_.edges) {
       for (Index& p : edge.points) p = number[p];
@@ -148,7 +172,8 @@ class CadLeaf {
     const std::vector<ChainEdge> rest = chain.border();
     if (rest.empty()) return;
     throw InputError(what() + "the facets of " + face_name(f) + " do not end at its edges, for example along " +
-                     between(rest[0]) + ": give another `chord` or `segments`, or repair the face where it was made");
+                     between(rest[0]) +
+                     ": give another `chord` or `segments`, or repair the face where it was made");
   }
 
   void fail_open(const std::string& subject, const ChainEdge& e, const Chain& chain, std::size_t count) const {
@@ -163,7 +188,9 @@ class CadLeaf {
   void check_closed(Chain& chain, const std::string& subject) const {
     const std::vector<ChainEdge> rest = chain.border();
     ChainEdge example{};
-    if (vanishes(rest, false, [&](Index p) { return value(p); }, &example)) return;
+    if (vanishes(
+            rest, false, [&](Index p) { return value(p); }, &example))
+      return;
     fail_open(subject, example, chain, rest.size());
   }
 
@@ -195,7 +222,8 @@ class CadLeaf {
     if (!shape_.fill) return model_.solids.empty() ? Fill::none : Fill::solids;
     const Fill fill = *shape_.fill;
     if (fill == Fill::solids && model_.solids.empty()) {
-      throw InputError(what() + "there are no solids in it: give `fill: winding` where its faces are closed, "
+      throw InputError(what() +
+                       "there are no solids in it: give `fill: winding` where its faces are closed, "
                        "`fill: cells` for their cavities, or `fill: none`");
     }
     if (fill == Fill::parity || fill == Fill::sides) {
@@ -258,11 +286,11 @@ class CadLeaf {
   bool flat(const Triangle& t) const { return cnrg::collinear(xyz(t[0]), xyz(t[1]), xyz(t[2])); }
   const double* xyz(Index p) const { return model_.points[p].data(); }
 
-  /// The border of a face whose points lie on one plane exactly, as loops, the outer one first and counter-clockwise
-  /// from the front. Nothing for any other face, nor where facets of the face lie on each other.
+  /// The border of a face whose points lie on one plane exactly, as loops, the outer one first and
+  /// counter-clockwise from the front. Nothing for any other face, nor where facets of the face lie on each other.
   std::vector<std::vector<Index>> polygon(const CadModel::Face& face) const {
-    const auto first = std::find_if(face.triangles.begin(), face.triangles.end(),
-                                    [&](const Triangle& t) { return !flat(t); });
+    const auto first =
+        std::find_if(face.triangles.begin(), face.triangles.end(), [&](const Triangle& t) { return !flat(t); });
     if (first == face.triangles.end()) return {};
     for (const Triangle& t : face.triangles) {
       for (const Index p : t) {
@@ -304,15 +332,36 @@ class CadLeaf {
     return loops;
   }
 
+  /// The triangle with parameters; with a pole it has four corners, two of them there (parameters.h).
+  std::vector<PatchCorner> cell(const Triangle& t, const CadModel::Place& place) const {
+    const auto corner = [&](std::size_t k) {
+      return PatchCorner{value(t[k]), {from_double(place.at[k][0]), from_double(place.at[k][1])}};
+    };
+    if (place.pole > 2) return {corner(0), corner(1), corner(2)};
+    const PatchCorner a = corner((place.pole + 1u) % 3), b = corner((place.pole + 2u) % 3);
+    PatchCorner at_b = corner(place.pole), at_a = at_b;
+    at_a.at[place.free] = a.at[place.free];
+    at_b.at[place.free] = b.at[place.free];
+    return {a, b, at_b, at_a};
+  }
+
+  /// visit(i) for every segment, to point i of an edge, that is a wire.
+  template <class Visit>
+  void each_segment(Index e, Visit visit) const {
+    const CadModel::Edge& edge = model_.edges[e];
+    if (edge.seam && !shape_.seams) return;
+    for (std::size_t i = 1; i < edge.points.size(); ++i) {
+      if (edge.points[i - 1] != edge.points[i]) visit(i);
+    }
+  }
+
   void add_edges() {
     for (Index e = 0; e < model_.edges.size(); ++e) {
-      const CadModel::Edge& edge = model_.edges[e];
-      if (edge.seam && !shape_.seams) continue;
-      for (std::size_t i = 1; i < edge.points.size(); ++i) {
-        if (edge.points[i - 1] == edge.points[i]) continue;
-        const PointId a = id(edge.points[i - 1]), b = id(edge.points[i]);
+      const std::vector<Index>& points = model_.edges[e].points;
+      each_segment(e, [&](std::size_t i) {
+        const PointId a = id(points[i - 1]), b = id(points[i]);
         soup_.add_wire(leaf_, a, b, e);
-      }
+      });
     }
     for (const CadModel::Vertex& vertex : model_.vertices) {
       if (!vertex.seam || shape_.seams) soup_.add_isolated(leaf_, id(vertex.point));
@@ -327,7 +376,7 @@ class CadLeaf {
     return result;
   }
 
-  const CadShape& shape_;
+  CadShape shape_;
   CadModel model_;
   Fill fill_ = Fill::none;
   Soup soup_;
@@ -337,6 +386,12 @@ class CadLeaf {
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_cad(const CadShape& shape) { return CadLeaf(shape).prepare(); }
+std::unique_ptr<PreparedLeaf> prepare_cad(const CadShape& shape) {
+  // The model is kept for parameters: read again, its file might be another one.
+  const auto model = std::make_shared<CadLeaf>(shape);
+  std::unique_ptr<PreparedLeaf> leaf = model->prepare();
+  leaf->set_parameters([model] { return model->parameters(); });
+  return leaf;
+}
 
 }  // namespace cnrg

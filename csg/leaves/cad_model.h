@@ -17,15 +17,21 @@
 namespace cnrg {
 
 struct CadModel {
+  /// (u, v) of a triangle's corners. At corner `pole`, if there is one (below 3), parameter `free` (0: u, 1: v) is
+  /// anything.
+  struct Place {
+    std::array<std::array<double, 2>, 3> at;
+    std::uint8_t pole = 3, free = 0;
+  };
   /// A face of the model and who has it.
   struct Face {
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of points, counter-clockwise from the front
-    std::vector<std::array<std::array<double, 2>, 3>> parameters;  ///< (u, v) of their corners
+    std::vector<Place> places;                            ///< of these
     /// Its edges, run through with the face on the left as seen from the front: the number, and if it is forward.
     /// An edge that lies inside of the face, or at both of its ends (a seam), is run through in both directions.
     std::vector<std::pair<std::uint32_t, bool>> border;
-    std::vector<std::uint32_t> behind, before;            ///< solids that lie on its back, on its front
-    bool outside = false;                                 ///< (also) a face of a shell or alone, of no solid
+    std::vector<std::uint32_t> behind, before;  ///< solids that lie on its back, on its front
+    bool outside = false;                       ///< (also) a face of a shell or alone, of no solid
   };
   struct Edge {
     std::vector<std::uint32_t> points;  ///< along the curve, equal ends where it closes; one point: no length
@@ -34,13 +40,13 @@ struct CadModel {
   };
   struct Vertex {
     std::uint32_t point = 0;
-    bool seam = false;                  ///< an end of seams and of edges without length only
+    bool seam = false;  ///< an end of seams and of edges without length only
   };
   std::vector<std::array<double, 3>> points;
   std::vector<Face> faces;
   std::vector<Edge> edges;
   std::vector<Vertex> vertices;
-  std::vector<std::string> solids;      ///< their names; empty: the file has none
+  std::vector<std::string> solids;  ///< their names; empty: the file has none
   std::vector<std::string> notices;
 };
 

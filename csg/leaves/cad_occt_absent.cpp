@@ -5,7 +5,8 @@
 namespace cnrg {
 
 CadModel read_cad(const CadShape& shape) {
-  throw InputError(std::string(shape.name()) + ": this cnrg is built without OpenCASCADE, which reads '" + shape.file +
+  throw InputError(std::string(shape.name()) + ": this cnrg is built without OpenCASCADE, which reads '" +
+                   shape.file +
                    "': install libocct-data-exchange-dev and build cnrg with -DCNRG_OPENCASCADE=ON, or give the "
                    "part as a mesh file");
 }

@@ -28,9 +28,8 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
-#include <gp_Pnt.hxx>
-
 #include <cmath>
+#include <gp_Pnt.hxx>
 #include <limits>
 #include <numbers>
 #include <set>
@@ -85,7 +84,8 @@ class Tessellator {
       throw InputError(subject(shape_) + "it is unbounded: cut it where it was made");
     }
     if (fineness_.by_chord() && fineness_.chord() < Precision::Confusion()) {
-      throw InputError(subject(shape_) + "the chord is below 1e-7, where OpenCASCADE's mesher ends: give a larger one");
+      throw InputError(subject(shape_) +
+                       "the chord is below 1e-7, where OpenCASCADE's mesher ends: give a larger one");
     }
     IMeshTools_Parameters parameters;
     parameters.Angle = fineness_.by_chord() ? std::numbers::pi / 4 : 2 * std::numbers::pi / fineness_.segments();
@@ -132,7 +132,12 @@ class Tessellator {
         uv[k] = mesh->UVNode(n[k]).XY();
       }
       for (int k = 0; k < 3; ++k) {
-        if (poles.contains(n[k])) meet(surface, uv[k], (uv[(k + 1) % 3] + uv[(k + 2) % 3]) / 2);
+        if (!poles.contains(n[k])) continue;
+        const gp_XY middle = (uv[(k + 1) % 3] + uv[(k + 2) % 3]) / 2;
+        if (free_parameter(surface, uv[k]) == 0)
+          uv[k].SetX(middle.X());
+        else
+          uv[k].SetY(middle.Y());
       }
       gp_Vec normal = gp_Vec(p[0], p[1]).Crossed(gp_Vec(p[0], p[2]));
       if (normal.Magnitude() == 0) continue;
@@ -146,7 +151,7 @@ class Tessellator {
   }
 
   /// Nodes of a face that are on its edges without length.
-  static std::set<int> pole_nodes(const TopoDS_Face& face, const Handle(Poly_Triangulation)& mesh,
+  static std::set<int> pole_nodes(const TopoDS_Face& face, const Handle(Poly_Triangulation) & mesh,
                                   const TopLoc_Location& location) {
     std::set<int> nodes;
     for (TopExp_Explorer part(face, TopAbs_EDGE); part.More(); part.Next()) {
@@ -158,13 +163,12 @@ class Tessellator {
     return nodes;
   }
 
-  /// At a pole one parameter is anything: there it is that of `middle`.
-  static void meet(const BRepAdaptor_Surface& surface, gp_XY& uv, const gp_XY& middle) {
+  /// The parameter that is anything at a pole: 0 for u, 1 for v.
+  static std::uint8_t free_parameter(const BRepAdaptor_Surface& surface, const gp_XY& uv) {
     gp_Pnt p;
     gp_Vec along_u, along_v;
     surface.D1(uv.X(), uv.Y(), p, along_u, along_v);
-    if (along_u.SquareMagnitude() < along_v.SquareMagnitude()) uv.SetX(middle.X());
-    else uv.SetY(middle.Y());
+    return along_u.SquareMagnitude() < along_v.SquareMagnitude() ? 0 : 1;
   }
 
   void measure_edge(int e) {
@@ -231,7 +235,8 @@ class Tessellator {
     TopLoc_Location location;
     const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face(f), location);
     if (mesh.IsNull() || mesh->NbTriangles() == 0 || !mesh->HasUVNodes()) {
-      throw InputError(subject(shape_) + "OpenCASCADE can not mesh " + face_name(f) + ": give another `chord` or "
+      throw InputError(subject(shape_) + "OpenCASCADE can not mesh " + face_name(f) +
+                       ": give another `chord` or "
                        "`segments`, or repair the face where it was made");
     }
     std::vector<Index> number(static_cast<std::size_t>(mesh->NbNodes()) + 1, kNone);
@@ -251,23 +256,29 @@ class Tessellator {
       number[static_cast<std::size_t>(nearest)] =
           model_.vertices[static_cast<std::size_t>(vertices_.FindIndex(vertex)) - 1].point;
     }
+    const BRepAdaptor_Surface surface(face(f), false);
+    const std::set<int> poles = pole_nodes(face(f), mesh, location);
     for (int t = 1; t <= mesh->NbTriangles(); ++t) {
       int n[3];
       mesh->Triangle(t).Get(n[0], n[1], n[2]);
       if (reversed) std::swap(n[1], n[2]);
       auto& corners = result.triangles.emplace_back();
-      auto& parameters = result.parameters.emplace_back();
+      CadModel::Place& place = result.places.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
         Index& p = number[static_cast<std::size_t>(n[k])];
         if (p == kNone) p = add_point(point(n[k]));
         corners[k] = p;
-        parameters[k] = {mesh->UVNode(n[k]).X(), mesh->UVNode(n[k]).Y()};
+        const gp_XY uv = mesh->UVNode(n[k]).XY();
+        place.at[k] = {uv.X(), uv.Y()};
+        if (!poles.contains(n[k])) continue;
+        place.pole = static_cast<std::uint8_t>(k);
+        place.free = free_parameter(surface, uv);
       }
     }
   }
 
   /// The nodes of a face on one of its edges get the numbers of the edge's points.
-  void add_border(int f, const TopoDS_Edge& part, const Handle(Poly_Triangulation)& mesh,
+  void add_border(int f, const TopoDS_Edge& part, const Handle(Poly_Triangulation) & mesh,
                   const TopLoc_Location& location, std::vector<Index>& number, bool reversed) {
     const int e = edges_.FindIndex(part);
     const Handle(Poly_PolygonOnTriangulation) polygon = BRep_Tool::PolygonOnTriangulation(part, mesh, location);
@@ -284,8 +295,9 @@ class Tessellator {
       return;
     }
     if (edge.points.empty()) {
-      take_edge(e, count, [&](int i) { return mesh->Node(polygon->Node(i)).Transformed(location); },
-                [&](int i) { return polygon->HasParameters() ? polygon->Parameter(i) : i - 1.0; });
+      take_edge(
+          e, count, [&](int i) { return mesh->Node(polygon->Node(i)).Transformed(location); },
+          [&](int i) { return polygon->HasParameters() ? polygon->Parameter(i) : i - 1.0; });
     }
     if (edge.points.size() != static_cast<std::size_t>(count)) {
       throw InputError(subject(shape_) + edge_name(e) + " is cut into " + std::to_string(edge.points.size() - 1) +
@@ -314,8 +326,9 @@ class Tessellator {
       throw InputError(subject(shape_) + "OpenCASCADE can not cut " + edge_name(e) +
                        " into segments: repair it where it was made");
     }
-    take_edge(e, polygon->NbNodes(), [&](int i) { return polygon->Nodes()(i).Transformed(location); },
-              [&](int i) { return polygon->HasParameters() ? polygon->Parameters()(i) : i - 1.0; });
+    take_edge(
+        e, polygon->NbNodes(), [&](int i) { return polygon->Nodes()(i).Transformed(location); },
+        [&](int i) { return polygon->HasParameters() ? polygon->Parameters()(i) : i - 1.0; });
   }
 
   // --- what belongs together
@@ -327,7 +340,8 @@ class Tessellator {
       const int i = faces_at_.FindIndex(edge);
       return i > 0 && faces_at_(i).Extent() == 1 && BRep_Tool::IsClosed(edge, TopoDS::Face(faces_at_(i).First()));
     };
-    for (int e = 1; e <= edges_.Extent(); ++e) model_.edges[static_cast<std::size_t>(e) - 1].seam = is_seam(edges_(e));
+    for (int e = 1; e <= edges_.Extent(); ++e)
+      model_.edges[static_cast<std::size_t>(e) - 1].seam = is_seam(edges_(e));
     for (int v = 1; v <= vertices_.Extent(); ++v) {
       const int i = edges_at_.FindIndex(vertices_(v));
       bool seam = i > 0 && !edges_at_(i).IsEmpty();

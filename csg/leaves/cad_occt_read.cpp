@@ -29,7 +29,6 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
-
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
@@ -52,7 +51,8 @@ namespace {
 class Silence {
  public:
   Silence()
-      : output_(std::cout.rdbuf(unheard_.rdbuf())), messenger_(Message::DefaultMessenger()),
+      : output_(std::cout.rdbuf(unheard_.rdbuf())),
+        messenger_(Message::DefaultMessenger()),
         printers_(messenger_->Printers()) {
     messenger_->ChangePrinters().Clear();
   }
@@ -91,10 +91,10 @@ struct Unit {
   std::vector<std::string> in_files;
 };
 const std::vector<Unit>& units() {
-  static const std::vector<Unit> list{
-      {"um", "UM", {"micrometre"}},  {"mm", "MM", {"millimetre"}},           {"cm", "CM", {"centimetre"}},
-      {"m", "M", {"metre"}},         {"km", "KM", {"kilometre"}},
-      {"in", "INCH", {"inch", "in"}}, {"ft", "FT", {"foot", "feet", "ft"}}};
+  static const std::vector<Unit> list{{"um", "UM", {"micrometre"}},        {"mm", "MM", {"millimetre"}},
+                                      {"cm", "CM", {"centimetre"}},        {"m", "M", {"metre"}},
+                                      {"km", "KM", {"kilometre"}},         {"in", "INCH", {"inch", "in"}},
+                                      {"ft", "FT", {"foot", "feet", "ft"}}};
   return list;
 }
 
@@ -146,7 +146,7 @@ class Names {
     std::size_t solids;  ///< that what is named has; 0: it is the solid itself
   };
 
-  static std::string text_of(const Handle(TCollection_HAsciiString)& name) {
+  static std::string text_of(const Handle(TCollection_HAsciiString) & name) {
     return name.IsNull() ? std::string() : std::string(name->ToCString());
   }
 
@@ -157,12 +157,12 @@ class Names {
     if (!fresh && name.solids < place->second.solids) place->second = name;
   }
 
-  void add_solid(const Handle(StepShape_SolidModel)& entity) {
+  void add_solid(const Handle(StepShape_SolidModel) & entity) {
     const TopoDS_Shape shape = TransferBRep::ShapeResult(transfer_, entity);
     if (!shape.IsNull() && shape.ShapeType() == TopAbs_SOLID) add(shape, {text_of(entity->Name()), 0});
   }
 
-  void add_product(const Handle(StepBasic_ProductDefinition)& entity) {
+  void add_product(const Handle(StepBasic_ProductDefinition) & entity) {
     const TopoDS_Shape shape = TransferBRep::ShapeResult(transfer_, entity);
     if (shape.IsNull() || entity->Formation().IsNull() || entity->Formation()->OfProduct().IsNull()) return;
     const std::string text = text_of(entity->Formation()->OfProduct()->Name());
@@ -220,12 +220,14 @@ std::string subject(const CadShape& shape) { return std::string(shape.name()) + 
 CadFile read_step(const CadShape& shape, const std::string& content) {
   const std::size_t start = content.find_first_not_of(" \t\r\n");
   if (start == std::string::npos || content.compare(start, 12, "ISO-10303-21") != 0) {
-    throw LeafFileError(shape.file + ":1: error: this is no STEP file: it does not begin with ISO-10303-21; give one");
+    throw LeafFileError(shape.file +
+                        ":1: error: this is no STEP file: it does not begin with ISO-10303-21; give one");
   }
   STEPControl_Reader reader;
   std::istringstream stream(content);
   if (reader.ReadStream(shape.file.c_str(), stream) != IFSelect_RetDone) {
-    throw LeafFileError(shape.file + ": error: OpenCASCADE can not read this STEP file; is it cut short? Write it "
+    throw LeafFileError(shape.file +
+                        ": error: OpenCASCADE can not read this STEP file; is it cut short? Write it "
                         "again");
   }
   const Setting unit("xstep.cascade.unit", unit_of(shape, reader));
@@ -247,14 +249,16 @@ CadFile read_step(const CadShape& shape, const std::string& content) {
 
 CadFile read_brep(const CadShape& shape, const std::string& content) {
   if (content.substr(0, 200).find("CASCADE Topology V") == std::string::npos) {
-    throw LeafFileError(shape.file + ":1: error: this is no BREP file as OpenCASCADE writes it in text: `CASCADE "
+    throw LeafFileError(shape.file +
+                        ":1: error: this is no BREP file as OpenCASCADE writes it in text: `CASCADE "
                         "Topology` is missing at its beginning; give one");
   }
   CadFile file;
   std::istringstream stream(content);
   if (is_whole(content)) BRepTools::Read(file.shape, stream, BRep_Builder());
   if (file.shape.IsNull()) {
-    throw LeafFileError(shape.file + ": error: OpenCASCADE can not read this BREP file; is it cut short? Write it "
+    throw LeafFileError(shape.file +
+                        ": error: OpenCASCADE can not read this BREP file; is it cut short? Write it "
                         "again");
   }
   if (is_empty(file.shape)) throw InputError(subject(shape) + "there are no shapes in it: write the part again");
@@ -274,7 +278,8 @@ CadModel read_cad(const CadShape& shape) {
   } catch (const Standard_Failure& failure) {
     const std::string words = failure.GetMessageString() != nullptr ? failure.GetMessageString() : "";
     throw InputError(occt::subject(shape) + "OpenCASCADE fails with " + failure.DynamicType()->Name() +
-                     (words.empty() ? "" : ", " + words) + ": write the file again, or repair the part where it was "
+                     (words.empty() ? "" : ", " + words) +
+                     ": write the file again, or repair the part where it was "
                      "made");
   }
 }

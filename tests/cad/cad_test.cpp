@@ -1,5 +1,7 @@
 // STEP and BREP files as leaves: the cells of the complex are those of the CAD model, whose numbers are counted by
 // hand here; volumes are exact where faces are planar.
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
@@ -9,15 +11,16 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
+#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -61,7 +64,8 @@ class Folder {
   Evaluation evaluate(const std::string& nodes, const std::string& result = "part") const {
     EvaluateOptions options;
     options.validate = true;
-    return cnrg::evaluate(parse_tree("cnrg: 1\nnodes:\n" + nodes + "\nresult: " + result, file("t.yaml")), options);
+    return cnrg::evaluate(parse_tree("cnrg: 1\nnodes:\n" + nodes + "\nresult: " + result, file("t.yaml")),
+                          options);
   }
 
  private:
@@ -159,7 +163,7 @@ TEST_CASE("solids that share a face, that touch, that have a cavity", "[cad]") {
     const Part part(compound({box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})}));
     CHECK_THROWS_WITH(part.row("  part: {brep: {file: part.brep}}"),
                       StartsWith(part.file("t.yaml") + ":3:10: error: solid 1, solid 2 of `part` (line 3): these "
-                                 "solids overlap; "));
+                                                       "solids overlap; "));
     const NodeRow row = part.leaf(", fill: winding");
     CHECK(row.regions == 3);
     CHECK(*row.volume() == 15);
@@ -171,10 +175,12 @@ TEST_CASE("shells, wires and vertices keep their dimension", "[cad]") {
     const Part part(shell_of(box({0, 0, 0}, {1, 1, 1}), {5}));
     CHECK(part.leaf("").cells == Cells{8, 12, 5, 0});
     CHECK_THROWS_WITH(part.row("  part: {step: {file: part.step, fill: winding}}"),
-                      Contains("t.yaml:3:10: error: step: ") && Contains("its faces together are not closed, along 4 "
-                                                                         "segments, such as (") &&
+                      Contains("t.yaml:3:10: error: step: ") &&
+                          Contains("its faces together are not closed, along 4 "
+                                   "segments, such as (") &&
                           Contains(" of face ") && Contains("fill: none"));
-    CHECK_THROWS_WITH(part.row("  part: {brep: {file: part.brep, fill: solids}}"), Contains("there are no solids"));
+    CHECK_THROWS_WITH(part.row("  part: {brep: {file: part.brep, fill: solids}}"),
+                      Contains("there are no solids"));
   }
   SECTION("a closed shell that is no solid") {
     const Part part(shell_of(box({0, 0, 0}, {1, 1, 1}), {}));
@@ -209,8 +215,9 @@ TEST_CASE("shells, wires and vertices keep their dimension", "[cad]") {
 
 TEST_CASE("CAD leaves meet other leaves exactly", "[cad]") {
   const Part part(box({0, 0, 0}, {2, 2, 2}));
-  const std::string nodes = "  part: {step: {file: part.step}}\n  other: {box: {min: [1, 1, 1], max: [3, 3, 3]}}\n"
-                            "  same: {box: {min: [0, 0, 0], max: [2, 2, 2]}}\n  m: ";
+  const std::string nodes =
+      "  part: {step: {file: part.step}}\n  other: {box: {min: [1, 1, 1], max: [3, 3, 3]}}\n"
+      "  same: {box: {min: [0, 0, 0], max: [2, 2, 2]}}\n  m: ";
   CHECK(*part.row(nodes + "{union: [part, other]}", "m").volume() == 15);
   CHECK(*part.row(nodes + "{difference: [part, other]}", "m").volume() == 7);
   CHECK(*part.row(nodes + "{intersection: [part, other]}", "m").volume() == 1);
@@ -219,9 +226,11 @@ TEST_CASE("CAD leaves meet other leaves exactly", "[cad]") {
   CHECK(*part.row("  part: {brep: {file: part.brep}, scale: [1, 2, -3], translate: [1/3, 0, 0]}").volume() == 48);
 
   const Part bored(bored_box());
-  const NodeRow sliced = bored.row("  part: {step: {file: part.step, chord: 1/50}}\n"
-                                   "  half: {box: {min: [-1, -1, -1], max: [5, 2, 3]}}\n"
-                                   "  m: {intersection: [part, half]}", "m");
+  const NodeRow sliced = bored.row(
+      "  part: {step: {file: part.step, chord: 1/50}}\n"
+      "  half: {box: {min: [-1, -1, -1], max: [5, 2, 3]}}\n"
+      "  m: {intersection: [part, half]}",
+      "m");
   CHECK(sliced.regions == 1);
 }
 
@@ -259,6 +268,50 @@ TEST_CASE("every facet has the number of its face in the file", "[cad]") {
   REQUIRE(again.point_count() == soup.point_count());
   for (const PointId p : IdRange<PointId>(soup.point_count())) {
     for (int k = 0; k < 3; ++k) CHECK(again.xyz(p)[k] == soup.xyz(p)[k]);
+  }
+}
+
+TEST_CASE("facets of a CAD leaf know the parameters of their faces", "[cad]") {
+  for (const TopoDS_Shape& shape :
+       {bored_box(), BRepPrimAPI_MakeSphere(2).Shape(), BRepPrimAPI_MakeCone(2, 0, 3).Shape()}) {
+    const Folder folder;
+    write_brep(shape, folder.file("part.brep"));
+    CadShape part;
+    part.format = CadShape::Format::brep;
+    part.file = folder.file("part.brep");
+    const auto leaf = prepare(Shape(part));
+    Soup soup;
+    leaf->add_to(soup, {});
+    std::filesystem::remove(part.file);  // it is not read again
+    REQUIRE(leaf->parameters());
+    const auto parameters = leaf->parameters()();
+    REQUIRE(parameters->facet_count() == soup.face_count());
+    REQUIRE(parameters->wire_count() == soup.wires().size());
+    TopTools_IndexedMapOfShape faces, edges;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+    std::size_t poles = 0;
+    for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
+      const int number = static_cast<int>(soup.face(f).patch);
+      CHECK(parameters->patch_name(soup.face(f).patch) == "face " + std::to_string(number));
+      const BRepAdaptor_Surface surface(TopoDS::Face(faces(number + 1)));
+      const auto cells = parameters->cells(f.index());
+      CHECK_FALSE(cells.empty());
+      for (const auto& cell : cells) {
+        if (cell.size() == 4) ++poles;
+        for (const PatchCorner& corner : cell) {
+          const gp_Pnt p = surface.Value(to_double(corner.at[0]), to_double(corner.at[1]));
+          for (int k = 0; k < 3; ++k) CHECK(std::abs(p.Coord(k + 1) - to_double(corner.point[k])) < 1e-9);
+        }
+      }
+    }
+    CHECK((poles > 0) == (faces.Extent() < 7));
+    for (std::size_t w = 0; w < soup.wires().size(); ++w) {
+      const BRepAdaptor_Curve curve(TopoDS::Edge(edges(static_cast<int>(soup.wires()[w].leaf_edge) + 1)));
+      const gp_Pnt p = curve.Value(to_double(parameters->wire(w)[0]));
+      const double* x = soup.xyz(soup.wires()[w].a);
+      for (int k = 0; k < 3; ++k) CHECK(std::abs(p.Coord(k + 1) - x[k]) < 1e-9);
+    }
   }
 }
 

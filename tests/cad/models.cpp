@@ -70,7 +70,9 @@ TopoDS_Shape moved(const TopoDS_Shape& shape, double dx, double dy, double dz) {
   return shape.Moved(TopLoc_Location(by));
 }
 
-void write_brep(const TopoDS_Shape& shape, const std::string& path) { REQUIRE(BRepTools::Write(shape, path.c_str())); }
+void write_brep(const TopoDS_Shape& shape, const std::string& path) {
+  REQUIRE(BRepTools::Write(shape, path.c_str()));
+}
 
 void write_step(const TopoDS_Shape& shape, const std::string& path, const std::string& unit) {
   Message::DefaultMessenger()->ChangePrinters().Clear();

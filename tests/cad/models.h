@@ -3,7 +3,6 @@
 
 #include <TopoDS_Shape.hxx>
 #include <gp_Pnt.hxx>
-
 #include <string>
 #include <utility>
 #include <vector>

@@ -11,14 +11,15 @@ namespace {
 TEST_CASE("without OpenCASCADE a CAD leaf is one error that names the option", "[cad]") {
   CHECK(cad_library().empty());
   for (const std::string kind : {"step", "brep"}) {
-    const Tree tree = parse_tree("cnrg: 1\nnodes:\n  part: {" + kind + ": {file: part." + kind + "}}\nresult: part\n",
-                                 "folder/model.yaml");
+    const Tree tree = parse_tree(
+        "cnrg: 1\nnodes:\n  part: {" + kind + ": {file: part." + kind + "}}\nresult: part\n", "folder/model.yaml");
     for (const bool all : {false, true}) {
-      CHECK_THROWS_WITH(all ? static_cast<void>(evaluate(tree)) : static_cast<void>(check(tree)),
-                        "folder/model.yaml:3:10: error: " + kind +
-                            ": this cnrg is built without OpenCASCADE, which reads 'folder/part." + kind +
-                            "': install libocct-data-exchange-dev and build cnrg with -DCNRG_OPENCASCADE=ON, or give "
-                            "the part as a mesh file");
+      CHECK_THROWS_WITH(
+          all ? static_cast<void>(evaluate(tree)) : static_cast<void>(check(tree)),
+          "folder/model.yaml:3:10: error: " + kind +
+              ": this cnrg is built without OpenCASCADE, which reads 'folder/part." + kind +
+              "': install libocct-data-exchange-dev and build cnrg with -DCNRG_OPENCASCADE=ON, or give "
+              "the part as a mesh file");
     }
   }
 }
