@@ -37,6 +37,7 @@ class CadLeaf {
   std::unique_ptr<PreparedLeaf> prepare() {
     merge_points();
     for (Index f = 0; f < model_.faces.size(); ++f) check_border(f);
+    choose();
     fill_ = decide_fill();
     if (fill_ == Fill::solids) {
       for (Index s = 0; s < model_.solids.size(); ++s) check_solid(s);
@@ -66,8 +67,11 @@ class CadLeaf {
       }
     }
     for (Index e = 0; e < model_.edges.size(); ++e) {
-      const std::vector<double>& at = model_.edges[e].parameters;
-      each_segment(e, [&](std::size_t i) { made->add_wire(from_double(at[i - 1]), from_double(at[i])); });
+      const CadModel::Edge& edge = model_.edges[e];
+      each_segment(e, [&](std::size_t i) {
+        made->add_wire({{value(edge.points[i - 1]), value(edge.points[i])},
+                        {from_double(edge.parameters[i - 1]), from_double(edge.parameters[i])}});
+      });
       made->name_curve(e, "edge " + std::to_string(e));
     }
     return made;
@@ -111,6 +115,59 @@ class CadLeaf {
       for (Index& p : edge.points) p = number[p];
     }
     for (CadModel::Vertex& vertex : model_.vertices) vertex.point = number[vertex.point];
+  }
+
+  // --- some solids only
+
+  std::vector<bool> chosen_solids() const {
+    std::vector<bool> chosen(model_.solids.size(), shape_.solids.empty());
+    for (const std::string& wanted : shape_.solids) {
+      bool found = false;
+      for (Index s = 0; s < model_.solids.size(); ++s) {
+        if (wanted != std::to_string(s + 1) && wanted != model_.solids[s]) continue;
+        chosen[s] = found = true;
+      }
+      if (found) continue;
+      std::string names;
+      for (Index s = 0; s < model_.solids.size() && s < 20; ++s) names += (s == 0 ? "" : ", ") + solid_name(s);
+      throw InputError(what() + "there is no solid `" + wanted + "` in it; it has " +
+                       (names.empty() ? "no solids" : names) + (model_.solids.size() > 20 ? ", ..." : ""));
+    }
+    return chosen;
+  }
+
+  /// Drops all but the solids that the shape names, and what bounds them. Faces and edges keep their numbers.
+  void choose() {
+    if (shape_.solids.empty()) return;
+    const std::vector<bool> chosen = chosen_solids();
+    std::vector<Index> region(chosen.size(), 0);
+    std::vector<std::string> names;
+    for (Index s = 0; s < chosen.size(); ++s) {
+      region[s] = static_cast<Index>(names.size());
+      if (chosen[s]) names.push_back(model_.solids[s].empty() ? std::to_string(s + 1) : model_.solids[s]);
+    }
+    std::vector<bool> edge_stays(model_.edges.size(), false), point_stays(model_.points.size(), false);
+    for (CadModel::Face& face : model_.faces) {
+      for (auto* solids : {&face.behind, &face.before}) {
+        std::erase_if(*solids, [&](Index s) { return !chosen[s]; });
+        for (Index& s : *solids) s = region[s];
+      }
+      face.outside = false;
+      if (face.behind.empty() && face.before.empty()) {
+        face.triangles.clear();
+        face.places.clear();
+        continue;
+      }
+      for (const auto& [e, forward] : face.border) edge_stays[e] = true;
+      for (const Triangle& t : face.triangles) {
+        for (const Index p : t) point_stays[p] = true;
+      }
+    }
+    for (std::size_t e = 0; e < edge_stays.size(); ++e) {
+      if (!edge_stays[e]) model_.edges[e].points.clear();
+    }
+    std::erase_if(model_.vertices, [&](const CadModel::Vertex& v) { return !point_stays[v.point]; });
+    model_.solids = std::move(names);
   }
 
   RationalPoint value(Index p) const {

@@ -90,6 +90,8 @@ class Tessellator {
     IMeshTools_Parameters parameters;
     parameters.Angle = fineness_.by_chord() ? std::numbers::pi / 4 : 2 * std::numbers::pi / fineness_.segments();
     parameters.Deflection = fineness_.by_chord() ? fineness_.chord() : std::max(extent, 1e-6);
+    // Without a chord angles alone decide: by default small edges would be left out, by the deflection.
+    if (!fineness_.by_chord()) parameters.MinSize = Precision::Confusion();
     for (int attempt = 1;; ++attempt) {
       BRepTools::Clean(file_.shape);
       BRepMesh_IncrementalMesh mesher(file_.shape, parameters);

@@ -189,12 +189,18 @@ CadShape read_cad(const Fields& f, CadShape::Format format, const LeafContext& c
     else if (name == "none") shape.fill = Fill::none;
     else fill->fail_type(f.name("fill"), "one of solids, winding, cells, none");
   }
+  if (const Value* solids = f.find("solids")) {
+    for (const Value& solid : solids->list(f.name("solids"), "a list of numbers or names of solids")) {
+      shape.solids.push_back(solid.text("each of " + f.name("solids")));
+    }
+    if (shape.solids.empty()) solids->fail(f.name("solids") + " is empty; name a solid, or leave it out for all");
+  }
   if (const Value* seams = f.find("seams")) shape.seams = seams->boolean(f.name("seams"));
   return shape;
 }
 
 Shape read_step(const Value& value, const LeafContext& context) {
-  const Fields f(value, "step", {"file", "chord", "segments", "unit", "fill", "seams"});
+  const Fields f(value, "step", {"file", "chord", "segments", "unit", "fill", "solids", "seams"});
   CadShape shape = read_cad(f, CadShape::Format::step, context);
   if (const Value* unit = f.find("unit")) {
     shape.unit = unit->text(f.name("unit"));
@@ -206,7 +212,7 @@ Shape read_step(const Value& value, const LeafContext& context) {
 }
 
 Shape read_brep(const Value& value, const LeafContext& context) {
-  const Fields f(value, "brep", {"file", "chord", "segments", "fill", "seams"});
+  const Fields f(value, "brep", {"file", "chord", "segments", "fill", "solids", "seams"});
   return read_cad(f, CadShape::Format::brep, context);
 }
 

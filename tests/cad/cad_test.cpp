@@ -308,7 +308,7 @@ TEST_CASE("facets of a CAD leaf know the parameters of their faces", "[cad]") {
     CHECK((poles > 0) == (faces.Extent() < 7));
     for (std::size_t w = 0; w < soup.wires().size(); ++w) {
       const BRepAdaptor_Curve curve(TopoDS::Edge(edges(static_cast<int>(soup.wires()[w].leaf_edge) + 1)));
-      const gp_Pnt p = curve.Value(to_double(parameters->wire(w)[0]));
+      const gp_Pnt p = curve.Value(to_double(parameters->wire(w).at[0]));
       const double* x = soup.xyz(soup.wires()[w].a);
       for (int k = 0; k < 3; ++k) CHECK(std::abs(p.Coord(k + 1) - x[k]) < 1e-9);
     }
@@ -324,6 +324,34 @@ TEST_CASE("products of an assembly are regions of their names, each where it is"
   std::multiset<std::string> names;
   for (const RegionAttributes& region : e.kept[0].group().regions) names.insert(region.name);
   CHECK(names == std::multiset<std::string>{"Schraube M8", "Schraube M8", "Schraube M8", "block", "block"});
+}
+
+TEST_CASE("solids of a file by number or name", "[cad]") {
+  const Folder folder;
+  write_assembly({{"block", box({0, 0, 0}, {1, 1, 1})}, {"bolt", box({0, 0, 0}, {1, 1, 3})}}, {{0, 10}, {0.5}},
+                 folder.file("part.step"));
+  const auto row = [&](const std::string& solids) {
+    return folder.row("  part: {step: {file: part.step, solids: " + solids + "}}");
+  };
+  CHECK(row("[block]").cells == Cells{16, 24, 12, 2});
+  CHECK(*row("[block]").volume() == 2);
+  CHECK(row("[bolt]").cells == Cells{8, 12, 6, 1});
+  CHECK(*row("[bolt]").volume() == 3);
+  CHECK(row("[1]").regions == 1);
+  CHECK_THROWS_WITH(row("[nut]"), Contains("there is no solid `nut` in it; it has solid 1 `"));
+  // The file's solids overlap; as operands they need not be parted.
+  CHECK_THROWS_WITH(folder.row("  part: {step: {file: part.step}}"), Contains("`block`") && Contains("`bolt`"));
+  const NodeRow both = folder.row(
+      "  blocks: {step: {file: part.step, solids: [block]}}\n"
+      "  bolt: {step: {file: part.step, solids: [bolt]}}\n"
+      "  both: {union: [bolt, blocks], dominance: left}",
+      "both");
+  CHECK(both.regions == 3);
+  CHECK(*both.volume() == Rational(9, 2));
+
+  const Part glue(glued({box({0, 0, 0}, {1, 2, 3}), box({1, 0, 0}, {3, 2, 3})}));
+  CHECK(glue.leaf(", solids: [2]").cells == Cells{8, 12, 6, 1});
+  CHECK(*glue.leaf(", solids: [2]").volume() + *glue.leaf(", solids: [1]").volume() == 18);
 }
 
 TEST_CASE("coordinates are in the file's unit unless another one is asked for", "[cad]") {
