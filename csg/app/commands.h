@@ -12,7 +12,7 @@ struct EvalArguments {
   std::string tree;
   std::vector<std::string> nodes;
   std::vector<std::string> files;
-  bool trace = false, raw = false, topology = false, quiet = false;
+  bool trace = false, raw = false, topology = false, snap = false, quiet = false;
   bool parameters = false;  ///< .json and .vtu with the parameters of patches
   int threads = 0;
 };
@@ -37,7 +37,7 @@ struct MeshArguments {
   std::string tree, node;
   std::vector<std::string> files;
   TetrahedraOptions options;
-  bool quiet = false;
+  bool snap = false, quiet = false;
   int threads = 0;
 };
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.

@@ -123,7 +123,8 @@ void PreparedLeaves::prepare_node(NodeId id) {
   }
 }
 
-std::vector<RegionAttributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t count) const {
+std::vector<RegionAttributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t count, const Instance& instance,
+                                                         Grades& grades) const {
   const Node& node = node_of(leaf);
   const std::vector<LeafRegion> own = instances_[leaf.index()].leaf->regions();
   const std::string& name = node.label.empty() ? node.name : node.label;
@@ -131,10 +132,13 @@ std::vector<RegionAttributes> PreparedLeaves::attributes(LeafId leaf, std::uint3
   for (std::uint32_t i = 0; i < count; ++i) {
     if (i < own.size()) {
       result[i].name = own[i].name;
-      result[i].material = own[i].material;
+      // Materials of a group are names of the tree; those of a result read back are its own.
+      const bool of_tree = std::holds_alternative<GroupShape>(*node.shape);
+      result[i].material =
+          of_tree ? grades.on(instance, own[i].material.name()) : grades.moved(instance, own[i].material);
     }
     if (result[i].name.empty()) result[i].name = count == 1 ? name : name + "." + std::to_string(i + 1);
-    if (result[i].material.empty()) result[i].material = node.material;
+    if (result[i].material.empty()) result[i].material = grades.on(instance, node.material);
     result[i].leaves = {leaf};
   }
   return result;

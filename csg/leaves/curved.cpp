@@ -81,7 +81,8 @@ void add_band(LeafBuilder& builder, const Ring& lower, const Ring& upper, std::u
 }
 
 /// The direct neighbours of an axis: `from` with its cap (number 0), `to` with its cap (1), the side (2).
-void add_capped(LeafBuilder& builder, const Ring& bottom, const Ring& top, const std::array<const char*, 3>& names) {
+void add_capped(LeafBuilder& builder, const Ring& bottom, const Ring& top,
+                const std::array<const char*, 3>& names) {
   for (std::uint32_t number = 0; number < 3; ++number) builder.name_patch(number, names[number]);
   add_band(builder, bottom, top, 2, fractions(static_cast<int>(bottom.size())), 0, 1);
   if (bottom[0] != bottom[1]) builder.face(Ring(bottom.rbegin(), bottom.rend()), 0);

@@ -78,6 +78,12 @@ class Extrusion {
       for (std::size_t l = 0; l < lines.size(); ++l) add_band(builder, lines[l], lower[l], upper[l], k);
       lower = upper;
     }
+    if (!closed) {
+      for (const auto& ids : {bottom[0], lower[0]}) {
+        if (builder.value(ids.front()) == builder.value(ids.back())) continue;  // a tube, the top of a cone
+        for (const PointId end : {ids.front(), ids.back()}) builder.soup().add_curve_end(builder.leaf(), end);
+      }
+    }
     if (record_ != nullptr) name_segments(*record_, lines, "extrude", closed ? 2 : 0);
     if (closed) {
       builder.name_patch(0, "extrude start");

@@ -107,6 +107,7 @@ LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
   }
   for (const Soup::Wire& wire : from.wires()) soup.add_wire(leaf, moved(wire.a), moved(wire.b), wire.leaf_edge);
   for (const Soup::Isolated& isolated : from.isolated()) soup.add_isolated(leaf, moved(isolated.point));
+  for (const Soup::Isolated& end : from.curve_ends()) soup.add_curve_end(leaf, moved(end.point));
   return leaf;
 }
 
@@ -129,12 +130,16 @@ void LeafBuilder::facet(PointId a, PointId b, PointId c, PointId d, std::uint32_
                         const CornerParameters& at) {
   const std::array<PointId, 4> all{a, b, c, d};
   const auto add = [&](std::initializer_list<std::size_t> polygon, std::initializer_list<std::size_t> cell) {
-    std::vector<PointId> loop;
-    for (const std::size_t k : polygon) loop.push_back(all[k]);
-    soup_.add_face(leaf_, std::span(&loop, 1), leaf_face, leaf_face);
+    const std::size_t* const k = polygon.begin();
+    if (polygon.size() == 3) {
+      soup_.add_triangle(leaf_, all[k[0]], all[k[1]], all[k[2]], leaf_face, leaf_face);
+    } else {
+      const std::vector<PointId> loop(all.begin(), all.end());
+      soup_.add_face(leaf_, std::span(&loop, 1), leaf_face, leaf_face);
+    }
     if (record_ == nullptr) return;
     std::vector<PatchCorner> corners;
-    for (const std::size_t k : cell) corners.push_back({value(all[k]), {*at[k][0], *at[k][1]}});
+    for (const std::size_t i : cell) corners.push_back({value(all[i]), {*at[i][0], *at[i][1]}});
     record_->add_facet(corners);
   };
   if (a == b) return add({0, 2, 3}, {0, 1, 2, 3});

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "csg/leaves/cell_table.h"
+#include "csg/leaves/material.h"
 #include "csg/leaves/parameters.h"
 #include "csg/leaves/shapes.h"
 #include "kernel/base/error.h"
@@ -28,7 +29,8 @@ class LeafFileError : public InputError {
 /// the shape itself (group regions, components of results read back); the node's own attributes come from the
 /// tree.
 struct LeafRegion {
-  std::string name, material;
+  std::string name;
+  RegionMaterial material{};  ///< with a grade in the leaf's own coordinates: of a result read back
 };
 
 /// A shape whose files were read and whose geometry was checked.

@@ -2,6 +2,7 @@
 //
 // All become Bézier pieces. The pieces of one patch of the tree share its number, the wires of one curve the
 // curve's; so people see the patches and curves that were given.
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -28,6 +29,7 @@ class ParametricLeaf {
       for (std::size_t k = 0; k < 4; ++k)
         boundary_.use(piece.side(k), std::string("side ") + kSides[k] + " of " + name);
     }
+    pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const PatchMesh mesh = mesh_patch(pieces[k], fineness_, boundary_);
       for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -75,6 +77,7 @@ class ParametricLeaf {
     // Of a solid whose patches all face inward the facets are turned round.
     const bool turn = fill_ == Fill::winding && sum(std::move(volumes_)) < 0;
     for (const Facet& f : facets_) builder_.triangle(f.a, turn ? f.c : f.b, turn ? f.b : f.c, f.number);
+    add_corners();
     return builder_.finish();
   }
 
@@ -83,6 +86,18 @@ class ParametricLeaf {
     PointId a, b, c;
     std::uint32_t number;
   };
+
+  /// Corners of sheets: where two sides meet that no other patch has. A side of one point has none beside it.
+  void add_corners() {
+    for (const BezierPatch& piece : pieces_) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        const BezierCurve side = piece.side(k);
+        if (std::max(boundary_.uses(side), boundary_.uses(piece.side((k + 3) % 4))) != 1) continue;
+        const auto at = ids_.find(side.at(0));  // without facets there it is no corner of the sheet
+        if (at != ids_.end()) builder_.soup().add_curve_end(builder_.leaf(), at->second);
+      }
+    }
+  }
 
   /// "the patch" is called "bezier patch", "patch 2" "bezier patch 2".
   std::string label(const std::string& name) const {
@@ -108,6 +123,7 @@ class ParametricLeaf {
   LeafBuilder builder_;  // of the geometry alone
   LeafParameters* record_;
   std::map<RationalPoint, PointId> ids_;
+  std::vector<BezierPatch> pieces_;
   std::vector<Facet> facets_;
   std::vector<Rational> volumes_;  // six times, of the facets' tetrahedra with the origin
 };

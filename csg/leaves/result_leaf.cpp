@@ -1,5 +1,4 @@
-// Reading has three parts: a cursor on the JSON document that knows its path, so that each fault names its
-// place; the tables of the file with every number checked; and the leaf made from them. All cells of the file go
+// Reading has three parts: a cursor on the JSON document (json_cursor.h); the tables of the file with every number checked; and the leaf made from them. All cells of the file go
 // to the soup, active or not; the cell table says which are active.
 //
 // Edges are wires where the faces alone would not give the same edge again:
@@ -11,78 +10,21 @@
 #include <algorithm>
 #include <map>
 #include <utility>
-#include <nlohmann/json.hpp>
 
+#include "csg/leaves/json_cursor.h"
 #include "csg/leaves/mesh_file.h"
+#include "csg/leaves/read_grades.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {
 
-using Json = nlohmann::json;
-using Index = std::uint32_t;
+using result::Cursor;
+using result::Index;
+using result::Json;
+using result::kAgain;
+using result::refuse;
 using Loop = std::vector<Index>;
-
-[[noreturn]] void refuse(const std::string& file, const std::string& path, const std::string& what) {
-  throw LeafFileError(file + ": error: " + (path.empty() ? "" : path + ": ") + what);
-}
-constexpr const char* kAgain = "; write the file again with `cnrg eval -o`";
-
-/// A value of the document and the way to it.
-class Cursor {
- public:
-  Cursor(const std::string& file, const Json& value, std::string path = "")
-      : file_(&file), value_(&value), path_(std::move(path)) {}
-
-  [[noreturn]] void fail(const std::string& what) const { refuse(*file_, path_, what); }
-  const std::string& path() const { return path_; }
-  bool is_null() const { return value_->is_null(); }
-  std::size_t size() const { return value_->size(); }
-
-  Cursor member(const char* key) const {
-    if (!value_->is_object()) fail(std::string("an object is needed here") + kAgain);
-    const auto found = value_->find(key);
-    if (found == value_->end()) fail("`" + std::string(key) + "` is missing" + kAgain);
-    return {*file_, *found, path_ + "/" + key};
-  }
-  bool has(const char* key) const { return value_->is_object() && value_->contains(key); }
-  Cursor at(std::size_t i) const { return {*file_, (*value_)[i], path_ + "/" + std::to_string(i)}; }
-  /// The value must be an array.
-  const Cursor& array() const {
-    if (!value_->is_array()) fail(std::string("a list is needed here") + kAgain);
-    return *this;
-  }
-  /// A whole number below `limit`; `what` it counts.
-  Index number(std::size_t limit, const char* what) const {
-    if (!value_->is_number_unsigned()) fail(std::string("the number of a ") + what + " is needed here" + kAgain);
-    const auto n = value_->get<std::uint64_t>();
-    if (n >= limit) {
-      fail(std::string(what) + " " + std::to_string(n) + " does not exist: there are " + std::to_string(limit) +
-           kAgain);
-    }
-    return Index(n);
-  }
-  bool boolean() const {
-    if (!value_->is_boolean()) fail(std::string("true or false is needed here") + kAgain);
-    return value_->get<bool>();
-  }
-  std::string text() const {
-    if (!value_->is_string()) fail(std::string("a text is needed here") + kAgain);
-    return value_->get<std::string>();
-  }
-  Rational rational() const {
-    if (value_->is_number_integer()) return *parse_rational(value_->dump());
-    if (value_->is_string()) {
-      if (auto number = parse_rational(value_->get_ref<const std::string&>())) return *number;
-    }
-    fail("an exact number is needed here, such as \"3\", \"0.25\" or \"121/3\"");
-  }
-
- private:
-  const std::string* file_;
-  const Json* value_;
-  std::string path_;
-};
 
 struct Facet {
   std::vector<Loop> loops;     ///< without slits, the outer one first, counter-clockwise seen from the front
@@ -208,8 +150,7 @@ class Reader {
   void read_points() {
     auto& points = table_.points;
     each("points", [&](const Cursor& p) {
-      if (p.array().size() != 3) p.fail(std::string("a point has three coordinates") + kAgain);
-      points.push_back({p.at(0).rational(), p.at(1).rational(), p.at(2).rational()});
+      points.push_back(p.point());
       if (points.size() > 1 && !(points[points.size() - 2] < points.back())) {
         p.fail(std::string("points are sorted by their coordinates, and no two are equal") + kAgain);
       }
@@ -221,8 +162,11 @@ class Reader {
 
   void read_components() {
     if (table_.group) table_.dominances.push_back(root_.member("dominance").rational());
+    const auto grades = result::read_grades(root_);
     each("components", [&](const Cursor& c) {
-      content_.components.push_back({c.member("name").text(), c.member("material").text()});
+      RegionMaterial material(c.member("material").text());
+      if (c.has("grade")) material = {material.name(), grades[c.member("grade").number(grades.size(), "grade")]};
+      content_.components.push_back({c.member("name").text(), std::move(material)});
       if (!table_.group) table_.dominances.push_back(c.member("dominance").rational());
     });
   }

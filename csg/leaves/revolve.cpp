@@ -122,6 +122,12 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafPar
     }
     last = next;
   }
+  if (!closed && !full) {
+    for (const auto& ids : {first[0], last[0]}) {
+      if (builder.value(ids.front()) == builder.value(ids.back())) continue;  // a tube
+      for (const PointId end : {ids.front(), ids.back()}) builder.soup().add_curve_end(builder.leaf(), end);
+    }
+  }
   if (record != nullptr) name_segments(*record, lines, "revolve", number);
   if (closed && !full) {
     builder.name_patch(0, "revolve start");

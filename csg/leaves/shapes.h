@@ -175,9 +175,11 @@ struct Transform {
   static Transform reflection(const RationalPoint& normal, const RationalPoint& point);
   bool identity() const;
   Rational determinant() const;
+  Transform inverse() const;
   RationalPoint apply(const RationalPoint& p) const;
   /// First `inner`, then this.
   Transform operator*(const Transform& inner) const;
+  friend bool operator==(const Transform&, const Transform&) = default;
 };
 
 }  // namespace cnrg

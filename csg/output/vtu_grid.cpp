@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 
+#include "csg/output/material_field.h"
 #include "kernel/base/parallel.h"
 
 namespace cnrg {
@@ -122,9 +123,28 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   append_tag("material", &CellTags::material);
   append_tag("source_leaf", &CellTags::leaf);
   append_tag("source_face", &CellTags::face);
+  append_fractions(text, view, points);
   if (parameters != nullptr) append_array(text, "patch", "Int32", parameters->patches);
   text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   return text;
+}
+
+void VtuGrid::append_fractions(std::string& text, const ResultView& view,
+                               const std::vector<std::array<double, 3>>& points) const {
+  const MaterialField field(view);
+  std::vector<std::vector<double>> fractions(field.names().size());
+  if (field.empty()) return;
+  std::vector<std::array<double, 3>> corners;
+  for (std::size_t i = 0, begin = 0; i < types_.size(); ++i) {
+    const auto end = static_cast<std::size_t>(offsets_[i]);
+    corners.clear();
+    for (; begin < end; ++begin) corners.push_back(points[static_cast<std::size_t>(connectivity_[begin])]);
+    const std::vector<double> here = field.at(material_component(view, tags_[i]), corners);
+    for (std::size_t k = 0; k < here.size(); ++k) fractions[k].push_back(here[k]);
+  }
+  for (std::size_t k = 0; k < fractions.size(); ++k) {
+    append_array(text, escaped("fraction of " + field.names()[k]).c_str(), "Float64", fractions[k]);
+  }
 }
 
 }  // namespace cnrg

@@ -37,6 +37,8 @@ class VtuGrid {
   std::vector<std::int64_t> connectivity_, offsets_;
   std::vector<std::uint8_t> types_;
   std::vector<CellTags> tags_;
+  void append_fractions(std::string& text, const ResultView& view,
+                        const std::vector<std::array<double, 3>>& points) const;
   void add_tags(VtuCell kind, const CellTags& tags) {
     offsets_.push_back(std::int64_t(connectivity_.size()));
     types_.push_back(std::uint8_t(kind));

@@ -52,6 +52,9 @@ class Soup {
   WireId add_wire(LeafId leaf, PointId a, PointId b, std::uint32_t leaf_edge);
   /// An isolated vertex of the leaf.
   void add_isolated(LeafId leaf, PointId p);
+  /// Declares a corner of a curved sheet: where two curves of the leaf end, and edges are no pieces of one curve. A
+  /// corner is an attribute of a point, no cell.
+  void add_curve_end(LeafId leaf, PointId p);
 
   /// Declares a leaf as the frame: a closed convex box that contains every vertex of the arrangement strictly
   /// inside or, for faces of planes, on it. Cells on and outside of it are never active. Its faces are
@@ -84,6 +87,7 @@ class Soup {
   }
   std::span<const Wire> wires() const { return wires_; }
   std::span<const Isolated> isolated() const { return isolated_; }
+  std::span<const Isolated> curve_ends() const { return curve_ends_; }
   const double* xyz(PointId p) const { return xyz_.data() + 3 * p.index(); }
   /// The exact value of a point that is not three doubles, or nullptr.
   const RationalPoint* rational(PointId p) const;
@@ -99,7 +103,7 @@ class Soup {
   std::vector<std::uint32_t> offsets_{0};
   std::vector<PointId> corners_;
   std::vector<Wire> wires_;
-  std::vector<Isolated> isolated_;
+  std::vector<Isolated> isolated_, curve_ends_;
   LeafId frame_;
   PointId seed_;
   std::vector<std::pair<LeafId, std::uint32_t>> seed_regions_;
