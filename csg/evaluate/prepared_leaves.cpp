@@ -38,6 +38,7 @@ std::optional<FileFault> split(const std::string& message, const std::string& fi
 std::string file_of(const Shape& shape) {
   if (const auto* mesh = std::get_if<MeshShape>(&shape)) return mesh->file;
   if (const auto* field = std::get_if<HeightfieldShape>(&shape)) return field->file;
+  if (const auto* model = std::get_if<CadShape>(&shape)) return model->file;
   if (const auto* result = std::get_if<ResultShape>(&shape)) return result->file;
   return {};
 }
@@ -65,6 +66,19 @@ Mention mention_of(const Node& node, const std::string& faces) {
   }
   if (first) return {*first, words + " of `" + node.name + "`"};
   return {node.operator_at, "`" + node.name + "` (line " + std::to_string(node.operator_at.line) + ")"};
+}
+
+/// `, solid 1, solid 3` as `solid 1 `bolt`, solid 3 of `; nothing for nothing.
+std::string solids_in(const std::string& solids, const std::vector<LeafRegion>& regions) {
+  static const std::regex kNumber(R"(\d+)");
+  std::string words;
+  for (std::sregex_iterator it(solids.begin(), solids.end(), kNumber), end; it != end; ++it) {
+    words += (words.empty() ? "solid " : ", solid ") + it->str();
+    const auto number = index_in(it->str());
+    if (number && *number > 0 && *number <= regions.size() && !regions[*number - 1].name.empty())
+      words += " `" + regions[*number - 1].name + "`";
+  }
+  return words.empty() ? words : words + " of ";
 }
 
 }  // namespace
@@ -136,7 +150,7 @@ void PreparedLeaves::locate_errors(const std::function<void()>& work) const {
   } catch (const TreeError&) {
     throw;
   } catch (const InputError& e) {
-    static const std::regex kPlace(R"(\bleaf (\d+)((?:, face \d+)*))");
+    static const std::regex kPlace(R"(\bleaf (\d+)((?:, face \d+)*)((?:, solid \d+)*))");
     const std::string message = e.what();
     std::optional<Position> first;
     std::string translated;
@@ -145,7 +159,8 @@ void PreparedLeaves::locate_errors(const std::function<void()>& work) const {
       const std::smatch& match = *it;
       const auto leaf = index_in(match[1]);
       if (!leaf || *leaf >= nodes_.size()) continue;
-      const Mention mention = mention_of(node_of(LeafId(*leaf)), match[2]);
+      Mention mention = mention_of(node_of(LeafId(*leaf)), match[2]);
+      mention.words.insert(0, solids_in(match[3], instances_[*leaf].leaf->regions()));
       if (!first) first = mention.at;
       translated.append(last, match[0].first).append(mention.words);
       last = match[0].second;

@@ -39,6 +39,7 @@ struct Dispatch {
   Leaf operator()(const RevolveShape& shape) const { return curved(shape, prepare_revolve); }
   Leaf operator()(const HeightfieldShape& shape) const { return prepare_heightfield(shape); }
   Leaf operator()(const MeshShape& shape) const { return prepare_mesh(shape); }
+  Leaf operator()(const CadShape& shape) const { return prepare_cad(shape); }
   Leaf operator()(const GroupShape& shape) const { return prepare_group(shape); }
   Leaf operator()(const ResultShape& shape) const { return prepare_result(shape); }
 };

@@ -40,6 +40,7 @@ std::unique_ptr<PreparedLeaf> prepare_halfspace(const HalfspaceShape& shape);
 // One file each.
 std::unique_ptr<PreparedLeaf> prepare_heightfield(const HeightfieldShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_mesh(const MeshShape& shape);
+std::unique_ptr<PreparedLeaf> prepare_cad(const CadShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_group(const GroupShape& shape);
 
 }  // namespace cnrg

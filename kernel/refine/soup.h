@@ -8,7 +8,7 @@
 //     A face of zero area is dropped and reported. The interior is what the loops enclose an odd number of
 //     times, so holes may be given in either direction.
 //   * Faces may cross, overlap, repeat, within a leaf and across leaves.
-//   * `front` and `back` are regions of the leaf (0: none) on the two sides, for Fill::sides.
+//   * `front` and `back` are regions of the leaf (0: none) on the two sides, for Fill::sides and Fill::solids.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +28,9 @@ enum class Fill : std::uint8_t {
   winding,  ///< region 1 where the winding number is not zero; the back of each face is inside
   parity,   ///< region 1 where a ray crosses the faces an odd number of times
   cells,    ///< every bounded cavity of the faces is a region, numbered from 1
+  /// Each face names the solid on its front and on its back; region r where the winding number of the faces of
+  /// solid r is not zero. Solids may touch, also where their faces lie on each other; InputError if two overlap.
+  solids,
 };
 
 class Soup {
