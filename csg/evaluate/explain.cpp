@@ -179,9 +179,17 @@ class Classes {
     if (asked != nullptr) out.point = *asked;
     const std::vector<LeafId> leaves = origins_in(complex, value_, piece.cell);
     out.origins = leaf_cells_at(complex, piece.cell, leaves);
+    out.mixture = mixture_at(state_in(complex, value_, piece.cell).component, out.point);
     out.patches = first_of_each(evaluation_.parameters->on_patches(out.example, out.point, leaves));
     out.curves = first_of_each(evaluation_.parameters->on_curves(out.example, out.point, leaves));
     return out;
+  }
+
+  /// Nothing where the material is one all over.
+  Mixture mixture_at(Component component, const RationalPoint& p) const {
+    if (component == 0) return {};
+    const RegionMaterial& material = value_.attributes(component).material;
+    return material.grade() == nullptr ? Mixture() : MaterialSampler(material).at(p);
   }
 
   const Evaluation& evaluation_;

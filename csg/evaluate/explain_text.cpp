@@ -458,8 +458,9 @@ void add_class(const Tree& tree, const Evaluation& evaluation, const Explanation
   }
   if (c.normal) out += "normal  n = " + normal_words(*c.normal) + "\n";
   if (!c.origins.empty()) out += "from    " + origins_words(evaluation, c.origins) + "\n";
+  if (!c.mixture.empty()) out += "made of " + to_text(c.mixture) + "\n";
   out += places_words(evaluation, c);
-  if (!asked || c.normal || !c.origins.empty()) out += "\n";
+  if (!asked || c.normal || !c.origins.empty() || !c.mixture.empty()) out += "\n";
   add_life(tree, c.life, dimension, out);
 }
 

@@ -31,7 +31,7 @@ int main() {
   const Selection selection = selection_of(again, same);
   for (Component i = 1; i <= same.group().regions.size(); ++i) {
     const RegionAttributes& region = same.attributes(i);
-    std::cout << "region " << region.name << " (" << region.material << "): volume "
+    std::cout << "region " << region.name << " (" << region.material.name() << "): volume "
               << volume(again, support(selection, i).regions).value() << "\n";
   }
 }

@@ -36,7 +36,7 @@ result: all
 
 std::string file_of(const std::string& text, const std::string& name, bool parameters, const Scratch& dir) {
   const Tree tree = parse_tree(text, dir / "t.yaml");
-  write(dir / name, tree, evaluate(tree), tree.result, parameters);
+  write(dir / name, tree, evaluate(tree), tree.result, {.parameters = parameters});
   return text_of(dir / name);
 }
 
