@@ -14,7 +14,8 @@ struct EvalArguments {
   std::string tree;
   std::vector<std::string> nodes;
   std::vector<std::string> files;
-  bool trace = false, raw = false, topology = false, quiet = false;
+  bool trace = false, raw = false, topology = false, snap = false, quiet = false;
+  bool parameters = false;  ///< .json and .vtu with the parameters of patches
   int threads = 0, finer = 1;
 };
 /// `cnrg eval`: a row per node, a file per `-o`.
@@ -25,9 +26,11 @@ int run_check(const std::string& tree, int finer);
 
 struct LocateArguments {
   std::string tree, node;
+  bool parameters = false, material = false;
   int threads = 0, finer = 1;
 };
-/// `cnrg locate`: the cell that holds each point of standard input.
+/// `cnrg locate`: the cell that holds each point of standard input; with `parameters` also its place on patches
+/// and curves of leaves, with `material` what it is made of.
 int run_locate(const LocateArguments& arguments);
 
 struct ExplainArguments {
@@ -41,7 +44,7 @@ struct MeshArguments {
   std::string tree, node;
   std::vector<std::string> files;
   TetrahedraOptions options;
-  bool quiet = false;
+  bool snap = false, quiet = false;
   int threads = 0, finer = 1;
 };
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.

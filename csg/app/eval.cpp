@@ -1,6 +1,7 @@
 // `cnrg eval` and `cnrg check`.
 #include <algorithm>
 #include <iostream>
+#include <map>
 
 #include "csg/app/commands.h"
 #include "csg/app/evaluation.h"
@@ -28,22 +29,50 @@ std::vector<NodeId> nodes_of_files(const Tree& tree, const EvalArguments& argume
   return nodes;
 }
 
-void write_file(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
-                bool quiet) {
-  RoundingReport rounding;
-  {
-    ProgressBar bar(quiet);
-    bar.show("write " + path, 0, 0);
-    rounding = write(path, tree, evaluation, node);
+/// Writes files, and snaps each node that they show once.
+class FileWriter {
+ public:
+  FileWriter(const Tree& tree, const Evaluation& evaluation, const EvalArguments& arguments)
+      : tree_(tree), evaluation_(evaluation), arguments_(arguments) {}
+
+  void write_file(const std::string& path, NodeId node) {
+    const bool snaps = arguments_.snap && !is_exact(path);
+    RoundingReport rounding;
+    const SnappedResult* snapped = nullptr;
+    {
+      ProgressBar bar(arguments_.quiet);
+      if (snaps) {
+        bar.show("snap " + tree_.nodes[node].name, 0, 0);
+        snapped = &snapped_of(node);
+      }
+      bar.show("write " + path, 0, 0);
+      rounding = write(path, tree_, evaluation_, node, {arguments_.parameters, snapped});
+    }
+    if (!rounding.embedded) {
+      std::cerr << path << ": warning: rounding moved " << rounding.moved
+                << " vertices and facets cross in this file; use --snap, or write .json for the exact result\n";
+    } else if (!arguments_.quiet && rounding.moved > 0) {
+      std::cerr << path << ": notice: rounding moved " << rounding.moved
+                << " vertices; the facets still meet as they should\n";
+    } else if (!arguments_.quiet && snaps && snapped->report().rounds > 0) {
+      std::cerr << path << ": notice: " << snapped->report().text() << '\n';
+    } else if (!arguments_.quiet && arguments_.snap && !snaps) {
+      std::cerr << path << ": notice: this format is exact; --snap changes nothing in it\n";
+    }
   }
-  if (!rounding.embedded) {
-    std::cerr << path << ": warning: rounding moved " << rounding.moved
-              << " vertices and facets cross in this file; write .json for the exact result\n";
-  } else if (rounding.moved > 0 && !quiet) {
-    std::cerr << path << ": notice: rounding moved " << rounding.moved
-              << " vertices; the facets still meet as they should\n";
+
+ private:
+  const Tree& tree_;
+  const Evaluation& evaluation_;
+  const EvalArguments& arguments_;
+  std::map<NodeId, SnappedResult> snapped_;
+
+  const SnappedResult& snapped_of(NodeId node) {
+    const auto found = snapped_.find(node);
+    if (found != snapped_.end()) return found->second;
+    return snapped_.emplace(node, snap(tree_, evaluation_, node, arguments_.raw)).first->second;
   }
-}
+};
 
 /// Of the nodes asked for; of the result when there are none.
 std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vector<NodeId> nodes) {
@@ -80,9 +109,8 @@ int run_eval(const EvalArguments& arguments) {
   if (arguments.topology) std::cout << topology_of(tree, evaluation, options.nodes);
   std::cout << std::flush;
 
-  for (std::size_t i = 0; i < arguments.files.size(); ++i) {
-    write_file(arguments.files[i], tree, evaluation, shown[i], arguments.quiet);
-  }
+  FileWriter writer(tree, evaluation, arguments);
+  for (std::size_t i = 0; i < arguments.files.size(); ++i) writer.write_file(arguments.files[i], shown[i]);
   return kDone;
 }
 

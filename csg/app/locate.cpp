@@ -3,9 +3,13 @@
 // A cell is named by its letter (v, e, f, r) and its number in the simplified node, `-` where an inactive region
 // touches nothing of the node. Component 0 is inactive and has no name; the entities of a group (walls, wires,
 // points) are one component after its regions.
+//
+// With parameters, a point on a patch or curve of a leaf that its cell came from has more fields, each behind a
+// tabulator (a name has none): `leaf: patch: u v`, `leaf: curve: t`, exactly; one for each patch and curve.
 #include <algorithm>
 #include <cctype>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +18,7 @@
 #include "csg/app/exit_status.h"
 #include "csg/app/evaluation.h"
 #include "csg/evaluate/evaluate.h"
+#include "csg/evaluate/lives.h"
 
 namespace cnrg::app {
 namespace {
@@ -69,17 +74,55 @@ std::vector<std::optional<RationalPoint>> read_points() {
   return points;
 }
 
-/// On one line: breaks in a name become blanks.
+/// On one line and in one field: breaks in a name become blanks.
+std::string one_line(std::string name) {
+  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return name;
+}
+
 std::string describe(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place,
                      const NodeValue& value) {
   const Component component = component_of(simplified, place);
   const std::string text = std::to_string(place.dimension) + " " + cell_name(place.dimension, place.index) + " " +
                            std::to_string(component);
   if (component == 0) return text;
-  std::string name = value.attributes(component).name;
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  const std::string name = one_line(value.attributes(component).name);
   return name.empty() ? text : text + " " + name;
 }
+
+/// The fields of parameters, the least where a seam or a pole has many.
+std::string describe_parameters(const Evaluation& evaluation, const NodeValue& value, const Location& cell,
+                                const RationalPoint& p) {
+  const SurfaceParameters& parameters = *evaluation.parameters;
+  const std::vector<LeafId> leaves = origins_in(*evaluation.complex, value, cell);
+  std::string text;
+  const auto add = [&](LeafId leaf, const std::string& surface, const std::string& at) {
+    text += "\t" + one_line(evaluation.leaf_names[leaf.index()]) + ": " + one_line(surface) + ": " + at;
+  };
+  for (const PatchPoint& q : first_of_each(parameters.on_patches(cell, p, leaves))) {
+    add(q.leaf, parameters.patch_name(q.leaf, q.patch), to_string(q.at[0]) + " " + to_string(q.at[1]));
+  }
+  for (const CurvePoint& q : first_of_each(parameters.on_curves(cell, p, leaves))) {
+    add(q.leaf, parameters.curve_name(q.leaf, q.curve), to_string(q.at));
+  }
+  return text;
+}
+
+/// The field of the material, exact but for distances.
+class Materials {
+ public:
+  explicit Materials(const NodeValue& value) : value_(value) {}
+  std::string describe(Component component, const RationalPoint& p) {
+    if (component == 0) return {};
+    const auto [it, fresh] = samplers_.try_emplace(component, value_.attributes(component).material);
+    const Mixture mixture = it->second.at(p);
+    return mixture.empty() ? "" : "\tmaterial: " + one_line(to_text(mixture));
+  }
+
+ private:
+  const NodeValue& value_;
+  std::map<Component, MaterialSampler> samplers_;
+};
 
 }  // namespace
 
@@ -97,13 +140,18 @@ int run_locate(const LocateArguments& arguments) {
   const Evaluation evaluation = evaluate_in_view(tree, options, false);
   const KeptValue& value = evaluation.value(node);
   const Locator locator(*evaluation.complex);
+  Materials materials(*value.value);
   for (const auto& point : points) {
     if (!point) {
       std::cout << "\n";
       continue;
     }
-    const SimplifiedComplex::Place place = value.simplified.place(*evaluation.complex, locator.locate(*point));
-    std::cout << describe(value.simplified, place, *value.value) << "\n";
+    const Location cell = locator.locate(*point);
+    const SimplifiedComplex::Place place = value.simplified.place(*evaluation.complex, cell);
+    std::cout << describe(value.simplified, place, *value.value);
+    if (arguments.parameters) std::cout << describe_parameters(evaluation, *value.value, cell, *point);
+    if (arguments.material) std::cout << materials.describe(component_of(value.simplified, place), *point);
+    std::cout << "\n";
   }
   return kDone;
 }

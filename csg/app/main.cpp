@@ -90,6 +90,11 @@ int run(int argc, char** argv) {
   sub->add_flag("--topology", eval.topology,
                 "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions "
                 "touch");
+  CLI::Option* const snap = sub->add_flag("--snap", eval.snap,
+                "Files of doubles: move vertices until the rounded facets meet as they should, and say how far");
+  sub->add_flag("--parameters", eval.parameters,
+                "In .json and .vtu: the parameters u, v of faces on curved patches")
+      ->excludes(snap);
   sub->add_option("--threads", eval.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));
@@ -113,6 +118,11 @@ int run(int argc, char** argv) {
   sub->add_option("--threads", locate.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));
+  sub->add_flag("--parameters", locate.parameters,
+                "Also the place on patches and curves of leaves: `leaf: patch: u v`, `leaf: curve: t`, each "
+                "behind a tabulator");
+  sub->add_flag("--material", locate.material,
+                "Also what a graded material is there: `material: steel 3/4, ceramic 1/4`, behind a tabulator");
   add_finer(sub, locate.finer);
   sub->footer("Example:\n  echo \"1/3 0.5 2\" | cnrg locate model.yaml --node split");
   sub->callback([&] { command = [&] { return run_locate(locate); }; });
@@ -153,6 +163,7 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(1.1, 100.0));
   sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
                 "No new points on faces and edges, so that the meshes of neighbours fit");
+  sub->add_flag("--snap", mesh.snap, "Move vertices until the facets, rounded to doubles, meet as they should");
   sub->add_option("--threads", mesh.threads, "Threads; 0 is one per core")
       ->type_name("K")
       ->check(CLI::Range(0, 4096));

@@ -1,5 +1,6 @@
 // `cnrg mesh`.
 #include <iostream>
+#include <optional>
 
 #include "csg/app/commands.h"
 #include "csg/app/evaluation.h"
@@ -44,15 +45,24 @@ int run_mesh(const MeshArguments& arguments) {
   options.nodes = {node};
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   TetrahedralMesh made;
+  std::optional<SnappedResult> snapped;
   {
     ProgressBar bar(arguments.quiet);
+    if (arguments.snap) {
+      bar.show("snap", 0, 0);
+      snapped.emplace(snap(tree, evaluation, node));
+    }
     bar.show("mesh", 0, 0);
-    made = tetrahedra(tree, evaluation, node, arguments.options);
+    made = tetrahedra(tree, evaluation, node, arguments.options, snapped ? &*snapped : nullptr);
   }
   if (!arguments.quiet) std::cout << table_of(made) << std::flush;
   for (const std::string& path : arguments.files) {
     write(path, tree, evaluation, node, made.mesh);
-    if (made.rounding.moved == 0 || arguments.quiet) continue;
+    if (arguments.quiet) continue;
+    if (snapped && snapped->report().rounds > 0) {
+      std::cerr << path << ": notice: " << snapped->report().text() << '\n';
+    }
+    if (made.rounding.moved == 0) continue;
     std::cerr << path << ": notice: rounding moved " << made.rounding.moved
               << " vertices; the facets still meet as they should\n";
   }

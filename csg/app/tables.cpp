@@ -11,6 +11,7 @@
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
+#include "csg/leaves/cad_model.h"
 
 namespace cnrg::app {
 
@@ -22,8 +23,9 @@ int run_tables() {
 std::string version_text() {
   std::string boost = BOOST_LIB_VERSION;
   std::replace(boost.begin(), boost.end(), '_', '.');
+  const std::string cad = cad_library();
   return std::string("cnrg ") + CNRG_VERSION + "\nCGAL " + CGAL_VERSION_STR + "\nGMP " + gmp_version + "\nMPFR " +
-         mpfr_get_version() + "\nBoost " + boost;
+         mpfr_get_version() + "\nBoost " + boost + (cad.empty() ? "" : "\n" + cad);
 }
 
 }  // namespace cnrg::app

@@ -12,6 +12,7 @@
 #include <map>
 #include <set>
 
+#include "csg/evaluate/grades.h"
 #include "csg/evaluate/operate.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/operators/component_lists.h"
@@ -58,8 +59,12 @@ void refine(const PreparedLeaves& leaves, const EvaluateOptions& options, Evalua
     require(violation.empty(), "the complex of the leaves is broken: " + violation);
   }
   result.leaf_names.resize(result.complex->leaf_count);
-  for (std::size_t i = 0; i < leaves.instances().size(); ++i)
+  std::vector<PlacedParameters> placed;
+  for (std::size_t i = 0; i < leaves.instances().size(); ++i) {
     result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
+    placed.push_back({leaves.instances()[i].leaf->parameters(), leaves.instances()[i].transform});
+  }
+  result.parameters = std::make_unique<const SurfaceParameters>(*result.complex, std::move(placed));
   result.refine_seconds = stopwatch.seconds();
 }
 
@@ -77,32 +82,36 @@ void report_dropped(const Tree& tree, const PreparedLeaves& leaves, Evaluation& 
 }
 
 /// A leaf's own value, without the attributes of its node; of a result read back by its cell table.
-NodeValue value_of_leaf(const Tree& tree, const PreparedLeaves& leaves, const Complex& complex, LeafId leaf,
-                        Group group) {
+NodeValue value_of_leaf(const Tree& tree, const PreparedLeaves& leaves, const Instance& placed, Grades& grades,
+                        const Complex& complex, LeafId leaf, Group group) {
   const LeafInstance& instance = leaves.instances()[leaf.index()];
   const CellTable* table = instance.leaf->cells();
   if (table == nullptr) return {complex, std::move(group)};
   try {
     const auto count = static_cast<std::uint32_t>(instance.leaf->regions().size());
-    return leaf_value(complex, leaf, group, *table, instance.transform, leaves.attributes(leaf, count));
+    return leaf_value(complex, leaf, group, *table, instance.transform, leaves.attributes(leaf, count, placed, grades));
   } catch (const InputError& e) {
     throw TreeError(tree.file, leaves.node_of(leaf).operator_at, e.what());
   }
 }
 
-Values leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
+Values leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, Grades& grades,
                    const Complex& complex) {
   std::vector<std::vector<RegionAttributes>> attributes;
-  for (std::size_t i = 0; i < leaves.instances().size(); ++i) {
-    attributes.push_back(leaves.attributes(LeafId(i), complex.leaf_regions[LeafId(i)]));
+  for (const InstanceId i : IdRange<InstanceId>(unfolding.instances.size())) {  // leaves come in this order
+    const LeafId leaf = leaves.leaf_of(i);
+    if (!leaf.valid()) continue;
+    attributes.push_back(leaves.attributes(leaf, complex.leaf_regions[leaf], unfolding.instances[i], grades));
   }
   std::vector<Group> groups = leaf_groups(complex, attributes);
   Values values(unfolding.instances.size());
   for (const InstanceId i : IdRange<InstanceId>(values.size())) {
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
-    NodeValue value = value_of_leaf(tree, leaves, complex, leaf, std::move(groups[leaf.index()]));
-    apply_attributes(complex, tree.nodes[unfolding.instances[i].node], value);
+    const Instance& instance = unfolding.instances[i];
+    NodeValue value =
+        value_of_leaf(tree, leaves, instance, grades, complex, leaf, std::move(groups[leaf.index()]));
+    apply_attributes(complex, tree.nodes[instance.node], {}, value);  // of a leaf they have the material already
     values[i] = std::make_shared<NodeValue>(std::move(value));
   }
   return values;
@@ -145,8 +154,8 @@ std::vector<LeafId> leaves_below(const Unfolding& unfolding, const PreparedLeave
 /// The operator of an inner instance on its operands' values; faults of the input come at the operator's place.
 /// `last(operand)`: nobody needs the operand's value after this.
 template <class Last>
-Outcome value_of(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, const Values& values,
-                 const Complex& complex, InstanceId id, bool validate, Last last) {
+Outcome value_of(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, Grades& grades,
+                 const Values& values, const Complex& complex, InstanceId id, bool validate, Last last) {
   const Instance& instance = unfolding.instances[id];
   const Node& node = tree.nodes[instance.node];
   std::vector<Operand> operands;
@@ -157,7 +166,7 @@ Outcome value_of(const Tree& tree, const Unfolding& unfolding, const PreparedLea
     if (is_topological(node.op)) operands.back().below = leaves_below(unfolding, leaves, operand);
   }
   try {
-    return operate(complex, node, operands, validate);
+    return operate(complex, node, grades.on(instance, node.material), operands, validate);
   } catch (const InputError& e) {
     throw TreeError(tree.file, node.operator_at, e.what());
   }
@@ -194,7 +203,7 @@ class Simplified {
   }
   SimplifiedComplex& get() {
     if (!made_) {
-      made_ = simplify(complex_, selection(), value_.features());
+      made_ = simplify(complex_, value_, selection());
       put_in_order(complex_, *made_);
     }
     return *made_;
@@ -252,7 +261,7 @@ void measure(const Complex& complex, NodeValue& value, bool region_volumes, Simp
   row.components = value.component_count();
   row.raw_cells = raw_counts(selection);
   row.cells = simplified != nullptr ? active_counts(simplified->get())
-                                    : simplified_counts(complex, selection, value.features());
+                                    : simplified_counts(complex, value, selection);
   row.total = Rational(0);
   for (auto& [component, one] : volumes_of(complex, selection)) {
     ++row.regions;
@@ -316,17 +325,18 @@ void report_conflicts(const Tree& tree, const Node& node, const NodeValue& value
     const std::vector<SimplifiedComplex::Place> places = places_of(simplified.get(), cells);
     const Component component = component_of(simplified.get(), places.front());
     const std::string message = "`" + node.name + "`: the region `" + value.attributes(component).name +
-                                "` keeps the material `" + conflict.kept + "` where `" + conflict.other +
-                                "` has equal dominance (" + cell_names(places) +
+                                "` keeps the material `" + conflict.kept.name() + "` where `" +
+                                conflict.other.name() + (conflict.kept.name() == conflict.other.name() ? "` placed otherwise" : "`") +
+                                " has equal dominance (" + cell_names(places) +
                                 "); give one of the two a greater `dominance`";
     if (!said.insert(message).second) continue;
     result.diagnostics.push_back({tree.file, node.operator_at, Diagnostic::Level::warning, message});
   }
 }
 
-}  // namespace
-
-Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
+/// `roots`: those whose values are kept. Without `graded` every material is the same all over.
+Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, const EvaluateOptions& options,
+                          bool graded) {
   const auto progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
     if (options.progress) options.progress(stage, done, total);
   };
@@ -335,7 +345,7 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
   }
   Evaluation result;
-  const Unfolding unfolding = unfold(tree, roots_of(tree, options));
+  const Unfolding unfolding = unfold(tree, roots);
 
   progress("leaves", 0, 0);
   const PreparedLeaves leaves(tree, unfolding);
@@ -346,7 +356,14 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
   report_dropped(tree, leaves, result);
   const Complex& complex = *result.complex;
 
-  Values values = leaf_values(tree, unfolding, leaves, complex);
+  // What distances are measured to is evaluated by itself; in it materials do not matter.
+  Grades grades(tree, graded ? unfolding : Unfolding(), [&](NodeId node) {
+    EvaluateOptions alone;
+    alone.threads = options.threads;
+    alone.rows = false;
+    return evaluate_roots(tree, {node}, alone, false);
+  });
+  Values values = leaf_values(tree, unfolding, leaves, grades, complex);
   if (options.rows) measure_leaves(complex, values);
   IdVector<InstanceId, std::size_t> uses = count_uses(unfolding);
   std::map<InstanceId, SimplifiedComplex> simplified_roots;
@@ -359,7 +376,7 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     if (!value) {
       const Stopwatch stopwatch;
       const auto last = [&](InstanceId operand) { return uses[operand] == 1 && !options.keep_all; };
-      Outcome outcome = value_of(tree, unfolding, leaves, values, complex, id, options.validate, last);
+      Outcome outcome = value_of(tree, unfolding, leaves, grades, values, complex, id, options.validate, last);
       row.seconds = stopwatch.seconds();
       row.removals = std::move(outcome.removals);
       conflicts = std::move(outcome.conflicts);
@@ -389,7 +406,7 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     const NodeValue& value = *values[root];
     const auto [made, missing] = simplified_roots.try_emplace(root);
     if (missing) {
-      made->second = simplify(complex, selection_of(complex, value), value.features(),
+      made->second = simplify(complex, value, selection_of(complex, value),
                               options.raw ? SimplifyMode::raw : SimplifyMode::features);
       put_in_order(complex, made->second);
     }
@@ -401,6 +418,12 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
     for (std::shared_ptr<NodeValue>& value : values) result.values.push_back(std::move(value));
   }
   return result;
+}
+
+}  // namespace
+
+Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
+  return evaluate_roots(tree, roots_of(tree, options), options, true);
 }
 
 std::vector<Diagnostic> check(const Tree& tree) {

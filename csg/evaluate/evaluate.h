@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
 #include "csg/tree/tree.h"
 #include "csg/tree/unfold.h"
@@ -74,6 +75,7 @@ struct Evaluation {
   std::vector<std::string> leaf_names;  ///< by LeafId; empty for the frame
   std::vector<Diagnostic> diagnostics;  ///< notices of leaves, conflicts of materials
   double refine_seconds = 0;            ///< soup and complex
+  std::unique_ptr<const SurfaceParameters> parameters;  ///< of the leaves' patches and curves, found on demand
   IdVector<InstanceId, Instance> instances;  ///< below the roots, operands before users; as `rows`
   /// With `keep_all`: the value of each.
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;

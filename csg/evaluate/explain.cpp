@@ -131,7 +131,9 @@ class Classes {
         locator_(locator),
         lives_(tree, evaluation, node) {}
 
-  void explain(const std::vector<Piece>& pieces, std::size_t most, Explanation& out) {
+  /// `asked`: the point to tell, of the one piece.
+  void explain(const std::vector<Piece>& pieces, std::size_t most, Explanation& out,
+               const RationalPoint* asked = nullptr) {
     std::vector<std::size_t> first, count;
     const std::vector<std::uint32_t> classes = lives_.classes(pieces);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
@@ -145,7 +147,7 @@ class Classes {
     for (std::size_t c = 0; c < std::min(most, first.size()); ++c) examples.push_back(pieces[first[c]]);
     std::vector<Life> told = lives_.of(examples, true);
     for (std::size_t c = 0; c < examples.size(); ++c) {
-      out.classes.push_back(make(examples[c], std::move(told[c]), count[c]));
+      out.classes.push_back(make(examples[c], std::move(told[c]), count[c], asked));
     }
     for (std::size_t c = examples.size(); c < first.size(); ++c) {
       ++out.classes_left_out;
@@ -154,7 +156,7 @@ class Classes {
   }
 
  private:
-  LifeClass make(const Piece& piece, Life life, std::size_t count) const {
+  LifeClass make(const Piece& piece, Life life, std::size_t count, const RationalPoint* asked) const {
     const Complex& complex = *evaluation_.complex;
     LifeClass out;
     out.life = std::move(life);
@@ -174,8 +176,20 @@ class Classes {
       default:
         out.point = point_in(complex, locator_, piece.cell.region);
     }
-    out.origins = leaf_cells_at(complex, piece.cell, origins_in(complex, value_, piece.cell));
+    if (asked != nullptr) out.point = *asked;
+    const std::vector<LeafId> leaves = origins_in(complex, value_, piece.cell);
+    out.origins = leaf_cells_at(complex, piece.cell, leaves);
+    out.mixture = mixture_at(state_in(complex, value_, piece.cell).component, out.point);
+    out.patches = first_of_each(evaluation_.parameters->on_patches(out.example, out.point, leaves));
+    out.curves = first_of_each(evaluation_.parameters->on_curves(out.example, out.point, leaves));
     return out;
+  }
+
+  /// Nothing where the material is one all over.
+  Mixture mixture_at(Component component, const RationalPoint& p) const {
+    if (component == 0) return {};
+    const RegionMaterial& material = value_.attributes(component).material;
+    return material.grade() == nullptr ? Mixture() : MaterialSampler(material).at(p);
   }
 
   const Evaluation& evaluation_;
@@ -233,8 +247,7 @@ Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node,
       if (h.face() == at.face) piece.side = h.side();
     }
   }
-  Classes(tree, evaluation, node, locator).explain({piece}, 1, out);
-  out.classes.front().point = point;
+  Classes(tree, evaluation, node, locator).explain({piece}, 1, out, &point);
   return out;
 }
 

@@ -101,6 +101,9 @@ struct LifeClass {
   RationalPoint point;                           ///< exactly in the example and in no other cell
   std::optional<std::array<Integer, 3>> normal;  ///< of a face: n, shortest integer vector
   std::vector<LeafCell> origins;                 ///< in the leaves that the example came from
+  Mixture mixture;                               ///< at the point, where the material is graded
+  std::vector<PatchPoint> patches;               ///< of the point, on the leaves that the example came from
+  std::vector<CurvePoint> curves;                ///< the same; of both one for each patch and curve
 };
 
 struct Explanation {

@@ -417,6 +417,30 @@ std::string origins_words(const Evaluation& evaluation, const std::vector<LeafCe
   return out;
 }
 
+/// `u = 1/8`; decimals where the fraction is long.
+std::string parameter_words(const char* name, const Rational& value) {
+  const std::string exact = to_string(value);
+  constexpr std::size_t kShort = 30;
+  return std::string(name) + (exact.size() > kShort ? " = about " + to_decimal(value, 12) : " = " + exact);
+}
+
+/// A line for each patch and curve of a leaf that the point lies on.
+std::string places_words(const Evaluation& evaluation, const LifeClass& c) {
+  const SurfaceParameters& parameters = *evaluation.parameters;
+  std::string out;
+  const auto add = [&](LeafId leaf, const std::string& surface, const std::string& at) {
+    out += "on      " + evaluation.leaf_names[leaf.index()] + ": " + surface + " at " + at + "\n";
+  };
+  for (const PatchPoint& p : c.patches) {
+    add(p.leaf, parameters.patch_name(p.leaf, p.patch),
+        parameter_words("u", p.at[0]) + ", " + parameter_words("v", p.at[1]));
+  }
+  for (const CurvePoint& p : c.curves) {
+    add(p.leaf, parameters.curve_name(p.leaf, p.curve), parameter_words("t", p.at));
+  }
+  return out;
+}
+
 void add_class(const Tree& tree, const Evaluation& evaluation, const Explanation& e, const LifeClass& c,
                std::string& out) {
   const int dimension = c.example.dimension;
@@ -434,7 +458,9 @@ void add_class(const Tree& tree, const Evaluation& evaluation, const Explanation
   }
   if (c.normal) out += "normal  n = " + normal_words(*c.normal) + "\n";
   if (!c.origins.empty()) out += "from    " + origins_words(evaluation, c.origins) + "\n";
-  if (!asked || c.normal || !c.origins.empty()) out += "\n";
+  if (!c.mixture.empty()) out += "made of " + to_text(c.mixture) + "\n";
+  out += places_words(evaluation, c);
+  if (!asked || c.normal || !c.origins.empty() || !c.mixture.empty()) out += "\n";
   add_life(tree, c.life, dimension, out);
 }
 

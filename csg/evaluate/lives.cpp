@@ -413,7 +413,7 @@ void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Pie
   Node without = node;
   without.regularize = false;
   const std::vector<Operand> operands = operands_of(id);
-  made_.push_back(std::make_unique<NodeValue>(operate(complex_, without, operands, false).value));
+  made_.push_back(std::make_unique<NodeValue>(operate(complex_, without, without.material, operands, false).value));
   const NodeValue& before = *made_.back();
   std::vector<LifeStep> after(pieces.size());
   add_topology(Topological::regularize, false, before, pieces, named, after);
@@ -426,7 +426,7 @@ void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Pie
 const SimplifiedComplex& Lives::simplified(const NodeValue& value) {
   const auto it = simplified_.find(&value);
   if (it != simplified_.end()) return it->second;
-  SimplifiedComplex made = simplify(complex_, selection_of(complex_, value), value.features());
+  SimplifiedComplex made = simplify(complex_, value, selection_of(complex_, value));
   put_in_order(complex_, made);
   return simplified_.emplace(&value, std::move(made)).first->second;
 }

@@ -217,30 +217,31 @@ Outcome topology_of(const Complex& complex, const Node& node, const Operand& of,
   return of_components(std::move(result));
 }
 
-void set_attributes(const Node& node, RegionAttributes& attributes) {
-  if (!node.material.empty()) attributes.material = node.material;
+void set_attributes(const Node& node, const RegionMaterial& material, RegionAttributes& attributes) {
+  if (!material.empty()) attributes.material = material;
   if (!node.label.empty()) attributes.name = node.label;
 }
 
 /// The attributes of a node on a group; a leaf's regions and components have names and materials already.
-void apply_attributes(const Complex& complex, const Node& node, PartedGroup& group) {
+void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material, PartedGroup& group) {
   if (node.regularize) group = regularized(complex, group);
-  const bool names = node.op != Operator::leaf && !(node.material.empty() && node.label.empty());
+  const bool names = node.op != Operator::leaf && !(material.empty() && node.label.empty());
   if (node.forget_features || names) {
     group = changed(complex, group, [&](Group& part) {
       if (node.forget_features) part.features = {};
       if (!names) return;
-      for (RegionAttributes& region : part.regions) set_attributes(node, region);
+      for (RegionAttributes& region : part.regions) set_attributes(node, material, region);
     });
   }
   if (node.dominance) group.dominance = *node.dominance;
 }
 
-void apply_attributes(const Complex& complex, const Node& node, Components& components) {
+void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material,
+                      Components& components) {
   if (node.regularize) components = apply(complex, Topological::regularize, components).value;
   if (node.forget_features) components.features = {};
   for (ComponentAttributes& attributes : components.attributes) {
-    if (node.op != Operator::leaf) set_attributes(node, attributes);
+    if (node.op != Operator::leaf) set_attributes(node, material, attributes);
     if (node.dominance) attributes.dominance = *node.dominance;
   }
 }
@@ -265,7 +266,8 @@ Topological topological(Operator op) {
   }
 }
 
-Outcome operate(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate) {
+Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
+                std::span<const Operand> operands, bool validate) {
   Outcome outcome;
   switch (node.op) {
     case Operator::unite:
@@ -305,23 +307,23 @@ Outcome operate(const Complex& complex, const Node& node, std::span<const Operan
     case Operator::leaf:
       throw InvariantError("operate: `" + node.name + "` is a leaf");
   }
-  apply_attributes(complex, node, outcome.value);
+  apply_attributes(complex, node, material, outcome.value);
   return outcome;
 }
 
-void apply_attributes(const Complex& complex, const Node& node, NodeValue& value) {
+void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material, NodeValue& value) {
   if (value.is_group()) {
-    apply_attributes(complex, node, value.parts());
+    apply_attributes(complex, node, material, value.parts());
     return;
   }
-  apply_attributes(complex, node, value.components());
+  apply_attributes(complex, node, material, value.components());
   if (!value.stands_for) return;
   if (node.regularize) {
     value.stands_for.reset();
     return;
   }
   PartedGroup closed = parted(complex, std::move(*value.stands_for));
-  apply_attributes(complex, node, closed);
+  apply_attributes(complex, node, material, closed);
   value.stands_for = whole(closed);
 }
 

@@ -28,11 +28,13 @@ struct Operand {
   std::vector<LeafId> below;     ///< for topological operators: the leaves below it, ascending
 };
 
-/// The value of an inner node: its operator on the operands, from left to right, then its attributes. With
+/// The value of an inner node: its operator on the operands, from left to right, then its attributes; `material` is
+/// the node's, empty for none. With
 /// `validate` each Boolean, complement and CNRG operator is checked against the identities of SEMANTICS 2 and 5;
 /// InvariantError names the node and the first violation. InputError when the operands do not suit the operator:
 /// the message names the operator to insert.
-Outcome operate(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate);
+Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
+                std::span<const Operand> operands, bool validate);
 
 /// One step of the fold ((a op b) op c) of a Boolean node, before the node's attributes.
 struct BooleanStep {
@@ -50,6 +52,6 @@ void for_each_step(const Complex& complex, const Node& node, std::span<const Ope
 Topological topological(Operator op);
 
 /// The attributes of a node on its value: regularize, simplify, material, name, dominance.
-void apply_attributes(const Complex& complex, const Node& node, NodeValue& value);
+void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material, NodeValue& value);
 
 }  // namespace cnrg

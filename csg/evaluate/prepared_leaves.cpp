@@ -38,6 +38,7 @@ std::optional<FileFault> split(const std::string& message, const std::string& fi
 std::string file_of(const Shape& shape) {
   if (const auto* mesh = std::get_if<MeshShape>(&shape)) return mesh->file;
   if (const auto* field = std::get_if<HeightfieldShape>(&shape)) return field->file;
+  if (const auto* model = std::get_if<CadShape>(&shape)) return model->file;
   if (const auto* result = std::get_if<ResultShape>(&shape)) return result->file;
   return {};
 }
@@ -65,6 +66,19 @@ Mention mention_of(const Node& node, const std::string& faces) {
   }
   if (first) return {*first, words + " of `" + node.name + "`"};
   return {node.operator_at, "`" + node.name + "` (line " + std::to_string(node.operator_at.line) + ")"};
+}
+
+/// `, solid 1, solid 3` as `solid 1 `bolt`, solid 3 of `; nothing for nothing.
+std::string solids_in(const std::string& solids, const std::vector<LeafRegion>& regions) {
+  static const std::regex kNumber(R"(\d+)");
+  std::string words;
+  for (std::sregex_iterator it(solids.begin(), solids.end(), kNumber), end; it != end; ++it) {
+    words += (words.empty() ? "solid " : ", solid ") + it->str();
+    const auto number = index_in(it->str());
+    if (number && *number > 0 && *number <= regions.size() && !regions[*number - 1].name.empty())
+      words += " `" + regions[*number - 1].name + "`";
+  }
+  return words.empty() ? words : words + " of ";
 }
 
 }  // namespace
@@ -109,7 +123,8 @@ void PreparedLeaves::prepare_node(NodeId id) {
   }
 }
 
-std::vector<RegionAttributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t count) const {
+std::vector<RegionAttributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t count, const Instance& instance,
+                                                         Grades& grades) const {
   const Node& node = node_of(leaf);
   const std::vector<LeafRegion> own = instances_[leaf.index()].leaf->regions();
   const std::string& name = node.label.empty() ? node.name : node.label;
@@ -117,10 +132,13 @@ std::vector<RegionAttributes> PreparedLeaves::attributes(LeafId leaf, std::uint3
   for (std::uint32_t i = 0; i < count; ++i) {
     if (i < own.size()) {
       result[i].name = own[i].name;
-      result[i].material = own[i].material;
+      // Materials of a group are names of the tree; those of a result read back are its own.
+      const bool of_tree = std::holds_alternative<GroupShape>(*node.shape);
+      result[i].material =
+          of_tree ? grades.on(instance, own[i].material.name()) : grades.moved(instance, own[i].material);
     }
     if (result[i].name.empty()) result[i].name = count == 1 ? name : name + "." + std::to_string(i + 1);
-    if (result[i].material.empty()) result[i].material = node.material;
+    if (result[i].material.empty()) result[i].material = grades.on(instance, node.material);
     result[i].leaves = {leaf};
   }
   return result;
@@ -132,7 +150,7 @@ void PreparedLeaves::locate_errors(const std::function<void()>& work) const {
   } catch (const TreeError&) {
     throw;
   } catch (const InputError& e) {
-    static const std::regex kPlace(R"(\bleaf (\d+)((?:, face \d+)*))");
+    static const std::regex kPlace(R"(\bleaf (\d+)((?:, face \d+)*)((?:, solid \d+)*))");
     const std::string message = e.what();
     std::optional<Position> first;
     std::string translated;
@@ -141,7 +159,8 @@ void PreparedLeaves::locate_errors(const std::function<void()>& work) const {
       const std::smatch& match = *it;
       const auto leaf = index_in(match[1]);
       if (!leaf || *leaf >= nodes_.size()) continue;
-      const Mention mention = mention_of(node_of(LeafId(*leaf)), match[2]);
+      Mention mention = mention_of(node_of(LeafId(*leaf)), match[2]);
+      mention.words.insert(0, solids_in(match[3], instances_[*leaf].leaf->regions()));
       if (!first) first = mention.at;
       translated.append(last, match[0].first).append(mention.words);
       last = match[0].second;

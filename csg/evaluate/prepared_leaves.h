@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "csg/evaluate/grades.h"
 #include "csg/leaves/leaf.h"
 #include "csg/operators/group.h"
 #include "csg/tree/tree.h"
@@ -28,8 +29,10 @@ class PreparedLeaves {
   LeafId leaf_of(InstanceId instance) const { return leaf_of_[instance]; }
   const Node& node_of(LeafId leaf) const { return tree_->nodes[nodes_[leaf]]; }
 
-  /// What people say of the regions 1 to `count` of a leaf: the shape's own words, else those of the node.
-  std::vector<RegionAttributes> attributes(LeafId leaf, std::uint32_t count) const;
+  /// What people say of the regions 1 to `count` of a leaf: the shape's own words, else those of the node, materials
+  /// placed as `instance`, that of the leaf, is.
+  std::vector<RegionAttributes> attributes(LeafId leaf, std::uint32_t count, const Instance& instance,
+                                           Grades& grades) const;
 
   /// Runs `work`; an InputError that it throws comes out as TreeError with the place of the leaf or face that its
   /// message names as `leaf i, face j`, and with the names of nodes in the place of these numbers.

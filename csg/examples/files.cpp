@@ -14,7 +14,7 @@ int main() {
   const Complex complex = build_complex(make_soup({{a.get(), {}}, {b.get(), {}}}));
   const std::vector<Group> groups = leaf_groups(complex, {{{.name = "a", .material = "clay"}}, {{.name = "b"}}});
   const NodeValue value(complex, apply(complex, BooleanOp::unite, Dominance::left, groups[0], groups[1]).group);
-  const SimplifiedComplex simplified = simplify(complex, selection_of(complex, value), value.features());
+  const SimplifiedComplex simplified = simplify(complex, value, selection_of(complex, value));
   const std::vector<LeafInfo> leaves{{"a"}, {"b"}};
   const ResultView view{.node = "both", .complex = &complex, .value = &value, .simplified = &simplified,
                         .leaves = &leaves, .materials = {{"clay", "#aa7744"}}};
@@ -31,7 +31,7 @@ int main() {
   const Selection selection = selection_of(again, same);
   for (Component i = 1; i <= same.group().regions.size(); ++i) {
     const RegionAttributes& region = same.attributes(i);
-    std::cout << "region " << region.name << " (" << region.material << "): volume "
+    std::cout << "region " << region.name << " (" << region.material.name() << "): volume "
               << volume(again, support(selection, i).regions).value() << "\n";
   }
 }

@@ -202,9 +202,16 @@ CanonicalPatch canonical(const BezierPatch& patch) {
     }
     divide_by_first_weight(p.net);
     const bool mirrored = ((way & 1) + (way >> 1 & 1) + (way >> 2)) % 2 == 1;
-    if (way == 0 || p.net < best.patch.net) best = {std::move(p), mirrored};
+    if (way == 0 || p.net < best.patch.net)
+      best = {std::move(p), mirrored, (way & 4) != 0, (way & 1) != 0, (way & 2) != 0};
   }
   return best;
+}
+
+std::array<Rational, 2> CanonicalPatch::given(const Rational& u, const Rational& v) const {
+  std::array<Rational, 2> at{backward_u ? Rational(1 - u) : u, backward_v ? Rational(1 - v) : v};
+  if (transposed) std::swap(at[0], at[1]);
+  return at;
 }
 
 std::vector<ControlRow> bezier_pieces(const ControlRow& points, std::size_t degree,

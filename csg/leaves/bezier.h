@@ -59,6 +59,10 @@ CanonicalCurve canonical(const BezierCurve& curve);
 struct CanonicalPatch {
   BezierPatch patch;
   bool mirrored = false;
+  /// What was done to the given net: first transposed, then run backward along u, along v.
+  bool transposed = false, backward_u = false, backward_v = false;
+  /// The parameters of the given patch that name the same point as (u, v) of this one.
+  std::array<Rational, 2> given(const Rational& u, const Rational& v) const;
 };
 CanonicalPatch canonical(const BezierPatch& patch);
 

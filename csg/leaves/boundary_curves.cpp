@@ -78,6 +78,12 @@ void BoundaryCurves::use(const BezierCurve& curve, const std::string& name) {
   ++(c.reversed ? uses.backward : uses.forward);
 }
 
+int BoundaryCurves::uses(const BezierCurve& curve) const {
+  if (curve.is_point()) return 0;
+  const Uses& uses = uses_.at(canonical(curve).curve.net);
+  return uses.forward + uses.backward;
+}
+
 void BoundaryCurves::check_closed(Fill fill) const {
   if (fill != Fill::winding && fill != Fill::parity) return;
   const Uses* open = nullptr;

@@ -48,6 +48,8 @@ class BoundaryCurves {
 
   /// Notes that a patch has `curve` as a side; `name` is for messages.
   void use(const BezierCurve& curve, const std::string& name);
+  /// How many patches have it as a side, in either direction; 0 for a point.
+  int uses(const BezierCurve& curve) const;
   /// Throws InputError unless every curve is used as often in one direction as in the other (or, for parity, an
   /// even number of times).
   void check_closed(Fill fill) const;

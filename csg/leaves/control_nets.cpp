@@ -60,7 +60,29 @@ std::vector<ControlRow> pieces(ControlRow row, int degree, const std::vector<Rat
   return bezier_pieces(row, d, knots_of(knots, row.size(), d, what));
 }
 
+std::vector<Span> spans(int degree, const std::vector<Rational>& given, std::size_t points) {
+  if (degree == 0) return {{0, 1}};
+  const std::size_t d = static_cast<std::size_t>(degree);
+  const std::vector<Rational> knots = given.empty() ? clamped_knots(points, d) : given;
+  std::vector<Span> result;
+  for (std::size_t i = d; i < points; ++i) {
+    if (knots[i] != knots[i + 1]) result.push_back({knots[i], knots[i + 1]});
+  }
+  return result;
+}
+
 }  // namespace
+
+std::vector<Span> curve_spans(const CurveNet& net) { return spans(net.degree, net.knots, net.points.size()); }
+
+std::vector<std::array<Span, 2>> patch_spans(const PatchNet& net) {
+  const std::vector<Span> along_u = spans(net.degree[0], net.knots[0], net.points[0].size());
+  std::vector<std::array<Span, 2>> result;
+  for (const Span& v : spans(net.degree[1], net.knots[1], net.points.size())) {
+    for (const Span& u : along_u) result.push_back({u, v});
+  }
+  return result;
+}
 
 std::vector<BezierCurve> curve_pieces(const CurveNet& net, const std::string& what) {
   check_degree(net.degree, net.points.size(), what);

@@ -1,6 +1,7 @@
 // Control nets as the shapes have them, checked, as Bézier pieces.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,14 @@ std::vector<BezierCurve> curve_pieces(const CurveNet& net, const std::string& wh
 
 /// The Bézier pieces of a patch, spans of v from low to high, in each those of u.
 std::vector<BezierPatch> patch_pieces(const PatchNet& net, const std::string& what);
+
+/// The parameters of a curve between which a piece of it runs: two knots, or 0 and 1 without knots.
+using Span = std::array<Rational, 2>;
+/// The parameter at t of a piece, 0 <= t <= 1.
+inline Rational in_span(const Span& span, const Rational& t) { return span[0] + t * (span[1] - span[0]); }
+/// Those of all pieces of a curve that `curve_pieces` takes, in their order.
+std::vector<Span> curve_spans(const CurveNet& net);
+/// Those of all pieces of a patch that `patch_pieces` takes, along u and along v.
+std::vector<std::array<Span, 2>> patch_spans(const PatchNet& net);
 
 }  // namespace cnrg

@@ -4,6 +4,10 @@
 // it (circle.h); caps and cylinder sides are planar by construction: a cap's points are rounded within its
 // plane only, and the upper ring of a cylinder is the lower one plus the exact vector from -> to. Facets of other
 // sides are quadrilaterals where their four rounded corners happen to be coplanar, else two triangles.
+//
+// Parameters (parameters.h): u is the fraction of the turn about the axis, from 0 to 1; v the fraction of the way
+// from `from` to `to`, of the meridian from the south pole to the north pole, or of the turn about the tube, from
+// its outermost circle up. Caps are planes and have none.
 #include <algorithm>
 
 #include "csg/leaves/circle.h"
@@ -52,6 +56,13 @@ std::vector<RationalPoint> circle(const CircleFrame& frame, const RationalPoint&
   return points;
 }
 
+/// 0, 1 / n, ... 1.
+std::vector<Rational> fractions(int n) {
+  std::vector<Rational> result;
+  for (int i = 0; i <= n; ++i) result.push_back(fraction(i, n));
+  return result;
+}
+
 Ring add_ring(LeafBuilder& builder, const std::vector<RationalPoint>& points) {
   Ring ring;
   for (const RationalPoint& p : points) ring.push_back(builder.point(p));
@@ -59,65 +70,73 @@ Ring add_ring(LeafBuilder& builder, const std::vector<RationalPoint>& points) {
 }
 
 /// A band between two rings of n points, `upper` lying to the left of the direction of `lower` as seen from
-/// outside.
-void add_band(LeafBuilder& builder, const Ring& lower, const Ring& upper, std::uint32_t number) {
+/// outside; u has n + 1 entries, v is from v0 to v1.
+void add_band(LeafBuilder& builder, const Ring& lower, const Ring& upper, std::uint32_t number,
+              const std::vector<Rational>& u, const Rational& v0, const Rational& v1) {
   for (std::size_t i = 0; i < lower.size(); ++i) {
     const std::size_t j = (i + 1) % lower.size();
-    builder.facet(lower[i], lower[j], upper[j], upper[i], number);
+    builder.facet(lower[i], lower[j], upper[j], upper[i], number,
+                  {{{&u[i], &v0}, {&u[i + 1], &v0}, {&u[i + 1], &v1}, {&u[i], &v1}}});
   }
 }
 
 /// The direct neighbours of an axis: `from` with its cap (number 0), `to` with its cap (1), the side (2).
-void add_capped(LeafBuilder& builder, const Ring& bottom, const Ring& top) {
-  add_band(builder, bottom, top, 2);
+void add_capped(LeafBuilder& builder, const Ring& bottom, const Ring& top,
+                const std::array<const char*, 3>& names) {
+  for (std::uint32_t number = 0; number < 3; ++number) builder.name_patch(number, names[number]);
+  add_band(builder, bottom, top, 2, fractions(static_cast<int>(bottom.size())), 0, 1);
   if (bottom[0] != bottom[1]) builder.face(Ring(bottom.rbegin(), bottom.rend()), 0);
   if (top[0] != top[1]) builder.face(top, 1);
 }
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_cylinder(const CylinderShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_cylinder(const CylinderShape& shape, LeafParameters* record) {
   check_positive("cylinder", "radius", shape.radius);
   check_count("cylinder", "segments", shape.segments, 3);
   const RationalPoint along = shape.to - shape.from;
   if (is_zero(along)) throw InputError("cylinder: from and to are both " + describe(shape.from) + ": move one");
   std::vector<RationalPoint> points = circle(CircleFrame(along), shape.from, shape.radius, shape.segments);
-  LeafBuilder builder(Fill::winding);
+  LeafBuilder builder(Fill::winding, record);
   const Ring bottom = add_ring(builder, points);
   for (RationalPoint& p : points) p = p + along;
-  add_capped(builder, bottom, add_ring(builder, points));
+  add_capped(builder, bottom, add_ring(builder, points), {"cylinder bottom", "cylinder top", "cylinder side"});
   return builder.finish();
 }
 
-std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape, LeafParameters* record) {
   if (shape.radius < 0 || shape.top < 0 || (shape.radius == 0 && shape.top == 0)) {
     throw InputError("cone: radius is " + to_decimal(shape.radius) + " and top is " + to_decimal(shape.top) +
                      ": neither may be negative, and one must be positive");
   }
-  if (shape.radius == shape.top) return prepare_cylinder({shape.from, shape.to, shape.radius, shape.segments});
+  if (shape.radius == shape.top) {
+    return prepare_cylinder({shape.from, shape.to, shape.radius, shape.segments}, record);
+  }
   check_count("cone", "segments", shape.segments, 3);
   const RationalPoint along = shape.to - shape.from;
   if (is_zero(along)) throw InputError("cone: from and to are both " + describe(shape.from) + ": move one");
   const CircleFrame frame(along);
-  LeafBuilder builder(Fill::winding);
+  LeafBuilder builder(Fill::winding, record);
   const auto ring = [&](const RationalPoint& center, const Rational& radius) {
     if (radius == 0) return Ring(static_cast<std::size_t>(shape.segments), builder.point(center));
     return add_ring(builder, circle(frame, center, radius, shape.segments));
   };
   const Ring bottom = ring(shape.from, shape.radius);
-  add_capped(builder, bottom, ring(shape.to, shape.top));
+  add_capped(builder, bottom, ring(shape.to, shape.top), {"cone bottom", "cone top", "cone side"});
   return builder.finish();
 }
 
-std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParameters* record) {
   check_positive("sphere", "radius", shape.radius);
   check_count("sphere", "segments", shape.segments, 3);
   const int rings = shape.rings == 0 ? std::max(2, shape.segments / 2) : shape.rings;
   check_count("sphere", "rings", rings, 2);
   check_facets("sphere", shape.segments, rings);
-  LeafBuilder builder(Fill::winding);
+  LeafBuilder builder(Fill::winding, record);
   const std::size_t n = static_cast<std::size_t>(shape.segments);
   const RationalPoint& c = shape.center;
+  builder.name_patch(0, "sphere");
+  const std::vector<Rational> u = fractions(shape.segments), v = fractions(rings);
   Ring lower(n, builder.point({c[0], c[1], c[2] - shape.radius}));
   for (int j = 1; j <= rings; ++j) {
     Ring upper;
@@ -136,13 +155,13 @@ std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape) {
                                        rounded_for(c[1] + out * from_double(sine_degrees(longitude)), shape.radius), z}));
       }
     }
-    add_band(builder, lower, upper, 0);
+    add_band(builder, lower, upper, 0, u, v[static_cast<std::size_t>(j) - 1], v[static_cast<std::size_t>(j)]);
     lower = std::move(upper);
   }
   return builder.finish();
 }
 
-std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape, LeafParameters* record) {
   check_positive("torus", "radius", shape.radius);
   check_positive("torus", "tube", shape.tube);
   if (shape.tube >= shape.radius) {
@@ -158,7 +177,7 @@ std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape) {
   const std::vector<RationalPoint> around = frame.offsets(1, shape.segments);
   const Rational square = 1 / dot(frame.axis(), frame.axis());
   const RationalPoint up = round_cosine(0, square, exponent_of_root(square) - 51) * frame.axis();
-  LeafBuilder builder(Fill::winding);
+  LeafBuilder builder(Fill::winding, record);
   std::vector<Ring> rows;
   for (int j = 0; j < shape.rings; ++j) {
     Rational degrees(360L * j, shape.rings);
@@ -173,7 +192,11 @@ std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape) {
     }
     rows.push_back(std::move(row));
   }
-  for (std::size_t j = 0; j < rows.size(); ++j) add_band(builder, rows[j], rows[(j + 1) % rows.size()], 0);
+  builder.name_patch(0, "torus");
+  const std::vector<Rational> u = fractions(shape.segments), v = fractions(shape.rings);
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    add_band(builder, rows[j], rows[(j + 1) % rows.size()], 0, u, v[j], v[j + 1]);
+  }
   return builder.finish();
 }
 

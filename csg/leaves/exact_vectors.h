@@ -25,6 +25,13 @@ inline Rational volume6(const RationalPoint& a, const RationalPoint& b, const Ra
   return dot(cross(b - a, c - a), d - a);
 }
 
+/// a / b in lowest terms.
+inline Rational fraction(long a, long b) {
+  Rational result(a, b);
+  result.canonicalize();
+  return result;
+}
+
 /// `(x, y, z)` in decimals, for messages.
 inline std::string describe(const RationalPoint& p) {
   return "(" + to_decimal(p[0]) + ", " + to_decimal(p[1]) + ", " + to_decimal(p[2]) + ")";

@@ -13,6 +13,9 @@
 // of which each half is kept below chord / 4.
 //
 // Caps are faces 0 and 1, each segment of the profile is one more; of a curve the segments are from 0.
+//
+// Parameters (parameters.h): u is that of the segment's own curve, from 0 to 1 (between its knots for a spline), v
+// is t. Caps have none.
 #include <algorithm>
 #include <cmath>
 
@@ -31,8 +34,8 @@ double length(const RationalPoint& v) { return std::sqrt(to_double(dot(v, v))) *
 
 class Extrusion {
  public:
-  explicit Extrusion(const ExtrudeShape& shape)
-      : shape_(shape), fineness_("extrude", shape.tessellation), boundary_(fineness_) {
+  Extrusion(const ExtrudeShape& shape, LeafParameters* record)
+      : shape_(shape), record_(record), fineness_("extrude", shape.tessellation), boundary_(fineness_) {
     if (is_zero(shape.vector)) throw InputError("extrude: the vector is zero: give the way to go");
     if (shape.scale < 0) {
       throw InputError("extrude: scale is " + to_decimal(shape.scale) + ": give 0 or more");
@@ -68,14 +71,23 @@ class Extrusion {
         if (along != (l == 0)) reverse(lines[l]);
       }
     }
-    LeafBuilder builder(closed ? Fill::winding : Fill::none);
+    LeafBuilder builder(closed ? Fill::winding : Fill::none, record_);
     std::vector<std::vector<PointId>> lower = section(builder, lines, 0), bottom = lower;
     for (int k = 1; k <= sections_; ++k) {
       const std::vector<std::vector<PointId>> upper = section(builder, lines, k);
-      for (std::size_t l = 0; l < lines.size(); ++l) add_band(builder, lines[l], lower[l], upper[l]);
+      for (std::size_t l = 0; l < lines.size(); ++l) add_band(builder, lines[l], lower[l], upper[l], k);
       lower = upper;
     }
+    if (!closed) {
+      for (const auto& ids : {bottom[0], lower[0]}) {
+        if (builder.value(ids.front()) == builder.value(ids.back())) continue;  // a tube, the top of a cone
+        for (const PointId end : {ids.front(), ids.back()}) builder.soup().add_curve_end(builder.leaf(), end);
+      }
+    }
+    if (record_ != nullptr) name_segments(*record_, lines, "extrude", closed ? 2 : 0);
     if (closed) {
+      builder.name_patch(0, "extrude start");
+      builder.name_patch(1, "extrude end");
       if (shape_.scale != 0) builder.face(lower, 1);
       for (auto& loop : bottom) std::reverse(loop.begin(), loop.end());
       builder.face(bottom, 0);
@@ -84,12 +96,6 @@ class Extrusion {
   }
 
  private:
-  /// The same line run backward.
-  static void reverse(SampledLine& line) {
-    std::reverse(line.points.begin(), line.points.end());
-    std::reverse(line.segment.begin(), line.segment.end() - 1);  // edge i now ends in the old point n - 2 - i
-  }
-
   void check_right_angle(const RationalPoint& first) {
     for (const ProfileLine& line : shape_.profile.lines) {
       for (const CurveNet& net : line.segments) {
@@ -177,8 +183,9 @@ class Extrusion {
   }
 
   void add_band(LeafBuilder& builder, const SampledLine& line, const std::vector<PointId>& lower,
-                const std::vector<PointId>& upper) const {
+                const std::vector<PointId>& upper, int k) const {
     const std::uint32_t first = shape_.profile.closed ? 2 : 0;
+    const Rational v0 = fraction(k - 1, sections_), v1 = fraction(k, sections_);
     for (std::size_t i = 0; i < line.segment.size(); ++i) {
       const std::size_t j = (i + 1) % line.points.size();
       if (!shape_.profile.closed && is_zero(cross(line.points[j] - line.points[i], shape_.vector)) &&
@@ -186,11 +193,14 @@ class Extrusion {
         throw InputError("extrude: the curve runs along the vector at " + describe(line.points[i]) +
                          ", where it sweeps no area: move it or the vector");
       }
-      builder.facet(lower[i], lower[j], upper[j], upper[i], first + line.segment[i]);
+      const auto& [u0, u1] = line.parameters[i];
+      builder.facet(lower[i], lower[j], upper[j], upper[i], first + line.segment[i],
+                    {{{&u0, &v0}, {&u1, &v0}, {&u1, &v1}, {&u0, &v1}}});
     }
   }
 
   const ExtrudeShape& shape_;
+  LeafParameters* record_;
   Fineness fineness_;
   BoundaryCurves boundary_;
   RationalPoint center_;
@@ -200,6 +210,8 @@ class Extrusion {
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape) { return Extrusion(shape).prepare(); }
+std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape, LeafParameters* record) {
+  return Extrusion(shape, record).prepare();
+}
 
 }  // namespace cnrg

@@ -107,28 +107,47 @@ LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
   }
   for (const Soup::Wire& wire : from.wires()) soup.add_wire(leaf, moved(wire.a), moved(wire.b), wire.leaf_edge);
   for (const Soup::Isolated& isolated : from.isolated()) soup.add_isolated(leaf, moved(isolated.point));
+  for (const Soup::Isolated& end : from.curve_ends()) soup.add_curve_end(leaf, moved(end.point));
   return leaf;
 }
 
 void LeafBuilder::face(const std::vector<PointId>& loop, std::uint32_t leaf_face) {
   soup_.add_face(leaf_, std::span(&loop, 1), leaf_face, leaf_face);
+  note_flat();
 }
 
 void LeafBuilder::face(const std::vector<std::vector<PointId>>& loops, std::uint32_t leaf_face) {
   soup_.add_face(leaf_, loops, leaf_face, leaf_face);
+  note_flat();
 }
 
 void LeafBuilder::triangle(PointId a, PointId b, PointId c, std::uint32_t leaf_face) {
   soup_.add_triangle(leaf_, a, b, c, leaf_face, leaf_face);
+  note_flat();
 }
 
-void LeafBuilder::facet(PointId a, PointId b, PointId c, PointId d, std::uint32_t leaf_face) {
-  if (a == b) return triangle(a, c, d, leaf_face);
-  if (b == c || c == d) return triangle(a, b, d, leaf_face);
-  if (d == a) return triangle(a, b, c, leaf_face);
-  if (volume6(value(a), value(b), value(c), value(d)) == 0) return face({a, b, c, d}, leaf_face);
-  triangle(a, b, c, leaf_face);
-  triangle(a, c, d, leaf_face);
+void LeafBuilder::facet(PointId a, PointId b, PointId c, PointId d, std::uint32_t leaf_face,
+                        const CornerParameters& at) {
+  const std::array<PointId, 4> all{a, b, c, d};
+  const auto add = [&](std::initializer_list<std::size_t> polygon, std::initializer_list<std::size_t> cell) {
+    const std::size_t* const k = polygon.begin();
+    if (polygon.size() == 3) {
+      soup_.add_triangle(leaf_, all[k[0]], all[k[1]], all[k[2]], leaf_face, leaf_face);
+    } else {
+      const std::vector<PointId> loop(all.begin(), all.end());
+      soup_.add_face(leaf_, std::span(&loop, 1), leaf_face, leaf_face);
+    }
+    if (record_ == nullptr) return;
+    std::vector<PatchCorner> corners;
+    for (const std::size_t i : cell) corners.push_back({value(all[i]), {*at[i][0], *at[i][1]}});
+    record_->add_facet(corners);
+  };
+  if (a == b) return add({0, 2, 3}, {0, 1, 2, 3});
+  if (b == c || c == d) return add({0, 1, 3}, {0, 1, 2, 3});
+  if (d == a) return add({0, 1, 2}, {0, 1, 2, 3});
+  if (volume6(value(a), value(b), value(c), value(d)) == 0) return add({0, 1, 2, 3}, {0, 1, 2, 3});
+  add({0, 1, 2}, {0, 1, 2});
+  add({0, 2, 3}, {0, 2, 3});
 }
 
 RationalPoint LeafBuilder::value(PointId p) const { return exact_value(soup_, p); }

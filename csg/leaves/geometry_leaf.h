@@ -1,6 +1,7 @@
 // A bounded leaf: its geometry as a soup of one leaf, copied under a transform.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,10 +24,14 @@ class GeometryLeaf final : public PreparedLeaf {
   std::vector<std::string> notices_;
 };
 
-/// Builds the geometry of one leaf.
+/// The parameters of the four corners of a facet of a grid, u and v of each.
+using CornerParameters = std::array<std::array<const Rational*, 2>, 4>;
+
+/// Builds the geometry of one leaf and, into `record`, where it is given, the parameters of its facets.
 class LeafBuilder {
  public:
-  explicit LeafBuilder(Fill fill) : leaf_(soup_.add_leaf(fill)), fill_(fill) {}
+  explicit LeafBuilder(Fill fill, LeafParameters* record = nullptr)
+      : leaf_(soup_.add_leaf(fill)), fill_(fill), record_(record) {}
   Soup& soup() { return soup_; }
   LeafId leaf() const { return leaf_; }
   PointId point(const RationalPoint& p) { return soup_.add_point(p); }
@@ -37,7 +42,11 @@ class LeafBuilder {
   void triangle(PointId a, PointId b, PointId c, std::uint32_t leaf_face);
   /// The quadrilateral a b c d, or, where it is not planar exactly, the triangles a b c and a c d. Triangles of
   /// zero area (two equal corners) are left out.
-  void facet(PointId a, PointId b, PointId c, PointId d, std::uint32_t leaf_face);
+  void facet(PointId a, PointId b, PointId c, PointId d, std::uint32_t leaf_face, const CornerParameters& at);
+  /// What people call a patch.
+  void name_patch(std::uint32_t leaf_face, const char* name) {
+    if (record_ != nullptr) record_->name_patch(leaf_face, name);
+  }
   RationalPoint value(PointId p) const;
   std::unique_ptr<PreparedLeaf> finish(std::vector<std::string> notices = {});
 
@@ -45,6 +54,11 @@ class LeafBuilder {
   Soup soup_;
   LeafId leaf_;
   Fill fill_;
+  LeafParameters* record_;
+
+  void note_flat() {
+    if (record_ != nullptr) record_->add_flat_facet();
+  }
 };
 
 }  // namespace cnrg

@@ -142,6 +142,11 @@ std::unique_ptr<PreparedLeaf> prepare_heightfield(const HeightfieldShape& shape)
   const GridPoints grid =
       shape.file.empty() ? points_of_tree(builder, shape) : points_of_file(builder, shape, notices);
   add_surface(builder, grid);
+  for (const std::size_t j : {std::size_t{0}, grid.rows - 1}) {
+    for (const std::size_t i : {std::size_t{0}, grid.columns - 1}) {
+      if (grid.at(i, j).valid()) builder.soup().add_curve_end(builder.leaf(), grid.at(i, j));
+    }
+  }
   if (shape.base) add_walls(builder, grid, *shape.base);
   return builder.finish(std::move(notices));
 }

@@ -7,9 +7,12 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csg/leaves/cell_table.h"
+#include "csg/leaves/material.h"
+#include "csg/leaves/parameters.h"
 #include "csg/leaves/shapes.h"
 #include "kernel/base/error.h"
 
@@ -26,7 +29,8 @@ class LeafFileError : public InputError {
 /// the shape itself (group regions, components of results read back); the node's own attributes come from the
 /// tree.
 struct LeafRegion {
-  std::string name, material;
+  std::string name;
+  RegionMaterial material{};  ///< with a grade in the leaf's own coordinates: of a result read back
 };
 
 /// A shape whose files were read and whose geometry was checked.
@@ -43,6 +47,13 @@ class PreparedLeaf {
   virtual std::vector<std::string> notices() const { return {}; }
   /// True for planes and half-spaces.
   virtual bool unbounded() const { return false; }
+
+  /// How to get the parameters of a curved leaf: `add_to` adds faces and wires in their order. Empty for others.
+  const ParameterSource& parameters() const { return parameters_; }
+  void set_parameters(ParameterSource source) { parameters_ = std::move(source); }
+
+ private:
+  ParameterSource parameters_;
 };
 
 /// Reads files and checks everything that can be checked for the leaf alone. Throws InputError: the message

@@ -67,7 +67,8 @@ void turn_flat_ones(PatchMesh& mesh) {
     }
     const std::size_t s = other->second;
     const Corners n = mesh.triangles[s];
-    const std::uint32_t d = n[0] != a && n[0] != e ? n[0] : n[1] != a && n[1] != e ? n[1] : n[2];
+    const std::size_t at_d = n[0] != a && n[0] != e ? 0 : n[1] != a && n[1] != e ? 1 : 2;
+    const std::uint32_t d = n[at_d];
     at_edge.erase({a, e});
     at_edge.erase({e, a});
     if (d == b) {  // two flat ones back to back
@@ -76,6 +77,11 @@ void turn_flat_ones(PatchMesh& mesh) {
     }
     mesh.triangles[t] = {a, b, d};
     mesh.triangles[s] = {b, e, d};
+    // The neighbour runs a e d; b is the flat one's.
+    const Corners of_n = mesh.places[s];
+    const std::uint32_t place_b = mesh.places[t][k];
+    mesh.places[t] = {of_n[(at_d + 1) % 3], place_b, of_n[at_d]};
+    mesh.places[s] = {place_b, of_n[(at_d + 2) % 3], of_n[at_d]};
     for (std::size_t x : {t, s}) {
       note(x);
       note_flat(x);
@@ -83,17 +89,20 @@ void turn_flat_ones(PatchMesh& mesh) {
   }
   std::size_t kept = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!gone[t]) mesh.triangles[kept++] = mesh.triangles[t];
+    if (gone[t]) continue;
+    mesh.triangles[kept] = mesh.triangles[t];
+    mesh.places[kept++] = mesh.places[t];
   }
   mesh.triangles.resize(kept);
+  mesh.places.resize(kept);
 }
 
 class Mesher {
  public:
-  Mesher(const BezierPatch& patch, const Fineness& fineness, BoundaryCurves& boundary)
-      : patch_(patch), fineness_(fineness), chord_(patch) {
+  Mesher(const CanonicalPatch& canonical, const Fineness& fineness, BoundaryCurves& boundary)
+      : canonical_(canonical), patch_(canonical.patch), fineness_(fineness), chord_(patch_) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const BezierCurve side = patch.side(k);
+      const BezierCurve side = patch_.side(k);
       if (!side.is_point()) side_[k] = static_cast<std::uint32_t>(boundary.steps(side));
     }
     whole_ = fineness.by_chord() ? 1u << 24 : static_cast<std::uint32_t>(fineness.segments());
@@ -324,16 +333,20 @@ class Mesher {
           number.try_emplace(patch_.at(u, v), static_cast<std::uint32_t>(mesh.points.size()));
       if (is_new) mesh.points.push_back(it->first);
       point_of.push_back(it->second);
+      mesh.parameters.push_back(canonical_.given(u, v));
     }
     for (const Corners& c : triangles_) {
       const Corners p{point_of[c[0]], point_of[c[1]], point_of[c[2]]};
-      if (p[0] != p[1] && p[1] != p[2] && p[2] != p[0]) mesh.triangles.push_back(p);
+      if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
+      mesh.triangles.push_back(p);
+      mesh.places.push_back(c);
     }
     turn_flat_ones(mesh);
     return mesh;
   }
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  const CanonicalPatch& canonical_;
   const BezierPatch& patch_;
   const Fineness& fineness_;
   PatchChord chord_;
@@ -351,11 +364,38 @@ class Mesher {
 
 PatchMesh mesh_patch(const BezierPatch& patch, const Fineness& fineness, BoundaryCurves& boundary) {
   const CanonicalPatch c = canonical(patch);
-  PatchMesh mesh = Mesher(c.patch, fineness, boundary).run();
+  PatchMesh mesh = Mesher(c, fineness, boundary).run();
   if (c.mirrored) {
     for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+    for (auto& t : mesh.places) std::swap(t[1], t[2]);
   }
   return mesh;
+}
+
+std::vector<PatchCorner> cell_of(const PatchMesh& mesh, std::size_t t, const BezierPatch& patch) {
+  std::vector<PatchCorner> cell;
+  for (std::size_t k = 0; k < 3; ++k) {
+    cell.push_back({mesh.points[mesh.triangles[t][k]], mesh.parameters[mesh.places[t][k]]});
+  }
+  // Sides v = 0, u = 1, v = 1, u = 0: the parameter that is fixed, and its value.
+  constexpr std::array<std::pair<std::size_t, int>, 4> kSides{{{1, 0}, {0, 1}, {1, 1}, {0, 0}}};
+  std::optional<std::size_t> pole;
+  std::size_t along = 0;
+  for (std::size_t side = 0; side < 4; ++side) {
+    const auto [fixed, value] = kSides[side];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (cell[k].at[fixed] != value || !patch.side(side).is_point()) continue;
+      if (pole) return cell;
+      pole = k;
+      along = 1 - fixed;
+    }
+  }
+  if (!pole) return cell;
+  const PatchCorner &a = cell[*pole], &b = cell[(*pole + 1) % 3], &c = cell[(*pole + 2) % 3];
+  PatchCorner before = a, after = a;
+  before.at[along] = c.at[along];
+  after.at[along] = b.at[along];
+  return {before, after, b, c};
 }
 
 }  // namespace cnrg

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "csg/leaves/boundary_curves.h"
+#include "csg/leaves/parameters.h"
 
 namespace cnrg {
 
@@ -22,7 +23,16 @@ struct PatchMesh {
   std::vector<RationalPoint> points;  ///< exactly on the patch
   /// Counter-clockwise as seen from the front of the given patch; no two corners of one are equal.
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// The parameters of the given patch at the corners of each triangle, by number in `parameters`. A point that is
+  /// one side of the patch has many.
+  std::vector<std::array<std::uint32_t, 3>> places;
+  std::vector<Parameters> parameters;
 };
+
+/// The cell of triangle t (parameters.h). Where one corner is a side of the patch, shrunk to a point, that side is
+/// the first of four, with the parameters of lines of the net from the other two corners: so triangles around a
+/// pole agree on the edges between them.
+std::vector<PatchCorner> cell_of(const PatchMesh& mesh, std::size_t t, const BezierPatch& patch);
 
 /// Throws InputError where the chord asks for too many facets.
 PatchMesh mesh_patch(const BezierPatch& patch, const Fineness& fineness, BoundaryCurves& boundary);

@@ -5,8 +5,21 @@
 namespace cnrg {
 namespace {
 
+using Leaf = std::unique_ptr<PreparedLeaf>;
+
+/// The shape is kept, and made once more, with a record, when someone asks for parameters.
+template <class Shape>
+Leaf curved(const Shape& shape, Leaf (*make)(const Shape&, LeafParameters*)) {
+  Leaf leaf = make(shape, nullptr);
+  leaf->set_parameters([make, kept = std::make_shared<const Shape>(shape)] {
+    auto parameters = std::make_shared<LeafParameters>();
+    make(*kept, parameters.get());
+    return parameters;
+  });
+  return leaf;
+}
+
 struct Dispatch {
-  using Leaf = std::unique_ptr<PreparedLeaf>;
   Leaf operator()(const BoxShape& shape) const { return prepare_box(shape); }
   Leaf operator()(const PrismShape& shape) const { return prepare_prism(shape); }
   Leaf operator()(const PyramidShape& shape) const { return prepare_pyramid(shape); }
@@ -16,16 +29,17 @@ struct Dispatch {
   Leaf operator()(const PointsShape& shape) const { return prepare_points(shape); }
   Leaf operator()(const PlaneShape& shape) const { return prepare_plane(shape); }
   Leaf operator()(const HalfspaceShape& shape) const { return prepare_halfspace(shape); }
-  Leaf operator()(const SphereShape& shape) const { return prepare_sphere(shape); }
-  Leaf operator()(const CylinderShape& shape) const { return prepare_cylinder(shape); }
-  Leaf operator()(const ConeShape& shape) const { return prepare_cone(shape); }
-  Leaf operator()(const TorusShape& shape) const { return prepare_torus(shape); }
-  Leaf operator()(const BezierShape& shape) const { return prepare_bezier(shape); }
-  Leaf operator()(const CoonsShape& shape) const { return prepare_coons(shape); }
-  Leaf operator()(const ExtrudeShape& shape) const { return prepare_extrude(shape); }
-  Leaf operator()(const RevolveShape& shape) const { return prepare_revolve(shape); }
+  Leaf operator()(const SphereShape& shape) const { return curved(shape, prepare_sphere); }
+  Leaf operator()(const CylinderShape& shape) const { return curved(shape, prepare_cylinder); }
+  Leaf operator()(const ConeShape& shape) const { return curved(shape, prepare_cone); }
+  Leaf operator()(const TorusShape& shape) const { return curved(shape, prepare_torus); }
+  Leaf operator()(const BezierShape& shape) const { return curved(shape, prepare_bezier); }
+  Leaf operator()(const CoonsShape& shape) const { return curved(shape, prepare_coons); }
+  Leaf operator()(const ExtrudeShape& shape) const { return curved(shape, prepare_extrude); }
+  Leaf operator()(const RevolveShape& shape) const { return curved(shape, prepare_revolve); }
   Leaf operator()(const HeightfieldShape& shape) const { return prepare_heightfield(shape); }
   Leaf operator()(const MeshShape& shape) const { return prepare_mesh(shape); }
+  Leaf operator()(const CadShape& shape) const { return prepare_cad(shape); }
   Leaf operator()(const GroupShape& shape) const { return prepare_group(shape); }
   Leaf operator()(const ResultShape& shape) const { return prepare_result(shape); }
 };

@@ -1,12 +1,21 @@
 // Sampling of profiles; see the header.
 #include "csg/leaves/profile.h"
 
-#include "csg/leaves/control_nets.h"
+#include <algorithm>
+#include <utility>
+
 #include "csg/leaves/exact_vectors.h"
 #include "csg/leaves/planar_polygon.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
+
+void reverse(SampledLine& line) {
+  std::reverse(line.points.begin(), line.points.end());
+  std::reverse(line.segment.begin(), line.segment.end() - 1);  // edge i now ends in the old point n - 2 - i
+  std::reverse(line.parameters.begin(), line.parameters.end() - 1);
+  for (Span& span : line.parameters) std::swap(span[0], span[1]);
+}
 
 std::vector<SampledLine> sample(const Profile& profile, const std::string& shape,
                                 const std::function<int(const BezierCurve&)>& steps) {
@@ -31,24 +40,35 @@ std::vector<SampledLine> sample(const Profile& profile, const std::string& shape
                          ", the next one begins in " + describe(next.points[0]) +
                          ": let segments follow each other");
       }
-      for (const BezierCurve& piece : pieces) {
+      const std::vector<Span> spans = curve_spans(net);
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const BezierCurve& piece = pieces[k];
         if (piece.is_point()) {
           throw InputError(shape + ": " + name + " is one point, " + describe(piece.at(0)) +
                            ": leave a corner out");
         }
         const int n = steps(piece);
         for (int i = 0; i < n; ++i) {
-          Rational t(i, n);
-          t.canonicalize();
+          const Rational t = fraction(i, n);
           sampled.points.push_back(piece.at(t));
           sampled.segment.push_back(number);
+          sampled.parameters.push_back({in_span(spans[k], t), in_span(spans[k], fraction(i + 1, n))});
         }
-        if (last && &piece == &pieces.back() && !profile.closed) sampled.points.push_back(piece.at(1));
+        if (last && k + 1 == pieces.size() && !profile.closed) sampled.points.push_back(piece.at(1));
       }
       ++number;
     }
   }
   return result;
+}
+
+void name_segments(LeafParameters& record, const std::vector<SampledLine>& lines, const std::string& shape,
+                   std::uint32_t first) {
+  for (const SampledLine& line : lines) {
+    for (const std::uint32_t segment : line.segment) {
+      record.name_patch(first + segment, shape + " segment " + std::to_string(segment + 1));
+    }
+  }
 }
 
 RationalPoint check_area(const std::vector<SampledLine>& lines, const std::string& shape) {

@@ -1,5 +1,4 @@
-// Reading has three parts: a cursor on the JSON document that knows its path, so that each fault names its
-// place; the tables of the file with every number checked; and the leaf made from them. All cells of the file go
+// Reading has three parts: a cursor on the JSON document (json_cursor.h); the tables of the file with every number checked; and the leaf made from them. All cells of the file go
 // to the soup, active or not; the cell table says which are active.
 //
 // Edges are wires where the faces alone would not give the same edge again:
@@ -10,83 +9,28 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
+#include <utility>
 
+#include "csg/leaves/json_cursor.h"
 #include "csg/leaves/mesh_file.h"
+#include "csg/leaves/read_grades.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {
 
-using Json = nlohmann::json;
-using Index = std::uint32_t;
+using result::Cursor;
+using result::Index;
+using result::Json;
+using result::kAgain;
+using result::refuse;
 using Loop = std::vector<Index>;
-
-[[noreturn]] void refuse(const std::string& file, const std::string& path, const std::string& what) {
-  throw LeafFileError(file + ": error: " + (path.empty() ? "" : path + ": ") + what);
-}
-constexpr const char* kAgain = "; write the file again with `cnrg eval -o`";
-
-/// A value of the document and the way to it.
-class Cursor {
- public:
-  Cursor(const std::string& file, const Json& value, std::string path = "")
-      : file_(&file), value_(&value), path_(std::move(path)) {}
-
-  [[noreturn]] void fail(const std::string& what) const { refuse(*file_, path_, what); }
-  const std::string& path() const { return path_; }
-  bool is_null() const { return value_->is_null(); }
-  std::size_t size() const { return value_->size(); }
-
-  Cursor member(const char* key) const {
-    if (!value_->is_object()) fail(std::string("an object is needed here") + kAgain);
-    const auto found = value_->find(key);
-    if (found == value_->end()) fail("`" + std::string(key) + "` is missing" + kAgain);
-    return {*file_, *found, path_ + "/" + key};
-  }
-  bool has(const char* key) const { return value_->is_object() && value_->contains(key); }
-  Cursor at(std::size_t i) const { return {*file_, (*value_)[i], path_ + "/" + std::to_string(i)}; }
-  /// The value must be an array.
-  const Cursor& array() const {
-    if (!value_->is_array()) fail(std::string("a list is needed here") + kAgain);
-    return *this;
-  }
-  /// A whole number below `limit`; `what` it counts.
-  Index number(std::size_t limit, const char* what) const {
-    if (!value_->is_number_unsigned()) fail(std::string("the number of a ") + what + " is needed here" + kAgain);
-    const auto n = value_->get<std::uint64_t>();
-    if (n >= limit) {
-      fail(std::string(what) + " " + std::to_string(n) + " does not exist: there are " + std::to_string(limit) +
-           kAgain);
-    }
-    return Index(n);
-  }
-  bool boolean() const {
-    if (!value_->is_boolean()) fail(std::string("true or false is needed here") + kAgain);
-    return value_->get<bool>();
-  }
-  std::string text() const {
-    if (!value_->is_string()) fail(std::string("a text is needed here") + kAgain);
-    return value_->get<std::string>();
-  }
-  Rational rational() const {
-    if (value_->is_number_integer()) return *parse_rational(value_->dump());
-    if (value_->is_string()) {
-      if (auto number = parse_rational(value_->get_ref<const std::string&>())) return *number;
-    }
-    fail("an exact number is needed here, such as \"3\", \"0.25\" or \"121/3\"");
-  }
-
- private:
-  const std::string* file_;
-  const Json* value_;
-  std::string path_;
-};
 
 struct Facet {
   std::vector<Loop> loops;     ///< without slits, the outer one first, counter-clockwise seen from the front
   Index face = 0, patch = 0;
   Index front = 0, back = 0;   ///< labels
+  std::vector<std::vector<PatchCorner>> cells;  ///< of its patch, that it lies in
 };
 
 struct Edge {
@@ -104,6 +48,7 @@ struct Content {
   std::vector<Edge> edges;
   std::vector<Index> isolated;
   std::vector<LeafRegion> components;
+  std::map<Index, std::string> patches;         ///< names of those with parameters
 };
 
 RationalPoint minus(const RationalPoint& a, const RationalPoint& b) {
@@ -170,6 +115,7 @@ class Reader {
     read_regions();
     read_vertices();
     read_edges();
+    if (root_.has("cells")) read_cells();
     read_faces();
     choose_wires();
     require_all_points();
@@ -184,6 +130,7 @@ class Reader {
   std::vector<Edge>& edges_ = content_.edges;
   std::vector<char> frame_, used_;               // by point
   std::vector<Index> labels_;                    // by region; 0: unbounded
+  std::vector<std::vector<PatchCorner>> cells_;  // of patches
 
   template <class F>
   void each(const char* key, F f) {
@@ -203,8 +150,7 @@ class Reader {
   void read_points() {
     auto& points = table_.points;
     each("points", [&](const Cursor& p) {
-      if (p.array().size() != 3) p.fail(std::string("a point has three coordinates") + kAgain);
-      points.push_back({p.at(0).rational(), p.at(1).rational(), p.at(2).rational()});
+      points.push_back(p.point());
       if (points.size() > 1 && !(points[points.size() - 2] < points.back())) {
         p.fail(std::string("points are sorted by their coordinates, and no two are equal") + kAgain);
       }
@@ -216,8 +162,11 @@ class Reader {
 
   void read_components() {
     if (table_.group) table_.dominances.push_back(root_.member("dominance").rational());
+    const auto grades = result::read_grades(root_);
     each("components", [&](const Cursor& c) {
-      content_.components.push_back({c.member("name").text(), c.member("material").text()});
+      RegionMaterial material(c.member("material").text());
+      if (c.has("grade")) material = {material.name(), grades[c.member("grade").number(grades.size(), "grade")]};
+      content_.components.push_back({c.member("name").text(), std::move(material)});
       if (!table_.group) table_.dominances.push_back(c.member("dominance").rational());
     });
   }
@@ -323,13 +272,45 @@ class Reader {
       const std::vector<Loop> walks = read_walks(f);
       const bool flat = !f.has("facets");
       walk_boundary(f, walks, component, flat);
+      const std::size_t first = content_.facets.size();
       if (flat) {
         add_facet(f, walks, facet);
-        return;
+      } else {
+        const Cursor facets = f.member("facets").array();
+        for (std::size_t i = 0; i < facets.size(); ++i) add_curved(facets.at(i), facet);
       }
-      const Cursor facets = f.member("facets").array();
-      for (std::size_t i = 0; i < facets.size(); ++i) add_curved(facets.at(i), facet);
+      if (f.has("cells")) choose_cells(f.member("cells"), first);
     });
+  }
+
+  void read_cells() {
+    each("patches", [&](const Cursor& p) {
+      content_.patches[p.member("patch").number(1u << 31, "patch")] = p.member("name").text();
+    });
+    each("cells", [&](const Cursor& c) {
+      if (c.array().size() != 3 && c.size() != 4) c.fail(std::string("a cell has three corners or four") + kAgain);
+      auto& cell = cells_.emplace_back();
+      for (std::size_t i = 0; i < c.size(); ++i) {
+        const Cursor corner = c.at(i).array();
+        if (corner.size() != 5) corner.fail(std::string("x, y, z, u and v are needed here") + kAgain);
+        const auto number = [&](std::size_t k) { return corner.at(k).rational(); };
+        cell.push_back({{number(0), number(1), number(2)}, {number(3), number(4)}});
+      }
+      if (!is_cell(cell)) c.fail(std::string("the corners of a cell lie in a plane and not on a line") + kAgain);
+    });
+  }
+
+  /// For the facets of a face, from number `first`.
+  void choose_cells(const Cursor& lists, std::size_t first) {
+    if (lists.array().size() != content_.facets.size() - first) {
+      lists.fail(std::string("one list for each facet is needed here") + kAgain);
+    }
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      const Cursor list = lists.at(i).array();
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        content_.facets[first + i].cells.push_back(cells_[list.at(k).number(cells_.size(), "cell")]);
+      }
+    }
   }
 
   void add_curved(const Cursor& at, const Facet& facet) {
@@ -443,7 +424,10 @@ class Reader {
 
 class ResultLeaf : public PreparedLeaf {
  public:
-  explicit ResultLeaf(Content content) : content_(std::move(content)) {}
+  explicit ResultLeaf(Content content) : content_(std::move(content)) {
+    if (content_.patches.empty()) return;
+    set_parameters([made = parameters_of(content_)] { return made; });
+  }
 
   LeafId add_to(Soup& soup, const Transform& transform) const override {
     const LeafId leaf = soup.add_leaf(Fill::sides);
@@ -476,6 +460,21 @@ class ResultLeaf : public PreparedLeaf {
   const CellTable* cells() const override { return &content_.table; }
 
  private:
+  /// Faces and wires as `add_to` adds them; curves have no parameters in files.
+  static std::shared_ptr<const LeafParameters> parameters_of(Content& content) {
+    auto parameters = std::make_shared<LeafParameters>();
+    for (const auto& [patch, name] : content.patches) parameters->name_patch(patch, name);
+    for (Facet& facet : content.facets) parameters->add_facet(std::exchange(facet.cells, {}));
+    for (const Edge& edge : content.edges) {
+      if (!edge.wire) continue;
+      const auto& points = content.table.points;
+      for (std::size_t i = 1; i < edge.points.size(); ++i) {
+        parameters->add_wire({{points[edge.points[i - 1]], points[edge.points[i]]}, {0, 0}});
+      }
+    }
+    return parameters;
+  }
+
   Content content_;
 };
 

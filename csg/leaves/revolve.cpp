@@ -7,6 +7,9 @@
 //
 // Of a partial turn the caps are faces 0 (start) and 1; each segment of the profile is one more. Without caps the
 // segments are from 0. Segments on the axis sweep nothing.
+//
+// Parameters (parameters.h): u is that of the segment's own curve, from 0 to 1 (between its knots for a spline), v
+// the fraction of the turn made, from 0 to 1. Caps have none.
 #include <algorithm>
 
 #include "csg/leaves/circle.h"
@@ -62,7 +65,7 @@ RationalPoint unit(const CircleFrame& frame) {
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape) {
+std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafParameters* record) {
   check(shape);
   const Fineness fineness("revolve", shape.tessellation);
   BoundaryCurves boundary(fineness);
@@ -79,13 +82,12 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape) {
     // The outer line counter-clockwise with r to the right and z up, holes clockwise.
     for (std::size_t l = 0; l < lines.size(); ++l) {
       if ((area_vector(lines[l].points)[1] < 0) == (l == 0)) continue;
-      std::reverse(lines[l].points.begin(), lines[l].points.end());
-      std::reverse(lines[l].segment.begin(), lines[l].segment.end() - 1);
+      reverse(lines[l]);
     }
   }
   const CircleFrame frame(shape.axis);
   const RationalPoint up = unit(frame);
-  LeafBuilder builder(closed ? Fill::winding : Fill::none);
+  LeafBuilder builder(closed ? Fill::winding : Fill::none, record);
   std::vector<std::vector<PointId>> first;
   const auto section = [&](int k) {
     Rational degrees(k, turns);
@@ -106,18 +108,30 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape) {
   std::vector<std::vector<PointId>> last = first;
   const std::uint32_t number = closed && !full ? 2 : 0;
   for (int k = 1; k <= turns; ++k) {
+    const Rational v0 = fraction(k - 1, turns), v1 = fraction(k, turns);
     const std::vector<std::vector<PointId>> next = full && k == turns ? first : section(k);
     for (std::size_t l = 0; l < lines.size(); ++l) {
       const auto &from = last[l], &to = next[l];
       for (std::size_t i = 0; i < lines[l].segment.size(); ++i) {
         const std::size_t j = (i + 1) % from.size();
         if (from[i] == to[i] && from[j] == to[j]) continue;  // on the axis
-        builder.facet(from[i], to[i], to[j], from[j], number + lines[l].segment[i]);
+        const auto& [u0, u1] = lines[l].parameters[i];
+        builder.facet(from[i], to[i], to[j], from[j], number + lines[l].segment[i],
+                      {{{&u0, &v0}, {&u0, &v1}, {&u1, &v1}, {&u1, &v0}}});
       }
     }
     last = next;
   }
+  if (!closed && !full) {
+    for (const auto& ids : {first[0], last[0]}) {
+      if (builder.value(ids.front()) == builder.value(ids.back())) continue;  // a tube
+      for (const PointId end : {ids.front(), ids.back()}) builder.soup().add_curve_end(builder.leaf(), end);
+    }
+  }
+  if (record != nullptr) name_segments(*record, lines, "revolve", number);
   if (closed && !full) {
+    builder.name_patch(0, "revolve start");
+    builder.name_patch(1, "revolve end");
     builder.face(first, 0);
     for (auto& loop : last) std::reverse(loop.begin(), loop.end());
     builder.face(last, 1);

@@ -136,13 +136,31 @@ struct RevolveShape {
   Rational degrees = 360;
   Tessellation tessellation;
 };
+/// `{step: {file: part.step, chord: e, unit: mm, solids: [2, bolt], fill: solids, seams: false}}`, `{brep: {file:
+/// part.brep, ...}}`: a boundary representation, read by OpenCASCADE; path already resolved. Each face of the
+/// model is one face, each edge an edge, each solid a region. `unit` (STEP only) is that of the model; default:
+/// the file's own. `solids`: only those, by number (from 1) or name; all that have the name. Without `fill`:
+/// Fill::solids if there are any. `seams`: edges where a face meets itself, such as the generator at which a
+/// cylinder's parameters start, are edges too, with their ends and the poles of spheres. Facets are as far from
+/// the faces as `chord` at most where it is measured, at four points of each (cad_occt_mesh.cpp).
+struct CadShape {
+  enum class Format { step, brep };
+  Format format = Format::step;
+  std::string file;
+  Tessellation tessellation;
+  std::optional<Fill> fill;
+  std::string unit;                  ///< um mm cm m km in ft; empty: the file's own
+  std::vector<std::string> solids;   ///< empty: everything
+  bool seams = false;
+  const char* name() const { return format == Format::step ? "step" : "brep"; }
+};
 /// `{cnrg: file.json}`: a result read back.
 struct ResultShape { std::string file; };
 
 using Shape = std::variant<BoxShape, PrismShape, PyramidShape, TetrahedronShape, PolygonShape, PolylineShape, PointsShape,
                            PlaneShape, HalfspaceShape, SphereShape, CylinderShape, ConeShape, TorusShape,
                            BezierShape, CoonsShape, ExtrudeShape, RevolveShape, HeightfieldShape, MeshShape,
-                           GroupShape, ResultShape>;
+                           CadShape, GroupShape, ResultShape>;
 
 /// An exact affine map: p -> A p + b.
 struct Transform {
@@ -157,9 +175,11 @@ struct Transform {
   static Transform reflection(const RationalPoint& normal, const RationalPoint& point);
   bool identity() const;
   Rational determinant() const;
+  Transform inverse() const;
   RationalPoint apply(const RationalPoint& p) const;
   /// First `inner`, then this.
   Transform operator*(const Transform& inner) const;
+  friend bool operator==(const Transform&, const Transform&) = default;
 };
 
 }  // namespace cnrg

@@ -79,6 +79,16 @@ bool Transform::identity() const {
 
 Rational Transform::determinant() const { return dot(linear[0], cross(linear[1], linear[2])); }
 
+// The rows of the inverse are the cross products of the columns, over the determinant.
+Transform Transform::inverse() const {
+  const auto column = [&](std::size_t k) { return RationalPoint{linear[0][k], linear[1][k], linear[2][k]}; };
+  const Rational scale = 1 / determinant();
+  Transform t;
+  for (std::size_t k = 0; k < 3; ++k) t.linear[k] = scale * cross(column((k + 1) % 3), column((k + 2) % 3));
+  t.offset = Rational(-1) * image(t.linear, offset);
+  return t;
+}
+
 RationalPoint Transform::apply(const RationalPoint& p) const { return image(linear, p) + offset; }
 
 Transform Transform::operator*(const Transform& inner) const {

@@ -353,14 +353,14 @@ class Accumulator::State {
                   sources.end());
     std::vector<std::pair<RegionId, RegionAttributes>> made;
     std::vector<const RegionAttributes*> of_region;
-    std::vector<std::string> others;
+    std::vector<RegionMaterial> others;
     for (auto begin = sources.begin(); begin != sources.end();) {
       const auto end =
           std::find_if(begin, sources.end(), [&](const Source& s) { return s.result != begin->result; });
       of_region.clear();
       for (auto it = begin; it != end; ++it) of_region.push_back(&attributes_of(*it));
       made.emplace_back(begin->result, combined(of_region, roles_.dominant, others));
-      for (const std::string& other : others) {
+      for (const RegionMaterial& other : others) {
         MaterialConflict conflict{0, made.back().second.material, other, {}};
         conflict.cells.regions = cells_of(std::span(begin, end), other);
         step_->conflicts.emplace_back(begin->result, std::move(conflict));
@@ -381,7 +381,7 @@ class Accumulator::State {
   }
 
   // The 3-cells of one region of the result where an operand has the material.
-  std::vector<RegionId> cells_of(std::span<const Source> sources, const std::string& material) {
+  std::vector<RegionId> cells_of(std::span<const Source> sources, const RegionMaterial& material) {
     std::vector<RegionId> out;
     const RegionId result = sources.front().result;
     const auto add = [&](RegionId cell) {

@@ -12,7 +12,7 @@ namespace {
 
 // The 3-cells of a region of the result where an operand has the material.
 CellSet cells_of(const Group& result, std::uint32_t region, const std::vector<const Group*>& operands,
-                 const std::string& material) {
+                 const RegionMaterial& material) {
   CellSet out;
   for (const auto& [cell, number] : result.cells) {
     if (number != region) continue;
@@ -38,7 +38,7 @@ void add_leaves(std::vector<LeafId>& leaves, const std::vector<LeafId>& more) {
 }  // namespace
 
 RegionAttributes combined(std::span<const RegionAttributes* const> sources, bool strict,
-                          std::vector<std::string>& others) {
+                          std::vector<RegionMaterial>& others) {
   others.clear();
   RegionAttributes out = *sources.front();
   for (const RegionAttributes* source : sources.subspan(1)) {
@@ -47,11 +47,12 @@ RegionAttributes combined(std::span<const RegionAttributes* const> sources, bool
     if (out.name.empty()) out.name = source->name;
     if (out.material.empty()) {
       out.material = source->material;
-    } else if (!source->material.empty() && source->material != out.material) {
+    } else if (!source->material.empty() && source->material != out.material &&
+               std::find(others.begin(), others.end(), source->material) == others.end()) {
       others.push_back(source->material);
     }
   }
-  sort_unique(others);
+  std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.name() < b.name(); });
   return out;
 }
 
@@ -75,7 +76,7 @@ std::vector<MaterialConflict> combine_attributes(Group& result, const std::vecto
 
   std::vector<MaterialConflict> conflicts;
   std::vector<const RegionAttributes*> of_region;
-  std::vector<std::string> others;
+  std::vector<RegionMaterial> others;
   for (auto begin = sources.begin(); begin != sources.end();) {
     const std::uint32_t region = std::get<0>(*begin);
     const auto end = std::find_if(begin, sources.end(), [&](const auto& s) { return std::get<0>(s) != region; });
@@ -85,7 +86,7 @@ std::vector<MaterialConflict> combine_attributes(Group& result, const std::vecto
     }
     RegionAttributes& attributes = result.regions[region - 1];
     attributes = combined(of_region, strict, others);
-    for (const std::string& other : others) {
+    for (const RegionMaterial& other : others) {
       conflicts.push_back({region, attributes.material, other, cells_of(result, region, operands, other)});
     }
     begin = end;

@@ -10,9 +10,9 @@
 namespace cnrg {
 
 /// The attributes of one region from those of the regions that share a 3-cell with it, the strongest first; there
-/// is one at least. `strict` as below. `others` becomes the materials that gave way, ascending.
+/// is one at least. `strict` as below. `others` becomes the materials that gave way, by name.
 RegionAttributes combined(std::span<const RegionAttributes* const> sources, bool strict,
-                          std::vector<std::string>& others);
+                          std::vector<RegionMaterial>& others);
 
 /// Fills `result.regions` from the regions of `operands` that share a 3-cell with them. The first operand with a
 /// region there gives name and material; leaves are merged over all. With `strict` its empty name or material

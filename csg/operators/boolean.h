@@ -17,7 +17,7 @@ namespace cnrg {
 /// Two materials of operands in one region of the result, where dominance does not decide.
 struct MaterialConflict {
   std::uint32_t region = 0;      ///< region of the result, from 1; 0 in a step of a fold that is over
-  std::string kept, other;       ///< materials; `kept` is the left operand's
+  RegionMaterial kept, other;    ///< `kept` is the left operand's
   CellSet cells;                 ///< where `other` gave way
 };
 

@@ -14,7 +14,7 @@ std::string joined(const std::string& a, const std::string& b);
 
 struct Combined {
   ComponentAttributes attributes;
-  std::string other;  ///< a material that lost without dominance
+  RegionMaterial other;  ///< a material that lost without dominance
 };
 
 /// The attributes of what two components have in common. `dominance` overrides their numbers.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/leaves/material.h"
 #include "csg/operators/origins.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/selection.h"
@@ -18,7 +19,7 @@ namespace cnrg {
 /// What people say of a region; combined by dominance.
 struct RegionAttributes {
   std::string name{};              ///< may be empty
-  std::string material{};          ///< empty: none
+  RegionMaterial material{};       ///< empty: none; a grade is placed in the space of the complex
   std::vector<LeafId> leaves{};    ///< provenance: leaves with a region there, ascending
 };
 

@@ -1,5 +1,6 @@
 #include "csg/operators/node_value.h"
 
+#include "csg/operators/cell_sources.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -62,6 +63,26 @@ std::vector<RegionAttributes> NodeValue::attributes() const {
 
 Selection selection_of(const Complex& complex, const NodeValue& value) {
   return value.is_group() ? selection_of(complex, value.group()) : value.components().selection;
+}
+
+SimplifiedComplex simplify(const Complex& complex, const NodeValue& value, const Selection& selection,
+                           SimplifyMode mode) {
+  if (value.is_group()) {
+    const GroupSources sources(value.group());
+    return simplify(complex, selection, value.features(), mode, &sources);
+  }
+  const ComponentSources sources(complex, value.components());
+  return simplify(complex, selection, value.features(), mode, &sources);
+}
+
+std::array<std::size_t, 4> simplified_counts(const Complex& complex, const NodeValue& value,
+                                             const Selection& selection) {
+  if (value.is_group()) {
+    const GroupSources sources(value.group());
+    return simplified_counts(complex, selection, value.features(), SimplifyMode::features, &sources);
+  }
+  const ComponentSources sources(complex, value.components());
+  return simplified_counts(complex, selection, value.features(), SimplifyMode::features, &sources);
 }
 
 Components components_of(const Complex& complex, const NodeValue& value) {

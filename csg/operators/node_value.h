@@ -6,6 +6,7 @@
 // surface minus the complement of a box).
 #pragma once
 
+#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -14,6 +15,7 @@
 
 #include "csg/operators/components.h"
 #include "csg/operators/parts.h"
+#include "kernel/selection/simplify.h"
 
 namespace cnrg {
 
@@ -56,6 +58,12 @@ class NodeValue {
 };
 
 Selection selection_of(const Complex& complex, const NodeValue& value);
+/// The simplified complex of a value, and its counts (kernel/selection/simplify.h); it depends on the value alone, not
+/// on what else is in the complex. `selection` is that of the value.
+SimplifiedComplex simplify(const Complex& complex, const NodeValue& value, const Selection& selection,
+                           SimplifyMode mode = SimplifyMode::features);
+std::array<std::size_t, 4> simplified_counts(const Complex& complex, const NodeValue& value,
+                                             const Selection& selection);
 Components components_of(const Complex& complex, const NodeValue& value);
 
 }  // namespace cnrg

@@ -9,6 +9,7 @@
 #include <queue>
 #include <tuple>
 
+#include "csg/operators/cell_sources.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
@@ -402,9 +403,11 @@ Part::Part(const Complex& complex, Group group) : group_(std::move(group)), box_
 const CellCounts& Part::counts(const Complex& complex) const {
   std::call_once(counted_, [&] {
     const Selection selection = selection_of(complex, group_);
+    const GroupSources sources(group_);
     counts_.raw = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
                    selection.regions.size()};
-    counts_.simplified = simplified_counts(complex, selection, group_.features);
+    counts_.simplified = simplified_counts(complex, selection, group_.features, SimplifyMode::features,
+                                           &sources);
   });
   return counts_;
 }

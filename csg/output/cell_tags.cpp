@@ -6,10 +6,14 @@ std::int32_t CellTagger::region_number(FlatComplex::Index region) const {
   return flat_.active(region) ? std::int32_t(flat_.regions[region].component) : 0;
 }
 
-/// Material and source. An entity of a group has the material of its region.
+Component material_component(const ResultView& view, const CellTags& tags) {
+  const bool entity = (view.value->is_group() || view.of_group) && tags.dimension < 3;
+  return Component(entity ? tags.region : tags.component);
+}
+
+/// Material and source.
 void CellTagger::finish(CellTags& tags, const FlatComplex::Provenance& origin) const {
-  const bool entity = view_.value->is_group() && tags.dimension < 3;
-  const std::string& name = attributes_of(view_, Component(entity ? tags.region : tags.component)).material;
+  const std::string& name = attributes_of(view_, material_component(view_, tags)).material.name();
   for (std::size_t i = 0; i < view_.materials.size(); ++i) {
     if (view_.materials[i].name != name) continue;
     tags.material = std::int32_t(i + 1);

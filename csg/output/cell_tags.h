@@ -13,6 +13,9 @@ struct CellTags {
   std::int32_t material = 0, leaf = -1, face = -1;
 };
 
+/// The component whose material a cell has: of an entity of a group that of its region; 0: none.
+Component material_component(const ResultView& view, const CellTags& tags);
+
 /// Tags of the cells of a flattened result, by their numbers there.
 class CellTagger {
  public:

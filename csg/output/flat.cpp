@@ -250,7 +250,28 @@ class Flattener {
       }
       face.origin = unique(std::move(face.origin));
       face.patch = patch_of(from, face.origin.leaves);
+      if (view_.parameters != nullptr) add_cells(face, facets, from);
     });
+  }
+
+  void add_cells(FlatComplex::Face& face, const std::vector<std::pair<FlatComplex::Facet, HalfFace>>& facets,
+                 const SimplifiedComplex::Face& from) const {
+    if (!face.patch || !view_.parameters->has(face.patch->first)) return;
+    if (!std::binary_search(face.origin.leaves.begin(), face.origin.leaves.end(), face.patch->first)) return;
+    const auto add = [&](FaceId f, std::vector<std::vector<PatchCorner>>& list) {
+      for (PlacedCell& cell : view_.parameters->cells(f, std::span(&face.patch->first, 1))) {
+        if (cell.patch == face.patch->second) list.push_back(std::move(cell.corners));
+      }
+    };
+    if (face.facets.empty()) {
+      face.cells.emplace_back();
+      for (const HalfFace cell : from.cells) add(cell.face(), face.cells[0]);
+    } else {
+      for (const auto& [facet, cell] : facets) add(cell.face(), face.cells.emplace_back());
+    }
+    for (auto& list : face.cells) sort_unique(list);
+    const auto none = [](const auto& list) { return list.empty(); };
+    if (std::all_of(face.cells.begin(), face.cells.end(), none)) face.cells.clear();
   }
 
   /// Points of a facet, sorted: the same whichever side is the front.

@@ -70,6 +70,9 @@ struct FlatComplex {
     Provenance origin;
     /// The patch that covers all of it, if there is one; of the leaves that it came from if possible.
     std::optional<Patch> patch;
+    /// With ResultView::parameters, the cells of the leaf's patch (parameters.h) that the face lies in: of each
+    /// facet (of a flat face: of all of it), each list ascending. Empty where `patch` has no parameters.
+    std::vector<std::vector<std::vector<PatchCorner>>> cells;
   };
   struct Region {
     Component component = 0;

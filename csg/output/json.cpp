@@ -4,7 +4,9 @@
 //   "format": "cnrg result", "version": 1, "node": name, "group": true | false, "dominance": fraction of a group,
 //   "leaves": [{"name"}],
 //   "materials": [{"name", "color"}],
-//   "components": [{"name", "material", "dominance", "leaves": [leaf]}],   component i is at [i - 1]
+//   "grades": [{"material", "placement": {"linear": [row], "offset"}, "linear" | "distance", "stops": [{"at",
+//     "mixture"}]}],                                                 of materials that change with position, if any
+//   "components": [{"name", "material", "grade", "dominance", "leaves": [leaf]}],   component i is at [i - 1]
 //   "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted
 //   "frame": [point],                                                points that stand for infinity
 //   "vertices": [{"point", "component", "origin", ...}],
@@ -18,6 +20,12 @@
 // of a region. A region that no cell lists is null. Loops have the face to the left as seen from its front: the
 // outer loop of a flat face comes first and is counter-clockwise. `facets` are the planar pieces of a face that is
 // not flat. Faces with the same `patch` are of one patch of a leaf.
+//
+// With parameters (leaves/parameters.h) there are two more lists before "faces", and a member of faces, where
+// there are any:
+//   "patches": [{"patch", "leaf", "name"}],           of those that have parameters
+//   "cells": [[[x, y, z, u, v], ...]],                cells of patches by their corners
+//   "faces": [{..., "cells": [[cell]]}]               in which cells each facet lies, all of a flat face
 //
 // `origin` names the leaves that a cell of the result came from, and what of them holds it (boundaries included),
 // over all cells that simplification united in it: [{"leaf", "faces": [...], "edges": [...], "point": true,
@@ -90,6 +98,7 @@ class JsonWriter {
     }
     leaves();
     list("materials", view_.materials, [](const auto& m) { return Json{{"name", m.name}, {"color", m.color}}; });
+    add_grades();
     if (view_.value->is_group()) {
       list("components", view_.value->group().regions, [&](const RegionAttributes& a) { return component(a); });
     } else {
@@ -104,6 +113,7 @@ class JsonWriter {
     lines("vertices", flat_.vertices, [&](std::string& out, const auto& v) { vertex(out, v); });
     lines("edges", flat_.edges, [&](std::string& out, const auto& e) { edge(out, e); });
     number_patches();
+    if (view_.parameters != nullptr) cells();
     lines("faces", flat_.faces, [&](std::string& out, const auto& f) { face(out, f); });
     lines("regions", flat_.regions, [&](std::string& out, const auto& r) { region(out, r); });
     text_ += "\n}\n";
@@ -116,7 +126,9 @@ class JsonWriter {
   std::vector<std::string> parts_;  // of the text, before `text_`
   std::string text_;
   std::map<LeafId, std::size_t> leaf_number_;
+  std::vector<RegionMaterial> grades_;
   std::vector<std::size_t> patch_;  // by face
+  std::map<std::vector<PatchCorner>, std::size_t> cell_number_;
 
   template <class Range, class Make>
   void list(const char* key, const Range& range, Make make) {
@@ -176,7 +188,51 @@ class JsonWriter {
   }
 
   Json component(const RegionAttributes& a) const {
-    return {{"name", a.name}, {"material", a.material}, {"leaves", leaf_numbers(a.leaves)}};
+    Json result{{"name", a.name}, {"material", a.material.name()}, {"leaves", leaf_numbers(a.leaves)}};
+    if (a.material.grade() != nullptr) {
+      const auto same = [&](const RegionMaterial& m) { return m == a.material; };
+      result["grade"] = std::find_if(grades_.begin(), grades_.end(), same) - grades_.begin();
+    }
+    return result;
+  }
+
+  /// The graded materials of components, each once.
+  void add_grades() {
+    for (const RegionAttributes& a : view_.value->attributes()) {
+      if (a.material.grade() == nullptr) continue;
+      if (std::find(grades_.begin(), grades_.end(), a.material) == grades_.end()) grades_.push_back(a.material);
+    }
+    if (!grades_.empty()) list("grades", grades_, [&](const RegionMaterial& m) { return grade(m); });
+  }
+
+  static Json numbers(const RationalPoint& p) { return {to_string(p[0]), to_string(p[1]), to_string(p[2])}; }
+
+  static Json grade(const RegionMaterial& material) {
+    const auto& [grade, placement] = *material.grade();
+    Json rows = Json::array();
+    for (const auto& row : placement.linear) rows.push_back(numbers(row));
+    Json result{{"material", material.name()},
+                {"placement", {{"linear", rows}, {"offset", numbers(placement.offset)}}}};
+    if (const auto* linear = std::get_if<LinearGrade>(&grade.along)) {
+      result["linear"] = {{"from", numbers(linear->from)}, {"to", numbers(linear->to)}};
+    } else {
+      const auto& distance = std::get<DistanceGrade>(grade.along);
+      Json points = Json::array();
+      for (const RationalPoint& p : distance.target->points) points.push_back(numbers(p));
+      result["distance"] = {{"to", distance.to},
+                            {"points", points},
+                            {"vertices", distance.target->vertices},
+                            {"segments", distance.target->segments},
+                            {"triangles", distance.target->triangles}};
+    }
+    Json stops = Json::array();
+    for (const Grade::Stop& stop : grade.stops) {
+      Json mixture = Json::object();
+      for (const auto& [name, fraction] : stop.mixture) mixture[name] = to_string(fraction);
+      stops.push_back({{"at", to_string(stop.at)}, {"mixture", mixture}});
+    }
+    result["stops"] = stops;
+    return result;
   }
 
   Json leaf_numbers(const std::vector<LeafId>& leaves) const {
@@ -188,6 +244,35 @@ class JsonWriter {
   void number_patches() {
     PatchNumbers patches;
     for (const auto& f : flat_.faces) patch_.push_back(patches(f.patch));
+  }
+
+  /// The patches with parameters, and their cells in the order in which faces lie in them.
+  void cells() {
+    std::map<std::size_t, FlatComplex::Patch> patches;
+    std::vector<const std::vector<PatchCorner>*> list;
+    for (std::size_t i = 0; i < flat_.faces.size(); ++i) {
+      const FlatComplex::Face& f = flat_.faces[i];
+      if (!f.cells.empty()) patches.emplace(patch_[i], *f.patch);
+      for (const auto& facet : f.cells) {
+        for (const auto& cell : facet) {
+          if (cell_number_.try_emplace(cell, list.size()).second) list.push_back(&cell);
+        }
+      }
+    }
+    if (patches.empty()) return;
+    this->list("patches", patches, [&](const auto& entry) {
+      const auto& [leaf, patch] = entry.second;
+      return Json{{"patch", entry.first},
+                  {"leaf", leaf_number_.at(leaf)},
+                  {"name", view_.parameters->patch_name(leaf, patch)}};
+    });
+    lines("cells", list, [](std::string& out, const std::vector<PatchCorner>* cell) {
+      append_json(out, *cell, [&](const PatchCorner& corner) {
+        const auto& [x, y, z] = corner.point;
+        const auto& [u, v] = corner.at;
+        append_json(out, std::array{&x, &y, &z, &u, &v}, [&](const Rational* c) { append_quoted(out, *c); });
+      });
+    });
   }
 
   void point(std::string& out, VertexId v) const {
@@ -255,6 +340,11 @@ class JsonWriter {
       });
     }
     object.add("triangles", f.triangles);
+    if (!f.cells.empty()) {
+      append_json(object.key("cells"), f.cells, [&](const auto& facet) {
+        append_json(out, facet, [&](const auto& cell) { append_json(out, cell_number_.at(cell)); });
+      });
+    }
     if (f.component != 0) add_origin(object, f.origin);
   }
 
@@ -263,7 +353,7 @@ class JsonWriter {
     JsonObject object(out);
     object.add("component", r.component);
     object.key("name") += line_of(attributes.name);
-    object.key("material") += line_of(attributes.material);
+    object.key("material") += line_of(attributes.material.name());
     object.add("bounded", r.bounded);
     const std::optional<Rational> size = r.bounded ? volume(*view_.complex, r.cells) : std::nullopt;
     object.key("volume");

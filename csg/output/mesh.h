@@ -49,6 +49,13 @@ struct Mesh {
   std::vector<Simplex<2>> segments;
   std::vector<Simplex<3>> triangles;      ///< counter-clockwise as seen from the front of the face
   std::vector<Simplex<4>> tetrahedra;     ///< det(b - a, c - a, d - a) > 0
+
+  /// A number at each corner of each tetrahedron, four by four: it may jump where regions meet.
+  struct Field {
+    std::string name;
+    std::vector<double> values;
+  };
+  std::vector<Field> fields;              ///< fractions of graded materials
 };
 
 /// Names of groups, and the groups of each active cell of a flattened result by its dimension and number.

@@ -91,7 +91,7 @@ class Grouper {
     std::map<std::string, Index> materials;
     for (const auto& m : view_.materials) {
       const bool used = std::any_of(regions_.begin(), regions_.end(), [&](const auto& r) {
-        return attributes_of(view_, r.first).material == m.name;
+        return attributes_of(view_, r.first).material.name() == m.name;
       });
       if (!used || m.name.empty()) continue;
       std::string name = "material " + plain(m.name);
@@ -103,7 +103,7 @@ class Grouper {
       auto& of = groups_.of[3].emplace_back();
       if (region.component == 0) continue;
       of.push_back(number[region.component]);
-      const auto material = materials.find(attributes_of(view_, region.component).material);
+      const auto material = materials.find(attributes_of(view_, region.component).material.name());
       if (material != materials.end()) of.push_back(material->second);
     }
   }

@@ -41,6 +41,7 @@ class MshWriter {
     add_nodes();
     add_elements();
     if (mesh_.flat) add_parametrizations();
+    add_fields();
     return std::move(text_);
   }
 
@@ -194,6 +195,24 @@ class MshWriter {
     add_blocks(2, 2, mesh_.triangles, number);
     add_blocks(3, 4, mesh_.tetrahedra, number);
     text_ += "$EndElements\n";
+  }
+
+  /// Discontinuous fields, by element and node. Tetrahedra are the last elements.
+  void add_fields() {
+    const std::size_t before = mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size();
+    for (const Mesh::Field& field : mesh_.fields) {
+      text_ += "$ElementNodeData\n1\n\"" + field.name + "\"\n1\n0\n3\n0\n1\n" +
+               std::to_string(mesh_.tetrahedra.size()) + "\n";
+      for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
+        text_ += std::to_string(before + t + 1) + " 4";
+        for (std::size_t k = 0; k < 4; ++k) {
+          text_ += ' ';
+          append(text_, field.values[4 * t + k]);
+        }
+        text_ += '\n';
+      }
+      text_ += "$EndElementNodeData\n";
+    }
   }
 
   /// Pieces run from 0 to 1, facets have coordinates of length in their plane.

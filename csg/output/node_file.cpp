@@ -6,6 +6,7 @@
 #include "csg/output/dag_graph.h"
 #include "csg/output/file.h"
 #include "csg/output/formats.h"
+#include "csg/output/material_field.h"
 #include "csg/output/region_graph.h"
 
 namespace cnrg {
@@ -16,7 +17,7 @@ std::vector<ResultView::Material> materials_of(const Tree& tree, const NodeValue
   std::vector<ResultView::Material> materials;
   for (const Material& m : tree.materials) materials.push_back({m.name, m.color});
   for (Component i = 1; i <= value.component_count(); ++i) {
-    const std::string& name = value.attributes(i).material;
+    const std::string& name = value.attributes(i).material.name();
     const auto same = [&](const ResultView::Material& m) { return m.name == name; };
     if (name.empty() || std::any_of(materials.begin(), materials.end(), same)) continue;
     materials.push_back({name, ""});
@@ -27,7 +28,7 @@ std::vector<ResultView::Material> materials_of(const Tree& tree, const NodeValue
 /// What writers see of a node, and what that refers to.
 class NodeView {
  public:
-  NodeView(const Tree& tree, const Evaluation& evaluation, NodeId node) {
+  NodeView(const Tree& tree, const Evaluation& evaluation, NodeId node, bool parameters = false) {
     const KeptValue& value = evaluation.value(node);
     for (const std::string& name : evaluation.leaf_names) leaves_.push_back({name});
     view_.node = tree.nodes[node].name;
@@ -35,11 +36,13 @@ class NodeView {
     view_.value = value.value.get();
     view_.simplified = &value.simplified;
     view_.leaves = &leaves_;
+    if (parameters) view_.parameters = evaluation.parameters.get();
     view_.materials = materials_of(tree, *value.value);
   }
   NodeView(const NodeView&) = delete;
   NodeView& operator=(const NodeView&) = delete;
   const ResultView& view() const { return view_; }
+  ResultView view(const SnappedResult* snapped) const { return snapped == nullptr ? view_ : snapped->shown(view_); }
 
  private:
   std::vector<LeafInfo> leaves_;
@@ -63,16 +66,31 @@ void check_file_name(const std::string& path) {
   }
 }
 
-RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node) {
+bool is_exact(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".json" || extension == ".dot";
+}
+
+SnappedResult snap(const Tree& tree, const Evaluation& evaluation, NodeId node, bool raw) {
+  const NodeView shown(tree, evaluation, node);
+  try {
+    return SnappedResult(shown.view(), raw);
+  } catch (const InputError& e) {
+    throw TreeError(tree.file, tree.nodes[node].at, e.what());
+  }
+}
+
+RoundingReport write(const std::string& path, const Tree& tree, const Evaluation& evaluation, NodeId node,
+                     const FileOptions& options) {
   const KeptValue& value = evaluation.value(node);
   if (extension_of(path) == ".dot") {
     replace_file(path, shows_dag(path) ? dag_dot(evaluation)
                                        : region_graph(value.simplified, value.value->attributes()).dot());
     return {};
   }
-  const NodeView shown(tree, evaluation, node);
+  const NodeView shown(tree, evaluation, node, options.parameters);
   try {
-    return write(path, shown.view());
+    return write(path, shown.view(is_exact(path) ? nullptr : options.snapped));
   } catch (const InputError& e) {  // the format can not show this node
     throw TreeError(tree.file, tree.nodes[node].at, e.what());
   }
@@ -88,10 +106,12 @@ void check_mesh_file_name(const std::string& path) {
 }
 
 TetrahedralMesh tetrahedra(const Tree& tree, const Evaluation& evaluation, NodeId node,
-                           const TetrahedraOptions& options) {
+                           const TetrahedraOptions& options, const SnappedResult* snapped) {
   const NodeView shown(tree, evaluation, node);
   try {
-    return tetrahedra(shown.view(), options);
+    TetrahedralMesh made = tetrahedra(shown.view(snapped), options);
+    sample_materials(shown.view(snapped), made.mesh);
+    return made;
   } catch (const InputError& e) {
     throw TreeError(tree.file, tree.nodes[node].at, e.what());
   }

@@ -57,7 +57,7 @@ RegionGraph region_graph(const SimplifiedComplex& simplified, std::span<const Re
     place = static_cast<std::uint32_t>(out.nodes.size());
     const bool known = component != 0 && component <= components.size();
     out.nodes.push_back({component, component_name(components, component),
-                         known ? components[component - 1].material : std::string()});
+                         known ? components[component - 1].material.name() : std::string()});
   }
   for (const auto& [sides, faces] : walls) out.edges.push_back({{number[sides[0]], number[sides[1]]}, faces});
   return out;

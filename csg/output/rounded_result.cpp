@@ -45,8 +45,8 @@ RoundedResult::RoundedResult(const ResultView& view, const FlatComplex& flat, co
   if (!data_->drawn.is_embedded()) {
     throw InputError(format_ + " holds doubles, and rounding to them makes facets cross (" +
                      std::to_string(points_.moved) +
-                     " vertices move); move the model nearer to the origin, or its parts further apart than the "
-                     "last digits of a double, or write .json, which is exact");
+                     " vertices move); use --snap, which moves vertices until none do, or write .json, which is "
+                     "exact");
   }
   match_regions();
   match_wires_and_points();
@@ -87,7 +87,7 @@ void RoundedResult::match_regions() {
     same = same && owner.try_emplace(region, i).second && (region == RegionId(0)) == !flat_.regions[i].bounded;
     if (!same) {
       throw InputError(format_ + " holds doubles, and rounding to them moves a part of the result through a wall; "
-                       "move the model nearer to the origin or write .json, which is exact");
+                       "use --snap, or write .json, which is exact");
     }
   }
 }
@@ -96,8 +96,8 @@ void RoundedResult::match_wires_and_points() const {
   const Complex& complex = data_->drawn.complex;
   const auto check = [&](RegionId found, Index region) {
     if (region == kNone || !data_->region[region].valid() || found == data_->region[region]) return;
-    throw InputError(format_ + " holds doubles, and rounding to them moves a wire or a point through a wall; move "
-                     "the model nearer to the origin or write .json, which is exact");
+    throw InputError(format_ + " holds doubles, and rounding to them moves a wire or a point through a wall; use "
+                     "--snap, or write .json, which is exact");
   };
   for (const auto& edge : flat_.edges) {
     if (!edge.wire) continue;

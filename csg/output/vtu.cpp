@@ -11,6 +11,16 @@
 //   source_leaf, source_face      the first leaf (a row of LeafNames) with a face that the cell came from, and
 //                                 that face; of a cell from no face the first leaf and -1 (.json has all)
 //
+// Where a material is graded, `fraction of NAME` has the part of each material at the centroid of the cell as drawn
+// (a triangle, a tetrahedron), as the region that the cell belongs to has it.
+//
+// With parameters (leaves/parameters.h), for faces on patches of leaves:
+//   parameters    of points: u and v on the patch, NaN where there are none. Points are split where triangles
+//                 have different ones: between patches, at seams and poles
+//   patch         of cells: a row of PatchNames; 0: no parameters
+// Between the corners of a triangle they are linear. A flat face that unites many facets of a patch has them only
+// if they are one affine map on it; `--raw` keeps its facets apart.
+//
 // Field data holds the names: RegionNames (by component; 0 is outside), MaterialNames, LeafNames. Arrays are
 // base64 of little-endian numbers, doubles unrounded. Cells that bound the result without being part of it are not
 // drawn: an open region has dimension 3 alone, its triangles are where it ends.
@@ -18,6 +28,7 @@
 #include "csg/output/rounding.h"
 #include "csg/output/solid.h"
 #include "csg/output/vtu_grid.h"
+#include "csg/output/vtu_parameters.h"
 
 namespace cnrg {
 namespace {
@@ -29,6 +40,7 @@ class VtuWriter {
   explicit VtuWriter(const ResultView& view) : view_(view), flat_(flatten(view)), tagger_(view, flat_) {
     require_off_frame(flat_, "VTU");
     points_ = round_points(view, flat_);
+    if (view.parameters != nullptr) split_.emplace(view, flat_, points_.xyz);
   }
 
   FileText run() {
@@ -36,7 +48,8 @@ class VtuWriter {
     add_edges();
     add_faces();
     add_regions();
-    return {grid_.text(view_, points_.xyz), report_rounding(points_, drawing_)};
+    if (!split_) return {grid_.text(view_, points_.xyz), report_rounding(points_, drawing_)};
+    return {grid_.text(view_, split_->points(), &split_->parameters()), report_rounding(points_, drawing_)};
   }
 
  private:
@@ -46,6 +59,17 @@ class VtuWriter {
   RoundedPoints points_;
   Drawing drawing_;
   VtuGrid grid_;
+  std::optional<VtuSplit> split_;
+
+  void add(VtuCell kind, const auto& points, const CellTags& tags, std::int32_t patch = 0) {
+    grid_.add(kind, points, tags);
+    if (split_) split_->add_cell(patch);
+  }
+  /// Triangle k of a face, on the points of its patch.
+  std::array<Index, 3> triangle(Index face, std::size_t k) const {
+    return split_ ? split_->triangle(face, k) : flat_.faces[face].triangles[k];
+  }
+  std::int32_t patch(Index face) const { return split_ ? split_->patch(face) : 0; }
 
   void add_vertices() {
     std::vector<char> drawn(flat_.points.size(), 0);
@@ -56,7 +80,7 @@ class VtuWriter {
     for (Index i = 0; i < flat_.vertices.size(); ++i) {
       const auto& v = flat_.vertices[i];
       if (v.component == 0) continue;
-      grid_.add(VtuCell::vertex, std::array{v.point}, tagger_.vertex(i));
+      add(VtuCell::vertex, std::array{v.point}, tagger_.vertex(i));
       if (!drawn[v.point]) drawing_.points.push_back(v.point);
     }
   }
@@ -67,7 +91,7 @@ class VtuWriter {
       if (e.component == 0) continue;
       FlatComplex::Loop points = e.points;
       if (e.closed) points.push_back(points[0]);
-      grid_.add(VtuCell::polyline, points, tagger_.edge(i));
+      add(VtuCell::polyline, points, tagger_.edge(i));
       if (!e.wire) continue;
       for (std::size_t k = 1; k < points.size(); ++k) drawing_.segments.push_back({points[k - 1], points[k]});
     }
@@ -79,7 +103,7 @@ class VtuWriter {
       drawing_.triangles.insert(drawing_.triangles.end(), f.triangles.begin(), f.triangles.end());
       if (f.component == 0) continue;
       const CellTags tags = tagger_.face(i);
-      for (const auto& t : f.triangles) grid_.add(VtuCell::triangle, t, tags);
+      for (std::size_t k = 0; k < f.triangles.size(); ++k) add(VtuCell::triangle, triangle(i, k), tags, patch(i));
     }
   }
 
@@ -90,9 +114,11 @@ class VtuWriter {
       const CellTags tags = tagger_.region(i);
       for (const auto& shell : r.shells) {
         for (const Index side : shell) {
-          for (auto t : flat_.faces[side >> 1].triangles) {
+          const Index face = side >> 1;
+          for (std::size_t k = 0; k < flat_.faces[face].triangles.size(); ++k) {
+            auto t = triangle(face, k);
             if ((side & 1) == 0) std::swap(t[1], t[2]);
-            grid_.add(VtuCell::triangle, t, tags);
+            add(VtuCell::triangle, t, tags, patch(face));
           }
         }
       }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 
+#include "csg/output/material_field.h"
 #include "kernel/base/parallel.h"
 
 namespace cnrg {
@@ -77,7 +78,8 @@ void append_names(std::string& text, const char* name, const std::vector<std::st
 
 }  // namespace
 
-std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<double, 3>>& points) const {
+std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<double, 3>>& points,
+                          const VtuParameters* parameters) const {
   std::vector<std::string> regions{"outside"}, materials{"none"}, leaves;
   for (const RegionAttributes& a : view.value->attributes()) regions.push_back(a.name);
   for (const auto& m : view.materials) materials.push_back(m.name);
@@ -91,6 +93,7 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   append_names(text, "RegionNames", regions);
   append_names(text, "MaterialNames", materials);
   append_names(text, "LeafNames", leaves);
+  if (parameters != nullptr) append_names(text, "PatchNames", parameters->names);
   text += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(points.size()) + "\" NumberOfCells=\"" +
           std::to_string(types_.size()) + "\">\n<Points>\n";
   append_array(text, "Points", "Float64", coordinates, 3);
@@ -98,7 +101,13 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   append_array(text, "connectivity", "Int64", connectivity_);
   append_array(text, "offsets", "Int64", offsets_);
   append_array(text, "types", "UInt8", types_);
-  text += "</Cells>\n<CellData Scalars=\"region\">\n";
+  text += "</Cells>\n";
+  if (parameters != nullptr) {
+    text += "<PointData TCoords=\"parameters\">\n";
+    append_array(text, "parameters", "Float64", parameters->uv, 2);
+    text += "</PointData>\n";
+  }
+  text += "<CellData Scalars=\"region\">\n";
   const auto append_tag = [&](const char* name, std::int32_t CellTags::*tag) {
     std::vector<std::int32_t> values;
     for (const CellTags& tags : tags_) values.push_back(tags.*tag);
@@ -114,8 +123,28 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   append_tag("material", &CellTags::material);
   append_tag("source_leaf", &CellTags::leaf);
   append_tag("source_face", &CellTags::face);
+  append_fractions(text, view, points);
+  if (parameters != nullptr) append_array(text, "patch", "Int32", parameters->patches);
   text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   return text;
+}
+
+void VtuGrid::append_fractions(std::string& text, const ResultView& view,
+                               const std::vector<std::array<double, 3>>& points) const {
+  const MaterialField field(view);
+  std::vector<std::vector<double>> fractions(field.names().size());
+  if (field.empty()) return;
+  std::vector<std::array<double, 3>> corners;
+  for (std::size_t i = 0, begin = 0; i < types_.size(); ++i) {
+    const auto end = static_cast<std::size_t>(offsets_[i]);
+    corners.clear();
+    for (; begin < end; ++begin) corners.push_back(points[static_cast<std::size_t>(connectivity_[begin])]);
+    const std::vector<double> here = field.at(material_component(view, tags_[i]), corners);
+    for (std::size_t k = 0; k < here.size(); ++k) fractions[k].push_back(here[k]);
+  }
+  for (std::size_t k = 0; k < fractions.size(); ++k) {
+    append_array(text, escaped("fraction of " + field.names()[k]).c_str(), "Float64", fractions[k]);
+  }
 }
 
 }  // namespace cnrg

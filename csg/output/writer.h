@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
 #include "kernel/selection/simplify.h"
 
@@ -25,6 +26,9 @@ struct ResultView {
     std::string name, color;
   };
   std::vector<Material> materials{};
+  bool of_group = false;                  ///< `value` has the components of a group (snap.h): the last are entities
+  /// Given: .json and .vtu say the parameters of faces on patches of the leaves.
+  const SurfaceParameters* parameters = nullptr;
 };
 
 /// What rounding to doubles did to a written file.

@@ -14,22 +14,6 @@ constexpr const char* kPoint = "[x, y, z]";
 constexpr const char* kPoints = "[[x, y, z], ...]";
 constexpr const char* kRows = "[[[x, y, z], ...], ...]";
 
-Tessellation read_tessellation(const Fields& f) {
-  Tessellation result;
-  if (const Value* chord = f.find("chord")) {
-    result.chord = chord->number(f.name("chord"));
-    if (*result.chord <= 0) chord->fail(f.name("chord") + " must be a positive length");
-  }
-  if (const Value::Entry* segments = f.entry("segments")) {
-    if (result.chord) {
-      segments->value.document().fail(segments->key_at,
-                                      "this leaf has `chord` and `segments`; remove one of them");
-    }
-    result.segments = static_cast<int>(segments->value.integer(f.name("segments"), 1, Fineness::kMostSteps));
-  }
-  return result;
-}
-
 /// Positive numbers, `count` of them.
 std::vector<Rational> read_weights(const Value& value, const std::string& what, std::size_t count) {
   std::vector<Rational> result;
@@ -253,6 +237,22 @@ Profile read_profile(const Value& value, const Fields& f, const std::string& nam
 }
 
 }  // namespace
+
+Tessellation read_tessellation(const Fields& f) {
+  Tessellation result;
+  if (const Value* chord = f.find("chord")) {
+    result.chord = chord->number(f.name("chord"));
+    if (*result.chord <= 0) chord->fail(f.name("chord") + " must be a positive length");
+  }
+  if (const Value::Entry* segments = f.entry("segments")) {
+    if (result.chord) {
+      segments->value.document().fail(segments->key_at,
+                                      "this leaf has `chord` and `segments`; remove one of them");
+    }
+    result.segments = static_cast<int>(segments->value.integer(f.name("segments"), 1, Fineness::kMostSteps));
+  }
+  return result;
+}
 
 Fill read_fill(const Value& value, const std::string& what) {
   const std::string name = value.text(what);

@@ -11,6 +11,9 @@ Shape read_bezier(const Value& value, const LeafContext& context);
 Shape read_bspline(const Value& value, const LeafContext& context);
 Shape read_coons(const Value& value, const LeafContext& context);
 
+/// `chord` or `segments`, or neither.
+Tessellation read_tessellation(const Fields& f);
+
 /// winding, parity, cells or none.
 Fill read_fill(const Value& value, const std::string& what);
 

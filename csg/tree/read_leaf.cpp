@@ -1,6 +1,7 @@
 // One function per leaf, named in a table. What a shape means is checked by `prepare`; here only its form.
 #include "csg/tree/read_leaf.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -174,6 +175,47 @@ Shape read_mesh(const Value& value, const LeafContext& context) {
   return shape;
 }
 
+/// What STEP and BREP files have in common; `f` are the fields of either.
+CadShape read_cad(const Fields& f, CadShape::Format format, const LeafContext& context) {
+  CadShape shape;
+  shape.format = format;
+  shape.file = resolve(f.at("file", "part.step").text(f.name("file")), context);
+  shape.tessellation = read_tessellation(f);
+  if (const Value* fill = f.find("fill")) {
+    const std::string name = fill->text(f.name("fill"));
+    if (name == "solids") shape.fill = Fill::solids;
+    else if (name == "winding") shape.fill = Fill::winding;
+    else if (name == "cells") shape.fill = Fill::cells;
+    else if (name == "none") shape.fill = Fill::none;
+    else fill->fail_type(f.name("fill"), "one of solids, winding, cells, none");
+  }
+  if (const Value* solids = f.find("solids")) {
+    for (const Value& solid : solids->list(f.name("solids"), "a list of numbers or names of solids")) {
+      shape.solids.push_back(solid.text("each of " + f.name("solids")));
+    }
+    if (shape.solids.empty()) solids->fail(f.name("solids") + " is empty; name a solid, or leave it out for all");
+  }
+  if (const Value* seams = f.find("seams")) shape.seams = seams->boolean(f.name("seams"));
+  return shape;
+}
+
+Shape read_step(const Value& value, const LeafContext& context) {
+  const Fields f(value, "step", {"file", "chord", "segments", "unit", "fill", "solids", "seams"});
+  CadShape shape = read_cad(f, CadShape::Format::step, context);
+  if (const Value* unit = f.find("unit")) {
+    shape.unit = unit->text(f.name("unit"));
+    constexpr std::string_view kUnits[] = {"um", "mm", "cm", "m", "km", "in", "ft"};
+    if (std::find(std::begin(kUnits), std::end(kUnits), shape.unit) == std::end(kUnits))
+      unit->fail_type(f.name("unit"), "one of um, mm, cm, m, km, in, ft");
+  }
+  return shape;
+}
+
+Shape read_brep(const Value& value, const LeafContext& context) {
+  const Fields f(value, "brep", {"file", "chord", "segments", "fill", "solids", "seams"});
+  return read_cad(f, CadShape::Format::brep, context);
+}
+
 /// A number of a vertex; there are `count`.
 std::uint32_t read_vertex(const Value& value, const std::string& what, std::size_t count) {
   if (count == 0) value.fail(what + " names a vertex, but `vertices` is empty");
@@ -259,7 +301,7 @@ struct Reader {
   Shape (*read)(const Value&, const LeafContext&);
 };
 
-constexpr std::array<Reader, 22> kReaders{{
+constexpr std::array<Reader, 24> kReaders{{
     {"box", read_box},
     {"prism", read_prism},
     {"pyramid", read_pyramid},
@@ -280,6 +322,8 @@ constexpr std::array<Reader, 22> kReaders{{
     {"coons", read_coons},
     {"heightfield", read_heightfield},
     {"mesh", read_mesh},
+    {"step", read_step},
+    {"brep", read_brep},
     {"group", read_group},
     {"cnrg", read_result},
 }};

@@ -16,6 +16,7 @@
 #include <unordered_map>
 
 #include "csg/tree/read_leaf.h"
+#include "csg/tree/read_material.h"
 #include "csg/tree/suggest.h"
 #include "csg/tree/tree.h"
 #include "csg/tree/yaml_value.h"
@@ -73,12 +74,6 @@ bool has_sides(Operator op) { return is_boolean(op) || op == Operator::sum || op
 
 bool is_zero(const RationalPoint& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }
 
-/// `#` and six hexadecimal digits.
-bool is_color(const std::string& text) {
-  return text.size() == 7 && text[0] == '#' &&
-         text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
-}
-
 class TreeReader {
  public:
   TreeReader(Document& document, Tree& tree) : document_(document), tree_(tree) {
@@ -91,7 +86,7 @@ class TreeReader {
     const Fields fields(top, "a tree file", {"cnrg", "materials", "nodes", "result"});
     const Value& version = fields.at("cnrg", "1");
     if (version.number("`cnrg`") != 1) version.fail("this program reads version 1 of tree files; write `cnrg: 1`");
-    if (const Value* materials = fields.find("materials")) read_materials(*materials);
+    if (const Value* materials = fields.find("materials")) tree_.materials = read_materials(*materials);
     const Value& nodes = fields.at("nodes", "{NAME: {box: {min: [0, 0, 0], max: [1, 1, 1]}}, ...}");
     tree_.nodes_at = fields.entry("nodes")->key_at;
     read_nodes(nodes);
@@ -102,24 +97,10 @@ class TreeReader {
     }
     tree_.result = named(*result, "`result`");
     check_graph();
+    check_distances();
   }
 
  private:
-  void read_materials(const Value& value) {
-    if (value.is_empty()) return;
-    for (const Value::Entry& e : value.entries("`materials`")) {
-      Material material{e.key, ""};
-      if (!e.value.is_empty()) {
-        const Fields f(e.value, "material `" + e.key + "`", {"color"});
-        if (const Value* color = f.find("color")) {
-          material.color = color->text(f.name("color"));
-          if (!is_color(material.color)) color->fail_type(f.name("color"), "a text such as \"#998877\"");
-        }
-      }
-      tree_.materials.push_back(std::move(material));
-    }
-  }
-
   void check_material(const Value& value) {
     std::vector<std::string_view> names;
     for (const Material& m : tree_.materials) {
@@ -351,6 +332,18 @@ class TreeReader {
     return Transform::reflection(normal, point ? point->point(f.name("point")) : RationalPoint{0, 0, 0});
   }
 
+  void check_distances() {
+    for (const Material& m : tree_.materials) {
+      const auto* distance = m.grade ? std::get_if<DistanceGrade>(&m.grade->along) : nullptr;
+      if (distance == nullptr || tree_.names.count(distance->to) != 0) continue;
+      std::vector<std::string_view> known;
+      for (const auto& [key, id] : tree_.names) known.push_back(key);
+      const std::string hint = did_you_mean(distance->to, known);
+      document_.fail(m.to_at, "there is no node called `" + distance->to + "` to measure a distance to" +
+                                  (hint.empty() ? "; use one of the names in `nodes`" : hint));
+    }
+  }
+
   void check_graph() {
     const Dag::Cycle cycle = tree_.dag.find_cycle();
     if (!cycle.nodes.empty()) {
@@ -388,9 +381,38 @@ NodeId Tree::find(const std::string& name) const {
       "there is no node called `" + name + "`" + (hint.empty() ? "; use one of the names in `nodes`" : hint));
 }
 
+const Material* Tree::material(const std::string& name) const {
+  const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
+  return it == materials.end() ? nullptr : &*it;
+}
+
+std::vector<std::string> materials_of(const Node& node) {
+  std::vector<std::string> out;
+  if (!node.material.empty()) out.push_back(node.material);
+  if (const auto* group = node.shape ? std::get_if<GroupShape>(&*node.shape) : nullptr) {
+    for (const auto& [number, region] : group->regions) {
+      if (!region.material.empty()) out.push_back(region.material);
+    }
+  }
+  return out;
+}
+
 std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots) {
   std::vector<Diagnostic> result;
-  const std::vector<char> used = tree.dag.reachable(roots);
+  std::vector<NodeId> all = roots;
+  std::vector<char> used;
+  for (std::size_t before = 0; before != all.size();) {
+    before = all.size();
+    used = tree.dag.reachable(all);
+    for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+      if (!used[id.index()]) continue;
+      for (const std::string& name : materials_of(tree.nodes[id])) {
+        const Material* material = tree.material(name);
+        const auto* distance = material && material->grade ? std::get_if<DistanceGrade>(&material->grade->along) : nullptr;
+        if (distance && !used[tree.find(distance->to).index()]) all.push_back(tree.find(distance->to));
+      }
+    }
+  }
   for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
     const Node& node = tree.nodes[id];
     if (used[id.index()] || node.is_inline) continue;

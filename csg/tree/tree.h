@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/leaves/material.h"
 #include "csg/leaves/shapes.h"
 #include "csg/tree/dag.h"
 #include "csg/tree/position.h"
@@ -54,7 +55,9 @@ struct Node {
 };
 
 struct Material {
-  std::string name, color;  ///< color `#rrggbb`; empty: not given
+  std::string name, color{};     ///< color `#rrggbb`; empty: not given
+  std::optional<Grade> grade{};  ///< of one that changes with position
+  Position at{}, to_at{};        ///< of its key; of the node's name in `distance`
 };
 
 struct Tree {
@@ -69,9 +72,14 @@ struct Tree {
   /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws TreeError at `nodes`
   /// with the nearest name when there is none.
   NodeId find(const std::string& name) const;
+  /// The material of that name, or nullptr.
+  const Material* material(const std::string& name) const;
 };
 
-/// A warning for each node of `nodes` that none of the roots uses.
+/// The names of the materials that a node puts on regions by itself: its own, those of a group's regions.
+std::vector<std::string> materials_of(const Node& node);
+
+/// A warning for each node of `nodes` that none of the roots uses, nor a distance in a material of a used one.
 std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots);
 
 /// Reads a tree file (YAML 1.2 or JSON). Throws TreeError for the first fault, FileError when the file can not

@@ -64,6 +64,10 @@ void ComplexBuilder::take_sparse_cells() {
   c_.segment_wires = SparseLists(wires);
   sort_unique(isolated);
   c_.isolated_leaves = SparseLists(isolated);
+  std::vector<std::pair<VertexId, LeafId>> ends;
+  for (const Soup::Isolated& p : soup_.curve_ends()) ends.push_back({in.vertex_of[p.point.index()], p.leaf});
+  sort_unique(ends);
+  c_.curve_ends = SparseLists(ends);
   std::vector<std::pair<FaceId, VertexId>> face_vertices;
   std::vector<std::pair<VertexId, FaceId>> vertex_faces;
   for (const FaceId f : IdRange<FaceId>(r_.face_sheet.size())) {

@@ -91,6 +91,7 @@ struct Complex {
   // --- leaves
   std::size_t leaf_count = 0;
   SparseLists<VertexId, LeafId> isolated_leaves; ///< leaves that have the vertex as an isolated point
+  SparseLists<VertexId, LeafId> curve_ends;      ///< leaves whose curves end in the vertex
   IdVector<SourceId, Soup::Face> sources;        ///< attributes of soup faces
   IdVector<WireId, Soup::Wire> wires;            ///< attributes of soup wires
   IdVector<LeafId, Fill> fills;

@@ -1,9 +1,9 @@
 // Labels by propagation: crossing a face changes the region of the leaves that cover it, and of no other.
 //
-// A label set is a sorted list of (leaf, value): the region for Fill::sides, the winding number, the parity. Sets
-// and changes are interned, and the result of each change on each set is remembered, so that a large mesh costs
-// one look-up per face, mostly in a small table of the latest. Every face is checked in the end, not only those of
-// the spanning tree.
+// A label set is a sorted list of (leaf, solid, value): the region for Fill::sides, the winding number (for
+// Fill::solids one for each solid, else solid is 0), the parity. Sets and changes are interned, and the result of
+// each change on each set is remembered, so that a large mesh costs one look-up per face, mostly in a small table
+// of the latest. Every face is checked in the end, not only those of the spanning tree.
 #include <algorithm>
 #include <map>
 
@@ -15,14 +15,22 @@ namespace cnrg {
 
 namespace {
 
-using Value = std::pair<LeafId, std::int32_t>;
+struct Value {
+  LeafId leaf;
+  std::uint32_t solid;  // Fill::solids; 0 otherwise
+  std::int32_t number;
+  bool is_of(LeafId other, std::uint32_t other_solid) const { return leaf == other && solid == other_solid; }
+  friend auto operator<=>(const Value&, const Value&) = default;
+};
 using Values = std::vector<Value>;
 
-/// What crossing a face from one side does to one leaf.
+/// What crossing a face from one side does to one leaf, or to one of its solids.
 struct Change {
   LeafId leaf;
   Fill fill;
-  std::int32_t from, to;  // Fill::sides: regions named on both sides; winding: `to` is added; parity: `to` is 0 or 1
+  std::uint32_t solid;
+  // Fill::sides: regions named on both sides; winding and solids: `to` is added; parity: `to` is 0 or 1.
+  std::int32_t from, to;
   friend auto operator<=>(const Change&, const Change&) = default;
 };
 
@@ -60,17 +68,20 @@ class Labelling {
       const Fill fill = c_.fills[source.leaf];
       const auto front = static_cast<std::int32_t>(cover.same ? source.front : source.back);
       const auto back = static_cast<std::int32_t>(cover.same ? source.back : source.front);
-      if (fill == Fill::sides) list.push_back({source.leaf, fill, front, back});
-      if (fill == Fill::winding) list.push_back({source.leaf, fill, 0, cover.same ? 1 : -1});
-      if (fill == Fill::parity) list.push_back({source.leaf, fill, 0, 1});
+      if (fill == Fill::sides) list.push_back({source.leaf, fill, 0, front, back});
+      if (fill == Fill::winding) list.push_back({source.leaf, fill, 0, 0, cover.same ? 1 : -1});
+      if (fill == Fill::parity) list.push_back({source.leaf, fill, 0, 0, 1});
+      if (fill != Fill::solids || front == back) continue;
+      if (front != 0) list.push_back({source.leaf, fill, static_cast<std::uint32_t>(front), 0, -1});
+      if (back != 0) list.push_back({source.leaf, fill, static_cast<std::uint32_t>(back), 0, 1});
     }
     if (list.size() < 2) return;
     std::sort(list.begin(), list.end());
     auto last = list.begin();
     for (auto x = last + 1; x != list.end(); ++x) {
-      if (last->leaf != x->leaf) {
+      if (last->leaf != x->leaf || last->solid != x->solid) {
         *++last = *x;
-      } else if (x->fill == Fill::winding) {
+      } else if (x->fill == Fill::winding || x->fill == Fill::solids) {
         last->to += x->to;
       } else if (x->fill == Fill::parity) {
         last->to ^= 1;
@@ -124,10 +135,11 @@ class Labelling {
     Values values = *sets_[set];
     bool conflict = false;
     for (const Change& x : *changes_[change]) {
-      auto place = std::lower_bound(values.begin(), values.end(), x.leaf,
-                                    [](const Value& v, LeafId leaf) { return v.first < leaf; });
-      const bool there = place != values.end() && place->first == x.leaf;
-      const std::int32_t now = there ? place->second : 0;
+      auto place = std::lower_bound(values.begin(), values.end(), x, [](const Value& v, const Change& change) {
+        return v.leaf != change.leaf ? v.leaf < change.leaf : v.solid < change.solid;
+      });
+      const bool there = place != values.end() && place->is_of(x.leaf, x.solid);
+      const std::int32_t now = there ? place->number : 0;
       std::int32_t then = 0;
       switch (x.fill) {
         case Fill::sides:
@@ -135,6 +147,7 @@ class Labelling {
           then = backwards ? x.from : x.to;
           break;
         case Fill::winding:
+        case Fill::solids:
           then = now + (backwards ? -x.to : x.to);
           break;
         case Fill::parity:
@@ -147,9 +160,9 @@ class Labelling {
       if (there && then == 0) {
         values.erase(place);
       } else if (there) {
-        place->second = then;
+        place->number = then;
       } else if (then != 0) {
-        values.insert(place, {x.leaf, then});
+        values.insert(place, {x.leaf, x.solid, then});
       }
     }
     return conflict ? kConflict : intern(std::move(values));
@@ -164,7 +177,7 @@ class Labelling {
       // The region inside the frame at its seed corner.
       Values values;
       for (const auto& [leaf, region] : soup_.seed_regions()) {
-        if (region != 0) values.push_back({leaf, static_cast<std::int32_t>(region)});
+        if (region != 0) values.push_back({leaf, 0, static_cast<std::int32_t>(region)});
       }
       std::sort(values.begin(), values.end());
       const std::array<double, 3> corner{soup_.xyz(soup_.frame_seed())[0], soup_.xyz(soup_.frame_seed())[1],
@@ -220,9 +233,9 @@ class Labelling {
     return text;
   }
 
-  std::int32_t value(std::uint32_t set, LeafId leaf) const {
+  std::int32_t value(std::uint32_t set, LeafId leaf, std::uint32_t solid = 0) const {
     for (const Value& v : *sets_[set]) {
-      if (v.first == leaf) return v.second;
+      if (v.is_of(leaf, solid)) return v.number;
     }
     return 0;
   }
@@ -260,10 +273,10 @@ class Labelling {
     if (set_of_[there] != kUnset) {
       const std::uint32_t expected = cross(set_of_[here], change(h.face()), h.side() == 1);
       for (const Value& v : *sets_[expected]) {
-        if (v.second != value(set_of_[there], v.first)) open_leaf(v.first);
+        if (v.number != value(set_of_[there], v.leaf, v.solid)) open_leaf(v.leaf);
       }
       for (const Value& v : *sets_[set_of_[there]]) {
-        if (v.second != value(expected, v.first)) open_leaf(v.first);
+        if (v.number != value(expected, v.leaf, v.solid)) open_leaf(v.leaf);
       }
     }
     throw InvariantError("labels differ across a face for no reason");
@@ -272,6 +285,12 @@ class Labelling {
   [[noreturn]] void open_leaf(LeafId leaf) const {
     throw InputError("leaf " + std::to_string(leaf.value()) +
                      ": its faces do not close, so it has no inside; close the surface, or use fill: none or cells");
+  }
+
+  [[noreturn]] static void fail_overlap(LeafId leaf, std::uint32_t first, std::uint32_t second) {
+    throw InputError("leaf " + std::to_string(leaf.value()) + ", solid " + std::to_string(first) + ", solid " +
+                     std::to_string(second) + ": these solids overlap; take them as leaves of their own and let one "
+                     "dominate, or use fill: winding, which makes what they have in common a region");
   }
 
   /// Fill::cells: bounded cavities of the leaf's own faces, in the order of their first region.
@@ -292,7 +311,7 @@ class Labelling {
         if (root == outside) continue;
         const auto it = number.try_emplace(root, static_cast<std::int32_t>(number.size()) + 1).first;
         Values values = *sets_[set_of_[r]];
-        values.insert(std::lower_bound(values.begin(), values.end(), Value{leaf, 0}), {leaf, it->second});
+        values.insert(std::lower_bound(values.begin(), values.end(), Value{leaf, 0, 0}), {leaf, 0, it->second});
         set_of_[r] = intern(std::move(values));
       }
     }
@@ -307,9 +326,11 @@ class Labelling {
       LabelSetId& id = by_set[set_of_[r]];
       if (!id.valid()) {
         std::vector<Label> labels;
-        for (const auto& [leaf, v] : *sets_[set_of_[r]]) {
+        for (const auto& [leaf, solid, number] : *sets_[set_of_[r]]) {
           const bool numbered = c_.fills[leaf] == Fill::sides || c_.fills[leaf] == Fill::cells;
-          labels.push_back({leaf, numbered ? static_cast<std::uint32_t>(v) : 1u});
+          const std::uint32_t region = solid != 0 ? solid : numbered ? static_cast<std::uint32_t>(number) : 1u;
+          if (!labels.empty() && labels.back().leaf == leaf) fail_overlap(leaf, labels.back().region, region);
+          labels.push_back({leaf, region});
         }
         const auto [it, fresh] = stored.try_emplace(labels, LabelSetId());
         if (fresh) it->second = c_.label_sets.push_back(labels);

@@ -75,6 +75,12 @@ void Soup::add_isolated(LeafId leaf, PointId p) {
   isolated_.push_back({leaf, p});
 }
 
+void Soup::add_curve_end(LeafId leaf, PointId p) {
+  require(leaf.valid() && leaf.index() < fills_.size(), "soup: end of a curve of an unknown leaf");
+  require(p.index() < point_count(), "soup: unknown end of a curve");
+  curve_ends_.push_back({leaf, p});
+}
+
 void Soup::set_frame(LeafId frame, PointId seed, std::vector<std::pair<LeafId, std::uint32_t>> seed_regions) {
   require(!frame_.valid(), "soup: a second frame");
   require(frame.valid() && frame.index() < fills_.size(), "soup: the frame is an unknown leaf");

@@ -8,7 +8,7 @@
 //     A face of zero area is dropped and reported. The interior is what the loops enclose an odd number of
 //     times, so holes may be given in either direction.
 //   * Faces may cross, overlap, repeat, within a leaf and across leaves.
-//   * `front` and `back` are regions of the leaf (0: none) on the two sides, for Fill::sides.
+//   * `front` and `back` are regions of the leaf (0: none) on the two sides, for Fill::sides and Fill::solids.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +28,9 @@ enum class Fill : std::uint8_t {
   winding,  ///< region 1 where the winding number is not zero; the back of each face is inside
   parity,   ///< region 1 where a ray crosses the faces an odd number of times
   cells,    ///< every bounded cavity of the faces is a region, numbered from 1
+  /// Each face names the solid on its front and on its back; region r where the winding number of the faces of
+  /// solid r is not zero. Solids may touch, also where their faces lie on each other; InputError if two overlap.
+  solids,
 };
 
 class Soup {
@@ -49,6 +52,9 @@ class Soup {
   WireId add_wire(LeafId leaf, PointId a, PointId b, std::uint32_t leaf_edge);
   /// An isolated vertex of the leaf.
   void add_isolated(LeafId leaf, PointId p);
+  /// Declares a corner of a curved sheet: where two curves of the leaf end, and edges are no pieces of one curve. A
+  /// corner is an attribute of a point, no cell.
+  void add_curve_end(LeafId leaf, PointId p);
 
   /// Declares a leaf as the frame: a closed convex box that contains every vertex of the arrangement strictly
   /// inside or, for faces of planes, on it. Cells on and outside of it are never active. Its faces are
@@ -81,6 +87,7 @@ class Soup {
   }
   std::span<const Wire> wires() const { return wires_; }
   std::span<const Isolated> isolated() const { return isolated_; }
+  std::span<const Isolated> curve_ends() const { return curve_ends_; }
   const double* xyz(PointId p) const { return xyz_.data() + 3 * p.index(); }
   /// The exact value of a point that is not three doubles, or nullptr.
   const RationalPoint* rational(PointId p) const;
@@ -96,7 +103,7 @@ class Soup {
   std::vector<std::uint32_t> offsets_{0};
   std::vector<PointId> corners_;
   std::vector<Wire> wires_;
-  std::vector<Isolated> isolated_;
+  std::vector<Isolated> isolated_, curve_ends_;
   LeafId frame_;
   PointId seed_;
   std::vector<std::pair<LeafId, std::uint32_t>> seed_regions_;

@@ -15,12 +15,16 @@ VertexId other_end(const Complex& complex, EdgeId e, VertexId v) {
   return ends[0] == v ? ends[1] : ends[0];
 }
 
-void collect(const Complex& complex, EdgeId e, LeafId leaf, std::vector<Surface>& surfaces,
+bool counts(LeavesThere leaves, LeafId leaf) {
+  return !leaves || std::binary_search(leaves->begin(), leaves->end(), leaf);
+}
+
+void collect(const Complex& complex, EdgeId e, LeavesThere leaves, std::vector<Surface>& surfaces,
              std::vector<std::pair<Surface, SheetId>>& facets) {
   for (const FaceUse& use : complex.edge_uses[e]) {
     for (const Cover& c : complex.cover(use.face)) {
       const Soup::Face& source = complex.sources[c.source];
-      if (leaf.valid() && source.leaf != leaf) continue;
+      if (!counts(leaves, source.leaf)) continue;
       surfaces.emplace_back(false, source.leaf, source.patch);
       facets.emplace_back(surfaces.back(), complex.face_sheet[use.face]);
     }
@@ -28,7 +32,7 @@ void collect(const Complex& complex, EdgeId e, LeafId leaf, std::vector<Surface>
   for (SegmentId s : complex.edge_segments[e]) {
     for (WireId w : complex.segment_wires[s]) {
       const Soup::Wire& wire = complex.wires[w];
-      if (!leaf.valid() || wire.leaf == leaf) surfaces.emplace_back(true, wire.leaf, wire.leaf_edge);
+      if (counts(leaves, wire.leaf)) surfaces.emplace_back(true, wire.leaf, wire.leaf_edge);
     }
   }
   sort_unique(surfaces);
@@ -49,26 +53,30 @@ bool straight(const Complex& complex, VertexId v, EdgeId a, EdgeId b) {
   return collinear(complex.points, other_end(complex, a, v), v, other_end(complex, b, v));
 }
 
-bool one_curve(const Complex& complex, VertexId v, EdgeId a, EdgeId b, LeafId leaf) {
-  std::vector<Surface> at_a, at_b;
+bool one_curve(const Complex& complex, VertexId v, EdgeId a, EdgeId b, LeavesThere at_a, LeavesThere at_b) {
+  for (const LeafId leaf : complex.curve_ends[v]) {
+    if (counts(at_a, leaf) && counts(at_b, leaf)) return false;
+  }
+  std::vector<Surface> along_a, along_b;
   std::vector<std::pair<Surface, SheetId>> facets;
-  collect(complex, a, leaf, at_a, facets);
-  collect(complex, b, leaf, at_b, facets);
-  if (at_a != at_b || at_a.empty()) return false;
-  if (std::get<0>(at_a.back())) return true;
+  collect(complex, a, at_a, along_a, facets);
+  collect(complex, b, at_b, along_b, facets);
+  if (along_a != along_b || along_a.empty()) return false;
+  if (std::get<0>(along_a.back())) return true;
   sort_unique(facets);
   const auto bent = std::adjacent_find(facets.begin(), facets.end(),
                                        [](const auto& x, const auto& y) { return x.first == y.first; });
   if (bent == facets.end()) return false;
-  return at_a.size() > 1 || turns_less_than_right_angle(complex, v, a, b);
+  return along_a.size() > 1 || turns_less_than_right_angle(complex, v, a, b);
 }
 
-bool share_patch(const Complex& complex, FaceId f, FaceId g) {
+bool share_patch(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f, LeavesThere at_g) {
   for (const Cover& c : complex.cover(f)) {
     const Soup::Face& source = complex.sources[c.source];
     for (const Cover& d : complex.cover(g)) {
       const Soup::Face& other = complex.sources[d.source];
-      if (source.leaf == other.leaf && source.patch == other.patch) return true;
+      if (source.leaf != other.leaf || source.patch != other.patch) continue;
+      if (counts(at_f, source.leaf) && counts(at_g, source.leaf)) return true;
     }
   }
   return false;

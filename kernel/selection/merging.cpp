@@ -53,8 +53,9 @@ bool OrientedSets::unite(FaceId a, FaceId b, bool flip) {
   return true;
 }
 
-Merging::Merging(const Complex& complex, const Selection& selection, const Features& features, SimplifyMode mode)
-    : complex_(complex), mode_(mode), vertex_state_(complex.points.size()), edge_state_(complex.edge_count()),
+Merging::Merging(const Complex& complex, const Selection& selection, const Features& features, SimplifyMode mode,
+                 const CellSources* sources)
+    : complex_(complex), mode_(mode), sources_(sources), vertex_state_(complex.points.size()), edge_state_(complex.edge_count()),
       face_state_(complex.face_count()), region_state_(complex.region_count), face_fate_(complex.face_count()),
       edge_fate_(complex.edge_count()), vertex_fate_(complex.points.size()), vertex_host_(complex.points.size()),
       regions_(complex.region_count), faces_(complex.face_count()), chains_(complex.edge_count()),
@@ -158,7 +159,7 @@ Merging::Fate Merging::decide(EdgeId e) const {
   const FaceId f = use(pair[0]).face, g = use(pair[1]).face;
   if (s != state(f) || s != state(g)) return Fate::kept;
   const bool coplanar = complex_.face_sheet[f] == complex_.face_sheet[g];
-  if (!coplanar && (mode_ == SimplifyMode::points || !share_patch(complex_, f, g))) return Fate::kept;
+  if (!coplanar && (mode_ == SimplifyMode::points || !one_patch(f, g))) return Fate::kept;
   return Fate::in_face;
 }
 
@@ -295,7 +296,24 @@ bool Merging::continues(VertexId v, EdgeId a, EdgeId b) {
     if (use(across(u, v)).half_edge.edge() != b) return false;
   }
   if (at_a != at_b) return false;
-  return straight(complex_, v, a, b) || (mode_ != SimplifyMode::points && one_curve(complex_, v, a, b));
+  return straight(complex_, v, a, b) || (mode_ != SimplifyMode::points && one_curve(v, a, b));
+}
+
+bool Merging::one_patch(FaceId f, FaceId g) const {
+  if (!share_patch(complex_, f, g)) return false;
+  if (sources_ == nullptr) return true;
+  std::vector<LeafId> at_f, at_g;
+  sources_->leaves_of(f, at_f);
+  sources_->leaves_of(g, at_g);
+  return share_patch(complex_, f, g, at_f, at_g);
+}
+
+bool Merging::one_curve(VertexId v, EdgeId a, EdgeId b) const {
+  if (sources_ == nullptr) return cnrg::one_curve(complex_, v, a, b);
+  std::vector<LeafId> at_a, at_b;
+  sources_->leaves_of(a, at_a);
+  sources_->leaves_of(b, at_b);
+  return cnrg::one_curve(complex_, v, a, b, at_a, at_b);
 }
 
 }  // namespace cnrg

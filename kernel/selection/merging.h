@@ -56,7 +56,8 @@ class Merging {
   };
   using Use = std::uint32_t;  ///< index into Complex::edge_uses.values()
 
-  Merging(const Complex& complex, const Selection& selection, const Features& features, SimplifyMode mode);
+  Merging(const Complex& complex, const Selection& selection, const Features& features, SimplifyMode mode,
+          const CellSources* sources);
 
   /// The closure of the active cells and the features, but for the frame.
   const CellSet& domain() const { return domain_; }
@@ -107,12 +108,15 @@ class Merging {
   bool pinned(VertexId v) const;
   Fate decide(VertexId v);
   bool continues(VertexId v, EdgeId a, EdgeId b);
+  bool one_patch(FaceId f, FaceId g) const;
+  bool one_curve(VertexId v, EdgeId a, EdgeId b) const;
   void link_loops(FaceId f);
   Use neighbour(Use u, VertexId v);
   Use twin_use(Use u) const;
 
   const Complex& complex_;
   SimplifyMode mode_;
+  const CellSources* sources_;
   Scratch<VertexId, Component> vertex_state_;
   Scratch<EdgeId, Component> edge_state_;
   Scratch<FaceId, Component> face_state_;

@@ -367,8 +367,8 @@ SimplifiedComplex::Place SimplifiedComplex::place(const Complex& complex, const 
 }
 
 SimplifiedComplex simplify(const Complex& complex, const Selection& selection, const Features& features,
-                           SimplifyMode mode) {
-  Merging merging(complex, selection, features, mode);
+                           SimplifyMode mode, const CellSources* sources) {
+  Merging merging(complex, selection, features, mode, sources);
   return Assembly(complex, merging).run();
 }
 
@@ -399,8 +399,9 @@ std::array<std::size_t, 4> active_counts(const SimplifiedComplex& simplified) {
 }
 
 std::array<std::size_t, 4> simplified_counts(const Complex& complex, const Selection& selection,
-                                             const Features& features, SimplifyMode mode) {
-  Merging merging(complex, selection, features, mode);
+                                             const Features& features, SimplifyMode mode,
+                                             const CellSources* sources) {
+  Merging merging(complex, selection, features, mode, sources);
   std::array<std::size_t, 4> out{};
   for (VertexId v : merging.domain().vertices) {
     out[0] += merging.fate(v) == Fate::kept && merging.state(v) != 0;

@@ -63,9 +63,20 @@ enum class SimplifyMode {
   raw,       ///< merge nothing but what is inactive on both sides: every active cell stays a cell
 };
 
-/// Decides at the cost of the selection; the result with its maps takes a pass over the complex.
+/// The leaves that each cell of a selection came from. Two cells may be of one patch or curve of a leaf that both
+/// came from: then the result does not depend on what else is in the complex.
+class CellSources {
+ public:
+  virtual ~CellSources() = default;
+  /// Ascending, unique, into `out`. Cells of the closure are asked for, too. Threads may ask at a time.
+  virtual void leaves_of(FaceId f, std::vector<LeafId>& out) const = 0;
+  virtual void leaves_of(EdgeId e, std::vector<LeafId>& out) const = 0;
+};
+
+/// Decides at the cost of the selection; the result with its maps takes a pass over the complex. Without `sources`
+/// all leaves of the complex count everywhere.
 SimplifiedComplex simplify(const Complex& complex, const Selection& selection, const Features& features,
-                           SimplifyMode mode = SimplifyMode::features);
+                           SimplifyMode mode = SimplifyMode::features, const CellSources* sources = nullptr);
 
 /// What people call a simplified cell: `v3`, `e0`, `f12`, `r1`; `-` for an inactive region that is not listed.
 std::string cell_name(int dimension, std::uint32_t index);
@@ -79,6 +90,7 @@ std::array<std::size_t, 4> active_counts(const SimplifiedComplex& simplified);
 /// `active_counts(simplify(...))`, at the cost of the active cells, the features and their closure.
 std::array<std::size_t, 4> simplified_counts(const Complex& complex, const Selection& selection,
                                              const Features& features,
-                                             SimplifyMode mode = SimplifyMode::features);
+                                             SimplifyMode mode = SimplifyMode::features,
+                                             const CellSources* sources = nullptr);
 
 }  // namespace cnrg

@@ -273,6 +273,47 @@ TEST_CASE("components are read back with their value, their names and their domi
   CHECK_THAT(refused.err, Contains("closure"));
 }
 
+TEST_CASE("files of doubles are snapped on request", "[app][snap]") {
+  const Workshop w;
+  w.write("gap.yaml", R"(cnrg: 1
+nodes:
+  low:   {box: {min: [0, 0, 0], max: [1, 1, 1]}}
+  high:  {box: {min: [0, 0, 1.00000000000000001], max: [1, 1, 2]}}
+  model: {union: [low, high]}
+result: model
+)");
+  w.write("open.yaml", R"(cnrg: 1
+nodes:
+  ground: {halfspace: {point: [0, 0, "1/3"], normal: [0, 0, 1]}}
+  cut: {interior: ground}
+result: cut
+)");
+  Outcome o = w.run("eval gap.yaml --quiet -o gap.msh -o gap.json");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.err, Contains("gap.msh: warning: ") && Contains("use --snap"));
+  const std::string exact = w.read("gap.json");
+  o = w.run("mesh gap.yaml -o tets.msh");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, StartsWith("gap.yaml:5:3: error: ") && Contains("use --snap"));
+
+  o = w.run("eval gap.yaml --snap -o gap.msh -o gap.json -o gap.vtu --node model");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.err, Contains("gap.msh: notice: snapped 4 of 16 vertices, by 1") &&
+                        Contains("gap.vtu: notice: snapped 4 of 16 vertices") &&
+                        Contains("gap.json: notice: this format is exact; --snap changes nothing in it"));
+  CHECK(w.read("gap.json") == exact);
+  CHECK_THAT(w.read("gap.msh"), Contains("\"wall low | high\""));
+  CHECK(w.run("eval gap.yaml --snap --quiet -o gap.msh").err.empty());
+  o = w.run("mesh gap.yaml --snap -o tets.msh");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.err, Contains("tets.msh: notice: snapped 4 of 16 vertices"));
+  CHECK(row(o.out, "all").back() == "2");
+
+  o = w.run("eval open.yaml --snap -o open.vtu");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Contains("open.yaml:4:3: error: ") && Contains("--snap needs faces and lines with bounds"));
+}
+
 TEST_CASE("check reads and validates only", "[app]") {
   const Workshop w;
   w.write("t.yaml", kBoxes);

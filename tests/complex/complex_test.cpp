@@ -27,6 +27,22 @@ LeafId add_box(Soup& s, double x0, double y0, double z0, double x1, double y1, d
   return leaf;
 }
 
+/// Adds the box from `low` to `high` to a leaf of solids: `back` behind its faces, `front` before them, at its end
+/// in x (face 5) `beyond`. The face `without` is left out (face 4 is the one at its start in x).
+void add_solid(Soup& s, LeafId leaf, std::array<double, 3> low, std::array<double, 3> high, std::uint32_t back,
+               std::uint32_t front = 0, std::uint32_t beyond = 0, std::uint32_t without = 6) {
+  Soup box;
+  add_box(box, low[0], low[1], low[2], high[0], high[1], high[2]);
+  for (std::uint32_t f = 0; f < 6; ++f) {
+    if (f == without) continue;
+    std::vector<std::vector<PointId>> loops(1);
+    for (const PointId p : box.corners(SourceId(f))) {
+      loops[0].push_back(s.add_point(box.xyz(p)[0], box.xyz(p)[1], box.xyz(p)[2]));
+    }
+    s.add_face(leaf, loops, f, f, f == 5 && beyond != 0 ? beyond : front, back);
+  }
+}
+
 Complex build(const Soup& s) {
   Complex c = build_complex(s);
   REQUIRE(validate(c) == "");
@@ -198,6 +214,50 @@ TEST_CASE("labels by fill") {
     s.add_face(leaf, wall, 6, 6);
     const Complex c = build(s);
     REQUIRE(c.leaf_regions[leaf] == 2);
+  }
+  SECTION("solids: each is a region, whether or not they share the face between them") {
+    for (const bool shared : {true, false}) {
+      Soup s;
+      const LeafId leaf = s.add_leaf(Fill::solids);
+      add_solid(s, leaf, {0, 0, 0}, {1, 1, 1}, 1, 0, shared ? 2 : 0);
+      add_solid(s, leaf, {1, 0, 0}, {2, 1, shared ? 1.0 : 2.0}, 2, 0, 0, shared ? 4 : 6);
+      const Complex c = build(s);
+      REQUIRE(c.region_count == 3);
+      REQUIRE(c.leaf_regions[leaf] == 2);
+      std::set<std::uint32_t> labels;
+      for (const RegionId r : IdRange<RegionId>(c.region_count)) {
+        REQUIRE(c.labels(r).size() <= 1);
+        for (const Label& label : c.labels(r)) labels.insert(label.region);
+      }
+      REQUIRE(labels == std::set<std::uint32_t>{1, 2});
+    }
+  }
+  SECTION("solids: one in the cavity of another, its own faces turned inside out") {
+    Soup s;
+    const LeafId leaf = s.add_leaf(Fill::solids);
+    add_solid(s, leaf, {0, 0, 0}, {9, 9, 9}, 1);
+    add_solid(s, leaf, {1, 1, 1}, {8, 8, 8}, 0, 1);
+    add_solid(s, leaf, {2, 2, 2}, {3, 3, 3}, 0, 2);
+    const Complex c = build(s);
+    REQUIRE(c.region_count == 4);
+    std::multiset<std::size_t> labelled;
+    for (const RegionId r : IdRange<RegionId>(c.region_count)) labelled.insert(c.labels(r).size());
+    REQUIRE(labelled == std::multiset<std::size_t>{0, 0, 1, 1});
+  }
+  SECTION("solids that overlap are named") {
+    Soup s;
+    const LeafId leaf = s.add_leaf(Fill::solids);
+    add_solid(s, leaf, {0, 0, 0}, {2, 2, 2}, 1);
+    add_solid(s, leaf, {1, 1, 1}, {3, 3, 3}, 3);
+    REQUIRE_THROWS_AS(build_complex(s), InputError);
+    REQUIRE_THROWS_WITH(build_complex(s), Catch::StartsWith("leaf 0, solid 1, solid 3: these solids overlap"));
+  }
+  SECTION("solids must close, each by itself") {
+    Soup s;
+    const LeafId leaf = s.add_leaf(Fill::solids);
+    add_solid(s, leaf, {0, 0, 0}, {1, 1, 1}, 1, 0, 0, 5);
+    add_solid(s, leaf, {1, 0, 0}, {2, 1, 1}, 2);
+    REQUIRE_THROWS_WITH(build_complex(s), Catch::Contains("leaf 0") && Catch::Contains("do not close"));
   }
   SECTION("sides that contradict each other name both faces") {
     Soup s;

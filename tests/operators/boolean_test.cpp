@@ -81,13 +81,13 @@ TEST_CASE("attributes follow dominance", "[attributes]") {
     CHECK(result.conflicts[0].other == "rock");
   }
   SECTION("equal operands: who has no material yields") {
-    leaves[0].regions[0].material.clear();
+    leaves[0].regions[0].material = {};
     const auto result = apply(complex, BooleanOp::unite, Dominance::equal, leaves[0], leaves[1]);
     CHECK(result.group.regions.at(0).material == "ore");
     CHECK(result.conflicts.empty());
   }
   SECTION("a dominant operand without a material stays without") {
-    leaves[0].regions[0].material.clear();
+    leaves[0].regions[0].material = {};
     const auto result = apply(complex, BooleanOp::intersect, Dominance::left, leaves[0], leaves[1]);
     CHECK(result.group.regions.at(0).material.empty());
   }

@@ -241,5 +241,27 @@ TEST_CASE("random trees with sweeps and patches satisfy every identity", "[trees
   check_random_trees(150, true);
 }
 
+// What else is evaluated cuts cells and covers them, and changes no count of the simplified result.
+TEST_CASE("random trees: every node alone has the counts that it has among the others", "[trees]") {
+  const std::uint64_t first = from_environment("CNRG_FIRST_SEED", 0);
+  const std::uint64_t count = from_environment("CNRG_SEEDS", 150);
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    const std::string text = RandomTree(seed, seed % 2 == 1).text();
+    INFO("seed " << seed << "\n" << text);
+    const Tree tree = parse_tree(text, "random.yaml");
+    const std::vector<NodeRow> together = evaluate(tree).rows;
+    for (const NodeRow& row : together) {
+      if (row.node == tree.result) continue;
+      INFO(row.name);
+      Tree alone = parse_tree(text, "random.yaml");
+      alone.result = row.node;
+      const NodeRow own = evaluate(alone).rows.back();
+      REQUIRE(own.name == row.name);
+      REQUIRE(own.cells == row.cells);
+      REQUIRE(own.volume() == row.volume());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cnrg

@@ -74,7 +74,7 @@ using Conflict = std::tuple<std::uint32_t, std::string, std::string>;
 
 std::vector<Conflict> conflicts(const std::vector<MaterialConflict>& list) {
   std::vector<Conflict> out;
-  for (const MaterialConflict& c : list) out.emplace_back(c.region, c.kept, c.other);
+  for (const MaterialConflict& c : list) out.emplace_back(c.region, c.kept.name(), c.other.name());
   return out;
 }
 
@@ -83,7 +83,7 @@ std::vector<Conflict> conflicts(const PartedResult& result) {
   std::vector<Conflict> out;
   for (const auto& [part, c] : result.conflicts) {
     const auto at = std::find(order.begin(), order.end(), std::pair(static_cast<std::uint32_t>(part), c.region));
-    out.emplace_back(at - order.begin() + 1, c.kept, c.other);
+    out.emplace_back(at - order.begin() + 1, c.kept.name(), c.other.name());
   }
   return out;
 }

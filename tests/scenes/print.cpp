@@ -13,6 +13,7 @@ const char* name(Fill fill) {
     case Fill::winding: return "winding";
     case Fill::parity: return "parity";
     case Fill::cells: return "cells";
+    case Fill::solids: return "solids";
     case Fill::sides: break;
   }
   return "sides";

@@ -1,0 +1,61 @@
+// What a CAD file holds once it is tessellated: the faces, edges and vertices of its boundary representation, each
+// with facets, segments and points that share their corners. Nothing judged, and no type of the library that read
+// it: cad.cpp makes a leaf of it, whichever library that was.
+//
+// Numbers count from 0 in the order of the file's shape: solids, faces, edges and vertices as a walk through the
+// shape, from its parts to theirs, first meets them (OpenCASCADE: TopExp::MapShapes, whose numbers are one more).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "csg/leaves/shapes.h"
+
+namespace cnrg {
+
+struct CadModel {
+  /// (u, v) of a triangle's corners. At corner `pole`, if there is one (below 3), parameter `free` (0: u, 1: v) is
+  /// anything.
+  struct Place {
+    std::array<std::array<double, 2>, 3> at;
+    std::uint8_t pole = 3, free = 0;
+  };
+  /// A face of the model and who has it.
+  struct Face {
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of points, counter-clockwise from the front
+    std::vector<Place> places;                            ///< of these
+    /// Its edges, run through with the face on the left as seen from the front: the number, and if it is forward.
+    /// An edge that lies inside of the face, or at both of its ends (a seam), is run through in both directions.
+    std::vector<std::pair<std::uint32_t, bool>> border;
+    std::vector<std::uint32_t> behind, before;  ///< solids that lie on its back, on its front
+    bool outside = false;                       ///< (also) a face of a shell or alone, of no solid
+  };
+  struct Edge {
+    std::vector<std::uint32_t> points;  ///< along the curve, equal ends where it closes; one point: no length
+    std::vector<double> parameters;     ///< of these
+    bool seam = false;                  ///< where one face meets itself, and no other
+  };
+  struct Vertex {
+    std::uint32_t point = 0;
+    bool seam = false;  ///< an end of seams and of edges without length only
+  };
+  std::vector<std::array<double, 3>> points;
+  std::vector<Face> faces;
+  std::vector<Edge> edges;
+  std::vector<Vertex> vertices;
+  std::vector<std::string> solids;  ///< their names; empty: the file has none
+  std::vector<std::string> notices;
+};
+
+/// Reads and tessellates. Throws InputError without a position where the file does not exist, holds no shape, can
+/// not be transferred or tessellated; LeafFileError `file: error: ...` where it is no such file; FileError if it
+/// can not be read. Without OpenCASCADE always InputError, which says how to get it.
+CadModel read_cad(const CadShape& shape);
+
+/// `OpenCASCADE 7.6.3`, or empty without it.
+std::string cad_library();
+
+}  // namespace cnrg

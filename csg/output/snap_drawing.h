@@ -1,0 +1,71 @@
+// Iterated snap rounding: a drawing whose vertices all become doubles and that stays a drawing.
+//
+// A round refines what there is exactly; where that makes vertices that are not doubles (rounding made triangles
+// cross), these are snapped and the next round begins. It ends when a refinement has doubles only: then nothing is
+// left to round, and the refinement is embedded by construction.
+//
+//   * The first rounding takes each vertex to its nearest doubles. Most drawings are done with that.
+//   * Where they are not, what is near the crossings goes to a uniform grid: doubles near zero are so dense that
+//     nearly coincident faces would cross again and again there. The cells of the grid that hold a new vertex, or
+//     a corner of a triangle that was cut, are *hot* (as pixels are, halperin2002). Their boxes are refined
+//     together with the drawing, so that every face and edge that passes through a hot cell is cut on its
+//     boundary; then all that is in the cell is drawn together in its center. So a vertex does not pass through an
+//     edge or a face that lies nearer to it than the grid is fine: these come to it.
+//   * The first grid is four units in the last place of the largest coordinate. When the crossings do not become
+//     fewer on a grid, the next one is 16 times as coarse and begins with the first rounding again (lazard2025
+//     coarsens its grid, too). No proof bounds the number of rounds: devillers2018 has an algorithm with a proof,
+//     of high degree. After the last grid there is an error.
+//
+// A vertex that moves takes the triangles around it along; a point of a triangle moves no farther than its corners
+// do, so no point of the drawing moves farther than the largest moves of all rounds together.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernel/complex/complex.h"
+
+namespace cnrg {
+
+/// The first grid in units in the last place of the largest coordinate, how much coarser each next one is, how
+/// many.
+inline constexpr double kSnapFirstCell = 4, kSnapGrowth = 16;
+inline constexpr int kSnapGrids = 9;
+/// A grid is given up after so many rounds without fewer crossings than ever before.
+inline constexpr int kSnapPatience = 8;
+
+/// What is drawn, by numbers of points; triangles of one face share its number, pieces of one edge that.
+struct NumberedDrawing {
+  struct Triangle {
+    std::array<std::uint32_t, 3> points;
+    std::uint32_t face = 0;
+  };
+  struct Piece {
+    std::array<std::uint32_t, 2> points;
+    std::uint32_t edge = 0;
+  };
+  std::vector<VertexId> points;  ///< in the table that it is drawn with
+  std::vector<Triangle> triangles;
+  std::vector<Piece> pieces;            ///< of edges, on triangles or not
+  std::vector<std::uint32_t> isolated;  ///< points that are drawn by themselves
+};
+
+struct SnappedDrawing {
+  Complex complex;  ///< each vertex is three doubles
+  /// Of each face of the complex the faces of the drawing that lie on it, each as often as it does: 2 * face, and
+  /// 1 more where its front is the back here.
+  Csr<FaceId, std::uint32_t> faces;
+  Csr<EdgeId, std::uint32_t> edges;  ///< of each edge those edges of the drawing that run along it, ascending
+  std::vector<VertexId> points;      ///< where each point is; none() if all that had it has collapsed
+  int rounds = 0;                    ///< refinements
+  bool plain = false;                ///< rounding each point by itself was enough: nothing was cut, merged or lost
+  double displacement = 0;           ///< no point of the drawing moved farther (units of the model)
+};
+
+/// The drawing must not be empty. Throws InputError when it does not become stable, and for coordinates beyond the
+/// range of doubles.
+SnappedDrawing snap(const PointTable& points, const NumberedDrawing& drawing);
+
+}  // namespace cnrg
