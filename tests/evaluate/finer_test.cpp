@@ -95,8 +95,11 @@ TEST_CASE("curved leaves made finer keep their counts and approach the exact vol
 TEST_CASE("trees of the papers keep their counts when they are made finer", "[evaluate][finer]") {
   std::size_t curved = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator("papers")) {
-    if (entry.path().extension() != ".yaml" || entry.path().filename() == "section.yaml") continue;
+    if (entry.path().extension() != ".yaml") continue;
     Tree tree = read_tree(entry.path().string());
+    // Results read back are files that another tree writes, as fine as that one was.
+    const auto is_result = [](const Node& node) { return node.operator_name == "cnrg"; };
+    if (std::any_of(tree.nodes.begin(), tree.nodes.end(), is_result)) continue;
     const bool is_curved = std::any_of(tree.nodes.begin(), tree.nodes.end(), [](const Node& node) {
       return node.operator_name == "cylinder" || node.operator_name == "bspline" || node.operator_name == "sphere";
     });
