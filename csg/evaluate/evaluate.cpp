@@ -89,7 +89,8 @@ NodeValue value_of_leaf(const Tree& tree, const PreparedLeaves& leaves, const In
   if (table == nullptr) return {complex, std::move(group)};
   try {
     const auto count = static_cast<std::uint32_t>(instance.leaf->regions().size());
-    return leaf_value(complex, leaf, group, *table, instance.transform, leaves.attributes(leaf, count, placed, grades));
+    return leaf_value(complex, leaf, group, *table, instance.transform,
+                      leaves.attributes(leaf, count, placed, grades));
   } catch (const InputError& e) {
     throw TreeError(tree.file, leaves.node_of(leaf).operator_at, e.what());
   }
@@ -324,11 +325,11 @@ void report_conflicts(const Tree& tree, const Node& node, const NodeValue& value
     if (cells.empty()) continue;
     const std::vector<SimplifiedComplex::Place> places = places_of(simplified.get(), cells);
     const Component component = component_of(simplified.get(), places.front());
-    const std::string message = "`" + node.name + "`: the region `" + value.attributes(component).name +
-                                "` keeps the material `" + conflict.kept.name() + "` where `" +
-                                conflict.other.name() + (conflict.kept.name() == conflict.other.name() ? "` placed otherwise" : "`") +
-                                " has equal dominance (" + cell_names(places) +
-                                "); give one of the two a greater `dominance`";
+    const std::string message =
+        "`" + node.name + "`: the region `" + value.attributes(component).name + "` keeps the material `" +
+        conflict.kept.name() + "` where `" + conflict.other.name() +
+        (conflict.kept.name() == conflict.other.name() ? "` placed otherwise" : "`") + " has equal dominance (" +
+        cell_names(places) + "); give one of the two a greater `dominance`";
     if (!said.insert(message).second) continue;
     result.diagnostics.push_back({tree.file, node.operator_at, Diagnostic::Level::warning, message});
   }

@@ -413,7 +413,8 @@ void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Pie
   Node without = node;
   without.regularize = false;
   const std::vector<Operand> operands = operands_of(id);
-  made_.push_back(std::make_unique<NodeValue>(operate(complex_, without, without.material, operands, false).value));
+  made_.push_back(
+      std::make_unique<NodeValue>(operate(complex_, without, without.material, operands, false).value));
   const NodeValue& before = *made_.back();
   std::vector<LifeStep> after(pieces.size());
   add_topology(Topological::regularize, false, before, pieces, named, after);

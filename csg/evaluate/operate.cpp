@@ -223,7 +223,8 @@ void set_attributes(const Node& node, const RegionMaterial& material, RegionAttr
 }
 
 /// The attributes of a node on a group; a leaf's regions and components have names and materials already.
-void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material, PartedGroup& group) {
+void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material,
+                      PartedGroup& group) {
   if (node.regularize) group = regularized(complex, group);
   const bool names = node.op != Operator::leaf && !(material.empty() && node.label.empty());
   if (node.forget_features || names) {

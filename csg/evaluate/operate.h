@@ -28,11 +28,10 @@ struct Operand {
   std::vector<LeafId> below;     ///< for topological operators: the leaves below it, ascending
 };
 
-/// The value of an inner node: its operator on the operands, from left to right, then its attributes; `material` is
-/// the node's, empty for none. With
-/// `validate` each Boolean, complement and CNRG operator is checked against the identities of SEMANTICS 2 and 5;
-/// InvariantError names the node and the first violation. InputError when the operands do not suit the operator:
-/// the message names the operator to insert.
+/// The value of an inner node: its operator on the operands, from left to right, then its attributes; `material`
+/// is the node's, empty for none. With `validate` each Boolean, complement and CNRG operator is checked against
+/// the identities of SEMANTICS 2 and 5; InvariantError names the node and the first violation. InputError when the
+/// operands do not suit the operator: the message names the operator to insert.
 Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
                 std::span<const Operand> operands, bool validate);
 

@@ -123,8 +123,8 @@ void PreparedLeaves::prepare_node(NodeId id) {
   }
 }
 
-std::vector<RegionAttributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t count, const Instance& instance,
-                                                         Grades& grades) const {
+std::vector<RegionAttributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t count,
+                                                         const Instance& instance, Grades& grades) const {
   const Node& node = node_of(leaf);
   const std::vector<LeafRegion> own = instances_[leaf.index()].leaf->regions();
   const std::string& name = node.label.empty() ? node.name : node.label;

@@ -29,8 +29,8 @@ class PreparedLeaves {
   LeafId leaf_of(InstanceId instance) const { return leaf_of_[instance]; }
   const Node& node_of(LeafId leaf) const { return tree_->nodes[nodes_[leaf]]; }
 
-  /// What people say of the regions 1 to `count` of a leaf: the shape's own words, else those of the node, materials
-  /// placed as `instance`, that of the leaf, is.
+  /// What people say of the regions 1 to `count` of a leaf: the shape's own words, else those of the node,
+  /// materials placed as `instance`, that of the leaf, is.
   std::vector<RegionAttributes> attributes(LeafId leaf, std::uint32_t count, const Instance& instance,
                                            Grades& grades) const;
 

@@ -1,5 +1,6 @@
-// Reading has three parts: a cursor on the JSON document (json_cursor.h); the tables of the file with every number checked; and the leaf made from them. All cells of the file go
-// to the soup, active or not; the cell table says which are active.
+// Reading has three parts: a cursor on the JSON document (json_cursor.h); the tables of the file with every number
+// checked; and the leaf made from them. All cells of the file go to the soup, active or not; the cell table says
+// which are active.
 //
 // Edges are wires where the faces alone would not give the same edge again:
 //   * A face is handed to the soup without its slits: loops of the soup enclose by parity.

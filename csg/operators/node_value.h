@@ -58,8 +58,8 @@ class NodeValue {
 };
 
 Selection selection_of(const Complex& complex, const NodeValue& value);
-/// The simplified complex of a value, and its counts (kernel/selection/simplify.h); it depends on the value alone, not
-/// on what else is in the complex. `selection` is that of the value.
+/// The simplified complex of a value, and its counts (kernel/selection/simplify.h); it depends on the value alone,
+/// not on what else is in the complex. `selection` is that of the value.
 SimplifiedComplex simplify(const Complex& complex, const NodeValue& value, const Selection& selection,
                            SimplifyMode mode = SimplifyMode::features);
 std::array<std::size_t, 4> simplified_counts(const Complex& complex, const NodeValue& value,

@@ -5,7 +5,8 @@
 //   "leaves": [{"name"}],
 //   "materials": [{"name", "color"}],
 //   "grades": [{"material", "placement": {"linear": [row], "offset"}, "linear" | "distance", "stops": [{"at",
-//     "mixture"}]}],                                                 of materials that change with position, if any
+//     "mixture"}]}],                                                 of materials that change with position, if
+//     any
 //   "components": [{"name", "material", "grade", "dominance", "leaves": [leaf]}],   component i is at [i - 1]
 //   "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted
 //   "frame": [point],                                                points that stand for infinity

@@ -42,7 +42,9 @@ class NodeView {
   NodeView(const NodeView&) = delete;
   NodeView& operator=(const NodeView&) = delete;
   const ResultView& view() const { return view_; }
-  ResultView view(const SnappedResult* snapped) const { return snapped == nullptr ? view_ : snapped->shown(view_); }
+  ResultView view(const SnappedResult* snapped) const {
+    return snapped == nullptr ? view_ : snapped->shown(view_);
+  }
 
  private:
   std::vector<LeafInfo> leaves_;

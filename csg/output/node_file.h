@@ -18,7 +18,8 @@ void check_file_name(const std::string& path);
 /// True for a `.dot` of the DAG.
 bool shows_dag(const std::string& path);
 
-/// True for the formats that hold exact numbers or none, which `--snap` does not change: .json and both kinds of .dot.
+/// True for the formats that hold exact numbers or none, which `--snap` does not change: .json and both kinds of
+/// .dot.
 bool is_exact(const std::string& path);
 
 /// The kept node on doubles; `raw` as the evaluation was. TreeError at the node for what can not be snapped.

@@ -1,8 +1,8 @@
 // A result on doubles: the complex that `--snap` writes (snap_drawing.h has the rounding).
 //
 // The drawing of the flattened result is snapped; the refinement that this ends with is the complex of the snapped
-// result. Where rounding each vertex by itself leaves the drawing as it is, and each region, wire and point where it
-// is, the result stays the exact one: its writers round it.
+// result. Where rounding each vertex by itself leaves the drawing as it is, and each region, wire and point where
+// it is, the result stays the exact one: its writers round it.
 //
 // Every cell is told what it is by the cells of the exact result that it stems from:
 //   * A 3-cell is the region that the sides of its faces name. Where faces have crossed, sides may contradict each

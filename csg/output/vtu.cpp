@@ -11,8 +11,8 @@
 //   source_leaf, source_face      the first leaf (a row of LeafNames) with a face that the cell came from, and
 //                                 that face; of a cell from no face the first leaf and -1 (.json has all)
 //
-// Where a material is graded, `fraction of NAME` has the part of each material at the centroid of the cell as drawn
-// (a triangle, a tetrahedron), as the region that the cell belongs to has it.
+// Where a material is graded, `fraction of NAME` has the part of each material at the centroid of the cell as
+// drawn (a triangle, a tetrahedron), as the region that the cell belongs to has it.
 //
 // With parameters (leaves/parameters.h), for faces on patches of leaves:
 //   parameters    of points: u and v on the patch, NaN where there are none. Points are split where triangles

@@ -26,7 +26,7 @@ struct ResultView {
     std::string name, color;
   };
   std::vector<Material> materials{};
-  bool of_group = false;                  ///< `value` has the components of a group (snap.h): the last are entities
+  bool of_group = false;  ///< `value` has the components of a group (snap.h): the last are entities
   /// Given: .json and .vtu say the parameters of faces on patches of the leaves.
   const SurfaceParameters* parameters = nullptr;
 };

@@ -382,7 +382,8 @@ NodeId Tree::find(const std::string& name) const {
 }
 
 const Material* Tree::material(const std::string& name) const {
-  const auto it = std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
+  const auto it =
+      std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
   return it == materials.end() ? nullptr : &*it;
 }
 
@@ -408,7 +409,8 @@ std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>
       if (!used[id.index()]) continue;
       for (const std::string& name : materials_of(tree.nodes[id])) {
         const Material* material = tree.material(name);
-        const auto* distance = material && material->grade ? std::get_if<DistanceGrade>(&material->grade->along) : nullptr;
+        const auto* distance =
+            material && material->grade ? std::get_if<DistanceGrade>(&material->grade->along) : nullptr;
         if (distance && !used[tree.find(distance->to).index()]) all.push_back(tree.find(distance->to));
       }
     }

@@ -289,7 +289,8 @@ class Labelling {
 
   [[noreturn]] static void fail_overlap(LeafId leaf, std::uint32_t first, std::uint32_t second) {
     throw InputError("leaf " + std::to_string(leaf.value()) + ", solid " + std::to_string(first) + ", solid " +
-                     std::to_string(second) + ": these solids overlap; take them as leaves of their own and let one "
+                     std::to_string(second) +
+                     ": these solids overlap; take them as leaves of their own and let one "
                      "dominate, or use fill: winding, which makes what they have in common a region");
   }
 

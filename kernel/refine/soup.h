@@ -52,8 +52,8 @@ class Soup {
   WireId add_wire(LeafId leaf, PointId a, PointId b, std::uint32_t leaf_edge);
   /// An isolated vertex of the leaf.
   void add_isolated(LeafId leaf, PointId p);
-  /// Declares a corner of a curved sheet: where two curves of the leaf end, and edges are no pieces of one curve. A
-  /// corner is an attribute of a point, no cell.
+  /// Declares a corner of a curved sheet: where two curves of the leaf end, and edges are no pieces of one curve.
+  /// A corner is an attribute of a point, no cell.
   void add_curve_end(LeafId leaf, PointId p);
 
   /// Declares a leaf as the frame: a closed convex box that contains every vertex of the arrangement strictly

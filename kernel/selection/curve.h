@@ -4,7 +4,8 @@
 // curve. Two edges are pieces of one curve when the same patches (of the same leaves) lie around both and the same
 // wires' curves on both, and one of these is curved at the vertex: a patch with facets of more than one sheet
 // there, or a shared wire curve. Where a leaf says that its curves end (the corners of a sheet), none goes on. The
-// border of one single patch, of which a leaf of triangles says no corners, must not turn by a right angle or more.
+// border of one single patch, of which a leaf of triangles says no corners, must not turn by a right angle or
+// more.
 //
 // Only leaves that the value in question came from count: others may run along a curve for a part of its way.
 #pragma once
@@ -27,8 +28,8 @@ bool straight(const Complex& complex, VertexId v, EdgeId a, EdgeId b);
 bool one_curve(const Complex& complex, VertexId v, EdgeId a, EdgeId b, LeavesThere at_a = {},
                LeavesThere at_b = {});
 
-/// True if a patch (of the same leaf, which counts at both) covers both faces. When they lie in different sheets it
-/// is a curved one.
+/// True if a patch (of the same leaf, which counts at both) covers both faces. When they lie in different sheets
+/// it is a curved one.
 bool share_patch(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f = {}, LeavesThere at_g = {});
 
 }  // namespace cnrg

@@ -55,11 +55,22 @@ bool OrientedSets::unite(FaceId a, FaceId b, bool flip) {
 
 Merging::Merging(const Complex& complex, const Selection& selection, const Features& features, SimplifyMode mode,
                  const CellSources* sources)
-    : complex_(complex), mode_(mode), sources_(sources), vertex_state_(complex.points.size()), edge_state_(complex.edge_count()),
-      face_state_(complex.face_count()), region_state_(complex.region_count), face_fate_(complex.face_count()),
-      edge_fate_(complex.edge_count()), vertex_fate_(complex.points.size()), vertex_host_(complex.points.size()),
-      regions_(complex.region_count), faces_(complex.face_count()), chains_(complex.edge_count()),
-      next_(complex.edge_uses.value_count()), previous_(complex.edge_uses.value_count()) {
+    : complex_(complex),
+      mode_(mode),
+      sources_(sources),
+      vertex_state_(complex.points.size()),
+      edge_state_(complex.edge_count()),
+      face_state_(complex.face_count()),
+      region_state_(complex.region_count),
+      face_fate_(complex.face_count()),
+      edge_fate_(complex.edge_count()),
+      vertex_fate_(complex.points.size()),
+      vertex_host_(complex.points.size()),
+      regions_(complex.region_count),
+      faces_(complex.face_count()),
+      chains_(complex.edge_count()),
+      next_(complex.edge_uses.value_count()),
+      previous_(complex.edge_uses.value_count()) {
   for (const auto& [v, c] : selection.vertices) vertex_state_[v] = c;
   for (const auto& [e, c] : selection.edges) edge_state_[e] = c;
   for (const auto& [f, c] : selection.faces) face_state_[f] = c;

@@ -138,7 +138,8 @@ TEST_CASE("the tunnel of Pereira et al.: our tetrahedra, Gmsh's and tetgen's hav
   }
 }
 
-TEST_CASE("the supported tunnel: bolts are edges of tetrahedra, the shell is a part of their faces", "[app][mesh]") {
+TEST_CASE("the supported tunnel: bolts are edges of tetrahedra, the shell is a part of their faces",
+          "[app][mesh]") {
   const Workshop w;
   const std::string trees = "papers/pereira2012/", files = "out/pereira2012/";
   std::filesystem::create_directories(w.path(trees));
@@ -169,7 +170,8 @@ TEST_CASE("the supported tunnel: bolts are edges of tetrahedra, the shell is a p
       CHECK(length < (ring < 10 ? 5 * 6.2 : 3 * 14));
       CHECK(length == Approx(model.measure(model.in_group(1, group))).epsilon(1e-9));
     }
-    // The shell: triangles on the wall up to its end, 0.625 of the axis; its border is an edge, so none reaches over.
+    // The shell: triangles on the wall up to its end, 0.625 of the axis; its border is an edge, so none reaches
+    // over.
     std::vector<test::MeshFile::Element> lining;
     for (const auto& element : mesh.elements) {
       if (element.dimension != 2) continue;

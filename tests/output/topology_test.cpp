@@ -138,7 +138,8 @@ TEST_CASE("topology of a curved patch, an open set, an unbounded one, and none",
   Selection outside;
   outside.regions.emplace_back(RegionId(0), 1u);
   CHECK(says(topology_text(*drum.complex, outside, simplify(*drum.complex, outside, {}), {}), "is unbounded"));
-  CHECK(topology_text(*drum.complex, {}, simplify(*drum.complex, Selection(), {}), {}) == "the point set is empty\n");
+  CHECK(topology_text(*drum.complex, {}, simplify(*drum.complex, Selection(), {}), {}) ==
+        "the point set is empty\n");
 }
 
 TEST_CASE("adjacency of regions as a graph", "[topology]") {

@@ -262,7 +262,8 @@ TEST_CASE("faults of graded materials", "[tree]") {
            4, 6 + column, parts);
   };
   const std::string line = "linear: {from: [0, 0, 0], to: [1, 0, 0], stops: ";
-  material("linear: {from: [0, 0, 0], to: [0, 0, 0], stops: [[0, s], [1, s]]}", 31, {"one point", "let them differ"});
+  material("linear: {from: [0, 0, 0], to: [0, 0, 0], stops: [[0, s], [1, s]]}", 31,
+           {"one point", "let them differ"});
   material(line + "[[0, s]]}", 49, {"two or more stops"});
   material(line + "[[1, s], [1, s]]}", 59, {"does not come after the one at 1", "ascending"});
   material(line + "[[0, s], [1, t]]}", 62, {"`t` is not declared"});
@@ -270,7 +271,8 @@ TEST_CASE("faults of graded materials", "[tree]") {
   material(line + "[[0, s], [1, {s: 1/2}]]}", 62, {"add up to 1/2", "add up to 1,"});
   material(line + "[[0, s], [1, {s: -1}]]}", 66, {"fraction of `s` is negative"});
   material(line + "[[0, s], 1]}", 58, {"[NUMBER, MATERIAL]"});
-  material("linear: {from: [0, 0, 0], stops: [[0, s], [1, s]]}", 9, {"`linear` of material `m` needs `to`", "[x, y, z]"});
+  material("linear: {from: [0, 0, 0], stops: [[0, s], [1, s]]}", 9,
+           {"`linear` of material `m` needs `to`", "[x, y, z]"});
   material("distance: {to: b, stops: [[0, s], [1, s]]}", 16, {"no node called `b`", "measure a distance"});
   material("distance: {to: a, stops: [[-1, s], [1, s]]}", 26, {"a stop of a distance is negative"});
   material("distance: {to: a, stops: [[0, s], [1, s]]}, " + line + "[[0, s], [1, s]]}", 11,
