@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
@@ -95,11 +96,14 @@ TEST_CASE("curved leaves made finer keep their counts and approach the exact vol
 TEST_CASE("trees of the papers keep their counts when they are made finer", "[evaluate][finer]") {
   std::size_t curved = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator("papers")) {
-    if (entry.path().extension() != ".yaml" || entry.path().filename() == "section.yaml") continue;
+    if (entry.path().extension() != ".yaml") continue;
     Tree tree = read_tree(entry.path().string());
-    const bool is_curved = std::any_of(tree.nodes.begin(), tree.nodes.end(), [](const Node& node) {
-      return node.operator_name == "cylinder" || node.operator_name == "bspline" || node.operator_name == "sphere";
-    });
+    const auto has = [&](const std::set<std::string>& names) {
+      return std::any_of(tree.nodes.begin(), tree.nodes.end(),
+                         [&](const Node& node) { return names.contains(node.operator_name); });
+    };
+    if (has({"cnrg"})) continue;  // a result that papers/run writes first
+    const bool is_curved = has({"cylinder", "bspline", "sphere"});
     if (!is_curved) continue;
     ++curved;
     const std::vector<NodeRow> coarse = rows_of(std::move(tree), 1);
