@@ -98,21 +98,12 @@ TEST_CASE("trees of the papers keep their counts when they are made finer", "[ev
   for (const auto& entry : std::filesystem::recursive_directory_iterator("papers")) {
     if (entry.path().extension() != ".yaml") continue;
     Tree tree = read_tree(entry.path().string());
-<<<<<<< HEAD
-    // Results read back are files that another tree writes, as fine as that one was.
-    const auto is_result = [](const Node& node) { return node.operator_name == "cnrg"; };
-    if (std::any_of(tree.nodes.begin(), tree.nodes.end(), is_result)) continue;
-    const bool is_curved = std::any_of(tree.nodes.begin(), tree.nodes.end(), [](const Node& node) {
-      return node.operator_name == "cylinder" || node.operator_name == "bspline" || node.operator_name == "sphere";
-    });
-=======
     const auto has = [&](const std::set<std::string>& names) {
       return std::any_of(tree.nodes.begin(), tree.nodes.end(),
                          [&](const Node& node) { return names.contains(node.operator_name); });
     };
     if (has({"cnrg"})) continue;  // a result that papers/run writes first
     const bool is_curved = has({"cylinder", "bspline", "sphere"});
->>>>>>> conserve
     if (!is_curved) continue;
     ++curved;
     const std::vector<NodeRow> coarse = rows_of(std::move(tree), 1);
