@@ -3,6 +3,7 @@
 // Results go to standard output; everything said about them goes to standard error. A command throws; here each
 // kind of exception becomes one message and its exit status.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -59,6 +60,17 @@ void add_finer(CLI::App* sub, int& finer) {
                   "Curved leaves are K times finer than the tree says: segments times K, chord by K squared")
       ->type_name("K")
       ->check(CLI::Range(1, 1000));
+}
+
+/// A finite number between two bounds.
+CLI::Validator number_check(double above, double below, const std::string& wanted) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        double value = 0;
+        const bool read = CLI::detail::lexical_cast(text, value);
+        return read && value > above && value < below ? std::string() : "`" + text + "` is not " + wanted;
+      },
+      "");
 }
 
 int run(int argc, char** argv) {
@@ -156,11 +168,16 @@ int run(int argc, char** argv) {
       ->required();
   sub->add_option("--max-volume", mesh.options.max_volume, "No tetrahedron is larger than V cubic units")
       ->type_name("V")
-      ->check(CLI::PositiveNumber);
+      ->check(number_check(0, HUGE_VAL, "a positive number"));
   sub->add_option("--quality", mesh.options.quality,
                   "Largest ratio of circumradius to shortest edge, from 1.1; below 1.4 may take very long")
       ->type_name("Q")
-      ->check(CLI::Range(1.1, 100.0));
+      ->check(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
+  sub->add_option("--seconds", mesh.options.seconds,
+                  "Stop TetGen after so many seconds of processor time, and ask it in another way; 0: never")
+      ->type_name("S")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
   sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
                 "No new points on faces and edges, so that the meshes of neighbours fit");
   sub->add_flag("--snap", mesh.snap, "Move vertices until the facets, rounded to doubles, meet as they should");

@@ -1,6 +1,7 @@
 #include "csg/output/material_field.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace cnrg {
@@ -41,10 +42,13 @@ void sample_materials(const ResultView& view, Mesh& mesh) {
   const MaterialField field(view);
   for (const std::string& name : field.names()) mesh.fields.push_back({"fraction of " + name, {}});
   if (field.empty()) return;
+  std::map<std::pair<Component, Mesh::Index>, std::vector<double>> known;
   for (const auto& t : mesh.tetrahedra) {
     const Component component = material_component(view, mesh.entities[3][t.entity].tags);
     for (const Mesh::Index p : t.points) {
-      const std::vector<double> fractions = field.at(component, std::span(&mesh.points[p], 1));
+      const auto [it, fresh] = known.try_emplace({component, p});
+      if (fresh) it->second = field.at(component, std::span(&mesh.points[p], 1));
+      const std::vector<double>& fractions = it->second;
       for (std::size_t k = 0; k < fractions.size(); ++k) mesh.fields[k].values.push_back(fractions[k]);
     }
   }

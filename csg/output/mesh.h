@@ -9,8 +9,9 @@
 //   tetrahedra          as tetrahedra.h has it; its entities are the cells of the simplified result.
 //
 // Groups are what people call the entities: in dimension 3 a region by its name, and a material; in dimension 2
-// `boundary of rock`, `wall rock | ore`, `face of fault` (dangling); wires and free points by their leaf. Names
-// are distinct within a dimension.
+// `boundary of rock`, `wall rock | ore`, `face of fault` (dangling), and once more
+// by the leaves that they came from, `from fault`, whatever they part; wires and free points by their leaf. Names are
+// distinct within a dimension; where a format has one group for a cell it is the first.
 #pragma once
 
 #include <array>
@@ -43,6 +44,7 @@ struct Mesh {
   bool flat = false;                      ///< entities are straight pieces and facets: the surface mesh
   std::vector<std::array<double, 3>> points;
   std::array<std::vector<std::string>, 4> groups;     ///< names by dimension; group g is at g - 1
+  std::size_t sources = 0;                ///< how many groups of faces by their leaves there are: the last ones
   std::array<std::vector<Entity>, 4> entities;        ///< by dimension
   // By entity, ascending.
   std::vector<Simplex<1>> vertices;
@@ -61,6 +63,7 @@ struct Mesh {
 /// Names of groups, and the groups of each active cell of a flattened result by its dimension and number.
 struct MeshGroups {
   std::array<std::vector<std::string>, 4> names;
+  std::size_t sources = 0;                ///< how many groups of faces by their leaves there are: the last ones
   std::array<std::vector<std::vector<Mesh::Index>>, 4> of;
 };
 MeshGroups mesh_groups(const ResultView& view, const FlatComplex& flat);

@@ -66,6 +66,7 @@ class Grouper {
   MeshGroups run() {
     group_regions();
     group(2, flat_.faces, [&](const auto& f) { return key_of_face(f); });
+    group_sources();
     group(1, flat_.edges, [&](const auto& e) { return e.wire ? Key{1, "wire" + of_leaf(e.origin, 1)} : Key{}; });
     group(0, flat_.vertices,
           [&](const auto& v) { return v.free ? Key{1, "point" + of_leaf(v.origin, 0)} : Key{}; });
@@ -121,6 +122,40 @@ class Grouper {
       auto& of = groups_.of[std::size_t(dimension)].emplace_back();
       if (key.first != 0) of.push_back(list(key.first, key.second));
     }
+  }
+
+  /// Faces once more, by the leaves that they came from, in the order of the leaves.
+  void group_sources() {
+    std::map<LeafId, Index> numbers;
+    for (const auto& face : flat_.faces) {
+      for (const LeafId leaf : sources(face)) numbers[leaf] = 0;
+    }
+    auto& names = groups_.names[2];
+    for (auto& [leaf, number] : numbers) {
+      std::string name = "from " + plain((*view_.leaves)[leaf.index()].name);
+      // Two instances of a leaf, or a region that is called so.
+      const std::string first = name;
+      for (int n = 2; std::find(names.begin(), names.end(), name) != names.end(); ++n) {
+        name = first + " " + std::to_string(n);
+      }
+      names.push_back(name);
+      number = Index(names.size());
+      ++groups_.sources;
+    }
+    for (std::size_t i = 0; i < flat_.faces.size(); ++i) {
+      for (const LeafId leaf : sources(flat_.faces[i])) groups_.of[2][i].push_back(numbers.at(leaf));
+    }
+  }
+
+  /// The leaves that have a face there, ascending; of an active face.
+  std::vector<LeafId> sources(const FlatComplex::Face& face) const {
+    std::vector<LeafId> leaves;
+    if (face.component == 0 || view_.leaves == nullptr) return leaves;
+    for (const LeafCell& cell : face.origin.cells) {
+      const bool known = cell.dimension == 2 && cell.leaf.index() < view_.leaves->size();
+      if (known && (leaves.empty() || leaves.back() != cell.leaf)) leaves.push_back(cell.leaf);
+    }
+    return leaves;
   }
 
   /// Boundaries by component, walls by their two components, dangling faces by leaf.

@@ -23,6 +23,7 @@ class SurfaceMesher {
     mesh_.node = view.node;
     mesh_.flat = true;
     mesh_.groups = groups_.names;
+    mesh_.sources = groups_.sources;
   }
 
   Mesh run() {

@@ -46,11 +46,12 @@ FileText tetgen_text(const ResultView& view, const std::string& format, bool pol
     const auto& of = groups.of[std::size_t(dimension)][i];
     return of.empty() ? 0 : of[0];
   };
-  const std::size_t faces = groups.names[2].size();
+  const std::size_t faces = groups.names[2].size() - groups.sources;  // those that are first
 
   std::string text = "# node " + one_line(view.node) + ", written by cnrg; tetgen -pA reads it\n";
   const auto name = [&](const char* kind, std::size_t dimension, std::size_t shift) {
-    for (std::size_t g = 0; g < groups.names[dimension].size(); ++g) {
+    const std::size_t count = dimension == 2 ? faces : groups.names[dimension].size();
+    for (std::size_t g = 0; g < count; ++g) {
       text += "# " + std::string(kind) + " " + std::to_string(shift + g + 1) + " " + groups.names[dimension][g];
       text += '\n';
     }

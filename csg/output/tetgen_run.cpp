@@ -9,6 +9,7 @@
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -168,11 +169,15 @@ void write_result(const MemoryFile& file, const tetgenio& out) {
   write_list(file, out.edgemarkerlist, std::size_t(out.numberofedges));
 }
 
-[[noreturn]] void run_child(const Plc& plc, std::string switches, TetgenFrame frame, const MemoryFile& result,
-                            const MemoryFile& said) {
+[[noreturn]] void run_child(const Plc& plc, std::string switches, TetgenFrame frame, int seconds,
+                            const MemoryFile& result, const MemoryFile& said) {
   int status = kUnknown;
   try {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (seconds > 0) {
+      const rlimit limit{static_cast<rlim_t>(seconds), static_cast<rlim_t>(seconds) + 1};
+      setrlimit(RLIMIT_CPU, &limit);
+    }
     dup2(said.descriptor(), STDOUT_FILENO);
     dup2(said.descriptor(), STDERR_FILENO);
     tetgenio in, out;
@@ -206,6 +211,11 @@ std::string last_line(const std::string& text) {
       "; features of the model are too small beside its size: remove slivers, move nearly touching parts apart or "
       "together, or try --keep-boundary";
   const std::string words = said.empty() ? "" : ": `" + said + "`";
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
+    throw InputError(
+        "TetGen did not end in its time; give it more by --seconds, or a larger --quality or --max-volume, try "
+        "--keep-boundary, or remove slivers and move nearly touching parts apart or together");
+  }
   if (!WIFEXITED(status)) {
     throw InputError("TetGen was stopped by a fault of its own (signal " + std::to_string(WTERMSIG(status)) + ")" +
                      words + kCoarser + ", or other --quality and --max-volume");
@@ -250,12 +260,12 @@ TetgenResult read_result(const MemoryFile& file) {
 
 }  // namespace
 
-TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame) {
+TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds) {
   const MemoryFile result, said;
   std::fflush(stdout);  // so that the child has nothing of the caller's to print
   const pid_t child = fork();
   if (child < 0) throw FileError(std::string("TetGen could not be started: ") + std::strerror(errno));
-  if (child == 0) run_child(plc, "pAQMJ" + switches, frame, result, said);
+  if (child == 0) run_child(plc, "pAQMJ" + switches, frame, seconds, result, said);
   int status = 0;
   while (waitpid(child, &status, 0) < 0) {
     if (errno != EINTR) throw FileError(std::string("TetGen was lost: ") + std::strerror(errno));

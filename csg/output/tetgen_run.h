@@ -26,8 +26,9 @@ struct TetgenResult {
 /// assertion of its own.
 enum class TetgenFrame { even, uneven };
 
-/// Runs TetGen's library with these switches besides `pAQMJ`.
+/// Runs TetGen's library with these switches besides `pAQMJ`, for so many seconds of processor time at most (0: no
+/// bound; there are models on which it never ends).
 /// Throws InputError with what TetGen said and what helps, std::bad_alloc when it runs out of memory.
-TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame);
+TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds);
 
 }  // namespace cnrg

@@ -114,7 +114,7 @@ class TetrahedraMaker {
     region_entity_.clear();
     pieces_.clear();
     plc_ = plc_of(view_, flat_, rounded, attempt.facets);
-    out_ = run_tetgen(plc_, switches_of(options_) + attempt.switches, attempt.frame);
+    out_ = run_tetgen(plc_, switches_of(options_) + attempt.switches, attempt.frame, options_.seconds);
     make_entities();
     take_tetrahedra();
     take_triangles();
@@ -139,6 +139,7 @@ class TetrahedraMaker {
     const MeshGroups groups = mesh_groups(view_, flat_);
     mesh().node = view_.node;
     mesh().groups = groups.names;
+    mesh().sources = groups.sources;
     std::vector<Index> vertex_at(flat_.points.size(), kNone);
     for (Index i = 0; i < flat_.vertices.size(); ++i) {
       vertex_at[flat_.vertices[i].point] = i;

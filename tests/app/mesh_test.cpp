@@ -210,5 +210,28 @@ result: model
   CHECK_THAT(o.out, Contains("2.000376"));
 }
 
+TEST_CASE("where TetGen does not end it is stopped, and bounds must be numbers", "[app][mesh]") {
+  const Workshop w;
+  // A box whose corners are off by a unit in the last place, and a point as near to it.
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  s: {box: {min: [1/3, "999999999999999/1000000000000000", 1],
+            max: ["500000000000001/500000000000000", 1, "500000000000001/500000000000000"]}}
+  q: {points: [["999999999999999/1000000000000000", 1, "1000000000000001/1000000000000000"]]}
+  m: {union: [s, q]}
+result: m
+)");
+  const Outcome o = w.run("mesh t.yaml -o t.msh --seconds 1");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Catch::StartsWith("t.yaml:6:3: error: TetGen ") && Contains("--keep-boundary"));
+  CHECK_FALSE(std::filesystem::exists(w.path("t.msh")));
+  for (const std::string option : {"--max-volume nan", "--max-volume inf", "--max-volume 0", "--quality nan"}) {
+    INFO(option);
+    const Outcome bad = w.run("mesh t.yaml -o t.msh " + option);
+    CHECK(bad.status == 2);
+    CHECK_THAT(bad.err, Contains("is not a"));
+  }
+}
+
 }  // namespace
 }  // namespace cnrg

@@ -28,7 +28,7 @@ Rational enclosed(const MeshFile& mesh, int region) {
     bool dangling = true;  // both sides look into the region: the volume has none of it
     for (const auto& [key, entity] : mesh.entities) {
       if (key.first != 2 || key.second != std::abs(s)) continue;
-      for (const int g : entity.groups) dangling = mesh.names.at({2, g}).rfind("face", 0) == 0;
+      dangling = mesh.names.at({2, entity.groups.at(0)}).rfind("face", 0) == 0;
     }
     if (dangling) continue;
     for (const auto& e : mesh.elements) {
@@ -104,7 +104,11 @@ TEST_CASE(".msh of a surface: entities, groups by name in every dimension, bound
   const MeshFile mesh = read_msh(written(c.view(), ".msh"));
   CHECK(mesh.names_of(3) == std::set<std::string>{"rock", "seam", "material granite", "material ore"});
   CHECK(mesh.names_of(2) ==
-        std::set<std::string>{"boundary of rock", "boundary of seam", "wall rock | seam", "face of leaf2"});
+        std::set<std::string>{"boundary of rock", "boundary of seam", "wall rock | seam", "face of leaf2",
+                              "from leaf0", "from leaf1", "from leaf2"});
+  CHECK(mesh.measure(mesh.in_group(2, "from leaf0")) == mesh.measure(mesh.in_group(2, "boundary of rock")) +
+                                                            mesh.measure(mesh.in_group(2, "wall rock | seam")));
+  CHECK(mesh.measure(mesh.in_group(2, "from leaf2")) == 1);
   CHECK(mesh.names_of(1) == std::set<std::string>{"wire of leaf3"});
   CHECK(mesh.names_of(0) == std::set<std::string>{"point of leaf4"});
   CHECK(mesh.measure(mesh.in_group(2, "boundary of rock")) == 20);
