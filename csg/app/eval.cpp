@@ -90,6 +90,7 @@ std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vec
 }  // namespace
 
 int run_eval(const EvalArguments& arguments) {
+  require_distinct(arguments.files);
   for (const std::string& path : arguments.files) check_file_name(path);  // before the work, not after it
   const Tree tree = read_tree(arguments.tree, arguments.finer);
   EvaluateOptions options;

@@ -1,6 +1,7 @@
 #include "csg/app/evaluation.h"
 
 #include <iostream>
+#include <set>
 
 #include "csg/app/progress_bar.h"
 #include "csg/tree/finer.h"
@@ -22,6 +23,14 @@ Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quie
   bar.clear();
   print(evaluation.diagnostics, quiet);
   return evaluation;
+}
+
+void require_distinct(const std::vector<std::string>& files) {
+  std::set<std::string> seen;
+  for (const std::string& file : files) {
+    if (seen.insert(file).second) continue;
+    throw InputError("cnrg: error: the file " + file + " is given by two -o; give each its own name");
+  }
 }
 
 void print(const std::vector<Diagnostic>& diagnostics, bool quiet) {

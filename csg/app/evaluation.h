@@ -2,6 +2,9 @@
 // about the tree.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "csg/evaluate/evaluate.h"
 #include "csg/tree/tree.h"
 
@@ -12,6 +15,9 @@ Tree read_tree(const std::string& path, int finer);
 
 /// Evaluates behind a progress bar and prints the diagnostics; `quiet`: no bar, warnings only.
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet);
+
+/// InputError when a file is given twice: only one of the two could stay.
+void require_distinct(const std::vector<std::string>& files);
 
 /// Diagnostics on standard error; `quiet`: warnings only.
 void print(const std::vector<Diagnostic>& diagnostics, bool quiet);

@@ -35,6 +35,7 @@ std::string table_of(const TetrahedralMesh& made) {
 }  // namespace
 
 int run_mesh(const MeshArguments& arguments) {
+  require_distinct(arguments.files);
   for (const std::string& path : arguments.files) check_mesh_file_name(path);  // before the work, not after it
   const Tree tree = read_tree(arguments.tree, arguments.finer);
   const NodeId node = arguments.node.empty() ? tree.result : tree.find(arguments.node);

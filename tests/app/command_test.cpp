@@ -458,5 +458,18 @@ TEST_CASE("tables are Markdown", "[app]") {
   CHECK_THAT(o.out, Contains("|") && Contains("INTERS") && Contains("union"));
 }
 
+TEST_CASE("one file for two results is refused before any work", "[app]") {
+  const Workshop w;
+  w.write("t.yaml", "cnrg: 1\nnodes: {a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}}\nresult: a\n");
+  for (const std::string command : {"eval t.yaml -o a.msh -o a.msh", "mesh t.yaml -o a.msh -o a.msh"}) {
+    INFO(command);
+    const Outcome o = w.run(command);
+    CHECK(o.status == 2);
+    CHECK(o.err == "cnrg: error: the file a.msh is given by two -o; give each its own name\n");
+    CHECK(o.out == "");
+    CHECK_FALSE(std::filesystem::exists(w.path("a.msh")));
+  }
+}
+
 }  // namespace
 }  // namespace cnrg
