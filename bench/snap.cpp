@@ -13,25 +13,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 
-#include "bench/cases/child.h"
+#include "bench/cases/mesh_cases.h"
+#include "bench/peers/program.h"
 #include "csg/leaves/leaf.h"
 #include "csg/operators/boolean.h"
 #include "csg/operators/leaf_group.h"
 #include "csg/output/flat.h"
 #include "csg/output/mesh.h"
-#include "kernel/base/error.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg::bench {
 namespace {
-
-namespace fs = std::filesystem;
 
 enum class Copy { none, turned, close };
 
@@ -110,76 +105,45 @@ std::string check(const ResultView& exact, const SnappedResult& snapped, const s
 }
 
 std::string evaluate(const std::string& file, Copy copy, const std::string& folder) {
-  try {
-    const auto leaf = prepare(MeshShape{file, {}, false});
-    std::vector<LeafInstance> instances{{leaf.get(), {}}};
-    if (copy != Copy::none) {
-      Soup soup;
-      leaf->add_to(soup, {});
-      RationalPoint middle{0, 0, 0};
-      for (std::size_t k = 0; k < 3; ++k) {
-        double low = HUGE_VAL, high = -HUGE_VAL;
-        for (std::size_t p = 0; p < soup.point_count(); ++p) {
-          low = std::min(low, soup.xyz(PointId(p))[k]);
-          high = std::max(high, soup.xyz(PointId(p))[k]);
-        }
-        middle[k] = (from_double(low) + from_double(high)) / 2;
+  const auto leaf = prepare(MeshShape{file, {}, false});
+  std::vector<LeafInstance> instances{{leaf.get(), {}}};
+  if (copy != Copy::none) {
+    Soup soup;
+    leaf->add_to(soup, {});
+    RationalPoint middle{0, 0, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (std::size_t p = 0; p < soup.point_count(); ++p) {
+        low = std::min(low, soup.xyz(PointId(p))[k]);
+        high = std::max(high, soup.xyz(PointId(p))[k]);
       }
-      instances.push_back({leaf.get(), copy == Copy::turned ? Transform::rotation({1, 2, 3}, 30, middle)
-                                                            : turned_a_little(middle)});
+      middle[k] = (from_double(low) + from_double(high)) / 2;
     }
-    const Complex complex = build_complex(make_soup(instances));
-    const std::vector<Group> groups = leaf_groups(complex);
-    Group group = groups[0];
-    if (copy != Copy::none) group = apply(complex, BooleanOp::unite, Dominance::equal, group, groups[1]).group;
-    const NodeValue value(complex, std::move(group));
-    const SimplifiedComplex simplified = simplify(complex, selection_of(complex, value), value.features());
-    ResultView view;
-    view.complex = &complex;
-    view.value = &value;
-    view.simplified = &simplified;
-    const FlatComplex flat = flatten(view);
-    const RoundedPoints rounded = round_points(view, flat);
-    const SnappedResult snapped(view, false);
-    if (const std::string wrong = check(view, snapped, folder); !wrong.empty()) return "WRONG " + wrong;
-    if (snapped.report().rounds == 0) return "plain: " + std::to_string(rounded.moved) + " vertices rounded";
-    return "ok " + snapped.report().text();
-  } catch (const InvariantError& error) {
-    return std::string("BUG ") + error.what();
-  } catch (const InputError& error) {
-    return std::string("error ") + error.what();
-  } catch (const FileError& error) {
-    return std::string("error ") + error.what();
+    instances.push_back({leaf.get(), copy == Copy::turned ? Transform::rotation({1, 2, 3}, 30, middle)
+                                                          : turned_a_little(middle)});
   }
+  const Complex complex = build_complex(make_soup(instances));
+  const std::vector<Group> groups = leaf_groups(complex);
+  Group group = groups[0];
+  if (copy != Copy::none) group = apply(complex, BooleanOp::unite, Dominance::equal, group, groups[1]).group;
+  const NodeValue value(complex, std::move(group));
+  const SimplifiedComplex simplified = simplify(complex, selection_of(complex, value), value.features());
+  ResultView view;
+  view.complex = &complex;
+  view.value = &value;
+  view.simplified = &simplified;
+  const FlatComplex flat = flatten(view);
+  const RoundedPoints rounded = round_points(view, flat);
+  const SnappedResult snapped(view, false);
+  if (const std::string wrong = check(view, snapped, folder); !wrong.empty()) return "WRONG " + wrong;
+  if (snapped.report().rounds == 0) return "plain: " + std::to_string(rounded.moved) + " vertices rounded";
+  return "ok " + snapped.report().text();
 }
-
-bool is_mesh(const fs::path& path) {
-  const std::string e = path.extension().string();
-  return e == ".off" || e == ".obj" || e == ".stl" || e == ".ply";
-}
-
-/// A folder of its own, removed at the end.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "cnrg-snap-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder " + name);
-    path_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_;
-};
 
 int run(int argc, char** argv) {
   Limits limits{120, std::size_t{4} << 30};
   Copy copy = Copy::none;
-  std::vector<std::string> files;
+  std::vector<std::string> paths;
   for (int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
     const auto value = [&] {
@@ -194,44 +158,16 @@ int run(int argc, char** argv) {
       const std::map<std::string, Copy> copies{
           {"none", Copy::none}, {"turned", Copy::turned}, {"close", Copy::close}};
       copy = copies.at(value());
-    } else if (!fs::is_directory(arg)) {
-      files.push_back(arg);
     } else {
-      for (const auto& entry : fs::recursive_directory_iterator(arg)) {
-        if (entry.is_regular_file() && is_mesh(entry.path())) files.push_back(entry.path().string());
-      }
+      paths.push_back(arg);
     }
   }
-  std::sort(files.begin(), files.end());
-  const Scratch scratch;
-  std::map<std::string, int> totals;
-  for (const std::string& file : files) {
-    const ChildResult child = run_child([&] { return evaluate(file, copy, scratch.path()); }, limits);
-    std::string text = child.text;
-    switch (child.end) {
-      case ChildResult::End::done:
-        break;
-      case ChildResult::End::crash:
-        text = "CRASH signal " + std::to_string(child.signal);
-        break;
-      case ChildResult::End::timeout:
-        text = "TIMEOUT";
-        break;
-      case ChildResult::End::out_of_memory:
-        text = "OOM";
-        break;
-    }
-    ++totals[text.substr(0, text.find_first_of(" :"))];
-    std::printf("%s: %.2f s, %.0f MB: %s\n", file.c_str(), child.seconds,
-                static_cast<double>(child.peak_bytes) / 1e6, text.c_str());
-    std::fflush(stdout);
+  const TemporaryFolder folder;
+  std::vector<MeshCase> cases;
+  for (const std::string& file : mesh_files(paths)) {
+    cases.push_back({file, [&, file] { return evaluate(file, copy, folder.path()); }});
   }
-  int bad = 0;
-  for (const auto& [kind, count] : totals) {
-    std::printf("%s %d\n", kind.c_str(), count);
-    if (kind != "ok" && kind != "plain" && kind != "error") bad += count;
-  }
-  return bad == 0 ? 0 : 1;
+  return run_cases(cases, limits, {"ok", "plain"});
 }
 
 }  // namespace
