@@ -47,8 +47,7 @@ nlohmann::json in_child(const Work& work, std::size_t* peak_bytes = nullptr) {
   if (child.end != ChildResult::End::done || child.text.empty())
     throw std::runtime_error("an evaluation did not end");
   nlohmann::json result = nlohmann::json::parse(child.text);
-  if (result.is_object() && result.contains("error"))
-    throw std::runtime_error(result["error"].get<std::string>());
+  if (result.is_object() && result.contains("error")) throw std::runtime_error(result["error"].get<std::string>());
   if (peak_bytes != nullptr) *peak_bytes = std::max(*peak_bytes, child.peak_bytes);
   return result;
 }

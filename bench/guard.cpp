@@ -140,8 +140,8 @@ Run run_program(const Options& options, int which, const GuardCase& c, const std
     std::ifstream file(log);
     std::string first;
     std::getline(file, first);
-    throw std::runtime_error(c.name + ": " + (which == 0 ? "base" : "head") + " failed: " +
-                             (first.empty() ? "crashed or could not be started" : first));
+    throw std::runtime_error(c.name + ": " + (which == 0 ? "base" : "head") +
+                             " failed: " + (first.empty() ? "crashed or could not be started" : first));
   }
   return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
           static_cast<double>(usage.ru_maxrss) * 1024};

@@ -119,8 +119,8 @@ std::string evaluate(const std::string& file, Copy copy, const std::string& fold
       }
       middle[k] = (from_double(low) + from_double(high)) / 2;
     }
-    instances.push_back({leaf.get(), copy == Copy::turned ? Transform::rotation({1, 2, 3}, 30, middle)
-                                                          : turned_a_little(middle)});
+    instances.push_back(
+        {leaf.get(), copy == Copy::turned ? Transform::rotation({1, 2, 3}, 30, middle) : turned_a_little(middle)});
   }
   const Complex complex = build_complex(make_soup(instances));
   const std::vector<Group> groups = leaf_groups(complex);

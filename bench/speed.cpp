@@ -98,14 +98,10 @@ std::vector<Contestant> contestants(const Options& options, const Recipe& recipe
 
 std::string failure_of(const ChildResult& child, double limit) {
   switch (child.end) {
-    case ChildResult::End::timeout:
-      return "no result in " + std::to_string(static_cast<int>(limit)) + " s";
-    case ChildResult::End::out_of_memory:
-      return "memory ran out";
-    case ChildResult::End::crash:
-      return "crashed, signal " + std::to_string(child.signal);
-    case ChildResult::End::done:
-      break;
+    case ChildResult::End::timeout: return "no result in " + std::to_string(static_cast<int>(limit)) + " s";
+    case ChildResult::End::out_of_memory: return "memory ran out";
+    case ChildResult::End::crash: return "crashed, signal " + std::to_string(child.signal);
+    case ChildResult::End::done: break;
   }
   if (child.text.empty()) return "ended without a result";
   return child.text[0] == '!' ? child.text.substr(1, child.text.find('\n') - 1) : "";
@@ -188,8 +184,8 @@ CaseResult run_case(const Recipe& recipe, const Options& options) {
 /// The cases that the names mean, in the order of the list.
 std::vector<Recipe> chosen(const std::vector<Recipe>& all, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
-    const bool known = std::any_of(all.begin(), all.end(),
-                                   [&](const Recipe& r) { return r.name == name || r.group == name; });
+    const bool known =
+        std::any_of(all.begin(), all.end(), [&](const Recipe& r) { return r.name == name || r.group == name; });
     if (!known) throw std::runtime_error("'" + name + "' is no group and no case; `--list` lists them");
   }
   std::vector<Recipe> some;

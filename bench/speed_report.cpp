@@ -13,10 +13,10 @@
 namespace cnrg::bench {
 namespace {
 
-constexpr double kAgreement = 1e-9;          // relative, of rounded volumes
+constexpr double kAgreement = 1e-9;  // relative, of rounded volumes
 constexpr double kPairToNef = 1.0 / 40, kManyToNef = 1.0 / 70;
 constexpr double kBytesPerTriangle = 1024;
-constexpr double kExactShare = 0.001;        // in general position
+constexpr double kExactShare = 0.001;  // in general position
 constexpr double kGrowth = 1.5, kDegenerate = 10;
 
 void print_target(const std::string& what, bool met) {
@@ -66,8 +66,8 @@ void print_targets(const CaseResult& result) {
     const double ratio = ours.median_seconds() / peer->median_seconds();
     const double limit = pair ? kPairToNef : kManyToNef;
     const std::string what = nef == kNef ? "" : ", one by one";
-    print_figure(formatted("time at most 1/%.0f of Nef", 1 / limit) + what, formatted("1/%.1f", 1 / ratio), pair || many,
-                 ratio <= limit);
+    print_figure(formatted("time at most 1/%.0f of Nef", 1 / limit) + what, formatted("1/%.1f", 1 / ratio),
+                 pair || many, ratio <= limit);
   }
   const double own = bytes_per_triangle(result);
   const double all = static_cast<double>(ours.peak_bytes()) / static_cast<double>(result.triangles);

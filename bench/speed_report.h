@@ -26,8 +26,8 @@ struct Row {
 struct CaseResult {
   std::string name, group, operation;
   std::size_t leaves = 0, triangles = 0, input_cells = 0;
-  std::vector<Row> rows;      ///< ours come first
-  std::string oracle;         ///< what the volumes were compared with; empty: nothing
+  std::vector<Row> rows;  ///< ours come first
+  std::string oracle;     ///< what the volumes were compared with; empty: nothing
   const Row& ours() const { return rows[0]; }
   const Row* find(const std::string& system) const;  ///< nullptr unless it has a result
   /// Nothing of ours failed, is wrong or invalid.

@@ -88,8 +88,7 @@ std::vector<std::string> chosen_systems(const Setup& setup, const Options& optio
   }
   for (const System& system : setup.systems) {
     if (!options.systems.empty() && system.executable.empty()) continue;
-    if (system.absent.empty())
-      add(system.name);
+    if (system.absent.empty()) add(system.name);
     else
       std::fprintf(stderr, "bench/run: notice: %s is left out: %s\n", system.name.c_str(), system.absent.c_str());
   }
@@ -125,18 +124,14 @@ int run_one(const Options& options, Setup& setup) {
   }
   if (system == kTruth) {
     const Truth truth = establish_truth(setup, problem);
-    if (store)
-      store->write_truth(problem, truth);
-    else
-      std::cout << to_json(truth) << '\n';
+    if (store) store->write_truth(problem, truth);
+    else std::cout << to_json(truth) << '\n';
     return 0;
   }
   const std::optional<Truth> known = store ? store->truth(problem) : std::nullopt;
   const SweepRow row = run_unit(setup, problem, system, known ? *known : establish_truth(setup, problem));
-  if (store)
-    store->write_row(row);
-  else
-    std::cout << to_json(row) << '\n';
+  if (store) store->write_row(row);
+  else std::cout << to_json(row) << '\n';
   return 0;
 }
 
@@ -338,10 +333,8 @@ int main(int argc, char** argv) {
       ->check(number_between(0.01, 1e4));
   program.add_option("--commit", options.commit, "Of the sources, for the report");
   for (int i = 1; i < argc; ++i)  // bench/run gives the commit, people do not
-    if (std::string(argv[i]) == "--commit")
-      ++i;
-    else
-      options.command += " " + quoted(argv[i]);
+    if (std::string(argv[i]) == "--commit") ++i;
+    else options.command += " " + quoted(argv[i]);
   options.command = "bench/run" + options.command;
   program.add_flag("--quiet", options.quiet, "No progress bar");
   program.add_flag("--units", options.units, "Print problem and system of each row, and run nothing");

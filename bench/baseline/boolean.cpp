@@ -12,8 +12,8 @@
 // - shells without a curve, which the book leaves open, are located by rays (locate.cpp);
 // - one epsilon, relative to the operands' size, serves all comparisons of doubles; fractions have none;
 // - the result's own invariants are checked at the end, and edges that share both ends get a vertex in the middle
-//   (output.cpp); results in doubles are cut into triangles, since their points are in no plane any more. Both fail
-//   as stage output;
+//   (output.cpp); results in doubles are cut into triangles, since their points are in no plane any more. Both
+//   fail as stage output;
 // - a fold reads the result of a step as the operand of the next one;
 // - the operands keep what reduction adds: neither collinear edges nor coplanar faces are joined, as in the book.
 //

@@ -167,10 +167,8 @@ class VertexVertexClassifier {
       if (!crosses[solid] || !meeting.at_edge[solid]) continue;
       if (before_on && after_on) fail("an edge between two coplanar sectors of different sides");
       const Side edge = before_on ? before : after_on ? after : scene_.edge_side(solid);
-      if (edge == before)
-        places[solid] = {(meeting.sector[solid] + 1) % sectors_[solid].size(), Within::start};
-      else
-        places[solid].within = Within::end;
+      if (edge == before) places[solid] = {(meeting.sector[solid] + 1) % sectors_[solid].size(), Within::start};
+      else places[solid].within = Within::end;
     }
     if (crosses[0] != crosses[1]) fail("one neighbourhood crosses the other, which does not cross it");
     if (!crosses[0]) return;

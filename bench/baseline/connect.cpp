@@ -97,12 +97,9 @@ class Connection {
     const FaceId f = topology_.face(h), e = topology_.face(g);
     if (f == e) return;
     if (topology_.face(f).surface != topology_.face(e).surface) fail("null edges in different faces");
-    if (!topology_.is_outer(topology_.loop(h)))
-      topology_.ringmv(topology_.loop(h), e);
-    else if (!topology_.is_outer(topology_.loop(g)))
-      topology_.ringmv(topology_.loop(g), f);
-    else
-      fail("null edges that the intersection curve separated");
+    if (!topology_.is_outer(topology_.loop(h))) topology_.ringmv(topology_.loop(h), e);
+    else if (!topology_.is_outer(topology_.loop(g))) topology_.ringmv(topology_.loop(g), f);
+    else fail("null edges that the intersection curve separated");
   }
 
   /// The strip between `head`, OUT to IN, and `tail`, IN to OUT. An edge that is there already is its side.
@@ -138,10 +135,8 @@ class Connection {
 
   void cut(EdgeId null_edge) {
     const Edge edge = topology_.edge(null_edge);
-    if (topology_.loop(edge.first) == topology_.loop(edge.second))
-      topology_.kemr(edge.first);
-    else
-      topology_.kef(edge.first);
+    if (topology_.loop(edge.first) == topology_.loop(edge.second)) topology_.kemr(edge.first);
+    else topology_.kef(edge.first);
   }
 
   /// Rings of faces that were split, each into the smallest part that it lies in.

@@ -163,10 +163,8 @@ EdgeId Topology::mef(HalfEdgeId from, HalfEdgeId to) {
   if (from == to) {
     link(first, first);
     loops_[new_loop].start = first;
-    if (lone(from))
-      half_edges_[from].edge = edge;
-    else
-      second = insert_before(from, origin(from), edge);
+    if (lone(from)) half_edges_[from].edge = edge;
+    else second = insert_before(from, origin(from), edge);
   } else {
     second = half_edges_.add({origin(from), edge, old_loop, kNo<HalfEdgeId>, kNo<HalfEdgeId>});
     const HalfEdgeId before_from = prev(from), before_to = prev(to);

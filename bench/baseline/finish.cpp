@@ -84,10 +84,8 @@ class Finish {
       if (!topology_.alive(id)) continue;
       const Face& face = topology_.face(id);
       const auto found = sides.find(shells[f]);
-      if (found == sides.end())
-        apart[shells[f]].push_back(id);
-      else
-        kept_[f] = found->second == scene_.kept(static_cast<int>(face.solid));
+      if (found == sides.end()) apart[shells[f]].push_back(id);
+      else kept_[f] = found->second == scene_.kept(static_cast<int>(face.solid));
     }
     for (const auto& [s, faces] : apart) {
       const bool keep = side_of_shell(faces) == scene_.kept(static_cast<int>(topology_.face(faces.front()).solid));

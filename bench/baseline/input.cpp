@@ -9,10 +9,8 @@ namespace {
 
 template <class N>
 N number(const Rational& x) {
-  if constexpr (std::is_floating_point_v<N>)
-    return to_double(x);
-  else
-    return x;
+  if constexpr (std::is_floating_point_v<N>) return to_double(x);
+  else return x;
 }
 
 [[noreturn]] void refuse(int solid, const std::string& what) {
@@ -86,10 +84,8 @@ Scene<N> read_operands(const Model& a, const Model& b, Operation operation, cons
   // Products of three coordinates have to be finite.
   if (!(scene.extent < 1e100)) throw Failure(Stage::input, "a coordinate above 1e100");
   scene.metric.unit = epsilon;
-  if constexpr (std::is_floating_point_v<N>)
-    scene.metric.length = epsilon * scene.extent;
-  else
-    scene.metric.length = 0;
+  if constexpr (std::is_floating_point_v<N>) scene.metric.length = epsilon * scene.extent;
+  else scene.metric.length = 0;
   read_operand(scene, a, 0);
   read_operand(scene, b, 1);
   return scene;

@@ -95,14 +95,10 @@ Side locate_point(const Metric<N>& metric, const Boundary<N>& boundary, const Ve
   for (int tries = 0; tries < 64; ++tries) {
     const Vec<N> direction = {component(), component(), component()};
     switch (shoot(metric, boundary, p, Metric<N>::direction(direction), normal)) {
-      case RayResult::in:
-        return Side::in;
-      case RayResult::out:
-        return Side::out;
-      case RayResult::on:
-        return Side::on;
-      case RayResult::undecided:
-        break;
+      case RayResult::in: return Side::in;
+      case RayResult::out: return Side::out;
+      case RayResult::on: return Side::on;
+      case RayResult::undecided: break;
     }
   }
   throw Failure(Stage::finishing, "no ray says on which side a shell lies");

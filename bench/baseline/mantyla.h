@@ -13,13 +13,13 @@ namespace cnrg::bench::mantyla {
 
 /// Where the algorithm stopped.
 enum class Stage {
-  input,          ///< an operand is no planar, orientable, closed 2-manifold
-  reduction,      ///< finding the intersections of edges with faces and splitting there
-  classification, ///< vertex neighbourhoods: sectors, on-sectors, on-edges
-  null_edges,     ///< inserting null edges into the neighbourhoods
-  connecting,     ///< sorting null edges and joining loose ends into loops
-  finishing,      ///< pairing the loops, moving and gluing the parts
-  output,         ///< the result is no valid solid: its own invariants do not hold
+  input,           ///< an operand is no planar, orientable, closed 2-manifold
+  reduction,       ///< finding the intersections of edges with faces and splitting there
+  classification,  ///< vertex neighbourhoods: sectors, on-sectors, on-edges
+  null_edges,      ///< inserting null edges into the neighbourhoods
+  connecting,      ///< sorting null edges and joining loose ends into loops
+  finishing,       ///< pairing the loops, moving and gluing the parts
+  output,          ///< the result is no valid solid: its own invariants do not hold
 };
 const char* to_string(Stage stage);
 

@@ -72,8 +72,10 @@ struct MeshPair {
   const char *name, *first, *second;
 };
 constexpr MeshPair kMeshPairs[] = {
-    {"bunny25k+cow25k", "bunny25k.obj", "cow25k.obj"},     {"bunny100k+cow100k", "bunny100k.obj", "cow100K.obj"},
-    {"armadillo", "armadillo.obj", "armadillo.obj"},       {"cactus", "cactus100k.obj", "cactus100k.obj"},
+    {"bunny25k+cow25k", "bunny25k.obj", "cow25k.obj"},
+    {"bunny100k+cow100k", "bunny100k.obj", "cow100K.obj"},
+    {"armadillo", "armadillo.obj", "armadillo.obj"},
+    {"cactus", "cactus100k.obj", "cactus100k.obj"},
     {"elephant", "refined_elephant.off", "refined_elephant.off"},
 };
 
@@ -134,10 +136,10 @@ std::size_t Case::triangles() const {
 }
 
 Case sphere_pair(std::size_t triangles) {
-  const std::string size = triangles < 1000000 ? std::to_string(triangles / 1000) + "k"
-                                               : std::to_string(triangles / 1000000) + "M";
-  return union_of_meshes("spheres" + size, {bumpy_sphere(triangles, 1),
-                                            moved(bumpy_sphere(triangles, 3), {0.4123, 0.3571, 0.2917})});
+  const std::string size =
+      triangles < 1000000 ? std::to_string(triangles / 1000) + "k" : std::to_string(triangles / 1000000) + "M";
+  return union_of_meshes(
+      "spheres" + size, {bumpy_sphere(triangles, 1), moved(bumpy_sphere(triangles, 3), {0.4123, 0.3571, 0.2917})});
 }
 
 std::vector<IntegerBox> random_boxes(int count, unsigned seed) {
@@ -201,9 +203,7 @@ std::vector<Recipe> recipes(const std::string& meshes) {
     if (first == files.end()) recipe.missing = pair.first;
     else if (second == files.end()) recipe.missing = pair.second;
     else
-      recipe.make = [name = recipe.name, a = first->second, b = second->second] {
-        return mesh_pair(name, a, b);
-      };
+      recipe.make = [name = recipe.name, a = first->second, b = second->second] { return mesh_pair(name, a, b); };
     all.push_back(std::move(recipe));
   }
   for (const Generated& g : kGenerated) all.push_back({g.name, g.group, {}, g.make});

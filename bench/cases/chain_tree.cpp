@@ -35,8 +35,8 @@ std::string solids(const ScatteredSolids& s) {
     const double x = 20 * (at % side) + shift, y = 20 * (at / side % side) + shift, z = 20 * (at / side / side);
     text += "  s" + std::to_string(i) + ": ";
     if (i % 2 == 0) {
-      text += "{box: {min: " + point(x, y, z) + ", max: " +
-              point(x + number(5, 10), y + number(5, 10), z + number(5, 10)) + "}}\n";
+      text += "{box: {min: " + point(x, y, z) +
+              ", max: " + point(x + number(5, 10), y + number(5, 10), z + number(5, 10)) + "}}\n";
     } else {
       text += "{tetrahedron: [" + point(x, y, z) + ", " + point(x + number(6, 12), y, z + 1) + ", " +
               point(x, y + number(6, 12), z + 2) + ", " + point(x + 1, y + 2, z + number(6, 12)) + "]}\n";
@@ -59,8 +59,8 @@ std::string winding_solid(int i, Random& random) {
   const auto high = [&] { return random.integer(13, 18); };
   const auto low = [&] { return random.integer(0, 3); };
   if (i % 2 == 0) {
-    return "{box: {min: " + point(x + low(), y + low(), z + low()) + ", max: " +
-           point(x + high(), y + high(), z + high()) + "}}\n";
+    return "{box: {min: " + point(x + low(), y + low(), z + low()) +
+           ", max: " + point(x + high(), y + high(), z + high()) + "}}\n";
   }
   return "{tetrahedron: [" + point(x + low(), y + low(), z + low()) + ", " +
          point(x + high(), y + high(), z + low()) + ", " + point(x + high(), y + low(), z + high()) + ", " +

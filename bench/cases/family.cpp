@@ -106,7 +106,8 @@ ProblemId ProblemId::parse(const std::string& name) {
                            std::find(kOperations.begin(), kOperations.end(), id.operation) != kOperations.end();
     if (operation && !id.family.empty() && id.name() == name) return id;
   }
-  throw std::runtime_error("'" + name + "' names no problem; names are FAMILY-OPERATION-sSIZE-kDISTANCE-rSEED "
+  throw std::runtime_error("'" + name +
+                           "' names no problem; names are FAMILY-OPERATION-sSIZE-kDISTANCE-rSEED "
                            "as in edge-union-s4-k7-r3, or kexact in place of a distance");
 }
 

@@ -24,7 +24,7 @@ struct Problem {
 /// `FAMILY-OPERATION-sSIZE-kDISTANCE-rSEED`, such as `edge-union-s4-k7-r3`. A file's name can be made of it.
 struct ProblemId {
   std::string family;
-  std::string operation;        ///< `union`, `difference`, `intersection`; `fold` where the family mixes them
+  std::string operation;  ///< `union`, `difference`, `intersection`; `fold` where the family mixes them
   long size = 1;
   /// k: the operands are 10^-k of their size away from the degenerate position; `kexact` in names when there is
   /// none: they are in it.

@@ -96,16 +96,18 @@ std::vector<FamilyMaker> contact_families() {
   constexpr long kLargest = 1000;
   return {
       {family("face", "two solids that touch in a whole face of both"), 4, kLargest, face},
-      {family("part-of-face", "two solids that touch in a part of a face: inside of it, across its border, or "
-                              "up to it"),
+      {family("part-of-face",
+              "two solids that touch in a part of a face: inside of it, across its border, or "
+              "up to it"),
        4, kLargest, part_of_face},
-      {family("edge", "two solids that touch in an edge: whole edges, parts of them, or an edge in a face"),
-       4, kLargest, edge},
-      {family("vertex", "two solids that touch in a point: of two vertices, an edge and a vertex, a face and a "
-                        "vertex, or two edges"),
+      {family("edge", "two solids that touch in an edge: whole edges, parts of them, or an edge in a face"), 4,
+       kLargest, edge},
+      {family("vertex",
+              "two solids that touch in a point: of two vertices, an edge and a vertex, a face and a "
+              "vertex, or two edges"),
        4, kLargest, vertex},
-      {family("wall", "a solid within another one shares a wall: inside of it, up to its border, or all of it"),
-       4, kLargest, wall},
+      {family("wall", "a solid within another one shares a wall: inside of it, up to its border, or all of it"), 4,
+       kLargest, wall},
   };
 }
 

@@ -89,9 +89,8 @@ bool planar(const MeshPoints& points, const Loop& loop) {
   std::size_t corner = 2;
   while (corner < loop.size() && points.collinear(loop[0], loop[1], loop[corner])) ++corner;
   if (corner == loop.size()) return false;
-  return std::all_of(loop.begin(), loop.end(), [&](std::uint32_t p) {
-    return points.coplanar(loop[0], loop[1], loop[corner], p);
-  });
+  return std::all_of(loop.begin(), loop.end(),
+                     [&](std::uint32_t p) { return points.coplanar(loop[0], loop[1], loop[corner], p); });
 }
 
 /// The polygon itself, or its fan without triangles that have a corner twice.

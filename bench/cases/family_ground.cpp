@@ -49,10 +49,8 @@ Model layer(const Heights& low, const Heights& high) {
 Model fault(int height, Random& random) {
   constexpr int kEnd = kCells * kWidth;
   const int low = random.integer(4, kEnd - 4), high = random.integer(4, kEnd - 4), skew = random.integer(-3, 3);
-  return sheet_of({{low, -2, -2},
-                   {low + skew, kEnd + 2, -2},
-                   {high + skew, kEnd + 2, height + 2},
-                   {high, -2, height + 2}});
+  return sheet_of(
+      {{low, -2, -2}, {low + skew, kEnd + 2, -2}, {high + skew, kEnd + 2, height + 2}, {high, -2, height + 2}});
 }
 
 /// An octagonal prism along x: from wall to wall, or beyond them.
@@ -157,12 +155,26 @@ Problem fractures(const ProblemId& id) {
 
 std::vector<FamilyMaker> ground_families() {
   return {
-      {{"ground", "layers of ground, united; faults taken out as slits, tunnels from wall to wall and beyond",
-        "layers", {"fold"}, {2, 4, 8}, false, 3},
-       1, 1000, ground},
-      {{"fractures", "fractures and wells, cut off at the box around them; or the box without them",
-        "fractures", {"fold", "difference"}, {10, 30, 100}, false, 3},
-       1, 10000, fractures},
+      {{"ground",
+        "layers of ground, united; faults taken out as slits, tunnels from wall to wall and beyond",
+        "layers",
+        {"fold"},
+        {2, 4, 8},
+        false,
+        3},
+       1,
+       1000,
+       ground},
+      {{"fractures",
+        "fractures and wells, cut off at the box around them; or the box without them",
+        "fractures",
+        {"fold", "difference"},
+        {10, 30, 100},
+        false,
+        3},
+       1,
+       10000,
+       fractures},
   };
 }
 

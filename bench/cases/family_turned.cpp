@@ -8,7 +8,8 @@ namespace {
 /// Of length 1 exactly; a coordinate axis for seed 1.
 RationalPoint axis_of(unsigned seed) {
   if (seed == 1) return {0, 0, 1};
-  constexpr std::array<std::array<int, 4>, 6> kAxes{  // the last number is the length of the first three
+  constexpr std::array<std::array<int, 4>, 6> kAxes{
+      // the last number is the length of the first three
       {{2, 3, 6, 7}, {1, 4, 8, 9}, {2, 6, 9, 11}, {6, 10, 15, 19}, {3, 4, 12, 13}, {2, 5, 14, 15}}};
   const auto& quadruple = kAxes[seed % kAxes.size()];
   Random random(seed);
@@ -47,12 +48,26 @@ Problem turned_mesh(const ProblemId& id) {
 }  // namespace
 
 std::vector<FamilyMaker> turned_families() {
-  return {{{"turned", "a cube and the same cube turned by 10^-k radians about an axis through its middle, exactly",
-            "cubes of side 1", kOperations, {1}, true, 4},
-           1, 1, turned_cube},
-          {{"turned-mesh", "the same, rounded to doubles and cut into triangles: one input for all systems",
-            "cubes of side 1", kOperations, {1}, true, 4},
-           1, 1, turned_mesh}};
+  return {{{"turned",
+            "a cube and the same cube turned by 10^-k radians about an axis through its middle, exactly",
+            "cubes of side 1",
+            kOperations,
+            {1},
+            true,
+            4},
+           1,
+           1,
+           turned_cube},
+          {{"turned-mesh",
+            "the same, rounded to doubles and cut into triangles: one input for all systems",
+            "cubes of side 1",
+            kOperations,
+            {1},
+            true,
+            4},
+           1,
+           1,
+           turned_mesh}};
 }
 
 }  // namespace cnrg::bench

@@ -9,9 +9,7 @@
 namespace cnrg::bench {
 namespace {
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// A line of /proc/self/status such as `VmRSS:   1234 kB`; 0 if there is none.
 std::size_t status_bytes(const std::string& key) {

@@ -11,7 +11,7 @@ namespace cnrg::bench {
 /// What was measured.
 struct Measures {
   std::vector<std::pair<std::string, double>> stages;  ///< seconds
-  std::size_t base_bytes = 0;  ///< resident before the work: the program and its input
+  std::size_t base_bytes = 0;                          ///< resident before the work: the program and its input
   std::size_t peak_bytes = 0;  ///< the most that was resident during the work, the base included
   double seconds() const;
   /// What the work itself took.

@@ -31,14 +31,10 @@ std::string told(const std::function<std::string()>& work) {
 
 std::string line_of(const ChildResult& child) {
   switch (child.end) {
-    case ChildResult::End::crash:
-      return "CRASH signal " + std::to_string(child.signal);
-    case ChildResult::End::timeout:
-      return "TIMEOUT";
-    case ChildResult::End::out_of_memory:
-      return "OOM";
-    case ChildResult::End::done:
-      break;
+    case ChildResult::End::crash: return "CRASH signal " + std::to_string(child.signal);
+    case ChildResult::End::timeout: return "TIMEOUT";
+    case ChildResult::End::out_of_memory: return "OOM";
+    case ChildResult::End::done: break;
   }
   return child.text;
 }

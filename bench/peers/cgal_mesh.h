@@ -14,12 +14,9 @@ namespace cnrg::bench {
 /// CGAL's exact number, a wrapper of GMP's; which one depends on how CGAL was configured.
 template <class Number>
 Rational rational_of(const Number& value) {
-  if constexpr (requires { value.backend().data(); })
-    return Rational(value.backend().data());
-  else if constexpr (requires { value.mpq(); })
-    return Rational(value.mpq());
-  else
-    return Rational(value);
+  if constexpr (requires { value.backend().data(); }) return Rational(value.backend().data());
+  else if constexpr (requires { value.mpq(); }) return Rational(value.mpq());
+  else return Rational(value);
 }
 
 /// `Lazy` is a lazy exact number, such as EPECK's.

@@ -92,6 +92,8 @@ Outcome evaluate(const Case& c, const Checks& checks, Nef (*combine)(const Case&
 }  // namespace
 
 Outcome evaluate_nef(const Case& c, const Checks& checks, int) { return evaluate(c, checks, at_once); }
-Outcome evaluate_nef_one_by_one(const Case& c, const Checks& checks, int) { return evaluate(c, checks, one_by_one); }
+Outcome evaluate_nef_one_by_one(const Case& c, const Checks& checks, int) {
+  return evaluate(c, checks, one_by_one);
+}
 
 }  // namespace cnrg::bench

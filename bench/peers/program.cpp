@@ -128,10 +128,8 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const Temporar
   while (wait4(pid, &status, 0, &usage) < 0 && errno == EINTR) {
   }
   ProgramRun run;
-  if (WIFSIGNALED(status))
-    run.signal = WTERMSIG(status);
-  else
-    run.status = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
+  else run.status = WEXITSTATUS(status);
   run.errors = lines_of(errors);
   for (std::string& line : run.errors)  // the folder's name is chance
     for (std::size_t at; (at = line.find(folder.path() + "/")) != std::string::npos;)

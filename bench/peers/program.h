@@ -21,15 +21,15 @@ class TemporaryFolder {
 
  private:
   std::string path_;
-  int alive_ = -1;   // closed when this process ends
+  int alive_ = -1;  // closed when this process ends
   int remover_ = 0;
 };
 
 struct ProgramRun {
-  int status = 0;                    ///< of its exit; 127 if there is no such program
-  int signal = 0;                    ///< that ended it, or 0
-  std::vector<std::string> errors;   ///< lines of standard error
-  std::size_t peak_bytes = 0;        ///< resident
+  int status = 0;                   ///< of its exit; 127 if there is no such program
+  int signal = 0;                   ///< that ended it, or 0
+  std::vector<std::string> errors;  ///< lines of standard error
+  std::size_t peak_bytes = 0;       ///< resident
   bool succeeded() const { return status == 0 && signal == 0; }
   /// The last line that is not empty, or the status. Throws Crash (system.h) with the signal, if one ended it.
   std::string reason() const;

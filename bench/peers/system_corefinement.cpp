@@ -87,8 +87,9 @@ Answer evaluate(const Problem& problem) {
 System corefinement_system() {
   return {.name = "corefinement",
           .title = "CGAL corefinement",
-          .guarantee = "closed 2-manifolds that do not intersect themselves; exact predicates, points rounded to "
-                       "doubles; refuses what is no 2-manifold",
+          .guarantee =
+              "closed 2-manifolds that do not intersect themselves; exact predicates, points rounded to "
+              "doubles; refuses what is no 2-manifold",
           .version = [] { return std::string("CGAL ") + CGAL_VERSION_STR; },
           .rounding = 0x1p-50,
           .regularized = true,

@@ -30,8 +30,8 @@ Model read_result(const std::string& path) {
   const MeshData file = cnrg::read_mesh(path, false);
   Model model;
   for (std::size_t i = 0; i < file.point_count(); ++i)
-    model.points.push_back({from_double(file.xyz[3 * i]), from_double(file.xyz[3 * i + 1]),
-                            from_double(file.xyz[3 * i + 2])});
+    model.points.push_back(
+        {from_double(file.xyz[3 * i]), from_double(file.xyz[3 * i + 1]), from_double(file.xyz[3 * i + 2])});
   for (std::size_t f = 0; f < file.face_count(); ++f)
     add_polygon(model, {file.corners.begin() + file.offsets[f], file.corners.begin() + file.offsets[f + 1]});
   return model;

@@ -1,6 +1,5 @@
 // The baseline, two operands at a time: results are operands of the next step.
 #include "bench/baseline/mantyla.h"
-
 #include "bench/peers/built_in.h"
 
 namespace cnrg::bench {
@@ -29,7 +28,8 @@ System mantyla_system(const std::string& numbers, double rounding,
                       std::function<Answer(const Problem&)> evaluate) {
   return {.name = "mantyla-" + numbers,
           .title = "Mäntylä, " + numbers,
-          .guarantee = "closed 2-manifolds of planar faces; gaps of the published programs closed, no repair of geometry",
+          .guarantee =
+              "closed 2-manifolds of planar faces; gaps of the published programs closed, no repair of geometry",
           .version = [] { return std::string(CNRG_VERSION); },
           .rounding = rounding,
           .regularized = true,
@@ -42,9 +42,8 @@ System mantyla_system(const std::string& numbers, double rounding,
 /// Rounding: the epsilon of its comparisons, within which points become one.
 System mantyla_double_system() {
   return mantyla_system("double", 1e-10, [](const Problem& problem) {
-    return folded(problem, [](const Model& a, const Model& b, Operation op) {
-      return mantyla::boolean_double(a, b, op);
-    });
+    return folded(problem,
+                  [](const Model& a, const Model& b, Operation op) { return mantyla::boolean_double(a, b, op); });
   });
 }
 

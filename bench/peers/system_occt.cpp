@@ -23,9 +23,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Solid.hxx>
-#include <gp_Pln.hxx>
-
 #include <algorithm>
+#include <gp_Pln.hxx>
 #include <map>
 #include <sstream>
 
@@ -38,8 +37,8 @@
 namespace cnrg::bench {
 namespace {
 
-constexpr int kLargest = 9;     // binary exponent of the largest coordinate
-constexpr int kMaterial = 1;    // parts of one material are joined in the end
+constexpr int kLargest = 9;   // binary exponent of the largest coordinate
+constexpr int kMaterial = 1;  // parts of one material are joined in the end
 
 // --- operands
 

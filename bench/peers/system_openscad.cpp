@@ -92,8 +92,9 @@ Answer evaluate(const Problem& problem) {
 System openscad_system() {
   return {.name = "openscad",
           .title = "OpenSCAD",
-          .guarantee = "closed 2-manifolds, coordinates cut off to a grid, exact from there; "
-                       "a program: its process is in time and memory",
+          .guarantee =
+              "closed 2-manifolds, coordinates cut off to a grid, exact from there; "
+              "a program: its process is in time and memory",
           .version =
               [] {
                 const TemporaryFolder folder;

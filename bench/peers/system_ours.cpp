@@ -14,12 +14,9 @@ namespace {
 
 Operator operator_of(Operation operation) {
   switch (operation) {
-    case Operation::unite:
-      return Operator::unite;
-    case Operation::intersect:
-      return Operator::intersect;
-    default:
-      return Operator::subtract;
+    case Operation::unite: return Operator::unite;
+    case Operation::intersect: return Operator::intersect;
+    default: return Operator::subtract;
   }
 }
 

@@ -37,24 +37,15 @@ std::string escaped(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = character_length(text);
     const char c = text[0];
-    if (length == 0)
-      out += kReplacement;
-    else if (length > 1)
-      out += text.substr(0, length);
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (c == '\'')
-      out += "&#39;";
-    else if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7F)
-      out += kReplacement;
-    else
-      out += c;
+    if (length == 0) out += kReplacement;
+    else if (length > 1) out += text.substr(0, length);
+    else if (c == '<') out += "&lt;";
+    else if (c == '>') out += "&gt;";
+    else if (c == '&') out += "&amp;";
+    else if (c == '"') out += "&quot;";
+    else if (c == '\'') out += "&#39;";
+    else if ((c < 0x20 && c != '\n' && c != '\t') || c == 0x7F) out += kReplacement;
+    else out += c;
     text.remove_prefix(length == 0 ? 1 : length);
   }
   return out;
@@ -64,14 +55,10 @@ std::string script_safe(std::string_view json) {
   std::string out;
   out.reserve(json.size());
   for (const char c : json) {
-    if (c == '<')
-      out += "\\u003c";
-    else if (c == '>')
-      out += "\\u003e";
-    else if (c == '&')
-      out += "\\u0026";
-    else
-      out += c;
+    if (c == '<') out += "\\u003c";
+    else if (c == '>') out += "\\u003e";
+    else if (c == '&') out += "\\u0026";
+    else out += c;
   }
   return out;
 }

@@ -79,8 +79,7 @@ std::string growth_section(const Page& page, const Drawings& drawings) {
       heading += " " + element("small", escaped(family.title));
     text += "<div class=\"keep\">" + element("h3", heading);
     const Drawings::Growth& drawing = drawings.growth[i];
-    if (drawing.time.empty())
-      text += element("p", "No system did a problem of this family right.");
+    if (drawing.time.empty()) text += element("p", "No system did a problem of this family right.");
     else {
       text += element("div", figure(drawing.time) + (drawing.memory.empty() ? "" : figure(drawing.memory)),
                       "class=\"two\"");

@@ -16,10 +16,8 @@ namespace {
 std::string quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
-    if (c == '\'')
-      out += "''";
-    else
-      out += c == '\n' ? ' ' : c;
+    if (c == '\'') out += "''";
+    else out += c == '\n' ? ' ' : c;
   }
   return out + "'";
 }

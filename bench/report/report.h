@@ -13,8 +13,8 @@ inline constexpr int kReportSchema = 1;
 /// Plots are made by gnuplot: throws std::runtime_error if it is missing.
 std::string report_html(const Experiment& experiment, const Summary& summary, const std::string& title);
 
-/// Schema version, title, machine, systems, families, main facts, all aggregates, the exact results by problem, all
-/// rows.
+/// Schema version, title, machine, systems, families, main facts, all aggregates, the exact results by problem,
+/// all rows.
 std::string report_json(const Experiment& experiment, const Summary& summary, const std::string& title);
 
 }  // namespace cnrg::bench

@@ -1,8 +1,7 @@
 // The aggregates by name: places of systems and families are replaced by their names.
-#include "bench/report/report.h"
-
 #include <map>
 
+#include "bench/report/report.h"
 #include "bench/sweep/json_fields.h"
 
 namespace cnrg::bench {

@@ -21,12 +21,9 @@ using Leaves = std::vector<std::vector<LeafId>>;
 
 BooleanOp boolean_op(Operation operation) {
   switch (operation) {
-    case Operation::unite:
-      return BooleanOp::unite;
-    case Operation::intersect:
-      return BooleanOp::intersect;
-    case Operation::subtract:
-      break;
+    case Operation::unite: return BooleanOp::unite;
+    case Operation::intersect: return BooleanOp::intersect;
+    case Operation::subtract: break;
   }
   return BooleanOp::subtract;
 }

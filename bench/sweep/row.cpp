@@ -92,14 +92,12 @@ bool is_failure(Verdict verdict) {
     case Verdict::contact_duplicated:
     case Verdict::contact_lost:
     case Verdict::dangling_lost:
-    case Verdict::unjudged:
-      return false;
+    case Verdict::unjudged: return false;
     case Verdict::wrong:
     case Verdict::refused:
     case Verdict::crashed:
     case Verdict::timed_out:
-    case Verdict::out_of_memory:
-      break;
+    case Verdict::out_of_memory: break;
   }
   return true;
 }

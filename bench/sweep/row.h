@@ -15,14 +15,14 @@ enum class Verdict : std::uint8_t {
   same,                ///< the exact point set (up to the system's stated rounding), each contact once
   same_regularized,    ///< the closure of the interior: what the operation makes of lower dimension is missing
   contact_duplicated,  ///< the point set, but edges or vertices at a non-manifold contact are there twice or more
-  contact_lost,        ///< parts that touch in the exact result do not, or the other way round (rounded coordinates)
-  dangling_lost,       ///< a surface, wire or point of an operand that the exact result has is missing
-  wrong,               ///< anything else: volume or surface too much or too little, or no solid at all
-  refused,             ///< the system says that it can not
+  contact_lost,   ///< parts that touch in the exact result do not, or the other way round (rounded coordinates)
+  dangling_lost,  ///< a surface, wire or point of an operand that the exact result has is missing
+  wrong,          ///< anything else: volume or surface too much or too little, or no solid at all
+  refused,        ///< the system says that it can not
   crashed,
   timed_out,
   out_of_memory,
-  unjudged,            ///< there is a result, but the exact one could not be had within the limits
+  unjudged,  ///< there is a result, but the exact one could not be had within the limits
 };
 inline constexpr std::size_t kVerdicts = 11;
 /// `same`, `same-regularized`, ... as in files.
@@ -33,10 +33,10 @@ bool is_failure(Verdict verdict);
 
 /// What is counted in a point set, simplified to its canonical form: no coplanar faces and collinear edges apart.
 struct Facts {
-  std::string volume = "0";                ///< exact, p or p/q, cubic units
+  std::string volume = "0";  ///< exact, p or p/q, cubic units
   std::size_t vertices = 0, edges = 0, faces = 0, regions = 0;
-  std::size_t shells = 0;                  ///< of the boundary of its solid, as a surface
-  long genus = 0;                          ///< handles of those shells together, pulled apart at contacts
+  std::size_t shells = 0;  ///< of the boundary of its solid, as a surface
+  long genus = 0;          ///< handles of those shells together, pulled apart at contacts
   std::size_t non_manifold_edges = 0, non_manifold_vertices = 0;
   std::size_t dangling_faces = 0, dangling_edges = 0, dangling_vertices = 0;  ///< bound no solid
 };
@@ -52,28 +52,28 @@ struct Truth {
 struct SweepRow {
   std::string problem, family, operation;  ///< names of family.h
   long size = 1;
-  std::optional<int> distance;             ///< k of 10^-k; none: exactly degenerate, or the family has none
+  std::optional<int> distance;  ///< k of 10^-k; none: exactly degenerate, or the family has none
   bool has_distance = false;
   unsigned seed = 1;
-  std::size_t operands = 0, triangles = 0; ///< of all operands
+  std::size_t operands = 0, triangles = 0;  ///< of all operands
 
   std::string system;
   Verdict verdict = Verdict::wrong;
-  std::string stage, message;              ///< of a refusal, failure or wrong result; a signal of a crash
+  std::string stage, message;  ///< of a refusal, failure or wrong result; a signal of a crash
   std::vector<std::pair<std::string, double>> stages;  ///< seconds, of runs that gave a result
-  double seconds = 0;                      ///< of those together; wall time of the process when there is no result
-  std::size_t peak_bytes = 0;              ///< resident, the program and its input included
-  std::size_t own_bytes = 0;               ///< of the run alone
-  double exact_share = -1;                 ///< see Answer; negative: not said
+  double seconds = 0;          ///< of those together; wall time of the process when there is no result
+  std::size_t peak_bytes = 0;  ///< resident, the program and its input included
+  std::size_t own_bytes = 0;   ///< of the run alone
+  double exact_share = -1;     ///< see Answer; negative: not said
   std::string note;
 
-  std::optional<Facts> facts;              ///< of the result
-  double excess = 0, missing = 0;          ///< volumes of result - truth, truth - result as parts of the truth's
-  std::size_t duplicates = 0;              ///< vertices of the result at the place of another one
+  std::optional<Facts> facts;      ///< of the result
+  double excess = 0, missing = 0;  ///< volumes of result - truth, truth - result as parts of the truth's
+  std::size_t duplicates = 0;      ///< vertices of the result at the place of another one
   Truth truth;
   double limit_seconds = 0;
   std::size_t limit_bytes = 0;
-  std::string command;                     ///< reproduces the row
+  std::string command;  ///< reproduces the row
 };
 
 /// JSON objects on one line and back. Parts of volumes that are not finite are `null` there and come back as not a

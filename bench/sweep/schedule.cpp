@@ -36,10 +36,8 @@ class Schedule {
       if (unit.system == kTruth) waiting_[unit.problem];
     for (const Unit& unit : units) {
       const auto truth = unit.system == kTruth ? waiting_.end() : waiting_.find(unit.problem);
-      if (truth == waiting_.end())
-        ready_.push_back(unit);
-      else
-        truth->second.push_back(unit);
+      if (truth == waiting_.end()) ready_.push_back(unit);
+      else truth->second.push_back(unit);
       ++left_of_[unit.system];
     }
     progress_.total = units.size();

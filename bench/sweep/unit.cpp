@@ -88,14 +88,10 @@ struct Judged {
 
 std::string why(const ChildResult& child, double limit) {
   switch (child.end) {
-    case End::timeout:
-      return "no result in " + std::to_string(static_cast<long>(limit)) + " s";
-    case End::out_of_memory:
-      return "memory ran out";
-    case End::crash:
-      return "crashed: " + std::string(strsignal(child.signal));
-    case End::done:
-      break;
+    case End::timeout: return "no result in " + std::to_string(static_cast<long>(limit)) + " s";
+    case End::out_of_memory: return "memory ran out";
+    case End::crash: return "crashed: " + std::string(strsignal(child.signal));
+    case End::done: break;
   }
   return "ended without a result";
 }
@@ -184,17 +180,10 @@ void no_answer(const Run& run, double limit, SweepRow& row) {
   row.seconds = run.child.seconds;
   row.message = why(run.child, limit);
   switch (run.child.end) {
-    case End::timeout:
-      row.verdict = Verdict::timed_out, row.stage = "time";
-      return;
-    case End::out_of_memory:
-      row.verdict = Verdict::out_of_memory, row.stage = "memory";
-      return;
-    case End::crash:
-      row.verdict = Verdict::crashed, row.stage = "signal";
-      return;
-    case End::done:
-      break;
+    case End::timeout: row.verdict = Verdict::timed_out, row.stage = "time"; return;
+    case End::out_of_memory: row.verdict = Verdict::out_of_memory, row.stage = "memory"; return;
+    case End::crash: row.verdict = Verdict::crashed, row.stage = "signal"; return;
+    case End::done: break;
   }
   if (run.reply.head.is_null()) {
     row.verdict = Verdict::crashed;

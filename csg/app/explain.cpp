@@ -4,8 +4,8 @@
 #include <iostream>
 
 #include "csg/app/commands.h"
-#include "csg/app/exit_status.h"
 #include "csg/app/evaluation.h"
+#include "csg/app/exit_status.h"
 
 namespace cnrg::app {
 namespace {

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "csg/app/commands.h"
-#include "csg/app/exit_status.h"
 #include "csg/app/evaluation.h"
+#include "csg/app/exit_status.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/lives.h"
 
@@ -76,7 +76,8 @@ std::vector<std::optional<RationalPoint>> read_points() {
 
 /// On one line and in one field: breaks in a name become blanks.
 std::string one_line(std::string name) {
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   return name;
 }
 

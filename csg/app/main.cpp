@@ -102,8 +102,9 @@ int run(int argc, char** argv) {
   sub->add_flag("--topology", eval.topology,
                 "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions "
                 "touch");
-  CLI::Option* const snap = sub->add_flag("--snap", eval.snap,
-                "Files of doubles: move vertices until the rounded facets meet as they should, and say how far");
+  CLI::Option* const snap = sub->add_flag(
+      "--snap", eval.snap,
+      "Files of doubles: move vertices until the rounded facets meet as they should, and say how far");
   sub->add_flag("--parameters", eval.parameters,
                 "In .json and .vtu: the parameters u, v of faces on curved patches")
       ->excludes(snap);

@@ -261,8 +261,8 @@ void measure(const Complex& complex, NodeValue& value, bool region_volumes, Simp
   const Selection& selection = value.components().selection;
   row.components = value.component_count();
   row.raw_cells = raw_counts(selection);
-  row.cells = simplified != nullptr ? active_counts(simplified->get())
-                                    : simplified_counts(complex, value, selection);
+  row.cells =
+      simplified != nullptr ? active_counts(simplified->get()) : simplified_counts(complex, value, selection);
   row.total = Rational(0);
   for (auto& [component, one] : volumes_of(complex, selection)) {
     ++row.regions;

@@ -23,15 +23,15 @@ namespace cnrg {
 using Progress = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
 
 struct EvaluateOptions {
-  int threads = 0;            ///< 0: all cores
-  bool validate = false;      ///< check the complex and the identities of every node (InvariantError)
-  bool rows = true;           ///< counts and volumes of all nodes; otherwise of the kept ones only
-  bool region_volumes = false;  ///< in rows: the volume of every region of every node
-  bool raw = false;           ///< keep unsimplified cells
-  bool keep_all = false;      ///< keep the values of all instances in `Evaluation::values`
-  std::vector<NodeId> nodes;  ///< kept besides the result
+  int threads = 0;                   ///< 0: all cores
+  bool validate = false;             ///< check the complex and the identities of every node (InvariantError)
+  bool rows = true;                  ///< counts and volumes of all nodes; otherwise of the kept ones only
+  bool region_volumes = false;       ///< in rows: the volume of every region of every node
+  bool raw = false;                  ///< keep unsimplified cells
+  bool keep_all = false;             ///< keep the values of all instances in `Evaluation::values`
+  std::vector<NodeId> nodes;         ///< kept besides the result
   std::vector<RationalPoint> reach;  ///< points that will be asked for: planes and half-spaces are cut beyond them
-  Progress progress;          ///< may be empty
+  Progress progress;                 ///< may be empty
 };
 
 /// One instance of a node, in numbers.
@@ -53,8 +53,8 @@ struct NodeRow {
   /// Of each, ascending by component; filled for the kept nodes, for all with `EvaluateOptions::region_volumes`.
   std::vector<std::optional<Rational>> volumes;
   std::vector<std::pair<Component, std::string>> named;  ///< parallel to `volumes`: the component and its name
-  double seconds = 0;          ///< of the operator alone
-  double measure_seconds = 0;  ///< of counts and volumes
+  double seconds = 0;                                    ///< of the operator alone
+  double measure_seconds = 0;                            ///< of counts and volumes
 };
 
 /// The value of a node that was asked for.
@@ -76,7 +76,7 @@ struct Evaluation {
   std::vector<Diagnostic> diagnostics;  ///< notices of leaves, conflicts of materials
   double refine_seconds = 0;            ///< soup and complex
   std::unique_ptr<const SurfaceParameters> parameters;  ///< of the leaves' patches and curves, found on demand
-  IdVector<InstanceId, Instance> instances;  ///< below the roots, operands before users; as `rows`
+  IdVector<InstanceId, Instance> instances;             ///< below the roots, operands before users; as `rows`
   /// With `keep_all`: the value of each.
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
   /// The kept value of a node; the node must have been asked for.

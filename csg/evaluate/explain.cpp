@@ -45,9 +45,7 @@ Place parse_cell(const std::string& text, const std::string& node, const Simplif
 std::vector<Piece> pieces_of(const SimplifiedComplex& s, const Place& place) {
   std::vector<Piece> out;
   switch (place.dimension) {
-    case 0:
-      out.push_back({{0, s.vertices[place.index].cell, {}, {}, {}}, 0});
-      break;
+    case 0: out.push_back({{0, s.vertices[place.index].cell, {}, {}, {}}, 0}); break;
     case 1:
       for (const HalfEdge h : s.edges[place.index].chain) out.push_back({{1, {}, h.edge(), {}, {}}, 0});
       break;
@@ -111,8 +109,8 @@ RationalPoint point_in(const Complex& complex, const Locator& locator, RegionId 
     const Location at = locator.locate(p);
     if (at.dimension == 3 && at.region == r) return p;
   }
-  // A thin region: exactly along the normal, by steps that shrink faster and faster. `base` is in the open face, so
-  // all points near enough are in the region.
+  // A thin region: exactly along the normal, by steps that shrink faster and faster. `base` is in the open face,
+  // so all points near enough are in the region.
   Rational step(1, size);
   for (Rational shrink(1, 2);; shrink *= shrink) {
     step *= shrink;
@@ -163,18 +161,13 @@ class Classes {
     out.pieces = count;
     out.example = piece.cell;
     switch (piece.cell.dimension) {
-      case 0:
-        out.point = complex.points.rational(piece.cell.vertex);
-        break;
-      case 1:
-        out.point = interior_point(complex, piece.cell.edge).rational();
-        break;
+      case 0: out.point = complex.points.rational(piece.cell.vertex); break;
+      case 1: out.point = interior_point(complex, piece.cell.edge).rational(); break;
       case 2:
         out.point = interior_point(complex, piece.cell.face).rational();
         out.normal = normal_of(complex, piece);
         break;
-      default:
-        out.point = point_in(complex, locator_, piece.cell.region);
+      default: out.point = point_in(complex, locator_, piece.cell.region);
     }
     if (asked != nullptr) out.point = *asked;
     const std::vector<LeafId> leaves = origins_in(complex, value_, piece.cell);

@@ -152,10 +152,8 @@ std::string row_words(const BooleanFacts& f, int dimension) {
   }
   std::string out = (f.verdict.removed ? "removed by " : "kept by ") + id + ", which ";
   switch (row.condition) {
-    case Condition::never:
-      return out + "never removes";
-    case Condition::always:
-      return out + "always removes";
+    case Condition::never: return out + "never removes";
+    case Condition::always: return out + "always removes";
     default:
       out += (f.verdict.removed ? "removes when " : "removes only when ") + std::string(words(row.condition));
   }
@@ -298,18 +296,13 @@ std::string overlay_words(Operator op, const LifeStep& step) {
 std::string cnrg_words(const Node& node, const LifeStep& step) {
   const bool in = step.operands.front().second.component != 0;
   switch (node.op) {
-    case Operator::aggregate:
-      return names_where(step, true).empty() ? "left out: in no operand" : "kept as it is";
-    case Operator::unify:
-      return in ? "kept: |X| is one component" : "left out: not in X";
-    case Operator::complement:
-      return in ? "left out: it is in X" : "kept: space - |X|";
-    case Operator::closure:
-      return "a group is closed: it stays as it is";
+    case Operator::aggregate: return names_where(step, true).empty() ? "left out: in no operand" : "kept as it is";
+    case Operator::unify: return in ? "kept: |X| is one component" : "left out: not in X";
+    case Operator::complement: return in ? "left out: it is in X" : "kept: space - |X|";
+    case Operator::closure: return "a group is closed: it stays as it is";
     case Operator::simplify:
       return node.forget_features ? "the same cells; features are forgotten" : "the same cells";
-    default:
-      return overlay_words(node.op, step);
+    default: return overlay_words(node.op, step);
   }
 }
 

@@ -16,14 +16,10 @@ namespace {
 template <class F>
 decltype(auto) with_id(const Location& at, F f) {
   switch (at.dimension) {
-    case 0:
-      return f(at.vertex);
-    case 1:
-      return f(at.edge);
-    case 2:
-      return f(at.face);
-    default:
-      return f(at.region);
+    case 0: return f(at.vertex);
+    case 1: return f(at.edge);
+    case 2: return f(at.face);
+    default: return f(at.region);
   }
 }
 
@@ -52,14 +48,10 @@ std::size_t place_of(const Selection& selection, const Location& cell, bool& fou
     return k;
   };
   switch (cell.dimension) {
-    case 0:
-      return search(selection.vertices, cell.vertex);
-    case 1:
-      return search(selection.edges, cell.edge);
-    case 2:
-      return search(selection.faces, cell.face);
-    default:
-      return search(selection.regions, cell.region);
+    case 0: return search(selection.vertices, cell.vertex);
+    case 1: return search(selection.edges, cell.edge);
+    case 2: return search(selection.faces, cell.face);
+    default: return search(selection.regions, cell.region);
   }
 }
 
@@ -68,14 +60,10 @@ Component component_at(const Selection& selection, const Location& cell) {
   const std::size_t k = place_of(selection, cell, found);
   if (!found) return 0;
   switch (cell.dimension) {
-    case 0:
-      return selection.vertices[k].second;
-    case 1:
-      return selection.edges[k].second;
-    case 2:
-      return selection.faces[k].second;
-    default:
-      return selection.regions[k].second;
+    case 0: return selection.vertices[k].second;
+    case 1: return selection.edges[k].second;
+    case 2: return selection.faces[k].second;
+    default: return selection.regions[k].second;
   }
 }
 
@@ -154,31 +142,20 @@ Verdict verdict_of(const Complex& complex, const BooleanStep& step, const Locati
     return verdict(complex, step.op, step.dominance, step.left, step.right, step.result, id);
   };
   switch (cell.dimension) {
-    case 0:
-      return ask(cell.vertex);
-    case 1:
-      return ask(cell.edge);
-    case 2:
-      return ask(cell.face);
-    default:
-      return {};
+    case 0: return ask(cell.vertex);
+    case 1: return ask(cell.edge);
+    case 2: return ask(cell.face);
+    default: return {};
   }
 }
 
 CellSet only(const Location& cell) {
   CellSet out;
   switch (cell.dimension) {
-    case 0:
-      out.vertices = {cell.vertex};
-      break;
-    case 1:
-      out.edges = {cell.edge};
-      break;
-    case 2:
-      out.faces = {cell.face};
-      break;
-    default:
-      out.regions = {cell.region};
+    case 0: out.vertices = {cell.vertex}; break;
+    case 1: out.edges = {cell.edge}; break;
+    case 2: out.faces = {cell.face}; break;
+    default: out.regions = {cell.region};
   }
   return out;
 }
@@ -307,9 +284,7 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:
-    case Operator::subtract:
-      add_booleans(node, id, pieces, steps);
-      break;
+    case Operator::subtract: add_booleans(node, id, pieces, steps); break;
     case Operator::interior:
     case Operator::closure:
     case Operator::boundary:
@@ -317,8 +292,7 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
       add_topology(topological(node.op), node.each, *evaluation_.values[instance.operands[0]], pieces, named,
                    steps);
       break;
-    default:
-      break;
+    default: break;
   }
   if (node.regularize && node.op != Operator::leaf) add_attribute(node, id, pieces, named, steps);
 }
@@ -342,9 +316,8 @@ void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Piec
       facts.op = s.op;
       facts.dominant = s.op != BooleanOp::subtract && s.dominance != Dominance::equal;
       facts.a = facts_of(complex_, s.left, pieces[p], left, first && is_closed_complement(*operands[0].value));
-      facts.b =
-          facts_of(complex_, s.right, pieces[p], operands[s.operand].name,
-                   is_closed_complement(*operands[s.operand].value));
+      facts.b = facts_of(complex_, s.right, pieces[p], operands[s.operand].name,
+                         is_closed_complement(*operands[s.operand].value));
       if (s.op != BooleanOp::subtract && s.dominance == Dominance::right) std::swap(facts.a, facts.b);
       facts.verdict = verdict_of(complex_, s, pieces[p].cell);
       facts.kept_around = kept_around(complex_, s.result, pieces[p].cell);

@@ -14,24 +14,18 @@ namespace {
 
 BooleanOp boolean_op(Operator op) {
   switch (op) {
-    case Operator::unite:
-      return BooleanOp::unite;
-    case Operator::intersect:
-      return BooleanOp::intersect;
-    default:
-      return BooleanOp::subtract;
+    case Operator::unite: return BooleanOp::unite;
+    case Operator::intersect: return BooleanOp::intersect;
+    default: return BooleanOp::subtract;
   }
 }
 
 std::optional<Dominance> stated_dominance(const Node& node) {
   if (!node.dominant) return std::nullopt;
   switch (*node.dominant) {
-    case DominantOperand::left:
-      return Dominance::left;
-    case DominantOperand::right:
-      return Dominance::right;
-    default:
-      return Dominance::equal;
+    case DominantOperand::left: return Dominance::left;
+    case DominantOperand::right: return Dominance::right;
+    default: return Dominance::equal;
   }
 }
 
@@ -161,8 +155,7 @@ Outcome fold_components(const Complex& complex, const Node& node, std::span<cons
         step = product(complex, value, right, stated_dominance(node));
         law = OverlayLaw::product;
         break;
-      default:
-        step = subtract(complex, value, right);
+      default: step = subtract(complex, value, right);
     }
     if (validate) require_identity(node, check_overlay(law, complex, value, right, step.value));
     outcome.conflicts.insert(outcome.conflicts.end(), step.conflicts.begin(), step.conflicts.end());
@@ -256,14 +249,10 @@ void for_each_step(const Complex& complex, const Node& node, std::span<const Ope
 
 Topological topological(Operator op) {
   switch (op) {
-    case Operator::interior:
-      return Topological::interior;
-    case Operator::closure:
-      return Topological::closure;
-    case Operator::boundary:
-      return Topological::boundary;
-    default:
-      return Topological::regularize;
+    case Operator::interior: return Topological::interior;
+    case Operator::closure: return Topological::closure;
+    case Operator::boundary: return Topological::boundary;
+    default: return Topological::regularize;
   }
 }
 
@@ -273,30 +262,20 @@ Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& 
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:
-    case Operator::subtract:
-      outcome = fold(complex, node, operands, validate);
-      break;
+    case Operator::subtract: outcome = fold(complex, node, operands, validate); break;
     case Operator::sum:
     case Operator::product:
-    case Operator::cnrg_subtract:
-      outcome = fold_components(complex, node, operands, validate);
-      break;
-    case Operator::aggregate:
-      outcome = aggregate_all(complex, operands);
-      break;
+    case Operator::cnrg_subtract: outcome = fold_components(complex, node, operands, validate); break;
+    case Operator::aggregate: outcome = aggregate_all(complex, operands); break;
     case Operator::unify:
       outcome = of_components(unify(complex, components_of(complex, *operands[0].value)));
       name_after(node, outcome);
       break;
-    case Operator::complement:
-      outcome = complement_of(complex, node, *operands[0].value, validate);
-      break;
+    case Operator::complement: outcome = complement_of(complex, node, *operands[0].value, validate); break;
     case Operator::interior:
     case Operator::closure:
     case Operator::boundary:
-    case Operator::regularize:
-      outcome = topology_of(complex, node, operands[0], validate);
-      break;
+    case Operator::regularize: outcome = topology_of(complex, node, operands[0], validate); break;
     case Operator::simplify:
       if (operands[0].value->is_group()) {
         outcome.value = operands[0].value->parts();
@@ -305,8 +284,7 @@ Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& 
         outcome.value.stands_for = operands[0].value->stands_for;
       }
       break;
-    case Operator::leaf:
-      throw InvariantError("operate: `" + node.name + "` is a leaf");
+    case Operator::leaf: throw InvariantError("operate: `" + node.name + "` is a leaf");
   }
   apply_attributes(complex, node, material, outcome.value);
   return outcome;

@@ -23,9 +23,9 @@ struct Outcome {
 
 struct Operand {
   const NodeValue* value = nullptr;
-  std::string name;              ///< of its node, for messages
-  NodeValue* spent = nullptr;    ///< the same value where nobody needs it any more: it may be moved from
-  std::vector<LeafId> below;     ///< for topological operators: the leaves below it, ascending
+  std::string name;            ///< of its node, for messages
+  NodeValue* spent = nullptr;  ///< the same value where nobody needs it any more: it may be moved from
+  std::vector<LeafId> below;   ///< for topological operators: the leaves below it, ascending
 };
 
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes; `material`

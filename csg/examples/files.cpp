@@ -16,8 +16,12 @@ int main() {
   const NodeValue value(complex, apply(complex, BooleanOp::unite, Dominance::left, groups[0], groups[1]).group);
   const SimplifiedComplex simplified = simplify(complex, value, selection_of(complex, value));
   const std::vector<LeafInfo> leaves{{"a"}, {"b"}};
-  const ResultView view{.node = "both", .complex = &complex, .value = &value, .simplified = &simplified,
-                        .leaves = &leaves, .materials = {{"clay", "#aa7744"}}};
+  const ResultView view{.node = "both",
+                        .complex = &complex,
+                        .value = &value,
+                        .simplified = &simplified,
+                        .leaves = &leaves,
+                        .materials = {{"clay", "#aa7744"}}};
   for (const char* path : {"both.json", "both.vtu"}) {
     const RoundingReport rounding = write(path, view);
     std::cout << path << ": rounding moved " << rounding.moved << " vertices\n";

@@ -15,13 +15,20 @@ nodes:
   bolt:   {polyline: [[1, "1/2", "1/2"], [2, "1/2", "1/2"]]}
   model:  {union: [bolt, {union: [seam, ground], dominance: left}]}
 result: model
-)", "model.yaml");
+)",
+                               "model.yaml");
   const Evaluation evaluation = evaluate(tree);
   const KeptValue& model = evaluation.value(tree.result);
   const Locator locator(*evaluation.complex);
   const Rational third(1, 3), half(1, 2), hair(1, 1000000000);
-  const RationalPoint points[] = {{0, 0, 0}, {third, half, 0}, {half, half, half}, {half + hair, half, half},
-                                  {third, third, third}, {1 + third, half, half}, {1, third, third}, {2, 2, 2}};
+  const RationalPoint points[] = {{0, 0, 0},
+                                  {third, half, 0},
+                                  {half, half, half},
+                                  {half + hair, half, half},
+                                  {third, third, third},
+                                  {1 + third, half, half},
+                                  {1, third, third},
+                                  {2, 2, 2}};
   for (const RationalPoint& p : points) {
     const SimplifiedComplex::Place place = model.simplified.place(*evaluation.complex, locator.locate(p));
     const Component component = component_of(model.simplified, place);

@@ -9,8 +9,8 @@ using namespace cnrg;
 int main() {
   Soup soup;
   const LeafId sheet = soup.add_leaf(Fill::none);
-  const std::vector<std::vector<PointId>> square{{soup.add_point(0, 0, 0), soup.add_point(2, 0, 0),
-                                                  soup.add_point(2, 2, 0), soup.add_point(0, 2, 0)}};
+  const std::vector<std::vector<PointId>> square{
+      {soup.add_point(0, 0, 0), soup.add_point(2, 0, 0), soup.add_point(2, 2, 0), soup.add_point(0, 2, 0)}};
   soup.add_face(sheet, square, 0, 0);  // the leaf's face 0, on its surface 0
   const LeafId wire = soup.add_leaf(Fill::none);
   soup.add_wire(wire, soup.add_point(1, 1, -1), soup.add_point(1, 1, 2), 0);
@@ -22,8 +22,8 @@ int main() {
             << complex.face_count() << " faces, " << complex.region_count << " regions\n";
   for (const VertexId v : complex.face_vertices[FaceId(0)]) {  // isolated in the interior of the sheet
     const RationalPoint p = complex.points.rational(v);
-    std::cout << "in the sheet: " << p[0] << " " << p[1] << " " << p[2] << ", wires there: "
-              << complex.vertex_edges[v].size() << "\n";
+    std::cout << "in the sheet: " << p[0] << " " << p[1] << " " << p[2]
+              << ", wires there: " << complex.vertex_edges[v].size() << "\n";
   }
   std::cout << "faults: `" << validate(complex) << "`\n";
 }

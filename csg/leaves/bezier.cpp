@@ -21,10 +21,8 @@ Homogeneous operator*(const Rational& s, const Homogeneous& a) { return {s * a[0
 Homogeneous between(const Homogeneous& a, const Homogeneous& b, const Rational& t) {
   Homogeneous h;
   for (std::size_t k = 0; k < 4; ++k) {
-    if (a[k] == b[k])
-      h[k] = a[k];
-    else
-      h[k] = a[k] + t * (b[k] - a[k]);
+    if (a[k] == b[k]) h[k] = a[k];
+    else h[k] = a[k] + t * (b[k] - a[k]);
   }
   return h;
 }
@@ -144,10 +142,8 @@ ControlRow elevated(ControlRow row, std::size_t degree) {
     const std::size_t n = row.size();  // the new degree
     ControlRow higher;
     for (std::size_t i = 0; i <= n; ++i) {
-      if (i == 0 || i == n)
-        higher.push_back(i == 0 ? row.front() : row.back());
-      else
-        higher.push_back(between(row[i], row[i - 1], ratio(i, n)));
+      if (i == 0 || i == n) higher.push_back(i == 0 ? row.front() : row.back());
+      else higher.push_back(between(row[i], row[i - 1], ratio(i, n)));
     }
     row = std::move(higher);
   }

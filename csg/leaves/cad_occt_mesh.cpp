@@ -136,10 +136,8 @@ class Tessellator {
       for (int k = 0; k < 3; ++k) {
         if (!poles.contains(n[k])) continue;
         const gp_XY middle = (uv[(k + 1) % 3] + uv[(k + 2) % 3]) / 2;
-        if (free_parameter(surface, uv[k]) == 0)
-          uv[k].SetX(middle.X());
-        else
-          uv[k].SetY(middle.Y());
+        if (free_parameter(surface, uv[k]) == 0) uv[k].SetX(middle.X());
+        else uv[k].SetY(middle.Y());
       }
       gp_Vec normal = gp_Vec(p[0], p[1]).Crossed(gp_Vec(p[0], p[2]));
       if (normal.Magnitude() == 0) continue;

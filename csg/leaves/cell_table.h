@@ -15,14 +15,14 @@ namespace cnrg {
 
 struct CellTable {
   struct Cell {
-    std::uint32_t component = 0;         ///< from 1, as PreparedLeaf::regions() has them; 0: inactive
+    std::uint32_t component = 0;  ///< from 1, as PreparedLeaf::regions() has them; 0: inactive
     bool feature = false;
   };
-  bool group = true;                     ///< then the component after the last one is its entities
-  std::vector<Rational> dominances;      ///< of each component; of a group: one
-  std::vector<std::uint32_t> faces;      ///< component, by Soup::Face::leaf_face
-  std::vector<Cell> edges;               ///< by number, which is Soup::Wire::leaf_edge where it is a wire
-  std::vector<std::uint32_t> regions;    ///< component, by label; at 0: outside of all faces
+  bool group = true;                   ///< then the component after the last one is its entities
+  std::vector<Rational> dominances;    ///< of each component; of a group: one
+  std::vector<std::uint32_t> faces;    ///< component, by Soup::Face::leaf_face
+  std::vector<Cell> edges;             ///< by number, which is Soup::Wire::leaf_edge where it is a wire
+  std::vector<std::uint32_t> regions;  ///< component, by label; at 0: outside of all faces
   /// All points of the soup, lexicographically ascending, before the transform.
   std::vector<RationalPoint> points;
   /// The number of the edge that has the segment between two points, the smaller one first.

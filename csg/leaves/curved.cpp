@@ -151,8 +151,9 @@ std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParam
       for (int i = 0; i < shape.segments; ++i) {
         Rational longitude(360L * i, shape.segments);
         longitude.canonicalize();
-        upper.push_back(builder.point({rounded_for(c[0] + out * from_double(cosine_degrees(longitude)), shape.radius),
-                                       rounded_for(c[1] + out * from_double(sine_degrees(longitude)), shape.radius), z}));
+        upper.push_back(
+            builder.point({rounded_for(c[0] + out * from_double(cosine_degrees(longitude)), shape.radius),
+                           rounded_for(c[1] + out * from_double(sine_degrees(longitude)), shape.radius), z}));
       }
     }
     add_band(builder, lower, upper, 0, u, v[static_cast<std::size_t>(j) - 1], v[static_cast<std::size_t>(j)]);

@@ -11,8 +11,12 @@ inline RationalPoint operator+(const RationalPoint& a, const RationalPoint& b) {
 inline RationalPoint operator-(const RationalPoint& a, const RationalPoint& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-inline RationalPoint operator*(const Rational& s, const RationalPoint& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline RationalPoint operator*(const Rational& s, const RationalPoint& a) {
+  return {s * a[0], s * a[1], s * a[2]};
+}
+inline Rational dot(const RationalPoint& a, const RationalPoint& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 inline RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -21,7 +25,8 @@ inline bool collinear(const RationalPoint& a, const RationalPoint& b, const Rati
   return is_zero(cross(b - a, c - a));
 }
 /// Six times the volume of the tetrahedron a b c d: positive when d sees a, b, c counter-clockwise.
-inline Rational volume6(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
+inline Rational volume6(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c,
+                        const RationalPoint& d) {
   return dot(cross(b - a, c - a), d - a);
 }
 

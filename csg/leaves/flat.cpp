@@ -25,8 +25,9 @@ std::unique_ptr<PreparedLeaf> prepare_polyline(const PolylineShape& shape) {
   const auto& points = shape.points;
   const std::size_t least = shape.closed ? 3 : 2;
   if (points.size() < least) {
-    throw InputError(std::string("polyline: ") + std::to_string(points.size()) + " points are too few: give at least " +
-                     std::to_string(least) + (shape.closed ? " for a closed one" : ", or `points` for single ones"));
+    throw InputError(std::string("polyline: ") + std::to_string(points.size()) +
+                     " points are too few: give at least " + std::to_string(least) +
+                     (shape.closed ? " for a closed one" : ", or `points` for single ones"));
   }
   LeafBuilder builder(Fill::none);
   std::vector<PointId> ids;
@@ -35,8 +36,8 @@ std::unique_ptr<PreparedLeaf> prepare_polyline(const PolylineShape& shape) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t j = (i + 1) % points.size();
     if (points[i] == points[j]) {
-      throw InputError("polyline: points " + std::to_string(i + 1) + " and " + std::to_string(j + 1) + " are both " +
-                       describe(points[i]) + ": leave one out" +
+      throw InputError("polyline: points " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
+                       " are both " + describe(points[i]) + ": leave one out" +
                        (shape.closed && j == 0 ? ", a closed polyline returns to its first point by itself" : ""));
     }
     builder.soup().add_wire(builder.leaf(), ids[i], ids[j], static_cast<std::uint32_t>(i));

@@ -92,7 +92,8 @@ LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
     const std::span<const PointId> corners = from.corners(f);
     if (corners.size() == 3) {
       const PointId a = moved(corners[0]), b = moved(corners[1]), c = moved(corners[2]);
-      soup.add_triangle(leaf, a, mirrored ? c : b, mirrored ? b : c, face.leaf_face, face.patch, face.front, face.back);
+      soup.add_triangle(leaf, a, mirrored ? c : b, mirrored ? b : c, face.leaf_face, face.patch, face.front,
+                        face.back);
       continue;
     }
     loops.assign(1, {});

@@ -40,7 +40,8 @@ class GroupReader {
   std::string face_name(std::size_t f) const {
     const GroupShape::Face& face = shape_.faces[f];
     std::string name = "face " + std::to_string(f);
-    if (face.line > 0) name += " (line " + std::to_string(face.line) + ", column " + std::to_string(face.column) + ")";
+    if (face.line > 0)
+      name += " (line " + std::to_string(face.line) + ", column " + std::to_string(face.column) + ")";
     return name;
   }
 
@@ -52,8 +53,8 @@ class GroupReader {
 
   void check_region(std::uint32_t region, const std::string& where) const {
     if (region <= kMostRegions) return;
-    throw InputError("group: " + where + " has the region number " + std::to_string(region) + ": number regions from 1, at most " +
-                     std::to_string(kMostRegions));
+    throw InputError("group: " + where + " has the region number " + std::to_string(region) +
+                     ": number regions from 1, at most " + std::to_string(kMostRegions));
   }
 
   void add_face(std::size_t f) {
@@ -69,7 +70,9 @@ class GroupReader {
         loops.back().push_back(shape_.vertices[v]);
       }
     }
-    const auto point_name = [&](std::size_t l, std::size_t i) { return "vertex " + std::to_string(face.loops[l][i]); };
+    const auto point_name = [&](std::size_t l, std::size_t i) {
+      return "vertex " + std::to_string(face.loops[l][i]);
+    };
     try {
       check_polygon(loops, {face_name(f), point_name});
     } catch (const InputError& error) {
@@ -125,10 +128,10 @@ class GroupReader {
     if (vanishes(chain, parity, value, &example)) return;
     const bool only_oriented = !parity && vanishes(boundary(table, true), true, value);
     throw InputError("group: fill is " + std::string(parity ? "parity" : "winding") + ", but the faces are " +
-                     (only_oriented ? "not oriented alike along " : "not closed along ") + std::to_string(chain.size()) +
-                     (chain.size() == 1 ? " edge" : " edges") + ", such as vertex " + std::to_string(example.from) + " " +
-                     describe(value(example.from)) + " to vertex " + std::to_string(example.to) + " " +
-                     describe(value(example.to)) + ": " +
+                     (only_oriented ? "not oriented alike along " : "not closed along ") +
+                     std::to_string(chain.size()) + (chain.size() == 1 ? " edge" : " edges") +
+                     ", such as vertex " + std::to_string(example.from) + " " + describe(value(example.from)) +
+                     " to vertex " + std::to_string(example.to) + " " + describe(value(example.to)) + ": " +
                      (only_oriented ? "turn faces round, or give `fill: parity` or `fill: cells`"
                                     : "add faces, or give `fill: cells` or `fill: none`"));
   }
@@ -138,7 +141,8 @@ class GroupReader {
     std::uint32_t count = fill_ == Fill::winding || fill_ == Fill::parity ? 1 : 0;
     for (const auto& [number, region] : shape_.regions) {
       check_region(number, "regions");
-      if (number == 0) throw InputError("group: regions has the number 0, which means none: number regions from 1");
+      if (number == 0)
+        throw InputError("group: regions has the number 0, which means none: number regions from 1");
       count = std::max(count, number);
     }
     if (fill_ == Fill::sides) {

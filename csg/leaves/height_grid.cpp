@@ -34,7 +34,8 @@ HeightGrid read_height_grid(const std::string& path) {
   };
   const auto count = [&](const char* key) {
     const std::optional<Rational> value = take(key);
-    if (!value) cursor.fail(std::string("the header has no ") + key + ": an ESRI ASCII grid starts with ncols and nrows");
+    if (!value)
+      cursor.fail(std::string("the header has no ") + key + ": an ESRI ASCII grid starts with ncols and nrows");
     if (value->get_den() != 1 || *value < 2 || *value > 100000) {
       cursor.fail(std::string(key) + " is " + to_decimal(*value) + ": it must be a whole number from 2 to 100000");
     }
@@ -63,13 +64,14 @@ HeightGrid read_height_grid(const std::string& path) {
   for (std::size_t row = grid.rows; row-- > 0;) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       if (!cursor.more()) {
-        cursor.fail("the file ends within row " + std::to_string(grid.rows - row) + " of " + std::to_string(grid.rows) +
-                    ": it is truncated, or ncols or nrows is wrong");
+        cursor.fail("the file ends within row " + std::to_string(grid.rows - row) + " of " +
+                    std::to_string(grid.rows) + ": it is truncated, or ncols or nrows is wrong");
       }
       const double height = cursor.number("a height");
       const std::size_t at = row * grid.columns + column;
       if (at >= grid.heights.size()) {
-        cursor.fail("the file is too short for " + std::to_string(grid.columns * grid.rows) + " heights: it is truncated");
+        cursor.fail("the file is too short for " + std::to_string(grid.columns * grid.rows) +
+                    " heights: it is truncated");
       }
       grid.heights[at] = height;
       if (missing && height == no_data) {
@@ -78,7 +80,8 @@ HeightGrid read_height_grid(const std::string& path) {
       }
     }
   }
-  if (cursor.more()) cursor.fail("more heights follow after " + std::to_string(grid.rows) + " rows: correct ncols or nrows");
+  if (cursor.more())
+    cursor.fail("more heights follow after " + std::to_string(grid.rows) + " rows: correct ncols or nrows");
   return grid;
 }
 

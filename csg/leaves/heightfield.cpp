@@ -24,8 +24,8 @@ struct GridPoints {
 
 void check_base(const Rational& lowest, const Rational& base) {
   if (lowest > base) return;
-  throw InputError("heightfield: base is " + to_decimal(base) + ", but the lowest height is " + to_decimal(lowest) +
-                   ": give a base below all heights");
+  throw InputError("heightfield: base is " + to_decimal(base) + ", but the lowest height is " +
+                   to_decimal(lowest) + ": give a base below all heights");
 }
 
 GridPoints points_of_tree(LeafBuilder& builder, const HeightfieldShape& shape) {
@@ -35,8 +35,8 @@ GridPoints points_of_tree(LeafBuilder& builder, const HeightfieldShape& shape) {
                      std::to_string(rows.empty() ? 0 : rows[0].size()) + " entries: give at least 2 rows of 2");
   }
   if (shape.spacing_x <= 0 || shape.spacing_y <= 0) {
-    throw InputError("heightfield: spacing is [" + to_decimal(shape.spacing_x) + ", " + to_decimal(shape.spacing_y) +
-                     "]: give positive lengths");
+    throw InputError("heightfield: spacing is [" + to_decimal(shape.spacing_x) + ", " +
+                     to_decimal(shape.spacing_y) + "]: give positive lengths");
   }
   GridPoints grid{rows[0].size(), rows.size(), {}};
   for (std::size_t j = 0; j < rows.size(); ++j) {
@@ -66,13 +66,16 @@ GridPoints points_of_file(LeafBuilder& builder, const HeightfieldShape& shape, s
     notices.push_back("heightfield '" + shape.file + "' has no data at " + std::to_string(missing) +
                       " points: the cells around them are left out");
   }
-  if (shape.base) check_base(from_double(*std::min_element(file.heights.begin(), file.heights.end())), *shape.base);
+  if (shape.base)
+    check_base(from_double(*std::min_element(file.heights.begin(), file.heights.end())), *shape.base);
   const auto coordinates = [](const Rational& origin, const Rational& spacing, std::size_t n) {
     std::vector<double> result;
-    for (std::size_t i = 0; i < n; ++i) result.push_back(to_double(origin + Rational(static_cast<unsigned long>(i)) * spacing));
+    for (std::size_t i = 0; i < n; ++i)
+      result.push_back(to_double(origin + Rational(static_cast<unsigned long>(i)) * spacing));
     for (std::size_t i = 1; i < n; ++i) {
       if (result[i - 1] < result[i]) continue;
-      throw InputError("heightfield: the cellsize is too small against the coordinates, neighbours round to one point");
+      throw InputError(
+          "heightfield: the cellsize is too small against the coordinates, neighbours round to one point");
     }
     return result;
   };

@@ -36,8 +36,9 @@ class MeshLeaf {
 
   std::unique_ptr<PreparedLeaf> prepare() {
     if (data_.face_count() == 0 && data_.wires.empty() && data_.points.empty()) {
-      throw InputError("mesh: '" + shape_.file + "' has no faces" +
-                       (data_.point_count() > 0 ? ", only points: give them as a leaf `points`" : ": write the mesh again"));
+      throw InputError(
+          "mesh: '" + shape_.file + "' has no faces" +
+          (data_.point_count() > 0 ? ", only points: give them as a leaf `points`" : ": write the mesh again"));
     }
     collect_faces();
     const SideTable sides = side_table();
@@ -82,7 +83,8 @@ class MeshLeaf {
 
   Frame3 frame_of(const Polygon& polygon) const {
     for (std::size_t i = 2; i < polygon.size(); ++i) {
-      if (!points_.collinear(polygon[0], polygon[1], polygon[i])) return {polygon[0], polygon[1], polygon[i], false};
+      if (!points_.collinear(polygon[0], polygon[1], polygon[i]))
+        return {polygon[0], polygon[1], polygon[i], false};
     }
     return {};
   }
@@ -105,7 +107,8 @@ class MeshLeaf {
     double normal[3] = {0, 0, 0};  // Newell
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const double *p = points_.xyz(polygon[i]), *q = points_.xyz(polygon[(i + 1) % polygon.size()]);
-      for (int k = 0; k < 3; ++k) normal[k] += (p[(k + 1) % 3] - q[(k + 1) % 3]) * (p[(k + 2) % 3] + q[(k + 2) % 3]);
+      for (int k = 0; k < 3; ++k)
+        normal[k] += (p[(k + 1) % 3] - q[(k + 1) % 3]) * (p[(k + 2) % 3] + q[(k + 2) % 3]);
     }
     int axis = 0;
     for (int k = 1; k < 3; ++k) {
@@ -129,7 +132,8 @@ class MeshLeaf {
     while (polygon.size() > 3) {
       std::size_t ear = 1;
       while (ear < polygon.size() && !is_ear(ear)) ++ear;
-      if (ear == polygon.size()) ear = is_ear(0) ? 0 : 1;  // without an ear (not simple): from the second corner on
+      if (ear == polygon.size())
+        ear = is_ear(0) ? 0 : 1;  // without an ear (not simple): from the second corner on
       const std::size_t n = polygon.size();
       triangles.push_back({polygon[(ear + n - 1) % n], polygon[ear], polygon[(ear + 1) % n]});
       polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(ear));
@@ -156,7 +160,8 @@ class MeshLeaf {
 
   Fill decide_fill(const SideTable& sides) {
     if (shape_.fill == Fill::sides) {
-      throw InputError("mesh: fill is sides, but a mesh file has none: give winding, parity, cells or none, or a group");
+      throw InputError(
+          "mesh: fill is sides, but a mesh file has none: give winding, parity, cells or none, or a group");
     }
     if (face_count() == 0) return shape_.fill.value_or(Fill::none);
     if (shape_.fill == Fill::none || shape_.fill == Fill::cells) return *shape_.fill;
@@ -169,12 +174,15 @@ class MeshLeaf {
     const std::string fault =
         "mesh '" + shape_.file + "' is " +
         (only_oriented ? "closed, but its faces are not oriented alike along " : "not closed, it has ") +
-        std::to_string(chain.size()) + (only_oriented ? "" : " boundary") + (chain.size() == 1 ? " edge" : " edges") +
-        ", such as " + describe(points_.value(example.from)) + " to " + describe(points_.value(example.to));
-    const std::string remedy = only_oriented ? "`fill: parity` or `fill: cells`, or orient the faces alike"
-                                             : "`fill: none` for a surface, `fill: cells` for its cavities, or close it";
+        std::to_string(chain.size()) + (only_oriented ? "" : " boundary") +
+        (chain.size() == 1 ? " edge" : " edges") + ", such as " + describe(points_.value(example.from)) + " to " +
+        describe(points_.value(example.to));
+    const std::string remedy = only_oriented
+                                   ? "`fill: parity` or `fill: cells`, or orient the faces alike"
+                                   : "`fill: none` for a surface, `fill: cells` for its cavities, or close it";
     if (shape_.fill) throw InputError(fault + ": give " + remedy);
-    notices_.push_back(fault + "; it is taken as a surface without regions: to change or confirm that, give " + remedy);
+    notices_.push_back(fault + "; it is taken as a surface without regions: to change or confirm that, give " +
+                       remedy);
     return Fill::none;
   }
 

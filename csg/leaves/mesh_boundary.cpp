@@ -33,9 +33,10 @@ SideTable::SideTable(const std::vector<PolygonSide>& sides, std::size_t point_co
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
   for (const PolygonSide& side : sides) sides_[next[side.low]++] = side;
   for (std::size_t i = 0; i < point_count; ++i) {
-    std::sort(sides_.begin() + start[i], sides_.begin() + start[i + 1], [](const PolygonSide& a, const PolygonSide& b) {
-      return a.high != b.high ? a.high < b.high : a.face != b.face ? a.face < b.face : a.forward > b.forward;
-    });
+    std::sort(
+        sides_.begin() + start[i], sides_.begin() + start[i + 1], [](const PolygonSide& a, const PolygonSide& b) {
+          return a.high != b.high ? a.high < b.high : a.face != b.face ? a.face < b.face : a.forward > b.forward;
+        });
   }
 }
 
@@ -51,8 +52,8 @@ std::vector<ChainEdge> boundary(const SideTable& table, bool parity) {
   return chain;
 }
 
-bool vanishes(const std::vector<ChainEdge>& chain, bool parity, const std::function<RationalPoint(std::uint32_t)>& point,
-              ChainEdge* example) {
+bool vanishes(const std::vector<ChainEdge>& chain, bool parity,
+              const std::function<RationalPoint(std::uint32_t)>& point, ChainEdge* example) {
   if (chain.empty()) return true;
   // No edge passes through the first point in lexicographic order, so there edges must cancel by direction alone.
   std::map<std::uint32_t, RationalPoint> points;
@@ -61,8 +62,9 @@ bool vanishes(const std::vector<ChainEdge>& chain, bool parity, const std::funct
       if (!points.contains(end)) points.emplace(end, point(end));
     }
   }
-  const auto first = std::min_element(points.begin(), points.end(),
-                                      [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+  const auto first = std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
+                       return a.second < b.second;
+                     })->first;
   std::map<std::array<Integer, 3>, std::pair<long, ChainEdge>> leaving;
   for (const ChainEdge& e : chain) {
     if (e.from != first && e.to != first) continue;
@@ -94,7 +96,8 @@ bool vanishes(const std::vector<ChainEdge>& chain, bool parity, const std::funct
     events.push_back({dot(reversed ? a : b, direction), -value, e});
   }
   for (auto& [line, events] : lines) {
-    std::stable_sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.position < b.position; });
+    std::stable_sort(events.begin(), events.end(),
+                     [](const Event& a, const Event& b) { return a.position < b.position; });
     long sum = 0;
     for (std::size_t i = 0; i < events.size(); ++i) {
       sum += events[i].change;

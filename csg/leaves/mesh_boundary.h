@@ -54,7 +54,7 @@ std::vector<ChainEdge> boundary(const SideTable& table, bool parity);
 /// Collinear pieces of `chain` cancel everywhere, so that it is zero as a set in space. `point` gives exact
 /// coordinates; equal indices if and only if equal points. Cheap for chains that are not zero. On false,
 /// `example` (if not null) is an edge that does not cancel.
-bool vanishes(const std::vector<ChainEdge>& chain, bool parity, const std::function<RationalPoint(std::uint32_t)>& point,
-              ChainEdge* example = nullptr);
+bool vanishes(const std::vector<ChainEdge>& chain, bool parity,
+              const std::function<RationalPoint(std::uint32_t)>& point, ChainEdge* example = nullptr);
 
 }  // namespace cnrg

@@ -59,7 +59,8 @@ MeshData read_mesh(const std::string& path, bool decimal) {
     }
     return reader(path, text, decimal);
   }
-  throw InputError("mesh: '" + path + "' has an unknown format: give a file with the extension .off, .obj, .stl or .ply");
+  throw InputError("mesh: '" + path +
+                   "' has an unknown format: give a file with the extension .off, .obj, .stl or .ply");
 }
 
 }  // namespace cnrg

@@ -15,10 +15,10 @@ namespace cnrg {
 struct MeshData {
   std::vector<double> xyz;                                     ///< nearest doubles, three for each point
   std::vector<std::pair<std::uint32_t, RationalPoint>> exact;  ///< points that are no doubles, by rising index
-  std::vector<std::uint32_t> corners, offsets{0};              ///< polygon i: corners[offsets[i] .. offsets[i + 1]]
-  std::vector<std::uint32_t> groups;                           ///< of each polygon; empty: the file has none
+  std::vector<std::uint32_t> corners, offsets{0};  ///< polygon i: corners[offsets[i] .. offsets[i + 1]]
+  std::vector<std::uint32_t> groups;               ///< of each polygon; empty: the file has none
   std::vector<std::array<std::uint32_t, 2>> wires;
-  std::vector<std::uint32_t> points;                           ///< isolated ones
+  std::vector<std::uint32_t> points;  ///< isolated ones
 
   std::size_t point_count() const { return xyz.size() / 3; }
   std::size_t face_count() const { return offsets.size() - 1; }

@@ -22,7 +22,8 @@ class ObjReader {
       } else if (word == "f") {
         read_indices(corner_list_);
         if (corner_list_.size() < 3) {
-          cursor_.fail("a face with " + std::to_string(corner_list_.size()) + " corners: give at least 3, or a line (l)");
+          cursor_.fail("a face with " + std::to_string(corner_list_.size()) +
+                       " corners: give at least 3, or a line (l)");
         }
         mesh_.corners.insert(mesh_.corners.end(), corner_list_.begin(), corner_list_.end());
         mesh_.end_face();
@@ -30,7 +31,8 @@ class ObjReader {
       } else if (word == "l") {
         read_indices(corner_list_);
         if (corner_list_.size() < 2) cursor_.fail("a line with fewer than 2 points: give 2, or a point (p)");
-        for (std::size_t i = 1; i < corner_list_.size(); ++i) mesh_.wires.push_back({corner_list_[i - 1], corner_list_[i]});
+        for (std::size_t i = 1; i < corner_list_.size(); ++i)
+          mesh_.wires.push_back({corner_list_[i - 1], corner_list_[i]});
       } else if (word == "p") {
         read_indices(corner_list_);
         mesh_.points.insert(mesh_.points.end(), corner_list_.begin(), corner_list_.end());
@@ -56,7 +58,8 @@ class ObjReader {
     bool goes_on = true;
     while (goes_on) {
       goes_on = false;
-      for (std::string_view t = cursor_.token_in_line(); !t.empty(); t = cursor_.token_in_line()) goes_on = t == "\\";
+      for (std::string_view t = cursor_.token_in_line(); !t.empty(); t = cursor_.token_in_line())
+        goes_on = t == "\\";
       cursor_.next_line();
     }
   }
@@ -74,7 +77,8 @@ class ObjReader {
     const int line = cursor_.line();
     TextCursor probe = cursor_;
     for (int k = 0; k < 3; ++k) {
-      if (probe.token_in_line().empty()) cursor_.fail_at(line, "a vertex with fewer than 3 coordinates: give x, y and z");
+      if (probe.token_in_line().empty())
+        cursor_.fail_at(line, "a vertex with fewer than 3 coordinates: give x, y and z");
     }
     cursor_.coordinates(mesh_, decimal_);
   }

@@ -28,7 +28,8 @@ std::string_view after_header(TextCursor& cursor, std::string_view token) {
 
 std::uint32_t count(TextCursor& cursor, long long value, const char* what) {
   if (value < 0 || value > 1000000000) {
-    cursor.fail("the number of " + std::string(what) + " is " + std::to_string(value) + ": it must be between 0 and 10^9");
+    cursor.fail("the number of " + std::string(what) + " is " + std::to_string(value) +
+                ": it must be between 0 and 10^9");
   }
   return static_cast<std::uint32_t>(value);
 }
@@ -65,7 +66,8 @@ MeshData read_off(const std::string& path, const std::string& text, bool decimal
   const std::string vertex_end = std::to_string(vertices) + " vertices";
   for (std::uint32_t i = 0; i < vertices; ++i) {
     if (!cursor.more()) {
-      cursor.fail("the file ends after " + std::to_string(i) + " of " + vertex_end + ": it is truncated, or the count is wrong");
+      cursor.fail("the file ends after " + std::to_string(i) + " of " + vertex_end +
+                  ": it is truncated, or the count is wrong");
     }
     cursor.coordinates(mesh, decimal);
     cursor.next_line();
@@ -76,7 +78,8 @@ MeshData read_off(const std::string& path, const std::string& text, bool decimal
                   " faces: it is truncated, or the count is wrong");
     }
     const long long corners = cursor.integer("the number of corners of a face");
-    if (corners < 1) cursor.fail("a face with " + std::to_string(corners) + " corners: give at least 3, or correct the counts");
+    if (corners < 1)
+      cursor.fail("a face with " + std::to_string(corners) + " corners: give at least 3, or correct the counts");
     for (long long k = 0; k < corners; ++k) {
       const long long index = cursor.integer("the index of a corner");
       if (index < 0 || index >= vertices) {

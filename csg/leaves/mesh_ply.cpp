@@ -1,6 +1,6 @@
 // PLY (Stanford polygon format): a text header that declares elements with scalar and list properties, then the
-// values as text or binary. Read are vertices (x, y, z), faces (vertex_index or vertex_indices, and a label if one of
-// kLabels is there) and edges (vertex1, vertex2); everything else is skipped by its declared size.
+// values as text or binary. Read are vertices (x, y, z), faces (vertex_index or vertex_indices, and a label if one
+// of kLabels is there) and edges (vertex1, vertex2); everything else is skipped by its declared size.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -67,10 +67,12 @@ class PlyReader {
 
   Type type(std::string_view name) {
     static const std::map<std::string_view, Type> kTypes = {
-        {"char", Type::int8},     {"int8", Type::int8},   {"uchar", Type::uint8},    {"uint8", Type::uint8},
-        {"short", Type::int16},   {"int16", Type::int16}, {"ushort", Type::uint16},  {"uint16", Type::uint16},
-        {"int", Type::int32},     {"int32", Type::int32}, {"uint", Type::uint32},    {"uint32", Type::uint32},
-        {"float", Type::float32}, {"float32", Type::float32}, {"double", Type::float64}, {"float64", Type::float64}};
+        {"char", Type::int8},      {"int8", Type::int8},       {"uchar", Type::uint8},
+        {"uint8", Type::uint8},    {"short", Type::int16},     {"int16", Type::int16},
+        {"ushort", Type::uint16},  {"uint16", Type::uint16},   {"int", Type::int32},
+        {"int32", Type::int32},    {"uint", Type::uint32},     {"uint32", Type::uint32},
+        {"float", Type::float32},  {"float32", Type::float32}, {"double", Type::float64},
+        {"float64", Type::float64}};
     const auto found = kTypes.find(name);
     if (found == kTypes.end()) cursor_.fail(quoted(name) + " is no type of PLY, such as int, uchar or float");
     return found->second;
@@ -88,14 +90,16 @@ class PlyReader {
         if (name == "binary_little_endian") body_ = Encoding::little;
         else if (name == "binary_big_endian") body_ = Encoding::big;
         else if (name != "ascii") {
-          cursor_.fail(quoted(name) + " is no format of PLY: give ascii, binary_little_endian or binary_big_endian");
+          cursor_.fail(quoted(name) +
+                       " is no format of PLY: give ascii, binary_little_endian or binary_big_endian");
         }
         format = true;
       } else if (word == "element") {
         Element element;
         element.name = cursor_.token_in_line();
         const long long count = cursor_.integer("the number of elements");
-        if (count < 0 || count > 4000000000) cursor_.fail("a count of " + std::to_string(count) + " elements: correct it");
+        if (count < 0 || count > 4000000000)
+          cursor_.fail("a count of " + std::to_string(count) + " elements: correct it");
         element.count = static_cast<std::uint64_t>(count);
         elements_.push_back(std::move(element));
       } else if (word == "property") {
@@ -148,8 +152,9 @@ class PlyReader {
   }
 
   std::uint64_t list_length(const Property& property) {
-    const double length = encoding_ == Encoding::text ? static_cast<double>(cursor_.integer("the length of a list"))
-                                                      : value(*property.count);
+    const double length = encoding_ == Encoding::text
+                              ? static_cast<double>(cursor_.integer("the length of a list"))
+                              : value(*property.count);
     if (length < 0 || length > static_cast<double>(text_.size())) {
       fail("a list of " + std::to_string(static_cast<long long>(length)) + " values: the file is damaged");
     }
@@ -179,7 +184,8 @@ class PlyReader {
     const double given = value(type);
     if (!(given >= 0 && given < static_cast<double>(vertices_) && given == std::floor(given))) {
       const std::string text = std::isfinite(given) ? to_decimal(from_double(given)) : "nan";
-      fail(std::string(what) + " " + std::to_string(number) + " has the vertex " + text + ", but there are " + std::to_string(vertices_) + " vertices, numbered from 0: correct the index");
+      fail(std::string(what) + " " + std::to_string(number) + " has the vertex " + text + ", but there are " +
+           std::to_string(vertices_) + " vertices, numbered from 0: correct the index");
     }
     return static_cast<std::uint32_t>(given);
   }
@@ -190,7 +196,8 @@ class PlyReader {
 
   void read_vertices(const Element& element) {
     int seen = 0;
-    for (const Property& p : element.properties) seen += !p.count && (p.name == "x" || p.name == "y" || p.name == "z");
+    for (const Property& p : element.properties)
+      seen += !p.count && (p.name == "x" || p.name == "y" || p.name == "z");
     if (seen != 3) fail("the element 'vertex' has no properties x, y and z: add them");
     mesh_.xyz.reserve(3 * reserve_count(element.count));
     for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -198,7 +205,10 @@ class PlyReader {
       RationalPoint exact;
       bool doubles = true;
       for (const Property& property : element.properties) {
-        const std::size_t axis = property.name == "x" ? 0 : property.name == "y" ? 1 : property.name == "z" ? 2 : 3;
+        const std::size_t axis = property.name == "x"   ? 0
+                                 : property.name == "y" ? 1
+                                 : property.name == "z" ? 2
+                                                        : 3;
         if (property.count || axis == 3) {
           skip(property);
         } else if (decimal_ && encoding_ == Encoding::text) {
@@ -221,7 +231,8 @@ class PlyReader {
     const Property* label = nullptr;
     for (const Property& p : element.properties) {
       if (p.count && (p.name == "vertex_index" || p.name == "vertex_indices")) corners = &p;
-      if (!p.count && !label && std::find(std::begin(kLabels), std::end(kLabels), p.name) != std::end(kLabels)) label = &p;
+      if (!p.count && !label && std::find(std::begin(kLabels), std::end(kLabels), p.name) != std::end(kLabels))
+        label = &p;
     }
     if (!corners && element.count > 0) fail("the element 'face' has no list 'vertex_indices': add it");
     mesh_.offsets.reserve(1 + reserve_count(element.count));
@@ -241,7 +252,8 @@ class PlyReader {
         }
       }
       if (label) {
-        mesh_.groups.push_back(labels_.try_emplace(group, static_cast<std::uint32_t>(labels_.size())).first->second);
+        mesh_.groups.push_back(
+            labels_.try_emplace(group, static_cast<std::uint32_t>(labels_.size())).first->second);
       }
     }
   }

@@ -30,15 +30,17 @@ MeshData read_binary(const std::string& path, const std::string& data) {
   const auto fail = [&](std::size_t byte, const std::string& text) {
     throw LeafFileError(path + ": byte " + std::to_string(byte) + ": error: " + text);
   };
-  if (data.size() < kHeader) fail(data.size(), "the file ends within the header of a binary STL: it is truncated, or no STL");
+  if (data.size() < kHeader)
+    fail(data.size(), "the file ends within the header of a binary STL: it is truncated, or no STL");
   const std::size_t count = little_endian(data.data() + 80);
   const std::size_t expected = kHeader + kTriangle * count;
   if (data.size() < expected) {
-    fail(data.size(), "the file ends within triangle " + std::to_string((data.size() - kHeader) / kTriangle + 1) + " of " +
-                          std::to_string(count) + ": it is truncated, or no STL");
+    fail(data.size(), "the file ends within triangle " + std::to_string((data.size() - kHeader) / kTriangle + 1) +
+                          " of " + std::to_string(count) + ": it is truncated, or no STL");
   }
   if (data.size() > expected) {
-    fail(expected, "more data follows after the " + std::to_string(count) + " triangles of the header: correct the count");
+    fail(expected,
+         "more data follows after the " + std::to_string(count) + " triangles of the header: correct the count");
   }
   MeshData mesh;
   mesh.xyz.reserve(9 * count);
@@ -49,7 +51,8 @@ MeshData read_binary(const std::string& path, const std::string& data) {
     for (std::size_t k = 0; k < 9; ++k) {
       const double x = std::bit_cast<float>(little_endian(data.data() + start + 4 * k));
       if (!std::isfinite(x)) {
-        fail(start + 4 * k, "triangle " + std::to_string(i + 1) + " has a coordinate that is no finite number: correct the file");
+        fail(start + 4 * k,
+             "triangle " + std::to_string(i + 1) + " has a coordinate that is no finite number: correct the file");
       }
       mesh.xyz.push_back(x);
     }
@@ -71,7 +74,8 @@ MeshData read_text(const std::string& path, const std::string& text, bool decima
   MeshData mesh;
   const auto expect = [&](const char* word) {
     const std::string_view token = cursor.token(word);
-    if (!same_word(token, word)) cursor.fail(quoted(token) + " is found where '" + std::string(word) + "' is expected");
+    if (!same_word(token, word))
+      cursor.fail(quoted(token) + " is found where '" + std::string(word) + "' is expected");
   };
   std::uint32_t solid = 0;
   while (cursor.more()) {
@@ -80,7 +84,8 @@ MeshData read_text(const std::string& path, const std::string& text, bool decima
     for (;;) {
       const std::string_view token = cursor.token("'facet' or 'endsolid'");
       if (same_word(token, "endsolid")) break;
-      if (!same_word(token, "facet")) cursor.fail(quoted(token) + " is found where 'facet' or 'endsolid' is expected");
+      if (!same_word(token, "facet"))
+        cursor.fail(quoted(token) + " is found where 'facet' or 'endsolid' is expected");
       cursor.next_line();  // with the normal, which the corners say better
       expect("outer");
       expect("loop");

@@ -163,9 +163,7 @@ class Mesher {
     return vertex({whole_ / grid_[0] * i, whole_ / grid_[1] * j});
   }
 
-  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    triangles_.push_back({a, b, c});
-  }
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles_.push_back({a, b, c}); }
 
   /// Triangles between two rows of vertices that run alike, `lower` on the right of `upper`; `along` tells where
   /// on the way a vertex is.

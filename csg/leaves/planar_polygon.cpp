@@ -99,8 +99,8 @@ class Checker {
           throw InputError(loop_name(l) + ": the last point, " + point_name(l, i) + ", repeats the first " +
                            describe(loop[i]) + ": leave it out, loops close by themselves");
         }
-        throw InputError(loop_name(l) + ": " + point_name(l, i) + " and " + point_name(l, next) +
-                         " are both " + describe(loop[i]) + ": leave one out");
+        throw InputError(loop_name(l) + ": " + point_name(l, i) + " and " + point_name(l, next) + " are both " +
+                         describe(loop[i]) + ": leave one out");
       }
     }
   }
@@ -111,8 +111,8 @@ class Checker {
       normal_ = cross(outer[1] - outer[0], outer[i] - outer[0]);
     }
     if (is_zero(normal_)) {
-      throw InputError("all points of " + loop_name(0) + " lie on one line, its area is zero: move one off the line" +
-                       " or use a polyline");
+      throw InputError("all points of " + loop_name(0) +
+                       " lie on one line, its area is zero: move one off the line" + " or use a polyline");
     }
     const Rational offset = dot(normal_, outer[0]);
     for (std::size_t l = 0; l < loops_.size(); ++l) {
@@ -152,7 +152,8 @@ class Checker {
     // Sweep along the first coordinate; the first pair at fault in the order of the polygon is reported.
     std::vector<std::size_t> order(edges.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return edges[a].low[0] < edges[b].low[0]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](auto a, auto b) { return edges[a].low[0] < edges[b].low[0]; });
     std::vector<std::size_t> open;
     std::pair<std::size_t, std::size_t> fault{edges.size(), edges.size()};
     for (std::size_t i : order) {
@@ -167,9 +168,10 @@ class Checker {
     }
     if (fault.first == edges.size()) return;
     const PolygonEdge &e = edges[fault.first], &f = edges[fault.second];
-    throw InputError((e.loop == f.loop ? loop_name(e.loop) + " is not simple: " : "loops of " + names_.polygon + " meet: ") +
-                     edge_name(e) + " crosses or touches " + edge_name(f) +
-                     ": reorder or move the points, or split it into simple polygons");
+    throw InputError(
+        (e.loop == f.loop ? loop_name(e.loop) + " is not simple: " : "loops of " + names_.polygon + " meet: ") +
+        edge_name(e) + " crosses or touches " + edge_name(f) +
+        ": reorder or move the points, or split it into simple polygons");
   }
 
   bool at_fault(const PolygonEdge& e, const PolygonEdge& f) const {
@@ -183,8 +185,9 @@ class Checker {
   void check_holes() const {
     for (std::size_t l = 1; l < flat_.size(); ++l) {
       if (!inside(flat_[0], flat_[l][0])) {
-        throw InputError("hole " + std::to_string(l) + " of " + names_.polygon + " is outside of the outer loop (" +
-                         point_name(l, 0) + " " + describe(loops_[l][0]) + "): move it inside or leave it out");
+        throw InputError("hole " + std::to_string(l) + " of " + names_.polygon +
+                         " is outside of the outer loop (" + point_name(l, 0) + " " + describe(loops_[l][0]) +
+                         "): move it inside or leave it out");
       }
       for (std::size_t m = 1; m < flat_.size(); ++m) {
         if (m != l && inside(flat_[m], flat_[l][0])) {

@@ -28,18 +28,18 @@ using result::refuse;
 using Loop = std::vector<Index>;
 
 struct Facet {
-  std::vector<Loop> loops;     ///< without slits, the outer one first, counter-clockwise seen from the front
+  std::vector<Loop> loops;  ///< without slits, the outer one first, counter-clockwise seen from the front
   Index face = 0, patch = 0;
-  Index front = 0, back = 0;   ///< labels
+  Index front = 0, back = 0;                    ///< labels
   std::vector<std::vector<PatchCorner>> cells;  ///< of its patch, that it lies in
 };
 
 struct Edge {
-  Loop points;                 ///< a closed chain repeats its first point
+  Loop points;  ///< a closed chain repeats its first point
   bool closed = false;
-  Index uses = 0;              ///< how often faces walk it
-  bool slit = false;           ///< one face walks it twice
-  bool curved = false;         ///< on a face that is not flat
+  Index uses = 0;       ///< how often faces walk it
+  bool slit = false;    ///< one face walks it twice
+  bool curved = false;  ///< on a face that is not flat
   bool wire = false;
 };
 
@@ -49,7 +49,7 @@ struct Content {
   std::vector<Edge> edges;
   std::vector<Index> isolated;
   std::vector<LeafRegion> components;
-  std::map<Index, std::string> patches;         ///< names of those with parameters
+  std::map<Index, std::string> patches;  ///< names of those with parameters
 };
 
 RationalPoint minus(const RationalPoint& a, const RationalPoint& b) {
@@ -143,7 +143,8 @@ class Reader {
     at.fail(what + ", but the file says that it is a group, which is closed" + kAgain);
   }
   [[noreturn]] void not_bounded(const Cursor& at, const std::string& what) const {
-    at.fail(what + " has no bounds, and those of a leaf must have some; cut the node with a box before it is "
+    at.fail(what +
+            " has no bounds, and those of a leaf must have some; cut the node with a box before it is "
             "written (`intersection`, or `product` where it is not closed), or read its operands back and apply "
             "the operator in the tree");
   }

@@ -17,31 +17,71 @@
 namespace cnrg {
 
 /// `{box: {min: [x, y, z], max: [x, y, z]}}`, min < max in every axis.
-struct BoxShape { RationalPoint min, max; };
-/// `{prism: {base: [[x, y, z], ...], vector: [x, y, z]}}`: a planar simple polygon swept along a vector; `holes` likewise.
-struct PrismShape { std::vector<RationalPoint> base; std::vector<std::vector<RationalPoint>> holes; RationalPoint vector; };
+struct BoxShape {
+  RationalPoint min, max;
+};
+/// `{prism: {base: [[x, y, z], ...], vector: [x, y, z]}}`: a planar simple polygon swept along a vector; `holes`
+/// likewise.
+struct PrismShape {
+  std::vector<RationalPoint> base;
+  std::vector<std::vector<RationalPoint>> holes;
+  RationalPoint vector;
+};
 /// `{pyramid: {base: [[x, y, z], ...], apex: [x, y, z]}}`
-struct PyramidShape { std::vector<RationalPoint> base; RationalPoint apex; };
+struct PyramidShape {
+  std::vector<RationalPoint> base;
+  RationalPoint apex;
+};
 /// `{tetrahedron: [p, q, r, s]}`
-struct TetrahedronShape { std::array<RationalPoint, 4> points; };
+struct TetrahedronShape {
+  std::array<RationalPoint, 4> points;
+};
 /// `{polygon: [p, ...]}` or `{polygon: {outer: [p, ...], holes: [[p, ...], ...]}}`: planar, simple loops.
-struct PolygonShape { std::vector<RationalPoint> outer; std::vector<std::vector<RationalPoint>> holes; };
+struct PolygonShape {
+  std::vector<RationalPoint> outer;
+  std::vector<std::vector<RationalPoint>> holes;
+};
 /// `{polyline: [p, ...]}` or `{polyline: {points: [p, ...], closed: true}}`
-struct PolylineShape { std::vector<RationalPoint> points; bool closed = false; };
+struct PolylineShape {
+  std::vector<RationalPoint> points;
+  bool closed = false;
+};
 /// `{points: [p, ...]}`
-struct PointsShape { std::vector<RationalPoint> points; };
+struct PointsShape {
+  std::vector<RationalPoint> points;
+};
 /// `{plane: {point: p, normal: n}}`: the whole plane as one face.
-struct PlaneShape { RationalPoint point, normal; };
+struct PlaneShape {
+  RationalPoint point, normal;
+};
 /// `{halfspace: {point: p, normal: n}}`: one region on the side that the normal points away from.
-struct HalfspaceShape { RationalPoint point, normal; };
+struct HalfspaceShape {
+  RationalPoint point, normal;
+};
 /// `{sphere: {center: p, radius: r, segments: n, rings: m}}`: n meridians, m rows (default n / 2).
-struct SphereShape { RationalPoint center; Rational radius; int segments = 32, rings = 0; };
+struct SphereShape {
+  RationalPoint center;
+  Rational radius;
+  int segments = 32, rings = 0;
+};
 /// `{cylinder: {from: p, to: q, radius: r, segments: n}}`
-struct CylinderShape { RationalPoint from, to; Rational radius; int segments = 32; };
+struct CylinderShape {
+  RationalPoint from, to;
+  Rational radius;
+  int segments = 32;
+};
 /// `{cone: {from: p, to: q, radius: r, top: r2, segments: n}}`: radius at `from`, `top` (default 0) at `to`.
-struct ConeShape { RationalPoint from, to; Rational radius, top = 0; int segments = 32; };
+struct ConeShape {
+  RationalPoint from, to;
+  Rational radius, top = 0;
+  int segments = 32;
+};
 /// `{torus: {center: p, axis: n, radius: R, tube: r, segments: n, rings: m}}`
-struct TorusShape { RationalPoint center, axis; Rational radius, tube; int segments = 32, rings = 16; };
+struct TorusShape {
+  RationalPoint center, axis;
+  Rational radius, tube;
+  int segments = 32, rings = 16;
+};
 /// `{heightfield: {origin: [x, y], spacing: [dx, dy], heights: [[z, ...], ...]}}` (rows run along y, entries of
 /// a row along x) or `{heightfield: {file: grid.asc}}` (ESRI ASCII grid). A surface; each cell is two triangles
 /// of one patch. With `base: z` the solid down to that level.
@@ -52,33 +92,42 @@ struct HeightfieldShape {
   std::optional<Rational> base;
 };
 /// `{mesh: {file: part.off, fill: winding, coordinates: decimal}}`: OFF, OBJ, STL, PLY; path already resolved.
-struct MeshShape { std::string file; std::optional<Fill> fill; bool decimal = false; };
+struct MeshShape {
+  std::string file;
+  std::optional<Fill> fill;
+  bool decimal = false;
+};
 /// `{group: {vertices, faces, edges, points, regions, fill}}` as INTERFACE has it.
 struct GroupShape {
   struct Face {
     std::vector<std::vector<std::uint32_t>> loops;
     std::array<std::uint32_t, 2> sides{0, 0};
-    int line = 0, column = 0;        ///< where the tree file has it, for errors
+    int line = 0, column = 0;  ///< where the tree file has it, for errors
   };
-  struct Region { std::string material, name; };
+  struct Region {
+    std::string material, name;
+  };
   std::vector<RationalPoint> vertices;
   std::vector<Face> faces;
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::uint32_t> points;
   std::map<std::uint32_t, Region> regions;
-  std::optional<Fill> fill;          ///< instead of sides
+  std::optional<Fill> fill;  ///< instead of sides
 };
 /// How fine curved leaves are: `chord: e`, the largest distance of a facet or wire from the exact shape, in the
 /// model's unit; or `segments: n`, equal steps of every curve and of a whole turn. Neither: 16 segments.
-struct Tessellation { std::optional<Rational> chord; std::optional<int> segments; };
+struct Tessellation {
+  std::optional<Rational> chord;
+  std::optional<int> segments;
+};
 /// `{points: [p, ...], weights: [w, ...], degree: d, knots: [t, ...]}` or a list of points. Weights are positive
 /// and rational (default 1): [1, 1, 2] makes of three points a quarter of a circle exactly, sqrt(2)/2 can not be
 /// given. Bézier curves have neither degree nor knots; B-splines have a degree, and knots that ascend, degree + 1
 /// more than points, with inner ones at most `degree` times (default: clamped, spans of equal length).
 struct CurveNet {
   std::vector<RationalPoint> points;
-  std::vector<Rational> weights;     ///< empty: all 1
-  int degree = 0;                    ///< 0: Bézier
+  std::vector<Rational> weights;  ///< empty: all 1
+  int degree = 0;                 ///< 0: Bézier
   std::vector<Rational> knots;
 };
 /// `{points: [[p, ...], ...], weights: [[w, ...], ...], degree: [p, q], knots: [[...], [...]]}`: rows run along v,
@@ -113,10 +162,15 @@ struct CoonsShape {
 /// corners a `bezier` gives the inner control points of the curve from one to the other (its weights are those of
 /// all its control points, ends too); without one the segment is straight. A closed line returns to its first
 /// corner.
-struct ProfileLine { std::vector<CurveNet> segments; };
+struct ProfileLine {
+  std::vector<CurveNet> segments;
+};
 /// `profile: [...]` or `{outer: [...], holes: [[...], ...]}`: closed lines that bound an area, for a solid;
 /// `curve: [...]`: an open line, for a surface.
-struct Profile { std::vector<ProfileLine> lines; bool closed = true; };
+struct Profile {
+  std::vector<ProfileLine> lines;
+  bool closed = true;
+};
 /// `{extrude: {profile: ..., vector: [x, y, z], twist: degrees, scale: s, center: p, chord: e}}`: a planar profile
 /// (a curve may be any) swept along a vector, meanwhile turned about the axis through `center` along the vector,
 /// by `twist` in all, and scaled from 1 to s about the center (default: the first corner). Profiles that are
@@ -131,7 +185,7 @@ struct ExtrudeShape {
 /// `{revolve: {profile: [[r, z], ...], center: p, axis: n, degrees: 360, chord: e}}`: the profile, r >= 0 from the
 /// axis and z along it, turned about the axis by the right-hand rule.
 struct RevolveShape {
-  Profile profile;                   ///< points are (r, 0, z)
+  Profile profile;  ///< points are (r, 0, z)
   RationalPoint center{0, 0, 0}, axis{0, 0, 1};
   Rational degrees = 360;
   Tessellation tessellation;
@@ -149,25 +203,27 @@ struct CadShape {
   std::string file;
   Tessellation tessellation;
   std::optional<Fill> fill;
-  std::string unit;                  ///< um mm cm m km in ft; empty: the file's own
-  std::vector<std::string> solids;   ///< empty: everything
+  std::string unit;                 ///< um mm cm m km in ft; empty: the file's own
+  std::vector<std::string> solids;  ///< empty: everything
   bool seams = false;
   const char* name() const { return format == Format::step ? "step" : "brep"; }
 };
 /// `{cnrg: file.json}`: a result read back.
-struct ResultShape { std::string file; };
+struct ResultShape {
+  std::string file;
+};
 
-using Shape = std::variant<BoxShape, PrismShape, PyramidShape, TetrahedronShape, PolygonShape, PolylineShape, PointsShape,
-                           PlaneShape, HalfspaceShape, SphereShape, CylinderShape, ConeShape, TorusShape,
-                           BezierShape, CoonsShape, ExtrudeShape, RevolveShape, HeightfieldShape, MeshShape,
-                           CadShape, GroupShape, ResultShape>;
+using Shape = std::variant<BoxShape, PrismShape, PyramidShape, TetrahedronShape, PolygonShape, PolylineShape,
+                           PointsShape, PlaneShape, HalfspaceShape, SphereShape, CylinderShape, ConeShape,
+                           TorusShape, BezierShape, CoonsShape, ExtrudeShape, RevolveShape, HeightfieldShape,
+                           MeshShape, CadShape, GroupShape, ResultShape>;
 
 /// An exact affine map: p -> A p + b.
 struct Transform {
   std::array<std::array<Rational, 3>, 3> linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   RationalPoint offset{0, 0, 0};
   static Transform translation(const RationalPoint& by);
-  static Transform scaling(const RationalPoint& factors);              ///< no factor is zero
+  static Transform scaling(const RationalPoint& factors);  ///< no factor is zero
   /// By `degrees` about an axis through `center`: multiples of 90 degrees about a coordinate axis are exact;
   /// else the nearest rational rotation (exactly orthogonal; the angle's error is below 1e-15).
   static Transform rotation(const RationalPoint& axis, const Rational& degrees, const RationalPoint& center);

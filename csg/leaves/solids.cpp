@@ -14,7 +14,9 @@ namespace {
 /// neighbours share one, for their sides lie in one plane.
 std::vector<std::uint32_t> side_numbers(const std::vector<RationalPoint>& loop, std::uint32_t& next) {
   const std::size_t n = loop.size();
-  const auto straight = [&](std::size_t i) { return collinear(loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n]); };
+  const auto straight = [&](std::size_t i) {
+    return collinear(loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n]);
+  };
   std::vector<std::uint32_t> numbers(n);
   for (std::size_t i = 0; i < n; ++i) numbers[i] = i > 0 && straight(i) ? numbers[i - 1] : next++;
   if (straight(0)) {  // the last run goes on over the start: give it the first number
@@ -47,7 +49,8 @@ std::unique_ptr<PreparedLeaf> prepare_box(const BoxShape& shape) {
                                (i & 4 ? shape.max : shape.min)[2]});
   }
   // Corner numbers have bit k set where coordinate k is the larger one: x-, x+, y-, y+, z-, z+.
-  constexpr std::size_t kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  constexpr std::size_t kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                        {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (std::uint32_t f = 0; f < 6; ++f) {
     builder.face({corner[kFaces[f][0]], corner[kFaces[f][1]], corner[kFaces[f][2]], corner[kFaces[f][3]]}, f);
   }
@@ -60,7 +63,8 @@ std::unique_ptr<PreparedLeaf> prepare_prism(const PrismShape& shape) {
   const RationalPoint normal = check_polygon(loops, {"the prism's base", {}});
   const Rational rise = dot(normal, shape.vector);
   if (rise == 0) {
-    throw InputError(std::string("prism: the vector ") + (is_zero(shape.vector) ? "is zero" : "lies in the plane of the base") +
+    throw InputError(std::string("prism: the vector ") +
+                     (is_zero(shape.vector) ? "is zero" : "lies in the plane of the base") +
                      ", the prism is flat: give a vector that leaves the plane");
   }
   // The outer loop counter-clockwise, holes clockwise, as seen from where the vector goes.
@@ -105,7 +109,8 @@ std::unique_ptr<PreparedLeaf> prepare_pyramid(const PyramidShape& shape) {
   const PointId apex = builder.point(shape.apex);
   std::uint32_t next = 1;
   const std::vector<std::uint32_t> numbers = side_numbers(loop, next);
-  for (std::size_t i = 0; i < base.size(); ++i) builder.triangle(base[i], base[(i + 1) % base.size()], apex, numbers[i]);
+  for (std::size_t i = 0; i < base.size(); ++i)
+    builder.triangle(base[i], base[(i + 1) % base.size()], apex, numbers[i]);
   std::reverse(base.begin(), base.end());
   builder.face(base, 0);
   return builder.finish();

@@ -14,7 +14,11 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' |
 }  // namespace
 
 TextCursor::TextCursor(std::string path, std::string_view text, char comment)
-    : path_(std::move(path)), begin_(text.data()), at_(text.data()), end_(text.data() + text.size()), comment_(comment) {
+    : path_(std::move(path)),
+      begin_(text.data()),
+      at_(text.data()),
+      end_(text.data() + text.size()),
+      comment_(comment) {
   if (text.substr(0, 3) == "\xEF\xBB\xBF") at_ += 3;  // byte order mark
 }
 
@@ -52,7 +56,9 @@ std::string_view TextCursor::token_in_line() {
 
 std::string_view TextCursor::token(const char* wanted) {
   const int line = line_;
-  if (!more()) fail_at(line, std::string("the file ends where ") + wanted + " is expected: it is truncated, or a count is wrong");
+  if (!more())
+    fail_at(line,
+            std::string("the file ends where ") + wanted + " is expected: it is truncated, or a count is wrong");
   return token_in_line();
 }
 
@@ -86,7 +92,8 @@ double TextCursor::parse(std::string_view text, const char* wanted, Rational* ex
   const std::optional<Rational> rational = parse_rational(text);
   if (!rational) fail(quoted(text) + " is no number, " + wanted + " is expected");
   value = to_double(*rational);
-  if (!std::isfinite(value)) fail(quoted(text) + " is beyond the largest double (1.8e308): use a larger unit of length");
+  if (!std::isfinite(value))
+    fail(quoted(text) + " is beyond the largest double (1.8e308): use a larger unit of length");
   if (exact) *exact = *rational;
   return value;
 }

@@ -37,7 +37,8 @@ Transform Transform::translation(const RationalPoint& by) {
 Transform Transform::scaling(const RationalPoint& factors) {
   Transform t;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (factors[k] == 0) throw InputError("scale: a factor is 0, which flattens the shape: give factors other than 0");
+    if (factors[k] == 0)
+      throw InputError("scale: a factor is 0, which flattens the shape: give factors other than 0");
     t.linear[k][k] = factors[k];
   }
   return t;

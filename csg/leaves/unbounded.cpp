@@ -71,9 +71,7 @@ LeafId UnboundedLeaf::add_to(Soup& soup, const Transform&) const {
   return soup.add_leaf(solid_ ? Fill::sides : Fill::none);
 }
 
-std::vector<LeafRegion> UnboundedLeaf::regions() const {
-  return std::vector<LeafRegion>(solid_ ? 1 : 0);
-}
+std::vector<LeafRegion> UnboundedLeaf::regions() const { return std::vector<LeafRegion>(solid_ ? 1 : 0); }
 
 ExactHalfspace UnboundedLeaf::image(const Transform& transform) const {
   // Normals go with the matrix of cofactors, which is the inverse transpose times the determinant.
@@ -114,7 +112,8 @@ ExactBox frame_box(const ExactBox* points, const std::vector<ExactHalfspace>& gi
         const ExactHalfspace& r = planes[k];
         const Rational determinant = dot(line, r.normal);
         if (determinant == 0) continue;
-        const RationalPoint sum = r.offset * line + p.offset * cross(q.normal, r.normal) + q.offset * cross(r.normal, p.normal);
+        const RationalPoint sum =
+            r.offset * line + p.offset * cross(q.normal, r.normal) + q.offset * cross(r.normal, p.normal);
         extend(box, empty, Rational(1 / determinant) * sum);
       }
     }
@@ -141,7 +140,8 @@ ExactBox frame_box(const ExactBox* points, const std::vector<ExactHalfspace>& gi
 
 std::vector<RationalPoint> cut(const ExactHalfspace& plane, const ExactBox& box) {
   const auto corner = [&](std::size_t i) {
-    return RationalPoint{(i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1], (i & 4 ? box.high : box.low)[2]};
+    return RationalPoint{(i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1],
+                         (i & 4 ? box.high : box.low)[2]};
   };
   std::vector<RationalPoint> points;
   const auto add = [&](const RationalPoint& p) {

@@ -35,8 +35,8 @@ struct ExactBox {
   RationalPoint low, high;
 };
 
-/// A box that holds strictly inside: `points` box (if not null), a point of every plane, of every line common to two,
-/// and every point common to three; so that its inside shows the whole arrangement of the planes. No plane
+/// A box that holds strictly inside: `points` box (if not null), a point of every plane, of every line common to
+/// two, and every point common to three; so that its inside shows the whole arrangement of the planes. No plane
 /// passes through its corner `high`. Cost: the cube of the number of different planes.
 ExactBox frame_box(const ExactBox* points, const std::vector<ExactHalfspace>& planes);
 

@@ -45,18 +45,27 @@ struct Entities {
 class Accumulator::State {
  public:
   explicit State(const Complex& complex)
-      : complex_(complex), faces_(complex.face_count()), edges_(complex.edge_count()),
-        vertices_(complex.points.size()), inside_(complex.region_count), new_region_(complex.region_count),
-        regions_(complex.region_count), next_(complex.region_count), attributes_(complex.region_count) {}
+      : complex_(complex),
+        faces_(complex.face_count()),
+        edges_(complex.edge_count()),
+        vertices_(complex.points.size()),
+        inside_(complex.region_count),
+        new_region_(complex.region_count),
+        regions_(complex.region_count),
+        next_(complex.region_count),
+        attributes_(complex.region_count) {}
 
   void apply(BooleanOp op, Dominance dominance, std::span<const Group* const> parts, FoldStep& step) {
     roles_ = roles(op, dominance);
     op_ = op;
     step_ = &step;
     mark_new(parts);
-    decide(parts, faces_, [](const Group& g) -> const auto& { return g.faces; }, 2);
-    decide(parts, edges_, [](const Group& g) -> const auto& { return g.edges; }, 1);
-    decide(parts, vertices_, [](const Group& g) -> const auto& { return g.vertices; }, 0);
+    decide(
+        parts, faces_, [](const Group& g) -> const auto& { return g.faces; }, 2);
+    decide(
+        parts, edges_, [](const Group& g) -> const auto& { return g.edges; }, 1);
+    decide(
+        parts, vertices_, [](const Group& g) -> const auto& { return g.vertices; }, 0);
     if (op == BooleanOp::unite) {
       join_regions(parts);
     } else {
@@ -480,7 +489,7 @@ class Accumulator::State {
   Scratch<RegionId, std::uint32_t> next_;
   Scratch<RegionId, std::uint32_t> attributes_;  // of a set's smallest cell: 1 + index into the pool
   std::vector<std::unique_ptr<RegionAttributes>> pool_;
-  std::vector<RegionId> listed_cells_;           // all that were ever inside
+  std::vector<RegionId> listed_cells_;  // all that were ever inside
   std::vector<std::pair<RegionId, std::uint32_t>> held_regions_;
 
   // The step.

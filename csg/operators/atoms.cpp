@@ -19,7 +19,9 @@ bool any_known(const List& list, const CellsT& cells) {
 }  // namespace
 
 Atoms::Atoms(const Complex& complex)
-    : vertices_(complex.points.size()), edges_(complex.edge_count()), faces_(complex.face_count()),
+    : vertices_(complex.points.size()),
+      edges_(complex.edge_count()),
+      faces_(complex.face_count()),
       regions_(complex.region_count) {}
 
 int Atoms::Atom::dimension() const {

@@ -73,8 +73,16 @@ class MergedList {
 class Removal {
  public:
   Removal(const Complex& complex, BooleanOp op, bool dominant, const Group& a, const Group& b)
-      : complex_(complex), op_(op), dominant_(dominant), a_(a), b_(b), in_a_(complex, a), in_b_(complex, b),
-        faces_(complex.face_count()), edges_(complex.edge_count()), vertices_(complex.points.size()),
+      : complex_(complex),
+        op_(op),
+        dominant_(dominant),
+        a_(a),
+        b_(b),
+        in_a_(complex, a),
+        in_b_(complex, b),
+        faces_(complex.face_count()),
+        edges_(complex.edge_count()),
+        vertices_(complex.points.size()),
         removed_(table_rows().size(), 0) {
     flag(a.faces, faces_, kA);
     flag(b.faces, faces_, kB);
@@ -418,8 +426,8 @@ Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const
   const auto edges = complex.vertex_edges[v];
   const auto faces = complex.vertex_faces[v];
   const auto kept = [&](auto id) { return result.has(id); };
-  const bool bounds = std::any_of(edges.begin(), edges.end(), kept) ||
-                      std::any_of(faces.begin(), faces.end(), kept);
+  const bool bounds =
+      std::any_of(edges.begin(), edges.end(), kept) || std::any_of(faces.begin(), faces.end(), kept);
   return judge(complex, op, dominance, a, b, result, v, 0, bounds);
 }
 

@@ -16,9 +16,9 @@ namespace cnrg {
 
 /// Two materials of operands in one region of the result, where dominance does not decide.
 struct MaterialConflict {
-  std::uint32_t region = 0;      ///< region of the result, from 1; 0 in a step of a fold that is over
-  RegionMaterial kept, other;    ///< `kept` is the left operand's
-  CellSet cells;                 ///< where `other` gave way
+  std::uint32_t region = 0;    ///< region of the result, from 1; 0 in a step of a fold that is over
+  RegionMaterial kept, other;  ///< `kept` is the left operand's
+  CellSet cells;               ///< where `other` gave way
 };
 
 struct BooleanResult {
@@ -50,12 +50,12 @@ Group regularize(const Complex& complex, const Group& g);
 
 /// What became of one entity of the operands at one node, for `cnrg explain`.
 struct Verdict {
-  bool entity = false;           ///< of one of the operands; otherwise nothing else is set
+  bool entity = false;  ///< of one of the operands; otherwise nothing else is set
   Relation relation = Relation::common;
-  bool swapped = false;          ///< the right operand is A
-  bool bounds_kept = false;      ///< kept since it bounds a kept face or edge; the row was not asked
+  bool swapped = false;      ///< the right operand is A
+  bool bounds_kept = false;  ///< kept since it bounds a kept face or edge; the row was not asked
   bool removed = false;
-  const TableRow* row = nullptr; ///< the row of its relation
+  const TableRow* row = nullptr;  ///< the row of its relation
   friend bool operator==(const Verdict&, const Verdict&) = default;
 };
 Verdict verdict(const Complex& complex, BooleanOp op, Dominance dominance, const Group& a, const Group& b,

@@ -73,14 +73,15 @@ struct PairKey {
   Pair pair;
   friend auto operator<=>(const PairKey&, const PairKey&) = default;
 };
-PairKey key_of(Pair pair) {
-  return {pair.second == 0 ? 0 : pair.first != 0 ? 1 : 2, pair};
-}
+PairKey key_of(Pair pair) { return {pair.second == 0 ? 0 : pair.first != 0 ? 1 : 2, pair}; }
 
 class Overlay {
  public:
   Overlay(const Components& x, const Components& y, bool x_alone, bool both, bool y_alone)
-      : x_(x), y_(y), wanted_{x_alone, both, y_alone}, from_x_(x.origins.sets, out_.value.origins.sets),
+      : x_(x),
+        y_(y),
+        wanted_{x_alone, both, y_alone},
+        from_x_(x.origins.sets, out_.value.origins.sets),
         from_y_(y.origins.sets, out_.value.origins.sets) {}
 
   ComponentsResult run(std::optional<Dominance> dominance) {

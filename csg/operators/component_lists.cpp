@@ -46,9 +46,9 @@ std::vector<int> dimensions(const Components& x) {
 
 Rational largest_dominance(const Components& x) {
   if (x.attributes.empty()) return 0;
-  return std::max_element(x.attributes.begin(), x.attributes.end(), [](const auto& a, const auto& b) {
-           return a.dominance < b.dominance;
-         })->dominance;
+  return std::max_element(x.attributes.begin(), x.attributes.end(),
+                          [](const auto& a, const auto& b) { return a.dominance < b.dominance; })
+      ->dominance;
 }
 
 std::vector<CellSet> supports(const Components& x) {

@@ -51,9 +51,8 @@ std::vector<std::vector<Item>> find_clusters(BooleanOp op, const std::vector<Ite
   }
   const BoxPairs pairs(boxes);
   for (std::size_t part = 0; part < pairs.part_count(); ++part) {
-    pairs.find(part, [&](std::uint32_t x, std::uint32_t y) {
-      meet(bounded[pairs.item(x)], bounded[pairs.item(y)]);
-    });
+    pairs.find(part,
+               [&](std::uint32_t x, std::uint32_t y) { meet(bounded[pairs.item(x)], bounded[pairs.item(y)]); });
   }
   std::vector<std::vector<Item>> clusters;
   std::vector<std::uint32_t> number(items.size(), 0);  // 1 + index

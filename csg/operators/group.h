@@ -18,9 +18,9 @@ namespace cnrg {
 
 /// What people say of a region; combined by dominance.
 struct RegionAttributes {
-  std::string name{};              ///< may be empty
-  RegionMaterial material{};       ///< empty: none; a grade is placed in the space of the complex
-  std::vector<LeafId> leaves{};    ///< provenance: leaves with a region there, ascending
+  std::string name{};            ///< may be empty
+  RegionMaterial material{};     ///< empty: none; a grade is placed in the space of the complex
+  std::vector<LeafId> leaves{};  ///< provenance: leaves with a region there, ascending
 };
 
 struct Group {
@@ -29,7 +29,7 @@ struct Group {
   std::vector<FaceId> faces;
   std::vector<EdgeId> edges;
   std::vector<VertexId> vertices;
-  Features features;                                      ///< subsets of `edges` and `vertices`
+  Features features;  ///< subsets of `edges` and `vertices`
   /// Parallel to `vertices`, `edges` and `faces`; cells inside of regions came from the region's leaves.
   Origins origins;
   Rational dominance = 0;

@@ -16,8 +16,8 @@
 #include <tuple>
 
 #include "csg/operators/boolean.h"
-#include "kernel/selection/curve.h"
 #include "kernel/base/sorted.h"
+#include "kernel/selection/curve.h"
 
 namespace cnrg {
 namespace {
@@ -109,9 +109,15 @@ class CurvedPatches {
 class LeafGroups {
  public:
   explicit LeafGroups(const Complex& complex)
-      : complex_(complex), groups_(complex.leaf_count), curved_(complex), only_source_(complex.face_count()),
-        faces_(complex.face_count()), edges_(complex.edge_count()), edge_features_(complex.edge_count()),
-        vertices_(complex.points.size()), vertex_features_(complex.points.size()) {}
+      : complex_(complex),
+        groups_(complex.leaf_count),
+        curved_(complex),
+        only_source_(complex.face_count()),
+        faces_(complex.face_count()),
+        edges_(complex.edge_count()),
+        edge_features_(complex.edge_count()),
+        vertices_(complex.points.size()),
+        vertex_features_(complex.points.size()) {}
 
   std::vector<Group> run(const std::vector<std::vector<RegionAttributes>>& attributes) {
     const auto face = [](std::size_t i) { return FaceId(i); };
@@ -126,11 +132,26 @@ class LeafGroups {
     look_at(edges, [&](std::size_t i, Nearby& nearby) { look_at_edge(edge(i), i / kBlock, nearby); });
     look_at(vertices, [&](std::size_t i, Nearby& nearby) { look_at_vertex(vertex(i), i / kBlock, nearby); });
     tbb::parallel_invoke(
-        [&] { deal(faces_, faces, face, [](Group& g) -> auto& { return g.faces; }); },
-        [&] { deal(edges_, edges, edge, [](Group& g) -> auto& { return g.edges; }); },
-        [&] { deal(edge_features_, edges, edge, [](Group& g) -> auto& { return g.features.edges; }); },
-        [&] { deal(vertices_, vertices, vertex, [](Group& g) -> auto& { return g.vertices; }); },
-        [&] { deal(vertex_features_, vertices, vertex, [](Group& g) -> auto& { return g.features.vertices; }); });
+        [&] {
+          deal(
+              faces_, faces, face, [](Group & g) -> auto& { return g.faces; });
+        },
+        [&] {
+          deal(
+              edges_, edges, edge, [](Group & g) -> auto& { return g.edges; });
+        },
+        [&] {
+          deal(
+              edge_features_, edges, edge, [](Group & g) -> auto& { return g.features.edges; });
+        },
+        [&] {
+          deal(
+              vertices_, vertices, vertex, [](Group & g) -> auto& { return g.vertices; });
+        },
+        [&] {
+          deal(
+              vertex_features_, vertices, vertex, [](Group & g) -> auto& { return g.features.vertices; });
+        });
     const auto labelled = label_regions();
     tbb::parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t leaf) {
       regions(LeafId(leaf), labelled[leaf], leaf < attributes.size() ? attributes[leaf] : kNoAttributes);
@@ -267,9 +288,8 @@ class LeafGroups {
     }
     if (pieces.size() < 2 || pieces.front().use == pieces.back().use) return true;
     // Two uses at least: there are two pieces when each use has one, as often as it may be covered.
-    const auto first_of_back = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& p) {
-      return p.use != pieces.front().use;
-    });
+    const auto first_of_back =
+        std::find_if(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.use != pieces.front().use; });
     return std::any_of(std::next(pieces.begin()), pieces.end(), [&](const Piece& p) {
       const bool third = p.use != pieces.front().use && p.use != first_of_back->use;
       return third || parts(complex_.sources[pieces.front().source], complex_.sources[p.source]);
@@ -323,8 +343,8 @@ class LeafGroups {
     if (edges.empty() || !complex_.vertex_faces[v].empty() || !complex_.isolated_leaves[v].empty()) return false;
     leaf = edges_[edges[0]];
     return leaf.valid() && leaf != kSeveral && std::all_of(edges.begin(), edges.end(), [&](EdgeId e) {
-      return edges_[e] == leaf && (!edge_features_[e].valid() || edge_features_[e] == leaf);
-    });
+             return edges_[e] == leaf && (!edge_features_[e].valid() || edge_features_[e] == leaf);
+           });
   }
 
   // The feature edges of a leaf at a vertex, in the order of ids: the first two count.

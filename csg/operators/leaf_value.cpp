@@ -40,7 +40,11 @@ class One {
 class LeafValue {
  public:
   LeafValue(const Complex& complex, LeafId leaf, const Group& cells, const CellTable& table)
-      : complex_(complex), leaf_(leaf), cells_(cells), table_(table), point_(complex.points.size()),
+      : complex_(complex),
+        leaf_(leaf),
+        cells_(cells),
+        table_(table),
+        point_(complex.points.size()),
         edge_(complex.edge_count()) {}
 
   Components run(const Transform& transform, const std::vector<RegionAttributes>& attributes) {

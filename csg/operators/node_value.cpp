@@ -40,9 +40,7 @@ const Features& NodeValue::features() const {
   return is_group() ? group().features : none;
 }
 
-const Origins& NodeValue::origins() const {
-  return is_group() ? group().origins : components().origins;
-}
+const Origins& NodeValue::origins() const { return is_group() ? group().origins : components().origins; }
 
 std::size_t NodeValue::component_count() const {
   if (!is_group()) return components().attributes.size();

@@ -1,9 +1,9 @@
 // The value of a node: a group or the components of a CNRG operator, and what each is to the other family.
 //
 // A leaf, a group Boolean, and regularize and closure of a group give a group. Every other operator gives
-// components. The complement of a group is the open set space - |X|, as CNRG has it; where a group Boolean takes it
-// directly it stands for the group of its closure, whose unbounded region is a region (pereira2012 4, Fig. 10: a
-// surface minus the complement of a box).
+// components. The complement of a group is the open set space - |X|, as CNRG has it; where a group Boolean takes
+// it directly it stands for the group of its closure, whose unbounded region is a region (pereira2012 4, Fig. 10:
+// a surface minus the complement of a box).
 #pragma once
 
 #include <array>

@@ -38,8 +38,7 @@ class LeafSets {
 /// Brings sets of one table into another, each when it is first met: tables hold no more than their values need.
 class LeafSetMap {
  public:
-  LeafSetMap(const LeafSets& from, LeafSets& to)
-      : from_(from), to_(to), known_(from.size(), LeafSetId::none()) {}
+  LeafSetMap(const LeafSets& from, LeafSets& to) : from_(from), to_(to), known_(from.size(), LeafSetId::none()) {}
   LeafSetId operator()(LeafSetId set) {
     LeafSetId& id = known_[set.index()];
     if (!id.valid()) id = to_.intern(from_[set]);

@@ -23,9 +23,7 @@ using Parts = std::vector<PartRef>;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // A plane has no vertex but those on the frame, which are no entities.
-bool empty(const Group& g) {
-  return g.cells.empty() && !g.has_entities();
-}
+bool empty(const Group& g) { return g.cells.empty() && !g.has_entities(); }
 
 bool reaches_frame(const Complex& complex, const Group& g) {
   if (!complex.frame.valid()) return false;
@@ -53,8 +51,8 @@ float rounded_up(double x) {
 
 // Entities and bounded regions lie in the hull of the vertices.
 PartBox box_of(const Complex& complex, const Group& g) {
-  const bool unbounded = std::any_of(g.cells.begin(), g.cells.end(),
-                                     [&](const auto& cell) { return complex.unbounded(cell.first); });
+  const bool unbounded =
+      std::any_of(g.cells.begin(), g.cells.end(), [&](const auto& cell) { return complex.unbounded(cell.first); });
   if (unbounded || reaches_frame(complex, g)) {
     return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}};
   }
@@ -169,8 +167,10 @@ Group merge(const std::vector<const Part*>& parts) {
   merge_entities(
       parts, sets, [](const Group& g) -> const auto& { return g.vertices; },
       [](const Group& g) -> const auto& { return g.origins.vertices; }, out.vertices, out.origins.vertices);
-  out.features.edges = merged(parts, [](const Group& g) -> const auto& { return g.features.edges; });
-  out.features.vertices = merged(parts, [](const Group& g) -> const auto& { return g.features.vertices; });
+  out.features.edges = merged(
+      parts, [](const Group& g) -> const auto& { return g.features.edges; });
+  out.features.vertices = merged(
+      parts, [](const Group& g) -> const auto& { return g.features.vertices; });
   return out;
 }
 
@@ -240,7 +240,7 @@ class PartedBoolean {
     const bool right_stays = carry(right.parts, swapped ? Relation::a_out_b : Relation::b_out_a, dominant);
     if (measured(left) && measured(right)) {
       const bool from_right = right_stays && (!left_stays || right.parts.size() > left.parts.size());
-      out.group.totals = from_right    ? carried(right, busy_right_, left.parts)
+      out.group.totals = from_right   ? carried(right, busy_right_, left.parts)
                          : left_stays ? carried(left, busy_left_, right.parts)
                                       : Totals{};
     }
@@ -406,8 +406,7 @@ const CellCounts& Part::counts(const Complex& complex) const {
     const GroupSources sources(group_);
     counts_.raw = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
                    selection.regions.size()};
-    counts_.simplified = simplified_counts(complex, selection, group_.features, SimplifyMode::features,
-                                           &sources);
+    counts_.simplified = simplified_counts(complex, selection, group_.features, SimplifyMode::features, &sources);
   });
   return counts_;
 }

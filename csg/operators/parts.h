@@ -31,7 +31,7 @@ struct PartBox {
 
 /// Active cells of a value by dimension.
 struct CellCounts {
-  std::array<std::size_t, 4> raw{};         ///< as the refinement has them
+  std::array<std::size_t, 4> raw{};  ///< as the refinement has them
   std::array<std::size_t, 4> simplified{};
 };
 
@@ -65,9 +65,7 @@ struct Totals {
   std::size_t regions = 0, unbounded = 0;  ///< all of them; those without a volume
   Rational bounded_volume = 0;
   /// Of all regions; nothing when one is unbounded.
-  std::optional<Rational> volume() const {
-    return unbounded == 0 ? std::optional(bounded_volume) : std::nullopt;
-  }
+  std::optional<Rational> volume() const { return unbounded == 0 ? std::optional(bounded_volume) : std::nullopt; }
   void add(const Complex& complex, const Part& part);
   void remove(const Complex& complex, const Part& part);
 };
@@ -140,7 +138,6 @@ struct PartedResult {
 
 /// A op B as `apply` has it for whole groups, with the same removals and conflicts. Operands that are not needed
 /// any more are to be moved in.
-PartedResult apply(const Complex& complex, BooleanOp op, Dominance dominance, PartedGroup left,
-                   PartedGroup right);
+PartedResult apply(const Complex& complex, BooleanOp op, Dominance dominance, PartedGroup left, PartedGroup right);
 
 }  // namespace cnrg

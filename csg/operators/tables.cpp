@@ -190,8 +190,7 @@ bool holds(Condition condition, const FaceSides& s) {
     case Condition::one_region_b: return s.regions_of_b() == 1;
     case Condition::opposite_regions:
       return s.regions_of_a() == 1 && s.regions_of_b() == 1 && (s.a[0] != 0) != (s.b[0] != 0);
-    case Condition::parts_or_hangs_in_b:
-      return s.regions_of_b() == 2 || (s.regions_of_b() == 0 && s.b[0] != 0);
+    case Condition::parts_or_hangs_in_b: return s.regions_of_b() == 2 || (s.regions_of_b() == 0 && s.b[0] != 0);
     case Condition::no_new_region: return s.regions_of_b() != 1;
     case Condition::no_side_survives: {
       const bool survives = (s.a[0] != 0 && s.b[0] == 0) || (s.a[1] != 0 && s.b[1] == 0);

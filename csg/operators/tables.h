@@ -74,7 +74,7 @@ enum class Condition : std::uint8_t {
 const char* words(Condition condition);
 
 struct TableRow {
-  const char* id;       ///< such as `union.face.AinB.equal`
+  const char* id;  ///< such as `union.face.AinB.equal`
   BooleanOp op;
   Standing standing;
   std::uint8_t dimension;

@@ -12,8 +12,8 @@
 namespace cnrg {
 
 /// One line per listed edge of the simplified complex: the faces and regions about it in radial order,
-/// counter-clockwise as seen with the edge pointing towards the viewer (weiler1986); at most `most` lines, then how
-/// many more. Faces are called as `cnrg locate` calls them, regions by `component_name`.
+/// counter-clockwise as seen with the edge pointing towards the viewer (weiler1986); at most `most` lines, then
+/// how many more. Faces are called as `cnrg locate` calls them, regions by `component_name`.
 std::string radial_orders_text(const Complex& complex, const SimplifiedComplex& simplified,
                                std::span<const RegionAttributes> components, std::span<const std::uint32_t> edges,
                                std::size_t most = 12);

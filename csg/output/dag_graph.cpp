@@ -19,7 +19,8 @@ std::string label_of(const NodeRow& row) {
   const auto& [v, e, f, r] = row.cells;
   std::string text = row.name + "\n" + row.operator_name + "\n" + std::to_string(v) + " v  " + std::to_string(e) +
                      " e  " + std::to_string(f) + " f  " + std::to_string(r) + " r";
-  if (!row.is_group) text += "\n" + std::to_string(row.components) + (row.components == 1 ? " component" : " components");
+  if (!row.is_group)
+    text += "\n" + std::to_string(row.components) + (row.components == 1 ? " component" : " components");
   if (row.regions == 0) return text;
   const std::optional<Rational>& volume = row.volume();
   return text + "\nvolume " + (volume ? to_decimal(*volume) : "unbounded");

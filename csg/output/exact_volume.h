@@ -19,8 +19,8 @@ class ExactVolume {
   Rational value() const;
 
  private:
-  std::vector<Integer> scaled_;           ///< three for each point
-  long exponent_ = 0;                     ///< the unit is 2^exponent
+  std::vector<Integer> scaled_;  ///< three for each point
+  long exponent_ = 0;            ///< the unit is 2^exponent
   Integer six_ = 0;
 };
 

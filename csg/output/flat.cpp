@@ -2,18 +2,18 @@
 // fronts by what is outside, triangles.
 #include "csg/output/flat.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <numeric>
 #include <span>
 
-#include <tbb/parallel_sort.h>
-
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
+#include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/triangulate.h"
 #include "kernel/selection/canonical.h"
-#include "kernel/base/parallel.h"
 
 namespace cnrg {
 namespace {
@@ -52,7 +52,9 @@ void put_in_order(std::vector<Loop>& loops) {
 class Flattener {
  public:
   explicit Flattener(const ResultView& view)
-      : view_(view), complex_(*view.complex), simple_(*view.simplified),
+      : view_(view),
+        complex_(*view.complex),
+        simple_(*view.simplified),
         points_(cnrg::put_in_order(complex_, simple_)),
         of_group_(view.value->is_group() ? components_of(complex_, view.value->group()) : Components{}),
         value_(view.value->is_group() ? of_group_ : view.value->components()) {}
@@ -71,15 +73,15 @@ class Flattener {
  private:
   const ResultView& view_;
   const Complex& complex_;
-  SimplifiedComplex simple_;               // in canonical order
+  SimplifiedComplex simple_;  // in canonical order
   const CanonicalPoints points_;
-  const Components of_group_;              // a group as components
+  const Components of_group_;  // a group as components
   const Components& value_;
   FlatComplex flat_;
-  IdVector<EdgeId, Index> edge_of_;        // simplified edge that holds an edge of the complex
-  std::vector<unsigned> walks_;            // how often listed faces walk each simplified edge
+  IdVector<EdgeId, Index> edge_of_;  // simplified edge that holds an edge of the complex
+  std::vector<unsigned> walks_;      // how often listed faces walk each simplified edge
   std::vector<char> slit_;
-  std::vector<unsigned char> flipped_;      // faces whose front is not that of the simplified complex
+  std::vector<unsigned char> flipped_;  // faces whose front is not that of the simplified complex
 
   void count_walks() {
     edge_of_.assign(complex_.edge_count(), kNone);
@@ -93,7 +95,7 @@ class Flattener {
       for (const auto& loop : simple_.faces[i].loops) {
         for (const HalfEdge h : loop) {
           const Index e = edge_of_[h.edge()];
-          if (e == kNone) continue;        // on the frame
+          if (e == kNone) continue;  // on the frame
           ++walks_[e];
           if (walked_by[h.edge()] == i) slit_[e] = 1;
           walked_by[h.edge()] = i;
@@ -121,8 +123,8 @@ class Flattener {
   }
 
   template <class IdT>
-  void add_origin(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& sets,
-                  IdT cell, FlatComplex::Provenance& origin) const {
+  void add_origin(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& sets, IdT cell,
+                  FlatComplex::Provenance& origin) const {
     const std::size_t k = place_in(list, cell);
     if (k == list.size()) return;
     const auto leaves = value_.origins.sets[sets[k]];

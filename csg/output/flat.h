@@ -24,7 +24,7 @@ namespace cnrg {
 struct FlatComplex {
   using Index = std::uint32_t;
   static constexpr Index kNone = 0xffffffffu;
-  using Loop = std::vector<Index>;        ///< point numbers
+  using Loop = std::vector<Index>;  ///< point numbers
 
   /// Where an active cell came from, over all cells of the complex that it unites (of its own dimension): the
   /// leaves and their faces, wires, points and regions that hold it. Both ascending; empty for inactive cells.
@@ -37,36 +37,36 @@ struct FlatComplex {
   struct Vertex {
     Index point = 0;
     Component component = 0;
-    bool entity = false;                  ///< active, and not just the interior of a region of its component
-    bool feature = false;                 ///< of the group; of components: of the groups they were made of
-    bool free = false;                    ///< no listed edge ends there (it may lie inside of a face)
-    Index region = kNone;                 ///< the region that holds a vertex on no edge and no face
+    bool entity = false;   ///< active, and not just the interior of a region of its component
+    bool feature = false;  ///< of the group; of components: of the groups they were made of
+    bool free = false;     ///< no listed edge ends there (it may lie inside of a face)
+    Index region = kNone;  ///< the region that holds a vertex on no edge and no face
     Provenance origin;
   };
   struct Edge {
-    Loop points;                          ///< from end to end; a closed chain does not repeat the first
+    Loop points;  ///< from end to end; a closed chain does not repeat the first
     bool closed = false;
     Component component = 0;
     bool entity = false, feature = false;
-    bool wire = false;                    ///< no listed face has it on its boundary
-    bool slit = false;                    ///< a face walks it twice
-    Index region = kNone;                 ///< the region that holds a wire
+    bool wire = false;     ///< no listed face has it on its boundary
+    bool slit = false;     ///< a face walks it twice
+    Index region = kNone;  ///< the region that holds a wire
     Provenance origin;
   };
   struct Facet {
-    std::vector<Loop> loops;              ///< outer first, seen from the front counter-clockwise, holes clockwise
+    std::vector<Loop> loops;  ///< outer first, seen from the front counter-clockwise, holes clockwise
     std::vector<Index> isolated;
     friend auto operator<=>(const Facet&, const Facet&) = default;
   };
   struct Face {
-    std::vector<Loop> loops;              ///< boundary walks, the face to the left as seen from the front
-    std::vector<Index> isolated;          ///< vertices in the interior, by point
-    std::vector<Facet> facets;            ///< of a face that is not flat; empty for a flat one
+    std::vector<Loop> loops;                      ///< boundary walks, the face to the left as seen from the front
+    std::vector<Index> isolated;                  ///< vertices in the interior, by point
+    std::vector<Facet> facets;                    ///< of a face that is not flat; empty for a flat one
     std::vector<std::array<Index, 3>> triangles;  ///< counter-clockwise as seen from the front
-    std::vector<Index> facet_ends;        ///< of a face that is not flat: where the triangles of each facet end
+    std::vector<Index> facet_ends;  ///< of a face that is not flat: where the triangles of each facet end
     Component component = 0;
     bool entity = false;
-    std::array<Index, 2> regions{kNone, kNone};   ///< on front and back
+    std::array<Index, 2> regions{kNone, kNone};  ///< on front and back
     Provenance origin;
     /// The patch that covers all of it, if there is one; of the leaves that it came from if possible.
     std::optional<Patch> patch;
@@ -77,13 +77,13 @@ struct FlatComplex {
   struct Region {
     Component component = 0;
     bool bounded = true;
-    std::vector<std::vector<Index>> shells;       ///< face * 2 + side (0: front), ascending in each
-    std::vector<RegionId> cells;                  ///< 3-cells of the complex
+    std::vector<std::vector<Index>> shells;  ///< face * 2 + side (0: front), ascending in each
+    std::vector<RegionId> cells;             ///< 3-cells of the complex
     Provenance origin;
   };
 
-  std::vector<VertexId> points;           ///< ascending by coordinates
-  std::vector<Index> frame_points;        ///< points on the frame of unbounded leaves, ascending
+  std::vector<VertexId> points;     ///< ascending by coordinates
+  std::vector<Index> frame_points;  ///< points on the frame of unbounded leaves, ascending
   std::vector<Vertex> vertices;
   std::vector<Edge> edges;
   std::vector<Face> faces;

@@ -4,7 +4,8 @@
 //   "format": "cnrg result", "version": 1, "node": name, "group": true | false, "dominance": fraction of a group,
 //   "leaves": [{"name"}],
 //   "materials": [{"name", "color"}],
-//   "grades": [{"material", "placement": {"linear": [row], "offset"}, "linear": {"from", "to"} or "distance": {"to",
+//   "grades": [{"material", "placement": {"linear": [row], "offset"}, "linear": {"from", "to"} or "distance":
+//   {"to",
 //     "points", "vertices", "segments", "triangles"}, "stops": [{"at", "mixture"}]}],   if a material is graded
 //   "components": [{"name", "material", "grade", "dominance", "leaves": [leaf]}],   component i is at [i - 1]
 //   "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted
@@ -31,13 +32,13 @@
 // over all cells that simplification united in it: [{"leaf", "faces": [...], "edges": [...], "point": true,
 // "regions": [...]}], by the leaf's own numbers; what is empty is left out. Edges are wires, a point is isolated,
 // regions count from 1.
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <span>
 #include <nlohmann/json.hpp>
-
-#include <tbb/parallel_for.h>
+#include <span>
 
 #include "csg/output/formats.h"
 #include "csg/output/json_text.h"
@@ -49,9 +50,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Index = FlatComplex::Index;
 
-std::string line_of(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
+std::string line_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 void append_quoted(std::string& text, const Rational& value) { (((text += '"') += to_string(value)) += '"'); }
 

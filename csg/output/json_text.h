@@ -11,7 +11,7 @@
 namespace cnrg {
 
 template <class T>
-  requires std::is_integral_v<T>
+requires std::is_integral_v<T>
 void append_json(std::string& text, T value) {
   if constexpr (std::is_same_v<T, bool>) {
     text += value ? "true" : "false";
@@ -35,7 +35,7 @@ void append_json(std::string& text, const List& list, Write write) {
 
 /// A list of numbers or of lists of them.
 template <class List>
-  requires requires(const List& list) { list.begin(); }
+requires requires(const List& list) { list.begin(); }
 void append_json(std::string& text, const List& list) {
   append_json(text, list, [&](const auto& item) { append_json(text, item); });
 }

@@ -68,8 +68,9 @@ class Grouper {
     group(2, flat_.faces, [&](const auto& f) { return key_of_face(f); });
     group_sources();
     group(1, flat_.edges, [&](const auto& e) { return e.wire ? Key{1, "wire" + of_leaf(e.origin, 1)} : Key{}; });
-    group(0, flat_.vertices,
-          [&](const auto& v) { return v.free ? Key{1, "point" + of_leaf(v.origin, 0)} : Key{}; });
+    group(0, flat_.vertices, [&](const auto& v) {
+      return v.free ? Key{1, "point" + of_leaf(v.origin, 0)} : Key{};
+    });
     return std::move(groups_);
   }
 

@@ -33,8 +33,8 @@ class MshWriter {
     for (char& c : comment) {
       if (static_cast<unsigned char>(c) < ' ' || c == '$') c = ' ';
     }
-    text_ = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nnode " + comment +
-            ", written by cnrg\n$EndComments\n";
+    text_ =
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nnode " + comment + ", written by cnrg\n$EndComments\n";
     add_names();
     find_boxes();
     add_entities();
@@ -132,9 +132,10 @@ class MshWriter {
     std::vector<Place> places(mesh_.points.size());
     for (Index p = 0; p < places.size(); ++p) places[p].point = p;
     const auto claim = [&](std::uint32_t d, const auto& simplices) {
-      for (const auto& s : simplices) for (const Index p : s.points) {
-        if (places[p].dimension != d) places[p] = {d, s.entity, p};
-      }
+      for (const auto& s : simplices)
+        for (const Index p : s.points) {
+          if (places[p].dimension != d) places[p] = {d, s.entity, p};
+        }
     };
     claim(3, mesh_.tetrahedra);
     claim(2, mesh_.triangles);

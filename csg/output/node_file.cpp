@@ -102,8 +102,9 @@ void check_mesh_file_name(const std::string& path) {
   const std::string extension = extension_of(path);
   if (extension == ".msh" || extension == ".mesh" || extension == ".vtu") return;
   const bool surface = extension == ".smesh" || extension == ".poly";
-  throw InputError(path + (surface ? ": this format holds faces and no tetrahedra; `cnrg eval -o` writes it"
-                                   : ": no writer of tetrahedra for the extension `" + extension + "`") +
+  throw InputError(path +
+                   (surface ? ": this format holds faces and no tetrahedra; `cnrg eval -o` writes it"
+                            : ": no writer of tetrahedra for the extension `" + extension + "`") +
                    "; use one of .msh .mesh .vtu");
 }
 

@@ -27,8 +27,8 @@ SnappedResult snap(const Tree& tree, const Evaluation& evaluation, NodeId node, 
 
 /// How a node is shown in a file.
 struct FileOptions {
-  bool parameters = false;                  ///< ResultView::parameters, for the exact result only
-  const SnappedResult* snapped = nullptr;   ///< shown in its place where the format is not exact
+  bool parameters = false;                 ///< ResultView::parameters, for the exact result only
+  const SnappedResult* snapped = nullptr;  ///< shown in its place where the format is not exact
 };
 
 /// Writes a kept node of an evaluation of `tree` as `write` (writer.h) does: with the node's name, the tree's

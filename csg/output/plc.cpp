@@ -36,7 +36,7 @@ class PlcMaker {
   const FlatComplex& flat_;
   const RoundedResult& rounded_;
   const PlcFacets facets_;
-  PointTable table_;                      // the rounded points, by their numbers
+  PointTable table_;  // the rounded points, by their numbers
   Plc plc_;
 
   Vector at(Index p) const { return plc_.points[p]; }
@@ -135,8 +135,8 @@ class PlcMaker {
     std::array<Index, 3> best{};
     for (const auto& t : triangulate(table, axes, std::span(&walk, 1))) {
       const Vector p = at(loop[t[0].index()]), q = at(loop[t[1].index()]), r = at(loop[t[2].index()]);
-      const double area = (q[axes.u] - p[axes.u]) * (r[axes.v] - p[axes.v]) -
-                          (q[axes.v] - p[axes.v]) * (r[axes.u] - p[axes.u]);
+      const double area =
+          (q[axes.u] - p[axes.u]) * (r[axes.v] - p[axes.v]) - (q[axes.v] - p[axes.v]) * (r[axes.u] - p[axes.u]);
       if (area <= most) continue;
       most = area;
       for (std::size_t k = 0; k < 3; ++k) {

@@ -18,16 +18,16 @@ namespace cnrg {
 
 struct RegionGraph {
   struct Node {
-    Component component = 0;       ///< 0: outside
-    std::string name, material;    ///< as `component_name` has it
+    Component component = 0;     ///< 0: outside
+    std::string name, material;  ///< as `component_name` has it
   };
   struct Edge {
     std::array<std::uint32_t, 2> nodes{};  ///< indices, ascending
-    std::size_t faces = 0;         ///< simplified faces of the wall
+    std::size_t faces = 0;                 ///< simplified faces of the wall
     friend bool operator==(const Edge&, const Edge&) = default;
   };
-  std::vector<Node> nodes;         ///< by component
-  std::vector<Edge> edges;         ///< by nodes
+  std::vector<Node> nodes;  ///< by component
+  std::vector<Edge> edges;  ///< by nodes
 
   /// The part of the graph, from 0, that each node is connected with; `skip_outside`: as if the outside were not
   /// there (it is then a part of its own).

@@ -33,9 +33,9 @@ double hit(const Vector& p, const Vector& d, const Vector& a, const Vector& b, c
 struct RoundedResult::Data {
   Redrawing drawn;
   Locator locator;
-  std::vector<Index> first_triangle;        // in the drawing, of each face
-  std::vector<HalfFace> front;              // of each triangle of the drawing
-  std::vector<RegionId> region;             // of the rounded complex, for each region of the result
+  std::vector<Index> first_triangle;  // in the drawing, of each face
+  std::vector<HalfFace> front;        // of each triangle of the drawing
+  std::vector<RegionId> region;       // of the rounded complex, for each region of the result
   explicit Data(Redrawing redrawing) : drawn(std::move(redrawing)), locator(drawn.complex) {}
 };
 
@@ -86,7 +86,8 @@ void RoundedResult::match_regions() {
     if (!region.valid()) continue;
     same = same && owner.try_emplace(region, i).second && (region == RegionId(0)) == !flat_.regions[i].bounded;
     if (!same) {
-      throw InputError(format_ + " holds doubles, and rounding to them moves a part of the result through a wall; "
+      throw InputError(format_ +
+                       " holds doubles, and rounding to them moves a part of the result through a wall; "
                        "use --snap, or write .json, which is exact");
     }
   }
@@ -96,7 +97,8 @@ void RoundedResult::match_wires_and_points() const {
   const Complex& complex = data_->drawn.complex;
   const auto check = [&](RegionId found, Index region) {
     if (region == kNone || !data_->region[region].valid() || found == data_->region[region]) return;
-    throw InputError(format_ + " holds doubles, and rounding to them moves a wire or a point through a wall; use "
+    throw InputError(format_ +
+                     " holds doubles, and rounding to them moves a wire or a point through a wall; use "
                      "--snap, or write .json, which is exact");
   };
   for (const auto& edge : flat_.edges) {
@@ -161,7 +163,8 @@ Vector RoundedResult::seed(Index region) const {
     }
     proposals.clear();
   }
-  throw InputError(format_ + " needs a point of doubles inside of every region, and one region is too thin for "
+  throw InputError(format_ +
+                   " needs a point of doubles inside of every region, and one region is too thin for "
                    "that; make it thicker, or move the model nearer to the origin");
 }
 

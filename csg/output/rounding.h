@@ -12,7 +12,7 @@ namespace cnrg {
 /// The doubles of a flattened result, by point number.
 struct RoundedPoints {
   std::vector<std::array<double, 3>> xyz;
-  std::size_t moved = 0;                  ///< points whose doubles are not their exact coordinates
+  std::size_t moved = 0;  ///< points whose doubles are not their exact coordinates
 };
 /// Throws InputError when a coordinate is beyond the range of double.
 RoundedPoints round_points(const ResultView& view, const FlatComplex& flat);
@@ -27,7 +27,7 @@ struct Drawing {
 /// The rounded triangles, segments and points refined exactly; triangle t of the drawing is leaf face t there.
 struct Redrawing {
   Complex complex;
-  std::size_t points = 0, edges = 0, triangles = 0;    ///< that were put in
+  std::size_t points = 0, edges = 0, triangles = 0;  ///< that were put in
   /// True if they meet only where they share points: nothing was cut, merged or lost.
   bool is_embedded() const {
     return complex.vertex_count() == points && complex.edge_count() == edges && complex.face_count() == triangles;

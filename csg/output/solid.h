@@ -10,8 +10,8 @@
 namespace cnrg {
 
 struct SolidBoundary {
-  std::vector<FlatComplex::Index> points;                ///< used ones, ascending
-  std::vector<std::array<std::uint32_t, 3>> triangles;   ///< places in `points`; normals point out of the solid
+  std::vector<FlatComplex::Index> points;               ///< used ones, ascending
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< places in `points`; normals point out of the solid
 };
 
 /// Throws InputError if `format` (such as `OFF`) can not hold the result: an unbounded region, cells that are

@@ -59,8 +59,8 @@ std::array<double, 3> normal(const RoundedSolid& solid, const std::array<std::ui
 
 FileText off_text(const ResultView& view) {
   const RoundedSolid solid = rounded_solid(view, "OFF");
-  std::string text = "OFF\n" + std::to_string(solid.points.size()) + " " + std::to_string(solid.triangles.size()) +
-                     " 0\n";
+  std::string text =
+      "OFF\n" + std::to_string(solid.points.size()) + " " + std::to_string(solid.triangles.size()) + " 0\n";
   append_points(text, solid);
   append_triangles(text, solid);
   return {std::move(text), solid.rounding};

@@ -40,16 +40,19 @@ class SurfaceMesher {
   CellTagger tagger_;
   MeshGroups groups_;
   Mesh mesh_;
-  std::vector<Index> point_;                            // entity of dimension 0 and point of the mesh, or kNone
-  std::unordered_map<std::uint64_t, Index> segment_;    // entity of dimension 1 between two points
-  std::vector<std::array<Index, 2>> facets_;            // of each face: entities of dimension 2, first and end
+  std::vector<Index> point_;                          // entity of dimension 0 and point of the mesh, or kNone
+  std::unordered_map<std::uint64_t, Index> segment_;  // entity of dimension 1 between two points
+  std::vector<std::array<Index, 2>> facets_;          // of each face: entities of dimension 2, first and end
 
   /// Every point that something has is an entity; those that are vertices of the result are features.
   void number_points() {
     point_.assign(flat_.points.size(), kNone);
     const auto use = [&](Index p) { point_[p] = 0; };
-    for (const auto& f : flat_.faces) for (const auto& t : f.triangles) for (const Index p : t) use(p);
-    for (const auto& e : flat_.edges) for (const Index p : e.points) use(p);
+    for (const auto& f : flat_.faces)
+      for (const auto& t : f.triangles)
+        for (const Index p : t) use(p);
+    for (const auto& e : flat_.edges)
+      for (const Index p : e.points) use(p);
     for (const auto& v : flat_.vertices) use(v.point);
     for (Index p = 0; p < point_.size(); ++p) {
       if (point_[p] == kNone) continue;
@@ -190,7 +193,8 @@ Drawing drawing_of(const FlatComplex& flat) {
   std::vector<char> drawn(flat.points.size(), 0);
   for (const auto& f : flat.faces) {
     drawing.triangles.insert(drawing.triangles.end(), f.triangles.begin(), f.triangles.end());
-    for (const auto& t : f.triangles) for (const Index p : t) drawn[p] = 1;
+    for (const auto& t : f.triangles)
+      for (const Index p : t) drawn[p] = 1;
   }
   for (const auto& e : flat.edges) {
     for (const Index p : e.points) drawn[p] = 1;

@@ -226,8 +226,7 @@ std::string last_line(const std::string& text) {
     case 3: throw InputError("TetGen finds that facets cross (3)" + words + kCoarser);
     case 4: throw InputError("TetGen finds a feature too small for doubles (4)" + words + kCoarser);
     case 5: throw InputError("TetGen finds two facets too close to each other (5)" + words + kCoarser);
-    default:
-      throw InputError("TetGen gave up (" + std::to_string(WEXITSTATUS(status)) + ")" + words + kCoarser);
+    default: throw InputError("TetGen gave up (" + std::to_string(WEXITSTATUS(status)) + ")" + words + kCoarser);
   }
 }
 

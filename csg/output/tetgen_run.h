@@ -14,11 +14,11 @@ struct TetgenResult {
   using Index = std::uint32_t;
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<Index, 4>> tetrahedra;
-  std::vector<std::int32_t> attribute;        ///< of each tetrahedron: place in `Plc::regions` + 1; more: none
+  std::vector<std::int32_t> attribute;  ///< of each tetrahedron: place in `Plc::regions` + 1; more: none
   std::vector<std::array<Index, 3>> triangles;
-  std::vector<std::int32_t> facet;            ///< of each triangle: place in `Plc::facets`; more: on the box
+  std::vector<std::int32_t> facet;  ///< of each triangle: place in `Plc::facets`; more: on the box
   std::vector<std::array<Index, 2>> segments;
-  std::vector<std::int32_t> edge;             ///< of each segment: the edge, or -1 where there is none
+  std::vector<std::int32_t> edge;  ///< of each segment: the edge, or -1 where there is none
 };
 
 /// The box around the complex: equally far away on all sides, or a little further on each than on the one before.

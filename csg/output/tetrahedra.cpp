@@ -46,8 +46,9 @@ class TetrahedraMaker {
     const bool solid = std::any_of(flat_.regions.begin(), flat_.regions.end(),
                                    [](const auto& region) { return region.component != 0; });
     if (!solid) {
-      throw InputError("the result has no region to fill with tetrahedra; `cnrg eval -o` writes its faces, wires "
-                       "and points");
+      throw InputError(
+          "the result has no region to fill with tetrahedra; `cnrg eval -o` writes its faces, wires "
+          "and points");
     }
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
     std::string refused;
@@ -85,12 +86,10 @@ class TetrahedraMaker {
     TetgenFrame frame;
     const char* switches;
   };
-  static constexpr Attempt kAttempts[] = {{PlcFacets::all, TetgenFrame::even, ""},
-                                          {PlcFacets::planar, TetgenFrame::even, "Y"},
-                                          {PlcFacets::planar, TetgenFrame::even, ""},
-                                          {PlcFacets::all, TetgenFrame::uneven, ""},
-                                          {PlcFacets::planar, TetgenFrame::uneven, ""},
-                                          {PlcFacets::planar, TetgenFrame::uneven, "T1e-14"}};
+  static constexpr Attempt kAttempts[] = {
+      {PlcFacets::all, TetgenFrame::even, ""},      {PlcFacets::planar, TetgenFrame::even, "Y"},
+      {PlcFacets::planar, TetgenFrame::even, ""},   {PlcFacets::all, TetgenFrame::uneven, ""},
+      {PlcFacets::planar, TetgenFrame::uneven, ""}, {PlcFacets::planar, TetgenFrame::uneven, "T1e-14"}};
 
   const ResultView& view_;
   const TetrahedraOptions options_;
@@ -99,10 +98,10 @@ class TetrahedraMaker {
   Plc plc_;
   TetgenResult out_;
   TetrahedralMesh result_;
-  std::vector<Index> region_entity_;               // of each region of the result, or kNone
+  std::vector<Index> region_entity_;  // of each region of the result, or kNone
   struct Piece {
     Index edge;
-    bool forward;                                  // the chain runs from the lower number to the higher one
+    bool forward;  // the chain runs from the lower number to the higher one
   };
   std::unordered_map<std::uint64_t, Piece> pieces_;  // of edges, by their ends
 
@@ -255,8 +254,9 @@ class TetrahedraMaker {
     };
     if (!std::all_of(mesh().triangles.begin(), mesh().triangles.end(), kept) ||
         !std::all_of(mesh().segments.begin(), mesh().segments.end(), kept)) {
-      throw InputError("TetGen can not fill the regions without new points on faces or edges; leave out "
-                       "--keep-boundary");
+      throw InputError(
+          "TetGen can not fill the regions without new points on faces or edges; leave out "
+          "--keep-boundary");
     }
   }
 
@@ -423,18 +423,23 @@ class TetrahedraMaker {
       for (auto& s : mesh().tetrahedra) body(s.points);
     };
     std::vector<char> filled(out_.points.size(), 0);
-    for (const auto& t : mesh().tetrahedra) for (const Index p : t.points) filled[p] = 1;
+    for (const auto& t : mesh().tetrahedra)
+      for (const Index p : t.points) filled[p] = 1;
     for (const auto& v : flat_.vertices) {
       const bool inside = v.region != kNone && flat_.active(v.region);
       require(!inside || filled[v.point], "tetrahedra: TetGen lost a point inside of a region");
     }
-    for_all([&](const auto& points) { for (const Index p : points) number[p] = 0; });
+    for_all([&](const auto& points) {
+      for (const Index p : points) number[p] = 0;
+    });
     for (Index p = 0; p < number.size(); ++p) {
       if (number[p] == kNone) continue;
       number[p] = Index(mesh().points.size());
       mesh().points.push_back(out_.points[p]);
     }
-    for_all([&](auto& points) { for (Index& p : points) p = number[p]; });
+    for_all([&](auto& points) {
+      for (Index& p : points) p = number[p];
+    });
   }
 };
 

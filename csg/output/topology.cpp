@@ -112,8 +112,9 @@ std::string euler_text(const SimplifiedEuler& t, bool closed) {
   out += patches ? "  v - (e - eh) + (f - r + fc) - (V - Vh + Vc) = C - Ch + Cc\n"
                  : "  v - e + (f - r) - (V - Vh + Vc) = C - Ch + Cc\n";
   out += "  " + left + " = " + right + side("   (", t.left()) + side(" = ", t.right()) + ")\n";
-  out += "  vertices v, edges e, faces f, rings of faces r; volumes V, their handles Vh and cavities Vc;\n"
-         "  pieces C, holes through the whole Ch, cavities Cc";
+  out +=
+      "  vertices v, edges e, faces f, rings of faces r; volumes V, their handles Vh and cavities Vc;\n"
+      "  pieces C, holes through the whole Ch, cavities Cc";
   out += patches ? "; edges that close without a vertex eh, faces without boundary fc\n" : "\n";
   return out;
 }

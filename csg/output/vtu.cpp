@@ -74,9 +74,11 @@ class VtuWriter {
   void add_vertices() {
     std::vector<char> drawn(flat_.points.size(), 0);
     for (const auto& f : flat_.faces) {
-      for (const auto& t : f.triangles) for (const Index p : t) drawn[p] = 1;
+      for (const auto& t : f.triangles)
+        for (const Index p : t) drawn[p] = 1;
     }
-    for (const auto& e : flat_.edges) for (const Index p : e.points) drawn[p] = 1;
+    for (const auto& e : flat_.edges)
+      for (const Index p : e.points) drawn[p] = 1;
     for (Index i = 0; i < flat_.vertices.size(); ++i) {
       const auto& v = flat_.vertices[i];
       if (v.component == 0) continue;

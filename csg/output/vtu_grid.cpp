@@ -83,11 +83,13 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   std::vector<std::string> regions{"outside"}, materials{"none"}, leaves;
   for (const RegionAttributes& a : view.value->attributes()) regions.push_back(a.name);
   for (const auto& m : view.materials) materials.push_back(m.name);
-  if (view.leaves != nullptr) for (const auto& leaf : *view.leaves) leaves.push_back(leaf.name);
+  if (view.leaves != nullptr)
+    for (const auto& leaf : *view.leaves) leaves.push_back(leaf.name);
   std::vector<double> coordinates;
   for (const auto& p : points) coordinates.insert(coordinates.end(), p.begin(), p.end());
 
-  std::string text = "<?xml version=\"1.0\"?>\n<!-- " + comment(view) + " -->\n"
+  std::string text = "<?xml version=\"1.0\"?>\n<!-- " + comment(view) +
+                     " -->\n"
                      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
                      "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
   append_names(text, "RegionNames", regions);

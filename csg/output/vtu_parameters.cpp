@@ -29,8 +29,7 @@ const std::vector<PatchCorner>* common(const Cells& cells) {
 
 }  // namespace
 
-VtuSplit::VtuSplit(const ResultView& view, const FlatComplex& flat,
-                   const std::vector<std::array<double, 3>>& xyz)
+VtuSplit::VtuSplit(const ResultView& view, const FlatComplex& flat, const std::vector<std::array<double, 3>>& xyz)
     : xyz_(xyz), patches_(flat.faces.size(), 0) {
   parameters_.uv.assign(2 * xyz.size(), std::numeric_limits<double>::quiet_NaN());
   parameters_.names.push_back("none");

@@ -12,12 +12,12 @@ namespace cnrg {
 
 /// What a writer says of a leaf.
 struct LeafInfo {
-  std::string name;                       ///< the node's name in the tree
+  std::string name;  ///< the node's name in the tree
 };
 
 /// One node of an evaluated tree, as writers see it.
 struct ResultView {
-  std::string node{};                     ///< name of the node
+  std::string node{};  ///< name of the node
   const Complex* complex = nullptr;
   const NodeValue* value = nullptr;
   const SimplifiedComplex* simplified = nullptr;
@@ -33,8 +33,8 @@ struct ResultView {
 
 /// What rounding to doubles did to a written file.
 struct RoundingReport {
-  std::size_t moved = 0;                  ///< vertices whose doubles differ from their exact coordinates
-  bool embedded = true;                   ///< the rounded facets still meet only in shared vertices and edges
+  std::size_t moved = 0;  ///< vertices whose doubles differ from their exact coordinates
+  bool embedded = true;   ///< the rounded facets still meet only in shared vertices and edges
 };
 
 /// Throws InputError if no writer knows the extension of `path`: to be asked before long work.

@@ -201,10 +201,8 @@ ProfileLine read_line(const Value& value, const std::string& what, bool plane, b
     if (!first) first = last;
   }
   if (!first) value.fail(what + " is empty; give its corners");
-  if (closed)
-    corner(*first);
-  else if (curve)
-    curve->fail("a curve stands between two corners; end with a corner");
+  if (closed) corner(*first);
+  else if (curve) curve->fail("a curve stands between two corners; end with a corner");
   if (line.segments.size() < (closed ? 2u : 1u)) value.fail(what + ": give at least two corners");
   return line;
 }

@@ -23,8 +23,19 @@ namespace cnrg {
 
 enum class Operator : std::uint8_t {
   leaf,
-  unite, intersect, subtract,  ///< group Booleans: `union`, `intersection`, `difference`
-  aggregate, unify, sum, product, cnrg_subtract, complement, interior, closure, boundary, regularize,  ///< CNRG
+  unite,
+  intersect,
+  subtract,  ///< group Booleans: `union`, `intersection`, `difference`
+  aggregate,
+  unify,
+  sum,
+  product,
+  cnrg_subtract,
+  complement,
+  interior,
+  closure,
+  boundary,
+  regularize,  ///< CNRG
   simplify,
 };
 

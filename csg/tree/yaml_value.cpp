@@ -30,14 +30,11 @@ std::string excerpt(const std::string& text) {
 
 std::string describe(const YAML::Node& node) {
   switch (node.Type()) {
-    case YAML::NodeType::Scalar:
-      return "the text " + excerpt(node.Scalar());
+    case YAML::NodeType::Scalar: return "the text " + excerpt(node.Scalar());
     case YAML::NodeType::Sequence:
       return node.size() == 1 ? "a list of one" : "a list of " + std::to_string(node.size());
-    case YAML::NodeType::Map:
-      return "a map";
-    default:
-      return "empty";
+    case YAML::NodeType::Map: return "a map";
+    default: return "empty";
   }
 }
 

@@ -27,10 +27,12 @@ class FileError : public std::runtime_error {
 
 /// Throws InvariantError when `condition` is false.
 inline void require(bool condition, const char* message) {
-  if (!condition) [[unlikely]] throw InvariantError(message);
+  if (!condition) [[unlikely]]
+    throw InvariantError(message);
 }
 inline void require(bool condition, const std::string& message) {
-  if (!condition) [[unlikely]] throw InvariantError(message);
+  if (!condition) [[unlikely]]
+    throw InvariantError(message);
 }
 
 }  // namespace cnrg

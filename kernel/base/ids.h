@@ -28,28 +28,31 @@ class Id {
   constexpr Value value() const { return value_; }
   constexpr std::size_t index() const { return value_; }
   friend constexpr auto operator<=>(Id, Id) = default;
-  constexpr Id& operator++() { ++value_; return *this; }
+  constexpr Id& operator++() {
+    ++value_;
+    return *this;
+  }
 
  private:
   static constexpr Value kNone = std::numeric_limits<Value>::max();
   Value value_ = kNone;
 };
 
-using PointId = Id<struct PointTag>;        ///< a point of the soup, before identity is decided
-using VertexId = Id<struct VertexTag>;      ///< a 0-cell
-using EdgeId = Id<struct EdgeTag>;          ///< a 1-cell
-using FaceId = Id<struct FaceTag>;          ///< a 2-cell
-using RegionId = Id<struct RegionTag>;      ///< a 3-cell; RegionId(0) is the unbounded one
-using LoopId = Id<struct LoopTag>;          ///< a closed walk of half-edges
-using SheetId = Id<struct SheetTag>;        ///< coplanar faces that touch, and their one 2D subdivision
-using SegmentId = Id<struct SegmentTag>;    ///< an input edge, a wire or a trace of two sheets
-using PlaneId = Id<struct PlaneTag>;        ///< the plane of an input face
-using LeafId = Id<struct LeafTag>;          ///< one leaf instance of a tree
-using SourceId = Id<struct SourceTag>;      ///< one face of the soup
-using WireId = Id<struct WireTag>;          ///< one segment of the soup
+using PointId = Id<struct PointTag>;          ///< a point of the soup, before identity is decided
+using VertexId = Id<struct VertexTag>;        ///< a 0-cell
+using EdgeId = Id<struct EdgeTag>;            ///< a 1-cell
+using FaceId = Id<struct FaceTag>;            ///< a 2-cell
+using RegionId = Id<struct RegionTag>;        ///< a 3-cell; RegionId(0) is the unbounded one
+using LoopId = Id<struct LoopTag>;            ///< a closed walk of half-edges
+using SheetId = Id<struct SheetTag>;          ///< coplanar faces that touch, and their one 2D subdivision
+using SegmentId = Id<struct SegmentTag>;      ///< an input edge, a wire or a trace of two sheets
+using PlaneId = Id<struct PlaneTag>;          ///< the plane of an input face
+using LeafId = Id<struct LeafTag>;            ///< one leaf instance of a tree
+using SourceId = Id<struct SourceTag>;        ///< one face of the soup
+using WireId = Id<struct WireTag>;            ///< one segment of the soup
 using SourceSetId = Id<struct SourceSetTag>;  ///< an interned set of soup faces with orientation
 using LabelSetId = Id<struct LabelSetTag>;    ///< an interned set of (leaf, leaf region)
-using ShellId = Id<struct ShellTag>;        ///< a connected set of half-faces
+using ShellId = Id<struct ShellTag>;          ///< a connected set of half-faces
 
 /// An edge with a direction: side 0 runs from the edge's first vertex to its second.
 class HalfEdge {
@@ -58,7 +61,11 @@ class HalfEdge {
   constexpr HalfEdge(EdgeId edge, unsigned direction) : code_(edge.value() * 2 + direction) {}
   constexpr EdgeId edge() const { return EdgeId(code_ >> 1); }
   constexpr unsigned direction() const { return code_ & 1; }
-  constexpr HalfEdge twin() const { HalfEdge t; t.code_ = code_ ^ 1; return t; }
+  constexpr HalfEdge twin() const {
+    HalfEdge t;
+    t.code_ = code_ ^ 1;
+    return t;
+  }
   constexpr std::uint32_t code() const { return code_; }
   friend constexpr auto operator<=>(HalfEdge, HalfEdge) = default;
 
@@ -73,7 +80,11 @@ class HalfFace {
   constexpr HalfFace(FaceId face, unsigned side) : code_(face.value() * 2 + side) {}
   constexpr FaceId face() const { return FaceId(code_ >> 1); }
   constexpr unsigned side() const { return code_ & 1; }
-  constexpr HalfFace opposite() const { HalfFace t; t.code_ = code_ ^ 1; return t; }
+  constexpr HalfFace opposite() const {
+    HalfFace t;
+    t.code_ = code_ ^ 1;
+    return t;
+  }
   constexpr std::uint32_t code() const { return code_; }
   constexpr std::size_t index() const { return code_; }
   friend constexpr auto operator<=>(HalfFace, HalfFace) = default;
@@ -94,7 +105,10 @@ class IdVector {
   std::size_t size() const { return data_.size(); }
   bool empty() const { return data_.empty(); }
   IdT end_id() const { return IdT(data_.size()); }
-  IdT push_back(T value) { data_.push_back(std::move(value)); return IdT(data_.size() - 1); }
+  IdT push_back(T value) {
+    data_.push_back(std::move(value));
+    return IdT(data_.size() - 1);
+  }
   void resize(std::size_t n, T value = T()) { data_.resize(n, value); }
   void assign(std::size_t n, T value) { data_.assign(n, value); }
   void reserve(std::size_t n) { data_.reserve(n); }
@@ -117,7 +131,10 @@ class IdRange {
   struct Iterator {
     IdT id;
     IdT operator*() const { return id; }
-    Iterator& operator++() { ++id; return *this; }
+    Iterator& operator++() {
+      ++id;
+      return *this;
+    }
     bool operator!=(const Iterator& other) const { return id != other.id; }
   };
   explicit IdRange(std::size_t n) : n_(n) {}
@@ -148,7 +165,10 @@ class Csr {
     offsets_.push_back(static_cast<std::uint32_t>(values_.size()));
     return IdT(offsets_.size() - 2);
   }
-  void reserve(std::size_t lists, std::size_t values) { offsets_.reserve(lists + 1); values_.reserve(values); }
+  void reserve(std::size_t lists, std::size_t values) {
+    offsets_.reserve(lists + 1);
+    values_.reserve(values);
+  }
   /// Builds from (id, value) pairs that are sorted by id.
   static Csr from_sorted(std::size_t n, const std::vector<std::pair<IdT, T>>& pairs) {
     Csr csr;

@@ -27,7 +27,9 @@ class ShortList {
  public:
   ShortList() = default;
   template <class Iterator>
-  ShortList(Iterator first, Iterator last) { append(first, last); }
+  ShortList(Iterator first, Iterator last) {
+    append(first, last);
+  }
   ShortList(std::initializer_list<T> list) : ShortList(list.begin(), list.end()) {}
   ShortList(const ShortList& other) : ShortList(other.begin(), other.end()) {}
   ShortList(ShortList&& other) noexcept { swap(other); }
@@ -131,7 +133,7 @@ class ShortLists {
   }
 
  private:
-  ShortList<T, 4> values_;           // of all lists, one after the other
+  ShortList<T, 4> values_;  // of all lists, one after the other
   ShortList<std::uint32_t, 2> ends_;
 };
 

@@ -12,7 +12,10 @@ class UnionFind {
  public:
   explicit UnionFind(std::size_t n = 0) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
   std::size_t size() const { return parent_.size(); }
-  std::uint32_t add() { parent_.push_back(static_cast<std::uint32_t>(parent_.size())); return parent_.back(); }
+  std::uint32_t add() {
+    parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+    return parent_.back();
+  }
   std::uint32_t find(std::uint32_t x) {
     while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
     return x;
@@ -22,7 +25,8 @@ class UnionFind {
     a = find(a);
     b = find(b);
     if (a == b) return false;
-    if (a < b) parent_[b] = a; else parent_[a] = b;
+    if (a < b) parent_[b] = a;
+    else parent_[a] = b;
     return true;
   }
 

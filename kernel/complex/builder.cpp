@@ -9,18 +9,21 @@
 #include <unordered_map>
 
 #include "kernel/base/error.h"
-#include "kernel/base/sorted.h"
 #include "kernel/base/parallel.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 
 Complex ComplexBuilder::build() {
   take_cells();
-  do_both(c_.face_count(), [&] { find_uses(); }, [&] { take_attributes(); });
-  do_both(c_.face_count(), [&] { find_vertices(); }, [&] {
-    order_radially();
-    join_shells();
-  });
+  do_both(
+      c_.face_count(), [&] { find_uses(); }, [&] { take_attributes(); });
+  do_both(
+      c_.face_count(), [&] { find_vertices(); },
+      [&] {
+        order_radially();
+        join_shells();
+      });
   nest_shells();
   hang_wires();
   number_regions();
@@ -182,8 +185,8 @@ void ComplexBuilder::find_vertices() {
   }
 }
 
-/// Around an edge with direction d, the half-plane of a use lies at n x (+-d). The sine of the angle from one use to
-/// another has the sign of d . (n x n'), times both directions; it is zero only for two sides of one sheet.
+/// Around an edge with direction d, the half-plane of a use lies at n x (+-d). The sine of the angle from one use
+/// to another has the sign of d . (n x n'), times both directions; it is zero only for two sides of one sheet.
 void ComplexBuilder::order_radially() {
   const PointTable& t = c_.points;
   const auto sort_uses = [&](std::size_t i) {
@@ -241,7 +244,8 @@ void ComplexBuilder::mark_frame() {
   c_.frame_regions_.assign(c_.region_count, 0);
   for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
     const auto cover = c_.cover(f);
-    if (std::none_of(cover.begin(), cover.end(), [&](const Cover& x) { return c_.sources[x.source].leaf == c_.frame; })) {
+    if (std::none_of(cover.begin(), cover.end(),
+                     [&](const Cover& x) { return c_.sources[x.source].leaf == c_.frame; })) {
       continue;
     }
     c_.frame_faces_[f] = 1;

@@ -42,7 +42,8 @@ void Complex::star_faces(VertexId v, std::vector<FaceId>& out) const {
 void Complex::star_regions(EdgeId e, std::vector<RegionId>& out) const {
   out.clear();
   if (edge_region[e].valid()) out.push_back(edge_region[e]);
-  for (const FaceUse& u : edge_uses[e]) out.insert(out.end(), face_regions[u.face].begin(), face_regions[u.face].end());
+  for (const FaceUse& u : edge_uses[e])
+    out.insert(out.end(), face_regions[u.face].begin(), face_regions[u.face].end());
   sort_unique(out);
 }
 
@@ -52,7 +53,8 @@ void Complex::star_regions(VertexId v, std::vector<RegionId>& out) const {
   for (const FaceId f : vertex_faces[v]) out.insert(out.end(), face_regions[f].begin(), face_regions[f].end());
   for (const EdgeId e : vertex_edges[v]) {
     if (edge_region[e].valid()) out.push_back(edge_region[e]);
-    for (const FaceUse& u : edge_uses[e]) out.insert(out.end(), face_regions[u.face].begin(), face_regions[u.face].end());
+    for (const FaceUse& u : edge_uses[e])
+      out.insert(out.end(), face_regions[u.face].begin(), face_regions[u.face].end());
   }
   sort_unique(out);
 }
@@ -107,7 +109,9 @@ ExactPoint interior_point(const Complex& complex, FaceId f) {
   const auto along = [&](const RationalPoint& p) -> Rational {
     return ((at(p, u) - mu) * du + (at(p, v) - mv) * dv) / length;
   };
-  const auto across = [&](const RationalPoint& p) -> Rational { return du * (at(p, v) - mv) - dv * (at(p, u) - mu); };
+  const auto across = [&](const RationalPoint& p) -> Rational {
+    return du * (at(p, v) - mv) - dv * (at(p, u) - mu);
+  };
   for (const LoopId l : complex.face_loops[f]) {
     for (const HalfEdge h : complex.loop[l]) {
       if (h.edge() == outer[0].edge()) continue;

@@ -47,14 +47,14 @@ struct FaceUse {
 
 struct Complex {
   // --- geometry
-  PointTable points;                             ///< indexed by VertexId; may hold points that are no vertex
-  IdVector<SheetId, PlaneId> sheet_plane;        ///< the plane of each sheet; its normal is the front
+  PointTable points;                       ///< indexed by VertexId; may hold points that are no vertex
+  IdVector<SheetId, PlaneId> sheet_plane;  ///< the plane of each sheet; its normal is the front
   IdVector<SheetId, Projection> sheet_projection;
 
   // --- vertices; ids are those of `points`
-  std::vector<VertexId> vertices;                ///< all 0-cells, ascending
-  Csr<VertexId, EdgeId> vertex_edges;            ///< incident edges, ascending
-  SparseLists<VertexId, FaceId> vertex_faces;    ///< faces that hold the vertex as an isolated point
+  std::vector<VertexId> vertices;              ///< all 0-cells, ascending
+  Csr<VertexId, EdgeId> vertex_edges;          ///< incident edges, ascending
+  SparseLists<VertexId, FaceId> vertex_faces;  ///< faces that hold the vertex as an isolated point
   /// The region of a vertex that has no edge and lies in no face; none() otherwise.
   SparseVector<VertexId, RegionId> vertex_region;
 
@@ -63,8 +63,8 @@ struct Complex {
   /// The uses of the faces around each edge, in radial order: counter-clockwise as seen with the edge pointing
   /// towards the viewer. A dangling face has one use there, a face with a slit two.
   Csr<EdgeId, FaceUse> edge_uses;
-  SparseVector<EdgeId, RegionId> edge_region;    ///< the region of a wire; none() if the edge has uses
-  Csr<EdgeId, SegmentId> edge_segments;          ///< the input segments and traces that cover the edge
+  SparseVector<EdgeId, RegionId> edge_region;  ///< the region of a wire; none() if the edge has uses
+  Csr<EdgeId, SegmentId> edge_segments;        ///< the input segments and traces that cover the edge
 
   // --- segments: where edges come from
   IdVector<SegmentId, std::array<VertexId, 2>> segment_ends;
@@ -73,27 +73,27 @@ struct Complex {
 
   // --- faces
   IdVector<FaceId, SheetId> face_sheet;
-  Csr<FaceId, LoopId> face_loops;                ///< the outer loop first
+  Csr<FaceId, LoopId> face_loops;  ///< the outer loop first
   Csr<LoopId, HalfEdge> loop;
-  SparseLists<FaceId, VertexId> face_vertices;   ///< isolated vertices in the interior
+  SparseLists<FaceId, VertexId> face_vertices;  ///< isolated vertices in the interior
   IdVector<FaceId, SourceSetId> face_cover;
   Csr<SourceSetId, Cover> covers;
   IdVector<FaceId, std::array<RegionId, 2>> face_regions;  ///< on its front, on its back
 
   // --- regions
-  std::size_t region_count = 0;                  ///< with R0
+  std::size_t region_count = 0;  ///< with R0
   IdVector<RegionId, LabelSetId> region_labels;
   Csr<LabelSetId, Label> label_sets;
-  Csr<RegionId, HalfFace> region_faces;          ///< all half-faces that bound the region, by shell
-  Csr<RegionId, EdgeId> region_wires;            ///< wires hanging in it
-  Csr<RegionId, VertexId> region_vertices;       ///< isolated vertices in it
+  Csr<RegionId, HalfFace> region_faces;     ///< all half-faces that bound the region, by shell
+  Csr<RegionId, EdgeId> region_wires;       ///< wires hanging in it
+  Csr<RegionId, VertexId> region_vertices;  ///< isolated vertices in it
 
   // --- leaves
   std::size_t leaf_count = 0;
-  SparseLists<VertexId, LeafId> isolated_leaves; ///< leaves that have the vertex as an isolated point
-  SparseLists<VertexId, LeafId> curve_ends;      ///< leaves whose curves end in the vertex
-  IdVector<SourceId, Soup::Face> sources;        ///< attributes of soup faces
-  IdVector<WireId, Soup::Wire> wires;            ///< attributes of soup wires
+  SparseLists<VertexId, LeafId> isolated_leaves;  ///< leaves that have the vertex as an isolated point
+  SparseLists<VertexId, LeafId> curve_ends;       ///< leaves whose curves end in the vertex
+  IdVector<SourceId, Soup::Face> sources;         ///< attributes of soup faces
+  IdVector<WireId, Soup::Wire> wires;             ///< attributes of soup wires
   IdVector<LeafId, Fill> fills;
   /// The number of regions of each leaf (the largest label).
   IdVector<LeafId, std::uint32_t> leaf_regions;
@@ -134,7 +134,6 @@ struct Complex {
   void closure_edges(FaceId f, std::vector<EdgeId>& out) const;
   void closure_vertices(FaceId f, std::vector<VertexId>& out) const;
 
-
  private:
   friend class ComplexBuilder;
   IdVector<FaceId, char> frame_faces_;
@@ -145,18 +144,18 @@ struct Complex {
 
 /// What was dropped or noteworthy on the way, for reports.
 struct RefineReport {
-  std::vector<SourceId> zero_area;   ///< faces without area: dropped
-  std::uint64_t candidates = 0;      ///< pairs from the broad phase
+  std::vector<SourceId> zero_area;  ///< faces without area: dropped
+  std::uint64_t candidates = 0;     ///< pairs from the broad phase
   /// Pairs in contact by kind (Gursoz et al. 1991): face-face, face-edge, face-vertex, edge-edge, edge-vertex,
   /// vertex-vertex.
   std::array<std::uint64_t, 6> contacts{};
-  std::uint64_t constructed = 0;     ///< constructed vertices
-  StageCounts stages;                ///< predicate calls by deciding stage
+  std::uint64_t constructed = 0;  ///< constructed vertices
+  StageCounts stages;             ///< predicate calls by deciding stage
 };
 
 /// Options of `build_complex`.
 struct RefineOptions {
-  int threads = 0;                   ///< 0: all cores
+  int threads = 0;  ///< 0: all cores
 };
 
 /// Refines the soup and builds its complex, labels included. Throws InputError for a face that is not planar

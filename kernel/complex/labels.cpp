@@ -86,7 +86,8 @@ class Labelling {
       } else if (x->fill == Fill::parity) {
         last->to ^= 1;
       } else if (*last != *x) {
-        throw InputError(face_names(covers, x->leaf) + ": two faces lie on each other and name different regions "
+        throw InputError(face_names(covers, x->leaf) +
+                         ": two faces lie on each other and name different regions "
                          "on one side; remove one or make their sides agree");
       }
     }
@@ -147,15 +148,10 @@ class Labelling {
           then = backwards ? x.from : x.to;
           break;
         case Fill::winding:
-        case Fill::solids:
-          then = now + (backwards ? -x.to : x.to);
-          break;
-        case Fill::parity:
-          then = now ^ x.to;
-          break;
+        case Fill::solids: then = now + (backwards ? -x.to : x.to); break;
+        case Fill::parity: then = now ^ x.to; break;
         case Fill::none:
-        case Fill::cells:
-          break;
+        case Fill::cells: break;
       }
       if (there && then == 0) {
         values.erase(place);
@@ -258,15 +254,17 @@ class Labelling {
           for (const Change& y : *changes_[change(g.face())]) {
             const std::int32_t other = g.side() == 0 ? y.from : y.to;
             if (y.leaf == x.leaf && y.fill == Fill::sides && other != named) {
-              throw InputError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) + ", but " +
-                               face_names(c_.cover(g.face()), x.leaf) + ", which bounds the same cavity, names " +
-                               region_name(other) + "; correct the sides, or close the faces between the two");
+              throw InputError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) +
+                               ", but " + face_names(c_.cover(g.face()), x.leaf) +
+                               ", which bounds the same cavity, names " + region_name(other) +
+                               "; correct the sides, or close the faces between the two");
             }
           }
         }
-        throw InputError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) + ", but " +
-                         region_name(value(set_of_[r], x.leaf)) + " reaches it" +
-                         (c_.unbounded(r) ? " from outside" : "") + "; correct the sides, or close the faces between");
+        throw InputError(face_names(c_.cover(h.face()), x.leaf) + ": its side names " + region_name(named) +
+                         ", but " + region_name(value(set_of_[r], x.leaf)) + " reaches it" +
+                         (c_.unbounded(r) ? " from outside" : "") +
+                         "; correct the sides, or close the faces between");
       }
     }
     // Not a face that names sides: some leaf that should be closed is open.
@@ -283,8 +281,9 @@ class Labelling {
   }
 
   [[noreturn]] void open_leaf(LeafId leaf) const {
-    throw InputError("leaf " + std::to_string(leaf.value()) +
-                     ": its faces do not close, so it has no inside; close the surface, or use fill: none or cells");
+    throw InputError(
+        "leaf " + std::to_string(leaf.value()) +
+        ": its faces do not close, so it has no inside; close the surface, or use fill: none or cells");
   }
 
   [[noreturn]] static void fail_overlap(LeafId leaf, std::uint32_t first, std::uint32_t second) {
@@ -354,7 +353,7 @@ class Labelling {
   using CrossingKey = std::pair<std::uint64_t, bool>;  // set and change; backwards
   using Crossing = std::pair<CrossingKey, std::uint32_t>;
   std::map<CrossingKey, std::uint32_t> crossed_;
-  std::array<Crossing, 256> latest_;                   // of crossed_
+  std::array<Crossing, 256> latest_;  // of crossed_
   IdVector<RegionId, std::uint32_t> set_of_;
   RegionId start_;
 };

@@ -75,10 +75,11 @@ unsigned place(const PointView& v, const PointView& p, const std::array<double, 
 }
 
 /// The parameter of the hit along the ray, exactly.
-Rational exact_parameter(const PointTable& t, PlaneId plane, const ExactPoint& origin, const std::array<double, 3>& d) {
+Rational exact_parameter(const PointTable& t, PlaneId plane, const ExactPoint& origin,
+                         const std::array<double, 3>& d) {
   const ExactPlane& e = t.exact_plane(plane);
-  const Rational along = Rational(e.a) * from_double(d[0]) + Rational(e.b) * from_double(d[1]) +
-                         Rational(e.c) * from_double(d[2]);
+  const Rational along =
+      Rational(e.a) * from_double(d[0]) + Rational(e.b) * from_double(d[1]) + Rational(e.c) * from_double(d[2]);
   Rational height(e.a * origin.x + e.b * origin.y + e.c * origin.z + e.d * origin.w, origin.w);
   height.canonicalize();
   return -height / along;

@@ -10,8 +10,8 @@
 namespace cnrg {
 
 /// Casts rays among the faces of a complex of which the arrays of faces, loops, edges and points are there.
-/// A direction that meets an edge or a vertex is replaced by the next of a fixed sequence, so answers are exact and
-/// the same every time. Thread-safe once built.
+/// A direction that meets an edge or a vertex is replaced by the next of a fixed sequence, so answers are exact
+/// and the same every time. Thread-safe once built.
 class RayCaster {
  public:
   /// `with_tree`: build a tree for many rays; without one each ray looks at every vertex and face.

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "kernel/complex/builder.h"
 #include "kernel/base/parallel.h"
+#include "kernel/complex/builder.h"
 #include "kernel/complex/patches.h"
 #include "kernel/complex/ray.h"
 

@@ -51,8 +51,8 @@ class SparseVector {
   explicit SparseVector(std::vector<std::pair<IdT, T>> pairs) : pairs_(std::move(pairs)) {}
   T operator[](IdT id) const {
     if (pairs_.empty()) return T();
-    const auto it = std::lower_bound(pairs_.begin(), pairs_.end(), id,
-                                     [](const auto& p, IdT x) { return p.first < x; });
+    const auto it =
+        std::lower_bound(pairs_.begin(), pairs_.end(), id, [](const auto& p, IdT x) { return p.first < x; });
     return it != pairs_.end() && it->first == id ? it->second : T();
   }
   friend bool operator==(const SparseVector&, const SparseVector&) = default;

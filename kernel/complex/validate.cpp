@@ -34,7 +34,8 @@ class Validator {
   /// Spatially distinct: neighbours in lexicographic order differ.
   void vertices() {
     std::vector<VertexId> order = c_.vertices;
-    std::sort(order.begin(), order.end(), [&](VertexId a, VertexId b) { return compare_lex(c_.points, a, b) < 0; });
+    std::sort(order.begin(), order.end(),
+              [&](VertexId a, VertexId b) { return compare_lex(c_.points, a, b) < 0; });
     for (std::size_t i = 1; i < order.size(); ++i) {
       if (compare_lex(c_.points, order[i - 1], order[i]) == 0) {
         fail("vertices " + name("v", order[i - 1].value()) + " and " + name("v", order[i].value()) + " coincide");
@@ -46,21 +47,24 @@ class Validator {
     std::vector<std::array<VertexId, 2>> ends(c_.edge_ends.begin(), c_.edge_ends.end());
     for (const EdgeId e : IdRange<EdgeId>(c_.edge_count())) {
       const auto [a, b] = c_.edge_ends[e];
-      if (compare_lex(c_.points, a, b) >= 0) fail(name("e", e.value()) + ": its ends are not in lexicographic order");
+      if (compare_lex(c_.points, a, b) >= 0)
+        fail(name("e", e.value()) + ": its ends are not in lexicographic order");
       if (c_.edge_uses[e].empty() != c_.edge_region[e].valid()) {
         fail(name("e", e.value()) + ": a wire needs a region, an edge of faces has none");
       }
       if (c_.edge_segments[e].empty()) fail(name("e", e.value()) + " lies on no segment");
       for (const VertexId v : {a, b}) {
         const auto list = c_.vertex_edges[v];
-        if (std::find(list.begin(), list.end(), e) == list.end()) fail(name("e", e.value()) + " is unknown to its vertex");
+        if (std::find(list.begin(), list.end(), e) == list.end())
+          fail(name("e", e.value()) + " is unknown to its vertex");
       }
     }
     std::sort(ends.begin(), ends.end());
     if (std::adjacent_find(ends.begin(), ends.end()) != ends.end()) fail("two edges have the same ends");
   }
 
-  /// Loops are closed walks in the plane of the sheet; d d = 0 over them; every half-edge bounds one face per sheet.
+  /// Loops are closed walks in the plane of the sheet; d d = 0 over them; every half-edge bounds one face per
+  /// sheet.
   void faces() {
     std::map<std::pair<HalfEdge, SheetId>, FaceId> once;
     for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
@@ -90,9 +94,11 @@ class Validator {
       }
       if (c_.cover(f).empty()) fail(name("f", f.value()) + " is covered by no soup face");
       for (const VertexId v : c_.face_vertices[f]) {
-        if (side_of_plane(c_.points, c_.plane(f), v) != 0) fail(name("v", v.value()) + " is off the plane of its face");
+        if (side_of_plane(c_.points, c_.plane(f), v) != 0)
+          fail(name("v", v.value()) + " is off the plane of its face");
         const auto list = c_.vertex_faces[v];
-        if (std::find(list.begin(), list.end(), f) == list.end()) fail(name("f", f.value()) + " is unknown to its vertex");
+        if (std::find(list.begin(), list.end(), f) == list.end())
+          fail(name("f", f.value()) + " is unknown to its vertex");
         if (!c_.vertex_edges[v].empty()) {
           bool free = true;
           for (const EdgeId e : c_.vertex_edges[v]) {
@@ -123,7 +129,8 @@ class Validator {
     RationalPoint p = c_.points.rational(c_.target(loop[0]));
     for (std::size_t i = 1; i < loop.size(); ++i) {
       RationalPoint q = c_.points.rational(c_.target(loop[i]));
-      area += (p[axes.u] - o[axes.u]) * (q[axes.v] - o[axes.v]) - (p[axes.v] - o[axes.v]) * (q[axes.u] - o[axes.u]);
+      area +=
+          (p[axes.u] - o[axes.u]) * (q[axes.v] - o[axes.v]) - (p[axes.v] - o[axes.v]) * (q[axes.u] - o[axes.u]);
       p = std::move(q);
     }
     return sgn(area);
@@ -139,10 +146,12 @@ class Validator {
           fail(name("e", e.value()) + ": two regions between neighbours in radial order");
         }
       }
-      // With three or more uses: the turns from one to the next add up to one round, so at most one exceeds a half.
+      // With three or more uses: the turns from one to the next add up to one round, so at most one exceeds a
+      // half.
       if (uses.size() < 3) continue;
       int large = 0;
-      for (std::size_t i = 0; i < uses.size(); ++i) large += sine(e, uses[i], uses[(i + 1) % uses.size()]) < 0 ? 1 : 0;
+      for (std::size_t i = 0; i < uses.size(); ++i)
+        large += sine(e, uses[i], uses[(i + 1) % uses.size()]) < 0 ? 1 : 0;
       if (large > 1) fail(name("e", e.value()) + ": its faces are not in radial order");
     }
   }
@@ -176,7 +185,8 @@ class Validator {
       std::map<EdgeId, int> boundary;
       for (const HalfFace h : list) {
         for (const LoopId l : c_.face_loops[h.face()]) {
-          for (const HalfEdge g : c_.loop[l]) boundary[g.edge()] += (g.direction() == 0) == (h.side() == 0) ? 1 : -1;
+          for (const HalfEdge g : c_.loop[l])
+            boundary[g.edge()] += (g.direction() == 0) == (h.side() == 0) ? 1 : -1;
         }
       }
       for (const auto& [e, n] : boundary) {
@@ -194,7 +204,8 @@ class Validator {
       bool free = c_.vertex_faces[v].empty();
       for (const EdgeId g : c_.vertex_edges[v]) free = free && c_.edge_uses[g].empty();
       for (const EdgeId g : c_.vertex_edges[v]) {
-        if (free && c_.edge_region[g] != c_.edge_region[e]) fail(name("e", e.value()) + ": a wire changes its region in the open");
+        if (free && c_.edge_region[g] != c_.edge_region[e])
+          fail(name("e", e.value()) + ": a wire changes its region in the open");
       }
     }
   }
@@ -203,7 +214,8 @@ class Validator {
   /// orientable surface, so V - E + F is even and at most 2, where V counts sectors joined around a vertex.
   void euler() {
     UnionFind shell(2 * c_.face_count());
-    // Corners of a shell: sectors between consecutive edges of one half-face, joined across edges, are its vertices.
+    // Corners of a shell: sectors between consecutive edges of one half-face, joined across edges, are its
+    // vertices.
     std::vector<std::uint32_t> first(2 * c_.face_count() + 1, 0);
     for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
       std::uint32_t n = 0;
@@ -221,7 +233,8 @@ class Validator {
         const auto loop = c_.loop[l];
         for (std::size_t k = 0; k < loop.size(); ++k) {
           place[{f, loop[k]}] = i + static_cast<std::uint32_t>(k);
-          next_place[first[2 * f.index()] + i + k] = i + static_cast<std::uint32_t>(k + 1 < loop.size() ? k + 1 : 0);
+          next_place[first[2 * f.index()] + i + k] =
+              i + static_cast<std::uint32_t>(k + 1 < loop.size() ? k + 1 : 0);
         }
         i += static_cast<std::uint32_t>(loop.size());
       }
@@ -253,7 +266,8 @@ class Validator {
       }
     }
     for (const auto& [root, chi] : characteristic) {
-      if (chi > 2 || chi % 2 != 0) fail("the shell of half-face " + std::to_string(root) + " is no closed surface");
+      if (chi > 2 || chi % 2 != 0)
+        fail("the shell of half-face " + std::to_string(root) + " is no closed surface");
     }
   }
 
@@ -262,11 +276,14 @@ class Validator {
       if (c_.on_frame(f)) continue;
       const auto front = c_.labels(c_.face_regions[f][0]), back = c_.labels(c_.face_regions[f][1]);
       std::vector<Label> differ;
-      std::set_symmetric_difference(front.begin(), front.end(), back.begin(), back.end(), std::back_inserter(differ));
+      std::set_symmetric_difference(front.begin(), front.end(), back.begin(), back.end(),
+                                    std::back_inserter(differ));
       for (const Label& x : differ) {
         bool wall = false;
         for (const Cover& cover : c_.cover(f)) wall = wall || c_.sources[cover.source].leaf == x.leaf;
-        if (!wall) fail(name("f", f.value()) + ": leaf " + std::to_string(x.leaf.value()) + " changes its region without a wall");
+        if (!wall)
+          fail(name("f", f.value()) + ": leaf " + std::to_string(x.leaf.value()) +
+               " changes its region without a wall");
       }
     }
     if (!c_.frame.valid() && !c_.labels(RegionId(0)).empty()) fail("a leaf fills the unbounded region");

@@ -1,14 +1,14 @@
 // The filter's bound: with M the largest coordinate and D the largest difference, every computed difference is off
-// by at most 3u M + u D <= 5u M for D <= 2M (u = 2^-53; 2u M of it from coordinates that were rounded). Each of the
-// six products of the determinant is then off by less than 3 * 5u M * D^2 * (1 + small) + 4u D^3, their sum by less
-// than 6 * (15 + 8) u M D^2 + 6 * 5u D^3 <= 198 u M D^2; 256 u M D^2 covers the bound's own rounding. With
+// by at most 3u M + u D <= 5u M for D <= 2M (u = 2^-53; 2u M of it from coordinates that were rounded). Each of
+// the six products of the determinant is then off by less than 3 * 5u M * D^2 * (1 + small) + 4u D^3, their sum by
+// less than 6 * (15 + 8) u M D^2 + 6 * 5u D^3 <= 198 u M D^2; 256 u M D^2 covers the bound's own rounding. With
 // differences that are not small against M this is about as sharp as bounds get, and two products of a cross
 // product give 64 u M D likewise. Products below 1e-280 go to the exact stage, so underflow does no harm.
 //
 // What passes the filter is mostly nearly zero but not zero: facets of round things. Evaluated modulo the prime
 // 2^61 - 1, on the grid of the coordinates, where a power of two is a rotation of bits, it proves itself not zero;
-// only a zero residue is evaluated in integers: of 128 bits where the differences are short, as they are on faces that
-// were made planar, else of any size.
+// only a zero residue is evaluated in integers: of 128 bits where the differences are short, as they are on faces
+// that were made planar, else of any size.
 #include "kernel/exact/coplanar.h"
 
 #include <gmpxx.h>
@@ -66,7 +66,9 @@ struct Residue {
   }
   friend Residue operator*(Residue a, Residue b) { return Residue(static_cast<Wide>(a.value) * b.value); }
   friend Residue operator+(Residue a, Residue b) { return Residue(static_cast<Wide>(a.value) + b.value); }
-  friend Residue operator-(Residue a, Residue b) { return Residue(static_cast<Wide>(a.value) + (kPrime - b.value)); }
+  friend Residue operator-(Residue a, Residue b) {
+    return Residue(static_cast<Wide>(a.value) + (kPrime - b.value));
+  }
 };
 
 struct ResidueVector {
@@ -124,8 +126,8 @@ bool maybe_coplanar(const double* a, const double* b, const double* c, const dou
   const double wx = d[0] - a[0], wy = d[1] - a[1], wz = d[2] - a[2];
   const double determinant = ux * (vy * wz - vz * wy) - uy * (vx * wz - vz * wx) + uz * (vx * wy - vy * wx);
   const double m = largest({a, b, c, d});
-  const double extent = std::max({std::abs(ux), std::abs(uy), std::abs(uz), std::abs(vx), std::abs(vy), std::abs(vz),
-                                  std::abs(wx), std::abs(wy), std::abs(wz)});
+  const double extent = std::max({std::abs(ux), std::abs(uy), std::abs(uz), std::abs(vx), std::abs(vy),
+                                  std::abs(vz), std::abs(wx), std::abs(wy), std::abs(wz)});
   const double bound = 256 * kUnit * m * extent * extent;
   return !(std::abs(determinant) > bound && bound > 1e-280 && std::isfinite(determinant));
 }

@@ -1,9 +1,9 @@
 // The sign of a cross product of two differences in the plane, as a filter.
 //
-// Bounds. Let u = 2^-53, mx and my the largest absolute rounded differences per axis. Two products of two differences
-// each, every one rounded once, and their difference: (1 + u)^4 - 1 < 4.1 u each, error below 8.2 u mx my < 9.2e-16
-// mx my; we use 1.2e-15 mx my, which also covers the roundings of the bound. Coordinates that are known up to a
-// `width`: see the head of predicates.cpp.
+// Bounds. Let u = 2^-53, mx and my the largest absolute rounded differences per axis. Two products of two
+// differences each, every one rounded once, and their difference: (1 + u)^4 - 1 < 4.1 u each, error below 8.2 u mx
+// my < 9.2e-16 mx my; we use 1.2e-15 mx my, which also covers the roundings of the bound. Coordinates that are
+// known up to a `width`: see the head of predicates.cpp.
 #pragma once
 
 #include <algorithm>

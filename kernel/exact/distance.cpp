@@ -29,12 +29,9 @@ K::FT number(const Rational& value) {
 }
 template <class Number>
 Rational rational(const Number& value) {
-  if constexpr (requires { value.backend().data(); })
-    return Rational(value.backend().data());
-  else if constexpr (requires { value.mpq(); })
-    return Rational(value.mpq());
-  else
-    return Rational(value);
+  if constexpr (requires { value.backend().data(); }) return Rational(value.backend().data());
+  else if constexpr (requires { value.mpq(); }) return Rational(value.mpq());
+  else return Rational(value);
 }
 K::Point_3 point(const RationalPoint& p) { return {number(p[0]), number(p[1]), number(p[2])}; }
 

@@ -29,7 +29,9 @@ inline Interval3 of(const PointView& p) {
   return {Interval(p.lo[0], p.hi[0]), Interval(p.lo[1], p.hi[1]), Interval(p.lo[2], p.hi[2])};
 }
 
-inline Interval3 operator-(const Interval3& a, const Interval3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Interval3 operator-(const Interval3& a, const Interval3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
 inline Interval3 cross(const Interval3& a, const Interval3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

@@ -247,8 +247,6 @@ PlaneId PointTable::add_plane(VertexId a, VertexId b, VertexId c) {
   return PlaneId(planes_.size() - 1);
 }
 
-
-
 void PointTable::normal(PlaneId plane, std::array<double, 3>& lo, std::array<double, 3>& hi) const {
   const auto& [a, b, c] = planes_[plane.index()];
   RoundOutward round;
@@ -265,8 +263,6 @@ bool PointTable::is_constructed(VertexId v) const {
   const Definition& d = definitions_[row];
   return d.points[0].valid() || d.planes[0].valid();
 }
-
-
 
 std::array<double, 3> PointTable::approx(VertexId v) const {
   const double* lo = lo_.data() + 3 * v.index();

@@ -122,12 +122,12 @@ class PointTable {
   struct Caches;
   static constexpr std::uint32_t kDouble = 0xffffffffu;
 
-  std::vector<double> lo_;                         // per point three lower bounds
-  std::vector<std::uint32_t> row_;                 // per point kDouble, or index into `upper_` and `definitions_`
+  std::vector<double> lo_;          // per point three lower bounds
+  std::vector<std::uint32_t> row_;  // per point kDouble, or index into `upper_` and `definitions_`
   std::vector<std::array<double, 3>> upper_;
-  std::vector<Definition> definitions_;            // points[0] is none() for rational input
+  std::vector<Definition> definitions_;  // points[0] is none() for rational input
   std::vector<std::array<VertexId, 3>> planes_;
-  std::unique_ptr<Caches> caches_;                 // exact values
+  std::unique_ptr<Caches> caches_;  // exact values
 };
 
 /// The view of a point that is in no table; `value` must outlive the view.

@@ -8,14 +8,13 @@
 //   is at most M (1 + u)^3, so the error is below 6 * 8.1 u * 1.0001 M < 48.7 u M < 5.41e-15 M. We use 6e-15 M,
 //   which also covers the two roundings of computing the bound itself.
 //   orient2d: see cross_filter.h.
-//   Points that are not doubles: let each coordinate lie within w above the lower bound that the filter takes. Each
-//   of the exact differences is then off by at most w: the product of two by w (|x| + |y|) + w^2, the product of
-//   three by w (|xy| + |yz| + |zx|) + w^2 (|x| + |y| + |z|) + w^3. With two (six) such products the errors of the
-//   determinants are at most 2 w (mx + my + w) and 6 w (mx my + my mz + mz mx + w (mx + my + mz + w)); we use 2.1
-//   and 6.1 for the roundings of these.
-//   Underflow: a product that underflows adds an absolute error of at most 2^-1074 per operation, which the
-//   guard on the smallest maximum (each at least 1e-90) makes negligible against the slack of the constants.
-//   Overflow: the guard on the largest maximum (at most 1e100) excludes it.
+//   Points that are not doubles: let each coordinate lie within w above the lower bound that the filter takes.
+//   Each of the exact differences is then off by at most w: the product of two by w (|x| + |y|) + w^2, the product
+//   of three by w (|xy| + |yz| + |zx|) + w^2 (|x| + |y| + |z|) + w^3. With two (six) such products the errors of
+//   the determinants are at most 2 w (mx + my + w) and 6 w (mx my + my mz + mz mx + w (mx + my + mz + w)); we
+//   use 2.1 and 6.1 for the roundings of these. Underflow: a product that underflows adds an absolute error of at
+//   most 2^-1074 per operation, which the guard on the smallest maximum (each at least 1e-90) makes negligible
+//   against the slack of the constants. Overflow: the guard on the largest maximum (at most 1e100) excludes it.
 #include "kernel/exact/predicates.h"
 
 #include <atomic>
@@ -64,7 +63,9 @@ StageCounts& counts() {
   return mine;
 }
 
-inline double max_abs(double a, double b, double c) { return std::max(std::fabs(a), std::max(std::fabs(b), std::fabs(c))); }
+inline double max_abs(double a, double b, double c) {
+  return std::max(std::fabs(a), std::max(std::fabs(b), std::fabs(c)));
+}
 
 /// The sign by the filter, or kUndecided. Each exact coordinate lies between the one given and `width` above it.
 int filtered_orient3d(const double* a, const double* b, const double* c, const double* d, double width) {
@@ -77,8 +78,8 @@ int filtered_orient3d(const double* a, const double* b, const double* c, const d
   const double smallest = std::min(mx, std::min(my, mz)), largest = std::max(mx, std::max(my, mz));
   if (!(smallest > kSmallest && largest < kLargest)) return kUndecided;
   const double determinant = dx * (by * cz - bz * cy) + dy * (bz * cx - bx * cz) + dz * (bx * cy - by * cx);
-  const double bound = kOrient3dBound * mx * my * mz +
-                       6.1 * width * (mx * my + my * mz + mz * mx + width * (mx + my + mz + width));
+  const double bound =
+      kOrient3dBound * mx * my * mz + 6.1 * width * (mx * my + my * mz + mz * mx + width * (mx + my + mz + width));
   if (determinant > bound) return 1;
   if (determinant < -bound) return -1;
   return kUndecided;
@@ -177,7 +178,8 @@ int orient2d(const PointTable& t, Projection axes, VertexId a, VertexId b, Verte
   for (const VertexId p : {a, b, c}) {
     if (!t.is_double(p)) w = std::max(w, std::max(t.upper(p, u) - t.lower(p)[u], t.upper(p, v) - t.lower(p)[v]));
   }
-  if (const int s = filtered_cross(pb[u] - pa[u], pb[v] - pa[v], pc[u] - pa[u], pc[v] - pa[v], w); s != kUndecided) {
+  if (const int s = filtered_cross(pb[u] - pa[u], pb[v] - pa[v], pc[u] - pa[u], pc[v] - pa[v], w);
+      s != kUndecided) {
     ++counts().filter;
     return s;
   }
@@ -189,9 +191,10 @@ int orient2d_vectors(const PointTable& t, Projection axes, VertexId a, VertexId 
   const int u = axes.u, v = axes.v;
   const PointView pa = t.view(a), pb = t.view(b), pc = t.view(c), pd = t.view(d);
   // The bound of orient2d: it does not use that the two differences share a point.
-  const double w = std::max(std::max(width(pa, u, v), width(pb, u, v)), std::max(width(pc, u, v), width(pd, u, v)));
-  if (const int s = filtered_cross(pb.lo[u] - pa.lo[u], pb.lo[v] - pa.lo[v], pd.lo[u] - pc.lo[u],
-                                   pd.lo[v] - pc.lo[v], w);
+  const double w =
+      std::max(std::max(width(pa, u, v), width(pb, u, v)), std::max(width(pc, u, v), width(pd, u, v)));
+  if (const int s =
+          filtered_cross(pb.lo[u] - pa.lo[u], pb.lo[v] - pa.lo[v], pd.lo[u] - pc.lo[u], pd.lo[v] - pc.lo[v], w);
       s != kUndecided) {
     ++counts().filter;
     return s;
@@ -258,7 +261,8 @@ int compare_lex(const PointTable& t, VertexId a, VertexId b) {
 }
 
 bool collinear(const PointTable& t, VertexId a, VertexId b, VertexId c) {
-  return orient2d(t, {0, 1}, a, b, c) == 0 && orient2d(t, {1, 2}, a, b, c) == 0 && orient2d(t, {2, 0}, a, b, c) == 0;
+  return orient2d(t, {0, 1}, a, b, c) == 0 && orient2d(t, {1, 2}, a, b, c) == 0 &&
+         orient2d(t, {2, 0}, a, b, c) == 0;
 }
 
 int cross_normal_sign(const PointTable& t, PlaneId p, PlaneId q, int k) {
@@ -288,7 +292,8 @@ int normal_dot_sign(const PointTable& t, PlaneId p, const std::array<double, 3>&
     const auto [a, b, c] = t.plane_points(p);
     RoundOutward round;
     const Interval3 n = enclosure::normal(t.view(a), t.view(b), t.view(c));
-    const int s = sign_of(dot(n, Interval3{Interval(direction[0]), Interval(direction[1]), Interval(direction[2])}));
+    const int s =
+        sign_of(dot(n, Interval3{Interval(direction[0]), Interval(direction[1]), Interval(direction[2])}));
     if (s != kUndecided) {
       ++counts().interval;
       return s;

@@ -43,7 +43,8 @@ std::optional<Rational> take_decimal(std::string_view& text) {
     if (i < text.size() && (text[i] == '+' || text[i] == '-')) negative = text[i++] == '-';
     if (i == text.size() || !is_digit(text[i])) return std::nullopt;
     long written = 0;
-    while (i < text.size() && is_digit(text[i])) written = std::min(written * 10 + (text[i++] - '0'), kExponentLimit + 1);
+    while (i < text.size() && is_digit(text[i]))
+      written = std::min(written * 10 + (text[i++] - '0'), kExponentLimit + 1);
     if (written > kExponentLimit) return std::nullopt;
     exponent += negative ? -written : written;
   }

@@ -204,8 +204,8 @@ std::array<Rational, 4> rotation_quaternion(const RationalPoint& axis, const Rat
     mpfr_cot(number, low, MPFR_RNDN);
     mpfr_mul(number, number, length, MPFR_RNDN);
   }
-  const Rational slack = small ? Rational(angle_tolerance() / length.rational())
-                               : Rational(angle_tolerance() * length.rational());
+  const Rational slack =
+      small ? Rational(angle_tolerance() / length.rational()) : Rational(angle_tolerance() * length.rational());
   const Rational middle = number.rational();
   const Rational bottom = middle > slack ? Rational(middle - slack) : Rational(0);
   const Rational best = simplest_between(bottom, middle + slack);

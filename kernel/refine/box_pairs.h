@@ -2,8 +2,8 @@
 //
 // Coordinates are mapped to 30-bit integers by a map that never decreases: boxes that meet in doubles meet on the
 // grid, so no pair is lost, whatever the rounding; a pair too many does no harm. Items in Morton order are packed
-// in blocks of four; block b is leaf `leaves_ + b` of a heap. An item is compared with the four boxes of a block at
-// once. Pairs are found by walking down two nodes at a time; the walk is cut into parts for threads.
+// in blocks of four; block b is leaf `leaves_ + b` of a heap. An item is compared with the four boxes of a block
+// at once. Pairs are found by walking down two nodes at a time; the walk is cut into parts for threads.
 #pragma once
 
 #include <algorithm>
@@ -80,8 +80,8 @@ class BoxPairs {
   struct NodePair {
     std::uint32_t a, b;  // on one level; a == b: the pairs within
   };
-  // What the walk has yet to do, and what it found. An entry is written in any case and counted if it is one: which
-  // boxes meet is not to be foreseen, and a branch that is guessed wrong costs more than the test.
+  // What the walk has yet to do, and what it found. An entry is written in any case and counted if it is one:
+  // which boxes meet is not to be foreseen, and a branch that is guessed wrong costs more than the test.
   struct NodeStack {
     std::array<NodePair, 128> entries;  // a level leaves at most three of its four pairs of children behind
     std::uint32_t size = 0;
@@ -152,7 +152,7 @@ class BoxPairs {
   std::uint32_t leaves_ = 1;
   std::vector<std::uint32_t> items_;  // item numbers in tree order; the last block is filled up with empty boxes
   std::vector<Block> blocks_;
-  std::vector<GridBox> nodes_;        // heap: node i has children 2i, 2i + 1; leaves_ + b is block b
+  std::vector<GridBox> nodes_;  // heap: node i has children 2i, 2i + 1; leaves_ + b is block b
   std::vector<NodePair> parts_;
 };
 

@@ -34,8 +34,8 @@ void for_each_side(std::span<const VertexId> corners, const Visit& visit) {
 struct Event {
   PointKey key;
   PointView view;
-  bool covered_after = false;   ///< the open interval to the next event belongs to the face
-  int toggles = 0, depth = 0;   ///< see `cut`
+  bool covered_after = false;  ///< the open interval to the next event belongs to the face
+  int toggles = 0, depth = 0;  ///< see `cut`
 };
 
 /// The pair tests of one thread, with its scratch memory and what it found.
@@ -101,8 +101,8 @@ PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& 
   return positive || negative ? Contact::possible : Contact::coplanar;
 }
 
-/// True if f touches the plane of g from one side, in corners and sides that g shares: then the contact is a corner
-/// or a side of both faces already.
+/// True if f touches the plane of g from one side, in corners and sides that g shares: then the contact is a
+/// corner or a side of both faces already.
 bool PairTester::only_shared(SourceId f, SourceId g, const std::vector<int>& sign) const {
   const auto corners = in_.corners[f], other = in_.corners[g];
   bool positive = false, negative = false;
@@ -286,9 +286,7 @@ void PairTester::faces(SourceId f, SourceId g) {
     list.on_face.push_back({g, key});
   };
   while (i < events_f_.size() || j < events_g_.size()) {
-    const int o = i == events_f_.size()   ? 1
-                  : j == events_g_.size() ? -1
-                                          : order(events_f_[i], events_g_[j]);
+    const int o = i == events_f_.size() ? 1 : j == events_g_.size() ? -1 : order(events_f_[i], events_g_[j]);
     const bool take_f = o <= 0, take_g = o >= 0;
     const bool before_f = f_on, before_g = g_on;
     const bool at_f = take_f || f_on, at_g = take_g || g_on;
@@ -397,10 +395,22 @@ void PairTester::wires(SegmentId s, SegmentId t) {
     // In this projection c or d is off the line ab: the lines are not one line.
     const int oa = orient2d(t_, axes, c, d, a), ob = orient2d(t_, axes, c, d, b);
     if (oc * od > 0 || oa * ob > 0) return;
-    if (oc == 0) { point_wire(c, s); return; }
-    if (od == 0) { point_wire(d, s); return; }
-    if (oa == 0) { point_wire(a, t); return; }
-    if (ob == 0) { point_wire(b, t); return; }
+    if (oc == 0) {
+      point_wire(c, s);
+      return;
+    }
+    if (od == 0) {
+      point_wire(d, s);
+      return;
+    }
+    if (oa == 0) {
+      point_wire(a, t);
+      return;
+    }
+    if (ob == 0) {
+      point_wire(b, t);
+      return;
+    }
     const PointKey key = PointKey::segments(s, t);
     list.on_wire.push_back({s, key});
     list.on_wire.push_back({t, key});
@@ -500,9 +510,9 @@ class Elements {
   std::size_t faces_, wires_, points_;
 };
 
-/// What tells most pairs apart, small and in the order of the tree. `normal` is a unit vector good to 2e-7: computed
-/// normals N' with |N'| > 1e-6 W are off by less than 1e-8 of their length (plane_filter.h), rounding adds 2^-24 per
-/// component. The cross product of two of them is off by less than 1e-6.
+/// What tells most pairs apart, small and in the order of the tree. `normal` is a unit vector good to 2e-7:
+/// computed normals N' with |N'| > 1e-6 W are off by less than 1e-8 of their length (plane_filter.h), rounding
+/// adds 2^-24 per component. The cross product of two of them is off by less than 1e-6.
 struct Glance {
   std::uint32_t element;
   std::array<VertexId, 3> corners;  // of a triangle in doubles
@@ -515,7 +525,8 @@ struct Glance {
     if (!steady || !g.steady) return false;
     int shared = 0, fan = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const int common = (corners[i] == g.corners[0]) | (corners[i] == g.corners[1]) | (corners[i] == g.corners[2]);
+      const int common =
+          (corners[i] == g.corners[0]) | (corners[i] == g.corners[1]) | (corners[i] == g.corners[2]);
       shared += common;
       fan += common & fans[i];
     }

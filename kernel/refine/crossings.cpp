@@ -78,9 +78,8 @@ class CrossingFinder {
     tbb::this_task_arena::isolate([&] {
       const BoxPairs tree(boxes);
       for (std::size_t part = 0; part < tree.part_count(); ++part) {
-        tree.find(part, [&](std::uint32_t x, std::uint32_t y) {
-          pair(lines_[tree.item(x)], lines_[tree.item(y)]);
-        });
+        tree.find(part,
+                  [&](std::uint32_t x, std::uint32_t y) { pair(lines_[tree.item(x)], lines_[tree.item(y)]); });
       }
       for (const VertexId v : c_.points) {
         Box own;
@@ -112,7 +111,7 @@ class CrossingFinder {
     // Ends are in lexicographic order, and so is every point of the line; a coordinate in which the ends certainly
     // differ tells alone.
     for (int k = 0; k < 3; ++k) {
-      const bool up = t_.upper(a, k) < t_.lower(b)[k], down = t_.lower(a)[k] > t_.upper(b, k);
+      const bool up = t_.upper(a, k)<t_.lower(b)[k], down = t_.lower(a)[k]> t_.upper(b, k);
       if (up) return compare(t_, k, a, v) < 0 && compare(t_, k, v, b) < 0;
       if (down) return compare(t_, k, a, v) > 0 && compare(t_, k, v, b) > 0;
     }
@@ -153,7 +152,8 @@ class CrossingFinder {
     if (!segments_.is_trace(t)) return PointKey::segments(s, t);
     const SourceId across_t = representative_[segments_.other_sheet(t, c_.sheet)];
     if (!segments_.is_trace(s)) return PointKey::segment_plane(s, across_t);
-    return PointKey::planes(representative_[c_.sheet], representative_[segments_.other_sheet(s, c_.sheet)], across_t);
+    return PointKey::planes(representative_[c_.sheet], representative_[segments_.other_sheet(s, c_.sheet)],
+                            across_t);
   }
 
   const SheetContent& c_;

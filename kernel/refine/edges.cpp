@@ -18,8 +18,7 @@ struct Piece {
 
 class Cutter {
  public:
-  Cutter(const PointTable& points, const SegmentTable& segments,
-         const Csr<SegmentId, VertexId>& inner)
+  Cutter(const PointTable& points, const SegmentTable& segments, const Csr<SegmentId, VertexId>& inner)
       : t_(points), segments_(segments), inner_(inner) {}
 
   EdgeTable run() {
@@ -36,7 +35,7 @@ class Cutter {
   /// place in the order.
   struct Cut {
     std::uint32_t segment;
-    std::size_t first_piece;    // in `pieces_`
+    std::size_t first_piece;  // in `pieces_`
   };
 
   void find_places() {
@@ -64,8 +63,10 @@ class Cutter {
       points.push_back(b);
       VertexId from = a;
       for (std::size_t k = 0; k < points.size(); ++k) {
-        pieces_[cut.first_piece + k] = {RefineInput::key(from, points[k]), cut.segment,
-                                        place_[cut.segment] + static_cast<std::uint32_t>(k), {from, points[k]}};
+        pieces_[cut.first_piece + k] = {RefineInput::key(from, points[k]),
+                                        cut.segment,
+                                        place_[cut.segment] + static_cast<std::uint32_t>(k),
+                                        {from, points[k]}};
         from = points[k];
       }
     });

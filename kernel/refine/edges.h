@@ -6,8 +6,8 @@
 namespace cnrg {
 
 /// Cuts every segment at the points in its interior (`inner`, ascending). Edges are numbered by their
-/// end of the smaller id, then by the other one. Most segments have no such point: they are edges in order already,
-/// and only the pieces of the others are sorted.
+/// end of the smaller id, then by the other one. Most segments have no such point: they are edges in order
+/// already, and only the pieces of the others are sorted.
 EdgeTable cut_segments(const PointTable& points, const SegmentTable& segments,
                        const Csr<SegmentId, VertexId>& inner);
 

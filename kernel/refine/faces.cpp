@@ -71,7 +71,8 @@ class Collector {
         [&](SheetId, const SheetFaces& x) {
           n = n + Totals{static_cast<std::uint32_t>(x.face_count()), static_cast<std::uint32_t>(x.loop_end.size()),
                          static_cast<std::uint32_t>(x.half_edges.size()),
-                         static_cast<std::uint32_t>(x.isolated.size()), static_cast<std::uint32_t>(x.covers.size())};
+                         static_cast<std::uint32_t>(x.isolated.size()),
+                         static_cast<std::uint32_t>(x.covers.size())};
         },
         [&](SheetId sheet) {
           ++n.faces, ++n.loops, ++n.covers;

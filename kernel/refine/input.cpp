@@ -134,7 +134,8 @@ int orientation(const PointTable& t, Projection axes, std::span<const VertexId> 
   const RationalPoint eo = t.rational(corners[0]);
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const RationalPoint p = t.rational(corners[i]), q = t.rational(corners[i + 1]);
-    exact += (p[axes.u] - eo[axes.u]) * (q[axes.v] - eo[axes.v]) - (p[axes.v] - eo[axes.v]) * (q[axes.u] - eo[axes.u]);
+    exact +=
+        (p[axes.u] - eo[axes.u]) * (q[axes.v] - eo[axes.v]) - (p[axes.v] - eo[axes.v]) * (q[axes.u] - eo[axes.u]);
   }
   return sgn(exact);
 }
@@ -150,7 +151,8 @@ PlaneFilter filter_of(const PointTable& t, const std::array<VertexId, 3>& plane)
 }
 
 /// The first corner that does not lie on the plane; corners.size() if all do.
-std::size_t off_plane(const PointTable& t, std::span<const VertexId> corners, const std::array<VertexId, 3>& plane) {
+std::size_t off_plane(const PointTable& t, std::span<const VertexId> corners,
+                      const std::array<VertexId, 3>& plane) {
   std::size_t i = 0;
   while (i < corners.size() &&
          (!corners[i].valid() || orient3d(t, plane[0], plane[1], plane[2], corners[i]) == 0)) {
@@ -175,8 +177,8 @@ Shape span_plane(const PointTable& t, std::span<const VertexId> corners, std::ar
   }
   const VertexId a = corners[0], b = corners[1];
   std::size_t i = 2;
-  while (i < corners.size() && (!corners[i].valid() || corners[i] == a || corners[i] == b ||
-                                collinear(t, a, b, corners[i]))) {
+  while (i < corners.size() &&
+         (!corners[i].valid() || corners[i] == a || corners[i] == b || collinear(t, a, b, corners[i]))) {
     ++i;
   }
   if (i == corners.size()) return Shape::flat;
@@ -228,9 +230,8 @@ void take_planes(const Soup& soup, RefineInput& in, RefineReport& report) {
   std::vector<Shape> shape(n);
   in.filters.resize(n);
   const auto& corners = std::as_const(in.corners);
-  for_each_index(n, [&](std::size_t i) {
-    shape[i] = span_plane(t, corners[SourceId(i)], planes[i], in.filters[i]);
-  });
+  for_each_index(n,
+                 [&](std::size_t i) { shape[i] = span_plane(t, corners[SourceId(i)], planes[i], in.filters[i]); });
   for (std::size_t i = 0; i < n; ++i) {
     if (shape[i] != Shape::warped) continue;
     throw InputError(face_name(soup, SourceId(i)) + ": the face is not planar: its corner " +
@@ -361,7 +362,7 @@ class Segments {
   std::size_t side_count_;
   std::vector<std::pair<VertexId, VertexId>> ends_;  // by place
   std::vector<std::uint32_t> begin_;
-  std::vector<std::uint64_t> at_;                    // at the smaller end: the other end, then the place
+  std::vector<std::uint64_t> at_;  // at the smaller end: the other end, then the place
 };
 
 }  // namespace

@@ -10,19 +10,19 @@ namespace cnrg {
 
 /// Faces keep their SourceId; a face without area has no corners.
 struct RefineInput {
-  PointTable points;                              ///< the vertices of the input; PlaneId(f) is the plane of face f
-  std::vector<VertexId> vertex_of;                ///< by PointId
-  Csr<SourceId, VertexId> corners;                ///< loop after loop, none() between two loops
-  Csr<SourceId, SegmentId> sides;                 ///< same places: the segment from a corner to the next of its loop
+  PointTable points;                ///< the vertices of the input; PlaneId(f) is the plane of face f
+  std::vector<VertexId> vertex_of;  ///< by PointId
+  Csr<SourceId, VertexId> corners;  ///< loop after loop, none() between two loops
+  Csr<SourceId, SegmentId> sides;   ///< same places: the segment from a corner to the next of its loop
   /// Ends of each input edge and wire, the lexicographically smaller first. Segments are numbered by their end of
   /// the smaller id, then by the other one.
   IdVector<SegmentId, std::array<VertexId, 2>> segment_ends;
-  std::vector<std::uint32_t> segment_begin;       ///< by vertex: of those with the smaller end there; one more
-  IdVector<SegmentId, char> paired;               ///< sides of exactly two faces, in opposite directions
-  std::vector<PlaneFilter> filters;               ///< by SourceId; freed once sheets are known
-  std::vector<SegmentId> wire_segment;            ///< by WireId; none() for a wire of length zero
-  std::vector<SegmentId> wires;                   ///< segments that are wires, ascending and unique
-  std::vector<VertexId> isolated;                 ///< isolated points (also ends of zero-length wires), unique
+  std::vector<std::uint32_t> segment_begin;  ///< by vertex: of those with the smaller end there; one more
+  IdVector<SegmentId, char> paired;          ///< sides of exactly two faces, in opposite directions
+  std::vector<PlaneFilter> filters;          ///< by SourceId; freed once sheets are known
+  std::vector<SegmentId> wire_segment;       ///< by WireId; none() for a wire of length zero
+  std::vector<SegmentId> wires;              ///< segments that are wires, ascending and unique
+  std::vector<VertexId> isolated;            ///< isolated points (also ends of zero-length wires), unique
 
   bool dropped(SourceId f) const { return corners[f].empty(); }
   static PlaneId plane(SourceId f) { return PlaneId(f.index()); }

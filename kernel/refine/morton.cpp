@@ -14,7 +14,9 @@ namespace {
 struct Item {
   std::uint64_t code;
   std::uint32_t box;
-  friend bool operator<(const Item& a, const Item& b) { return a.code != b.code ? a.code < b.code : a.box < b.box; }
+  friend bool operator<(const Item& a, const Item& b) {
+    return a.code != b.code ? a.code < b.code : a.box < b.box;
+  }
 };
 
 /// Spreads the lowest 21 bits so that two zeros follow each.

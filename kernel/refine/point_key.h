@@ -22,7 +22,9 @@ struct PointKey {
   std::array<std::uint32_t, 3> id{0, 0, 0};
 
   static PointKey vertex(VertexId v) { return {Kind::vertex, {v.value(), 0, 0}}; }
-  static PointKey segment_plane(SegmentId s, SourceId f) { return {Kind::segment_plane, {s.value(), f.value(), 0}}; }
+  static PointKey segment_plane(SegmentId s, SourceId f) {
+    return {Kind::segment_plane, {s.value(), f.value(), 0}};
+  }
   static PointKey segments(SegmentId s, SegmentId t) {
     return {Kind::segments, {std::min(s, t).value(), std::max(s, t).value(), 0}};
   }
@@ -53,8 +55,7 @@ struct PointKey {
 inline Definition definition_of(const PointKey& key, const RefineInput& in) {
   Definition d;
   switch (key.kind) {
-    case PointKey::Kind::vertex:
-      break;
+    case PointKey::Kind::vertex: break;
     case PointKey::Kind::segment_plane: {
       const auto& e = in.segment_ends[SegmentId(key.id[0])];
       d.kind = Definition::Kind::line_plane;

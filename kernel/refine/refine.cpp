@@ -152,12 +152,12 @@ class Refiner {
   IdVector<SheetId, SourceId> representative_;
   std::vector<std::pair<SheetId, SegmentId>> sheet_segments_;
   std::vector<std::pair<SheetId, VertexId>> sheet_points_;
-  std::vector<SheetId> work_;                       // sheets that are more than one lone triangle
-  Csr<SheetId, SegmentId> work_segments_;           // by index into work_
+  std::vector<SheetId> work_;              // sheets that are more than one lone triangle
+  Csr<SheetId, SegmentId> work_segments_;  // by index into work_
   Csr<SheetId, VertexId> work_points_;
   std::vector<Crossing> crossings_;
   std::vector<std::pair<SegmentId, VertexId>> incidences_;
-  std::vector<SheetFaces> results_;                 // by index into work_
+  std::vector<SheetFaces> results_;  // by index into work_
 };
 
 Refinement Refiner::run() {
@@ -335,7 +335,8 @@ void Refiner::cross_sheets() {
   tbb::enumerable_thread_specific<Found> found;
   tbb::parallel_for(std::size_t{0}, work_.size(), [&](std::size_t i) {
     Found& mine = found.local();
-    find_crossings(content(i), r_.input.points, r_.segments, known_, representative_, mine.crossings, mine.incidences);
+    find_crossings(content(i), r_.input.points, r_.segments, known_, representative_, mine.crossings,
+                   mine.incidences);
   });
   for (const Found& f : found) {
     crossings_.insert(crossings_.end(), f.crossings.begin(), f.crossings.end());

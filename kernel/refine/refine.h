@@ -6,12 +6,12 @@
 namespace cnrg {
 
 struct Refinement {
-  RefineInput input;                              ///< its `points` holds the constructed points too
+  RefineInput input;  ///< its `points` holds the constructed points too
   SegmentTable segments;
-  Csr<SegmentId, SourceId> segment_faces;         ///< soup faces with the segment on their boundary (traces: none)
+  Csr<SegmentId, SourceId> segment_faces;  ///< soup faces with the segment on their boundary (traces: none)
   EdgeTable edges;
 
-  IdVector<SourceId, SheetId> sheet_of;           ///< none() for a dropped face
+  IdVector<SourceId, SheetId> sheet_of;  ///< none() for a dropped face
   Csr<SheetId, SourceId> sheet_faces;
   IdVector<SheetId, PlaneId> sheet_plane;
   IdVector<SheetId, Projection> sheet_projection;

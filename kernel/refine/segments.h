@@ -9,7 +9,7 @@
 namespace cnrg {
 
 struct SegmentTable {
-  IdVector<SegmentId, std::array<VertexId, 2>> ends;           ///< the lexicographically smaller first
+  IdVector<SegmentId, std::array<VertexId, 2>> ends;  ///< the lexicographically smaller first
   /// For a trace, two sheets that it lies in; none() for input segments. Traces follow the input segments.
   IdVector<SegmentId, std::array<SheetId, 2>> trace_sheets;
   std::size_t input_count = 0;
@@ -43,8 +43,8 @@ struct SheetContent {
   PlaneId plane;
   Projection axes;
   std::span<const SourceId> faces;
-  std::span<const SegmentId> segments;   ///< unique
-  std::span<const VertexId> points;      ///< unique; may also be ends of segments
+  std::span<const SegmentId> segments;  ///< unique
+  std::span<const VertexId> points;     ///< unique; may also be ends of segments
 };
 
 /// A crossing of the interiors of two segments.

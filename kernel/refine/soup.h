@@ -46,8 +46,8 @@ class Soup {
   /// are one face for people. Loops have at least three points; they do not repeat the first at the end.
   SourceId add_face(LeafId leaf, std::span<const std::vector<PointId>> loops, std::uint32_t leaf_face,
                     std::uint32_t patch, std::uint32_t front = 0, std::uint32_t back = 0);
-  SourceId add_triangle(LeafId leaf, PointId a, PointId b, PointId c, std::uint32_t leaf_face,
-                        std::uint32_t patch, std::uint32_t front = 0, std::uint32_t back = 0);
+  SourceId add_triangle(LeafId leaf, PointId a, PointId b, PointId c, std::uint32_t leaf_face, std::uint32_t patch,
+                        std::uint32_t front = 0, std::uint32_t back = 0);
   /// A wire from a to b; `leaf_edge` numbers the leaf's curves (the pieces of one tessellated curve share one).
   WireId add_wire(LeafId leaf, PointId a, PointId b, std::uint32_t leaf_edge);
   /// An isolated vertex of the leaf.
@@ -96,8 +96,8 @@ class Soup {
   const std::vector<std::pair<LeafId, std::uint32_t>>& seed_regions() const { return seed_regions_; }
 
  private:
-  std::vector<double> xyz_;                                     // nearest doubles
-  std::vector<std::pair<PointId, RationalPoint>> rationals_;    // sorted by id: the points that are no doubles
+  std::vector<double> xyz_;                                   // nearest doubles
+  std::vector<std::pair<PointId, RationalPoint>> rationals_;  // sorted by id: the points that are no doubles
   std::vector<Fill> fills_;
   std::vector<Face> faces_;
   std::vector<std::uint32_t> offsets_{0};

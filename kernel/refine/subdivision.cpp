@@ -85,7 +85,8 @@ void Subdivider::sort_around_vertices() {
   rank_.resize(halves);
   for (std::size_t v = 0; v < n; ++v) {
     const auto begin = out_.begin() + out_begin_[v], end = out_.begin() + out_begin_[v + 1];
-    if (end - begin > 1) std::sort(begin, end, [&](std::uint32_t h, std::uint32_t g) { return h != g && before(h, g); });
+    if (end - begin > 1)
+      std::sort(begin, end, [&](std::uint32_t h, std::uint32_t g) { return h != g && before(h, g); });
   }
   for (std::size_t i = 0; i < halves; ++i) rank_[out_[i]] = static_cast<std::uint32_t>(i);
 }

@@ -9,19 +9,19 @@ namespace cnrg {
 
 /// Edges of the arrangement, as refinement makes them.
 struct EdgeTable {
-  IdVector<EdgeId, std::array<VertexId, 2>> ends;   ///< the lexicographically smaller first
-  Csr<EdgeId, SegmentId> segments;                  ///< all segments that cover the edge, ascending
-  Csr<SegmentId, EdgeId> chain;                     ///< the edges of a segment from its first to its second end
+  IdVector<EdgeId, std::array<VertexId, 2>> ends;  ///< the lexicographically smaller first
+  Csr<EdgeId, SegmentId> segments;                 ///< all segments that cover the edge, ascending
+  Csr<SegmentId, EdgeId> chain;                    ///< the edges of a segment from its first to its second end
 };
 
 /// The covered faces of one sheet.
 struct SheetFaces {
-  std::vector<HalfEdge> half_edges;                 ///< loop after loop
-  std::vector<std::uint32_t> loop_end;              ///< ends of loops in `half_edges`
-  std::vector<std::uint32_t> face_loop_end;         ///< ends of faces in `loop_end`; the outer loop comes first
-  std::vector<VertexId> isolated;                   ///< face after face
+  std::vector<HalfEdge> half_edges;          ///< loop after loop
+  std::vector<std::uint32_t> loop_end;       ///< ends of loops in `half_edges`
+  std::vector<std::uint32_t> face_loop_end;  ///< ends of faces in `loop_end`; the outer loop comes first
+  std::vector<VertexId> isolated;            ///< face after face
   std::vector<std::uint32_t> face_isolated_end;
-  std::vector<Cover> covers;                        ///< face after face, ascending
+  std::vector<Cover> covers;  ///< face after face, ascending
   std::vector<std::uint32_t> face_cover_end;
   std::size_t face_count() const { return face_loop_end.size(); }
 };
@@ -69,11 +69,11 @@ class Subdivider {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::vector<LocalEdge> edges_;
   std::vector<VertexId> vertices_, isolated_;
-  std::vector<std::uint32_t> out_begin_, out_;   // half-edges around each vertex, counter-clockwise
-  std::vector<std::uint32_t> rank_;              // place of each half-edge in out_
+  std::vector<std::uint32_t> out_begin_, out_;  // half-edges around each vertex, counter-clockwise
+  std::vector<std::uint32_t> rank_;             // place of each half-edge in out_
   std::vector<std::uint32_t> next_, loop_of_, loop_first_;
   std::vector<std::uint32_t> component_, component_min_, component_outer_;
-  std::vector<std::uint32_t> loop_face_;         // face of each loop; 0 is the unbounded one
+  std::vector<std::uint32_t> loop_face_;  // face of each loop; 0 is the unbounded one
   std::vector<std::uint32_t> isolated_face_;
   std::vector<std::vector<SourceId>> face_cover_;
   std::size_t face_count_ = 0, component_count_ = 0;

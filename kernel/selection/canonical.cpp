@@ -1,13 +1,13 @@
 #include "kernel/selection/canonical.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <numeric>
 #include <tuple>
 
-#include <tbb/parallel_sort.h>
-
-#include "kernel/base/sorted.h"
 #include "kernel/base/parallel.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
@@ -19,7 +19,7 @@ constexpr Index kNowhere = SimplifiedComplex::kNowhere;
 // The beginning of a key as one number: where it differs, it orders as the key does.
 std::uint64_t head(Index key) { return key; }
 template <class List>
-  requires requires(const List& list) { list.begin(); }
+requires requires(const List& list) { list.begin(); }
 std::uint64_t head(const List& key) {
   const auto at = [&](std::size_t i) { return i < key.size() ? key[i] + std::uint64_t{1} : 0; };
   return at(0) << 32 | at(1);

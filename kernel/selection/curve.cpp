@@ -1,8 +1,9 @@
 #include "kernel/selection/curve.h"
-#include "kernel/base/sorted.h"
 
 #include <algorithm>
 #include <tuple>
+
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {

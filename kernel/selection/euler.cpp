@@ -21,7 +21,9 @@ long rings(const Complex& complex, FaceId f) {
 // The cells of all dimensions as 0 .. n-1, for union-find.
 struct Numbering {
   explicit Numbering(const Complex& c)
-      : edges(c.points.size()), faces(edges + c.edge_count()), regions(faces + c.face_count()),
+      : edges(c.points.size()),
+        faces(edges + c.edge_count()),
+        regions(faces + c.face_count()),
         size(regions + c.region_count) {}
   std::uint32_t operator()(VertexId v) const { return v.value(); }
   std::uint32_t operator()(EdgeId e) const { return static_cast<std::uint32_t>(edges + e.index()); }

@@ -36,7 +36,9 @@ namespace cnrg {
 /// The cells of a set, numbered from 1 as they are listed; 0: not in the set.
 struct BettiCounter::Members {
   explicit Members(const Complex& complex)
-      : vertices(complex.points.size()), edges(complex.edge_count()), faces(complex.face_count()),
+      : vertices(complex.points.size()),
+        edges(complex.edge_count()),
+        faces(complex.face_count()),
         regions(complex.region_count) {}
   std::uint32_t operator()(VertexId v) const { return vertices[v]; }
   std::uint32_t operator()(EdgeId e) const { return edges[e]; }
@@ -169,7 +171,10 @@ template <class Members>
 class Counting {
  public:
   Counting(const CellSet& set, const Members& members, Neighbourhoods& neighbourhoods)
-      : complex_(neighbourhoods.complex()), set_(set), neighbourhoods_(neighbourhoods), in_(members),
+      : complex_(neighbourhoods.complex()),
+        set_(set),
+        neighbourhoods_(neighbourhoods),
+        in_(members),
         closure_(full_closure(complex_, set)) {}
 
   BettiNumbers run() {
@@ -235,8 +240,8 @@ class Counting {
     }
     for (std::uint32_t k = 0; k < around_.arcs.size(); ++k) {
       const auto& arc = around_.arcs[k];
-      const auto corner = arc.full_circle() ? Frontier::pair(Kind::circle, v.value(), k)
-                                            : Frontier::pair(Kind::corner, arc.use);
+      const auto corner =
+          arc.full_circle() ? Frontier::pair(Kind::circle, v.value(), k) : Frontier::pair(Kind::corner, arc.use);
       for (unsigned side : {0u, 1u}) {
         frontier_.add(in, has(arc.face), has(around_.germs[arc.germs[side]].region), corner, germ(arc.germs[side]),
                       Frontier::pair(Kind::half_face, HalfFace(arc.face, side).code()));

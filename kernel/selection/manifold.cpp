@@ -22,7 +22,9 @@ using Index = Neighbourhood::Index;
 /// The cells of a closed set.
 struct ClosedSet {
   ClosedSet(const Complex& complex, const CellSet& set)
-      : cells(closure(complex, set)), edges(complex.edge_count()), faces(complex.face_count()),
+      : cells(closure(complex, set)),
+        edges(complex.edge_count()),
+        faces(complex.face_count()),
         regions(complex.region_count) {
     for (EdgeId e : cells.edges) edges[e] = 1;
     for (FaceId f : cells.faces) faces[f] = 1;
@@ -178,8 +180,9 @@ class VertexShape {
     if (c.points > 0) words.push_back(number(c.points, "a wire", "wires"));
     if (c.circles + c.arcs > 0) words.push_back(number(c.circles + c.arcs, "a sheet", "sheets"));
     if (c.disks > 0) words.push_back(number(c.disks, "a solid cone", "solid cones"));
-    if (c.pierced > 0) words.push_back(number(c.pierced, "a solid around cones of the outside",
-                                              "solids around cones of the outside"));
+    if (c.pierced > 0)
+      words.push_back(
+          number(c.pierced, "a solid around cones of the outside", "solids around cones of the outside"));
     return listed(words) + " meet in a point";
   }
 
@@ -198,8 +201,8 @@ class VertexShape {
 }  // namespace
 
 const char* to_string(LocalForm form) {
-  static constexpr std::array<const char*, 8> kNames{"interior", "manifold", "surface", "surface border",
-                                                     "wire", "wire end", "isolated point", "non-manifold"};
+  static constexpr std::array<const char*, 8> kNames{"interior", "manifold", "surface",        "surface border",
+                                                     "wire",     "wire end", "isolated point", "non-manifold"};
   return kNames[static_cast<std::size_t>(form)];
 }
 

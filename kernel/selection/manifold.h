@@ -23,7 +23,7 @@ enum class LocalForm : std::uint8_t {
   wire,            ///< inside a curve without faces
   wire_end,        ///< the end of one
   isolated_point,
-  non_manifold,    ///< none of these; the reason says how
+  non_manifold,  ///< none of these; the reason says how
 };
 /// Such as `surface border`.
 const char* to_string(LocalForm form);
@@ -46,9 +46,9 @@ Manifoldness manifoldness(const Complex& complex, const CellSet& set, Neighbourh
 
 /// Faces without solid of a set on both sides, joined over the edges that are `surface`.
 struct Sheet {
-  std::vector<FaceId> faces;   ///< ascending
-  bool orientable = true;      ///< false for a one-sided sheet, such as a Moebius strip
-  bool closed = true;          ///< no other edge of the closure bounds it
+  std::vector<FaceId> faces;  ///< ascending
+  bool orientable = true;     ///< false for a one-sided sheet, such as a Moebius strip
+  bool closed = true;         ///< no other edge of the closure bounds it
 };
 /// The sheets of the closure of a set, by first face. The boundary of solid needs no such question: it has a side
 /// with solid and one without, so it is orientable, shell by shell.

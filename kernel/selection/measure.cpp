@@ -12,16 +12,16 @@
 // few.
 #include "kernel/selection/measure.h"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
 
-#include "kernel/base/sorted.h"
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 #include "kernel/base/parallel.h"
+#include "kernel/base/sorted.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {
@@ -268,9 +268,9 @@ class VolumeSum {
   std::vector<VertexId> corners_;
   std::vector<std::pair<FaceId, int>> double_faces_, other_faces_;
   std::vector<Term> terms_;
-  Scratch<VertexId, Pole> pole_;            // 1 + the pole
-  std::vector<Integer> weights_;            // by pole
-  int scale_ = 0;  // all corners of double_faces_ are multiples of 2^scale_
+  Scratch<VertexId, Pole> pole_;  // 1 + the pole
+  std::vector<Integer> weights_;  // by pole
+  int scale_ = 0;                 // all corners of double_faces_ are multiples of 2^scale_
   bool scale_known_ = false;
 };
 

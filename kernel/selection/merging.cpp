@@ -9,9 +9,9 @@
 #include <algorithm>
 
 #include "kernel/base/error.h"
+#include "kernel/base/parallel.h"
 #include "kernel/base/union_find.h"
 #include "kernel/selection/curve.h"
-#include "kernel/base/parallel.h"
 
 namespace cnrg {
 

@@ -79,7 +79,7 @@ class Nesting {
   struct Crossing {
     Integer here, there;  // distances to the plane of the arc from both ends of the leg, one of them negative
     Index arc;
-    unsigned side;        // on which the path arrives
+    unsigned side;  // on which the path arrives
   };
 
   static Vector way_point(std::uint32_t attempt) {
@@ -173,7 +173,9 @@ class Nesting {
 class Faces {
  public:
   Faces(const Complex& complex, Neighbourhood& n)
-      : complex_(complex), n_(n), circle_of_side_(n.arcs.size() * 2, Neighbourhood::kNone),
+      : complex_(complex),
+        n_(n),
+        circle_of_side_(n.arcs.size() * 2, Neighbourhood::kNone),
         circle_of_wire_(n.nodes.size(), Neighbourhood::kNone) {}
 
   void run(const std::vector<std::array<Index, 2>>& darts_of_arc) {

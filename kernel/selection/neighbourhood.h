@@ -31,23 +31,23 @@ struct Neighbourhood {
 
   struct Dart {
     Index arc = 0;
-    unsigned end = 0;          ///< 0: the arc's tail, 1: its head
-    Index use = 0;             ///< index into the values of `Complex::edge_uses`
+    unsigned end = 0;  ///< 0: the arc's tail, 1: its head
+    Index use = 0;     ///< index into the values of `Complex::edge_uses`
     /// The sector of the edge that follows counter-clockwise, up to the next dart: the use which it lies after
     /// in the radial order of the edge, and its germ.
     Index sector = 0, germ = 0;
   };
   struct Node {
-    HalfEdge edge;             ///< leaves the vertex
+    HalfEdge edge;               ///< leaves the vertex
     Index first = 0, count = 0;  ///< its darts; none for a wire
-    Index germ = kNone;        ///< of a wire: what lies around it
-    Index part = 0;            ///< the connected part of the graph, from 0
+    Index germ = kNone;          ///< of a wire: what lies around it
+    Index part = 0;              ///< the connected part of the graph, from 0
   };
   struct Arc {
     FaceId face;
     std::array<Index, 2> nodes{kNone, kNone};  ///< of the tail and the head; none for a full circle
     std::array<Index, 2> germs{};              ///< on the front and on the back
-    Index use = kNone;         ///< of the half-edge that arrives: names the corner; none for a full circle
+    Index use = kNone;  ///< of the half-edge that arrives: names the corner; none for a full circle
     Index part = 0;
     bool full_circle() const { return nodes[0] == kNone; }
   };
@@ -65,13 +65,13 @@ struct Neighbourhood {
   };
 
   VertexId vertex;
-  std::vector<Node> nodes;     ///< ascending by edge
-  std::vector<Dart> darts;     ///< by node
-  std::vector<Arc> arcs;       ///< full circles last
+  std::vector<Node> nodes;  ///< ascending by edge
+  std::vector<Dart> darts;  ///< by node
+  std::vector<Arc> arcs;    ///< full circles last
   std::vector<Circle> circles;
-  std::vector<Index> sides;    ///< by circle
+  std::vector<Index> sides;  ///< by circle
   std::vector<Germ> germs;
-  Index parts = 0;             ///< connected parts of the graph
+  Index parts = 0;  ///< connected parts of the graph
 
   std::span<const Dart> around(const Node& node) const { return {darts.data() + node.first, node.count}; }
   std::span<const Index> sides_of(const Circle& c) const { return {sides.data() + c.first, c.count}; }

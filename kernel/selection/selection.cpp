@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "kernel/selection/scratch.h"
 #include "kernel/base/sorted.h"
+#include "kernel/selection/scratch.h"
 
 namespace cnrg {
 namespace {

@@ -10,15 +10,15 @@
 // kept edges: that is the walk.
 #include "kernel/selection/simplify.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <atomic>
 #include <numeric>
 
-#include <tbb/parallel_invoke.h>
-
+#include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
 #include "kernel/selection/merging.h"
-#include "kernel/base/parallel.h"
 
 namespace cnrg {
 namespace {
@@ -134,9 +134,8 @@ class Assembly {
     for_each_of(merging_.domain().edges, [&](EdgeId e) {
       if (merging_.fate(e) == Fate::kept) near.set(complex_.some_region(e), 1);
     });
-    for_each_of(out_.vertices, [&](const SimplifiedComplex::Vertex& vertex) {
-      near.set(complex_.some_region(vertex.cell), 1);
-    });
+    for_each_of(out_.vertices,
+                [&](const SimplifiedComplex::Vertex& vertex) { near.set(complex_.some_region(vertex.cell), 1); });
     for (RegionId r : near.ids()) near[merging_.region(r)] = 1;
     out_.region_place.assign(complex_.region_count, Place{3, kNowhere});
     for (RegionId r : IdRange<RegionId>(complex_.region_count)) {
@@ -379,14 +378,10 @@ std::string cell_name(int dimension, std::uint32_t index) {
 Component component_of(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place) {
   if (place.index == kNowhere) return 0;
   switch (place.dimension) {
-    case 0:
-      return simplified.vertices[place.index].component;
-    case 1:
-      return simplified.edges[place.index].component;
-    case 2:
-      return simplified.faces[place.index].component;
-    default:
-      return simplified.regions[place.index].component;
+    case 0: return simplified.vertices[place.index].component;
+    case 1: return simplified.edges[place.index].component;
+    case 2: return simplified.faces[place.index].component;
+    default: return simplified.regions[place.index].component;
   }
 }
 

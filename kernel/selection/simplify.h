@@ -23,32 +23,32 @@ struct SimplifiedComplex {
     Component component = 0;
   };
   struct Edge {
-    ShortList<HalfEdge, 2> chain;      ///< head to tail; a closed chain has no end vertices
+    ShortList<HalfEdge, 2> chain;  ///< head to tail; a closed chain has no end vertices
     bool closed = false;
     Component component = 0;
   };
   struct Face {
-    ShortList<HalfFace, 2> cells;      ///< the faces united, each by the half-face that is the front
-    ShortLists<HalfEdge> loops;        ///< boundary walks, the face to the left; slits twice
-    ShortList<VertexId, 2> isolated;   ///< remaining vertices in the interior
+    ShortList<HalfFace, 2> cells;     ///< the faces united, each by the half-face that is the front
+    ShortLists<HalfEdge> loops;       ///< boundary walks, the face to the left; slits twice
+    ShortList<VertexId, 2> isolated;  ///< remaining vertices in the interior
     Component component = 0;
     std::array<std::uint32_t, 2> regions{};  ///< indices of the regions on front and back
   };
   struct Region {
     std::vector<RegionId> cells;
-    Component component = 0;           ///< 0: inactive
+    Component component = 0;  ///< 0: inactive
     bool bounded = true;
     std::vector<std::vector<std::uint32_t>> shells;  ///< face index * 2 + side, per shell
   };
   std::vector<Vertex> vertices;  ///< active ones and those that bound something; none on the frame
   std::vector<Edge> edges;
   std::vector<Face> faces;
-  std::vector<Region> regions;   ///< all regions that touch an active cell or hold one; outside of the frame: none
+  std::vector<Region> regions;  ///< all regions that touch an active cell or hold one; outside of the frame: none
 
   /// Index of the simplified cell that holds a cell of the complex, by dimension of the result.
   struct Place {
     int dimension = 3;
-    std::uint32_t index = 0;     ///< into the vector of that dimension; kNowhere for an inactive region not listed
+    std::uint32_t index = 0;  ///< into the vector of that dimension; kNowhere for an inactive region not listed
   };
   static constexpr std::uint32_t kNowhere = 0xffffffffu;
   Place place(const Complex& complex, const Location& location) const;
@@ -89,8 +89,7 @@ std::array<std::size_t, 4> active_counts(const SimplifiedComplex& simplified);
 
 /// `active_counts(simplify(...))`, at the cost of the active cells, the features and their closure.
 std::array<std::size_t, 4> simplified_counts(const Complex& complex, const Selection& selection,
-                                             const Features& features,
-                                             SimplifyMode mode = SimplifyMode::features,
+                                             const Features& features, SimplifyMode mode = SimplifyMode::features,
                                              const CellSources* sources = nullptr);
 
 }  // namespace cnrg

@@ -1,7 +1,6 @@
 // `cnrg mesh` from outside; the tunnel of Pereira et al. through Gmsh and tetgen.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

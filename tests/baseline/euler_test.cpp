@@ -156,33 +156,19 @@ class RandomModel {
   Change undo(const Entry& entry) {
     const HalfEdgeId a = now(entry.a);
     switch (entry.kind) {
-      case Kind::mvfs:
-        topology_.kvfs(topology_.face(a));
-        return {-1, 0, -1, 0};
-      case Kind::mev:
-        topology_.kev(a);
-        return {-1, -1, 0, 0};
-      case Kind::mef:
-        topology_.kef(a);
-        return {0, -1, -1, 0};
+      case Kind::mvfs: topology_.kvfs(topology_.face(a)); return {-1, 0, -1, 0};
+      case Kind::mev: topology_.kev(a); return {-1, -1, 0, 0};
+      case Kind::mef: topology_.kef(a); return {0, -1, -1, 0};
       case Kind::kemr: {
         const Edge edge = topology_.edge(topology_.mekr(a, now(entry.b)));
         rename(entry.c, edge.first);
         rename(entry.d, edge.second);
         return {0, 1, 0, -1};
       }
-      case Kind::mekr:
-        topology_.kemr(entry.turned ? now(entry.b) : a);
-        return {0, -1, 0, 1};
-      case Kind::kfmrh:
-        topology_.mfkrh(topology_.loop(a));
-        return {0, 0, 1, -1};
-      case Kind::mfkrh:
-        topology_.kfmrh(topology_.face(now(entry.b)), topology_.face(a));
-        return {0, 0, -1, 1};
-      case Kind::ringmv:
-        topology_.ringmv(topology_.loop(a), topology_.face(now(entry.b)));
-        return {0, 0, 0, 0};
+      case Kind::mekr: topology_.kemr(entry.turned ? now(entry.b) : a); return {0, -1, 0, 1};
+      case Kind::kfmrh: topology_.mfkrh(topology_.loop(a)); return {0, 0, 1, -1};
+      case Kind::mfkrh: topology_.kfmrh(topology_.face(now(entry.b)), topology_.face(a)); return {0, 0, -1, 1};
+      case Kind::ringmv: topology_.ringmv(topology_.loop(a), topology_.face(now(entry.b))); return {0, 0, 0, 0};
     }
     return {};
   }

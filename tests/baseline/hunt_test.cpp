@@ -44,14 +44,11 @@ void hunt(Solid solid, std::uint64_t usual, bool turned = false) {
         const Truth truth = truth_of(a, b, operation, exact);
         if (has_exact) {
           const Counts counts = counts_of(exact);
-          if (!truth.same_set)
-            note("exact WRONG");
-          else if (volume_of(exact) != truth.volume)
-            note("exact VOLUME");
+          if (!truth.same_set) note("exact WRONG");
+          else if (volume_of(exact) != truth.volume) note("exact VOLUME");
           else if (counts.vertices != truth.vertices || counts.faces != truth.faces || counts.edges != truth.edges)
             note("exact same set, other counts");
-          else
-            note("exact same");
+          else note("exact same");
         }
         const Model rounded_answer = mantyla::boolean_double(a, b, operation);
         const double error = to_double(volume_of(rounded_answer)) - to_double(truth.volume);

@@ -108,30 +108,14 @@ Model fanned(const Model& model) {
 Model random_solid(Random& random) {
   Model model;
   switch (random.integer(0, 8)) {
-    case 0:
-      model = tetrahedron();
-      break;
-    case 1:
-      model = octahedron();
-      break;
-    case 2:
-      model = box({-1, -1, -1}, {1, 2, 1});
-      break;
-    case 3:
-      model = prism(ell(), {}, 0, 2);
-      break;
-    case 4:
-      model = prism(letter_u(), {}, 0, 2);
-      break;
-    case 5:
-      model = prism(plus(), {}, -1, 1);
-      break;
-    case 6:
-      model = frame();
-      break;
-    case 7:
-      model = ladder();
-      break;
+    case 0: model = tetrahedron(); break;
+    case 1: model = octahedron(); break;
+    case 2: model = box({-1, -1, -1}, {1, 2, 1}); break;
+    case 3: model = prism(ell(), {}, 0, 2); break;
+    case 4: model = prism(letter_u(), {}, 0, 2); break;
+    case 5: model = prism(plus(), {}, -1, 1); break;
+    case 6: model = frame(); break;
+    case 7: model = ladder(); break;
     default:
       model = prism({{3, 0}, {2, 2}, {0, 3}, {-2, 2}, {-3, 0}, {-2, -2}, {0, -3}, {2, -2}}, {}, -2, 2);
       break;
@@ -151,33 +135,17 @@ Model random_solid(Random& random) {
 Model random_grid_solid(Random& random) {
   Model model;
   switch (random.integer(0, 9)) {
-    case 8:
-      model = octahedron();
-      break;
-    case 9:
-      model = tetrahedron();
-      break;
-    case 0:
-      model = prism(ell(), {}, 0, random.integer(1, 2));
-      break;
-    case 1:
-      model = prism(letter_u(), {}, 0, random.integer(1, 2));
-      break;
-    case 2:
-      model = prism(plus(), {}, 0, random.integer(1, 3));
-      break;
-    case 3:
-      model = frame();
-      break;
+    case 8: model = octahedron(); break;
+    case 9: model = tetrahedron(); break;
+    case 0: model = prism(ell(), {}, 0, random.integer(1, 2)); break;
+    case 1: model = prism(letter_u(), {}, 0, random.integer(1, 2)); break;
+    case 2: model = prism(plus(), {}, 0, random.integer(1, 3)); break;
+    case 3: model = frame(); break;
     case 4:
       model = fanned(box({0, 0, 0}, {random.integer(1, 3), random.integer(1, 3), random.integer(1, 3)}));
       break;
-    case 5:
-      model = prism({{0, 0}, {2, 0}, {0, 2}}, {}, 0, random.integer(1, 3));
-      break;
-    default:
-      model = box({0, 0, 0}, {random.integer(1, 3), random.integer(1, 3), random.integer(1, 3)});
-      break;
+    case 5: model = prism({{0, 0}, {2, 0}, {0, 2}}, {}, 0, random.integer(1, 3)); break;
+    default: model = box({0, 0, 0}, {random.integer(1, 3), random.integer(1, 3), random.integer(1, 3)}); break;
   }
   model = with_axis(std::move(model), random.integer(0, 2));
   const std::array<Rational, 4> turns[] = {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 0, 0, 1},

@@ -14,7 +14,8 @@ using namespace cnrg;
 
 namespace {
 
-LeafId add_box(Soup& s, double x0, double y0, double z0, double x1, double y1, double z1, Fill fill = Fill::winding) {
+LeafId add_box(Soup& s, double x0, double y0, double z0, double x1, double y1, double z1,
+               Fill fill = Fill::winding) {
   const LeafId leaf = s.add_leaf(fill);
   std::vector<PointId> p;
   for (int i = 0; i < 8; ++i) p.push_back(s.add_point(i & 1 ? x1 : x0, i & 2 ? y1 : y0, i & 4 ? z1 : z0));
@@ -155,12 +156,13 @@ TEST_CASE("radial order about an edge of many half-planes") {
   const double around[7][2] = {{1, 0}, {-1, 1}, {-1, 0}, {2, 1}, {-2, -1}, {1, -3}, {1, 5}};
   for (std::uint32_t i = 0; i < 7; ++i) {
     const PointId p = s.add_point(around[i][0], around[i][1], 0.5);
-    if (i % 2 == 0) s.add_triangle(leaf, a, b, p, i, i); else s.add_triangle(leaf, b, a, p, i, i);
+    if (i % 2 == 0) s.add_triangle(leaf, a, b, p, i, i);
+    else s.add_triangle(leaf, b, a, p, i, i);
   }
   const Complex c = build(s);
   const auto counted = std::find_if(c.edge_ends.begin(), c.edge_ends.end(), [&](const auto& ends) {
-    return c.points.approx(ends[0])[0] == 0 && c.points.approx(ends[1])[0] == 0 && c.points.approx(ends[0])[1] == 0 &&
-           c.points.approx(ends[1])[1] == 0;
+    return c.points.approx(ends[0])[0] == 0 && c.points.approx(ends[1])[0] == 0 &&
+           c.points.approx(ends[0])[1] == 0 && c.points.approx(ends[1])[1] == 0;
   });
   REQUIRE(counted != c.edge_ends.end());
   const EdgeId e(static_cast<std::size_t>(counted - c.edge_ends.begin()));
@@ -311,7 +313,8 @@ TEST_CASE("location: every cell of random scenes holds its own interior point") 
       for (int side = 0; side < 2; ++side) {
         Location beside;
         Rational step(side == 0 ? 1 : -1, 1000000);
-        RationalPoint q{p[0] + step * Rational(plane.a), p[1] + step * Rational(plane.b), p[2] + step * Rational(plane.c)};
+        RationalPoint q{p[0] + step * Rational(plane.a), p[1] + step * Rational(plane.b),
+                        p[2] + step * Rational(plane.c)};
         step /= 1000000000;
         const RationalPoint nearer{p[0] + step * Rational(plane.a), p[1] + step * Rational(plane.b),
                                    p[2] + step * Rational(plane.c)};

@@ -11,7 +11,8 @@ nodes:
   b: {sphere: {center: [2, 2, 2], radius: "1/2", segments: 8}}
   m: {difference: [a, b]}
 result: m
-)", "model.yaml");
+)",
+                                           "model.yaml");
   const cnrg::Evaluation evaluation = cnrg::evaluate(tree);
   const cnrg::Locator locator(*evaluation.complex);
   const cnrg::Location center = locator.locate({1, 1, 1});

@@ -86,14 +86,10 @@ class RandomTree {
       case 1:
         return "polygon: [" + text(x, y, z) + ", " + text(x, Y, z) + ", " + text(x, Y, Z) + ", " + text(x, y, Z) +
                "]";
-      case 2:
-        return "polyline: [" + text(x, y, z) + ", " + text(X, y, z) + ", " + text(X, Y, z) + "]";
-      case 3:
-        return "points: [" + text(x, y, z) + ", " + text(X, Y, Z) + "]";
-      case 4:
-        return "box: {min: " + text(x - 1, y - 1, z - 1) + ", max: " + text(X + 1, Y + 1, Z + 1) + "}";
-      default:
-        return "box: {min: " + text(x, y, z) + ", max: " + text(X, Y, Z) + "}";
+      case 2: return "polyline: [" + text(x, y, z) + ", " + text(X, y, z) + ", " + text(X, Y, z) + "]";
+      case 3: return "points: [" + text(x, y, z) + ", " + text(X, Y, Z) + "]";
+      case 4: return "box: {min: " + text(x - 1, y - 1, z - 1) + ", max: " + text(X + 1, Y + 1, Z + 1) + "}";
+      default: return "box: {min: " + text(x, y, z) + ", max: " + text(X, Y, Z) + "}";
     }
   }
   std::mt19937_64 random_;
@@ -117,14 +113,10 @@ Component component_in(const Selection& s, const Location& at) {
     return 0;
   };
   switch (at.dimension) {
-    case 0:
-      return find(s.vertices, at.vertex);
-    case 1:
-      return find(s.edges, at.edge);
-    case 2:
-      return find(s.faces, at.face);
-    default:
-      return find(s.regions, at.region);
+    case 0: return find(s.vertices, at.vertex);
+    case 1: return find(s.edges, at.edge);
+    case 2: return find(s.faces, at.face);
+    default: return find(s.regions, at.region);
   }
 }
 
@@ -132,21 +124,16 @@ Component component_in(const Selection& s, const Location& at) {
 bool condition_holds(const BooleanFacts& f) {
   const std::vector<CellState>& around = f.b.around;
   switch (f.verdict.row->condition) {
-    case Condition::never:
-      return false;
-    case Condition::always:
-      return true;
-    case Condition::one_region_a:
-      return f.a.regions == 1;
-    case Condition::one_region_b:
-      return f.b.regions == 1;
+    case Condition::never: return false;
+    case Condition::always: return true;
+    case Condition::one_region_a: return f.a.regions == 1;
+    case Condition::one_region_b: return f.b.regions == 1;
     case Condition::opposite_regions:
       return f.a.regions == 1 && f.b.regions == 1 &&
              (f.a.sides[0].component == 0) != (f.b.sides[0].component == 0);
     case Condition::parts_or_hangs_in_b:
       return f.b.regions == 2 || (f.b.regions == 0 && f.b.sides[0].component != 0);
-    case Condition::no_new_region:
-      return f.b.regions != 1;
+    case Condition::no_new_region: return f.b.regions != 1;
     case Condition::no_side_survives: {
       bool survives = false;
       for (const std::size_t s : {0u, 1u}) {
@@ -154,14 +141,10 @@ bool condition_holds(const BooleanFacts& f) {
       }
       return !survives || (f.a.regions == 0 && f.b.regions == 0);
     }
-    case Condition::not_free_a:
-      return !f.a.free;
-    case Condition::not_free_b:
-      return !f.b.free;
-    case Condition::free_in_neither:
-      return !f.a.free && !f.b.free;
-    case Condition::inside_region_b:
-      return around.size() == 1 && around[0].component != 0;
+    case Condition::not_free_a: return !f.a.free;
+    case Condition::not_free_b: return !f.b.free;
+    case Condition::free_in_neither: return !f.a.free && !f.b.free;
+    case Condition::inside_region_b: return around.size() == 1 && around[0].component != 0;
   }
   return false;
 }
@@ -169,14 +152,10 @@ bool condition_holds(const BooleanFacts& f) {
 /// The operator's decision from the star of one set.
 bool decided(Operator op, const StarFacts& s) {
   switch (op) {
-    case Operator::interior:
-      return s.in_set && s.whole;
-    case Operator::closure:
-      return s.touched;
-    case Operator::boundary:
-      return s.touched && !s.whole;
-    default:
-      return s.solid;
+    case Operator::interior: return s.in_set && s.whole;
+    case Operator::closure: return s.touched;
+    case Operator::boundary: return s.touched && !s.whole;
+    default: return s.solid;
   }
 }
 

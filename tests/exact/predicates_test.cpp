@@ -10,7 +10,8 @@ using namespace cnrg;
 
 namespace {
 
-Rational determinant(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
+Rational determinant(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c,
+                     const RationalPoint& d) {
   Rational m[3][3];
   const RationalPoint* rows[3] = {&b, &c, &d};
   for (int i = 0; i < 3; ++i) {
@@ -95,10 +96,12 @@ TEST_CASE("constructed points: enclosure, definition and exact value agree") {
     PointTable t;
     for (int i = 0; i < 9; ++i) t.add(any(random), any(random), any(random));
     bool flat = false;
-    for (std::size_t i = 0; i < 3; ++i) flat = flat || collinear(t, VertexId(3 * i), VertexId(3 * i + 1), VertexId(3 * i + 2));
+    for (std::size_t i = 0; i < 3; ++i)
+      flat = flat || collinear(t, VertexId(3 * i), VertexId(3 * i + 1), VertexId(3 * i + 2));
     if (flat) continue;
     PlaneId p[3];
-    for (std::size_t i = 0; i < 3; ++i) p[i] = t.add_plane(VertexId(3 * i), VertexId(3 * i + 1), VertexId(3 * i + 2));
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] = t.add_plane(VertexId(3 * i), VertexId(3 * i + 1), VertexId(3 * i + 2));
     if (side_of_plane(t, p[1], VertexId(0)) * side_of_plane(t, p[1], VertexId(1)) < 0) {
       Definition d;
       d.kind = Definition::Kind::line_plane;

@@ -37,8 +37,30 @@ TEST_CASE("a number is read exactly") {
 }
 
 TEST_CASE("what is no number is nothing") {
-  for (const char* text : {"", "-", "+", ".", "e5", "1e", "1e+", "1/0", "1/0.0", "1/", "/2", "1//2", "1 ", " 1", "0x10",
-                           "nan", "inf", "1e100001", "1e99999999999999999999", "1.2.3", "--1", "1/-2", "1,5", "1/2/3"}) {
+  for (const char* text : {"",
+                           "-",
+                           "+",
+                           ".",
+                           "e5",
+                           "1e",
+                           "1e+",
+                           "1/0",
+                           "1/0.0",
+                           "1/",
+                           "/2",
+                           "1//2",
+                           "1 ",
+                           " 1",
+                           "0x10",
+                           "nan",
+                           "inf",
+                           "1e100001",
+                           "1e99999999999999999999",
+                           "1.2.3",
+                           "--1",
+                           "1/-2",
+                           "1,5",
+                           "1/2/3"}) {
     CAPTURE(text);
     CHECK_FALSE(parse_rational(text));
   }
@@ -69,14 +91,14 @@ TEST_CASE("to_double is nearest, ties to even") {
   CHECK(to_double(Rational(1, 10)) == 0.1);
   CHECK(to_double(Rational(-1, 3)) == -1.0 / 3);
   const Rational one = 1;
-  CHECK(to_double(one + power_of_two(-53)) == 1.0);                                // tie, even below
-  CHECK(to_double(one + 3 * power_of_two(-53)) == 1.0 + std::ldexp(1, -51));       // tie, even above
+  CHECK(to_double(one + power_of_two(-53)) == 1.0);                           // tie, even below
+  CHECK(to_double(one + 3 * power_of_two(-53)) == 1.0 + std::ldexp(1, -51));  // tie, even above
   CHECK(to_double(one + power_of_two(-53) + power_of_two(-900)) == std::nextafter(1.0, 2.0));
-  CHECK(to_double(2 - power_of_two(-60)) == 2.0);                                  // carry into the next power
+  CHECK(to_double(2 - power_of_two(-60)) == 2.0);  // carry into the next power
   SECTION("subnormal numbers") {
     const double smallest = std::numeric_limits<double>::denorm_min();
     CHECK(to_double(power_of_two(-1074)) == smallest);
-    CHECK(to_double(power_of_two(-1075)) == 0);                                    // tie, even is zero
+    CHECK(to_double(power_of_two(-1075)) == 0);  // tie, even is zero
     CHECK(to_double(power_of_two(-1075) + power_of_two(-2000)) == smallest);
     CHECK(to_double(3 * power_of_two(-1075)) == 2 * smallest);
     CHECK(to_double(-power_of_two(-1076)) == 0);

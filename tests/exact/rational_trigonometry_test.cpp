@@ -1,9 +1,9 @@
 // Sines, cosines and rotations of rational angles.
-#include "kernel/exact/trigonometry.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+
+#include "kernel/exact/trigonometry.h"
 
 using namespace cnrg;
 
@@ -52,7 +52,7 @@ TEST_CASE("rounded multiples of a grid") {
   CHECK(round_cosine(0, 2, 0) == 1);
   CHECK(round_cosine(0, 9, -3) == 3);
   CHECK(round_cosine(60, 9, -1) == Rational(3, 2));
-  CHECK(round_cosine(60, 9, 0) == 2);                      // 1.5: tie to even
+  CHECK(round_cosine(60, 9, 0) == 2);  // 1.5: tie to even
   CHECK(round_cosine(45, 2, -10) == 1);
   CHECK(round_cosine(135, 2, -10) == -1);
   CHECK(round_cosine(90, 2, -10) == 0);

@@ -1,10 +1,10 @@
 // Families of problems: valid operands, contacts that are what they are called, names.
-#include <catch2/catch.hpp>
+#include "bench/cases/family.h"
 
+#include <catch2/catch.hpp>
 #include <set>
 #include <stdexcept>
 
-#include "bench/cases/family.h"
 #include "tests/families/model_checks.h"
 
 namespace cnrg::bench {

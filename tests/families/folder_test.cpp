@@ -1,6 +1,5 @@
 // Problems of a folder of meshes: pairs by name, solids and surfaces, what becomes of odd polygons.
 #include <catch2/catch.hpp>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -53,13 +52,12 @@ TEST_CASE("files that belong together are one problem", "[families]") {
     folder.write(name, kTetrahedron);
   folder.write("notes.txt", "no mesh");
   const std::vector<std::string> names = folder_problems(folder.path());
-  CHECK(names == std::vector<std::string>{
-                     "files-union-a_b.off", "files-union-a_b.off_2", "files-union-alone_left.OFF",
-                     "files-union-deep+er+zA.off", "files-union-deep+zB.off", "files-union-qA.off",
-                     "files-union-qB.stl", "files-union-src-wA.off-cut-wA.off",
-                     "files-union-src-wB.off-cut-wB.off", "files-union-src-y.off-cut-y.off",
-                     "files-union-x_left.off-x_right.off",
-                     "files-union-zA.off-zB.off"});
+  CHECK(names == std::vector<std::string>{"files-union-a_b.off", "files-union-a_b.off_2",
+                                          "files-union-alone_left.OFF", "files-union-deep+er+zA.off",
+                                          "files-union-deep+zB.off", "files-union-qA.off", "files-union-qB.stl",
+                                          "files-union-src-wA.off-cut-wA.off", "files-union-src-wB.off-cut-wB.off",
+                                          "files-union-src-y.off-cut-y.off", "files-union-x_left.off-x_right.off",
+                                          "files-union-zA.off-zB.off"});
   const Problem pair = folder.problem("files-union-x_left.off-x_right.off");
   CHECK(pair.name == "files-union-x_left.off-x_right.off");
   CHECK(pair.operands.size() == 2);

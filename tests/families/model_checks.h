@@ -21,10 +21,10 @@ std::string fault_of(const Model& model);
 
 /// How two models meet in the complex of both.
 struct Meeting {
-  std::size_t faces = 0;     ///< faces on which both lie
-  std::size_t edges = 0;     ///< edges on which edges of both lie
-  std::size_t vertices = 0;  ///< that are in general position of neither kind: see `meeting`
-  std::size_t crossings = 0; ///< of those vertices, that are corners of neither
+  std::size_t faces = 0;         ///< faces on which both lie
+  std::size_t edges = 0;         ///< edges on which edges of both lie
+  std::size_t vertices = 0;      ///< that are in general position of neither kind: see `meeting`
+  std::size_t crossings = 0;     ///< of those vertices, that are corners of neither
   Rational first, second, both;  ///< volumes of the regions of each, and of both
   bool general() const { return faces == 0 && edges == 0 && vertices == 0; }
 };

@@ -56,8 +56,11 @@ TEST_CASE("the installed program runs", "[install]") {
 TEST_CASE("a project outside finds, compiles, links and runs the installed library", "[install]") {
   const Workshop w;
   succeed(w, kInstall);
-  succeed(w, quoted(CNRG_CMAKE) + " -S '" CNRG_CONSUMER "' -B consumer -G '" CNRG_GENERATOR "'"
-                 " -DCMAKE_PREFIX_PATH=" + quoted(w.path("installed").string()) + " " CNRG_CONSUMER_OPTIONS);
+  succeed(w, quoted(CNRG_CMAKE) +
+                 " -S '" CNRG_CONSUMER "' -B consumer -G '" CNRG_GENERATOR
+                 "'"
+                 " -DCMAKE_PREFIX_PATH=" +
+                 quoted(w.path("installed").string()) + " " CNRG_CONSUMER_OPTIONS);
   succeed(w, quoted(CNRG_CMAKE) + " --build consumer");
   CHECK(succeed(w, "consumer/consumer") ==
         "a 8, center in a cell of dimension 3\n"

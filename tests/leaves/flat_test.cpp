@@ -10,12 +10,15 @@ using Points = std::vector<RationalPoint>;
 
 Rational r(const char* text) { return *parse_rational(text); }
 
-Points square(int low, int high, const Rational& z = 0) { return {{low, low, z}, {high, low, z}, {high, high, z}, {low, high, z}}; }
+Points square(int low, int high, const Rational& z = 0) {
+  return {{low, low, z}, {high, low, z}, {high, high, z}, {low, high, z}};
+}
 
 GroupShape cube() {
   GroupShape g;
   for (int i = 0; i < 8; ++i) g.vertices.push_back({i & 1, i >> 1 & 1, i >> 2 & 1});
-  const std::vector<std::uint32_t> faces[] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  const std::vector<std::uint32_t> faces[] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                              {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (const auto& face : faces) g.faces.push_back({{face}, {0, 1}, 0, 0});
   return g;
 }
@@ -31,7 +34,8 @@ TEST_CASE("polygons with holes") {
   CHECK(planar(soup));
   // A reflex corner, straight corners and a plane that is not along the axes.
   CHECK(error_of(PolygonShape{{{0, 0, 0}, {2, 0, 2}, {4, 0, 4}, {4, 4, 8}, {2, 1, 3}, {0, 4, 4}}, {}}).empty());
-  CHECK(error_of(PolygonShape{{{0, 0, 0}, {1, 0, r("1/3")}, {0, 1, r("1/7")}, {r("-1"), 0, r("-1/3")}}, {}}).empty());
+  CHECK(error_of(PolygonShape{{{0, 0, 0}, {1, 0, r("1/3")}, {0, 1, r("1/7")}, {r("-1"), 0, r("-1/3")}}, {}})
+            .empty());
 }
 
 TEST_CASE("polygons that are no faces") {
@@ -40,21 +44,28 @@ TEST_CASE("polygons that are no faces") {
   };
   CHECK_THAT(error({{0, 0, 0}, {1, 0, 0}}), Catch::Contains("has 2 points"));
   CHECK_THAT(error({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 0, 0}}), Catch::Contains("on one line"));
-  CHECK_THAT(error({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}}), Catch::Contains("point 2 and point 3 are both (1, 0, 0)"));
+  CHECK_THAT(error({{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 1, 0}}),
+             Catch::Contains("point 2 and point 3 are both (1, 0, 0)"));
   CHECK_THAT(error({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}}), Catch::Contains("point 4, repeats the first"));
   CHECK_THAT(error({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, r("1/1000000000000000000000")}}),
              Catch::Contains("not planar: point 4 (0, 1, 1e-21)"));
   CHECK_THAT(error({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}),
              Catch::Contains("edge 1 (point 1 to point 2) crosses or touches edge 3 (point 3 to point 4)"));
   // touching at a corner, a spike, an overlap of edges that are not neighbours
-  CHECK_THAT(error({{0, 0, 0}, {2, 2, 0}, {4, 0, 0}, {4, 4, 0}, {2, 2, 0}, {0, 4, 0}}), Catch::Contains("not simple"));
-  CHECK_THAT(error({{0, 0, 0}, {4, 0, 0}, {2, 0, 0}, {2, 2, 0}}), Catch::Contains("edge 1 (point 1 to point 2) crosses or touches edge 2"));
-  CHECK_THAT(error({{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {3, 1, 0}, {3, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}), Catch::Contains("not simple"));
+  CHECK_THAT(error({{0, 0, 0}, {2, 2, 0}, {4, 0, 0}, {4, 4, 0}, {2, 2, 0}, {0, 4, 0}}),
+             Catch::Contains("not simple"));
+  CHECK_THAT(error({{0, 0, 0}, {4, 0, 0}, {2, 0, 0}, {2, 2, 0}}),
+             Catch::Contains("edge 1 (point 1 to point 2) crosses or touches edge 2"));
+  CHECK_THAT(error({{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {3, 1, 0}, {3, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}),
+             Catch::Contains("not simple"));
   CHECK_THAT(error(square(0, 9), {square(10, 11)}), Catch::Contains("hole 1 of the polygon is outside"));
-  CHECK_THAT(error(square(0, 9), {square(1, 8), square(2, 3)}), Catch::Contains("hole 2 of the polygon is inside hole 1"));
-  CHECK_THAT(error(square(0, 9), {square(1, 4), square(2, 5)}), Catch::Contains("loops of the polygon meet: edge 2 of hole 1"));
+  CHECK_THAT(error(square(0, 9), {square(1, 8), square(2, 3)}),
+             Catch::Contains("hole 2 of the polygon is inside hole 1"));
+  CHECK_THAT(error(square(0, 9), {square(1, 4), square(2, 5)}),
+             Catch::Contains("loops of the polygon meet: edge 2 of hole 1"));
   CHECK_THAT(error(square(0, 9), {square(0, 4)}), Catch::Contains("meet"));
-  CHECK_THAT(error(square(0, 9), {square(1, 2, 1)}), Catch::Contains("point 1 of hole 1 (1, 1, 1) is off the plane"));
+  CHECK_THAT(error(square(0, 9), {square(1, 2, 1)}),
+             Catch::Contains("point 1 of hole 1 (1, 1, 1) is off the plane"));
 }
 
 TEST_CASE("large polygons are checked fast") {
@@ -73,7 +84,8 @@ TEST_CASE("polylines and points") {
   CHECK(soup_of(PolylineShape{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, true}).wires().size() == 3);
   CHECK_THAT(error_of(PolylineShape{{{0, 0, 0}}, false}), Catch::Contains("at least 2"));
   CHECK_THAT(error_of(PolylineShape{{{0, 0, 0}, {0, 0, 0}}, false}), Catch::Contains("points 1 and 2"));
-  CHECK_THAT(error_of(PolylineShape{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}}, true}), Catch::Contains("points 4 and 1"));
+  CHECK_THAT(error_of(PolylineShape{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}}, true}),
+             Catch::Contains("points 4 and 1"));
   CHECK(soup_of(PointsShape{{{0, 0, 0}, {0, 0, 0}, {1, 2, 3}}}).isolated().size() == 3);
   CHECK_THAT(error_of(PointsShape{}), Catch::Contains("the list is empty"));
 }
@@ -120,7 +132,8 @@ TEST_CASE("groups") {
     g.faces[1].loops[0][2] = 8;
     g.faces[1].line = 12;
     g.faces[1].column = 7;
-    CHECK_THAT(error_of(g), Catch::Contains("face 1 (line 12, column 7) has the vertex 8, but there are 8 vertices"));
+    CHECK_THAT(error_of(g),
+               Catch::Contains("face 1 (line 12, column 7) has the vertex 8, but there are 8 vertices"));
     g = cube();
     g.edges = {{1, 1}};
     CHECK_THAT(error_of(g), Catch::Contains("edge 0 has equal ends"));

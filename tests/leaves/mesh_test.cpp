@@ -1,10 +1,9 @@
 // What a mesh leaf makes of a file's polygons: fill, closedness, coplanar faces, repairs.
-#include "tests/leaves/soup_checks.h"
-
-#include "kernel/exact/coplanar.h"
-
 #include <random>
 #include <sstream>
+
+#include "kernel/exact/coplanar.h"
+#include "tests/leaves/soup_checks.h"
 
 using namespace cnrg;
 using namespace cnrg::test;
@@ -17,7 +16,9 @@ constexpr const char* kCube =
     "OFF\n8 12 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
     "3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n";
 
-MeshShape mesh(const std::string& path, std::optional<Fill> fill = {}, bool decimal = false) { return {path, fill, decimal}; }
+MeshShape mesh(const std::string& path, std::optional<Fill> fill = {}, bool decimal = false) {
+  return {path, fill, decimal};
+}
 
 std::string without_line(std::string text, int number) {
   std::size_t at = 0;
@@ -50,7 +51,8 @@ TEST_CASE("an open mesh") {
   const std::string path = files.write("open.off", open);
   const auto leaf = prepare(mesh(path));
   REQUIRE(leaf->notices().size() == 1);
-  CHECK_THAT(leaf->notices()[0], Catch::Contains("not closed, it has 3 boundary edges") && Catch::Contains("fill: none"));
+  CHECK_THAT(leaf->notices()[0],
+             Catch::Contains("not closed, it has 3 boundary edges") && Catch::Contains("fill: none"));
   CHECK(leaf->regions().empty());
   CHECK(make_soup({{leaf.get(), {}}}).fill(LeafId(0)) == Fill::none);
   CHECK_THAT(error_of(mesh(path, Fill::winding)),
@@ -116,7 +118,8 @@ TEST_CASE("polygons stay polygons where they are planar exactly") {
   const Soup quad = soup_of(mesh(files.write("quad.off", planar_text)));
   CHECK(quad.face_count() == 1);
   CHECK(quad.corners(SourceId(0)).size() == 4);
-  const auto bent = prepare(mesh(files.write("bent.off", replaced(planar_text, "0 1 1\n", "0 1 1.0000000000000002\n"))));
+  const auto bent =
+      prepare(mesh(files.write("bent.off", replaced(planar_text, "0 1 1\n", "0 1 1.0000000000000002\n"))));
   const Soup cut = make_soup({{bent.get(), {}}});
   REQUIRE(cut.face_count() == 2);
   CHECK(leaf_faces(cut) == 2);
@@ -126,7 +129,8 @@ TEST_CASE("polygons stay polygons where they are planar exactly") {
   CHECK(value(cut, corners[1]) == RationalPoint{1, 0, 1});
   CHECK(value(cut, corners[2]) == RationalPoint{1, 1, 2});
   // An arrow whose diagonal from the first corner lies outside: the ear is clipped elsewhere.
-  const Soup arrow = soup_of(mesh(files.write("arrow.off", "OFF\n4 1 0\n0 4 0\n-3 0 0\n0 1 0\n3 0 0.5\n4 0 1 2 3\n")));
+  const Soup arrow =
+      soup_of(mesh(files.write("arrow.off", "OFF\n4 1 0\n0 4 0\n-3 0 0\n0 1 0\n3 0 0.5\n4 0 1 2 3\n")));
   REQUIRE(arrow.face_count() == 2);
   for (SourceId f : IdRange<SourceId>(2)) {
     const auto loop = loops(arrow, f)[0];
@@ -145,7 +149,8 @@ TEST_CASE("coordinates as doubles or as decimals") {
   CHECK(value(decimals, PointId(0))[0] == r("0.1"));
   CHECK(value(decimals, PointId(2))[1] == r("1e-400"));
   // Coplanar as decimals, not as doubles.
-  const std::string flat = files.write("flat.off", "OFF 4 2 0\n0 0 0\n1 0 0.1\n1 1 0.3\n0 1 0.2\n3 0 1 2\n3 0 2 3\n");
+  const std::string flat =
+      files.write("flat.off", "OFF 4 2 0\n0 0 0\n1 0 0.1\n1 1 0.3\n0 1 0.2\n3 0 1 2\n3 0 2 3\n");
   CHECK(leaf_faces(soup_of(mesh(flat))) == 2);
   CHECK(leaf_faces(soup_of(mesh(flat, {}, true))) == 1);
 }
@@ -165,13 +170,16 @@ TEST_CASE("exact zero tests agree with rationals") {
   for (int i = 0; i < 3000; ++i) {
     double p[4][3];
     for (auto& q : p) {
-      for (double& x : q) x = static_cast<double>(static_cast<int>(random() % 5) - 2) * (i % 3 ? 0.1 : 1) + (i % 7 ? 0 : 1e6);
+      for (double& x : q)
+        x = static_cast<double>(static_cast<int>(random() % 5) - 2) * (i % 3 ? 0.1 : 1) + (i % 7 ? 0 : 1e6);
     }
     if (i % 5 == 0) {  // nearly or exactly on the line or plane
       for (int k = 0; k < 3; ++k) p[3][k] = p[0][k] + (p[1][k] - p[0][k]) * 0.5 + (p[2][k] - p[0][k]) * 0.25;
       for (int k = 0; k < 3; ++k) p[2][k] = i % 2 ? p[0][k] + (p[1][k] - p[0][k]) * 0.75 : p[2][k];
     }
-    const auto exact = [](const double* q) { return RationalPoint{from_double(q[0]), from_double(q[1]), from_double(q[2])}; };
+    const auto exact = [](const double* q) {
+      return RationalPoint{from_double(q[0]), from_double(q[1]), from_double(q[2])};
+    };
     const bool flat = volume6(exact(p[0]), exact(p[1]), exact(p[2]), exact(p[3])) == 0;
     const bool straight = collinear(exact(p[0]), exact(p[1]), exact(p[2]));
     zero += flat;

@@ -196,7 +196,9 @@ TEST_CASE("chords and segments that can not be are refused") {
   CHECK_THAT(error({{}, 100000}), Catch::Contains("more than 10000000 facets: give fewer segments"));
   PatchNet steep = net;
   steep.weights = {{1, r("1e40"), 1}, {1, 1, 1}, {1, 1, 1}};
-  CHECK_THAT(error_of([&] { mesh_of(patch_pieces(steep, "test")[0], {r("0.1"), {}}); }),
+  CHECK_THAT(error_of([&] {
+               mesh_of(patch_pieces(steep, "test")[0], {r("0.1"), {}});
+             }),
              Catch::Contains("the chord is too small"));
   CHECK_THAT(error({{}, 0}), Catch::Contains("segments is 0"));
   CHECK_THAT(error({r("1"), 4}), Catch::Contains("both chord and segments"));

@@ -1,7 +1,6 @@
 // Primitives: volumes, closedness, planarity, faces as people count them, and what is refused.
-#include "tests/leaves/soup_checks.h"
-
 #include "kernel/exact/trigonometry.h"
+#include "tests/leaves/soup_checks.h"
 
 using namespace cnrg;
 using namespace cnrg::test;
@@ -42,7 +41,8 @@ TEST_CASE("prism with holes, in either direction") {
     CHECK(leaf_faces(soup) == 10);
   }
   SECTION("sides over collinear edges are one face") {
-    const Soup soup = soup_of(PrismShape{{{2, 0, 0}, {4, 0, 0}, {4, 4, 0}, {4, 5, 0}, {0, 5, 0}, {0, 0, 0}, {1, 0, 0}}, {}, {0, 0, 1}});
+    const Soup soup = soup_of(
+        PrismShape{{{2, 0, 0}, {4, 0, 0}, {4, 4, 0}, {4, 5, 0}, {0, 5, 0}, {0, 0, 0}, {1, 0, 0}}, {}, {0, 0, 1}});
     check_solid(soup);
     CHECK(soup.face_count() == 9);
     CHECK(leaf_faces(soup) == 6);
@@ -67,7 +67,8 @@ TEST_CASE("pyramid and tetrahedron") {
     check_solid(soup);
     CHECK(volume(soup) == 1);
   }
-  CHECK_THAT(error_of(TetrahedronShape{{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {1, 1, 0}}}}), Catch::Contains("one plane"));
+  CHECK_THAT(error_of(TetrahedronShape{{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {1, 1, 0}}}}),
+             Catch::Contains("one plane"));
 }
 
 TEST_CASE("cylinder") {
@@ -81,9 +82,7 @@ TEST_CASE("cylinder") {
     const Rational expected = Rational(n) / 2 * 36 * from_double(sine_degrees(Rational(360) / n)) * 2;
     CHECK(abs(Rational(volume(soup) - expected)) < expected * r("1e-14"));
   }
-  SECTION("a square one is exact") {
-    CHECK(volume(soup_of(CylinderShape{{0, 0, 0}, {0, 0, 1}, 3, 4})) == 18);
-  }
+  SECTION("a square one is exact") { CHECK(volume(soup_of(CylinderShape{{0, 0, 0}, {0, 0, 1}, 3, 4})) == 18); }
   SECTION("any axis, rational ends") {
     const RationalPoint from{r("0.1"), r("-1/3"), 5}, to{2, r("0.7"), r("-0.3")};
     const Soup soup = soup_of(CylinderShape{from, to, r("0.25"), 17});
@@ -194,7 +193,8 @@ TEST_CASE("height field from a file") {
   check_solid(soup);
   CHECK(value(soup, PointId(0)) == RationalPoint{11, r("21.5"), 4});  // the last row is the southern one
   CHECK(value(soup, PointId(5)) == RationalPoint{15, r("23.5"), 3});
-  shape.file = files.write("gap.asc", "ncols 3\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 1\nnodata_value -1\n1 2 -1\n4 5 6\n");
+  shape.file = files.write(
+      "gap.asc", "ncols 3\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 1\nnodata_value -1\n1 2 -1\n4 5 6\n");
   CHECK_THAT(error_of(shape), Catch::Contains("no data at 1 points"));
   shape.base.reset();
   CHECK(soup_of(shape).face_count() == 2);

@@ -122,7 +122,8 @@ class Files {
  public:
   Files() {
     std::random_device random;
-    directory_ = std::filesystem::temp_directory_path() / ("cnrg_leaves_" + std::to_string(random()) + std::to_string(random()));
+    directory_ = std::filesystem::temp_directory_path() /
+                 ("cnrg_leaves_" + std::to_string(random()) + std::to_string(random()));
     std::filesystem::create_directories(directory_);
   }
   ~Files() { std::filesystem::remove_all(directory_); }

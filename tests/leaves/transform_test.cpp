@@ -1,7 +1,7 @@
 // Transforms are exact; orientation survives reflections.
-#include "tests/leaves/soup_checks.h"
-
 #include <random>
+
+#include "tests/leaves/soup_checks.h"
 
 using namespace cnrg;
 using namespace cnrg::test;
@@ -39,7 +39,8 @@ TEST_CASE("rotations are exactly orthogonal and keep their axis and centre") {
     REQUIRE((Transform::rotation(axis, -degrees, center) * t).identity());
     // trace = 1 + 2 cos
     const Rational trace = t.linear[0][0] + t.linear[1][1] + t.linear[2][2];
-    REQUIRE(std::abs(to_double(trace) - 1 - 2 * std::cos(to_double(degrees) * 3.14159265358979323846 / 180)) < 1e-13);
+    REQUIRE(std::abs(to_double(trace) - 1 - 2 * std::cos(to_double(degrees) * 3.14159265358979323846 / 180)) <
+            1e-13);
   }
 }
 
@@ -72,13 +73,14 @@ TEST_CASE("composition, scaling, reflection") {
 }
 
 TEST_CASE("solids under transforms keep planes, closedness and orientation") {
-  const Shape shapes[] = {BoxShape{{0, 0, 0}, {1, 2, 3}}, CylinderShape{{0, 0, 0}, {0, 1, 2}, 1, 9},
-                          PrismShape{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}}, {0, 0, 1}},
-                          SphereShape{{0, 0, 0}, 2, 6, 0}};
+  const Shape shapes[] = {
+      BoxShape{{0, 0, 0}, {1, 2, 3}}, CylinderShape{{0, 0, 0}, {0, 1, 2}, 1, 9},
+      PrismShape{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}}, {0, 0, 1}},
+      SphereShape{{0, 0, 0}, 2, 6, 0}};
   const Transform transforms[] = {Transform::translation({r("1/3"), 5, r("0.1")}),
                                   Transform::rotation({1, 1, 0}, 33, {2, 0, 0}),
-                                  Transform::reflection({1, 0, 1}, {0, 0, 3}), Transform::scaling({-1, 2, r("0.3")}),
-                                  Transform::scaling({-2, -2, -2})};
+                                  Transform::reflection({1, 0, 1}, {0, 0, 3}),
+                                  Transform::scaling({-1, 2, r("0.3")}), Transform::scaling({-2, -2, -2})};
   for (const Shape& shape : shapes) {
     const Rational plain = volume(soup_of(shape));
     for (const Transform& t : transforms) {
@@ -94,13 +96,17 @@ TEST_CASE("images of doubles are exact in either way of computing") {
   std::mt19937_64 random(2);
   std::vector<RationalPoint> points;
   for (int i = 0; i < 200; ++i) {
-    const auto number = [&] { return from_double(std::ldexp(static_cast<double>(random() >> (random() % 60)), static_cast<int>(random() % 40) - 60)); };
+    const auto number = [&] {
+      return from_double(
+          std::ldexp(static_cast<double>(random() >> (random() % 60)), static_cast<int>(random() % 40) - 60));
+    };
     points.push_back({number(), number(), number()});
   }
   points.push_back({from_double(5e-324), from_double(1e-300), 0});
-  const Transform transforms[] = {Transform::translation({1, r("0.5"), 0}), Transform::scaling({2, from_double(0.1), -4}),
-                                  Transform::rotation({0, 0, 1}, 90, {1, 1, 1}), Transform::rotation({0, 0, 1}, 45, {1, 1, 1}),
-                                  Transform::scaling({from_double(1e-300), 3, 1})};
+  const Transform transforms[] = {
+      Transform::translation({1, r("0.5"), 0}), Transform::scaling({2, from_double(0.1), -4}),
+      Transform::rotation({0, 0, 1}, 90, {1, 1, 1}), Transform::rotation({0, 0, 1}, 45, {1, 1, 1}),
+      Transform::scaling({from_double(1e-300), 3, 1})};
   for (const Transform& t : transforms) {
     const Soup soup = soup_of(PointsShape{points}, t);
     for (std::size_t i = 0; i < points.size(); ++i) REQUIRE(value(soup, PointId(i)) == t.apply(points[i]));

@@ -103,7 +103,8 @@ TEST_CASE("planes of all kinds lie in the frame with all their vertices") {
       for (std::size_t k = 0; k < loop.size(); ++k) {
         REQUIRE(dot(planes[i].normal, loop[k]) == planes[i].offset);
         REQUIRE_FALSE(strictly_inside(frame, loop[k]));
-        const RationalPoint turn = cross(loop[(k + 1) % loop.size()] - loop[k], loop[(k + 2) % loop.size()] - loop[(k + 1) % loop.size()]);
+        const RationalPoint turn = cross(loop[(k + 1) % loop.size()] - loop[k],
+                                         loop[(k + 2) % loop.size()] - loop[(k + 1) % loop.size()]);
         REQUIRE(dot(turn, planes[i].normal) > 0);  // strictly convex, counter-clockwise
         area = area + turn;
       }
@@ -112,8 +113,10 @@ TEST_CASE("planes of all kinds lie in the frame with all their vertices") {
           const RationalPoint line = cross(planes[i].normal, planes[j].normal);
           const Rational determinant = dot(line, planes[k].normal);
           if (determinant == 0) continue;
-          const RationalPoint common = Rational(1 / determinant) * (planes[k].offset * line +
-              planes[i].offset * cross(planes[j].normal, planes[k].normal) + planes[j].offset * cross(planes[k].normal, planes[i].normal));
+          const RationalPoint common =
+              Rational(1 / determinant) *
+              (planes[k].offset * line + planes[i].offset * cross(planes[j].normal, planes[k].normal) +
+               planes[j].offset * cross(planes[k].normal, planes[i].normal));
           REQUIRE(dot(planes[i].normal, common) == planes[i].offset);
           REQUIRE(strictly_inside(frame, common));
         }

@@ -1,7 +1,8 @@
 // Booleans beyond point sets: attributes, features, unbounded groups, chains of operations.
+#include "csg/operators/boolean.h"
+
 #include <catch2/catch.hpp>
 
-#include "csg/operators/boolean.h"
 #include "csg/operators/identities.h"
 #include "csg/operators/leaf_group.h"
 #include "csg/operators/paper_classification.h"
@@ -135,8 +136,8 @@ TEST_CASE("the wall between equal neighbours goes, its rim stays a feature", "[f
 }
 
 TEST_CASE("complement twice, De Morgan, regularize", "[complement]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}),
-                                      box({2, 1, 1}, {6, 3, 3}) + sheet({7, 0, 0}, {7, 5, 5})});
+  const Complex complex =
+      complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}) + sheet({7, 0, 0}, {7, 5, 5})});
   const auto leaves = leaf_groups(complex);
   const Group &a = leaves[0], &b = leaves[1];
   const Group not_a = complement(complex, a), not_b = complement(complex, b);
@@ -154,8 +155,8 @@ TEST_CASE("complement twice, De Morgan, regularize", "[complement]") {
 }
 
 TEST_CASE("idempotence and order of equal unions", "[boolean]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}),
-                                      parted_box({1, 1, -2}, {5, 3, 2}, 3)});
+  const Complex complex =
+      complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}), parted_box({1, 1, -2}, {5, 3, 2}, 3)});
   const auto leaves = leaf_groups(complex);
   for (const Group& g : leaves) {
     for (const BooleanOp op : {BooleanOp::unite, BooleanOp::intersect}) {

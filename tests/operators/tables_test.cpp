@@ -1,7 +1,6 @@
 // The tables as data, and a small pair for each row that can remove something.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <set>
 #include <string>
 
@@ -105,8 +104,8 @@ TEST_CASE("each row that can remove does so somewhere, also with the operands ex
   std::set<std::string> fired;
   for (const Case& c : cases()) {
     INFO(c.row);
-    const auto row = std::find_if(table_rows().begin(), table_rows().end(),
-                                  [&](const TableRow& r) { return r.id == c.row; });
+    const auto row =
+        std::find_if(table_rows().begin(), table_rows().end(), [&](const TableRow& r) { return r.id == c.row; });
     REQUIRE(row != table_rows().end());
     const Complex complex = complex_of({c.left, c.right});
     CHECK(validate(complex) == "");

@@ -62,7 +62,7 @@ inline LeafId add_drum(Soup& soup, int n, const Rational& bottom, const Rational
   const LeafId leaf = soup.add_leaf(Fill::winding);
   std::vector<PointId> low, high;
   for (int i = 0; i < n; ++i) {
-    const Rational t = Rational(i < n / 2 ? i : i - n) * 4 / n;    // tangent of half the angle
+    const Rational t = Rational(i < n / 2 ? i : i - n) * 4 / n;  // tangent of half the angle
     const Rational d = 1 + t * t;
     const RationalPoint p{5 * (1 - t * t) / d, 5 * 2 * t / d, 0};
     low.push_back(soup.add_point(RationalPoint{p[0], p[1], bottom}));

@@ -10,8 +10,10 @@ inline Case two_regions() {
   Soup soup;
   add_box(soup, {0, 0, 0}, {2, 2, 2});
   add_box(soup, {2, 0, 0}, {4, 2, 2});
-  add_sheet(soup, {{Rational(1, 2), Rational(1, 2), 1}, {Rational(3, 2), Rational(1, 2), 1},
-                   {Rational(3, 2), Rational(3, 2), 1}, {Rational(1, 2), Rational(3, 2), 1}});
+  add_sheet(soup, {{Rational(1, 2), Rational(1, 2), 1},
+                   {Rational(3, 2), Rational(1, 2), 1},
+                   {Rational(3, 2), Rational(3, 2), 1},
+                   {Rational(1, 2), Rational(3, 2), 1}});
   add_wire(soup, {3, 1, Rational(1, 2)}, {3, 1, Rational(3, 2)});
   add_point(soup, {1, 1, Rational(3, 2)});
   Case c(soup, {{{"rock", "granite", {}}}, {{"seam", "ore", {}}}});
@@ -42,8 +44,7 @@ inline Case nested() {
   add_box(soup, {1, 1, 1}, {8, 8, 8});
   add_box(soup, {3, 3, 3}, {5, 5, 5});
   Case c(soup, {{{"shell", "", {}}}, {}, {{"block", "", {}}}});
-  const Group shell =
-      apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group;
+  const Group shell = apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group;
   c.show(apply(*c.complex, BooleanOp::unite, Dominance::equal, shell, c.leaves[2]).group);
   return c;
 }

@@ -52,8 +52,8 @@ double length(const Vector& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[
 }  // namespace
 
 std::size_t MeshFile::count(int dimension) const {
-  return std::size_t(std::count_if(elements.begin(), elements.end(),
-                                   [&](const Element& e) { return e.dimension == dimension; }));
+  return std::size_t(
+      std::count_if(elements.begin(), elements.end(), [&](const Element& e) { return e.dimension == dimension; }));
 }
 
 std::set<std::string> MeshFile::names_of(int dimension) const {

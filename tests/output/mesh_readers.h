@@ -14,7 +14,7 @@ namespace cnrg::test {
 /// A mesh as a file says it. Entities, groups and nodes have the numbers of the file.
 struct MeshFile {
   struct Element {
-    int dimension = 0, entity = 0;       ///< of MEDIT: the reference
+    int dimension = 0, entity = 0;  ///< of MEDIT: the reference
     std::vector<int> nodes;
   };
   struct Entity {
@@ -22,9 +22,9 @@ struct MeshFile {
   };
   std::map<int, std::array<double, 3>> nodes;
   std::vector<Element> elements;
-  std::map<std::pair<int, int>, std::string> names;    ///< by dimension and number of a group
-  std::map<std::pair<int, int>, Entity> entities;      ///< by dimension and number
-  std::map<std::string, std::set<int>> lists;          ///< of MEDIT: Corners, Ridges, ...
+  std::map<std::pair<int, int>, std::string> names;  ///< by dimension and number of a group
+  std::map<std::pair<int, int>, Entity> entities;    ///< by dimension and number
+  std::map<std::string, std::set<int>> lists;        ///< of MEDIT: Corners, Ridges, ...
 
   std::size_t count(int dimension) const;
   std::set<std::string> names_of(int dimension) const;

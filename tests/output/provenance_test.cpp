@@ -1,6 +1,5 @@
 // Where cells of results came from: the leaves and leaf cells that files name, after simplification.
 #include <catch2/catch.hpp>
-
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -35,9 +34,8 @@ const FlatComplex::Face& face_at(const Case& c, const FlatComplex& flat, std::si
   const FlatComplex::Face* found = nullptr;
   for (const auto& face : flat.faces) {
     const auto& loop = face.loops[0];
-    if (!std::all_of(loop.begin(), loop.end(), [&](auto p) {
-          return c.complex->points.rational(flat.points[p])[axis] == at;
-        })) {
+    if (!std::all_of(loop.begin(), loop.end(),
+                     [&](auto p) { return c.complex->points.rational(flat.points[p])[axis] == at; })) {
       continue;
     }
     REQUIRE(found == nullptr);
@@ -65,7 +63,7 @@ TEST_CASE("a face that a difference removed and another leaf brought back came f
   const FlatComplex flat = flatten(c.view());
   REQUIRE(flat.faces.size() == 12);
   CHECK(faces_of(face_at(c, flat, 0, 0).origin) == LeafFaces{{0, 0}});
-  CHECK(faces_of(face_at(c, flat, 0, 2).origin) == LeafFaces{{1, 0}});    // B's face closes the cut
+  CHECK(faces_of(face_at(c, flat, 0, 2).origin) == LeafFaces{{1, 0}});  // B's face closes the cut
   CHECK(faces_of(face_at(c, flat, 0, 4).origin) == LeafFaces{{2, 0}});
   CHECK(leaves_of(face_at(c, flat, 0, 4).origin) == std::set<std::size_t>{2});
   for (const auto& region : flat.regions) {

@@ -1,11 +1,11 @@
 // Results read back: the same complex, the same file; and every broken file named with its place.
-#include <catch2/catch.hpp>
+#include "csg/leaves/result_leaf.h"
 
+#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cases.h"
 #include "csg/leaves/leaf.h"
-#include "csg/leaves/result_leaf.h"
 #include "csg/operators/cnrg.h"
 #include "csg/operators/leaf_value.h"
 #include "csg/output/file.h"
@@ -408,11 +408,11 @@ TEST_CASE("broken files are refused with their place") {
   CHECK(starts(erased("/faces/2", "patch"), ": error: /faces/2: "));
   CHECK(starts(erased("", "dominance"), ": error: "));
   CHECK(starts(erased("", "edges"), ": error: "));
-  CHECK(starts(edited("/points/0/0", "1/9"), ": error: /points/1: "));          // no longer sorted
-  CHECK(starts(edited("/points/7/0", "10/9"), ": error: /faces/"));             // no longer planar
+  CHECK(starts(edited("/points/0/0", "1/9"), ": error: /points/1: "));  // no longer sorted
+  CHECK(starts(edited("/points/7/0", "10/9"), ": error: /faces/"));     // no longer planar
   CHECK(starts(edited("/vertices/8/point", 7), ": error: /vertices/8: "));
   CHECK(starts(edited("/regions/0/component", 7), ": error: /regions/0/component: component 7 does not exist"));
-  CHECK(starts(edited("/edges/4/component", 0), ": error: /faces/"));           // not closed
+  CHECK(starts(edited("/edges/4/component", 0), ": error: /faces/"));  // not closed
   CHECK(starts(edited("/vertices/0/component", 0), ": error: /edges/"));
   CHECK(starts(edited("/vertices/1/point", 0), ": error: /vertices/1: "));
   CHECK(starts(edited("/edges/0/points", Json{0, 0}), ": error: /edges/0/points/1: "));

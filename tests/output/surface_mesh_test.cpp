@@ -1,6 +1,5 @@
 // Surface meshes for meshers, read back number by number; Gmsh and tetgen make tetrahedra of them.
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <cstdlib>
 
@@ -103,11 +102,10 @@ TEST_CASE(".msh of a surface: entities, groups by name in every dimension, bound
   Case c = two_regions();
   const MeshFile mesh = read_msh(written(c.view(), ".msh"));
   CHECK(mesh.names_of(3) == std::set<std::string>{"rock", "seam", "material granite", "material ore"});
-  CHECK(mesh.names_of(2) ==
-        std::set<std::string>{"boundary of rock", "boundary of seam", "wall rock | seam", "face of leaf2",
-                              "from leaf0", "from leaf1", "from leaf2"});
-  CHECK(mesh.measure(mesh.in_group(2, "from leaf0")) == mesh.measure(mesh.in_group(2, "boundary of rock")) +
-                                                            mesh.measure(mesh.in_group(2, "wall rock | seam")));
+  CHECK(mesh.names_of(2) == std::set<std::string>{"boundary of rock", "boundary of seam", "wall rock | seam",
+                                                  "face of leaf2", "from leaf0", "from leaf1", "from leaf2"});
+  CHECK(mesh.measure(mesh.in_group(2, "from leaf0")) ==
+        mesh.measure(mesh.in_group(2, "boundary of rock")) + mesh.measure(mesh.in_group(2, "wall rock | seam")));
   CHECK(mesh.measure(mesh.in_group(2, "from leaf2")) == 1);
   CHECK(mesh.names_of(1) == std::set<std::string>{"wire of leaf3"});
   CHECK(mesh.names_of(0) == std::set<std::string>{"point of leaf4"});

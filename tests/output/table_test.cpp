@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "csg/output/table.h"
+
+#include <catch2/catch.hpp>
 
 using namespace cnrg;
 

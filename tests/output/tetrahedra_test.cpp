@@ -1,11 +1,11 @@
 // Tetrahedra of results: exact volumes by region, and everything that they have to conform to.
-#include <catch2/catch.hpp>
+#include "csg/output/tetrahedra.h"
 
+#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "csg/operators/cnrg.h"
 #include "csg/output/formats.h"
-#include "csg/output/tetrahedra.h"
 #include "kernel/base/error.h"
 #include "kernel/selection/measure.h"
 #include "mesh_cases.h"
@@ -146,10 +146,14 @@ TEST_CASE("a rim that comes back to its only vertex", "[mesh]") {
 TEST_CASE("crossing fractures: their area and the volume of the rock are kept", "[mesh]") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {2, 2, 2});
-  add_sheet(soup, {{Rational(1, 3), Rational(1, 3), 1}, {Rational(5, 3), Rational(1, 3), 1},
-                   {Rational(5, 3), Rational(5, 3), 1}, {Rational(1, 3), Rational(5, 3), 1}});
-  add_sheet(soup, {{1, Rational(1, 7), Rational(1, 7)}, {1, Rational(9, 7), Rational(1, 7)},
-                   {1, Rational(9, 7), Rational(13, 7)}, {1, Rational(1, 7), Rational(13, 7)}});
+  add_sheet(soup, {{Rational(1, 3), Rational(1, 3), 1},
+                   {Rational(5, 3), Rational(1, 3), 1},
+                   {Rational(5, 3), Rational(5, 3), 1},
+                   {Rational(1, 3), Rational(5, 3), 1}});
+  add_sheet(soup, {{1, Rational(1, 7), Rational(1, 7)},
+                   {1, Rational(9, 7), Rational(1, 7)},
+                   {1, Rational(9, 7), Rational(13, 7)},
+                   {1, Rational(1, 7), Rational(13, 7)}});
   Case c(soup);
   c.show(c.unite(Dominance::right));
   for (const TetrahedraOptions& options : {TetrahedraOptions{}, kKept, TetrahedraOptions{0, 1.4, false}}) {

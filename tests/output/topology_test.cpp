@@ -100,8 +100,9 @@ TEST_CASE("around the edge that two boxes share: radial order, neighbourhoods, s
   const std::size_t at = text.find("radial order (faces and regions about the edge)\n  e");
   REQUIRE(at != std::string::npos);
   const std::string line = text.substr(text.find('\n', at) + 1, 80);
-  const std::regex turn("  e\\d+: f\\d+, (1 left|2 right|outside), f\\d+, (1 left|2 right|outside), "
-                        "f\\d+, (1 left|2 right|outside), f\\d+, (1 left|2 right|outside)\n[\\s\\S]*");
+  const std::regex turn(
+      "  e\\d+: f\\d+, (1 left|2 right|outside), f\\d+, (1 left|2 right|outside), "
+      "f\\d+, (1 left|2 right|outside), f\\d+, (1 left|2 right|outside)\n[\\s\\S]*");
   std::smatch match;
   REQUIRE(std::regex_match(line, match, turn));
   // Solid and outside take turns, and both solids are met.
@@ -109,7 +110,8 @@ TEST_CASE("around the edge that two boxes share: radial order, neighbourhoods, s
   if (wedges[0] != "outside") std::rotate(wedges.begin(), wedges.begin() + 1, wedges.end());
   if (wedges[1] != "1 left") std::rotate(wedges.begin(), wedges.begin() + 2, wedges.end());
   CHECK(wedges == std::vector<std::string>{"outside", "1 left", "outside", "2 right"});
-  CHECK(says(text, ": 5 nodes (edges), 6 arcs (corners of faces), 3 faces (pieces of regions), 1 connected part\n"));
+  CHECK(
+      says(text, ": 5 nodes (edges), 6 arcs (corners of faces), 3 faces (pieces of regions), 1 connected part\n"));
   CHECK(says(text, " (1 left): 1 shell of 6 sides of faces\n"));
   CHECK(says(text, " (2 right): 1 shell of 6 sides of faces\n"));
 }

@@ -1,13 +1,13 @@
 // Triangulation: areas add up exactly, triangles turn left, every vertex and slit is there.
-#include <catch2/catch.hpp>
+#include "kernel/exact/triangulate.h"
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <random>
 #include <set>
 
 #include "kernel/base/error.h"
-#include "kernel/exact/triangulate.h"
 
 using namespace cnrg;
 
@@ -46,7 +46,7 @@ std::vector<std::array<VertexId, 3>> check(const PointTable& t, Projection axes,
   REQUIRE(total == expected);
   REQUIRE(seen == wanted);
   for (const auto& [edge, n] : used) {
-    REQUIRE(n == 1);                                            // each side of an edge has one triangle
+    REQUIRE(n == 1);  // each side of an edge has one triangle
     const bool boundary = walked.contains(edge) && !walked.contains({edge.second, edge.first});
     REQUIRE(used.contains({edge.second, edge.first}) == !boundary);
   }
@@ -99,7 +99,7 @@ TEST_CASE("holes, holes that touch, a slit, a bridge and isolated vertices") {
   const auto point = add(t, {{7, 3}, {8, 8}});
   CHECK(check(t, kXY, {outer, hole}, point).size() == 8 + 2 * 1 - 2 + 2 * 2);
   const auto more = add(t, {{4, 6}, {6, 6}});
-  check(t, kXY, {outer, hole, {hole[2], more[0], more[1]}}, point);          // touches the hole in a vertex
+  check(t, kXY, {outer, hole, {hole[2], more[0], more[1]}}, point);  // touches the hole in a vertex
   const auto slit = add(t, {{5, 5}, {6, 4}, {7, 5}});
   check(t, kXY, {outer, hole, {slit[0], slit[1], slit[2], slit[1]}}, point);  // a free slit
   // From the outer loop by a bridge to the hole and back.

@@ -50,10 +50,8 @@ struct Vtu {
     std::istringstream in(body(name));
     std::vector<std::string> result(1);
     for (int code; in >> code;) {
-      if (code == 0)
-        result.emplace_back();
-      else
-        result.back() += char(code);
+      if (code == 0) result.emplace_back();
+      else result.back() += char(code);
     }
     result.pop_back();
     return result;

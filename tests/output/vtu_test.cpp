@@ -1,6 +1,5 @@
 // ParaView's format, read by a small parser of our own: counts by dimension, volumes, tables of names.
 #include <catch2/catch.hpp>
-
 #include <map>
 
 #include "cases.h"

@@ -1,9 +1,8 @@
 // Each format written and parsed back: exact counts, exact volumes, errors, and old files that stay.
-#include <catch2/catch.hpp>
-
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <catch2/catch.hpp>
 #include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>

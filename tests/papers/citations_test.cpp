@@ -52,7 +52,9 @@ std::string comments_of(const fs::path& path) {
 
 TEST_CASE("keys are words with a year", "[papers]") {
   // Put together here, so that this file cites nobody.
-  const std::string nobody = "nobody" "1999";
+  const std::string nobody =
+      "nobody"
+      "1999";
   CHECK(keys_in("see " + nobody + " 3, and #998877, abc2100, v2001, x1991y") == Keys{nobody});
 }
 

@@ -1,10 +1,10 @@
 // Programs behind `external_system`: scripts that are made here.
-#include <catch2/catch.hpp>
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 

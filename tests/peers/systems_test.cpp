@@ -1,7 +1,6 @@
 // Every system on small problems whose results are known.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <optional>
 #include <random>

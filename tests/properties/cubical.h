@@ -38,10 +38,10 @@ class Grid {
 };
 
 struct Group {
-  std::vector<char> inside;    // by cell; cubes only
-  std::vector<char> entity;    // by cell; dimensions 0 to 2, closed
-  std::vector<int> region;     // by cell; cubes only; detected, from 1
-  std::vector<char> cut;       // by cell, or empty: entities in the interior of a maximal rectangle, no features
+  std::vector<char> inside;  // by cell; cubes only
+  std::vector<char> entity;  // by cell; dimensions 0 to 2, closed
+  std::vector<int> region;   // by cell; cubes only; detected, from 1
+  std::vector<char> cut;     // by cell, or empty: entities in the interior of a maximal rectangle, no features
   int region_count = 0;
   friend bool operator==(const Group&, const Group&) = default;
 };

@@ -90,8 +90,7 @@ class Kernel {
       for (int x : p) rim = rim || x <= 0 || x >= 2 * grid.n();
       if (rim) continue;
       cells_.push_back(c);
-      places_.push_back(locator_.locate(
-          soup.place({Rational(p[0], 2), Rational(p[1], 2), Rational(p[2], 2)})));
+      places_.push_back(locator_.locate(soup.place({Rational(p[0], 2), Rational(p[1], 2), Rational(p[2], 2)})));
     }
   }
 
@@ -250,8 +249,8 @@ std::string compare_operations(const Grid& grid, const Kernel& kernel, const Gro
   for (int op = 0; op < 3; ++op) {
     for (const auto dominance : {cnrg::Dominance::left, cnrg::Dominance::right, cnrg::Dominance::equal}) {
       const bool swapped = dominance == cnrg::Dominance::right && op != 2;
-      const Group want = apply(grid, static_cast<Op>(op), dominance != cnrg::Dominance::equal, swapped ? b : a,
-                               swapped ? a : b);
+      const Group want =
+          apply(grid, static_cast<Op>(op), dominance != cnrg::Dominance::equal, swapped ? b : a, swapped ? a : b);
       const auto have = cnrg::apply(kernel.complex(), ops[op], dominance, ka, kb);
       std::string wrong = kernel.compare(want, have.group);
       if (wrong.empty() && thorough) wrong = cnrg::check_boolean(kernel.complex(), ops[op], ka, kb, have.group);

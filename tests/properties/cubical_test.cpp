@@ -1,9 +1,8 @@
 // The kernel against a brute-force run of the rules on cubical complexes, cell for cell (SEMANTICS 3 to 6).
 //
 // CNRG_SEEDS sets the number of pairs of each case, CNRG_FIRST_SEED where they start.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <string>
 
@@ -28,10 +27,11 @@ std::string run(std::uint64_t pairs, bool tilted, bool thorough) {
     const std::string wrong = cubical::compare_pair(grid, pair.a, pair.b, pair.presentation);
     if (wrong.empty()) continue;
     const cubical::Pair small = cubical::shrink(grid, pair);
-    return "seed " + std::to_string(seed) + ": " + wrong + "\nshrunk: " +
-           cubical::compare_pair(grid, small.a, small.b, small.presentation) + "\nlarge rectangles: " +
-           (small.presentation.large_a ? "a " : "") + (small.presentation.large_b ? "b" : "") + "\nnodes:\n" +
-           cubical::fixture(grid, small.a, "a") + cubical::fixture(grid, small.b, "b");
+    return "seed " + std::to_string(seed) + ": " + wrong +
+           "\nshrunk: " + cubical::compare_pair(grid, small.a, small.b, small.presentation) +
+           "\nlarge rectangles: " + (small.presentation.large_a ? "a " : "") +
+           (small.presentation.large_b ? "b" : "") + "\nnodes:\n" + cubical::fixture(grid, small.a, "a") +
+           cubical::fixture(grid, small.b, "b");
   }
   return "";
 }

@@ -1,8 +1,7 @@
 // Random trees of curved, flat and unbounded leaves: each node's identities, both classifications, and what a
 // simplified value promises to its readers (SEMANTICS 5, 6; CNRG_SEEDS and CNRG_FIRST_SEED as for cubical pairs).
-#include <catch2/catch.hpp>
-
 #include <array>
+#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <optional>
 #include <random>
@@ -90,13 +89,17 @@ class RandomTree {
                             "[[0, -2], {bezier: [[2, -2], [2, 2]]}, [0, 2]]"};
     const std::string place = ", translate: " + text(point());
     switch (between(0, 4)) {
-      case 0: return std::string("extrude: {profile: ") + profiles[between(0, 3)] + ", vector: " +
-                     text({between(-1, 1), between(-1, 1), between(1, 3)}) + ", " + fineness() + "}" + place;
-      case 1: return std::string("extrude: {profile: ") + profiles[between(0, 2)] +
-                     ", vector: [0, 0, 2], twist: " + std::to_string(30 * between(-3, 3)) + ", scale: " +
-                     std::to_string(between(0, 2)) + ", center: [1, 1, 0], chord: 1/4}" + place;
-      case 2: return std::string("revolve: {profile: ") + turned[between(0, 2)] + ", degrees: " +
-                     std::to_string(90 * between(1, 4)) + ", " + fineness() + "}" + place;
+      case 0:
+        return std::string("extrude: {profile: ") + profiles[between(0, 3)] +
+               ", vector: " + text({between(-1, 1), between(-1, 1), between(1, 3)}) + ", " + fineness() + "}" +
+               place;
+      case 1:
+        return std::string("extrude: {profile: ") + profiles[between(0, 2)] +
+               ", vector: [0, 0, 2], twist: " + std::to_string(30 * between(-3, 3)) +
+               ", scale: " + std::to_string(between(0, 2)) + ", center: [1, 1, 0], chord: 1/4}" + place;
+      case 2:
+        return std::string("revolve: {profile: ") + turned[between(0, 2)] +
+               ", degrees: " + std::to_string(90 * between(1, 4)) + ", " + fineness() + "}" + place;
       case 3: {
         std::string rows;
         for (int j = 0; j < 3; ++j) {
@@ -106,8 +109,9 @@ class RandomTree {
         }
         return "bezier: {patch: [" + rows + "], " + fineness() + "}" + place;
       }
-      default: return "bspline: {curve: {points: [" + text(point()) + ", [3, 3, 3], " + text(point()) +
-                      ", [-3, 3, 0], " + text(point()) + "], degree: 2}, segments: 2}";
+      default:
+        return "bspline: {curve: {points: [" + text(point()) + ", [3, 3, 3], " + text(point()) + ", [-3, 3, 0], " +
+               text(point()) + "], degree: 2}, segments: 2}";
     }
   }
   std::string leaf() {
@@ -116,8 +120,8 @@ class RandomTree {
       case 0: {
         const auto low = point(-3, 1);
         const auto size = point(1, 3);
-        return "box: {min: " + text(low) + ", max: " +
-               text({low[0] + size[0], low[1] + size[1], low[2] + size[2]}) + "}";
+        return "box: {min: " + text(low) +
+               ", max: " + text({low[0] + size[0], low[1] + size[1], low[2] + size[2]}) + "}";
       }
       case 1: return "cylinder: {" + axis() + ", segments: " + std::to_string(2 * between(2, 4)) + "}";
       case 2:

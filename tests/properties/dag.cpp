@@ -52,30 +52,20 @@ Standing standing(const DagNode& node, const std::vector<Standing>& below) {
     case Operator::leaf:
     case Operator::unite:
     case Operator::intersect:
-    case Operator::subtract:
-      return Standing::group;
-    case Operator::simplify:
-      value = below[node.operands[0]];
-      break;
+    case Operator::subtract: return Standing::group;
+    case Operator::simplify: value = below[node.operands[0]]; break;
     case Operator::closure:
-    case Operator::regularize:
-      value = of_group ? Standing::group : Standing::closed;
-      break;
-    case Operator::boundary:
-      value = Standing::closed;
-      break;
+    case Operator::regularize: value = of_group ? Standing::group : Standing::closed; break;
+    case Operator::boundary: value = Standing::closed; break;
     case Operator::aggregate:
     case Operator::unify:
     case Operator::sum:
-    case Operator::product:
-      value = all_closed() ? Standing::closed : Standing::open;
-      break;
+    case Operator::product: value = all_closed() ? Standing::closed : Standing::open; break;
     case Operator::complement:
       value = below[node.operands[0]] == Standing::group ? Standing::complement : Standing::open;
       break;
     case Operator::cnrg_subtract:
-    case Operator::interior:
-      break;
+    case Operator::interior: break;
   }
   return node.regularize && value != Standing::group ? Standing::closed : value;
 }
@@ -169,9 +159,7 @@ class Maker {
     }
   }
 
-  std::size_t closed(std::size_t i) {
-    return standing_[i] == Standing::open ? push(Operator::closure, {i}) : i;
-  }
+  std::size_t closed(std::size_t i) { return standing_[i] == Standing::open ? push(Operator::closure, {i}) : i; }
 
   void add_many(Operator op) {
     DagNode node;
@@ -230,13 +218,11 @@ class Maker {
   }
 
   void add() {
-    constexpr Operator kMany[] = {Operator::unite,    Operator::unite, Operator::intersect,
-                                  Operator::subtract, Operator::sum,   Operator::sum,
-                                  Operator::product,  Operator::cnrg_subtract};
-    constexpr Operator kOne[] = {Operator::unify,    Operator::complement, Operator::complement,
-                                 Operator::interior, Operator::interior,   Operator::closure,
-                                 Operator::boundary, Operator::boundary,   Operator::regularize,
-                                 Operator::simplify};
+    constexpr Operator kMany[] = {Operator::unite, Operator::unite, Operator::intersect, Operator::subtract,
+                                  Operator::sum,   Operator::sum,   Operator::product,   Operator::cnrg_subtract};
+    constexpr Operator kOne[] = {
+        Operator::unify,   Operator::complement, Operator::complement, Operator::interior,   Operator::interior,
+        Operator::closure, Operator::boundary,   Operator::boundary,   Operator::regularize, Operator::simplify};
     const int kind = random_.below(12);
     if (kind < 6) {
       add_many(kMany[random_.below(8)]);

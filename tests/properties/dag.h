@@ -17,12 +17,12 @@ namespace cnrg::properties {
 
 struct DagNode {
   Operator op = Operator::leaf;
-  std::size_t leaf = 0;                        ///< of a leaf
-  std::vector<std::size_t> operands;           ///< smaller numbers
-  std::optional<DominantOperand> dominant;     ///< of a group Boolean, sum or product
-  bool each = false;                           ///< of a topological operator
-  bool regularize = false;                     ///< the attribute
-  bool points = false;                         ///< mode `points` of `simplify`
+  std::size_t leaf = 0;                     ///< of a leaf
+  std::vector<std::size_t> operands;        ///< smaller numbers
+  std::optional<DominantOperand> dominant;  ///< of a group Boolean, sum or product
+  bool each = false;                        ///< of a topological operator
+  bool regularize = false;                  ///< the attribute
+  bool points = false;                      ///< mode `points` of `simplify`
 };
 
 struct RandomDag {

@@ -1,10 +1,9 @@
 // What must not change the values of a dag: the order of its leaves, faces and points, an exact rigid motion, the
 // number of threads, and which values are kept (SEMANTICS 5.4). Values are compared by their canonical forms,
 // component by component.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <array>
+#include <catch2/catch.hpp>
 
 #include "tests/properties/dag_values.h"
 #include "tests/properties/evaluation.h"

@@ -1,8 +1,7 @@
 // The laws of the CNRG algebra on the values of random dags (SEMANTICS 2, 5.4): no oracle, so many more dags.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <array>
+#include <catch2/catch.hpp>
 
 #include "csg/operators/cnrg.h"
 #include "csg/operators/identities.h"
@@ -53,9 +52,7 @@ class Laws {
   static CellSet of(const Components& x) { return support(x.selection); }
   Components plus(const Components& x, const Components& y) const { return sum(complex_, x, y).value; }
   Components times(const Components& x, const Components& y) const { return product(complex_, x, y).value; }
-  Components minus(const Components& x, const Components& y) const {
-    return cnrg::subtract(complex_, x, y).value;
-  }
+  Components minus(const Components& x, const Components& y) const { return cnrg::subtract(complex_, x, y).value; }
   Components no(const Components& x) const { return complement(complex_, x).value; }
   Components one_of(const Components& x) const { return unify(complex_, x).value; }
   Components apply(Topological op, const Components& x) const { return cnrg::apply(complex_, op, x).value; }
@@ -134,8 +131,8 @@ class Laws {
     holds("interior and boundary are disjoint and make the closure",
           intersect(of(interior(x)), of(boundary(x))).empty() &&
               unite(of(interior(x)), of(boundary(x))) == of(closure(x)));
-    holds("space is X, and the complement of X", unite(of(x), of(no(x))) == all_cells(complex_) &&
-                                                     intersect(of(x), of(no(x))).empty());
+    holds("space is X, and the complement of X",
+          unite(of(x), of(no(x))) == all_cells(complex_) && intersect(of(x), of(no(x))).empty());
     holds("a boundary has no 3-cells", of(boundary(x)).regions.empty());
   }
 
@@ -170,8 +167,7 @@ Failure failure_of(const RandomDag& dag) {
     std::vector<Components> x;
     for (std::size_t i = 0; i < dag.nodes.size(); ++i) {
       const DagNode& node = dag.nodes[i];
-      if (Failure f =
-              compare_by_definition(complex, incidence, node, values.operands(node), *values.values[i]);
+      if (Failure f = compare_by_definition(complex, incidence, node, values.operands(node), *values.values[i]);
           !f.empty())
         return name_of(dag, i) + " (" + operator_name(node) + "): " + f;
       x.push_back(components_of(complex, *values.values[i]));
@@ -277,8 +273,7 @@ TEST_CASE("A group Boolean takes closed values and asks for `closure` of others"
     const NodeValue& value = *tried.values->values.back();
     // By definition: a cell outside of the set in the closure of one inside.
     const CellIncidence incidence(tried.values->complex());
-    const auto set =
-        CellIncidence::support(incidence.labels(selection_of(tried.values->complex(), value)));
+    const auto set = CellIncidence::support(incidence.labels(selection_of(tried.values->complex(), value)));
     const bool closed = incidence.closure(set) == set;
     const bool fits = closed || value.stands_for.has_value();
     const std::string failure = refusal(dag);

@@ -1,7 +1,6 @@
 // Random dags against Nef polyhedra, node by node: the point set of every value, open, unbounded or neither,
 // equals Nef's for the same expression (SEMANTICS 2, 5.5), and components are those of the definitions.
 #include <catch2/catch.hpp>
-
 #include <exception>
 #include <sstream>
 
@@ -30,7 +29,11 @@ struct Tally {
 class Comparison {
  public:
   Comparison(const RandomDag& dag, const DagValues& values, Tally& tally)
-      : dag_(dag), values_(values), complex_(values.complex()), standings_(standings(dag)), tally_(tally),
+      : dag_(dag),
+        values_(values),
+        complex_(values.complex()),
+        standings_(standings(dag)),
+        tally_(tally),
         incidence_(complex_) {}
 
   Failure run() {
@@ -57,9 +60,7 @@ class Comparison {
   }
 
  private:
-  std::string words(std::size_t i) const {
-    return name_of(dag_, i) + " (" + operator_name(dag_.nodes[i]) + "): ";
-  }
+  std::string words(std::size_t i) const { return name_of(dag_, i) + " (" + operator_name(dag_.nodes[i]) + "): "; }
 
   Selection point_set(std::size_t i) const { return joined(selection_of(complex_, *values_.values[i])); }
 
@@ -131,8 +132,8 @@ class Comparison {
     ++tally_.each_by_nef;
     std::vector<NefSet> parts;
     for (Component c = 1; c <= operand.component_count(); ++c)
-      parts.push_back(topological(
-          node.op, to_nef(complex_, joined(restrict_to(selection, support(selection, c))))));
+      parts.push_back(
+          topological(node.op, to_nef(complex_, joined(restrict_to(selection, support(selection, c))))));
     return NefSet::unite_all(std::move(parts));
   }
 
@@ -314,9 +315,9 @@ TEST_CASE("Every value of random dags equals Nef's", "[dag]") {
   out << tally.coverage.text() << "\n"
       << tally.nodes << " values equal Nef's, " << tally.open << " of them not closed, " << tally.unbounded
       << " unbounded, " << tally.empty << " empty; " << tally.each_by_nef
-      << " nodes with `each` by components of Nef; " << tally.cells
-      << " cells of results located; " << tally.oracle_failures << " dags on which Nef itself failed, "
-      << tally.contradictions << " of them by contradicting itself";
+      << " nodes with `each` by components of Nef; " << tally.cells << " cells of results located; "
+      << tally.oracle_failures << " dags on which Nef itself failed, " << tally.contradictions
+      << " of them by contradicting itself";
   const std::string report = out.str();
   INFO(report);
   if (last - first >= 100) CHECK(tally.coverage.complete());

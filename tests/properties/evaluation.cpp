@@ -138,8 +138,7 @@ NefSet to_nef(const Complex& complex, const Selection& set) {
   for (const auto& r : s.regions)
     if (r.component != 0) inside.push_back(scenes::point_in(complex, r.cells.front()));
   // Space without walls lists no region.
-  if (s.regions.empty() && !set.regions.empty())
-    inside.push_back(scenes::point_in(complex, set.regions[0].first));
+  if (s.regions.empty() && !set.regions.empty()) inside.push_back(scenes::point_in(complex, set.regions[0].first));
   NefSet result = NefSet::unite_all(std::move(walls)).fill(inside).without(NefSet::unite_all(std::move(off)));
   std::vector<NefSet> on;
   off.clear();

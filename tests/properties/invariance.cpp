@@ -1,8 +1,7 @@
 // What must not change the answer: order of input, exact rigid motion, number of threads; and the laws of set
 // algebra as far as groups have them (SEMANTICS 5.3, 5.4).
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <numeric>
 
 #include "tests/properties/evaluation.h"
@@ -111,10 +110,8 @@ TEST_CASE("A power of two as factor changes no decision", "[invariance]") {
     const Complex plain = build(scene.leaves);
     for (const int exponent : {900, -900}) {
       Rational factor = 1;
-      if (exponent > 0)
-        mpq_mul_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<unsigned>(exponent));
-      else
-        mpq_div_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<unsigned>(-exponent));
+      if (exponent > 0) mpq_mul_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<unsigned>(exponent));
+      else mpq_div_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<unsigned>(-exponent));
       Scene scaled = scene;
       apply(scenes::Motion::scaling(factor), scaled);
       const Complex c = build(scaled.leaves);
@@ -201,8 +198,7 @@ TEST_CASE("De Morgan's laws hold for solids", "[invariance]") {
     const auto intersect = [&](const Group& x, const Group& y) { return apply_equal(BooleanOp::intersect, x, y); };
     const auto subtract = [&](const Group& x, const Group& y) { return apply_equal(BooleanOp::subtract, x, y); };
     CHECK((set(subtract(g[0], unite(g[1], g[2]))) == set(subtract(subtract(g[0], g[1]), g[2]))));
-    CHECK((set(subtract(g[0], intersect(g[1], g[2]))) ==
-           set(unite(subtract(g[0], g[1]), subtract(g[0], g[2])))));
+    CHECK((set(subtract(g[0], intersect(g[1], g[2]))) == set(unite(subtract(g[0], g[1]), subtract(g[0], g[2])))));
     const Group both = complement(c, unite(complement(c, g[1]), complement(c, g[2])));
     CHECK((set(both) == set(intersect(g[1], g[2]))));
     CHECK((set(subtract(g[0], g[1])) == set(intersect(g[0], complement(c, g[1])))));

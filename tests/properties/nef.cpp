@@ -1,6 +1,5 @@
 // Random trees against Nef polyhedra: equal point sets at every node (SEMANTICS 5.1, 5.2, 5.5).
 #include <catch2/catch.hpp>
-
 #include <exception>
 #include <iostream>
 

@@ -28,12 +28,9 @@ Exact number(const Rational& value) { return Exact(value.get_mpq_t()); }
 
 template <class Number>
 Rational rational_of(const Number& value) {
-  if constexpr (requires { value.backend().data(); })
-    return Rational(value.backend().data());
-  else if constexpr (requires { value.mpq(); })
-    return Rational(value.mpq());
-  else
-    return Rational(value);
+  if constexpr (requires { value.backend().data(); }) return Rational(value.backend().data());
+  else if constexpr (requires { value.mpq(); }) return Rational(value.mpq());
+  else return Rational(value);
 }
 
 Point point_of(const RationalPoint& p) {
@@ -203,9 +200,8 @@ NefSet NefSet::polygon(const std::vector<scenes::Polygon>& loops) {
   bool first = true;
   for (const scenes::Polygon& loop : loops)
     for (const scenes::Polygon& cycle : simple_cycles(loop)) {
-      result = guarded([&] {
-        return first ? simple_polygon(cycle) : result.symmetric_difference(simple_polygon(cycle));
-      });
+      result = guarded(
+          [&] { return first ? simple_polygon(cycle) : result.symmetric_difference(simple_polygon(cycle)); });
       first = false;
     }
   NefSet set;
@@ -405,7 +401,8 @@ Rational NefSet::volume() const {
     const auto n = f->plane().orthogonal_vector();
     const RationalPoint normal = point_of(CGAL::ORIGIN + n);
     const Rational along = area[0] * normal[0] + area[1] * normal[1] + area[2] * normal[2];
-    if (along > 0) sum -= product; else sum += product;
+    if (along > 0) sum -= product;
+    else sum += product;
   }
   return sum / 6;
 }

@@ -21,7 +21,7 @@ class OracleFailure : public std::runtime_error {
 
 class NefSet {
  public:
-  NefSet();                                        ///< the empty set
+  NefSet();  ///< the empty set
   ~NefSet();
   NefSet(const NefSet&);
   NefSet& operator=(const NefSet&);
@@ -40,18 +40,18 @@ class NefSet {
 
   NefSet unite(const NefSet& other) const;
   NefSet intersect(const NefSet& other) const;
-  NefSet subtract(const NefSet& other) const;      ///< cl(this - other) of closed sets
-  NefSet without(const NefSet& other) const;       ///< this - other, which need not be closed
-  NefSet complement() const;                       ///< space - this; the outer volume is marked like others
+  NefSet subtract(const NefSet& other) const;  ///< cl(this - other) of closed sets
+  NefSet without(const NefSet& other) const;   ///< this - other, which need not be closed
+  NefSet complement() const;                   ///< space - this; the outer volume is marked like others
   NefSet interior() const;
   NefSet closure() const;
   NefSet boundary() const;
-  NefSet regularization() const;                   ///< cl int
+  NefSet regularization() const;  ///< cl int
   /// This and the bounded volumes of its complement that hold one of the points; the points lie on no facet.
   NefSet fill(const std::vector<RationalPoint>& inside) const;
 
   bool contains(const RationalPoint& p) const;
-  bool operator==(const NefSet& other) const;      ///< as Nef decides it: the symmetric difference is empty
+  bool operator==(const NefSet& other) const;  ///< as Nef decides it: the symmetric difference is empty
   bool valid() const;
   Skeleton skeleton() const;
   /// The mark of the unbounded volume.

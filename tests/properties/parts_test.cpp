@@ -1,8 +1,7 @@
 // Values as independent parts against values as whole groups: every list, number and count must be the same, on
 // leaves that are scattered, touch and overlap, in chains and in graphs that share values.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
+#include <catch2/catch.hpp>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/operators/cnrg.h"
@@ -137,9 +136,8 @@ void check_places(const Complex& c, const Selection& s, const Features& features
   }
   for (VertexId v : c.vertices) {
     const auto edges = c.vertex_edges[v];
-    const auto kept = std::count_if(edges.begin(), edges.end(), [&](EdgeId e) {
-      return simplified.edge_place[e.index()].dimension == 1;
-    });
+    const auto kept = std::count_if(edges.begin(), edges.end(),
+                                    [&](EdgeId e) { return simplified.edge_place[e.index()].dimension == 1; });
     const int dimension = simplified.vertex_place[v.index()].dimension;
     const bool feature = std::binary_search(features.vertices.begin(), features.vertices.end(), v);
     if (feature || kept == 1 || kept > 2) CHECK(dimension == 0);

@@ -39,7 +39,7 @@ struct Skeleton {
   std::vector<Vertex> vertices;  ///< in lexicographic order
   std::vector<Edge> edges;
   std::vector<Facet> facets;
-  std::size_t volumes = 1;       ///< with the unbounded one
+  std::size_t volumes = 1;  ///< with the unbounded one
 
   /// Puts everything in order and renumbers the vertices.
   void sort();

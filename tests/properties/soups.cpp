@@ -4,8 +4,8 @@
 // union of all cells of dimension up to 2 must be the union of the parts, and the cavities must be as many.
 #include <catch2/catch.hpp>
 
-#include "tests/properties/nef_oracle.h"
 #include "tests/properties/evaluation.h"
+#include "tests/properties/nef_oracle.h"
 #include "tests/scenes/measure.h"
 #include "tests/scenes/seeds.h"
 
@@ -36,7 +36,8 @@ std::vector<Leaf> random_soup(std::uint64_t seed, int parts, int size) {
     const RationalPoint a = grid_point(random, size), b = grid_point(random, size), c = grid_point(random, size);
     switch (random.below(8)) {
       case 0: leaf.points.push_back(a); break;
-      case 1: case 2:
+      case 1:
+      case 2:
         if (a != b) leaf.wires.push_back({a, b});
         break;
       case 3: {  // a parallelogram, which may stick out of the grid
@@ -107,9 +108,9 @@ std::vector<Leaf> shrink(std::vector<Leaf> leaves) {
       }
   };
   for (int round = 0; round < 2; ++round) {
-    try_without([](Leaf& leaf) -> auto& { return leaf.faces; });
-    try_without([](Leaf& leaf) -> auto& { return leaf.wires; });
-    try_without([](Leaf& leaf) -> auto& { return leaf.points; });
+    try_without([](Leaf & leaf) -> auto& { return leaf.faces; });
+    try_without([](Leaf & leaf) -> auto& { return leaf.wires; });
+    try_without([](Leaf & leaf) -> auto& { return leaf.points; });
   }
   return leaves;
 }

@@ -1,6 +1,5 @@
 // What lets most pairs through without a predicate: boxes on a grid, planes as filters, fans around vertices.
 #include <catch2/catch.hpp>
-
 #include <cmath>
 #include <random>
 #include <set>
@@ -36,7 +35,8 @@ int integer(Random& random, int low, int high) { return std::uniform_int_distrib
 /// Boxes on a small grid, so that many touch, some of them flat; scaled and moved.
 std::vector<Box> random_boxes(Random& random) {
   const int n = integer(random, 0, 200), side = integer(random, 1, 12), flat = integer(random, 0, 6);
-  const double scale = std::ldexp(1.0, integer(random, -900, 900)), shift = scale * integer(random, -100000, 100000);
+  const double scale = std::ldexp(1.0, integer(random, -900, 900)),
+               shift = scale * integer(random, -100000, 100000);
   std::vector<Box> boxes(static_cast<std::size_t>(n));
   for (Box& box : boxes) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -115,7 +115,8 @@ Soup fan(Random& random, int n, int turns, double steep) {
   }
   for (int i = 0; i < n; ++i) {
     const auto f = static_cast<std::uint32_t>(i);
-    soup.add_triangle(leaf, tip, rim[static_cast<std::size_t>(i)], rim[static_cast<std::size_t>((i + 1) % n)], f, f);
+    soup.add_triangle(leaf, tip, rim[static_cast<std::size_t>(i)], rim[static_cast<std::size_t>((i + 1) % n)], f,
+                      f);
   }
   return soup;
 }

@@ -31,7 +31,6 @@ TEST_CASE("Face and face cross", "[contacts]") {
 TEST_CASE("Face and face overlap", "[contacts]") {
   const char* f = "leaf none\nface 0 0 0, 4 0 0, 0 4 0\nleaf none\nface 1 1 0, 5 1 0, 1 5 0";
   expect(f, {3 + 3 + 2, 5 + 5, 3, 1});
-
 }
 
 TEST_CASE("Face and edge", "[contacts]") {
@@ -85,9 +84,10 @@ TEST_CASE("A wire through a corner of a face", "[contacts]") {
 
 TEST_CASE("A wire through a corner that many faces share", "[contacts]") {
   // The tip of a pyramid without base.
-  expect("leaf none\nface 0 0 0, 1 0 1, 0 1 1\nface 0 0 0, 0 1 1, -1 0 1\nface 0 0 0, -1 0 1, 0 -1 1\n"
-         "face 0 0 0, 0 -1 1, 1 0 1\nleaf none\nwire 0 0 -1, 0 0 1",
-         {5 + 2, 8 + 2, 4, 1});
+  expect(
+      "leaf none\nface 0 0 0, 1 0 1, 0 1 1\nface 0 0 0, 0 1 1, -1 0 1\nface 0 0 0, -1 0 1, 0 -1 1\n"
+      "face 0 0 0, 0 -1 1, 1 0 1\nleaf none\nwire 0 0 -1, 0 0 1",
+      {5 + 2, 8 + 2, 4, 1});
 }
 
 TEST_CASE("Wires cross in a face", "[contacts]") {
@@ -129,8 +129,9 @@ TEST_CASE("A vertex of one face on an edge, in the inside and on a vertex of ano
 TEST_CASE("Coordinates from 1e-300 to 1e300", "[contacts]") {
   const std::string decimal =
       "leaf sides\nbox 1e-300 1e-300 1e-300, 1e300 1e300 1e300\nleaf none\nwire -1e300 0.5 0.5, 2e300 0.5 0.5";
-  const std::string binary = "leaf sides\nbox 0x1p-996 0x1p-996 0x1p-996, 0x1p996 0x1p996 0x1p996\n"
-                             "leaf none\nwire -0x1p996 0.5 0.5, 0x1p997 0.5 0.5";
+  const std::string binary =
+      "leaf sides\nbox 0x1p-996 0x1p-996 0x1p-996, 0x1p996 0x1p996 0x1p996\n"
+      "leaf none\nwire -0x1p996 0.5 0.5, 0x1p997 0.5 0.5";
   for (const std::string& f : {decimal, binary}) {
     for (const bool share : {true, false}) {
       SoupOptions options;

@@ -12,10 +12,8 @@ namespace {
 
 Rational power_of_two(int exponent) {
   Rational p = 1;
-  if (exponent >= 0)
-    mpq_mul_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<unsigned>(exponent));
-  else
-    mpq_div_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<unsigned>(-exponent));
+  if (exponent >= 0) mpq_mul_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<unsigned>(exponent));
+  else mpq_div_2exp(p.get_mpq_t(), p.get_mpq_t(), static_cast<unsigned>(-exponent));
   return p;
 }
 

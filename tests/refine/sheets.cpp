@@ -9,9 +9,7 @@
 
 namespace cnrg::scenes {
 
-TEST_CASE("One triangle", "[sheets]") {
-  expect("leaf none\nface 0 0 0, 1 0 0, 0 1 0", {3, 3, 1, 1});
-}
+TEST_CASE("One triangle", "[sheets]") { expect("leaf none\nface 0 0 0, 1 0 0, 0 1 0", {3, 3, 1, 1}); }
 
 TEST_CASE("Duplicate triangles are one face with two covers", "[sheets]") {
   const char* same = "leaf none\nface 0 0 0, 1 0 0, 0 1 0\nleaf none\nface 1 0 0, 0 1 0, 0 0 0";
@@ -85,12 +83,13 @@ TEST_CASE("A sliver crossed by a triangle", "[sheets]") {
 }
 
 TEST_CASE("A stack of slivers that share an edge", "[sheets]") {
-  expect("leaf none\n"
-         "face 0 0 0, 1 0 0, 1/2 0x1p-100 0\n"
-         "face 0 0 0, 1 0 0, 1/2 0x1p-100 0x1p-200\n"
-         "face 0 0 0, 1 0 0, 1/2 0x1p-100 0x1p-300\n"
-         "face 0 0 0, 1 0 0, 1/2 0x1p-101 0x1p-201",  // in the plane of the second, inside of it
-         {6, 9, 4, 1});
+  expect(
+      "leaf none\n"
+      "face 0 0 0, 1 0 0, 1/2 0x1p-100 0\n"
+      "face 0 0 0, 1 0 0, 1/2 0x1p-100 0x1p-200\n"
+      "face 0 0 0, 1 0 0, 1/2 0x1p-100 0x1p-300\n"
+      "face 0 0 0, 1 0 0, 1/2 0x1p-101 0x1p-201",  // in the plane of the second, inside of it
+      {6, 9, 4, 1});
 }
 
 TEST_CASE("Faces without area are dropped and reported", "[sheets]") {
@@ -136,10 +135,11 @@ TEST_CASE("Two faces cross along a segment that ends inside both", "[sheets]") {
 }
 
 TEST_CASE("Rational coordinates", "[sheets]") {
-  expect("leaf none\nface 1/3 1/7 0, 22/7 1/7 0, 22/7 355/113 0, 1/3 355/113 0\n"
-         "leaf none\nface 1 1/7 -1/9, 1 1/7 1/11, 1 355/113 1/11, 1 355/113 -1/9",
-         // They cross along x = 1 from border to border: the corners of the second lie off, its sides are cut.
-         {4 + 4 + 2, 6 + 6 + 1, 4, 1});
+  expect(
+      "leaf none\nface 1/3 1/7 0, 22/7 1/7 0, 22/7 355/113 0, 1/3 355/113 0\n"
+      "leaf none\nface 1 1/7 -1/9, 1 1/7 1/11, 1 355/113 1/11, 1 355/113 -1/9",
+      // They cross along x = 1 from border to border: the corners of the second lie off, its sides are cut.
+      {4 + 4 + 2, 6 + 6 + 1, 4, 1});
 }
 
 }  // namespace cnrg::scenes

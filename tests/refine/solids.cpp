@@ -1,6 +1,5 @@
 // The degenerate corpus of solids. Counts are derived by hand; with cells that are all balls V - E + F - R = 0.
 #include <catch2/catch.hpp>
-
 #include <map>
 #include <set>
 
@@ -183,11 +182,12 @@ TEST_CASE("A tunnel", "[solids]") {
 }
 
 TEST_CASE("Two cones touch at the apex", "[solids]") {
-  expect("leaf winding\nface 0 0 0, 1 1 1, -1 1 1\nface 0 0 0, -1 1 1, -1 -1 1\nface 0 0 0, -1 -1 1, 1 -1 1\n"
-         "face 0 0 0, 1 -1 1, 1 1 1\nface 1 1 1, 1 -1 1, -1 -1 1, -1 1 1\n"
-         "face 0 0 0, -1 1 -1, 1 1 -1\nface 0 0 0, -1 -1 -1, -1 1 -1\nface 0 0 0, 1 -1 -1, -1 -1 -1\n"
-         "face 0 0 0, 1 1 -1, 1 -1 -1\nface 1 1 -1, -1 1 -1, -1 -1 -1, 1 -1 -1\n",
-         {9, 16, 10, 3, {Rational(4, 3), Rational(4, 3)}});
+  expect(
+      "leaf winding\nface 0 0 0, 1 1 1, -1 1 1\nface 0 0 0, -1 1 1, -1 -1 1\nface 0 0 0, -1 -1 1, 1 -1 1\n"
+      "face 0 0 0, 1 -1 1, 1 1 1\nface 1 1 1, 1 -1 1, -1 -1 1, -1 1 1\n"
+      "face 0 0 0, -1 1 -1, 1 1 -1\nface 0 0 0, -1 -1 -1, -1 1 -1\nface 0 0 0, 1 -1 -1, -1 -1 -1\n"
+      "face 0 0 0, 1 1 -1, 1 -1 -1\nface 1 1 -1, -1 1 -1, -1 -1 -1, 1 -1 -1\n",
+      {9, 16, 10, 3, {Rational(4, 3), Rational(4, 3)}});
 }
 
 TEST_CASE("A sheet through a box", "[solids]") {

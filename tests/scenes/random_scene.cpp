@@ -107,15 +107,16 @@ Leaf random_leaf(Random& random, int size) {
   const int unit = std::max(1, size / 5);
   Leaf leaf;
   switch (random.below(10)) {
-    case 0: case 1: case 2: {
+    case 0:
+    case 1:
+    case 2: {
       const auto [low, high] = random_box(random, size, unit);
       leaf = solid_leaf(box_solid(low, high), random_fill(random));
       if (leaf.fill == Fill::sides) add_crack(leaf, random, low, high);
       break;
     }
-    case 3: case 4:
-      leaf = solid_leaf(tetrahedron_solid(random_tetrahedron(random, size)), random_fill(random));
-      break;
+    case 3:
+    case 4: leaf = solid_leaf(tetrahedron_solid(random_tetrahedron(random, size)), random_fill(random)); break;
     case 5: {
       const RationalPoint o = grid_point(random, size / 2);
       leaf = solid_leaf(prism_solid(random_base(random, o, unit), {0, 0, unit * random.between(1, 3)}),
@@ -128,15 +129,14 @@ Leaf random_leaf(Random& random, int size) {
       if (random.one_in(3)) add_crack(leaf, random, low, high);
       break;
     }
-    case 7: case 8: add_random_sheet(leaf, random, size); break;
+    case 7:
+    case 8: add_random_sheet(leaf, random, size); break;
     default: add_random_wires(leaf, random, size); break;
   }
   cycle_axes(leaf, random.below(3));
   if (random.one_in(3)) {
-    if (random.one_in(2))
-      add_random_wires(leaf, random, size);
-    else
-      leaf.points.push_back(grid_point(random, size));
+    if (random.one_in(2)) add_random_wires(leaf, random, size);
+    else leaf.points.push_back(grid_point(random, size));
   }
   return leaf;
 }

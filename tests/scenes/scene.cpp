@@ -101,9 +101,7 @@ void add_solid(Leaf& leaf, const Solid& solid, std::uint32_t region) {
   leaf.solids.push_back(solid);
 }
 
-void add_sheet(Leaf& leaf, std::vector<Polygon> loops) {
-  leaf.faces.push_back({std::move(loops), 0, 0, true});
-}
+void add_sheet(Leaf& leaf, std::vector<Polygon> loops) { leaf.faces.push_back({std::move(loops), 0, 0, true}); }
 
 Leaf solid_leaf(const Solid& solid, Fill fill) {
   Leaf leaf;

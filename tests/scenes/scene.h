@@ -21,7 +21,7 @@ using Polygon = std::vector<RationalPoint>;
 struct Face {
   std::vector<Polygon> loops;
   std::uint32_t front = 0, back = 0;
-  bool sheet = false;               ///< bounds none of the leaf's solids
+  bool sheet = false;  ///< bounds none of the leaf's solids
 };
 
 /// A closed solid by its facets: simple planar polygons, counter-clockwise from outside.
@@ -82,9 +82,9 @@ void apply(const Motion& motion, Scene& scene);
 
 /// How a scene becomes a soup.
 struct SoupOptions {
-  bool share_points = true;           ///< one point per position of a leaf, else every corner its own
-  std::vector<std::size_t> order;     ///< permutation of the leaves; empty: as they are
-  bool reverse_faces = false;         ///< faces of each leaf from the last to the first
+  bool share_points = true;        ///< one point per position of a leaf, else every corner its own
+  std::vector<std::size_t> order;  ///< permutation of the leaves; empty: as they are
+  bool reverse_faces = false;      ///< faces of each leaf from the last to the first
 };
 Soup make_soup(const std::vector<Leaf>& leaves, const SoupOptions& options = {});
 

@@ -1,9 +1,10 @@
 // Betti numbers against elimination on random sets of cells of grids, against Alexander duality on random scenes,
 // and against known topology.
+#include "kernel/selection/homology.h"
+
 #include <catch2/catch.hpp>
 
 #include "kernel/base/union_find.h"
-#include "kernel/selection/homology.h"
 #include "kernel/selection/measure.h"
 #include "tests/operators/pieces.h"
 #include "tests/scenes/scene.h"
@@ -245,8 +246,8 @@ TEST_CASE("betti numbers of the empty set and of all space", "[homology]") {
 }
 
 TEST_CASE("betti numbers of a cube and what is taken off it", "[homology]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), point({2, 2, 2}), wire({1, 1, 1}, {1, 1, 3}),
-                                      wire({3, 3, 0}, {3, 3, 4})});
+  const Complex complex = complex_of(
+      {box({0, 0, 0}, {4, 4, 4}), point({2, 2, 2}), wire({1, 1, 1}, {1, 1, 3}), wire({3, 3, 0}, {3, 3, 4})});
   const std::vector<RegionId> cube = labelled(complex, 1);
   REQUIRE(cube.size() == 1);
   CellSet open;

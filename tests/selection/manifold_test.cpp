@@ -1,12 +1,12 @@
 // Local shapes of known sets, and of random ones in a grid against a count over octants; one-sided sheets.
-#include <catch2/catch.hpp>
+#include "kernel/selection/manifold.h"
 
+#include <catch2/catch.hpp>
 #include <map>
 
 #include "kernel/base/union_find.h"
 #include "kernel/selection/homology.h"
 #include "kernel/selection/incidence.h"
-#include "kernel/selection/manifold.h"
 #include "tests/operators/pieces.h"
 #include "tests/scenes/scene.h"
 #include "tests/scenes/seeds.h"
@@ -87,16 +87,17 @@ TEST_CASE("shapes of sheets, wires and points", "[manifold]") {
                                     wire({0, 5, 0}, {3, 5, 0}), wire({3, 5, 0}, {3, 5, 6})});
   const Shapes at_wires = shapes(wires, bounded(wires));
   CHECK(at_wires.edges == Counts{{"wire", 5}});
-  CHECK(at_wires.vertices ==
-        Counts{{"3 wires meet", 1}, {"wire end", 5}, {"wire", 1}, {"isolated point", 1}});
+  CHECK(at_wires.vertices == Counts{{"3 wires meet", 1}, {"wire end", 5}, {"wire", 1}, {"isolated point", 1}});
 
-  const Complex pierced = complex_of({sheet({0, 0, 0}, {4, 4, 0}), wire({2, 2, -1}, {2, 2, 1}),
-                                      wire({0, 0, 0}, {-1, -1, 0}), point({1, 1, 0})});
+  const Complex pierced = complex_of(
+      {sheet({0, 0, 0}, {4, 4, 0}), wire({2, 2, -1}, {2, 2, 1}), wire({0, 0, 0}, {-1, -1, 0}), point({1, 1, 0})});
   const Shapes at_pierced = shapes(pierced, bounded(pierced));
   CHECK(at_pierced.edges == Counts{{"wire", 3}, {"surface border", 4}});
   CHECK(at_pierced.vertices == Counts{{"2 wires and a sheet meet in a point", 1},
                                       {"a wire and a sheet meet in a point", 1},
-                                      {"surface", 1}, {"surface border", 3}, {"wire end", 3}});
+                                      {"surface", 1},
+                                      {"surface border", 3},
+                                      {"wire end", 3}});
 
   const Complex slit = complex_of({sheet({0, 0, 0}, {4, 4, 0}), wire({1, 1, 0}, {2, 2, 0})});
   const Shapes at_slit = shapes(slit, bounded(slit));
@@ -107,12 +108,17 @@ TEST_CASE("shapes of sheets, wires and points", "[manifold]") {
       complex_of({box({0, 0, 0}, {4, 4, 4}), sheet({4, 1, 1}, {6, 3, 1}), wire({0, 0, 0}, {-1, 0, 0}),
                   wire({1, 1, 1}, {2, 2, 2}), sheet({1, 1, 3}, {2, 2, 3})});
   const Shapes at_hung = shapes(hung, bounded(hung));
-  CHECK(at_hung.edges ==
-        Counts{{"manifold", 12}, {"a sheet hangs on the solid", 1}, {"surface border", 3}, {"wire", 1},
-               {"interior", 5}});
-  CHECK(at_hung.vertices ==
-        Counts{{"manifold", 7}, {"a wire and a solid cone meet in a point", 1}, {"wire end", 1},
-               {"a non-manifold edge ends here", 2}, {"surface border", 2}, {"interior", 6}});
+  CHECK(at_hung.edges == Counts{{"manifold", 12},
+                                {"a sheet hangs on the solid", 1},
+                                {"surface border", 3},
+                                {"wire", 1},
+                                {"interior", 5}});
+  CHECK(at_hung.vertices == Counts{{"manifold", 7},
+                                   {"a wire and a solid cone meet in a point", 1},
+                                   {"wire end", 1},
+                                   {"a non-manifold edge ends here", 2},
+                                   {"surface border", 2},
+                                   {"interior", 6}});
   // Two sheets tip to tip.
   const Complex tips = complex_of({sheet({0, 0, 0}, {1, 1, 0}), sheet({1, 1, 0}, {2, 2, 0})});
   CHECK(shapes(tips, bounded(tips)).vertices["2 sheets touch in a point"] == 1);
@@ -162,8 +168,8 @@ TEST_CASE("shapes at the centre of a grid are those that counting octants gives"
     rest.vertices.clear();
     const auto b = counter.of(rest).z2;
     const std::map<LocalForm, std::array<long, 3>> expected{
-        {LocalForm::interior, {1, 0, 1}}, {LocalForm::manifold, {1, 0, 0}}, {LocalForm::surface, {1, 1, 0}},
-        {LocalForm::surface_border, {1, 0, 0}}, {LocalForm::wire, {2, 0, 0}}, {LocalForm::wire_end, {1, 0, 0}},
+        {LocalForm::interior, {1, 0, 1}},       {LocalForm::manifold, {1, 0, 0}}, {LocalForm::surface, {1, 1, 0}},
+        {LocalForm::surface_border, {1, 0, 0}}, {LocalForm::wire, {2, 0, 0}},     {LocalForm::wire_end, {1, 0, 0}},
         {LocalForm::isolated_point, {0, 0, 0}}};
     CAPTURE(seed, to_string(form), at->second.reason);
     if (form != LocalForm::non_manifold) REQUIRE(b == expected.at(form));

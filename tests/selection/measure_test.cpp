@@ -1,9 +1,9 @@
 // Exact measures against numbers known by hand, Euler-Poincare against known topology.
-#include <catch2/catch.hpp>
+#include "kernel/selection/measure.h"
 
+#include <catch2/catch.hpp>
 #include <cmath>
 
-#include "kernel/selection/measure.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {
@@ -135,8 +135,8 @@ TEST_CASE("terms of Euler and Poincare", "[euler]") {
     const auto t = euler_terms(complex, bounded);
     CHECK(t.pieces == 2);
     CHECK(t.volume_cavities == 1);
-    CHECK(t.volume_holes == 1);   // around the loop
-    CHECK(t.holes == 0);          // the loop is filled by its region
+    CHECK(t.volume_holes == 1);  // around the loop
+    CHECK(t.holes == 0);         // the loop is filled by its region
     CHECK(t.cavities == 0);
     CHECK(check_euler(complex, bounded) == "");
     CellSet walls = bounded;

@@ -1,9 +1,9 @@
 // Neighbourhoods of vertices: Euler's formula on the sphere over random scenes, nesting by hand.
-#include <catch2/catch.hpp>
+#include "kernel/selection/neighbourhood.h"
 
+#include <catch2/catch.hpp>
 #include <set>
 
-#include "kernel/selection/neighbourhood.h"
 #include "tests/operators/pieces.h"
 #include "tests/scenes/scene.h"
 #include "tests/scenes/seeds.h"
@@ -144,8 +144,8 @@ TEST_CASE("reflex corners, slit tips and full circles", "[neighbourhood]") {
   CHECK(n.germs[0].circles == 4);
 
   // A slit that ends within a rectangle, and a wire through another point of it.
-  const Complex plate = complex_of({sheet({0, 0, 0}, {4, 4, 0}), wire({0, 2, 0}, {2, 2, 0}),
-                                    wire({3, 3, -1}, {3, 3, 1}), point({1, 1, 0})});
+  const Complex plate = complex_of(
+      {sheet({0, 0, 0}, {4, 4, 0}), wire({0, 2, 0}, {2, 2, 0}), wire({3, 3, -1}, {3, 3, 1}), point({1, 1, 0})});
   Neighbourhoods around(plate);
   const Neighbourhood tip = around.at(vertex_at(plate, {2, 2, 0}));
   check(plate, tip);

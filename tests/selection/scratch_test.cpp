@@ -1,7 +1,7 @@
 // Scratch arrays are zeroed when they are handed on, whatever was written before, and joined sets forgotten.
-#include <catch2/catch.hpp>
-
 #include "kernel/selection/scratch.h"
+
+#include <catch2/catch.hpp>
 
 namespace cnrg {
 namespace {

@@ -1,7 +1,8 @@
 // Topology of cell sets by incidence: one box, one sheet, one wire.
+#include "kernel/selection/selection.h"
+
 #include <catch2/catch.hpp>
 
-#include "kernel/selection/selection.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {
@@ -36,8 +37,8 @@ TEST_CASE("closure, interior, boundary and star of a box", "[selection]") {
 
 TEST_CASE("interior tests the whole star, also where the complex is not simplified", "[selection]") {
   // A wire and a sheet run through the box: their cells are interior to it, but for those on its walls.
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), sheet({0, 0, 2}, {4, 4, 2}),
-                                      wire({1, 1, 0}, {1, 1, 4}), point({3, 3, 3})});
+  const Complex complex = complex_of(
+      {box({0, 0, 0}, {4, 4, 4}), sheet({0, 0, 2}, {4, 4, 2}), wire({1, 1, 0}, {1, 1, 4}), point({3, 3, 3})});
   REQUIRE(complex.region_count == 3);
   CellSet halves;
   halves.regions = {RegionId(1), RegionId(2)};

@@ -1,9 +1,9 @@
 // Simplification where grids do not reach: curved patches, curves, tips, slits, punctures.
-#include <catch2/catch.hpp>
+#include "kernel/selection/simplify.h"
 
+#include <catch2/catch.hpp>
 #include <cmath>
 
-#include "kernel/selection/simplify.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {
@@ -165,8 +165,8 @@ TEST_CASE("wires: straight pieces are one edge, pieces of one curve too", "[simp
 
 TEST_CASE("open sets: missing cells remain as inactive ones", "[simplify]") {
   // A box without its walls, and without one inner point and one inner wire.
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), sheet({0, 0, 2}, {4, 4, 2}) + point({1, 1, 1}) +
-                                                                     wire({2, 2, 1}, {2, 2, 3})});
+  const Complex complex = complex_of(
+      {box({0, 0, 0}, {4, 4, 4}), sheet({0, 0, 2}, {4, 4, 2}) + point({1, 1, 1}) + wire({2, 2, 1}, {2, 2, 3})});
   Selection s;
   for (std::size_t r = 1; r < complex.region_count; ++r) s.regions.emplace_back(RegionId(r), 1);
   for (FaceId f : IdRange<FaceId>(complex.face_count())) {

@@ -61,10 +61,8 @@ TEST_CASE("what waits for a truth that fails is not run") {
   std::size_t waited = 0;
   for (const FailedUnit& f : failed) {
     waited += f.waited;
-    if (f.unit.system == "b")
-      CHECK(f.status == -9);
-    else
-      CHECK(f.status == 4);
+    if (f.unit.system == "b") CHECK(f.status == -9);
+    else CHECK(f.status == 4);
   }
   CHECK(waited == 1);
   auto done = lines(w.read("log"));
