@@ -7,7 +7,7 @@
 #include <string>
 
 #include "bench/command.h"
-#include "csg/output/file.h"
+#include "csg/text/file.h"
 
 namespace cnrg::bench {
 namespace {

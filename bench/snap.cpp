@@ -8,7 +8,7 @@
 // almost coincides. A line per case: `ok` and what was snapped, `plain` where rounding alone is right, `error`
 // with the message of a file that can not be read or of a result that can not be snapped, or CRASH, TIMEOUT, OOM,
 // BUG (a broken invariant), WRONG (what was written is not what it should be). Exit status 1 if any of those.
-#include "csg/output/snap.h"
+#include "csg/result/snap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,10 @@
 #include "bench/cases/mesh_cases.h"
 #include "bench/peers/program.h"
 #include "csg/leaves/leaf.h"
+#include "csg/mesh/mesh.h"
 #include "csg/operators/boolean.h"
 #include "csg/operators/leaf_group.h"
-#include "csg/output/flat.h"
-#include "csg/output/mesh.h"
+#include "csg/result/flat.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
 

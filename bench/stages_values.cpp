@@ -4,8 +4,8 @@
 
 #include "bench/cases/boolean_node.h"
 #include "bench/stages.h"
+#include "csg/formats/formats.h"
 #include "csg/operators/leaf_group.h"
-#include "csg/output/formats.h"
 #include "kernel/selection/canonical.h"
 #include "kernel/selection/measure.h"
 

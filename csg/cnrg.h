@@ -33,5 +33,5 @@
 #include "csg/operators/node_value.h"
 
 // Files of results.
-#include "csg/output/node_file.h"
-#include "csg/output/writer.h"
+#include "csg/formats/node_file.h"
+#include "csg/formats/writer.h"

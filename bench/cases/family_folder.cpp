@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "bench/cases/family.h"
-#include "csg/leaves/mesh_file.h"
-#include "csg/leaves/mesh_points.h"
+#include "csg/imports/mesh_file.h"
+#include "csg/imports/mesh_points.h"
 
 namespace cnrg::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "bench/cases/random.h"
-#include "csg/leaves/mesh_file.h"
+#include "csg/imports/mesh_file.h"
 
 namespace cnrg::bench {
 

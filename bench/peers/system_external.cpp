@@ -6,7 +6,7 @@
 #include "bench/peers/program.h"
 #include "bench/peers/system.h"
 #include "bench/peers/triangles.h"
-#include "csg/leaves/mesh_file.h"
+#include "csg/imports/mesh_file.h"
 #include "kernel/base/error.h"
 
 namespace cnrg::bench {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "csg/output/tetrahedra.h"
+#include "csg/mesh/tetrahedra.h"
 
 namespace cnrg::app {
 

@@ -9,8 +9,8 @@
 #include "csg/app/progress_bar.h"
 #include "csg/app/row_table.h"
 #include "csg/evaluate/evaluate.h"
-#include "csg/output/node_file.h"
-#include "csg/output/topology.h"
+#include "csg/formats/node_file.h"
+#include "csg/topology/topology.h"
 
 namespace cnrg::app {
 namespace {

@@ -1,5 +1,5 @@
 // `cnrg explain`: the life of a cell, or of what holds a point.
-#include "csg/evaluate/explain.h"
+#include "csg/explain/explain.h"
 
 #include <iostream>
 

@@ -18,7 +18,7 @@
 #include "csg/app/evaluation.h"
 #include "csg/app/exit_status.h"
 #include "csg/evaluate/evaluate.h"
-#include "csg/evaluate/lives.h"
+#include "csg/explain/lives.h"
 
 namespace cnrg::app {
 namespace {

@@ -7,8 +7,8 @@
 #include "csg/app/exit_status.h"
 #include "csg/app/progress_bar.h"
 #include "csg/evaluate/evaluate.h"
-#include "csg/output/node_file.h"
-#include "csg/output/table.h"
+#include "csg/formats/node_file.h"
+#include "csg/text/table.h"
 
 namespace cnrg::app {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "csg/output/table.h"
+#include "csg/text/table.h"
 
 namespace cnrg::app {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
-#include "csg/leaves/cad_model.h"
+#include "csg/imports/cad_model.h"
 
 namespace cnrg::app {
 

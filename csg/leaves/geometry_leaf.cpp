@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "csg/leaves/exact_vectors.h"
+#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {

@@ -10,10 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "csg/geometry/transform.h"
 #include "csg/leaves/cell_table.h"
-#include "csg/leaves/material.h"
 #include "csg/leaves/parameters.h"
 #include "csg/leaves/shapes.h"
+#include "csg/materials/material.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {

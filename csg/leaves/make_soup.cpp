@@ -1,5 +1,5 @@
 // All leaves of a tree in one soup, with a frame around them if one is unbounded.
-#include "csg/leaves/exact_vectors.h"
+#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/unbounded.h"
 #include "kernel/base/error.h"
 

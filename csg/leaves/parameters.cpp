@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-#include "csg/leaves/exact_vectors.h"
+#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {

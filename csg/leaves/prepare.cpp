@@ -1,6 +1,5 @@
 // From a shape to its preparation.
 #include "csg/leaves/prepare_shapes.h"
-#include "csg/leaves/result_leaf.h"
 
 namespace cnrg {
 namespace {

@@ -1,7 +1,7 @@
 // The leaves of a tree as data: what the tree file says, before any geometry is made (SEMANTICS 7).
 //
 // All numbers are exact. Lengths are in the model's unit. Angles are in degrees. The tree reader fills these
-// structures; `add_to_soup` (leaf.h) makes their geometry.
+// structures; `prepare` (leaf.h) reads and checks them, `make_soup` makes their geometry.
 #pragma once
 
 #include <array>
@@ -217,25 +217,5 @@ using Shape = std::variant<BoxShape, PrismShape, PyramidShape, TetrahedronShape,
                            PointsShape, PlaneShape, HalfspaceShape, SphereShape, CylinderShape, ConeShape,
                            TorusShape, BezierShape, CoonsShape, ExtrudeShape, RevolveShape, HeightfieldShape,
                            MeshShape, CadShape, GroupShape, ResultShape>;
-
-/// An exact affine map: p -> A p + b.
-struct Transform {
-  std::array<std::array<Rational, 3>, 3> linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  RationalPoint offset{0, 0, 0};
-  static Transform translation(const RationalPoint& by);
-  static Transform scaling(const RationalPoint& factors);  ///< no factor is zero
-  /// By `degrees` about an axis through `center`: multiples of 90 degrees about a coordinate axis are exact;
-  /// else the nearest rational rotation (exactly orthogonal; the angle's error is below 1e-15).
-  static Transform rotation(const RationalPoint& axis, const Rational& degrees, const RationalPoint& center);
-  /// The plane through `point` with `normal` as mirror.
-  static Transform reflection(const RationalPoint& normal, const RationalPoint& point);
-  bool identity() const;
-  Rational determinant() const;
-  Transform inverse() const;
-  RationalPoint apply(const RationalPoint& p) const;
-  /// First `inner`, then this.
-  Transform operator*(const Transform& inner) const;
-  friend bool operator==(const Transform&, const Transform&) = default;
-};
 
 }  // namespace cnrg

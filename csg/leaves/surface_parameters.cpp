@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "csg/leaves/exact_vectors.h"
+#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "csg/geometry/transform.h"
 #include "csg/leaves/parameters.h"
-#include "csg/leaves/shapes.h"
 #include "kernel/complex/complex.h"
 
 namespace cnrg {

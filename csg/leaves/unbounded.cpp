@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "csg/leaves/exact_vectors.h"
+#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/trigonometry.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "csg/leaves/material.h"
+#include "csg/materials/material.h"
 #include "csg/operators/origins.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/selection.h"

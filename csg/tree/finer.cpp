@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "csg/leaves/boundary_curves.h"
+#include "csg/curves/boundary_curves.h"
 
 namespace cnrg {
 namespace {

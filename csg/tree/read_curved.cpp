@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "csg/leaves/boundary_curves.h"
-#include "csg/leaves/control_nets.h"
+#include "csg/curves/boundary_curves.h"
+#include "csg/curves/control_nets.h"
 
 namespace cnrg {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "csg/leaves/exact_vectors.h"
+#include "csg/geometry/exact_vectors.h"
 #include "csg/tree/suggest.h"
 
 namespace cnrg {

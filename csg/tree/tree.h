@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "csg/leaves/material.h"
 #include "csg/leaves/shapes.h"
+#include "csg/materials/material.h"
 #include "csg/tree/dag.h"
 #include "csg/tree/position.h"
 

@@ -17,16 +17,10 @@
 #include "kernel/complex/sparse.h"
 #include "kernel/exact/points.h"
 #include "kernel/exact/predicates.h"
+#include "kernel/refine/report.h"
 #include "kernel/refine/soup.h"
 
 namespace cnrg {
-
-/// One soup face that covers a face of the complex; `same`: its front is the face's front.
-struct Cover {
-  SourceId source;
-  bool same = true;
-  friend auto operator<=>(const Cover&, const Cover&) = default;
-};
 
 /// The region of one leaf that holds a 3-cell (leaf regions from 1; 0 is never listed).
 struct Label {
@@ -140,22 +134,6 @@ struct Complex {
   IdVector<EdgeId, char> frame_edges_;
   IdVector<VertexId, char> frame_vertices_;
   IdVector<RegionId, char> frame_regions_;
-};
-
-/// What was dropped or noteworthy on the way, for reports.
-struct RefineReport {
-  std::vector<SourceId> zero_area;  ///< faces without area: dropped
-  std::uint64_t candidates = 0;     ///< pairs from the broad phase
-  /// Pairs in contact by kind (Gursoz et al. 1991): face-face, face-edge, face-vertex, edge-edge, edge-vertex,
-  /// vertex-vertex.
-  std::array<std::uint64_t, 6> contacts{};
-  std::uint64_t constructed = 0;  ///< constructed vertices
-  StageCounts stages;             ///< predicate calls by deciding stage
-};
-
-/// Options of `build_complex`.
-struct RefineOptions {
-  int threads = 0;  ///< 0: all cores
 };
 
 /// Refines the soup and builds its complex, labels included. Throws InputError for a face that is not planar

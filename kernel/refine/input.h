@@ -1,9 +1,9 @@
 // The soup made ready: one vertex per distinct point, cleaned faces with their planes, one segment per edge.
 #pragma once
 
-#include "kernel/complex/complex.h"
 #include "kernel/exact/plane_filter.h"
 #include "kernel/exact/points.h"
+#include "kernel/refine/report.h"
 #include "kernel/refine/soup.h"
 
 namespace cnrg {

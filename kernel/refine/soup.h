@@ -109,4 +109,11 @@ class Soup {
   std::vector<std::pair<LeafId, std::uint32_t>> seed_regions_;
 };
 
+/// One soup face that covers a face of the complex; `same`: its front is the face's front.
+struct Cover {
+  SourceId source;
+  bool same = true;
+  friend auto operator<=>(const Cover&, const Cover&) = default;
+};
+
 }  // namespace cnrg

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "program.h"
-#include "tests/output/mesh_readers.h"
-#include "tests/output/vtu_reader.h"
+#include "tests/formats/mesh_readers.h"
+#include "tests/formats/vtu_reader.h"
 
 namespace cnrg {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "kernel/exact/rational.h"
 #include "tests/app/program.h"
-#include "tests/output/mesh_readers.h"
+#include "tests/formats/mesh_readers.h"
 
 namespace cnrg {
 namespace {

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "csg/evaluate/evaluate.h"
-#include "csg/leaves/cad_model.h"
+#include "csg/imports/cad_model.h"
 
 namespace cnrg {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
+#include "csg/curves/control_nets.h"
 #include "csg/evaluate/evaluate.h"
-#include "csg/leaves/control_nets.h"
-#include "csg/leaves/exact_vectors.h"
-#include "csg/output/topology.h"
+#include "csg/geometry/exact_vectors.h"
+#include "csg/topology/topology.h"
 
 namespace cnrg {
 namespace {

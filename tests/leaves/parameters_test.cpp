@@ -1,8 +1,8 @@
 // Parameters of facets: interpolation in cells, and that every leaf's cells are points of its patches.
 #include "csg/leaves/parameters.h"
 
-#include "csg/leaves/circle.h"
-#include "csg/leaves/control_nets.h"
+#include "csg/curves/control_nets.h"
+#include "csg/geometry/circle.h"
 #include "kernel/exact/trigonometry.h"
 #include "tests/leaves/soup_checks.h"
 

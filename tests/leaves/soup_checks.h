@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "csg/leaves/exact_vectors.h"
+#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/leaf.h"
 
 namespace cnrg::test {

@@ -1,0 +1,294 @@
+// Nets as polynomials in Bernstein form: raising and lowering degrees, products, blossoms; see the header.
+#include "csg/curves/bezier.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+Homogeneous operator+(const Homogeneous& a, const Homogeneous& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
+}
+Homogeneous operator-(const Homogeneous& a, const Homogeneous& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
+}
+Homogeneous operator*(const Rational& s, const Homogeneous& a) { return {s * a[0], s * a[1], s * a[2], s * a[3]}; }
+
+/// (1 - t) a + t b. Weights that are all 1 stay so without a product.
+Homogeneous between(const Homogeneous& a, const Homogeneous& b, const Rational& t) {
+  Homogeneous h;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (a[k] == b[k]) h[k] = a[k];
+    else h[k] = a[k] + t * (b[k] - a[k]);
+  }
+  return h;
+}
+
+Rational ratio(std::size_t a, std::size_t b) {
+  Rational r(static_cast<unsigned long>(a), static_cast<unsigned long>(b));
+  r.canonicalize();
+  return r;
+}
+
+Rational binomial(std::size_t n, std::size_t k) {
+  Integer result;
+  mpz_bin_uiui(result.get_mpz_t(), n, k);
+  return result;
+}
+
+// Numbers in Bernstein form.
+using Polynomial = std::vector<Rational>;
+
+Polynomial product(const Polynomial& a, const Polynomial& b) {
+  const std::size_t m = a.size() - 1, n = b.size() - 1;
+  Polynomial result(m + n + 1, 0);
+  for (std::size_t i = 0; i <= m; ++i) {
+    for (std::size_t j = 0; j <= n; ++j) result[i + j] += binomial(m, i) * binomial(n, j) * a[i] * b[j];
+  }
+  for (std::size_t k = 0; k <= m + n; ++k) result[k] /= binomial(m + n, k);
+  return result;
+}
+
+ControlRow product(const ControlRow& a, const Polynomial& b) {
+  ControlRow result(a.size() + b.size() - 1);
+  for (std::size_t k = 0; k < 4; ++k) {
+    Polynomial entries;
+    for (const Homogeneous& h : a) entries.push_back(h[k]);
+    const Polynomial p = product(entries, b);
+    for (std::size_t i = 0; i < p.size(); ++i) result[i][k] = p[i];
+  }
+  return result;
+}
+
+/// A lower degree may need weights that are not positive where the higher one has none: it is not taken.
+bool all_positive(const ControlRow& lower, const ControlRow& row) {
+  const auto positive = [](const Homogeneous& h) { return h[3] > 0; };
+  return std::all_of(lower.begin(), lower.end(), positive) || !std::all_of(row.begin(), row.end(), positive);
+}
+
+/// The weights of a curve as a polynomial of least degree.
+Polynomial weights(const BezierCurve& curve) {
+  ControlRow row;
+  for (const Homogeneous& h : curve.net) row.push_back({0, 0, 0, h[3]});
+  Polynomial result;
+  for (const Homogeneous& h : reduced(row)) result.push_back(h[3]);
+  return result;
+}
+
+BezierCurve reverse(BezierCurve curve) {
+  std::reverse(curve.net.begin(), curve.net.end());
+  return curve;
+}
+
+BezierPatch transpose(const BezierPatch& patch) {
+  BezierPatch result;
+  result.net.assign(patch.degree_u() + 1, ControlRow(patch.degree_v() + 1));
+  for (std::size_t j = 0; j < patch.net.size(); ++j) {
+    for (std::size_t i = 0; i < patch.net[j].size(); ++i) result.net[i][j] = patch.net[j][i];
+  }
+  return result;
+}
+
+void divide_by_first_weight(std::vector<ControlRow>& net) {
+  const Rational first = net[0][0][3];
+  if (first == 1) return;
+  for (ControlRow& row : net) {
+    for (Homogeneous& h : row) h = (1 / first) * h;
+  }
+}
+
+/// The rows of all v, each of the least degree that all of them have.
+void reduce_rows(std::vector<ControlRow>& rows) {
+  std::size_t degree = 0;
+  std::vector<ControlRow> least;
+  for (const ControlRow& row : rows) {
+    least.push_back(reduced(row));
+    degree = std::max(degree, least.back().size() - 1);
+  }
+  for (std::size_t j = 0; j < rows.size(); ++j) rows[j] = elevated(least[j], degree);
+}
+
+}  // namespace
+
+Homogeneous homogeneous(const RationalPoint& p, const Rational& weight) {
+  return {p[0] * weight, p[1] * weight, p[2] * weight, weight};
+}
+
+RationalPoint project(const Homogeneous& h) {
+  if (h[3] == 1) return {h[0], h[1], h[2]};
+  return {h[0] / h[3], h[1] / h[3], h[2] / h[3]};
+}
+
+ControlRow reduced(ControlRow row) {
+  while (row.size() > 1) {
+    const std::size_t n = row.size() - 1;
+    // Raising the degree of c gives b_i = (i c_{i-1} + (n - i) c_i) / n; solved for c from the front, the last
+    // equation tells whether there is such a c.
+    ControlRow lower;
+    for (std::size_t i = 0; i < n; ++i) {
+      lower.push_back(i == 0 ? row[0] : ratio(1, n - i) * (Rational(n) * row[i] - Rational(i) * lower[i - 1]));
+    }
+    if (lower.back() != row.back() || !all_positive(lower, row)) return row;
+    row = std::move(lower);
+  }
+  return row;
+}
+
+ControlRow elevated(ControlRow row, std::size_t degree) {
+  while (row.size() <= degree) {
+    const std::size_t n = row.size();  // the new degree
+    ControlRow higher;
+    for (std::size_t i = 0; i <= n; ++i) {
+      if (i == 0 || i == n) higher.push_back(i == 0 ? row.front() : row.back());
+      else higher.push_back(between(row[i], row[i - 1], ratio(i, n)));
+    }
+    row = std::move(higher);
+  }
+  return row;
+}
+
+Homogeneous de_casteljau(ControlRow row, const Rational& t) {
+  if (t == 0) return row.front();
+  if (t == 1) return row.back();
+  for (std::size_t n = row.size() - 1; n > 0; --n) {
+    for (std::size_t i = 0; i < n; ++i) row[i] = between(row[i], row[i + 1], t);
+  }
+  return row[0];
+}
+
+bool BezierCurve::is_point() const {
+  const RationalPoint first = project(net[0]);
+  return std::all_of(net.begin(), net.end(), [&](const Homogeneous& h) { return project(h) == first; });
+}
+
+RationalPoint BezierPatch::at(const Rational& u, const Rational& v) const {
+  ControlRow column;
+  for (const ControlRow& row : net) column.push_back(de_casteljau(row, u));
+  return project(de_casteljau(std::move(column), v));
+}
+
+BezierCurve BezierPatch::side(std::size_t k) const {
+  if (k == 0) return {net.front()};
+  if (k == 2) return reverse({net.back()});
+  BezierCurve curve;
+  for (const ControlRow& row : net) curve.net.push_back(k == 1 ? row.back() : row.front());
+  return k == 1 ? curve : reverse(curve);
+}
+
+CanonicalCurve canonical(const BezierCurve& curve) {
+  std::vector<ControlRow> one{reduced(curve.net)};
+  std::vector<ControlRow> other = one;
+  std::reverse(other[0].begin(), other[0].end());
+  divide_by_first_weight(one);
+  divide_by_first_weight(other);
+  if (other < one) return {{other[0]}, true};
+  return {{one[0]}, false};
+}
+
+CanonicalPatch canonical(const BezierPatch& patch) {
+  CanonicalPatch best;
+  for (int way = 0; way < 8; ++way) {
+    BezierPatch p = way & 4 ? transpose(patch) : patch;
+    if (way & 2) std::reverse(p.net.begin(), p.net.end());
+    if (way & 1) {
+      for (ControlRow& row : p.net) std::reverse(row.begin(), row.end());
+    }
+    divide_by_first_weight(p.net);
+    const bool mirrored = ((way & 1) + (way >> 1 & 1) + (way >> 2)) % 2 == 1;
+    if (way == 0 || p.net < best.patch.net)
+      best = {std::move(p), mirrored, (way & 4) != 0, (way & 1) != 0, (way & 2) != 0};
+  }
+  return best;
+}
+
+std::array<Rational, 2> CanonicalPatch::given(const Rational& u, const Rational& v) const {
+  std::array<Rational, 2> at{backward_u ? Rational(1 - u) : u, backward_v ? Rational(1 - v) : v};
+  if (transposed) std::swap(at[0], at[1]);
+  return at;
+}
+
+std::vector<ControlRow> bezier_pieces(const ControlRow& points, std::size_t degree,
+                                      const std::vector<Rational>& knots) {
+  require(degree >= 1 && knots.size() == points.size() + degree + 1, "bezier_pieces: wrong number of knots");
+  std::vector<ControlRow> pieces;
+  for (std::size_t span = degree; span < points.size(); ++span) {
+    const Rational &low = knots[span], &high = knots[span + 1];
+    if (low == high) continue;
+    // Control point i of the piece is the blossom at `low` taken degree - i times and `high` taken i times.
+    ControlRow piece;
+    for (std::size_t i = 0; i <= degree; ++i) {
+      const auto first = points.begin() + static_cast<std::ptrdiff_t>(span - degree);
+      ControlRow d(first, first + static_cast<std::ptrdiff_t>(degree + 1));
+      for (std::size_t r = 1; r <= degree; ++r) {
+        const Rational& x = r <= i ? high : low;
+        for (std::size_t j = degree; j >= r; --j) {
+          const Rational &from = knots[span - degree + j], &to = knots[span + j - r + 1];
+          d[j] = between(d[j - 1], d[j], (x - from) / (to - from));
+        }
+      }
+      piece.push_back(d[degree]);
+    }
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+std::vector<Rational> clamped_knots(std::size_t points, std::size_t degree) {
+  std::vector<Rational> knots(degree + 1, 0);
+  const std::size_t spans = points - degree;
+  for (std::size_t i = 1; i < spans; ++i) knots.push_back(ratio(i, spans));
+  knots.insert(knots.end(), degree + 1, 1);
+  return knots;
+}
+
+BezierPatch coons_patch(const std::array<BezierCurve, 4>& round) {
+  // With c = N / w for each curve, a = w0 w2 in u and b = w1 w3 in v, the bilinearly blended patch
+  //   (1 - v) c0 + v c2 + (1 - u) c3 + u c1 - (the bilinear patch of the corners)      (coons1967)
+  // times a b is a sum of products of a polynomial in u and one in v.
+  const BezierCurve c0 = round[0], c1 = round[1], c2 = reverse(round[2]), c3 = reverse(round[3]);
+  const Polynomial w0 = weights(c0), w1 = weights(c1), w2 = weights(c2), w3 = weights(c3);
+  const Polynomial a = product(w0, w2), b = product(w1, w3);
+  const Polynomial rising{0, 1}, falling{1, 0};
+  const std::size_t p = std::max({c0.degree() + w2.size() - 1, c2.degree() + w0.size() - 1, a.size()});
+  const std::size_t q = std::max({c1.degree() + w3.size() - 1, c3.degree() + w1.size() - 1, b.size()});
+  BezierPatch patch;
+  patch.net.assign(q + 1, ControlRow(p + 1, Homogeneous{0, 0, 0, 0}));
+  const auto add = [&](const ControlRow& in_u, const Polynomial& in_v) {  // a row in u times a number in v
+    const ControlRow row = elevated(in_u, p);
+    ControlRow factor;
+    for (const Rational& x : in_v) factor.push_back({x, 0, 0, 0});
+    factor = elevated(factor, q);
+    for (std::size_t j = 0; j <= q; ++j) {
+      for (std::size_t i = 0; i <= p; ++i) patch.net[j][i] = patch.net[j][i] + factor[j][0] * row[i];
+    }
+  };
+  const auto add_in_v = [&](const Polynomial& in_u, const ControlRow& in_v) {
+    const ControlRow column = elevated(in_v, q);
+    ControlRow factor;
+    for (const Rational& x : in_u) factor.push_back({x, 0, 0, 0});
+    factor = elevated(factor, p);
+    for (std::size_t j = 0; j <= q; ++j) {
+      for (std::size_t i = 0; i <= p; ++i) patch.net[j][i] = patch.net[j][i] + factor[i][0] * column[j];
+    }
+  };
+  add(product(c0.net, w2), product(falling, b));
+  add(product(c2.net, w0), product(rising, b));
+  add_in_v(product(falling, a), product(c3.net, w1));
+  add_in_v(product(rising, a), product(c1.net, w3));
+  const auto corners = [&](const BezierCurve& c) {  // a ((1 - u) first + u last), to be taken away
+    ControlRow row = product({homogeneous(project(c.net.front())), homogeneous(project(c.net.back()))}, a);
+    for (Homogeneous& h : row) h = Rational(-1) * h;
+    return row;
+  };
+  add(corners(c0), product(falling, b));
+  add(corners(c2), product(rising, b));
+  reduce_rows(patch.net);
+  BezierPatch turned = transpose(patch);
+  reduce_rows(turned.net);
+  return transpose(turned);
+}
+
+}  // namespace cnrg

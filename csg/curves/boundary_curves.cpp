@@ -1,0 +1,111 @@
+// Steps of curves and of turns, and the count of who uses a curve; see the header.
+#include "csg/curves/boundary_curves.h"
+
+#include <cmath>
+
+#include "csg/curves/chord.h"
+#include "csg/geometry/exact_vectors.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+
+Fineness::Fineness(const char* shape, const Tessellation& tessellation) : shape_(shape) {
+  if (tessellation.chord && tessellation.segments) {
+    throw InputError(shape_ + ": both chord and segments are given: leave one out");
+  }
+  if (tessellation.chord) {
+    if (*tessellation.chord <= 0) {
+      throw InputError(shape_ + ": chord is " + to_decimal(*tessellation.chord) + ": give a positive length");
+    }
+    chord_ = to_double(*tessellation.chord);
+    if (from_double(chord_) > *tessellation.chord) chord_ = std::nextafter(chord_, 0.0);
+    if (chord_ == 0) fail_too_fine();
+  }
+  if (tessellation.segments) segments_ = *tessellation.segments;
+  if (segments_ < 1 || segments_ > kMostSteps) {
+    throw InputError(shape_ + ": segments is " + std::to_string(segments_) + ": give 1 to " +
+                     std::to_string(kMostSteps));
+  }
+}
+
+void Fineness::fail_too_fine() const {
+  throw InputError(shape_ + ": the chord is too small for this shape, a curve would have more than " +
+                   std::to_string(kMostSteps) + " steps: give a larger one");
+}
+
+void Fineness::check_facets(double count) const {
+  constexpr long kMost = 10'000'000;
+  if (count <= static_cast<double>(kMost)) return;
+  throw InputError(shape_ + ": it would have more than " + std::to_string(kMost) + " facets: give " +
+                   (by_chord() ? "a larger chord" : "fewer segments"));
+}
+
+int Fineness::steps_of_turn(double radius, double degrees) const {
+  const double turns = degrees / 360;
+  if (!by_chord()) return static_cast<int>(std::ceil(std::max(3, segments_) * turns));
+  int n = 8;  // of a full turn; M = radius (2 pi)^2, and half of the chord is for the profile
+  for (double bound = radius * 39.4784176044 / 8 / 64 * (1 + 1e-9); bound > chord_ / 2; bound /= 4) {
+    n *= 2;
+    if (n > kMostSteps) fail_too_fine();
+  }
+  return static_cast<int>(std::ceil(n * turns));
+}
+
+int BoundaryCurves::steps(const BezierCurve& curve) {
+  const BezierCurve least = canonical(curve).curve;
+  const auto [place, is_new] = steps_.try_emplace(least.net, 1);
+  if (!is_new || least.degree() == 0 || least.is_point()) return place->second;
+  int& n = place->second;
+  if (!fineness_.by_chord()) return n = least.degree() == 1 ? 1 : fineness_.segments();
+  const PatchChord chord(BezierPatch{{least.net}});
+  for (bool fine = false; !fine;) {
+    fine = true;
+    for (int i = 0; i < n && fine; ++i) {
+      fine = chord.terms({static_cast<double>(i) / n, 0}, {static_cast<double>(i + 1) / n, 1}).sum() <=
+             fineness_.chord() / 2;
+    }
+    if (!fine) n *= 2;
+    if (n > Fineness::kMostSteps) fineness_.fail_too_fine();
+  }
+  return n;
+}
+
+void BoundaryCurves::use(const BezierCurve& curve, const std::string& name) {
+  if (curve.is_point()) return;
+  const CanonicalCurve c = canonical(curve);
+  Uses& uses = uses_[c.curve.net];
+  if (uses.first.empty()) uses.first = name;
+  ++(c.reversed ? uses.backward : uses.forward);
+}
+
+int BoundaryCurves::uses(const BezierCurve& curve) const {
+  if (curve.is_point()) return 0;
+  const Uses& uses = uses_.at(canonical(curve).curve.net);
+  return uses.forward + uses.backward;
+}
+
+void BoundaryCurves::check_closed(Fill fill) const {
+  if (fill != Fill::winding && fill != Fill::parity) return;
+  const Uses* open = nullptr;
+  std::size_t count = 0;
+  bool oriented_only = fill == Fill::winding;
+  const ControlRow* where = nullptr;
+  for (const auto& [net, uses] : uses_) {
+    const bool even = (uses.forward + uses.backward) % 2 == 0;
+    if (fill == Fill::winding ? uses.forward == uses.backward : even) continue;
+    oriented_only = oriented_only && even;
+    if (!open) open = &uses, where = &net;
+    ++count;
+  }
+  if (!open) return;
+  const std::string parity = fill == Fill::parity ? "parity" : "winding";
+  throw InputError(fineness_.shape() + ": fill is " + parity + ", but the patches are " +
+                   (oriented_only ? "not oriented alike along " : "not closed along ") + std::to_string(count) +
+                   (count == 1 ? " curve" : " curves") + ", such as " + open->first + ", from " +
+                   describe(project(where->front())) + " to " + describe(project(where->back())) + ": " +
+                   (oriented_only
+                        ? "turn patches round (reverse the rows), or give `fill: parity` or `fill: cells`"
+                        : "give patches that meet in sides with equal control points, or `fill: cells`"));
+}
+
+}  // namespace cnrg

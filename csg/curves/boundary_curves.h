@@ -1,0 +1,67 @@
+// The curves in which patches meet: each is sampled by its own data, whatever patches lie at it.
+//
+// Two patches that have equal control points along a side, in either direction, with weights in proportion, of
+// one or of another degree, so get the same vertices there, in one leaf or in two, and facets that fit without a
+// gap. Steps of a curve are equal in its parameter and a power of two in number (with `chord`), so that vertices
+// have short coordinates and a curve run backward has the same ones.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "csg/curves/bezier.h"
+#include "csg/leaves/shapes.h"
+
+namespace cnrg {
+
+/// The fineness that a shape asks for, checked; `shape` names it in messages.
+class Fineness {
+ public:
+  static constexpr int kMostSteps = 1 << 20;
+  static constexpr int kUsualSegments = 16;  ///< where nothing is asked for
+  Fineness(const char* shape, const Tessellation& tessellation);
+  bool by_chord() const { return chord_ > 0; }
+  /// Not above what is asked for; 0 where the number of steps is given.
+  double chord() const { return chord_; }
+  int segments() const { return segments_; }
+  const std::string& shape() const { return shape_; }
+  /// Steps of a whole turn: three at least, and with `chord` eight, so that a turn is round at any size.
+  int steps_of_turn(double radius, double degrees) const;
+  [[noreturn]] void fail_too_fine() const;
+  /// Throws InputError for a number of facets that no machine of today holds.
+  void check_facets(double count) const;
+
+ private:
+  std::string shape_;
+  double chord_ = 0;
+  int segments_ = kUsualSegments;
+};
+
+class BoundaryCurves {
+ public:
+  explicit BoundaryCurves(const Fineness& fineness) : fineness_(fineness) {}
+
+  /// Equal steps that keep segments within half of the chord (the other half is for the facets beside it: see
+  /// patch_mesh.h). One for what is straight and for a point.
+  int steps(const BezierCurve& curve);
+
+  /// Notes that a patch has `curve` as a side; `name` is for messages.
+  void use(const BezierCurve& curve, const std::string& name);
+  /// How many patches have it as a side, in either direction; 0 for a point.
+  int uses(const BezierCurve& curve) const;
+  /// Throws InputError unless every curve is used as often in one direction as in the other (or, for parity, an
+  /// even number of times).
+  void check_closed(Fill fill) const;
+
+ private:
+  struct Uses {
+    int forward = 0, backward = 0;
+    std::string first;
+  };
+  const Fineness& fineness_;
+  std::map<ControlRow, int> steps_;
+  std::map<ControlRow, Uses> uses_;
+};
+
+}  // namespace cnrg

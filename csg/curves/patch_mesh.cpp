@@ -1,0 +1,399 @@
+// Grid, ring, refinement; see the header.
+#include "csg/curves/patch_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+#include "csg/curves/chord.h"
+#include "csg/geometry/exact_vectors.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+/// Parameters in units of 1 / `whole`.
+using Place = std::array<std::uint32_t, 2>;
+using Corners = std::array<std::uint32_t, 3>;
+
+/// The corner of a flat triangle that lies between the other two; its longest edge is opposite.
+std::size_t middle_corner(const PatchMesh& mesh, const Corners& c) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const RationalPoint &b = mesh.points[c[k]], &a = mesh.points[c[(k + 1) % 3]], &d = mesh.points[c[(k + 2) % 3]];
+    if (dot(a - b, d - b) < 0) return k;
+  }
+  throw InvariantError("mesh_patch: a flat triangle without a middle corner");
+}
+
+/// Triangles without area (near a point that a side has shrunk to, corners may lie on one line): a b c with b
+/// between a and c, and its neighbour at a c with the corner d, become a b d and b c d, which cover the neighbour
+/// exactly.
+void turn_flat_ones(PatchMesh& mesh) {
+  const auto flat = [&](const Corners& c) {
+    return collinear(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
+  };
+  std::multimap<Rational, std::size_t> left;  // by the square of the longest edge
+  const auto note_flat = [&](std::size_t t) {
+    const Corners& c = mesh.triangles[t];
+    if (!flat(c)) return;
+    const std::size_t k = middle_corner(mesh, c);
+    const RationalPoint edge = mesh.points[c[(k + 2) % 3]] - mesh.points[c[(k + 1) % 3]];
+    left.emplace(dot(edge, edge), t);
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) note_flat(t);
+  if (left.empty()) return;
+  std::map<std::array<std::uint32_t, 2>, std::size_t> at_edge;  // directed
+  const auto note = [&](std::size_t t) {
+    for (std::size_t k = 0; k < 3; ++k) at_edge[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}] = t;
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) note(t);
+  // The one with the longest edge first: a flat neighbour then has its longest edge there too, and the two flat
+  // ones that come of it have shorter ones; of another neighbour none comes. What has no neighbour there goes.
+  std::vector<bool> gone(mesh.triangles.size(), false);
+  while (!left.empty()) {
+    const std::size_t t = std::prev(left.end())->second;
+    left.erase(std::prev(left.end()));
+    const Corners c = mesh.triangles[t];
+    if (gone[t] || !flat(c)) continue;
+    const std::size_t k = middle_corner(mesh, c);
+    const std::uint32_t b = c[k], e = c[(k + 1) % 3], a = c[(k + 2) % 3];  // b between e and a
+    const auto other = at_edge.find({a, e});
+    if (other == at_edge.end() || gone[other->second]) {
+      gone[t] = true;
+      continue;
+    }
+    const std::size_t s = other->second;
+    const Corners n = mesh.triangles[s];
+    const std::size_t at_d = n[0] != a && n[0] != e ? 0 : n[1] != a && n[1] != e ? 1 : 2;
+    const std::uint32_t d = n[at_d];
+    at_edge.erase({a, e});
+    at_edge.erase({e, a});
+    if (d == b) {  // two flat ones back to back
+      gone[s] = gone[t] = true;
+      continue;
+    }
+    mesh.triangles[t] = {a, b, d};
+    mesh.triangles[s] = {b, e, d};
+    // The neighbour runs a e d; b is the flat one's.
+    const Corners of_n = mesh.places[s];
+    const std::uint32_t place_b = mesh.places[t][k];
+    mesh.places[t] = {of_n[(at_d + 1) % 3], place_b, of_n[at_d]};
+    mesh.places[s] = {place_b, of_n[(at_d + 2) % 3], of_n[at_d]};
+    for (std::size_t x : {t, s}) {
+      note(x);
+      note_flat(x);
+    }
+  }
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (gone[t]) continue;
+    mesh.triangles[kept] = mesh.triangles[t];
+    mesh.places[kept++] = mesh.places[t];
+  }
+  mesh.triangles.resize(kept);
+  mesh.places.resize(kept);
+}
+
+class Mesher {
+ public:
+  Mesher(const CanonicalPatch& canonical, const Fineness& fineness, BoundaryCurves& boundary)
+      : canonical_(canonical), patch_(canonical.patch), fineness_(fineness), chord_(patch_) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const BezierCurve side = patch_.side(k);
+      if (!side.is_point()) side_[k] = static_cast<std::uint32_t>(boundary.steps(side));
+    }
+    whole_ = fineness.by_chord() ? 1u << 24 : static_cast<std::uint32_t>(fineness.segments());
+  }
+
+  PatchMesh run() {
+    choose_grid();
+    add_ring();
+    add_inside();
+    if (fineness_.by_chord()) refine();
+    return result();
+  }
+
+ private:
+  void choose_grid() {
+    const auto direction = [&](std::size_t degree, std::size_t a, std::size_t b) {
+      const std::uint32_t least = std::max({side_[a], side_[b], 1u});
+      return fineness_.by_chord() || degree == 1 ? least : static_cast<std::uint32_t>(fineness_.segments());
+    };
+    grid_ = {direction(patch_.degree_u(), 0, 2), direction(patch_.degree_v(), 1, 3)};
+    do {
+      if (grid_[0] > Fineness::kMostSteps || grid_[1] > Fineness::kMostSteps) fineness_.fail_too_fine();
+      fineness_.check_facets(2.0 * grid_[0] * grid_[1]);
+    } while (fineness_.by_chord() && !grid_is_fine());
+    // A side that is one point has the steps of the grid: its triangles vanish.
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (side_[k] == 0) side_[k] = grid_[k % 2];
+    }
+  }
+
+  /// False if more than a quarter of the cells are above the chord; the grid then has twice the steps in the
+  /// direction that adds more in most of those seen. Fewer are left to `refine`.
+  bool grid_is_fine() {
+    const double hu = 1.0 / grid_[0], hv = 1.0 / grid_[1];
+    const double cells = static_cast<double>(grid_[0]) * grid_[1];
+    double coarse = 0, along_u = 0;
+    for (std::uint32_t j = 0; j < grid_[1] && 4 * coarse <= cells; ++j) {
+      for (std::uint32_t i = 0; i < grid_[0] && 4 * coarse <= cells; ++i) {
+        const ChordTerms terms = chord_.terms({i * hu, j * hv}, {(i + 1) * hu, (j + 1) * hv});
+        if (terms.sum() <= fineness_.chord()) continue;
+        const bool twist = terms.uv >= terms.uu && terms.uv >= terms.vv;
+        if (twist ? grid_[0] <= grid_[1] : terms.uu > terms.vv) ++along_u;
+        ++coarse;
+      }
+    }
+    cells_are_fine_ = coarse == 0;
+    if (4 * coarse <= cells) return true;
+    grid_[2 * along_u >= coarse ? 0 : 1] *= 2;
+    return false;
+  }
+
+  std::uint32_t vertex(const Place& place) {
+    const auto [it, is_new] = number_.try_emplace(place, static_cast<std::uint32_t>(places_.size()));
+    if (is_new) places_.push_back(place);
+    return it->second;
+  }
+  std::uint32_t at_step(std::uint32_t i, std::uint32_t j) {
+    return vertex({whole_ / grid_[0] * i, whole_ / grid_[1] * j});
+  }
+
+  void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) { triangles_.push_back({a, b, c}); }
+
+  /// Triangles between two rows of vertices that run alike, `lower` on the right of `upper`; `along` tells where
+  /// on the way a vertex is.
+  template <class Along>
+  void zip(const std::vector<std::uint32_t>& lower, const std::vector<std::uint32_t>& upper, Along along) {
+    std::size_t i = 0, j = 0;
+    while (i + 1 < lower.size() || j + 1 < upper.size()) {
+      const bool low =
+          j + 1 == upper.size() ||
+          (i + 1 < lower.size() && along(lower[i]) + along(lower[i + 1]) <= along(upper[j]) + along(upper[j + 1]));
+      if (low) {
+        add_triangle(lower[i], lower[i + 1], upper[j]);
+        ++i;
+      } else {
+        add_triangle(lower[i], upper[j + 1], upper[j]);
+        ++j;
+      }
+    }
+  }
+
+  /// Vertices of side k, along growing parameters.
+  std::vector<std::uint32_t> side_row(std::size_t k) {
+    std::vector<std::uint32_t> row;
+    const std::uint32_t across = k == 1 || k == 2 ? whole_ : 0;
+    for (std::uint32_t i = 0; i <= side_[k]; ++i) {
+      const std::uint32_t t = whole_ / side_[k] * i;
+      row.push_back(k % 2 == 0 ? vertex({t, across}) : vertex({across, t}));
+    }
+    return row;
+  }
+
+  void add_ring() {
+    const auto along_u = [&](std::uint32_t v) { return static_cast<std::int64_t>(places_[v][0]); };
+    const auto along_v = [&](std::uint32_t v) { return static_cast<std::int64_t>(places_[v][1]); };
+    const auto back_u = [&](std::uint32_t v) { return -along_u(v); };
+    const auto back_v = [&](std::uint32_t v) { return -along_v(v); };
+    std::vector<std::uint32_t> rows[4];
+    for (std::size_t k = 0; k < 4; ++k) rows[k] = side_row(k);
+    if (grid_[1] == 1) return zip(rows[0], rows[2], along_u);
+    if (grid_[0] == 1) return zip(rows[1], rows[3], along_v);
+    std::reverse(rows[2].begin(), rows[2].end());
+    std::reverse(rows[3].begin(), rows[3].end());
+    std::vector<std::uint32_t> inner[4];
+    for (std::uint32_t i = 1; i < grid_[0]; ++i) {
+      inner[0].push_back(at_step(i, 1));
+      inner[2].push_back(at_step(grid_[0] - i, grid_[1] - 1));
+    }
+    for (std::uint32_t j = 1; j < grid_[1]; ++j) {
+      inner[1].push_back(at_step(grid_[0] - 1, j));
+      inner[3].push_back(at_step(1, grid_[1] - j));
+    }
+    zip(rows[0], inner[0], along_u);
+    zip(rows[1], inner[1], along_v);
+    zip(rows[2], inner[2], back_u);
+    zip(rows[3], inner[3], back_v);
+  }
+
+  void add_inside() {
+    for (std::uint32_t j = 1; j + 1 < grid_[1]; ++j) {
+      for (std::uint32_t i = 1; i + 1 < grid_[0]; ++i) {
+        const std::uint32_t a = at_step(i, j), b = at_step(i + 1, j), c = at_step(i + 1, j + 1),
+                            d = at_step(i, j + 1);
+        add_triangle(a, b, c);
+        add_triangle(a, c, d);
+      }
+    }
+  }
+
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) {
+    return static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
+  }
+  void hang(std::size_t t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint64_t edge = key(triangles_[t][k], triangles_[t][(k + 1) % 3]);
+      auto& pair = at_edge_.try_emplace(edge, std::array{kNone, kNone}).first->second;
+      (pair[0] == kNone ? pair[0] : pair[1]) = t;
+    }
+  }
+  void unhang(std::size_t t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      auto& pair = at_edge_.at(key(triangles_[t][k], triangles_[t][(k + 1) % 3]));
+      (pair[0] == t ? pair[0] : pair[1]) = kNone;
+    }
+  }
+
+  void refine() {
+    for (std::size_t t = 0; t < triangles_.size(); ++t) hang(t);
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      while (const std::optional<std::size_t> worst = worst_edge(triangles_[t])) bisect(t, *worst);
+    }
+  }
+
+  /// The edge of a triangle to cut, or nothing if it is near enough to the patch. What lies in a cell that is
+  /// fine is, and so is every piece of a triangle that is.
+  std::optional<std::size_t> worst_edge(const Corners& corners) const {
+    Place low = places_[corners[0]], high = low;
+    for (std::uint32_t v : corners) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        low[k] = std::min(low[k], places_[v][k]);
+        high[k] = std::max(high[k], places_[v][k]);
+      }
+    }
+    const double extent[2] = {static_cast<double>(high[0] - low[0]), static_cast<double>(high[1] - low[1])};
+    bool in_cell = true;
+    for (std::size_t d = 0; d < 2; ++d) {
+      const std::uint32_t cell = whole_ / grid_[d];
+      in_cell = in_cell && high[d] <= (low[d] / cell + 1) * cell;
+    }
+    if (in_cell && cells_are_fine_) return std::nullopt;
+    const double unit = 1.0 / whole_;
+    const ChordTerms terms = chord_.terms({low[0] * unit, low[1] * unit}, {high[0] * unit, high[1] * unit});
+    if (terms.sum() <= fineness_.chord()) return std::nullopt;
+    std::optional<std::size_t> worst;
+    double most = -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Place &a = places_[corners[k]], &b = places_[corners[(k + 1) % 3]];
+      bool on_side = false;
+      double part[2];
+      for (std::size_t d = 0; d < 2; ++d) {
+        on_side = on_side || (a[d] == b[d] && (a[d] == 0 || a[d] == whole_));
+        part[d] = std::abs(static_cast<double>(a[d]) - static_cast<double>(b[d])) / extent[d];
+      }
+      const double length =
+          terms.uu * part[0] * part[0] + 2 * terms.uv * part[0] * part[1] + terms.vv * part[1] * part[1];
+      if (on_side || length <= most) continue;
+      worst = k;
+      most = length;
+    }
+    return worst;
+  }
+
+  void bisect(std::size_t t, std::size_t k) {
+    const std::uint32_t a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
+    Place middle;
+    for (std::size_t d = 0; d < 2; ++d) {
+      const std::uint32_t sum = places_[a][d] + places_[b][d];
+      if (sum % 2 == 1) fineness_.fail_too_fine();
+      middle[d] = sum / 2;
+    }
+    const std::uint32_t m = vertex(middle);
+    const std::array<std::size_t, 2> both = at_edge_.at(key(a, b));
+    for (std::size_t s : both) {
+      require(s != kNone, "mesh_patch: an edge inside of a patch has one triangle");
+      fineness_.check_facets(static_cast<double>(triangles_.size()));
+      unhang(s);
+      Corners first = triangles_[s], second = first;
+      std::replace(first.begin(), first.end(), b, m);
+      std::replace(second.begin(), second.end(), a, m);
+      triangles_[s] = first;
+      triangles_.push_back(second);
+      hang(s);
+      hang(triangles_.size() - 1);
+    }
+  }
+
+  PatchMesh result() const {
+    PatchMesh mesh;
+    std::map<RationalPoint, std::uint32_t> number;
+    std::vector<std::uint32_t> point_of;
+    for (const Place& place : places_) {
+      Rational u(place[0], whole_), v(place[1], whole_);
+      u.canonicalize();
+      v.canonicalize();
+      const auto [it, is_new] =
+          number.try_emplace(patch_.at(u, v), static_cast<std::uint32_t>(mesh.points.size()));
+      if (is_new) mesh.points.push_back(it->first);
+      point_of.push_back(it->second);
+      mesh.parameters.push_back(canonical_.given(u, v));
+    }
+    for (const Corners& c : triangles_) {
+      const Corners p{point_of[c[0]], point_of[c[1]], point_of[c[2]]};
+      if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
+      mesh.triangles.push_back(p);
+      mesh.places.push_back(c);
+    }
+    turn_flat_ones(mesh);
+    return mesh;
+  }
+
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  const CanonicalPatch& canonical_;
+  const BezierPatch& patch_;
+  const Fineness& fineness_;
+  PatchChord chord_;
+  std::uint32_t whole_ = 1;
+  std::array<std::uint32_t, 4> side_{0, 0, 0, 0};  // steps of each side; 0: a point
+  std::array<std::uint32_t, 2> grid_{1, 1};
+  bool cells_are_fine_ = true;
+  std::map<Place, std::uint32_t> number_;
+  std::vector<Place> places_;
+  std::vector<Corners> triangles_;
+  std::unordered_map<std::uint64_t, std::array<std::size_t, 2>> at_edge_;
+};
+
+}  // namespace
+
+PatchMesh mesh_patch(const BezierPatch& patch, const Fineness& fineness, BoundaryCurves& boundary) {
+  const CanonicalPatch c = canonical(patch);
+  PatchMesh mesh = Mesher(c, fineness, boundary).run();
+  if (c.mirrored) {
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+    for (auto& t : mesh.places) std::swap(t[1], t[2]);
+  }
+  return mesh;
+}
+
+std::vector<PatchCorner> cell_of(const PatchMesh& mesh, std::size_t t, const BezierPatch& patch) {
+  std::vector<PatchCorner> cell;
+  for (std::size_t k = 0; k < 3; ++k) {
+    cell.push_back({mesh.points[mesh.triangles[t][k]], mesh.parameters[mesh.places[t][k]]});
+  }
+  // Sides v = 0, u = 1, v = 1, u = 0: the parameter that is fixed, and its value.
+  constexpr std::array<std::pair<std::size_t, int>, 4> kSides{{{1, 0}, {0, 1}, {1, 1}, {0, 0}}};
+  std::optional<std::size_t> pole;
+  std::size_t along = 0;
+  for (std::size_t side = 0; side < 4; ++side) {
+    const auto [fixed, value] = kSides[side];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (cell[k].at[fixed] != value || !patch.side(side).is_point()) continue;
+      if (pole) return cell;
+      pole = k;
+      along = 1 - fixed;
+    }
+  }
+  if (!pole) return cell;
+  const PatchCorner &a = cell[*pole], &b = cell[(*pole + 1) % 3], &c = cell[(*pole + 2) % 3];
+  PatchCorner before = a, after = a;
+  before.at[along] = c.at[along];
+  after.at[along] = b.at[along];
+  return {before, after, b, c};
+}
+
+}  // namespace cnrg

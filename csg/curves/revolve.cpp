@@ -1,0 +1,142 @@
+// Revolution: S(u, a) = c + r(u) d(a) + z(u) n, with directions d(a) that are off by less than 4e-16 (circle.h).
+//
+// The same directions serve every point of the profile, so the chords of two circles are parallel, and a facet is
+// a planar quadrilateral, exactly. The profile's polygon is within chord / 2 of the profile, and its revolution
+// within chord / 2 of that of its facets: a facet holds the chord from S(u, a) to S(u, a + h) of each of its
+// points, which is within r h^2 / 8 of the arc.
+//
+// Of a partial turn the caps are faces 0 (start) and 1; each segment of the profile is one more. Without caps the
+// segments are from 0. Segments on the axis sweep nothing.
+//
+// Parameters (parameters.h): u is that of the segment's own curve, from 0 to 1 (between its knots for a spline), v
+// the fraction of the turn made, from 0 to 1. Caps have none.
+#include <algorithm>
+
+#include "csg/curves/profile.h"
+#include "csg/geometry/circle.h"
+#include "csg/geometry/exact_vectors.h"
+#include "csg/geometry/planar_polygon.h"
+#include "csg/leaves/geometry_leaf.h"
+#include "csg/leaves/prepare_shapes.h"
+#include "kernel/base/error.h"
+#include "kernel/exact/trigonometry.h"
+
+namespace cnrg {
+namespace {
+
+void check(const RevolveShape& shape) {
+  if (is_zero(shape.axis)) throw InputError("revolve: the axis is [0, 0, 0]: give a direction");
+  if (shape.degrees <= 0 || shape.degrees > 360) {
+    throw InputError("revolve: degrees is " + to_decimal(shape.degrees) + ": give more than 0 and at most 360" +
+                     (shape.degrees < 0 ? ", and turn the axis round" : ""));
+  }
+  for (const ProfileLine& line : shape.profile.lines) {
+    for (const CurveNet& net : line.segments) {
+      for (const RationalPoint& p : net.points) {
+        if (p[1] != 0) throw InputError("revolve: a point of the profile has three coordinates: give [r, z]");
+      }
+    }
+  }
+}
+
+std::string describe_rz(const RationalPoint& p) { return "[" + to_decimal(p[0]) + ", " + to_decimal(p[2]) + "]"; }
+
+/// The largest distance from the axis; no point may lie beyond it.
+Rational check_radii(const std::vector<SampledLine>& lines) {
+  Rational largest = 0;
+  for (const SampledLine& line : lines) {
+    for (const RationalPoint& p : line.points) {
+      if (p[0] < 0) {
+        throw InputError("revolve: the profile crosses the axis, at " + describe_rz(p) +
+                         ": give a profile with r >= 0 everywhere");
+      }
+      if (p[0] > largest) largest = p[0];
+    }
+  }
+  if (largest == 0) throw InputError("revolve: the profile lies on the axis: give points with r > 0");
+  return largest;
+}
+
+/// The unit vector along the axis: exact about the axes of coordinates, else to 52 bits.
+RationalPoint unit(const CircleFrame& frame) {
+  const Rational square = 1 / dot(frame.axis(), frame.axis());
+  return round_cosine(0, square, exponent_of_root(square) - 51) * frame.axis();
+}
+
+}  // namespace
+
+std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafParameters* record) {
+  check(shape);
+  const Fineness fineness("revolve", shape.tessellation);
+  BoundaryCurves boundary(fineness);
+  std::vector<SampledLine> lines =
+      sample(shape.profile, "revolve", [&](const BezierCurve& curve) { return boundary.steps(curve); });
+  const Rational radius = check_radii(lines);
+  const int turns = fineness.steps_of_turn(to_double(radius) * (1 + 1e-12), to_double(shape.degrees));
+  double points = 0;
+  for (const SampledLine& line : lines) points += static_cast<double>(line.points.size());
+  fineness.check_facets(points * turns);
+  const bool closed = shape.profile.closed, full = shape.degrees == 360;
+  if (closed) {
+    check_area(lines, "revolve");
+    // The outer line counter-clockwise with r to the right and z up, holes clockwise.
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      if ((area_vector(lines[l].points)[1] < 0) == (l == 0)) continue;
+      reverse(lines[l]);
+    }
+  }
+  const CircleFrame frame(shape.axis);
+  const RationalPoint up = unit(frame);
+  LeafBuilder builder(closed ? Fill::winding : Fill::none, record);
+  std::vector<std::vector<PointId>> first;
+  const auto section = [&](int k) {
+    Rational degrees(k, turns);
+    degrees.canonicalize();
+    const RationalPoint direction = frame.offset(1, degrees * shape.degrees);
+    std::vector<std::vector<PointId>> ids;
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      ids.emplace_back();
+      for (std::size_t i = 0; i < lines[l].points.size(); ++i) {
+        const RationalPoint& p = lines[l].points[i];
+        const bool on_axis = p[0] == 0 && k > 0;
+        ids.back().push_back(on_axis ? first[l][i] : builder.point(shape.center + p[0] * direction + p[2] * up));
+      }
+    }
+    return ids;
+  };
+  first = section(0);
+  std::vector<std::vector<PointId>> last = first;
+  const std::uint32_t number = closed && !full ? 2 : 0;
+  for (int k = 1; k <= turns; ++k) {
+    const Rational v0 = fraction(k - 1, turns), v1 = fraction(k, turns);
+    const std::vector<std::vector<PointId>> next = full && k == turns ? first : section(k);
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      const auto &from = last[l], &to = next[l];
+      for (std::size_t i = 0; i < lines[l].segment.size(); ++i) {
+        const std::size_t j = (i + 1) % from.size();
+        if (from[i] == to[i] && from[j] == to[j]) continue;  // on the axis
+        const auto& [u0, u1] = lines[l].parameters[i];
+        builder.facet(from[i], to[i], to[j], from[j], number + lines[l].segment[i],
+                      {{{&u0, &v0}, {&u0, &v1}, {&u1, &v1}, {&u1, &v0}}});
+      }
+    }
+    last = next;
+  }
+  if (!closed && !full) {
+    for (const auto& ids : {first[0], last[0]}) {
+      if (builder.value(ids.front()) == builder.value(ids.back())) continue;  // a tube
+      for (const PointId end : {ids.front(), ids.back()}) builder.soup().add_curve_end(builder.leaf(), end);
+    }
+  }
+  if (record != nullptr) name_segments(*record, lines, "revolve", number);
+  if (closed && !full) {
+    builder.name_patch(0, "revolve start");
+    builder.name_patch(1, "revolve end");
+    builder.face(first, 0);
+    for (auto& loop : last) std::reverse(loop.begin(), loop.end());
+    builder.face(last, 1);
+  }
+  return builder.finish();
+}
+
+}  // namespace cnrg

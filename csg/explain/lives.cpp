@@ -1,0 +1,408 @@
+// Instances outside, pieces inside: what a step needs of a whole value (its components, a Boolean's groups) is
+// made once for all pieces, and lives no longer than its instance.
+#include "csg/explain/lives.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "csg/operators/component_lists.h"
+#include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
+#include "kernel/selection/canonical.h"
+
+namespace cnrg {
+namespace {
+
+template <class F>
+decltype(auto) with_id(const Location& at, F f) {
+  switch (at.dimension) {
+    case 0: return f(at.vertex);
+    case 1: return f(at.edge);
+    case 2: return f(at.face);
+    default: return f(at.region);
+  }
+}
+
+bool has(const Group& group, const Location& cell) {
+  return with_id(cell, [&](auto id) {
+    if constexpr (std::is_same_v<decltype(id), RegionId>) return false;
+    else return group.has(id);
+  });
+}
+
+RegionId region_at(const Complex& complex, const Location& cell) {
+  return with_id(cell, [&](auto id) {
+    if constexpr (std::is_same_v<decltype(id), RegionId>) return id;
+    else return complex.some_region(id);
+  });
+}
+
+CellState region_state(const Group& group, std::uint32_t region) {
+  return {region, region == 0 ? "" : group.regions[region - 1].name, true, false};
+}
+
+std::size_t place_of(const Selection& selection, const Location& cell, bool& found) {
+  const auto search = [&](const auto& list, auto id) {
+    const std::size_t k = place_in(list, id);
+    found = k != list.size();
+    return k;
+  };
+  switch (cell.dimension) {
+    case 0: return search(selection.vertices, cell.vertex);
+    case 1: return search(selection.edges, cell.edge);
+    case 2: return search(selection.faces, cell.face);
+    default: return search(selection.regions, cell.region);
+  }
+}
+
+Component component_at(const Selection& selection, const Location& cell) {
+  bool found = false;
+  const std::size_t k = place_of(selection, cell, found);
+  if (!found) return 0;
+  switch (cell.dimension) {
+    case 0: return selection.vertices[k].second;
+    case 1: return selection.edges[k].second;
+    case 2: return selection.faces[k].second;
+    default: return selection.regions[k].second;
+  }
+}
+
+CellState component_state(const Components& x, const Location& cell) {
+  const Component c = component_at(x.selection, cell);
+  return {c, c == 0 ? "" : x.attributes[c - 1].name, false, false};
+}
+
+int number_of_regions(const Group& group, const std::array<RegionId, 2>& sides) {
+  const std::uint32_t a = group.region_of(sides[0]), b = group.region_of(sides[1]);
+  return a == b ? 0 : a == 0 || b == 0 ? 1 : 2;
+}
+
+void add_face_facts(const Complex& complex, const Group& group, const Piece& piece, OperandFacts& out) {
+  const std::array<RegionId, 2>& regions = complex.face_regions[piece.cell.face];
+  for (unsigned s : {0u, 1u}) out.sides[s] = region_state(group, group.region_of(regions[s ^ piece.side]));
+  out.regions = number_of_regions(group, regions);
+}
+
+void add_around(const Group& group, const std::vector<RegionId>& regions, OperandFacts& out) {
+  std::vector<std::uint32_t> numbers;
+  for (const RegionId r : regions) numbers.push_back(group.region_of(r));
+  sort_unique(numbers);
+  for (const std::uint32_t n : numbers) out.around.push_back(region_state(group, n));
+}
+
+void add_star_facts(const Complex& complex, const Group& group, const Location& cell, OperandFacts& out) {
+  std::vector<FaceId> faces;
+  std::vector<RegionId> regions;
+  if (cell.dimension == 1) {
+    complex.star_faces(cell.edge, faces);
+    complex.star_regions(cell.edge, regions);
+  } else {
+    complex.star_faces(cell.vertex, faces);
+    complex.star_regions(cell.vertex, regions);
+  }
+  std::erase_if(faces, [&](FaceId f) { return !group.has(f); });
+  out.bounds = faces.size();
+  out.walls = static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), [&](FaceId f) {
+    return number_of_regions(group, complex.face_regions[f]) > 0;
+  }));
+  add_around(group, regions, out);
+  out.free = out.state.entity && faces.empty();
+  if (cell.dimension == 1) return;
+  const auto edges = complex.vertex_edges[cell.vertex];
+  out.bounds =
+      static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [&](EdgeId e) { return group.has(e); }));
+  out.free = out.free && out.bounds == 0;
+}
+
+OperandFacts facts_of(const Complex& complex, const Group& group, const Piece& piece, const std::string& name,
+                      bool closed_complement) {
+  OperandFacts out;
+  out.name = name;
+  out.closed_complement = closed_complement;
+  out.state = state_in(complex, group, piece.cell);
+  if (piece.cell.dimension == 2) add_face_facts(complex, group, piece, out);
+  if (piece.cell.dimension < 2) add_star_facts(complex, group, piece.cell, out);
+  return out;
+}
+
+std::size_t kept_around(const Complex& complex, const Group& result, const Location& cell) {
+  std::size_t count = 0;
+  if (cell.dimension == 1) {
+    std::vector<FaceId> faces;
+    complex.star_faces(cell.edge, faces);
+    for (const FaceId f : faces) count += result.has(f);
+  } else if (cell.dimension == 0) {
+    for (const EdgeId e : complex.vertex_edges[cell.vertex]) count += result.has(e);
+  }
+  return count;
+}
+
+Verdict verdict_of(const Complex& complex, const BooleanStep& step, const Location& cell) {
+  const auto ask = [&](auto id) {
+    return verdict(complex, step.op, step.dominance, step.left, step.right, step.result, id);
+  };
+  switch (cell.dimension) {
+    case 0: return ask(cell.vertex);
+    case 1: return ask(cell.edge);
+    case 2: return ask(cell.face);
+    default: return {};
+  }
+}
+
+CellSet only(const Location& cell) {
+  CellSet out;
+  switch (cell.dimension) {
+    case 0: out.vertices = {cell.vertex}; break;
+    case 1: out.edges = {cell.edge}; break;
+    case 2: out.faces = {cell.face}; break;
+    default: out.regions = {cell.region};
+  }
+  return out;
+}
+
+// f(location) for the cells of a set, from regions down.
+template <class F>
+void for_each_cell(const CellSet& set, F f) {
+  for (const RegionId r : set.regions) f(Location{3, {}, {}, {}, r});
+  for (const FaceId x : set.faces) f(Location{2, {}, {}, x, {}});
+  for (const EdgeId e : set.edges) f(Location{1, {}, e, {}, {}});
+  for (const VertexId v : set.vertices) f(Location{0, v, {}, {}, {}});
+}
+
+void add_name(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+bool is_closed_complement(const NodeValue& value) { return !value.is_group() && value.stands_for.has_value(); }
+
+}  // namespace
+
+CellState state_in(const Complex& complex, const Group& group, const Location& cell) {
+  if (has(group, cell)) return {static_cast<Component>(group.regions.size() + 1), kEntitiesName, true, true};
+  return region_state(group, group.region_of(region_at(complex, cell)));
+}
+
+CellState state_in(const Complex& complex, const NodeValue& value, const Location& cell) {
+  return value.is_group() ? state_in(complex, value.group(), cell) : component_state(value.components(), cell);
+}
+
+std::vector<LeafId> origins_in(const Complex& complex, const NodeValue& value, const Location& cell) {
+  const Components made = value.is_group() ? components_of(complex, value.group()) : Components();
+  const Components& x = value.is_group() ? made : value.components();
+  bool found = false;
+  const std::size_t k = place_of(x.selection, cell, found);
+  if (!found) return {};
+  const std::vector<LeafSetId>* lists[] = {&x.origins.vertices, &x.origins.edges, &x.origins.faces,
+                                           &x.origins.regions};
+  const auto leaves = x.origins.sets[(*lists[cell.dimension])[k]];
+  return {leaves.begin(), leaves.end()};
+}
+
+std::vector<LeafCell> leaf_cells_at(const Complex& complex, const Location& cell,
+                                    const std::vector<LeafId>& leaves) {
+  return with_id(cell, [&](auto id) { return leaf_cells(complex, id, leaves); });
+}
+
+Lives::Lives(const Tree& tree, const Evaluation& evaluation, NodeId node)
+    : tree_(tree),
+      evaluation_(evaluation),
+      complex_(*evaluation.complex),
+      leaf_of_(evaluation.instances.size()),
+      count_(tree.nodes.size()) {
+  require(!evaluation.values.empty(), "explain: the evaluation has not kept all values");
+  const NodeValue* value = evaluation.value(node).value.get();
+  InstanceId root;
+  std::size_t leaves = 0;
+  for (const InstanceId i : IdRange<InstanceId>(evaluation.instances.size())) {
+    const NodeId id = evaluation.instances[i].node;
+    ++count_[id];
+    if (tree.nodes[id].op == Operator::leaf) leaf_of_[i] = LeafId(leaves++);
+    if (evaluation.values[i].get() == value) root = i;
+  }
+  require(root.valid(), "explain: the node is not among the instances");
+  std::vector<char> below(root.index() + 1, 0);
+  below[root.index()] = 1;
+  for (std::size_t i = below.size(); i-- > 0;) {
+    if (!below[i]) continue;
+    below_.push_back(InstanceId(i));
+    for (const InstanceId operand : evaluation.instances[InstanceId(i)].operands) below[operand.index()] = 1;
+  }
+  std::reverse(below_.begin(), below_.end());
+}
+
+std::string Lives::name_of(InstanceId id) const {
+  const Instance& instance = evaluation_.instances[id];
+  const std::string& name = tree_.nodes[instance.node].name;
+  return count_[instance.node] == 1 ? name : name + "#" + std::to_string(instance.number);
+}
+
+std::vector<Life> Lives::of(const std::vector<Piece>& pieces, bool named) {
+  std::vector<Life> out(pieces.size());
+  for (const InstanceId id : below_) {
+    std::vector<LifeStep> steps(pieces.size());
+    add_steps(id, pieces, named, steps);
+    for (std::size_t p = 0; p < pieces.size(); ++p) out[p].push_back(std::move(steps[p]));
+  }
+  return out;
+}
+
+std::vector<std::uint32_t> Lives::classes(const std::vector<Piece>& pieces) {
+  std::vector<std::uint32_t> of(pieces.size(), 0);
+  std::size_t count = 1;
+  for (const InstanceId id : below_) {
+    std::vector<LifeStep> steps(pieces.size());
+    add_steps(id, pieces, false, steps);
+    std::vector<std::vector<std::size_t>> parts(count);  // of each class: the first piece of each new class in it
+    std::vector<std::uint32_t> finer(pieces.size());
+    count = 0;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      std::vector<std::size_t>& firsts = parts[of[p]];
+      const auto same = [&](std::size_t first) { return steps[first] == steps[p]; };
+      const auto it = std::find_if(firsts.begin(), firsts.end(), same);
+      finer[p] = it != firsts.end() ? finer[*it] : static_cast<std::uint32_t>(count++);
+      if (it == firsts.end()) firsts.push_back(p);
+    }
+    of = std::move(finer);
+  }
+  return of;
+}
+
+void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool named, std::vector<LifeStep>& steps) {
+  const Instance& instance = evaluation_.instances[id];
+  const Node& node = tree_.nodes[instance.node];
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    LifeStep& step = steps[p];
+    step.node = instance.node;
+    step.name = name_of(id);
+    step.state = state_in(complex_, *evaluation_.values[id], pieces[p].cell);
+    if (node.op == Operator::leaf) step.leaf_cells = leaf_cells_at(complex_, pieces[p].cell, {leaf_of_[id]});
+    for (const InstanceId operand : instance.operands) {
+      step.operands.emplace_back(name_of(operand),
+                                 state_in(complex_, *evaluation_.values[operand], pieces[p].cell));
+    }
+  }
+  switch (node.op) {
+    case Operator::unite:
+    case Operator::intersect:
+    case Operator::subtract: add_booleans(node, id, pieces, steps); break;
+    case Operator::interior:
+    case Operator::closure:
+    case Operator::boundary:
+    case Operator::regularize:
+      add_topology(topological(node.op), node.each, *evaluation_.values[instance.operands[0]], pieces, named,
+                   steps);
+      break;
+    default: break;
+  }
+  if (node.regularize && node.op != Operator::leaf) add_attribute(node, id, pieces, named, steps);
+}
+
+std::vector<Operand> Lives::operands_of(InstanceId id) const {
+  std::vector<Operand> out;
+  for (const InstanceId operand : evaluation_.instances[id].operands) {
+    out.push_back({evaluation_.values[operand].get(), name_of(operand), nullptr, {}});
+  }
+  return out;
+}
+
+void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Piece>& pieces,
+                         std::vector<LifeStep>& steps) {
+  const std::vector<Operand> operands = operands_of(id);
+  for_each_step(complex_, node, operands, [&](const BooleanStep& s) {
+    const bool first = s.operand == 1;
+    const std::string left = first ? operands[0].name : "step " + std::to_string(s.operand - 1);
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      BooleanFacts facts;
+      facts.op = s.op;
+      facts.dominant = s.op != BooleanOp::subtract && s.dominance != Dominance::equal;
+      facts.a = facts_of(complex_, s.left, pieces[p], left, first && is_closed_complement(*operands[0].value));
+      facts.b = facts_of(complex_, s.right, pieces[p], operands[s.operand].name,
+                         is_closed_complement(*operands[s.operand].value));
+      if (s.op != BooleanOp::subtract && s.dominance == Dominance::right) std::swap(facts.a, facts.b);
+      facts.verdict = verdict_of(complex_, s, pieces[p].cell);
+      facts.kept_around = kept_around(complex_, s.result, pieces[p].cell);
+      facts.result = state_in(complex_, s.result, pieces[p].cell);
+      steps[p].booleans.push_back(std::move(facts));
+    }
+  });
+}
+
+void Lives::add_topology(Topological op, bool each, const NodeValue& x, const std::vector<Piece>& pieces,
+                         bool named, std::vector<LifeStep>& steps) {
+  if (x.is_group() && !each && op == Topological::closure) return;  // a group is closed
+  if (x.is_group() && !each && op == Topological::regularize) {
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      steps[p].regularized = facts_of(complex_, x.group(), pieces[p], "", false);
+    }
+    return;
+  }
+  const Components made = x.is_group() ? components_of(complex_, x.group()) : Components();
+  const Components& components = x.is_group() ? made : x.components();
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const Location& cell = pieces[p].cell;
+    const CellSet around = star(complex_, only(cell));
+    std::vector<Component> sets;
+    if (each && op == Topological::interior) {
+      sets = {component_at(components.selection, cell)};
+    } else if (each) {
+      for_each_cell(around, [&](const Location& c) {
+        if (const Component found = component_at(components.selection, c)) sets.push_back(found);
+      });
+      sort_unique(sets);
+    }
+    if (sets.empty()) sets = {0};
+    for (const Component c : sets) steps[p].stars.push_back(star_of(components, c, around, cell, x, named));
+  }
+}
+
+StarFacts Lives::star_of(const Components& x, Component only, const CellSet& star, const Location& cell,
+                         const NodeValue& value, bool named) {
+  const auto in_set = [&](const Location& c) {
+    const Component found = component_at(x.selection, c);
+    return only == 0 ? found != 0 : found == only;
+  };
+  StarFacts out;
+  out.component = only;
+  if (only != 0) out.name = x.attributes[only - 1].name;
+  out.in_set = in_set(cell);
+  out.whole = true;
+  for_each_cell(star, [&](const Location& c) {
+    const bool in = in_set(c);
+    out.whole = out.whole && in;
+    out.touched = out.touched || in;
+    out.solid = out.solid || (in && c.dimension == 3);
+    if (!named) return;
+    ++(in ? out.inside : out.outside)[static_cast<std::size_t>(c.dimension)];
+    const SimplifiedComplex::Place place = simplified(value).place(complex_, c);
+    if (place.index != SimplifiedComplex::kNowhere) {
+      add_name(in ? out.named_inside : out.named_outside, cell_name(place.dimension, place.index));
+    }
+  });
+  return out;
+}
+
+void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Piece>& pieces, bool named,
+                          std::vector<LifeStep>& steps) {
+  Node without = node;
+  without.regularize = false;
+  const std::vector<Operand> operands = operands_of(id);
+  made_.push_back(
+      std::make_unique<NodeValue>(operate(complex_, without, without.material, operands, false).value));
+  const NodeValue& before = *made_.back();
+  std::vector<LifeStep> after(pieces.size());
+  add_topology(Topological::regularize, false, before, pieces, named, after);
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    steps[p].attribute = Regularization{state_in(complex_, before, pieces[p].cell),
+                                        std::move(after[p].regularized), std::move(after[p].stars)};
+  }
+}
+
+const SimplifiedComplex& Lives::simplified(const NodeValue& value) {
+  const auto it = simplified_.find(&value);
+  if (it != simplified_.end()) return it->second;
+  SimplifiedComplex made = simplify(complex_, value, selection_of(complex_, value));
+  put_in_order(complex_, made);
+  return simplified_.emplace(&value, std::move(made)).first->second;
+}
+
+}  // namespace cnrg

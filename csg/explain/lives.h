@@ -1,0 +1,66 @@
+// The facts of `explain`: what each node below a root made of given cells of the complex.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "csg/evaluate/operate.h"
+#include "csg/explain/explain.h"
+
+namespace cnrg {
+
+/// A cell of the complex; of a face also the side to which the normal of its explanation points.
+struct Piece {
+  Location cell;
+  unsigned side = 0;
+};
+
+/// What a value makes of a cell.
+CellState state_in(const Complex& complex, const Group& group, const Location& cell);
+CellState state_in(const Complex& complex, const NodeValue& value, const Location& cell);
+
+/// The leaves that a cell of a value came from; empty when it is inactive.
+std::vector<LeafId> origins_in(const Complex& complex, const NodeValue& value, const Location& cell);
+/// As `leaf_cells` has it, by location.
+std::vector<LeafCell> leaf_cells_at(const Complex& complex, const Location& cell,
+                                    const std::vector<LeafId>& leaves);
+
+class Lives {
+ public:
+  /// `evaluation` must have kept all values and that of `node`.
+  Lives(const Tree& tree, const Evaluation& evaluation, NodeId node);
+
+  /// The lives of the pieces, in their order. `named`: fill what StarFacts fills for lives that are shown.
+  std::vector<Life> of(const std::vector<Piece>& pieces, bool named);
+
+  /// Which pieces live alike: a class for each piece, numbered from 0 in the order of their first pieces. No life
+  /// is held for longer than its node.
+  std::vector<std::uint32_t> classes(const std::vector<Piece>& pieces);
+
+ private:
+  void add_steps(InstanceId id, const std::vector<Piece>& pieces, bool named, std::vector<LifeStep>& steps);
+  void add_booleans(const Node& node, InstanceId id, const std::vector<Piece>& pieces,
+                    std::vector<LifeStep>& steps);
+  void add_topology(Topological op, bool each, const NodeValue& x, const std::vector<Piece>& pieces, bool named,
+                    std::vector<LifeStep>& steps);
+  void add_attribute(const Node& node, InstanceId id, const std::vector<Piece>& pieces, bool named,
+                     std::vector<LifeStep>& steps);
+  StarFacts star_of(const Components& x, Component only, const CellSet& star, const Location& cell,
+                    const NodeValue& value, bool named);
+  const SimplifiedComplex& simplified(const NodeValue& value);
+  std::string name_of(InstanceId id) const;
+  std::vector<Operand> operands_of(InstanceId id) const;
+
+  const Tree& tree_;
+  const Evaluation& evaluation_;
+  const Complex& complex_;
+  std::vector<InstanceId> below_;          ///< ascending, the root last
+  IdVector<InstanceId, LeafId> leaf_of_;   ///< none() for inner nodes
+  IdVector<NodeId, std::uint32_t> count_;  ///< instances of each node
+  std::map<const NodeValue*, SimplifiedComplex> simplified_;
+  std::vector<std::unique_ptr<NodeValue>> made_;  ///< values before the attribute `regularize`
+};
+
+}  // namespace cnrg

@@ -1,0 +1,33 @@
+// The formats, one file each. A format turns a result into the text of its file.
+#pragma once
+
+#include <string>
+
+#include "csg/result/flat.h"
+
+namespace cnrg {
+
+struct Mesh;
+
+struct FileText {
+  std::string text;
+  RoundingReport rounding;
+};
+
+FileText json_text(const ResultView& view);
+FileText vtu_text(const ResultView& view);
+FileText obj_text(const ResultView& view);
+FileText off_text(const ResultView& view);
+FileText stl_text(const ResultView& view);
+FileText ply_text(const ResultView& view);
+
+// What meshers read: the surface mesh of a result, or with a Mesh what it holds.
+FileText msh_text(const ResultView& view);
+FileText medit_text(const ResultView& view);
+FileText smesh_text(const ResultView& view);
+FileText poly_text(const ResultView& view);
+std::string msh_text(const Mesh& mesh);
+std::string medit_text(const Mesh& mesh);
+std::string vtu_text(const ResultView& view, const Mesh& mesh);
+
+}  // namespace cnrg

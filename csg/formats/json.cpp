@@ -1,0 +1,375 @@
+// The exact and lossless format: JSON with one cell per line and coordinates as fractions.
+//
+// {
+//   "format": "cnrg result", "version": 1, "node": name, "group": true | false, "dominance": fraction of a group,
+//   "leaves": [{"name"}],
+//   "materials": [{"name", "color"}],
+//   "grades": [{"material", "placement": {"linear": [row], "offset"}, "linear": {"from", "to"} or "distance":
+//   {"to",
+//     "points", "vertices", "segments", "triangles"}, "stops": [{"at", "mixture"}]}],   if a material is graded
+//   "components": [{"name", "material", "grade", "dominance", "leaves": [leaf]}],   component i is at [i - 1]
+//   "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted
+//   "frame": [point],                                                points that stand for infinity
+//   "vertices": [{"point", "component", "origin", ...}],
+//   "edges": [{"points": [point], "closed", "component", "origin", ...}],
+//   "faces": [{"loops": [[point]], "component", "regions": [front, back], "patch", "triangles", "origin", ...}],
+//   "regions": [{"component", "bounded", "shells": [[{"face", "side"}]], "volume", "origin", ...}]
+// }
+// A component of 0 says that the cell is not part of the result but bounds a part of it. In a group the regions
+// are the components, and its faces, edges and vertices that are entities have the number after the last one;
+// only components of other values have a dominance each. `entity` is false for cells that are only the interior
+// of a region. A region that no cell lists is null. Loops have the face to the left as seen from its front: the
+// outer loop of a flat face comes first and is counter-clockwise. `facets` are the planar pieces of a face that is
+// not flat. Faces with the same `patch` are of one patch of a leaf.
+//
+// With parameters (leaves/parameters.h) there are two more lists before "faces", and a member of faces, where
+// there are any:
+//   "patches": [{"patch", "leaf", "name"}],           of those that have parameters
+//   "cells": [[[x, y, z, u, v], ...]],                cells of patches by their corners
+//   "faces": [{..., "cells": [[cell]]}]               in which cells each facet lies, all of a flat face
+//
+// `origin` names the leaves that a cell of the result came from, and what of them holds it (boundaries included),
+// over all cells that simplification united in it: [{"leaf", "faces": [...], "edges": [...], "point": true,
+// "regions": [...]}], by the leaf's own numbers; what is empty is left out. Edges are wires, a point is isolated,
+// regions count from 1.
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "csg/formats/formats.h"
+#include "csg/text/json_text.h"
+#include "kernel/selection/measure.h"
+
+namespace cnrg {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Index = FlatComplex::Index;
+
+std::string line_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+void append_quoted(std::string& text, const Rational& value) { (((text += '"') += to_string(value)) += '"'); }
+
+/// As the fraction in lowest terms.
+void append_quoted(std::string& text, double value) {
+  int exponent = 0;
+  auto numerator = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
+  exponent -= 53;
+  while (numerator != 0 && numerator % 2 == 0) numerator /= 2, ++exponent;
+  if (numerator != 0 && (exponent > 0 || exponent < -63)) return append_quoted(text, from_double(value));
+  text += '"';
+  append_json(text, numerator);
+  if (numerator != 0 && exponent < 0) {
+    text += '/';
+    append_json(text, std::uint64_t{1} << -exponent);
+  }
+  text += '"';
+}
+
+/// Numbers patches in the order in which they come; a face of no one patch is one of its own.
+class PatchNumbers {
+ public:
+  std::size_t operator()(const std::optional<FlatComplex::Patch>& patch) {
+    if (!patch) return next_++;
+    const auto [it, fresh] = numbers_.try_emplace(*patch, next_);
+    next_ += fresh;
+    return it->second;
+  }
+
+ private:
+  std::map<FlatComplex::Patch, std::size_t> numbers_;
+  std::size_t next_ = 0;
+};
+
+class JsonWriter {
+ public:
+  explicit JsonWriter(const ResultView& view) : view_(view), flat_(flatten(view)) {}
+
+  std::string run() {
+    text_ = "{\n\"format\": \"cnrg result\",\n\"version\": 1,\n\"node\": " + line_of(view_.node) +
+            ",\n\"group\": " + (view_.value->is_group() ? "true" : "false");
+    if (view_.value->is_group()) {
+      text_ += ",\n\"dominance\": " + line_of(to_string(view_.value->group().dominance));
+    }
+    leaves();
+    list("materials", view_.materials, [](const auto& m) { return Json{{"name", m.name}, {"color", m.color}}; });
+    add_grades();
+    if (view_.value->is_group()) {
+      list("components", view_.value->group().regions, [&](const RegionAttributes& a) { return component(a); });
+    } else {
+      list("components", view_.value->components().attributes, [&](const ComponentAttributes& a) {
+        Json result = component(a);
+        result["dominance"] = to_string(a.dominance);
+        return result;
+      });
+    }
+    lines("points", flat_.points, [&](std::string& out, VertexId v) { point(out, v); });
+    text_ += ",\n\"frame\": " + line_of(Json(flat_.frame_points));
+    lines("vertices", flat_.vertices, [&](std::string& out, const auto& v) { vertex(out, v); });
+    lines("edges", flat_.edges, [&](std::string& out, const auto& e) { edge(out, e); });
+    number_patches();
+    if (view_.parameters != nullptr) cells();
+    lines("faces", flat_.faces, [&](std::string& out, const auto& f) { face(out, f); });
+    lines("regions", flat_.regions, [&](std::string& out, const auto& r) { region(out, r); });
+    text_ += "\n}\n";
+    return joined();
+  }
+
+ private:
+  const ResultView& view_;
+  FlatComplex flat_;
+  std::vector<std::string> parts_;  // of the text, before `text_`
+  std::string text_;
+  std::map<LeafId, std::size_t> leaf_number_;
+  std::vector<RegionMaterial> grades_;
+  std::vector<std::size_t> patch_;  // by face
+  std::map<std::vector<PatchCorner>, std::size_t> cell_number_;
+
+  template <class Range, class Make>
+  void list(const char* key, const Range& range, Make make) {
+    text_ += ",\n\"" + std::string(key) + "\": [";
+    const char* separator = "\n";
+    for (const auto& item : range) {
+      text_ += separator;
+      text_ += line_of(make(item));
+      separator = ",\n";
+    }
+    text_ += "]";
+  }
+
+  /// A long list; blocks of lines are made on all threads.
+  template <class T, class Append>
+  void lines(const char* key, const std::vector<T>& items, Append append) {
+    constexpr std::size_t kBlock = 4096;
+    std::vector<std::string> blocks((items.size() + kBlock - 1) / kBlock);
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t b) {
+      for (std::size_t i = b * kBlock; i < std::min(items.size(), (b + 1) * kBlock); ++i) {
+        blocks[b] += i == 0 ? "\n" : ",\n";
+        append(blocks[b], items[i]);
+      }
+    });
+    text_ += ",\n\"" + std::string(key) + "\": [";
+    parts_.push_back(std::move(text_));
+    parts_.insert(parts_.end(), std::make_move_iterator(blocks.begin()), std::make_move_iterator(blocks.end()));
+    text_ = "]";
+  }
+
+  std::string joined() {
+    parts_.push_back(std::move(text_));
+    std::size_t size = 0;
+    for (const std::string& part : parts_) size += part.size();
+    std::string all;
+    all.reserve(size);
+    for (std::string& part : parts_) all += std::exchange(part, {});
+    return all;
+  }
+
+  /// Leaves that the result names, numbered in the file.
+  void leaves() {
+    const auto see = [&](const std::vector<LeafId>& leaves) {
+      for (const LeafId leaf : leaves) leaf_number_.try_emplace(leaf, 0);
+    };
+    for (const auto& v : flat_.vertices) see(v.origin.leaves);
+    for (const auto& e : flat_.edges) see(e.origin.leaves);
+    for (const auto& f : flat_.faces) see(f.origin.leaves);
+    for (const auto& r : flat_.regions) see(r.origin.leaves);
+    for (Component i = 1; i <= view_.value->component_count(); ++i) see(view_.value->attributes(i).leaves);
+    std::size_t next = 0;
+    for (auto& [leaf, number] : leaf_number_) number = next++;
+    list("leaves", leaf_number_, [&](const auto& entry) {
+      const bool named = view_.leaves != nullptr && entry.first.index() < view_.leaves->size();
+      return Json{{"name", named ? (*view_.leaves)[entry.first.index()].name : std::string()}};
+    });
+  }
+
+  Json component(const RegionAttributes& a) const {
+    Json result{{"name", a.name}, {"material", a.material.name()}, {"leaves", leaf_numbers(a.leaves)}};
+    if (a.material.grade() != nullptr) {
+      const auto same = [&](const RegionMaterial& m) { return m == a.material; };
+      result["grade"] = std::find_if(grades_.begin(), grades_.end(), same) - grades_.begin();
+    }
+    return result;
+  }
+
+  /// The graded materials of components, each once.
+  void add_grades() {
+    for (const RegionAttributes& a : view_.value->attributes()) {
+      if (a.material.grade() == nullptr) continue;
+      if (std::find(grades_.begin(), grades_.end(), a.material) == grades_.end()) grades_.push_back(a.material);
+    }
+    if (!grades_.empty()) list("grades", grades_, [&](const RegionMaterial& m) { return grade(m); });
+  }
+
+  static Json numbers(const RationalPoint& p) { return {to_string(p[0]), to_string(p[1]), to_string(p[2])}; }
+
+  static Json grade(const RegionMaterial& material) {
+    const auto& [grade, placement] = *material.grade();
+    Json rows = Json::array();
+    for (const auto& row : placement.linear) rows.push_back(numbers(row));
+    Json result{{"material", material.name()},
+                {"placement", {{"linear", rows}, {"offset", numbers(placement.offset)}}}};
+    if (const auto* linear = std::get_if<LinearGrade>(&grade.along)) {
+      result["linear"] = {{"from", numbers(linear->from)}, {"to", numbers(linear->to)}};
+    } else {
+      const auto& distance = std::get<DistanceGrade>(grade.along);
+      Json points = Json::array();
+      for (const RationalPoint& p : distance.target->points) points.push_back(numbers(p));
+      result["distance"] = {{"to", distance.to},
+                            {"points", points},
+                            {"vertices", distance.target->vertices},
+                            {"segments", distance.target->segments},
+                            {"triangles", distance.target->triangles}};
+    }
+    Json stops = Json::array();
+    for (const Grade::Stop& stop : grade.stops) {
+      Json mixture = Json::object();
+      for (const auto& [name, fraction] : stop.mixture) mixture[name] = to_string(fraction);
+      stops.push_back({{"at", to_string(stop.at)}, {"mixture", mixture}});
+    }
+    result["stops"] = stops;
+    return result;
+  }
+
+  Json leaf_numbers(const std::vector<LeafId>& leaves) const {
+    Json result = Json::array();
+    for (const LeafId leaf : leaves) result.push_back(leaf_number_.at(leaf));
+    return result;
+  }
+
+  void number_patches() {
+    PatchNumbers patches;
+    for (const auto& f : flat_.faces) patch_.push_back(patches(f.patch));
+  }
+
+  /// The patches with parameters, and their cells in the order in which faces lie in them.
+  void cells() {
+    std::map<std::size_t, FlatComplex::Patch> patches;
+    std::vector<const std::vector<PatchCorner>*> list;
+    for (std::size_t i = 0; i < flat_.faces.size(); ++i) {
+      const FlatComplex::Face& f = flat_.faces[i];
+      if (!f.cells.empty()) patches.emplace(patch_[i], *f.patch);
+      for (const auto& facet : f.cells) {
+        for (const auto& cell : facet) {
+          if (cell_number_.try_emplace(cell, list.size()).second) list.push_back(&cell);
+        }
+      }
+    }
+    if (patches.empty()) return;
+    this->list("patches", patches, [&](const auto& entry) {
+      const auto& [leaf, patch] = entry.second;
+      return Json{{"patch", entry.first},
+                  {"leaf", leaf_number_.at(leaf)},
+                  {"name", view_.parameters->patch_name(leaf, patch)}};
+    });
+    lines("cells", list, [](std::string& out, const std::vector<PatchCorner>* cell) {
+      append_json(out, *cell, [&](const PatchCorner& corner) {
+        const auto& [x, y, z] = corner.point;
+        const auto& [u, v] = corner.at;
+        append_json(out, std::array{&x, &y, &z, &u, &v}, [&](const Rational* c) { append_quoted(out, *c); });
+      });
+    });
+  }
+
+  void point(std::string& out, VertexId v) const {
+    if (const double* x = view_.complex->points.doubles(v)) {
+      append_json(out, std::span(x, 3), [&](double c) { append_quoted(out, c); });
+    } else {
+      append_json(out, view_.complex->points.rational(v), [&](const Rational& c) { append_quoted(out, c); });
+    }
+  }
+
+  void add_origin(JsonObject& object, const FlatComplex::Provenance& origin) const {
+    static constexpr const char* kKeys[] = {"point", "edges", "faces", "regions"};
+    std::string& out = object.key("origin");
+    auto cell = origin.cells.begin();
+    append_json(out, origin.leaves, [&](LeafId leaf) {
+      JsonObject item(out);
+      item.add("leaf", leaf_number_.at(leaf));
+      while (cell != origin.cells.end() && cell->leaf == leaf) {
+        const int dimension = cell->dimension;
+        const auto end = std::find_if(cell, origin.cells.end(), [&](const LeafCell& c) {
+          return c.leaf != leaf || c.dimension != dimension;
+        });
+        item.key(kKeys[dimension]);
+        if (dimension == 0) append_json(out, true);
+        else append_json(out, std::span(cell, end), [&](const LeafCell& c) { append_json(out, c.number); });
+        cell = end;
+      }
+    });
+  }
+
+  void vertex(std::string& out, const FlatComplex::Vertex& v) const {
+    JsonObject object(out);
+    object.add("point", v.point).add("component", v.component).add("entity", v.entity).add("feature", v.feature);
+    if (v.region != FlatComplex::kNone) object.add("region", v.region);
+    if (v.component != 0) add_origin(object, v.origin);
+  }
+
+  void edge(std::string& out, const FlatComplex::Edge& e) const {
+    JsonObject object(out);
+    object.add("points", e.points).add("closed", e.closed).add("component", e.component);
+    object.add("entity", e.entity).add("feature", e.feature).add("wire", e.wire);
+    if (e.region != FlatComplex::kNone) object.add("region", e.region);
+    if (e.component != 0) add_origin(object, e.origin);
+  }
+
+  template <class T>
+  static void add_walks(JsonObject& object, const T& face) {
+    object.add("loops", face.loops);
+    if (!face.isolated.empty()) object.add("isolated", face.isolated);
+  }
+
+  void face(std::string& out, const FlatComplex::Face& f) const {
+    JsonObject object(out);
+    add_walks(object, f);
+    object.add("component", f.component).add("entity", f.entity);
+    append_json(object.key("regions"), f.regions, [&](Index region) {
+      if (region == FlatComplex::kNone) out += "null";
+      else append_json(out, region);
+    });
+    object.add("patch", patch_[static_cast<std::size_t>(&f - flat_.faces.data())]);
+    if (!f.facets.empty()) {
+      append_json(object.key("facets"), f.facets, [&](const FlatComplex::Facet& facet) {
+        JsonObject item(out);
+        add_walks(item, facet);
+      });
+    }
+    object.add("triangles", f.triangles);
+    if (!f.cells.empty()) {
+      append_json(object.key("cells"), f.cells, [&](const auto& facet) {
+        append_json(out, facet, [&](const auto& cell) { append_json(out, cell_number_.at(cell)); });
+      });
+    }
+    if (f.component != 0) add_origin(object, f.origin);
+  }
+
+  void region(std::string& out, const FlatComplex::Region& r) const {
+    const RegionAttributes& attributes = attributes_of(view_, r.component);
+    JsonObject object(out);
+    object.add("component", r.component);
+    object.key("name") += line_of(attributes.name);
+    object.key("material") += line_of(attributes.material.name());
+    object.add("bounded", r.bounded);
+    const std::optional<Rational> size = r.bounded ? volume(*view_.complex, r.cells) : std::nullopt;
+    object.key("volume");
+    if (size) append_quoted(out, *size);
+    else out += "null";
+    append_json(object.key("shells"), r.shells, [&](const std::vector<Index>& shell) {
+      append_json(out, shell, [&](Index side) {
+        append_json(out += "{\"face\":", side >> 1);
+        out += side & 1 ? ",\"side\":\"back\"}" : ",\"side\":\"front\"}";
+      });
+    });
+    if (r.component != 0) add_origin(object, r.origin);
+  }
+};
+
+}  // namespace
+
+FileText json_text(const ResultView& view) { return {JsonWriter(view).run(), {}}; }
+
+}  // namespace cnrg

@@ -1,0 +1,73 @@
+// MEDIT's text format, as the remeshers of its family (Mmg) read it. A reference is the number of the first group;
+// lines with `#` in front say their names. Edges of the result are ridges, and wires are required too, so that a
+// remesher keeps them; vertices of the result are corners, and required.
+#include "csg/formats/formats.h"
+#include "csg/mesh/mesh.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Mesh::Index;
+
+Index reference(const Mesh::Entity& entity) { return entity.groups.empty() ? 0 : entity.groups[0]; }
+
+/// A section of numbers, one to a line; left out when there are none.
+void append_list(std::string& text, const char* name, const std::vector<std::size_t>& numbers) {
+  if (numbers.empty()) return;
+  text += std::string(name) + "\n" + std::to_string(numbers.size()) + "\n";
+  for (const std::size_t n : numbers) text += std::to_string(n) + "\n";
+}
+
+template <class Simplices>
+void append_simplices(std::string& text, const char* name, const Simplices& simplices,
+                      const std::vector<Mesh::Entity>& entities) {
+  if (simplices.empty()) return;
+  text += std::string(name) + "\n" + std::to_string(simplices.size()) + "\n";
+  for (const auto& s : simplices) {
+    for (const Index p : s.points) text += std::to_string(p + 1) + " ";
+    text += std::to_string(reference(entities[s.entity])) + "\n";
+  }
+}
+
+}  // namespace
+
+std::string medit_text(const Mesh& mesh) {
+  std::string text = "MeshVersionFormatted 2\n";
+  static constexpr const char* kKinds[] = {"vertices", "edges", "triangles", "tetrahedra"};
+  for (std::size_t d = 0; d < 4; ++d) {
+    const std::size_t count = mesh.groups[d].size() - (d == 2 ? mesh.sources : 0);  // those that are first
+    for (std::size_t g = 0; g < count; ++g) {
+      text += "# " + std::string(kKinds[d]) + " " + std::to_string(g + 1) + " " + mesh.groups[d][g] + "\n";
+    }
+  }
+  text += "Dimension 3\nVertices\n" + std::to_string(mesh.points.size()) + "\n";
+  std::vector<Index> references(mesh.points.size(), 0);
+  std::vector<std::size_t> corners, ridges, required;
+  for (const auto& v : mesh.vertices) {
+    const auto& entity = mesh.entities[0][v.entity];
+    if (!entity.feature) continue;
+    references[v.points[0]] = reference(entity);
+    corners.push_back(v.points[0] + 1);
+  }
+  for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+    append(text, mesh.points[p]);
+    text += " " + std::to_string(references[p]) + "\n";
+  }
+  std::vector<Mesh::Simplex<2>> edges;
+  for (const auto& s : mesh.segments) {
+    const auto& entity = mesh.entities[1][s.entity];
+    if (!entity.feature) continue;
+    edges.push_back(s);
+    (entity.wire ? required : ridges).push_back(edges.size());
+  }
+  append_simplices(text, "Edges", edges, mesh.entities[1]);
+  append_simplices(text, "Triangles", mesh.triangles, mesh.entities[2]);
+  append_simplices(text, "Tetrahedra", mesh.tetrahedra, mesh.entities[3]);
+  append_list(text, "Corners", corners);
+  append_list(text, "RequiredVertices", corners);
+  append_list(text, "Ridges", ridges);
+  append_list(text, "RequiredEdges", required);
+  return text + "End\n";
+}
+
+}  // namespace cnrg

@@ -1,0 +1,278 @@
+// Gmsh's format 4.1 in text: entities with what bounds them, groups by name in every dimension, nodes and elements
+// by entity.
+//
+// Of a surface mesh Gmsh can make a mesh of its own (`gmsh -3 FILE`): every piece of an edge and every facet has
+// its parametrization in the file, which is affine, and every region its boundary. A dangling face inside of a
+// region is listed with the boundary of the region, and Gmsh's mesh conforms to it. The format has no place for a
+// wire or a point inside of a region: they are entities with elements; to make Gmsh conform to them, merge the
+// file in a script and say `Curve {..} In Volume {..};`. Tetrahedra of ours conform.
+#include <algorithm>
+#include <cmath>
+
+#include "csg/formats/formats.h"
+#include "csg/mesh/mesh.h"
+#include "csg/result/vectors.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Mesh::Index;
+using Vector = DoubleVector;
+
+Vector unit(const Vector& a) {
+  const double length = std::sqrt(dot(a, a));
+  return {a[0] / length, a[1] / length, a[2] / length};
+}
+
+class MshWriter {
+ public:
+  explicit MshWriter(const Mesh& mesh) : mesh_(mesh) {}
+
+  std::string run() {
+    std::string comment = mesh_.node;
+    for (char& c : comment) {
+      if (static_cast<unsigned char>(c) < ' ' || c == '$') c = ' ';
+    }
+    text_ =
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nnode " + comment + ", written by cnrg\n$EndComments\n";
+    add_names();
+    find_boxes();
+    add_entities();
+    add_nodes();
+    add_elements();
+    if (mesh_.flat) add_parametrizations();
+    add_fields();
+    return std::move(text_);
+  }
+
+ private:
+  const Mesh& mesh_;
+  std::string text_;
+  struct Box {
+    Vector low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  };
+  std::array<std::vector<Box>, 4> boxes_;
+
+  void add(std::int64_t number) { text_ += std::to_string(number); }
+
+  void add_names() {
+    std::size_t n = 0;
+    for (const auto& names : mesh_.groups) n += names.size();
+    if (n == 0) return;
+    text_ += "$PhysicalNames\n" + std::to_string(n) + "\n";
+    for (std::size_t d = 0; d < 4; ++d) {
+      for (std::size_t g = 0; g < mesh_.groups[d].size(); ++g) {
+        text_ += std::to_string(d) + " " + std::to_string(g + 1) + " \"" + mesh_.groups[d][g] + "\"\n";
+      }
+    }
+    text_ += "$EndPhysicalNames\n";
+  }
+
+  template <class Simplices>
+  void extend(std::size_t dimension, const Simplices& simplices) {
+    for (const auto& s : simplices) {
+      Box& box = boxes_[dimension][s.entity];
+      for (const Index p : s.points) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          box.low[k] = std::min(box.low[k], mesh_.points[p][k]);
+          box.high[k] = std::max(box.high[k], mesh_.points[p][k]);
+        }
+      }
+    }
+  }
+  /// Of a region without tetrahedra: the box of what bounds it.
+  void find_boxes() {
+    for (std::size_t d = 0; d < 4; ++d) boxes_[d].resize(mesh_.entities[d].size());
+    extend(0, mesh_.vertices);
+    extend(1, mesh_.segments);
+    extend(2, mesh_.triangles);
+    for (std::size_t i = 0; i < boxes_[3].size(); ++i) {
+      for (const std::int32_t b : mesh_.entities[3][i].boundary) {
+        const Box& part = boxes_[2][std::size_t(std::abs(b)) - 1];
+        for (std::size_t k = 0; k < 3; ++k) {
+          boxes_[3][i].low[k] = std::min(boxes_[3][i].low[k], part.low[k]);
+          boxes_[3][i].high[k] = std::max(boxes_[3][i].high[k], part.high[k]);
+        }
+      }
+    }
+  }
+
+  void add_entities() {
+    text_ += "$Entities\n";
+    for (std::size_t d = 0; d < 4; ++d) text_ += (d == 0 ? "" : " ") + std::to_string(mesh_.entities[d].size());
+    text_ += '\n';
+    for (std::size_t d = 0; d < 4; ++d) {
+      for (std::size_t i = 0; i < mesh_.entities[d].size(); ++i) {
+        const auto& entity = mesh_.entities[d][i];
+        add(std::int64_t(i + 1));
+        text_ += ' ';
+        append(text_, boxes_[d][i].low);
+        if (d > 0) {
+          text_ += ' ';
+          append(text_, boxes_[d][i].high);
+        }
+        text_ += ' ' + std::to_string(entity.groups.size()) + ' ';
+        for (const Index g : entity.groups) text_ += std::to_string(g) + ' ';
+        if (d > 0) {
+          text_ += std::to_string(entity.boundary.size()) + ' ';
+          for (const std::int32_t b : entity.boundary) text_ += std::to_string(b) + ' ';
+        }
+        text_ += '\n';
+      }
+    }
+    text_ += "$EndEntities\n";
+  }
+
+  /// A node belongs to the entity of least dimension that has it.
+  void add_nodes() {
+    struct Place {
+      std::uint32_t dimension = 4, entity = 0, point = 0;
+      auto operator<=>(const Place&) const = default;
+    };
+    std::vector<Place> places(mesh_.points.size());
+    for (Index p = 0; p < places.size(); ++p) places[p].point = p;
+    const auto claim = [&](std::uint32_t d, const auto& simplices) {
+      for (const auto& s : simplices)
+        for (const Index p : s.points) {
+          if (places[p].dimension != d) places[p] = {d, s.entity, p};
+        }
+    };
+    claim(3, mesh_.tetrahedra);
+    claim(2, mesh_.triangles);
+    claim(1, mesh_.segments);
+    claim(0, mesh_.vertices);
+    std::sort(places.begin(), places.end());
+    std::size_t blocks = 0;
+    const auto same = [&](std::size_t i, std::size_t j) {
+      return places[i].dimension == places[j].dimension && places[i].entity == places[j].entity;
+    };
+    for (std::size_t i = 0; i < places.size(); ++i) blocks += i == 0 || !same(i, i - 1);
+    const std::string n = std::to_string(places.size());
+    text_ += "$Nodes\n" + std::to_string(blocks) + " " + n + (places.empty() ? " 0 " : " 1 ") + n + "\n";
+    for (std::size_t i = 0, end = 0; i < places.size(); i = end) {
+      while (end < places.size() && same(i, end)) ++end;
+      text_ += std::to_string(places[i].dimension) + " " + std::to_string(places[i].entity + 1) + " 0 " +
+               std::to_string(end - i) + "\n";
+      for (std::size_t k = i; k < end; ++k) text_ += std::to_string(places[k].point + 1) + "\n";
+      for (std::size_t k = i; k < end; ++k) {
+        append(text_, mesh_.points[places[k].point]);
+        text_ += '\n';
+      }
+    }
+    text_ += "$EndNodes\n";
+  }
+
+  template <class Simplices>
+  static std::size_t blocks_of(const Simplices& simplices) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < simplices.size(); ++i) {
+      n += i == 0 || simplices[i].entity != simplices[i - 1].entity;
+    }
+    return n;
+  }
+  template <class Simplices>
+  void add_blocks(int dimension, int type, const Simplices& simplices, std::size_t& number) {
+    for (std::size_t i = 0, end = 0; i < simplices.size(); i = end) {
+      while (end < simplices.size() && simplices[end].entity == simplices[i].entity) ++end;
+      text_ += std::to_string(dimension) + " " + std::to_string(simplices[i].entity + 1) + " " +
+               std::to_string(type) + " " + std::to_string(end - i) + "\n";
+      for (std::size_t k = i; k < end; ++k) {
+        text_ += std::to_string(++number);
+        for (const Index p : simplices[k].points) text_ += " " + std::to_string(p + 1);
+        text_ += '\n';
+      }
+    }
+  }
+  void add_elements() {
+    const std::size_t blocks = blocks_of(mesh_.vertices) + blocks_of(mesh_.segments) + blocks_of(mesh_.triangles) +
+                               blocks_of(mesh_.tetrahedra);
+    const std::size_t n =
+        mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size() + mesh_.tetrahedra.size();
+    text_ += "$Elements\n" + std::to_string(blocks) + " " + std::to_string(n) + (n == 0 ? " 0 " : " 1 ") +
+             std::to_string(n) + "\n";
+    std::size_t number = 0;
+    add_blocks(0, 15, mesh_.vertices, number);
+    add_blocks(1, 1, mesh_.segments, number);
+    add_blocks(2, 2, mesh_.triangles, number);
+    add_blocks(3, 4, mesh_.tetrahedra, number);
+    text_ += "$EndElements\n";
+  }
+
+  /// Discontinuous fields, by element and node. Tetrahedra are the last elements.
+  void add_fields() {
+    const std::size_t before = mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size();
+    for (const Mesh::Field& field : mesh_.fields) {
+      text_ += "$ElementNodeData\n1\n\"" + field.name + "\"\n1\n0\n3\n0\n1\n" +
+               std::to_string(mesh_.tetrahedra.size()) + "\n";
+      for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
+        text_ += std::to_string(before + t + 1) + " 4";
+        for (std::size_t k = 0; k < 4; ++k) {
+          text_ += ' ';
+          append(text_, field.values[4 * t + k]);
+        }
+        text_ += '\n';
+      }
+      text_ += "$EndElementNodeData\n";
+    }
+  }
+
+  /// Pieces run from 0 to 1, facets have coordinates of length in their plane.
+  void add_parametrizations() {
+    text_ += "$Parametrizations\n" + std::to_string(mesh_.segments.size()) + " " +
+             std::to_string(mesh_.entities[2].size()) + "\n";
+    for (const auto& s : mesh_.segments) {
+      text_ += std::to_string(s.entity + 1) + "\n2\n";
+      append(text_, mesh_.points[s.points[0]]);
+      text_ += " 0\n";
+      append(text_, mesh_.points[s.points[1]]);
+      text_ += " 1\n";
+    }
+    for (std::size_t i = 0, end = 0; i < mesh_.triangles.size(); i = end) {
+      while (end < mesh_.triangles.size() && mesh_.triangles[end].entity == mesh_.triangles[i].entity) ++end;
+      add_facet(i, end);
+    }
+    text_ += "$EndParametrizations\n";
+  }
+
+  void add_facet(std::size_t begin, std::size_t end) {
+    std::vector<Index> points;
+    Vector normal{}, along{};
+    double most = -1;
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& corners = mesh_.triangles[t].points;
+      points.insert(points.end(), corners.begin(), corners.end());
+      const Vector &a = mesh_.points[corners[0]], &b = mesh_.points[corners[1]], &c = mesh_.points[corners[2]];
+      const Vector n = cross(minus(b, a), minus(c, a));
+      if (dot(n, n) <= most) continue;
+      most = dot(n, n);
+      normal = n;
+      along = minus(b, a);
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    const Vector u = unit(along), v = cross(unit(normal), u), origin = mesh_.points[points[0]];
+    text_ += std::to_string(mesh_.triangles[begin].entity + 1) + "\n" + std::to_string(points.size()) + " " +
+             std::to_string(end - begin) + "\n";
+    for (const Index p : points) {
+      append(text_, mesh_.points[p]);
+      const Vector d = minus(mesh_.points[p], origin);
+      for (const double coordinate : {dot(d, u), dot(d, v)}) {
+        text_ += ' ';
+        append(text_, coordinate);
+      }
+      text_ += " 0 0 0 0 0 0\n";
+    }
+    for (std::size_t t = begin; t < end; ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto place = std::lower_bound(points.begin(), points.end(), mesh_.triangles[t].points[k]);
+        text_ += std::to_string(place - points.begin()) + (k < 2 ? ' ' : '\n');
+      }
+    }
+  }
+};
+
+}  // namespace
+
+std::string msh_text(const Mesh& mesh) { return MshWriter(mesh).run(); }
+
+}  // namespace cnrg

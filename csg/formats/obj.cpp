@@ -1,0 +1,72 @@
+// OBJ: every face as a group of triangles, wires as `l`, isolated points as `p`. The group of a face is named
+// after its number and after the regions behind and in front of it (`none` outside), so that walls keep both.
+#include <cctype>
+
+#include "csg/formats/formats.h"
+#include "csg/result/rounding.h"
+#include "csg/result/solid.h"
+
+namespace cnrg {
+namespace {
+
+/// A region as one word: its name, or `region` and its number.
+std::string word_of(const ResultView& view, const FlatComplex& flat, FlatComplex::Index region) {
+  if (!flat.active(region)) return "none";
+  const Component component = flat.regions[region].component;
+  std::string word = attributes_of(view, component).name;
+  if (word.empty()) word = "region" + std::to_string(component);
+  for (char& c : word) {
+    if (std::isspace(static_cast<unsigned char>(c)) || std::iscntrl(static_cast<unsigned char>(c))) c = '_';
+  }
+  return word;
+}
+
+}  // namespace
+
+FileText obj_text(const ResultView& view) {
+  const FlatComplex flat = flatten(view);
+  require_closed_and_bounded(flat, "OBJ");
+  const RoundedPoints points = round_points(view, flat);
+  Drawing drawing;
+  std::string text = "# Groups of faces: number, region behind, region in front\n";
+  for (const auto& p : points.xyz) {
+    text += "v ";
+    append(text, p);
+    text += '\n';
+  }
+  const auto number = [](FlatComplex::Index p) { return " " + std::to_string(p + 1); };
+  std::vector<char> drawn(flat.points.size(), 0);
+  for (std::size_t i = 0; i < flat.faces.size(); ++i) {
+    const auto& face = flat.faces[i];
+    if (!face.entity) continue;
+    text += "g face" + std::to_string(i) + " " + word_of(view, flat, face.regions[1]) + " " +
+            word_of(view, flat, face.regions[0]) + "\n";
+    for (const auto& t : face.triangles) {
+      text += "f" + number(t[0]) + number(t[1]) + number(t[2]) + "\n";
+      drawing.triangles.push_back(t);
+      for (const auto p : t) drawn[p] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < flat.edges.size(); ++i) {
+    const auto& edge = flat.edges[i];
+    if (!edge.entity || !(edge.wire || edge.slit)) continue;
+    text += "g edge" + std::to_string(i) + "\nl";
+    for (const auto p : edge.points) text += number(p);
+    if (edge.closed) text += number(edge.points[0]);
+    text += '\n';
+    for (std::size_t k = 0; k < edge.points.size(); ++k) {
+      drawn[edge.points[k]] = 1;
+      if (k + 1 == edge.points.size() && !edge.closed) break;
+      if (edge.wire) drawing.segments.push_back({edge.points[k], edge.points[(k + 1) % edge.points.size()]});
+    }
+  }
+  for (std::size_t i = 0; i < flat.vertices.size(); ++i) {
+    const auto& vertex = flat.vertices[i];
+    if (!vertex.entity || !vertex.free) continue;
+    text += "g vertex" + std::to_string(i) + "\np" + number(vertex.point) + "\n";
+    if (!drawn[vertex.point]) drawing.points.push_back(vertex.point);
+  }
+  return {std::move(text), report_rounding(points, drawing)};
+}
+
+}  // namespace cnrg

@@ -1,0 +1,135 @@
+// VTK's unstructured grid in XML, for ParaView: vertices, polylines, triangles of the faces, and every region
+// as the triangles of its boundary, normals outward. Cell data tells them apart:
+//
+//   dimension     0 to 3; threshold by it to see one kind
+//   cell          number of the cell among those of its dimension, as in .json
+//   component     of the result, from 1
+//   region        dimension 3: the region's component; below: of the region behind, in front or around; or 0
+//   region_front, region_back     faces only: on the two sides; 0 outside
+//   regions_bounded               faces only: 0 dangling, 1 boundary, 2 wall between two regions; else -1
+//   material      of the component, for entities of a group of that region: a row of MaterialNames; 0: none
+//   source_leaf, source_face      the first leaf (a row of LeafNames) with a face that the cell came from, and
+//                                 that face; of a cell from no face the first leaf and -1 (.json has all)
+//
+// Where a material is graded, `fraction of NAME` has the part of each material at the centroid of the cell as
+// drawn (a triangle, a tetrahedron), as the region that the cell belongs to has it.
+//
+// With parameters (leaves/parameters.h), for faces on patches of leaves:
+//   parameters    of points: u and v on the patch, NaN where there are none. Points are split where triangles
+//                 have different ones: between patches, at seams and poles
+//   patch         of cells: a row of PatchNames; 0: no parameters
+// Between the corners of a triangle they are linear. A flat face that unites many facets of a patch has them only
+// if they are one affine map on it; `--raw` keeps its facets apart.
+//
+// Field data holds the names: RegionNames (by component; 0 is outside), MaterialNames, LeafNames. Arrays are
+// base64 of little-endian numbers, doubles unrounded. Cells that bound the result without being part of it are not
+// drawn: an open region has dimension 3 alone, its triangles are where it ends.
+#include "csg/formats/formats.h"
+#include "csg/formats/vtu_grid.h"
+#include "csg/formats/vtu_parameters.h"
+#include "csg/result/rounding.h"
+#include "csg/result/solid.h"
+
+namespace cnrg {
+namespace {
+
+using Index = FlatComplex::Index;
+
+class VtuWriter {
+ public:
+  explicit VtuWriter(const ResultView& view) : view_(view), flat_(flatten(view)), tagger_(view, flat_) {
+    require_off_frame(flat_, "VTU");
+    points_ = round_points(view, flat_);
+    if (view.parameters != nullptr) split_.emplace(view, flat_, points_.xyz);
+  }
+
+  FileText run() {
+    add_vertices();
+    add_edges();
+    add_faces();
+    add_regions();
+    if (!split_) return {grid_.text(view_, points_.xyz), report_rounding(points_, drawing_)};
+    return {grid_.text(view_, split_->points(), &split_->parameters()), report_rounding(points_, drawing_)};
+  }
+
+ private:
+  const ResultView& view_;
+  FlatComplex flat_;
+  CellTagger tagger_;
+  RoundedPoints points_;
+  Drawing drawing_;
+  VtuGrid grid_;
+  std::optional<VtuSplit> split_;
+
+  void add(VtuCell kind, const auto& points, const CellTags& tags, std::int32_t patch = 0) {
+    grid_.add(kind, points, tags);
+    if (split_) split_->add_cell(patch);
+  }
+  /// Triangle k of a face, on the points of its patch.
+  std::array<Index, 3> triangle(Index face, std::size_t k) const {
+    return split_ ? split_->triangle(face, k) : flat_.faces[face].triangles[k];
+  }
+  std::int32_t patch(Index face) const { return split_ ? split_->patch(face) : 0; }
+
+  void add_vertices() {
+    std::vector<char> drawn(flat_.points.size(), 0);
+    for (const auto& f : flat_.faces) {
+      for (const auto& t : f.triangles)
+        for (const Index p : t) drawn[p] = 1;
+    }
+    for (const auto& e : flat_.edges)
+      for (const Index p : e.points) drawn[p] = 1;
+    for (Index i = 0; i < flat_.vertices.size(); ++i) {
+      const auto& v = flat_.vertices[i];
+      if (v.component == 0) continue;
+      add(VtuCell::vertex, std::array{v.point}, tagger_.vertex(i));
+      if (!drawn[v.point]) drawing_.points.push_back(v.point);
+    }
+  }
+
+  void add_edges() {
+    for (Index i = 0; i < flat_.edges.size(); ++i) {
+      const auto& e = flat_.edges[i];
+      if (e.component == 0) continue;
+      FlatComplex::Loop points = e.points;
+      if (e.closed) points.push_back(points[0]);
+      add(VtuCell::polyline, points, tagger_.edge(i));
+      if (!e.wire) continue;
+      for (std::size_t k = 1; k < points.size(); ++k) drawing_.segments.push_back({points[k - 1], points[k]});
+    }
+  }
+
+  void add_faces() {
+    for (Index i = 0; i < flat_.faces.size(); ++i) {
+      const auto& f = flat_.faces[i];
+      drawing_.triangles.insert(drawing_.triangles.end(), f.triangles.begin(), f.triangles.end());
+      if (f.component == 0) continue;
+      const CellTags tags = tagger_.face(i);
+      for (std::size_t k = 0; k < f.triangles.size(); ++k) add(VtuCell::triangle, triangle(i, k), tags, patch(i));
+    }
+  }
+
+  void add_regions() {
+    for (Index i = 0; i < flat_.regions.size(); ++i) {
+      const auto& r = flat_.regions[i];
+      if (r.component == 0) continue;
+      const CellTags tags = tagger_.region(i);
+      for (const auto& shell : r.shells) {
+        for (const Index side : shell) {
+          const Index face = side >> 1;
+          for (std::size_t k = 0; k < flat_.faces[face].triangles.size(); ++k) {
+            auto t = triangle(face, k);
+            if ((side & 1) == 0) std::swap(t[1], t[2]);
+            add(VtuCell::triangle, t, tags, patch(face));
+          }
+        }
+      }
+    }
+  }
+};
+
+}  // namespace
+
+FileText vtu_text(const ResultView& view) { return VtuWriter(view).run(); }
+
+}  // namespace cnrg

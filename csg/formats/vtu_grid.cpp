@@ -1,0 +1,152 @@
+#include "csg/formats/vtu_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "csg/mesh/material_field.h"
+#include "kernel/base/parallel.h"
+
+namespace cnrg {
+namespace {
+
+void append_base64(std::string& text, const std::string& bytes) {
+  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::size_t start = text.size(), groups = (bytes.size() + 2) / 3;
+  text.resize(start + 4 * groups, '=');
+  for_each_index(groups, [&](std::size_t g) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - 3 * g);
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = group << 8 | (k < n ? static_cast<unsigned char>(bytes[3 * g + k]) : 0u);
+    }
+    for (std::size_t k = 0; k <= n; ++k) text[start + 4 * g + k] = kDigits[group >> (18 - 6 * k) & 63];
+  });
+}
+
+template <class T>
+std::string little_endian(const std::vector<T>& values) {
+  std::string bytes(values.size() * sizeof(T), '\0');
+  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+  if constexpr (std::endian::native == std::endian::big) {
+    for (std::size_t i = 0; i < bytes.size(); i += sizeof(T)) {
+      std::reverse(bytes.data() + i, bytes.data() + i + sizeof(T));
+    }
+  }
+  return bytes;
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '"': result += "&quot;"; break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+std::string comment(const ResultView& view) {
+  std::string name = escaped(view.node);
+  for (std::size_t at; (at = name.find("--")) != std::string::npos;) name.replace(at, 2, "- -");
+  return "node " + name + ", written by cnrg";
+}
+
+template <class T>
+void append_array(std::string& text, const char* name, const char* type, const std::vector<T>& values,
+                  int components = 1) {
+  text += "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
+          std::to_string(components) + "\" format=\"binary\">\n";
+  const std::string bytes = little_endian(values);
+  append_base64(text, little_endian(std::vector<std::uint64_t>{bytes.size()}) + bytes);
+  text += "\n</DataArray>\n";
+}
+
+/// Strings are lists of character codes, each ended by a zero.
+void append_names(std::string& text, const char* name, const std::vector<std::string>& values) {
+  text += "<DataArray type=\"String\" Name=\"" + std::string(name) + "\" NumberOfTuples=\"" +
+          std::to_string(values.size()) + "\" format=\"ascii\">\n";
+  for (const std::string& value : values) {
+    for (const char c : value) text += std::to_string(static_cast<unsigned char>(c)) + " ";
+    text += "0\n";
+  }
+  text += "</DataArray>\n";
+}
+
+}  // namespace
+
+std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<double, 3>>& points,
+                          const VtuParameters* parameters) const {
+  std::vector<std::string> regions{"outside"}, materials{"none"}, leaves;
+  for (const RegionAttributes& a : view.value->attributes()) regions.push_back(a.name);
+  for (const auto& m : view.materials) materials.push_back(m.name);
+  if (view.leaves != nullptr)
+    for (const auto& leaf : *view.leaves) leaves.push_back(leaf.name);
+  std::vector<double> coordinates;
+  for (const auto& p : points) coordinates.insert(coordinates.end(), p.begin(), p.end());
+
+  std::string text = "<?xml version=\"1.0\"?>\n<!-- " + comment(view) +
+                     " -->\n"
+                     "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+                     "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
+  append_names(text, "RegionNames", regions);
+  append_names(text, "MaterialNames", materials);
+  append_names(text, "LeafNames", leaves);
+  if (parameters != nullptr) append_names(text, "PatchNames", parameters->names);
+  text += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(points.size()) + "\" NumberOfCells=\"" +
+          std::to_string(types_.size()) + "\">\n<Points>\n";
+  append_array(text, "Points", "Float64", coordinates, 3);
+  text += "</Points>\n<Cells>\n";
+  append_array(text, "connectivity", "Int64", connectivity_);
+  append_array(text, "offsets", "Int64", offsets_);
+  append_array(text, "types", "UInt8", types_);
+  text += "</Cells>\n";
+  if (parameters != nullptr) {
+    text += "<PointData TCoords=\"parameters\">\n";
+    append_array(text, "parameters", "Float64", parameters->uv, 2);
+    text += "</PointData>\n";
+  }
+  text += "<CellData Scalars=\"region\">\n";
+  const auto append_tag = [&](const char* name, std::int32_t CellTags::*tag) {
+    std::vector<std::int32_t> values;
+    for (const CellTags& tags : tags_) values.push_back(tags.*tag);
+    append_array(text, name, "Int32", values);
+  };
+  append_tag("dimension", &CellTags::dimension);
+  append_tag("cell", &CellTags::cell);
+  append_tag("component", &CellTags::component);
+  append_tag("region", &CellTags::region);
+  append_tag("region_front", &CellTags::front);
+  append_tag("region_back", &CellTags::back);
+  append_tag("regions_bounded", &CellTags::bounded);
+  append_tag("material", &CellTags::material);
+  append_tag("source_leaf", &CellTags::leaf);
+  append_tag("source_face", &CellTags::face);
+  append_fractions(text, view, points);
+  if (parameters != nullptr) append_array(text, "patch", "Int32", parameters->patches);
+  text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  return text;
+}
+
+void VtuGrid::append_fractions(std::string& text, const ResultView& view,
+                               const std::vector<std::array<double, 3>>& points) const {
+  const MaterialField field(view);
+  std::vector<std::vector<double>> fractions(field.names().size());
+  if (field.empty()) return;
+  std::vector<std::array<double, 3>> corners;
+  for (std::size_t i = 0, begin = 0; i < types_.size(); ++i) {
+    const auto end = static_cast<std::size_t>(offsets_[i]);
+    corners.clear();
+    for (; begin < end; ++begin) corners.push_back(points[static_cast<std::size_t>(connectivity_[begin])]);
+    const std::vector<double> here = field.at(material_component(view, tags_[i]), corners);
+    for (std::size_t k = 0; k < here.size(); ++k) fractions[k].push_back(here[k]);
+  }
+  for (std::size_t k = 0; k < fractions.size(); ++k) {
+    append_array(text, escaped("fraction of " + field.names()[k]).c_str(), "Float64", fractions[k]);
+  }
+}
+
+}  // namespace cnrg

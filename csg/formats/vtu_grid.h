@@ -1,0 +1,49 @@
+// An unstructured grid in VTK's XML: cells of any kind with their tags, and the tables of names.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "csg/result/cell_tags.h"
+
+namespace cnrg {
+
+/// VTK's numbers of the kinds of cells.
+enum class VtuCell : std::uint8_t { vertex = 1, polyline = 4, triangle = 5, tetrahedron = 10 };
+
+/// Parameters of points on patches, for the viewer: NaN where there are none.
+struct VtuParameters {
+  std::vector<double> uv;             ///< u, v of each point of the grid
+  std::vector<std::int32_t> patches;  ///< of each cell of the grid: a row of `names`; 0: none
+  std::vector<std::string> names;     ///< `leaf: patch`
+};
+
+class VtuGrid {
+ public:
+  /// Adds a cell on points by number.
+  template <class Range>
+  void add(VtuCell kind, const Range& points, const CellTags& tags) {
+    connectivity_.insert(connectivity_.end(), std::begin(points), std::end(points));
+    add_tags(kind, tags);
+  }
+  /// The file: arrays in base64 of little-endian numbers, doubles unrounded.
+  std::string text(const ResultView& view, const std::vector<std::array<double, 3>>& points,
+                   const VtuParameters* parameters = nullptr) const;
+
+ private:
+  // One entry per cell of the grid.
+  std::vector<std::int64_t> connectivity_, offsets_;
+  std::vector<std::uint8_t> types_;
+  std::vector<CellTags> tags_;
+  void append_fractions(std::string& text, const ResultView& view,
+                        const std::vector<std::array<double, 3>>& points) const;
+  void add_tags(VtuCell kind, const CellTags& tags) {
+    offsets_.push_back(std::int64_t(connectivity_.size()));
+    types_.push_back(std::uint8_t(kind));
+    tags_.push_back(tags);
+  }
+};
+
+}  // namespace cnrg

@@ -1,0 +1,57 @@
+#include "csg/formats/writer.h"
+
+#include <array>
+#include <string_view>
+
+#include "csg/formats/formats.h"
+#include "csg/text/file.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+
+namespace {
+
+struct Format {
+  std::string_view extension;
+  FileText (*make)(const ResultView&);
+};
+
+constexpr std::array<Format, 10> kFormats{{{".json", json_text},
+                                           {".vtu", vtu_text},
+                                           {".msh", msh_text},
+                                           {".mesh", medit_text},
+                                           {".smesh", smesh_text},
+                                           {".poly", poly_text},
+                                           {".obj", obj_text},
+                                           {".off", off_text},
+                                           {".stl", stl_text},
+                                           {".ply", ply_text}}};
+
+const Format& format_of(const std::string& path) {
+  const std::string extension = extension_of(path);
+  std::string known;
+  for (const Format& format : kFormats) {
+    if (format.extension == extension) return format;
+    if (!known.empty()) known += ' ';
+    known += format.extension;
+  }
+  throw InputError(path + ": no writer for the extension `" + extension + "`; use one of " + known);
+}
+
+}  // namespace
+
+void check_extension(const std::string& path) { format_of(path); }
+
+RoundingReport write(const std::string& path, const ResultView& view) {
+  const Format& format = format_of(path);
+  FileText file;
+  try {
+    file = format.make(view);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+  replace_file(path, file.text);
+  return file.rounding;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,19 @@
+// Files of results: one writer per format, chosen by the extension.
+#pragma once
+
+#include <string>
+
+#include "csg/result/result_view.h"
+
+namespace cnrg {
+
+/// Throws InputError if no writer knows the extension of `path`: to be asked before long work.
+void check_extension(const std::string& path);
+
+/// Writes `view` to `path` in the format of its extension (.json .vtu .msh .mesh .smesh .poly .obj .off
+/// .stl .ply), beside and renamed.
+/// Throws InputError for an unknown extension or a result that the format can not represent (the message says
+/// why and what to use instead), FileError if the file can not be written; the old file is then untouched.
+RoundingReport write(const std::string& path, const ResultView& view);
+
+}  // namespace cnrg

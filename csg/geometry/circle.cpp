@@ -1,0 +1,58 @@
+// Orthogonal integer frames and circles in them.
+#include "csg/geometry/circle.h"
+
+#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/trigonometry.h"
+
+namespace cnrg {
+namespace {
+
+RationalPoint primitive(const RationalPoint& v) {
+  const std::array<Integer, 3> p = primitive_direction(v);
+  return {p[0], p[1], p[2]};
+}
+
+}  // namespace
+
+CircleFrame::CircleFrame(const RationalPoint& axis) : axis_(primitive(axis)) {
+  // The unit vector that is farthest from the axis gives e1, except that the z axis starts at x, x at y, y at z.
+  std::size_t k = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (abs(axis_[i]) < abs(axis_[k])) k = i;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (axis_[(i + 1) % 3] == 0 && axis_[(i + 2) % 3] == 0) parallel_ = i;
+  }
+  RationalPoint unit{0, 0, 0};
+  if (parallel_ < 3) {
+    unit[(parallel_ + 1) % 3] = 1;
+    e1_ = unit;
+  } else {
+    unit[k] = 1;
+    e1_ = primitive(cross(unit, axis_));
+  }
+  e2_ = primitive(cross(axis_, e1_));
+}
+
+RationalPoint CircleFrame::offset(const Rational& radius, const Rational& degrees) const {
+  const Rational square1 = radius * radius / dot(e1_, e1_), square2 = radius * radius / dot(e2_, e2_);
+  const int grid1 = exponent_of_root(square1) - 51, grid2 = exponent_of_root(square2) - 51;
+  return round_cosine(degrees, square1, grid1) * e1_ + round_cosine(90 - degrees, square2, grid2) * e2_;
+}
+
+std::vector<RationalPoint> CircleFrame::offsets(const Rational& radius, int segments) const {
+  std::vector<RationalPoint> result;
+  for (int i = 0; i < segments; ++i) {
+    Rational degrees(360L * i, segments);
+    degrees.canonicalize();
+    result.push_back(offset(radius, degrees));
+  }
+  return result;
+}
+
+Rational rounded_for(const Rational& value, const Rational& size) {
+  if (abs(value) > 65536 * size) return value;
+  return from_double(to_double(value));
+}
+
+}  // namespace cnrg

@@ -1,0 +1,30 @@
+// Exact affine maps: the transforms of a tree.
+#pragma once
+
+#include <array>
+
+#include "kernel/exact/rational.h"
+
+namespace cnrg {
+
+/// An exact affine map: p -> A p + b.
+struct Transform {
+  std::array<std::array<Rational, 3>, 3> linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  RationalPoint offset{0, 0, 0};
+  static Transform translation(const RationalPoint& by);
+  static Transform scaling(const RationalPoint& factors);  ///< no factor is zero
+  /// By `degrees` about an axis through `center`: multiples of 90 degrees about a coordinate axis are exact;
+  /// else the nearest rational rotation (exactly orthogonal; the angle's error is below 1e-15).
+  static Transform rotation(const RationalPoint& axis, const Rational& degrees, const RationalPoint& center);
+  /// The plane through `point` with `normal` as mirror.
+  static Transform reflection(const RationalPoint& normal, const RationalPoint& point);
+  bool identity() const;
+  Rational determinant() const;
+  Transform inverse() const;
+  RationalPoint apply(const RationalPoint& p) const;
+  /// First `inner`, then this.
+  Transform operator*(const Transform& inner) const;
+  friend bool operator==(const Transform&, const Transform&) = default;
+};
+
+}  // namespace cnrg

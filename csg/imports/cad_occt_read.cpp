@@ -1,0 +1,289 @@
+// STEP and BREP files through OpenCASCADE.
+//
+// OpenCASCADE keeps settings for all of a process, reports to its default messenger, which prints, and throws its
+// own exceptions. Reading sets what it needs and puts it back; one file is read at a time.
+//
+// STEP: lengths are converted to a unit that OpenCASCADE is told before the transfer: that of the file, so that
+// coordinates stay as they are written, or the one that the tree asks for. Names of solids are found by what the
+// entities of the file became: that of the solid itself, else that of the product that it is (part) of. The
+// documents of OpenCASCADE (XCAF) would tell them, too, and bring a viewer with its libraries into every process.
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_CheckIterator.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPControl_Reader.hxx>
+#include <Standard_Failure.hxx>
+#include <Standard_Version.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepShape_SolidModel.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <set>
+#include <sstream>
+
+#include "csg/imports/cad_occt.h"
+#include "csg/imports/mesh_file.h"
+#include "csg/leaves/leaf.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace occt {
+namespace {
+
+/// Takes the printers from the default messenger, and standard output, where the reader of BREP files complains
+/// past it; and gives them back.
+class Silence {
+ public:
+  Silence()
+      : output_(std::cout.rdbuf(unheard_.rdbuf())),
+        messenger_(Message::DefaultMessenger()),
+        printers_(messenger_->Printers()) {
+    messenger_->ChangePrinters().Clear();
+  }
+  ~Silence() {
+    messenger_->ChangePrinters() = printers_;
+    std::cout.rdbuf(output_);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  std::ostringstream unheard_;
+  std::streambuf* output_;
+  Handle(Message_Messenger) messenger_;
+  Message_SequenceOfPrinters printers_;
+};
+
+/// A setting of the process, until the end of the scope.
+class Setting {
+ public:
+  Setting(const char* name, const std::string& value) : name_(name), before_(Interface_Static::CVal(name)) {
+    require(Interface_Static::SetCVal(name, value.c_str()), std::string("OpenCASCADE does not know ") + name);
+  }
+  ~Setting() { Interface_Static::SetCVal(name_, before_.c_str()); }
+  Setting(const Setting&) = delete;
+  Setting& operator=(const Setting&) = delete;
+
+ private:
+  const char* name_;
+  std::string before_;
+};
+
+/// A unit as OpenCASCADE's setting calls it, and as STEP files do.
+struct Unit {
+  const char *name, *setting;
+  std::vector<std::string> in_files;
+};
+const std::vector<Unit>& units() {
+  static const std::vector<Unit> list{{"um", "UM", {"micrometre"}},        {"mm", "MM", {"millimetre"}},
+                                      {"cm", "CM", {"centimetre"}},        {"m", "M", {"metre"}},
+                                      {"km", "KM", {"kilometre"}},         {"in", "INCH", {"inch", "in"}},
+                                      {"ft", "FT", {"foot", "feet", "ft"}}};
+  return list;
+}
+
+/// The setting for the unit of the model.
+std::string unit_of(const CadShape& shape, STEPControl_Reader& reader) {
+  for (const Unit& unit : units()) {
+    if (shape.unit == unit.name) return unit.setting;
+  }
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  std::set<std::string> named;
+  for (TCollection_AsciiString name : lengths) {
+    name.LowerCase();
+    named.insert(name.ToCString());
+  }
+  if (named.empty()) return "MM";  // what OpenCASCADE takes numbers without a unit for
+  if (named.size() == 1) {
+    for (const Unit& unit : units()) {
+      if (std::find(unit.in_files.begin(), unit.in_files.end(), *named.begin()) != unit.in_files.end())
+        return unit.setting;
+    }
+  }
+  std::string list;
+  for (const std::string& name : named) list += (list.empty() ? "" : ", ") + name;
+  throw InputError(subject(shape) + "its " + (named.size() == 1 ? "unit of length is " : "units of length are ") +
+                   list + ": say which one the model has, for example `unit: mm`");
+}
+
+/// The names of the solids of a file that was transferred. A shape is the same in all places of an assembly.
+class Names {
+ public:
+  explicit Names(const STEPControl_Reader& reader) : transfer_(reader.WS()->TransferReader()->TransientProcess()) {
+    const Handle(Interface_InterfaceModel) model = reader.WS()->Model();
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+      const Handle(Standard_Transient) entity = model->Value(i);
+      if (const auto solid = Handle(StepShape_SolidModel)::DownCast(entity)) add_solid(solid);
+      if (const auto product = Handle(StepBasic_ProductDefinition)::DownCast(entity)) add_product(product);
+    }
+  }
+
+  std::string of(const TopoDS_Shape& solid) const {
+    const auto found = names_.find(solid.TShape().get());
+    return found == names_.end() ? std::string() : found->second.text;
+  }
+
+ private:
+  struct Name {
+    std::string text;
+    std::size_t solids;  ///< that what is named has; 0: it is the solid itself
+  };
+
+  static std::string text_of(const Handle(TCollection_HAsciiString) & name) {
+    return name.IsNull() ? std::string() : std::string(name->ToCString());
+  }
+
+  /// Of two names that of what has fewer solids stays: the part's and not the assembly's.
+  void add(const TopoDS_Shape& solid, const Name& name) {
+    if (name.text.empty()) return;
+    const auto [place, fresh] = names_.try_emplace(solid.TShape().get(), name);
+    if (!fresh && name.solids < place->second.solids) place->second = name;
+  }
+
+  void add_solid(const Handle(StepShape_SolidModel) & entity) {
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(transfer_, entity);
+    if (!shape.IsNull() && shape.ShapeType() == TopAbs_SOLID) add(shape, {text_of(entity->Name()), 0});
+  }
+
+  void add_product(const Handle(StepBasic_ProductDefinition) & entity) {
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(transfer_, entity);
+    if (shape.IsNull() || entity->Formation().IsNull() || entity->Formation()->OfProduct().IsNull()) return;
+    const std::string text = text_of(entity->Formation()->OfProduct()->Name());
+    if (text.empty()) return;
+    std::vector<TopoDS_Shape> solids;  // each once, wherever it is
+    std::set<const Standard_Transient*> met;
+    for (TopExp_Explorer part(shape, TopAbs_SOLID); part.More(); part.Next()) {
+      if (met.insert(part.Current().TShape().get()).second) solids.push_back(part.Current());
+    }
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      add(solids[i], {solids.size() == 1 ? text : text + "." + std::to_string(i + 1), solids.size()});
+    }
+  }
+
+  Handle(Transfer_TransientProcess) transfer_;
+  std::map<const Standard_Transient*, Name> names_;
+};
+
+/// What the transfer could not do, as a notice.
+void note_failures(const STEPControl_Reader& reader, CadFile& file) {
+  Interface_CheckIterator checks = reader.WS()->TransferReader()->LastCheckList();
+  std::size_t count = 0;
+  std::string first;
+  for (checks.Start(); checks.More(); checks.Next()) {
+    const Handle(Interface_Check)& check = checks.Value();
+    if (check->NbFails() == 0) continue;
+    if (count++ == 0) first = "#" + std::to_string(checks.Number()) + ", " + check->CFail(1);
+  }
+  if (count == 0) return;
+  file.notices.push_back("OpenCASCADE could not transfer " + std::to_string(count) +
+                         (count == 1 ? " entity" : " entities") + " of the file (" + first +
+                         "): look whether anything is missing");
+}
+
+bool is_empty(const TopoDS_Shape& shape) {
+  return shape.IsNull() || (shape.ShapeType() == TopAbs_COMPOUND && !TopoDS_Iterator(shape).More());
+}
+
+/// A BREP text is whole: OpenCASCADE's reader of one that is cut short may not end. Its last table says how many
+/// entries it has, each ends with an asterisk, and the number of the shape itself follows.
+bool is_whole(const std::string& brep) {
+  const std::string title = "\nTShapes ";
+  const std::size_t table = brep.find(title);
+  if (table == std::string::npos) return false;
+  const std::size_t count = std::strtoul(brep.c_str() + table + title.size(), nullptr, 10);
+  const auto begin = brep.begin() + static_cast<std::ptrdiff_t>(table);
+  return static_cast<std::size_t>(std::count(begin, brep.end(), '*')) == count &&
+         brep.find_first_of("+-", brep.rfind('*')) != std::string::npos;
+}
+
+}  // namespace
+
+std::string subject(const CadShape& shape) { return std::string(shape.name()) + ": '" + shape.file + "': "; }
+
+CadFile read_step(const CadShape& shape, const std::string& content) {
+  const std::size_t start = content.find_first_not_of(" \t\r\n");
+  if (start == std::string::npos || content.compare(start, 12, "ISO-10303-21") != 0) {
+    throw LeafFileError(shape.file +
+                        ":1: error: this is no STEP file: it does not begin with ISO-10303-21; give one");
+  }
+  STEPControl_Reader reader;
+  std::istringstream stream(content);
+  if (reader.ReadStream(shape.file.c_str(), stream) != IFSelect_RetDone) {
+    throw LeafFileError(shape.file +
+                        ": error: OpenCASCADE can not read this STEP file; is it cut short? Write it "
+                        "again");
+  }
+  const Setting unit("xstep.cascade.unit", unit_of(shape, reader));
+  reader.TransferRoots();
+  CadFile file;
+  file.shape = reader.OneShape();
+  note_failures(reader, file);
+  if (is_empty(file.shape)) {
+    throw InputError(subject(shape) + "there are no shapes in it that OpenCASCADE can transfer" +
+                     (file.notices.empty() ? "" : "; " + file.notices[0]) +
+                     ": write the part as a boundary representation (AP203, AP214 or AP242)");
+  }
+  const Names names(reader);
+  for (TopExp_Explorer part(file.shape, TopAbs_SOLID); part.More(); part.Next()) {
+    file.solids.emplace_back(part.Current(), names.of(part.Current()));
+  }
+  return file;
+}
+
+CadFile read_brep(const CadShape& shape, const std::string& content) {
+  if (content.substr(0, 200).find("CASCADE Topology V") == std::string::npos) {
+    throw LeafFileError(shape.file +
+                        ":1: error: this is no BREP file as OpenCASCADE writes it in text: `CASCADE "
+                        "Topology` is missing at its beginning; give one");
+  }
+  CadFile file;
+  std::istringstream stream(content);
+  if (is_whole(content)) BRepTools::Read(file.shape, stream, BRep_Builder());
+  if (file.shape.IsNull()) {
+    throw LeafFileError(shape.file +
+                        ": error: OpenCASCADE can not read this BREP file; is it cut short? Write it "
+                        "again");
+  }
+  if (is_empty(file.shape)) throw InputError(subject(shape) + "there are no shapes in it: write the part again");
+  return file;
+}
+
+}  // namespace occt
+
+CadModel read_cad(const CadShape& shape) {
+  static std::mutex one_at_a_time;
+  const std::string content = read_file(shape.file);
+  const std::lock_guard lock(one_at_a_time);
+  const occt::Silence silence;
+  try {
+    const bool step = shape.format == CadShape::Format::step;
+    return tessellate(shape, step ? occt::read_step(shape, content) : occt::read_brep(shape, content));
+  } catch (const Standard_Failure& failure) {
+    const std::string words = failure.GetMessageString() != nullptr ? failure.GetMessageString() : "";
+    throw InputError(occt::subject(shape) + "OpenCASCADE fails with " + failure.DynamicType()->Name() +
+                     (words.empty() ? "" : ", " + words) +
+                     ": write the file again, or repair the part where it was "
+                     "made");
+  }
+}
+
+std::string cad_library() { return std::string("OpenCASCADE ") + OCC_VERSION_COMPLETE; }
+
+}  // namespace cnrg

@@ -1,0 +1,88 @@
+// The reader of ESRI ASCII grids.
+#include "csg/imports/height_grid.h"
+
+#include <cctype>
+#include <map>
+
+#include "csg/imports/mesh_file.h"
+#include "csg/imports/text_cursor.h"
+#include "csg/leaves/leaf.h"
+
+namespace cnrg {
+
+HeightGrid read_height_grid(const std::string& path) {
+  const std::string text = read_file(path);
+  TextCursor cursor(path, text, 0);
+  if (!cursor.more()) cursor.fail("the file is empty: give an ESRI ASCII grid");
+  std::map<std::string, Rational> header;
+  for (;;) {
+    TextCursor ahead = cursor;
+    std::string key(ahead.token("a height"));
+    for (char& c : key) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (std::isalpha(static_cast<unsigned char>(key[0])) == 0 || key == "nan" || key == "inf") break;
+    cursor = ahead;
+    Rational value;
+    cursor.decimal("a number of the header", value);
+    if (!header.emplace(key, value).second) cursor.fail("the header gives " + key + " twice: leave one out");
+  }
+  const auto take = [&](const char* key) -> std::optional<Rational> {
+    const auto found = header.find(key);
+    if (found == header.end()) return std::nullopt;
+    const Rational value = found->second;
+    header.erase(found);
+    return value;
+  };
+  const auto count = [&](const char* key) {
+    const std::optional<Rational> value = take(key);
+    if (!value)
+      cursor.fail(std::string("the header has no ") + key + ": an ESRI ASCII grid starts with ncols and nrows");
+    if (value->get_den() != 1 || *value < 2 || *value > 100000) {
+      cursor.fail(std::string(key) + " is " + to_decimal(*value) + ": it must be a whole number from 2 to 100000");
+    }
+    return static_cast<std::size_t>(value->get_num().get_ui());
+  };
+  HeightGrid grid;
+  grid.columns = count("ncols");
+  grid.rows = count("nrows");
+  const std::optional<Rational> cell = take("cellsize"), dx = take("dx"), dy = take("dy");
+  if (!cell && !(dx && dy)) cursor.fail("the header has no cellsize: add it");
+  grid.spacing_x = dx ? *dx : *cell;
+  grid.spacing_y = dy ? *dy : *cell;
+  if (grid.spacing_x <= 0 || grid.spacing_y <= 0) cursor.fail("the cellsize is not positive: correct it");
+  const auto origin = [&](const char* corner, const char* center, const Rational& spacing) -> Rational {
+    if (const std::optional<Rational> value = take(center)) return *value;
+    if (const std::optional<Rational> value = take(corner)) return *value + spacing / 2;
+    return 0;
+  };
+  grid.origin_x = origin("xllcorner", "xllcenter", grid.spacing_x);
+  grid.origin_y = origin("yllcorner", "yllcenter", grid.spacing_y);
+  const std::optional<Rational> missing = take("nodata_value");
+  const double no_data = missing ? to_double(*missing) : 0;
+  if (!header.empty()) cursor.fail("the header has the unknown word " + quoted(header.begin()->first));
+
+  grid.heights.assign(std::min(grid.columns * grid.rows, text.size()), 0);
+  for (std::size_t row = grid.rows; row-- > 0;) {
+    for (std::size_t column = 0; column < grid.columns; ++column) {
+      if (!cursor.more()) {
+        cursor.fail("the file ends within row " + std::to_string(grid.rows - row) + " of " +
+                    std::to_string(grid.rows) + ": it is truncated, or ncols or nrows is wrong");
+      }
+      const double height = cursor.number("a height");
+      const std::size_t at = row * grid.columns + column;
+      if (at >= grid.heights.size()) {
+        cursor.fail("the file is too short for " + std::to_string(grid.columns * grid.rows) +
+                    " heights: it is truncated");
+      }
+      grid.heights[at] = height;
+      if (missing && height == no_data) {
+        grid.missing.resize(grid.columns * grid.rows, false);
+        grid.missing[at] = true;
+      }
+    }
+  }
+  if (cursor.more())
+    cursor.fail("more heights follow after " + std::to_string(grid.rows) + " rows: correct ncols or nrows");
+  return grid;
+}
+
+}  // namespace cnrg

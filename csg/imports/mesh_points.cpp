@@ -1,0 +1,65 @@
+// Merging by an open hash table on the bytes of the coordinates.
+#include "csg/imports/mesh_points.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "csg/geometry/exact_vectors.h"
+#include "kernel/base/point_hash.h"
+#include "kernel/exact/coplanar.h"
+
+namespace cnrg {
+
+MeshPoints::MeshPoints(const MeshData& mesh) {
+  constexpr std::uint32_t kEmpty = std::numeric_limits<std::uint32_t>::max();
+  const std::size_t count = mesh.point_count();
+  const std::size_t mask = std::bit_ceil(2 * count + 1) - 1;
+  std::vector<std::uint32_t> slots(mask + 1, kEmpty);
+  number_.reserve(count);
+  xyz_.reserve(mesh.xyz.size());
+  auto next_exact = mesh.exact.begin();
+  for (std::size_t i = 0; i < count; ++i) {
+    // Adding zero turns -0 into 0.
+    const double p[3] = {mesh.xyz[3 * i] + 0.0, mesh.xyz[3 * i + 1] + 0.0, mesh.xyz[3 * i + 2] + 0.0};
+    const RationalPoint* value = nullptr;
+    if (next_exact != mesh.exact.end() && next_exact->first == i) value = &(next_exact++)->second;
+    std::size_t slot = hash_of_point(p) & mask;
+    for (; slots[slot] != kEmpty; slot = (slot + 1) & mask) {
+      const std::uint32_t other = slots[slot];
+      if (!std::equal(p, p + 3, xyz(other))) continue;
+      const RationalPoint* other_value = exact(other);
+      if (value && other_value ? *value == *other_value : value == other_value) break;
+    }
+    if (slots[slot] == kEmpty) {
+      slots[slot] = static_cast<std::uint32_t>(size());
+      if (value) exact_.emplace_back(slots[slot], *value);
+      xyz_.insert(xyz_.end(), p, p + 3);
+    }
+    number_.push_back(slots[slot]);
+  }
+}
+
+const RationalPoint* MeshPoints::exact(std::uint32_t p) const {
+  if (exact_.empty()) return nullptr;
+  const auto found = std::lower_bound(exact_.begin(), exact_.end(), p,
+                                      [](const auto& entry, std::uint32_t id) { return entry.first < id; });
+  return found != exact_.end() && found->first == p ? &found->second : nullptr;
+}
+
+RationalPoint MeshPoints::value(std::uint32_t p) const {
+  if (const RationalPoint* value = exact(p)) return *value;
+  return {from_double(xyz(p)[0]), from_double(xyz(p)[1]), from_double(xyz(p)[2])};
+}
+
+bool MeshPoints::coplanar(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+  if (!exact(a) && !exact(b) && !exact(c) && !exact(d)) return cnrg::coplanar(xyz(a), xyz(b), xyz(c), xyz(d));
+  return maybe_coplanar(xyz(a), xyz(b), xyz(c), xyz(d)) && volume6(value(a), value(b), value(c), value(d)) == 0;
+}
+
+bool MeshPoints::collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  if (!exact(a) && !exact(b) && !exact(c)) return cnrg::collinear(xyz(a), xyz(b), xyz(c));
+  return maybe_collinear(xyz(a), xyz(b), xyz(c)) && cnrg::collinear(value(a), value(b), value(c));
+}
+
+}  // namespace cnrg

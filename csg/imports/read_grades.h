@@ -1,0 +1,16 @@
+// Graded materials of a result in .json (the format is that of csg/formats/json.cpp).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "csg/imports/json_cursor.h"
+#include "csg/materials/material.h"
+
+namespace cnrg::result {
+
+/// The entries of `grades` in their order; none where the file has no such member. LeafFileError for what is
+/// wrong.
+std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root);
+
+}  // namespace cnrg::result

@@ -1,0 +1,126 @@
+// Tokens and numbers of text files, one pass, without copies.
+#include "csg/imports/text_cursor.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "csg/leaves/leaf.h"
+
+namespace cnrg {
+namespace {
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+}  // namespace
+
+TextCursor::TextCursor(std::string path, std::string_view text, char comment)
+    : path_(std::move(path)),
+      begin_(text.data()),
+      at_(text.data()),
+      end_(text.data() + text.size()),
+      comment_(comment) {
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") at_ += 3;  // byte order mark
+}
+
+bool TextCursor::more_in_line() {
+  while (at_ != end_ && is_blank(*at_)) ++at_;
+  if (at_ != end_ && comment_ != 0 && *at_ == comment_) {
+    while (at_ != end_ && *at_ != '\n') ++at_;
+  }
+  return at_ != end_ && *at_ != '\n';
+}
+
+bool TextCursor::more() {
+  while (!more_in_line()) {
+    if (at_ == end_) return false;
+    ++at_;
+    ++line_;
+  }
+  return true;
+}
+
+void TextCursor::next_line() {
+  while (at_ != end_ && *at_ != '\n') ++at_;
+  if (at_ != end_) {
+    ++at_;
+    ++line_;
+  }
+}
+
+std::string_view TextCursor::token_in_line() {
+  if (!more_in_line()) return {};
+  const char* start = at_;
+  while (at_ != end_ && *at_ != '\n' && !is_blank(*at_)) ++at_;
+  return {start, static_cast<std::size_t>(at_ - start)};
+}
+
+std::string_view TextCursor::token(const char* wanted) {
+  const int line = line_;
+  if (!more())
+    fail_at(line,
+            std::string("the file ends where ") + wanted + " is expected: it is truncated, or a count is wrong");
+  return token_in_line();
+}
+
+long long TextCursor::integer(const char* wanted) {
+  const std::string_view text = token(wanted);
+  long long value = 0;
+  const char* first = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
+  const auto [end, error] = std::from_chars(first, text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    fail(quoted(text) + " is no whole number, " + wanted + " is expected");
+  }
+  return value;
+}
+
+double TextCursor::number(const char* wanted) { return parse(token(wanted), wanted, nullptr); }
+
+double TextCursor::decimal(const char* wanted, Rational& exact) { return parse(token(wanted), wanted, &exact); }
+
+double TextCursor::parse(std::string_view text, const char* wanted, Rational* exact) const {
+  const char* first = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
+  const char* last = text.data() + text.size();
+  double value = 0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  const bool whole = end == last;
+  if (whole && error == std::errc() && !std::isfinite(value)) {
+    fail(quoted(text) + " is no finite number, " + wanted + " is expected: correct the file");
+  }
+  if (whole && error == std::errc() && !exact) return value;
+  if (!whole && !exact) fail(quoted(text) + " is no number, " + wanted + " is expected");
+  // Exact decimals, and numbers beyond the range of double (tiny ones are 0).
+  const std::optional<Rational> rational = parse_rational(text);
+  if (!rational) fail(quoted(text) + " is no number, " + wanted + " is expected");
+  value = to_double(*rational);
+  if (!std::isfinite(value))
+    fail(quoted(text) + " is beyond the largest double (1.8e308): use a larger unit of length");
+  if (exact) *exact = *rational;
+  return value;
+}
+
+void TextCursor::coordinates(MeshData& mesh, bool decimals) {
+  if (!decimals) {
+    const double x = number("a coordinate"), y = number("a coordinate"), z = number("a coordinate");
+    mesh.xyz.insert(mesh.xyz.end(), {x, y, z});
+    return;
+  }
+  RationalPoint p;
+  bool doubles = true;
+  for (Rational& x : p) {
+    mesh.xyz.push_back(decimal("a coordinate", x));
+    doubles = doubles && is_double(x);
+  }
+  if (!doubles) mesh.exact.emplace_back(static_cast<std::uint32_t>(mesh.point_count() - 1), std::move(p));
+}
+
+void TextCursor::fail_at(int line, const std::string& text) const {
+  throw LeafFileError(path_ + ":" + std::to_string(line) + ": error: " + text);
+}
+
+std::string quoted(std::string_view token) {
+  std::string text = "'";
+  for (char c : token.substr(0, 40)) text += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  return text + (token.size() > 40 ? "...'" : "'");
+}
+
+}  // namespace cnrg

@@ -1,0 +1,57 @@
+#include "csg/mesh/exact_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace cnrg {
+
+ExactVolume::ExactVolume(const std::vector<std::array<double, 3>>& points) {
+  // A double is an odd integer times a power of two; the least of these powers is the unit.
+  const auto lowest_bit = [](double x) {
+    int exponent;
+    const auto mantissa = std::int64_t(std::ldexp(std::frexp(std::abs(x), &exponent), 53));
+    return long(exponent) - 53 + __builtin_ctzll(std::uint64_t(mantissa));
+  };
+  bool any = false;
+  for (const auto& p : points) {
+    for (const double x : p) {
+      if (x == 0) continue;
+      exponent_ = any ? std::min(exponent_, lowest_bit(x)) : lowest_bit(x);
+      any = true;
+    }
+  }
+  scaled_.reserve(3 * points.size());
+  for (const auto& p : points) {
+    for (const double x : p) {
+      const Rational exact = from_double(x);
+      Integer n = exact.get_num();
+      // x / 2^exponent is an integer: the denominator is a power of two that divides the unit's.
+      const long shift = long(mpz_sizeinbase(exact.get_den().get_mpz_t(), 2)) - 1 + exponent_;
+      if (shift <= 0) n <<= static_cast<unsigned long>(-shift);
+      else n >>= static_cast<unsigned long>(shift);
+      scaled_.push_back(std::move(n));
+    }
+  }
+}
+
+void ExactVolume::add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  const Integer* p[4] = {&scaled_[3 * a], &scaled_[3 * b], &scaled_[3 * c], &scaled_[3 * d]};
+  Integer m[3][3];
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) m[i][k] = p[i + 1][k] - p[0][k];
+  }
+  six_ += m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) + m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
+          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+Rational ExactVolume::value() const {
+  Rational result(six_, 6);
+  result.canonicalize();
+  const auto bits = 3 * static_cast<unsigned long>(std::abs(exponent_));
+  if (exponent_ >= 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), bits);
+  else mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), bits);
+  return result;
+}
+
+}  // namespace cnrg

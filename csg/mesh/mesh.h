@@ -1,0 +1,77 @@
+// A mesh of simplices that knows which cell of the result each simplex lies in: what writers for meshers write.
+//
+// Two meshes of a result:
+//   the surface mesh    triangles, segments and points; the solid regions are there as entities without
+//                       tetrahedra, so that a mesher can fill them. Its entities are flat: a face on one plane is
+//                       one, a face of a curved patch is one for each facet, an edge is one for each straight
+//                       piece. A face with a slit or a point in its interior is one for each triangle, so that
+//                       these are on borders.
+//   tetrahedra          as tetrahedra.h has it; its entities are the cells of the simplified result.
+//
+// Groups are what people call the entities: in dimension 3 a region by its name, and a material; in dimension 2
+// `boundary of rock`, `wall rock | ore`, `face of fault` (dangling), and once more
+// by the leaves that they came from, `from fault`, whatever they part; wires and free points by their leaf. Names
+// are distinct within a dimension; where a format has one group for a cell it is the first.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "csg/result/cell_tags.h"
+#include "csg/result/rounding.h"
+
+namespace cnrg {
+
+struct Mesh {
+  using Index = std::uint32_t;
+  struct Entity {
+    std::vector<Index> groups;  ///< numbers of groups of its dimension, from 1
+    /// What bounds it, of one dimension less: number + 1, negative when it runs the other way.
+    std::vector<std::int32_t> boundary;
+    bool feature = true;  ///< a cell of the result; false: between the facets of one patch
+    bool wire = false;    ///< dimension 1: no face has it on its boundary
+    CellTags tags;        ///< of the cell of the result that it is or is a part of
+  };
+  template <std::size_t N>
+  struct Simplex {
+    std::array<Index, N> points;
+    Index entity = 0;
+  };
+
+  std::string node;   ///< its name
+  bool flat = false;  ///< entities are straight pieces and facets: the surface mesh
+  std::vector<std::array<double, 3>> points;
+  std::array<std::vector<std::string>, 4> groups;  ///< names by dimension; group g is at g - 1
+  std::size_t sources = 0;  ///< how many groups of faces by their leaves there are: the last ones
+  std::array<std::vector<Entity>, 4> entities;  ///< by dimension
+  // By entity, ascending.
+  std::vector<Simplex<1>> vertices;
+  std::vector<Simplex<2>> segments;
+  std::vector<Simplex<3>> triangles;   ///< counter-clockwise as seen from the front of the face
+  std::vector<Simplex<4>> tetrahedra;  ///< det(b - a, c - a, d - a) > 0
+
+  /// A number at each corner of each tetrahedron, four by four: it may jump where regions meet.
+  struct Field {
+    std::string name;
+    std::vector<double> values;
+  };
+  std::vector<Field> fields;  ///< fractions of graded materials
+};
+
+/// Names of groups, and the groups of each active cell of a flattened result by its dimension and number.
+struct MeshGroups {
+  std::array<std::vector<std::string>, 4> names;
+  std::size_t sources = 0;  ///< how many groups of faces by their leaves there are: the last ones
+  std::array<std::vector<std::vector<Mesh::Index>>, 4> of;
+};
+MeshGroups mesh_groups(const ResultView& view, const FlatComplex& flat);
+
+/// The surface mesh of a closed and bounded result.
+Mesh surface_mesh(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points);
+
+/// All that a closed result draws.
+Drawing drawing_of(const FlatComplex& flat);
+
+}  // namespace cnrg

@@ -1,0 +1,194 @@
+// Names of groups. Two components may have one name (the parts of a block that a fault has split): then each has
+// its number behind it.
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "csg/mesh/mesh.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Mesh::Index;
+
+/// On one line and without quotation marks, which formats put around names.
+std::string plain(std::string name) {
+  for (char& c : name) {
+    if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
+    if (c == '"') c = '\'';
+  }
+  return name;
+}
+
+/// The components with active regions, by name; distinct.
+std::map<Component, std::string> region_names(const ResultView& view, const FlatComplex& flat) {
+  std::map<Component, std::string> names;
+  std::map<std::string, int> uses;
+  for (const auto& region : flat.regions) {
+    if (region.component == 0 || names.count(region.component) != 0) continue;
+    std::string name = plain(attributes_of(view, region.component).name);
+    if (name.empty()) name = "region";
+    ++uses[name];
+    names.emplace(region.component, name);
+  }
+  const std::map<std::string, int> first = uses;
+  for (auto& [component, name] : names) {
+    if (first.at(name) == 1 && name != "region") continue;
+    std::string numbered = name + " " + std::to_string(component);
+    while (uses.count(numbered) != 0) numbered += "'";
+    uses[numbered] = 1;
+    name = numbered;
+  }
+  return names;
+}
+
+/// Names in a fixed order: by rank, then by text; asked for first, numbered then.
+class GroupList {
+ public:
+  void want(std::size_t rank, const std::string& name) { numbers_[{rank, name}] = 0; }
+  void number(std::vector<std::string>& names) {
+    for (auto& [key, n] : numbers_) {
+      names.push_back(key.second);
+      n = Index(names.size());
+    }
+  }
+  Index operator()(std::size_t rank, const std::string& name) const { return numbers_.at({rank, name}); }
+
+ private:
+  std::map<std::pair<std::size_t, std::string>, Index> numbers_;
+};
+
+class Grouper {
+ public:
+  Grouper(const ResultView& view, const FlatComplex& flat)
+      : view_(view), flat_(flat), regions_(region_names(view, flat)) {}
+
+  MeshGroups run() {
+    group_regions();
+    group(2, flat_.faces, [&](const auto& f) { return key_of_face(f); });
+    group_sources();
+    group(1, flat_.edges, [&](const auto& e) { return e.wire ? Key{1, "wire" + of_leaf(e.origin, 1)} : Key{}; });
+    group(0, flat_.vertices, [&](const auto& v) {
+      return v.free ? Key{1, "point" + of_leaf(v.origin, 0)} : Key{};
+    });
+    return std::move(groups_);
+  }
+
+ private:
+  /// Rank and name of a group; rank 0: none.
+  using Key = std::pair<std::size_t, std::string>;
+  const ResultView& view_;
+  const FlatComplex& flat_;
+  const std::map<Component, std::string> regions_;
+  MeshGroups groups_;
+
+  /// Regions by component, then materials in the tree's order.
+  void group_regions() {
+    std::map<Component, Index> number;
+    auto& names = groups_.names[3];
+    for (const auto& [component, name] : regions_) {
+      names.push_back(name);
+      number[component] = Index(names.size());
+    }
+    std::map<std::string, Index> materials;
+    for (const auto& m : view_.materials) {
+      const bool used = std::any_of(regions_.begin(), regions_.end(), [&](const auto& r) {
+        return attributes_of(view_, r.first).material.name() == m.name;
+      });
+      if (!used || m.name.empty()) continue;
+      std::string name = "material " + plain(m.name);
+      while (std::find(names.begin(), names.end(), name) != names.end()) name += "'";
+      names.push_back(name);
+      materials[m.name] = Index(names.size());
+    }
+    for (const auto& region : flat_.regions) {
+      auto& of = groups_.of[3].emplace_back();
+      if (region.component == 0) continue;
+      of.push_back(number[region.component]);
+      const auto material = materials.find(attributes_of(view_, region.component).material.name());
+      if (material != materials.end()) of.push_back(material->second);
+    }
+  }
+
+  template <class Cells, class KeyOf>
+  void group(int dimension, const Cells& cells, const KeyOf& key_of) {
+    std::vector<Key> keys;
+    GroupList list;
+    for (const auto& cell : cells) {
+      keys.push_back(cell.component == 0 ? Key{} : key_of(cell));
+      if (keys.back().first != 0) list.want(keys.back().first, keys.back().second);
+    }
+    list.number(groups_.names[std::size_t(dimension)]);
+    for (const Key& key : keys) {
+      auto& of = groups_.of[std::size_t(dimension)].emplace_back();
+      if (key.first != 0) of.push_back(list(key.first, key.second));
+    }
+  }
+
+  /// Faces once more, by the leaves that they came from, in the order of the leaves.
+  void group_sources() {
+    std::map<LeafId, Index> numbers;
+    for (const auto& face : flat_.faces) {
+      for (const LeafId leaf : sources(face)) numbers[leaf] = 0;
+    }
+    auto& names = groups_.names[2];
+    for (auto& [leaf, number] : numbers) {
+      std::string name = "from " + plain((*view_.leaves)[leaf.index()].name);
+      // Two instances of a leaf, or a region that is called so.
+      const std::string first = name;
+      for (int n = 2; std::find(names.begin(), names.end(), name) != names.end(); ++n) {
+        name = first + " " + std::to_string(n);
+      }
+      names.push_back(name);
+      number = Index(names.size());
+      ++groups_.sources;
+    }
+    for (std::size_t i = 0; i < flat_.faces.size(); ++i) {
+      for (const LeafId leaf : sources(flat_.faces[i])) groups_.of[2][i].push_back(numbers.at(leaf));
+    }
+  }
+
+  /// The leaves that have a face there, ascending; of an active face.
+  std::vector<LeafId> sources(const FlatComplex::Face& face) const {
+    std::vector<LeafId> leaves;
+    if (face.component == 0 || view_.leaves == nullptr) return leaves;
+    for (const LeafCell& cell : face.origin.cells) {
+      const bool known = cell.dimension == 2 && cell.leaf.index() < view_.leaves->size();
+      if (known && (leaves.empty() || leaves.back() != cell.leaf)) leaves.push_back(cell.leaf);
+    }
+    return leaves;
+  }
+
+  /// Boundaries by component, walls by their two components, dangling faces by leaf.
+  Key key_of_face(const FlatComplex::Face& face) const {
+    const std::size_t n = view_.value->component_count() + 1;
+    Component c[2];
+    for (int k = 0; k < 2; ++k) {
+      c[k] = flat_.active(face.regions[k]) ? flat_.regions[face.regions[k]].component : 0;
+    }
+    if (c[0] > c[1]) std::swap(c[0], c[1]);
+    switch (flat_.regions_bounded(face)) {
+      case 1: return {c[1], "boundary of " + regions_.at(c[1])};
+      case 2: return {c[0] * n + c[1], "wall " + regions_.at(c[0]) + " | " + regions_.at(c[1])};
+      default: return {n * n, "face" + of_leaf(face.origin, 2)};
+    }
+  }
+
+  /// ` of NAME`: the first leaf with a cell of the dimension there, or else the first leaf.
+  std::string of_leaf(const FlatComplex::Provenance& origin, int dimension) const {
+    const LeafId* leaf = origin.leaves.empty() ? nullptr : &origin.leaves[0];
+    for (const LeafCell& cell : origin.cells) {
+      if (cell.dimension != dimension) continue;
+      leaf = &cell.leaf;
+      break;
+    }
+    if (leaf == nullptr || view_.leaves == nullptr || leaf->index() >= view_.leaves->size()) return "";
+    return " of " + plain((*view_.leaves)[leaf->index()].name);
+  }
+};
+
+}  // namespace
+
+MeshGroups mesh_groups(const ResultView& view, const FlatComplex& flat) { return Grouper(view, flat).run(); }
+
+}  // namespace cnrg

@@ -1,0 +1,164 @@
+#include "csg/mesh/plc.h"
+
+#include <algorithm>
+#include <set>
+
+#include "kernel/exact/triangulate.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Plc::Index;
+using Vector = std::array<double, 3>;
+using Loop = FlatComplex::Loop;
+
+class PlcMaker {
+ public:
+  PlcMaker(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets)
+      : exact_(view.complex->points), flat_(flat), rounded_(rounded), facets_(facets) {
+    plc_.points = rounded.points().xyz;
+    for (const Vector& p : plc_.points) table_.add(p[0], p[1], p[2]);
+  }
+
+  Plc run() {
+    for (Index i = 0; i < flat_.faces.size(); ++i) add_face(i);
+    for (Index i = 0; i < flat_.edges.size(); ++i) add_edge(i);
+    for (Index i = 0; i < flat_.regions.size(); ++i) {
+      const auto& region = flat_.regions[i];
+      if (region.component != 0) plc_.regions.push_back({rounded_.seed(i), i});
+      else if (region.bounded) plc_.holes.push_back({rounded_.seed(i), i});
+    }
+    return std::move(plc_);
+  }
+
+ private:
+  const PointTable& exact_;
+  const FlatComplex& flat_;
+  const RoundedResult& rounded_;
+  const PlcFacets facets_;
+  PointTable table_;  // the rounded points, by their numbers
+  Plc plc_;
+
+  Vector at(Index p) const { return plc_.points[p]; }
+
+  void add_edge(Index i) {
+    const auto& edge = flat_.edges[i];
+    const std::size_t n = edge.points.size();
+    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
+      plc_.segments.push_back({{edge.points[k], edge.points[(k + 1) % n]}, i, edge.wire});
+    }
+  }
+
+  void add_face(Index i) {
+    const auto& face = flat_.faces[i];
+    if (face.facets.empty()) {
+      add_facet(i, face.loops, face.isolated, 0, Index(face.triangles.size()));
+      return;
+    }
+    for (std::size_t k = 0; k < face.facets.size(); ++k) {
+      add_facet(i, face.facets[k].loops, face.facets[k].isolated, k == 0 ? 0 : face.facet_ends[k - 1],
+                face.facet_ends[k]);
+    }
+  }
+
+  void add_facet(Index face, const std::vector<Loop>& loops, const std::vector<Index>& isolated, Index begin,
+                 Index end) {
+    const auto& triangles = flat_.faces[face].triangles;
+    if (facets_ != PlcFacets::triangles && end - begin > 1) {
+      Plc::Facet facet;
+      facet.face = face;
+      if (make_polygons(loops, isolated, triangles[begin], facet)) {
+        plc_.facets.push_back(std::move(facet));
+        return;
+      }
+    }
+    for (Index t = begin; t < end; ++t) {
+      plc_.facets.push_back({{{triangles[t][0], triangles[t][1], triangles[t][2]}}, {}, face});
+    }
+  }
+
+  /// False where a facet has to be triangles: it is not as planar as asked for, walks over itself, or has a hole
+  /// without a point of doubles in it.
+  bool make_polygons(const std::vector<Loop>& loops, const std::vector<Index>& isolated,
+                     const std::array<Index, 3>& corners, Plc::Facet& facet) {
+    const VertexId a(corners[0]), b(corners[1]), c(corners[2]);
+    const auto in_plane = [&](Index p) {
+      return facets_ == PlcFacets::all || orient3d(table_, a, b, c, VertexId(p)) == 0;
+    };
+    for (const Loop& loop : loops) {
+      if (loop.size() < 3 || !std::all_of(loop.begin(), loop.end(), in_plane)) return false;
+      if (std::set<Index>(loop.begin(), loop.end()).size() != loop.size()) return false;
+    }
+    if (!std::all_of(isolated.begin(), isolated.end(), in_plane)) return false;
+    const Projection axes = projection_of(table_, table_.add_plane(a, b, c));
+    const std::size_t outer = outer_loop(loops, axes);
+    facet.polygons.push_back(loops[outer]);
+    for (std::size_t k = 0; k < loops.size(); ++k) {
+      if (k == outer) continue;
+      facet.polygons.push_back(loops[k]);
+      Vector inside;
+      if (!point_in(loops[k], corners, inside)) return false;
+      facet.holes.push_back(inside);
+    }
+    for (const Index p : isolated) facet.polygons.push_back({p});
+    return true;
+  }
+
+  /// The loop around all others has the largest area.
+  std::size_t outer_loop(const std::vector<Loop>& loops, Projection axes) const {
+    std::size_t outer = 0;
+    Rational most = -1;
+    for (std::size_t k = 0; loops.size() > 1 && k < loops.size(); ++k) {
+      Rational area = 0;
+      for (std::size_t i = 0; i < loops[k].size(); ++i) {
+        const Vector p = at(loops[k][i]), q = at(loops[k][(i + 1) % loops[k].size()]);
+        area += from_double(p[axes.u]) * from_double(q[axes.v]) - from_double(q[axes.u]) * from_double(p[axes.v]);
+      }
+      area = abs(area);
+      if (area <= most) continue;
+      most = area;
+      outer = k;
+    }
+    return outer;
+  }
+
+  /// The middle of the largest triangle inside a loop, if rounding leaves it strictly inside of that triangle. The
+  /// exact points are triangulated, since rounded ones may cross as seen along an axis.
+  bool point_in(const Loop& loop, const std::array<Index, 3>& corners, Vector& inside) const {
+    PointTable table;
+    std::vector<VertexId> walk;
+    for (const Index p : loop) walk.push_back(table.add(exact_.rational(flat_.points[p])));
+    std::array<VertexId, 3> plane;
+    for (std::size_t k = 0; k < 3; ++k) plane[k] = table.add(exact_.rational(flat_.points[corners[k]]));
+    const Projection axes = projection_of(table, table.add_plane(plane[0], plane[1], plane[2]));
+    double most = 0;
+    std::array<Index, 3> best{};
+    for (const auto& t : triangulate(table, axes, std::span(&walk, 1))) {
+      const Vector p = at(loop[t[0].index()]), q = at(loop[t[1].index()]), r = at(loop[t[2].index()]);
+      const double area =
+          (q[axes.u] - p[axes.u]) * (r[axes.v] - p[axes.v]) - (q[axes.v] - p[axes.v]) * (r[axes.u] - p[axes.u]);
+      if (area <= most) continue;
+      most = area;
+      for (std::size_t k = 0; k < 3; ++k) {
+        best[k] = loop[t[k].index()];
+        inside[k] = (p[k] + q[k] + r[k]) / 3;
+      }
+    }
+    if (most == 0) return false;
+    const ExactPoint middle =
+        ExactPoint::from({from_double(inside[0]), from_double(inside[1]), from_double(inside[2])});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId from(best[k]), to(best[(k + 1) % 3]);
+      if (orient2d(axes, table_.view(from), table_.view(to), view_of(middle)) <= 0) return false;
+    }
+    return true;
+  }
+};
+
+}  // namespace
+
+Plc plc_of(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets) {
+  return PlcMaker(view, flat, rounded, facets).run();
+}
+
+}  // namespace cnrg

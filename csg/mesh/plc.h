@@ -1,0 +1,40 @@
+// A result as a piecewise linear complex in doubles (si2015): what TetGen meshes.
+#pragma once
+
+#include "csg/mesh/rounded_result.h"
+
+namespace cnrg {
+
+struct Plc {
+  using Index = std::uint32_t;
+  /// A planar piece of a face: a triangle, or all of a facet whose boundary walks meet themselves nowhere.
+  struct Facet {
+    std::vector<std::vector<Index>> polygons;  ///< the outer one, then holes, then single points inside
+    std::vector<std::array<double, 3>> holes;  ///< a point in each hole, in the plane but for rounding
+    Index face = 0;
+  };
+  struct Segment {
+    std::array<Index, 2> ends;
+    Index edge = 0;
+    bool wire = false;
+  };
+  struct Seed {
+    std::array<double, 3> point;
+    Index region = 0;
+  };
+  std::vector<std::array<double, 3>> points;  ///< numbered as those of the flattened result
+  std::vector<Facet> facets;
+  std::vector<Segment> segments;     ///< all straight pieces of edges
+  std::vector<Seed> regions, holes;  ///< active regions; bounded inactive ones
+};
+
+/// What becomes a facet of the complex as a whole. What does not becomes its triangles.
+enum class PlcFacets {
+  triangles,  ///< nothing
+  planar,     ///< facets that are planar in doubles, exactly
+  all,        ///< all facets; rounding moves their points out of a plane by the last digits
+};
+
+Plc plc_of(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets);
+
+}  // namespace cnrg

@@ -1,0 +1,38 @@
+// A result in doubles that is the exact one in all but the last digits of its points, as meshers need it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "csg/result/rounding.h"
+
+namespace cnrg {
+
+class RoundedResult {
+ public:
+  /// Rounds a closed and bounded result. Throws InputError, naming `format`, unless it is embedded and each
+  /// region, wire and point still lies where it does in the exact result: the rounded drawing is refined exactly,
+  /// and its regions are compared with those of the result, side of a face by side of a face.
+  RoundedResult(const ResultView& view, const FlatComplex& flat, const std::string& format);
+  ~RoundedResult();
+
+  const RoundedPoints& points() const { return points_; }
+  RoundingReport report() const { return {points_.moved, true}; }
+
+  /// A point of doubles in the open interior of a bounded region and off its wires and points, well away from its
+  /// boundary where there is room: half-way across the region. It is proven to lie there in the rounded result.
+  /// Throws InputError for a region too thin to hold one that we find.
+  std::array<double, 3> seed(FlatComplex::Index region) const;
+
+ private:
+  struct Data;
+  const FlatComplex& flat_;
+  const std::string format_;
+  RoundedPoints points_;
+  std::unique_ptr<Data> data_;
+
+  void match_regions();
+  void match_wires_and_points() const;
+};
+
+}  // namespace cnrg

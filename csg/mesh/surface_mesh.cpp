@@ -1,0 +1,201 @@
+// The surface mesh: points, straight pieces of edges, facets and regions as entities with what bounds them.
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+#include "csg/mesh/mesh.h"
+#include "csg/result/solid.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Mesh::Index;
+constexpr Index kNone = FlatComplex::kNone;
+
+std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
+
+class SurfaceMesher {
+ public:
+  SurfaceMesher(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points)
+      : flat_(flat), rounded_(points), tagger_(view, flat), groups_(mesh_groups(view, flat)) {
+    mesh_.node = view.node;
+    mesh_.flat = true;
+    mesh_.groups = groups_.names;
+    mesh_.sources = groups_.sources;
+  }
+
+  Mesh run() {
+    number_points();
+    add_edges();
+    add_faces();
+    add_regions();
+    return std::move(mesh_);
+  }
+
+ private:
+  const FlatComplex& flat_;
+  const RoundedPoints& rounded_;
+  CellTagger tagger_;
+  MeshGroups groups_;
+  Mesh mesh_;
+  std::vector<Index> point_;                          // entity of dimension 0 and point of the mesh, or kNone
+  std::unordered_map<std::uint64_t, Index> segment_;  // entity of dimension 1 between two points
+  std::vector<std::array<Index, 2>> facets_;          // of each face: entities of dimension 2, first and end
+
+  /// Every point that something has is an entity; those that are vertices of the result are features.
+  void number_points() {
+    point_.assign(flat_.points.size(), kNone);
+    const auto use = [&](Index p) { point_[p] = 0; };
+    for (const auto& f : flat_.faces)
+      for (const auto& t : f.triangles)
+        for (const Index p : t) use(p);
+    for (const auto& e : flat_.edges)
+      for (const Index p : e.points) use(p);
+    for (const auto& v : flat_.vertices) use(v.point);
+    for (Index p = 0; p < point_.size(); ++p) {
+      if (point_[p] == kNone) continue;
+      point_[p] = Index(mesh_.points.size());
+      mesh_.points.push_back(rounded_.xyz[p]);
+      mesh_.vertices.push_back({{point_[p]}, point_[p]});
+      mesh_.entities[0].emplace_back().feature = false;
+    }
+    for (Index i = 0; i < flat_.vertices.size(); ++i) {
+      auto& entity = mesh_.entities[0][point_[flat_.vertices[i].point]];
+      entity.feature = true;
+      entity.groups = groups_.of[0][i];
+      entity.tags = tagger_.vertex(i);
+    }
+  }
+
+  /// The piece between two points: one of an edge of the result, or a new one between two facets of a patch.
+  Index segment(Index a, Index b) {
+    const auto [entry, fresh] = segment_.try_emplace(key_of(a, b), Index(mesh_.segments.size()));
+    if (fresh) {
+      a = point_[a], b = point_[b];
+      mesh_.segments.push_back({{std::min(a, b), std::max(a, b)}, entry->second});
+      auto& entity = mesh_.entities[1].emplace_back();
+      entity.feature = false;
+      entity.tags.dimension = 1;
+      entity.boundary = {std::int32_t(std::min(a, b) + 1), -std::int32_t(std::max(a, b) + 1)};
+    }
+    return entry->second;
+  }
+
+  void add_edges() {
+    for (Index i = 0; i < flat_.edges.size(); ++i) {
+      const auto& e = flat_.edges[i];
+      const std::size_t n = e.points.size();
+      for (std::size_t k = 0; k + (e.closed ? 0 : 1) < n; ++k) {
+        auto& entity = mesh_.entities[1][segment(e.points[k], e.points[(k + 1) % n])];
+        entity.feature = true;
+        entity.wire = e.wire;
+        entity.groups = groups_.of[1][i];
+        entity.tags = tagger_.edge(i);
+      }
+    }
+  }
+
+  void add_entity(Index face, const std::vector<std::array<Index, 2>>& steps, Index begin, Index end) {
+    const Index number = Index(mesh_.entities[2].size());
+    Mesh::Entity entity;
+    for (const auto& [a, b] : steps) {
+      const std::int32_t s = std::int32_t(segment(a, b) + 1);
+      entity.boundary.push_back(point_[a] < point_[b] ? s : -s);
+    }
+    entity.groups = groups_.of[2][face];
+    entity.tags = tagger_.face(face);
+    mesh_.entities[2].push_back(std::move(entity));
+    for (Index t = begin; t < end; ++t) {
+      const auto& points = flat_.faces[face].triangles[t];
+      mesh_.triangles.push_back({{point_[points[0]], point_[points[1]], point_[points[2]]}, number});
+    }
+  }
+
+  /// One entity; or a triangle each, where an edge or a point lies inside that a mesher would not see otherwise.
+  void add_facet(Index face, const std::vector<FlatComplex::Loop>& loops, bool isolated, Index begin, Index end) {
+    std::vector<std::array<Index, 2>> steps;
+    std::set<std::uint64_t> walked;
+    bool inside = isolated;
+    for (const auto& loop : loops) {
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        steps.push_back({loop[k], loop[(k + 1) % loop.size()]});
+        inside = !walked.insert(key_of(steps.back()[0], steps.back()[1])).second || inside;
+      }
+    }
+    if (!inside) return add_entity(face, steps, begin, end);
+    for (Index t = begin; t < end; ++t) {
+      const auto& p = flat_.faces[face].triangles[t];
+      add_entity(face, {{p[0], p[1]}, {p[1], p[2]}, {p[2], p[0]}}, t, t + 1);
+    }
+  }
+
+  void add_faces() {
+    for (Index i = 0; i < flat_.faces.size(); ++i) {
+      const auto& f = flat_.faces[i];
+      const Index first = Index(mesh_.entities[2].size());
+      if (f.facets.empty()) {
+        add_facet(i, f.loops, !f.isolated.empty(), 0, Index(f.triangles.size()));
+      } else {
+        for (std::size_t k = 0; k < f.facets.size(); ++k) {
+          const auto& facet = f.facets[k];
+          add_facet(i, facet.loops, !facet.isolated.empty(), k == 0 ? 0 : f.facet_ends[k - 1], f.facet_ends[k]);
+        }
+      }
+      facets_.push_back({first, Index(mesh_.entities[2].size())});
+    }
+  }
+
+  /// A dangling face in a region bounds it on both sides and is listed once.
+  void add_regions() {
+    for (Index i = 0; i < flat_.regions.size(); ++i) {
+      const auto& region = flat_.regions[i];
+      if (region.component == 0) continue;
+      std::map<Index, int> faces;  // the side, or 0 for both
+      for (const auto& shell : region.shells) {
+        for (const Index side : shell) {
+          const auto [entry, fresh] = faces.try_emplace(side >> 1, (side & 1) == 0 ? -1 : 1);
+          if (!fresh) entry->second = 0;
+        }
+      }
+      auto& entity = mesh_.entities[3].emplace_back();
+      for (const auto& [face, side] : faces) {
+        for (Index f = facets_[face][0]; f < facets_[face][1]; ++f) {
+          entity.boundary.push_back(side < 0 ? -std::int32_t(f + 1) : std::int32_t(f + 1));
+        }
+      }
+      entity.groups = groups_.of[3][i];
+      entity.tags = tagger_.region(i);
+    }
+  }
+};
+
+}  // namespace
+
+Mesh surface_mesh(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points) {
+  return SurfaceMesher(view, flat, points).run();
+}
+
+Drawing drawing_of(const FlatComplex& flat) {
+  Drawing drawing;
+  std::vector<char> drawn(flat.points.size(), 0);
+  for (const auto& f : flat.faces) {
+    drawing.triangles.insert(drawing.triangles.end(), f.triangles.begin(), f.triangles.end());
+    for (const auto& t : f.triangles)
+      for (const Index p : t) drawn[p] = 1;
+  }
+  for (const auto& e : flat.edges) {
+    for (const Index p : e.points) drawn[p] = 1;
+    if (!e.wire) continue;
+    const std::size_t n = e.points.size();
+    for (std::size_t k = 0; k + (e.closed ? 0 : 1) < n; ++k) {
+      drawing.segments.push_back({e.points[k], e.points[(k + 1) % n]});
+    }
+  }
+  for (const auto& v : flat.vertices) {
+    if (!drawn[v.point]) drawing.points.push_back(v.point);
+  }
+  return drawing;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,452 @@
+#include "csg/mesh/tetrahedra.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <unordered_map>
+
+#include "csg/mesh/exact_volume.h"
+#include "csg/mesh/tetgen_run.h"
+#include "csg/result/solid.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Mesh::Index;
+using Vector = std::array<double, 3>;
+constexpr Index kNone = FlatComplex::kNone;
+
+std::string number_text(double value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed).ptr};
+}
+
+std::string scientific_text(double value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr};
+}
+
+std::string switches_of(const TetrahedraOptions& options) {
+  std::string switches;
+  if (options.keep_boundary) switches += "Y";
+  if (options.quality > 0) switches += "q" + number_text(options.quality);
+  if (options.max_volume > 0) switches += "a" + scientific_text(options.max_volume);
+  return switches;
+}
+
+class TetrahedraMaker {
+ public:
+  TetrahedraMaker(const ResultView& view, const TetrahedraOptions& options)
+      : view_(view), options_(options), flat_(flatten(view)), tagger_(view, flat_) {}
+
+  TetrahedralMesh run() {
+    require_closed_and_bounded(flat_, "a mesh of tetrahedra");
+    const bool solid = std::any_of(flat_.regions.begin(), flat_.regions.end(),
+                                   [](const auto& region) { return region.component != 0; });
+    if (!solid) {
+      throw InputError(
+          "the result has no region to fill with tetrahedra; `cnrg eval -o` writes its faces, wires "
+          "and points");
+    }
+    const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
+    std::string refused;
+    bool made = false, disproved = false;
+    for (const Attempt& attempt : kAttempts) {
+      if (options_.keep_boundary && attempt.facets == PlcFacets::all) continue;
+      const bool keeps = std::string_view(attempt.switches) == "Y";
+      if (keeps && (!disproved || !switches_of(options_).empty())) continue;
+      try {
+        make(rounded, attempt);
+        made = true;
+        break;
+      } catch (const InputError& e) {
+        refused = e.what();
+      } catch (const InvariantError& e) {  // the proof refuses what TetGen returns
+        disproved = true;
+        refused = std::string("what TetGen returns is not what was asked for (") + e.what() +
+                  "); try --quality 2, --keep-boundary, or curved leaves that are finer or coarser";
+      }
+    }
+    if (!made) throw InputError(refused);
+    result_.rounding = rounded.report();
+    number_points();
+    return std::move(result_);
+  }
+
+ private:
+  /// Points of whole facets are off their plane by rounding. TetGen may triangulate them as it likes, which gives
+  /// better tetrahedra, but now and then it stumbles over that. Our triangles are planar, and keep volumes exact.
+  /// A box about the model that is less regular has helped where both did not, and a finer tolerance for what lies
+  /// in one plane where faces are nearly coplanar. Where TetGen returns what the proof refuses, a mesh without new
+  /// points on faces helps, and is tried if no bound is asked for.
+  struct Attempt {
+    PlcFacets facets;
+    TetgenFrame frame;
+    const char* switches;
+  };
+  static constexpr Attempt kAttempts[] = {
+      {PlcFacets::all, TetgenFrame::even, ""},      {PlcFacets::planar, TetgenFrame::even, "Y"},
+      {PlcFacets::planar, TetgenFrame::even, ""},   {PlcFacets::all, TetgenFrame::uneven, ""},
+      {PlcFacets::planar, TetgenFrame::uneven, ""}, {PlcFacets::planar, TetgenFrame::uneven, "T1e-14"}};
+
+  const ResultView& view_;
+  const TetrahedraOptions options_;
+  const FlatComplex flat_;
+  const CellTagger tagger_;
+  Plc plc_;
+  TetgenResult out_;
+  TetrahedralMesh result_;
+  std::vector<Index> region_entity_;  // of each region of the result, or kNone
+  struct Piece {
+    Index edge;
+    bool forward;  // the chain runs from the lower number to the higher one
+  };
+  std::unordered_map<std::uint64_t, Piece> pieces_;  // of edges, by their ends
+
+  Mesh& mesh() { return result_.mesh; }
+  static std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
+
+  void make(const RoundedResult& rounded, const Attempt& attempt) {
+    result_ = {};
+    region_entity_.clear();
+    pieces_.clear();
+    plc_ = plc_of(view_, flat_, rounded, attempt.facets);
+    out_ = run_tetgen(plc_, switches_of(options_) + attempt.switches, attempt.frame, options_.seconds);
+    make_entities();
+    take_tetrahedra();
+    take_triangles();
+    take_segments();
+    take_vertices();
+    prove_boundary_kept();
+    prove_edges();
+    prove_faces();
+    prove_sides();
+    prove_volumes();
+  }
+
+  /// The edge that a step of a boundary walk follows: number + 1, negative against the chain.
+  std::int32_t step(Index a, Index b) const {
+    const auto piece = pieces_.find(key_of(a, b));
+    require(piece != pieces_.end(), "tetrahedra: a face is bounded by what is no edge");
+    const std::int32_t e = std::int32_t(piece->second.edge + 1);
+    return piece->second.forward == (a < b) ? e : -e;
+  }
+
+  void make_entities() {
+    const MeshGroups groups = mesh_groups(view_, flat_);
+    mesh().node = view_.node;
+    mesh().groups = groups.names;
+    mesh().sources = groups.sources;
+    std::vector<Index> vertex_at(flat_.points.size(), kNone);
+    for (Index i = 0; i < flat_.vertices.size(); ++i) {
+      vertex_at[flat_.vertices[i].point] = i;
+      mesh().entities[0].push_back({groups.of[0][i], {}, true, false, tagger_.vertex(i)});
+    }
+    for (const auto& s : plc_.segments) {
+      pieces_[key_of(s.ends[0], s.ends[1])] = {s.edge, s.ends[0] < s.ends[1]};
+    }
+    for (Index i = 0; i < flat_.edges.size(); ++i) {
+      const auto& edge = flat_.edges[i];
+      Mesh::Entity entity{groups.of[1][i], {}, true, edge.wire, tagger_.edge(i)};
+      if (!edge.closed) {
+        entity.boundary = {std::int32_t(vertex_at[edge.points.front()] + 1),
+                           -std::int32_t(vertex_at[edge.points.back()] + 1)};
+      }
+      mesh().entities[1].push_back(std::move(entity));
+    }
+    for (Index i = 0; i < flat_.faces.size(); ++i) {
+      Mesh::Entity entity{groups.of[2][i], {}, true, false, tagger_.face(i)};
+      std::unordered_map<Index, char> seen;  // a slit is walked twice and listed once
+      for (const auto& loop : flat_.faces[i].loops) {
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          const std::int32_t s = step(loop[k], loop[(k + 1) % loop.size()]);
+          if (seen.try_emplace(Index(std::abs(s)), 1).second) entity.boundary.push_back(s);
+        }
+      }
+      mesh().entities[2].push_back(std::move(entity));
+    }
+    region_entity_.assign(flat_.regions.size(), kNone);
+    for (Index i = 0; i < flat_.regions.size(); ++i) {
+      if (flat_.regions[i].component == 0) continue;
+      region_entity_[i] = Index(mesh().entities[3].size());
+      Mesh::Entity entity{groups.of[3][i], {}, true, false, tagger_.region(i)};
+      for (const auto& shell : flat_.regions[i].shells) {
+        for (const Index side : shell) {
+          const std::int32_t f = std::int32_t((side >> 1) + 1);
+          const bool again = !entity.boundary.empty() && std::abs(entity.boundary.back()) == f;
+          if (!again) entity.boundary.push_back((side & 1) == 0 ? -f : f);  // both sides of a face are neighbours
+        }
+      }
+      result_.regions.push_back({groups.names[3][groups.of[3][i][0] - 1], 0, 0});
+      mesh().entities[3].push_back(std::move(entity));
+    }
+  }
+
+  /// Those of active regions, turned so that their determinant is positive, by region.
+  void take_tetrahedra() {
+    PointTable table;
+    for (const Vector& p : out_.points) table.add(p[0], p[1], p[2]);
+    for (std::size_t i = 0; i < out_.tetrahedra.size(); ++i) {
+      const std::int32_t attribute = out_.attribute[i];
+      if (attribute < 1 || attribute > std::int32_t(plc_.regions.size())) continue;
+      auto t = out_.tetrahedra[i];
+      const int sign = orient3d(table, VertexId(t[0]), VertexId(t[1]), VertexId(t[2]), VertexId(t[3]));
+      require(sign != 0, "tetrahedra: TetGen returns a flat tetrahedron");
+      if (sign < 0) std::swap(t[2], t[3]);
+      mesh().tetrahedra.push_back({t, region_entity_[plc_.regions[std::size_t(attribute) - 1].region]});
+    }
+    by_entity(mesh().tetrahedra);
+  }
+
+  template <class Simplices>
+  static void by_entity(Simplices& simplices) {
+    std::stable_sort(simplices.begin(), simplices.end(),
+                     [](const auto& s, const auto& t) { return s.entity < t.entity; });
+  }
+
+  Vector normal_of(const std::vector<Index>& loop) const {
+    Vector n{};
+    const Vector origin = out_.points[loop[0]];
+    for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+      const Vector &p = out_.points[loop[i]], &q = out_.points[loop[i + 1]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
+        n[k] += (p[u] - origin[u]) * (q[v] - origin[v]) - (p[v] - origin[v]) * (q[u] - origin[u]);
+      }
+    }
+    return n;
+  }
+
+  /// Turned as their facets are: the two planes are the same or opposite, so doubles tell.
+  void take_triangles() {
+    std::vector<Vector> normals;
+    for (const auto& facet : plc_.facets) normals.push_back(normal_of(facet.polygons[0]));
+    for (std::size_t i = 0; i < out_.triangles.size(); ++i) {
+      if (std::size_t(out_.facet[i]) >= plc_.facets.size()) continue;  // on the box
+      auto t = out_.triangles[i];
+      const Vector n = normal_of({t[0], t[1], t[2]}), &m = normals[std::size_t(out_.facet[i])];
+      if (n[0] * m[0] + n[1] * m[1] + n[2] * m[2] < 0) std::swap(t[1], t[2]);
+      mesh().triangles.push_back({t, plc_.facets[std::size_t(out_.facet[i])].face});
+    }
+    by_entity(mesh().triangles);
+  }
+
+  void take_segments() {
+    for (std::size_t i = 0; i < out_.segments.size(); ++i) {
+      if (out_.edge[i] < 0) continue;
+      mesh().segments.push_back({out_.segments[i], Index(out_.edge[i])});
+    }
+    by_entity(mesh().segments);
+  }
+
+  void take_vertices() {
+    for (Index i = 0; i < flat_.vertices.size(); ++i) mesh().vertices.push_back({{flat_.vertices[i].point}, i});
+  }
+
+  /// With `keep_boundary`: nothing but points of the result on faces and edges.
+  void prove_boundary_kept() {
+    if (!options_.keep_boundary) return;
+    const auto kept = [&](const auto& simplex) {
+      return std::all_of(simplex.points.begin(), simplex.points.end(),
+                         [&](Index p) { return p < plc_.points.size(); });
+    };
+    if (!std::all_of(mesh().triangles.begin(), mesh().triangles.end(), kept) ||
+        !std::all_of(mesh().segments.begin(), mesh().segments.end(), kept)) {
+      throw InputError(
+          "TetGen can not fill the regions without new points on faces or edges; leave out "
+          "--keep-boundary");
+    }
+  }
+
+  /// The pieces of every edge form a way between its ends through all of its points, or a closed one.
+  void prove_edges() {
+    const auto& segments = mesh().segments;
+    std::size_t at = 0;
+    std::unordered_map<Index, int> degree;
+    for (Index e = 0; e < flat_.edges.size(); ++e) {
+      degree.clear();
+      for (; at < segments.size() && segments[at].entity == e; ++at) {
+        for (const Index p : segments[at].points) ++degree[p];
+      }
+      // A chain may come back to the vertex where it began.
+      const auto& edge = flat_.edges[e];
+      const bool returns = edge.closed || edge.points.front() == edge.points.back();
+      for (std::size_t k = 0; k + (returns && !edge.closed ? 1 : 0) < edge.points.size(); ++k) {
+        const Index p = edge.points[k];
+        const bool end = !returns && (k == 0 || k + 1 == edge.points.size());
+        const auto found = degree.find(p);
+        require(found != degree.end() && found->second == (end ? 1 : 2),
+                "tetrahedra: TetGen lost a part of an edge");
+        degree.erase(found);
+      }
+      for (const auto& [p, n] : degree) require(n == 2, "tetrahedra: TetGen returns an edge with a gap");
+    }
+    require(at == segments.size(), "tetrahedra: TetGen returns a segment of no edge");
+  }
+
+  /// The boundary of the triangles of a face over Z/2 is that of the face.
+  void prove_faces() {
+    struct Side {
+      Index face, a, b;
+      auto operator<=>(const Side&) const = default;
+    };
+    std::vector<std::pair<std::size_t, std::size_t>> of_edge(flat_.edges.size(), {0, 0});
+    const auto& segments = mesh().segments;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      auto& [begin, end] = of_edge[segments[i].entity];
+      if (end == 0) begin = i;
+      end = i + 1;
+    }
+    std::vector<Side> sides;
+    std::vector<char> present(flat_.faces.size(), 0);
+    const auto add = [&](Index face, Index a, Index b) {
+      sides.push_back({face, std::min(a, b), std::max(a, b)});
+    };
+    for (const auto& t : mesh().triangles) {
+      present[t.entity] = 1;
+      for (std::size_t k = 0; k < 3; ++k) add(t.entity, t.points[k], t.points[(k + 1) % 3]);
+    }
+    for (Index f = 0; f < flat_.faces.size(); ++f) {
+      require(present[f], "tetrahedra: TetGen lost a face");
+      // A walk takes each edge as a whole, so its first piece counts for it.
+      for (const auto& loop : flat_.faces[f].loops) {
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          const Index a = loop[k], b = loop[(k + 1) % loop.size()];
+          const Index e = Index(std::abs(step(a, b)) - 1);
+          const auto& chain = flat_.edges[e].points;
+          if (key_of(a, b) != key_of(chain[0], chain[1])) continue;
+          for (std::size_t i = of_edge[e].first; i < of_edge[e].second; ++i) {
+            add(f, segments[i].points[0], segments[i].points[1]);
+          }
+        }
+      }
+    }
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+      while (end < sides.size() && sides[end] == sides[i]) ++end;
+      require((end - i) % 2 == 0, "tetrahedra: TetGen lost a part of a face");
+    }
+  }
+
+  /// On the two sides of a triangle are the regions of its face; a wall is where regions differ.
+  void prove_sides() {
+    struct Side {
+      std::array<Index, 3> points;
+      Index region, face;  // one of them, the other kNone
+      auto operator<=>(const Side&) const = default;
+    };
+    std::vector<Side> sides;
+    for (const auto& t : mesh().tetrahedra) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        std::array<Index, 3> points{t.points[(k + 1) % 4], t.points[(k + 2) % 4], t.points[(k + 3) % 4]};
+        std::sort(points.begin(), points.end());
+        sides.push_back({points, t.entity, kNone});
+      }
+    }
+    for (const auto& t : mesh().triangles) {
+      auto points = t.points;
+      std::sort(points.begin(), points.end());
+      sides.push_back({points, kNone, t.entity});
+    }
+    std::sort(sides.begin(), sides.end());
+    std::vector<Index> found, expected;
+    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+      found.clear(), expected.clear();
+      std::size_t faces = 0;
+      for (; end < sides.size() && sides[end].points == sides[i].points; ++end) {
+        if (sides[end].face == kNone) {
+          found.push_back(sides[end].region);
+          continue;
+        }
+        ++faces;
+        for (const Index r : flat_.faces[sides[end].face].regions) {
+          if (flat_.active(r)) expected.push_back(region_entity_[r]);
+        }
+      }
+      std::sort(expected.begin(), expected.end());
+      const bool right = faces == 1   ? found == expected
+                         : faces == 0 ? found.size() == 2 && found[0] == found[1]
+                                      : false;
+      require(right, "tetrahedra: TetGen returns tetrahedra on the wrong side of a face");
+    }
+  }
+
+  void prove_volumes() {
+    ExactVolume volume(out_.points);
+    const auto& all = mesh().tetrahedra;
+    std::size_t at = 0;
+    Vector low = plc_.points[0], high = low;
+    for (const Vector& p : plc_.points) {
+      for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+    }
+    const double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    for (Index i = 0; i < flat_.regions.size(); ++i) {
+      const Index entity = region_entity_[i];
+      if (entity == kNone) continue;
+      RegionTetrahedra& region = result_.regions[entity];
+      volume.clear();
+      for (; at < all.size() && all[at].entity == entity; ++at) {
+        const auto& t = all[at].points;
+        volume.add(t[0], t[1], t[2], t[3]);
+        ++region.tetrahedra;
+      }
+      region.volume = volume.value();
+      volume.clear();
+      double area = 0;
+      for (const auto& shell : flat_.regions[i].shells) {
+        for (const Index side : shell) {
+          for (const auto& t : flat_.faces[side >> 1].triangles) {
+            if ((side & 1) == 0) volume.add(0, t[0], t[2], t[1]);
+            else volume.add(0, t[0], t[1], t[2]);
+            const Vector n = normal_of({t[0], t[1], t[2]});
+            area += std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
+          }
+        }
+      }
+      const Rational difference = abs(region.volume - volume.value());
+      const Rational bound = options_.keep_boundary ? Rational(0) : from_double(area * 1e-8 * size);
+      require(difference <= bound, "tetrahedra: those of region `" + region.name + "` have the volume " +
+                                       to_decimal(region.volume) + " and not " + to_decimal(volume.value()));
+    }
+    require(at == all.size(), "tetrahedra: TetGen returns a tetrahedron of no region");
+  }
+
+  /// Points in use, in their order: those of the result, then those that TetGen added.
+  void number_points() {
+    std::vector<Index> number(out_.points.size(), kNone);
+    const auto for_all = [&](const auto& body) {
+      for (auto& s : mesh().vertices) body(s.points);
+      for (auto& s : mesh().segments) body(s.points);
+      for (auto& s : mesh().triangles) body(s.points);
+      for (auto& s : mesh().tetrahedra) body(s.points);
+    };
+    std::vector<char> filled(out_.points.size(), 0);
+    for (const auto& t : mesh().tetrahedra)
+      for (const Index p : t.points) filled[p] = 1;
+    for (const auto& v : flat_.vertices) {
+      const bool inside = v.region != kNone && flat_.active(v.region);
+      require(!inside || filled[v.point], "tetrahedra: TetGen lost a point inside of a region");
+    }
+    for_all([&](const auto& points) {
+      for (const Index p : points) number[p] = 0;
+    });
+    for (Index p = 0; p < number.size(); ++p) {
+      if (number[p] == kNone) continue;
+      number[p] = Index(mesh().points.size());
+      mesh().points.push_back(out_.points[p]);
+    }
+    for_all([&](auto& points) {
+      for (Index& p : points) p = number[p];
+    });
+  }
+};
+
+}  // namespace
+
+TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options) {
+  return TetrahedraMaker(view, options).run();
+}
+
+}  // namespace cnrg

@@ -1,0 +1,43 @@
+// A result as tetrahedra: conforming to every region, wall, dangling face, wire and point of it.
+#pragma once
+
+#include "csg/mesh/mesh.h"
+
+namespace cnrg {
+
+struct TetrahedraOptions {
+  double max_volume = 0;       ///< no tetrahedron is larger (cubic units); 0: no bound
+  double quality = 0;          ///< largest ratio of circumradius to shortest edge, at least 1; 0: no bound
+  bool keep_boundary = false;  ///< no new points on faces and edges, but inside of regions only
+  int seconds = 600;           ///< of processor time for each way in which TetGen is asked; 0: no bound
+};
+
+/// What was made of one region.
+struct RegionTetrahedra {
+  std::string name;  ///< of its group in the mesh
+  std::size_t tetrahedra = 0;
+  Rational volume;  ///< of the tetrahedra, exactly
+};
+
+struct TetrahedralMesh {
+  Mesh mesh;
+  RoundingReport rounding;
+  std::vector<RegionTetrahedra> regions;  ///< in the order of the mesh's entities of dimension 3
+};
+
+/// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015). Faces, wires and
+/// points outside of them are in the mesh as triangles, segments and points that conform, too. The boundary of a
+/// region is that of the result rounded to doubles, which must be embedded. A facet is given to TetGen as a whole,
+/// and where it can not mesh that, or with `keep_boundary`, as triangles unless it is planar in doubles.
+///
+/// What TetGen returns is proven before it is returned here: every tetrahedron is turned right; those of a region
+/// have together the volume that its rounded boundary encloses, to the last bit with `keep_boundary`, else but for
+/// area * 1e-8 * size (TetGen's own tolerance for what lies in a plane, times the longest side of the model's
+/// box); every face and edge is there, bounded as it should be; on both sides of each triangle are the regions of
+/// its face, and between regions are such triangles only.
+///
+/// Throws InputError for a result without regions, open or unbounded, one that rounding breaks, and one of
+/// which TetGen makes no mesh that is proven, whichever of several ways it is asked.
+TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options = {});
+
+}  // namespace cnrg

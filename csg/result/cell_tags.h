@@ -1,0 +1,35 @@
+// What a file says of a cell of a result: where it lies, what it belongs to, where it came from.
+#pragma once
+
+#include <cstdint>
+
+#include "csg/result/flat.h"
+
+namespace cnrg {
+
+/// Numbers of a cell for formats that hold arrays of them; what each means is in the head of vtu.cpp.
+struct CellTags {
+  std::int32_t dimension = 0, cell = 0, component = 0, region = 0, front = 0, back = 0, bounded = -1;
+  std::int32_t material = 0, leaf = -1, face = -1;
+};
+
+/// The component whose material a cell has: of an entity of a group that of its region; 0: none.
+Component material_component(const ResultView& view, const CellTags& tags);
+
+/// Tags of the cells of a flattened result, by their numbers there.
+class CellTagger {
+ public:
+  CellTagger(const ResultView& view, const FlatComplex& flat) : view_(view), flat_(flat) {}
+  CellTags vertex(FlatComplex::Index i) const;
+  CellTags edge(FlatComplex::Index i) const;
+  CellTags face(FlatComplex::Index i) const;
+  CellTags region(FlatComplex::Index i) const;
+
+ private:
+  const ResultView& view_;
+  const FlatComplex& flat_;
+  std::int32_t region_number(FlatComplex::Index region) const;
+  void finish(CellTags& tags, const FlatComplex::Provenance& origin) const;
+};
+
+}  // namespace cnrg

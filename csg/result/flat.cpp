@@ -1,0 +1,432 @@
+// Flattening: cells in canonical order (kernel/selection/canonical.h), faces as loops and facets of point numbers,
+// fronts by what is outside, triangles.
+#include "csg/result/flat.h"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+
+#include "csg/operators/component_lists.h"
+#include "kernel/base/error.h"
+#include "kernel/base/parallel.h"
+#include "kernel/base/sorted.h"
+#include "kernel/exact/triangulate.h"
+#include "kernel/selection/canonical.h"
+
+namespace cnrg {
+namespace {
+
+using Index = FlatComplex::Index;
+using Loop = FlatComplex::Loop;
+constexpr Index kNone = FlatComplex::kNone;
+
+/// The least rotation of a cyclic list.
+void rotate_to_least(Loop& loop) {
+  if (loop.empty()) return;
+  const Index least = *std::min_element(loop.begin(), loop.end());
+  std::size_t best = loop.size();
+  const auto at = [&](std::size_t start, std::size_t i) { return loop[(start + i) % loop.size()]; };
+  for (std::size_t s = 0; s < loop.size(); ++s) {
+    if (loop[s] != least) continue;
+    if (best == loop.size()) {
+      best = s;
+      continue;
+    }
+    for (std::size_t i = 1; i < loop.size(); ++i) {
+      if (at(s, i) == at(best, i)) continue;
+      if (at(s, i) < at(best, i)) best = s;
+      break;
+    }
+  }
+  std::rotate(loop.begin(), loop.begin() + std::ptrdiff_t(best), loop.end());
+}
+
+/// Outer loop first (of a planar face it is the one with the least point), then the others in order.
+void put_in_order(std::vector<Loop>& loops) {
+  for (Loop& loop : loops) rotate_to_least(loop);
+  std::sort(loops.begin(), loops.end());
+}
+
+class Flattener {
+ public:
+  explicit Flattener(const ResultView& view)
+      : view_(view),
+        complex_(*view.complex),
+        simple_(*view.simplified),
+        points_(cnrg::put_in_order(complex_, simple_)),
+        of_group_(view.value->is_group() ? components_of(complex_, view.value->group()) : Components{}),
+        value_(view.value->is_group() ? of_group_ : view.value->components()) {}
+
+  FlatComplex run() {
+    count_walks();
+    number_points();
+    make_regions();
+    make_faces();
+    make_edges();
+    make_vertices();
+    turn_shells();
+    return std::move(flat_);
+  }
+
+ private:
+  const ResultView& view_;
+  const Complex& complex_;
+  SimplifiedComplex simple_;  // in canonical order
+  const CanonicalPoints points_;
+  const Components of_group_;  // a group as components
+  const Components& value_;
+  FlatComplex flat_;
+  IdVector<EdgeId, Index> edge_of_;  // simplified edge that holds an edge of the complex
+  std::vector<unsigned> walks_;      // how often listed faces walk each simplified edge
+  std::vector<char> slit_;
+  std::vector<unsigned char> flipped_;  // faces whose front is not that of the simplified complex
+
+  void count_walks() {
+    edge_of_.assign(complex_.edge_count(), kNone);
+    for (Index i = 0; i < simple_.edges.size(); ++i) {
+      for (const HalfEdge h : simple_.edges[i].chain) edge_of_[h.edge()] = i;
+    }
+    walks_.assign(simple_.edges.size(), 0);
+    slit_.assign(simple_.edges.size(), 0);
+    IdVector<EdgeId, Index> walked_by(complex_.edge_count(), kNone);  // the last face
+    for (Index i = 0; i < simple_.faces.size(); ++i) {
+      for (const auto& loop : simple_.faces[i].loops) {
+        for (const HalfEdge h : loop) {
+          const Index e = edge_of_[h.edge()];
+          if (e == kNone) continue;  // on the frame
+          ++walks_[e];
+          if (walked_by[h.edge()] == i) slit_[e] = 1;
+          walked_by[h.edge()] = i;
+        }
+      }
+    }
+  }
+
+  void number_points() {
+    flat_.points = points_.points();
+    for (Index i = 0; i < flat_.points.size(); ++i) {
+      if (complex_.on_frame(flat_.points[i])) flat_.frame_points.push_back(i);
+    }
+  }
+
+  void make_regions() {
+    for (const auto& region : simple_.regions) {
+      FlatComplex::Provenance origin;
+      for (const RegionId r : region.cells) {
+        add_origin(value_.selection.regions, value_.origins.regions, r, origin);
+      }
+      flat_.regions.push_back(
+          {region.component, region.bounded, region.shells, region.cells, unique(std::move(origin))});
+    }
+  }
+
+  template <class IdT>
+  void add_origin(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& sets, IdT cell,
+                  FlatComplex::Provenance& origin) const {
+    const std::size_t k = place_in(list, cell);
+    if (k == list.size()) return;
+    const auto leaves = value_.origins.sets[sets[k]];
+    const std::vector<LeafCell> cells = leaf_cells(complex_, cell, leaves);
+    origin.leaves.insert(origin.leaves.end(), leaves.begin(), leaves.end());
+    origin.cells.insert(origin.cells.end(), cells.begin(), cells.end());
+  }
+  static FlatComplex::Provenance unique(FlatComplex::Provenance origin) {
+    sort_unique(origin.leaves);
+    sort_unique(origin.cells);
+    return origin;
+  }
+
+  Loop numbers(std::span<const VertexId> vertices) const {
+    Loop loop;
+    for (const VertexId v : vertices) {
+      if (points_.number(v) != kNone) loop.push_back(points_.number(v));
+    }
+    return loop;
+  }
+
+  template <class Range>
+  Loop loop_of(const Range& half_edges) const {
+    std::vector<VertexId> vertices;
+    for (const HalfEdge h : half_edges) vertices.push_back(complex_.origin(h));
+    return numbers(vertices);
+  }
+
+  /// One facet of the complex as seen from the face's front (`cell.side()` is that front).
+  FlatComplex::Facet facet_of(HalfFace cell) const {
+    FlatComplex::Facet facet;
+    for (const auto& walk : facet_walks(complex_, simple_, cell.face())) {
+      Loop loop = numbers(walk);
+      if (cell.side() == 1) std::reverse(loop.begin(), loop.end());
+      facet.loops.push_back(std::move(loop));
+    }
+    put_in_order(facet.loops);
+    for (const VertexId v : complex_.face_vertices[cell.face()]) {
+      if (simple_.vertex_place[v.index()].dimension == 0) facet.isolated.push_back(points_.number(v));
+    }
+    std::sort(facet.isolated.begin(), facet.isolated.end());
+    return facet;
+  }
+
+  /// +1 if the normal on the cell's front is lexicographically positive.
+  int normal_order(HalfFace cell) const {
+    const PlaneId plane = complex_.plane(cell.face());
+    for (int k = 0; k < 3; ++k) {
+      const int s = normal_sign(complex_.points, plane, k);
+      if (s != 0) return cell.side() == 0 ? s : -s;
+    }
+    return 0;
+  }
+
+  /// Along the largest component of the normal on the cell's front: so that the front is seen.
+  Projection projection(HalfFace cell) const {
+    const ExactPlane& plane = complex_.points.exact_plane(complex_.plane(cell.face()));
+    const Integer* n[3] = {&plane.a, &plane.b, &plane.c};
+    int axis = 2;
+    for (int k = 1; k >= 0; --k) {
+      if (cmpabs(*n[k], *n[axis]) > 0) axis = k;
+    }
+    const bool positive = (sgn(*n[axis]) > 0) == (cell.side() == 0);
+    const auto u = std::uint8_t((axis + 1) % 3), v = std::uint8_t((axis + 2) % 3);
+    return positive ? Projection{u, v} : Projection{v, u};
+  }
+  static int cmpabs(const Integer& a, const Integer& b) { return mpz_cmpabs(a.get_mpz_t(), b.get_mpz_t()); }
+
+  void add_triangles(HalfFace cell, const std::vector<Loop>& loops, const std::vector<Index>& isolated,
+                     std::vector<std::array<Index, 3>>& triangles) const {
+    if (loops.size() == 1 && loops[0].size() == 3 && isolated.empty()) {
+      triangles.push_back({loops[0][0], loops[0][1], loops[0][2]});
+      return;
+    }
+    std::vector<std::vector<VertexId>> walks;
+    for (const Loop& loop : loops) {
+      auto& walk = walks.emplace_back();
+      for (const Index p : loop) walk.push_back(flat_.points[p]);
+    }
+    std::vector<VertexId> inner;
+    for (const Index p : isolated) inner.push_back(flat_.points[p]);
+    std::vector<std::array<Index, 3>> here;
+    for (const auto& t : triangulate(complex_.points, projection(cell), walks, inner)) {
+      std::array<Index, 3> n{points_.number(t[0]), points_.number(t[1]), points_.number(t[2])};
+      std::rotate(n.begin(), std::min_element(n.begin(), n.end()), n.end());
+      here.push_back(n);
+    }
+    std::sort(here.begin(), here.end());
+    triangles.insert(triangles.end(), here.begin(), here.end());
+  }
+
+  void make_faces() {
+    flipped_.assign(simple_.faces.size(), 0);
+    flat_.faces.resize(simple_.faces.size());
+    for_each_index(simple_.faces.size(), [&](std::size_t i) {
+      const auto& from = simple_.faces[i];
+      FlatComplex::Face& face = flat_.faces[i];
+      face.component = from.component;
+      face.regions = from.regions;
+      for (const auto& loop : from.loops) face.loops.push_back(loop_of(loop));
+      put_in_order(face.loops);
+      face.isolated = numbers(from.isolated);
+      std::sort(face.isolated.begin(), face.isolated.end());
+      const bool flat = is_flat(complex_, from);
+      std::vector<std::pair<FlatComplex::Facet, HalfFace>> facets;
+      if (flat) {
+        facets.push_back({{face.loops, face.isolated}, from.cells[0]});
+      } else {
+        std::vector<std::pair<Loop, HalfFace>> order;
+        for (const HalfFace cell : from.cells) order.push_back({key(facet_of(cell)), cell});
+        std::sort(order.begin(), order.end());
+        for (const auto& [points, cell] : order) facets.push_back({facet_of(cell), cell});
+      }
+      flipped_[i] = must_flip(face, facets[0].second);
+      if (flipped_[i]) flip(face, facets);
+      for (auto& [facet, cell] : facets) {
+        add_triangles(cell, facet.loops, facet.isolated, face.triangles);
+        if (flat) continue;
+        face.facets.push_back(std::move(facet));
+        face.facet_ends.push_back(Index(face.triangles.size()));
+      }
+      face.entity = from.component != 0 && !inside_component(from.component, from.regions);
+      for (const HalfFace cell : from.cells) {
+        add_origin(value_.selection.faces, value_.origins.faces, cell.face(), face.origin);
+      }
+      face.origin = unique(std::move(face.origin));
+      face.patch = patch_of(from, face.origin.leaves);
+      if (view_.parameters != nullptr) add_cells(face, facets, from);
+    });
+  }
+
+  void add_cells(FlatComplex::Face& face, const std::vector<std::pair<FlatComplex::Facet, HalfFace>>& facets,
+                 const SimplifiedComplex::Face& from) const {
+    if (!face.patch || !view_.parameters->has(face.patch->first)) return;
+    if (!std::binary_search(face.origin.leaves.begin(), face.origin.leaves.end(), face.patch->first)) return;
+    const auto add = [&](FaceId f, std::vector<std::vector<PatchCorner>>& list) {
+      for (PlacedCell& cell : view_.parameters->cells(f, std::span(&face.patch->first, 1))) {
+        if (cell.patch == face.patch->second) list.push_back(std::move(cell.corners));
+      }
+    };
+    if (face.facets.empty()) {
+      face.cells.emplace_back();
+      for (const HalfFace cell : from.cells) add(cell.face(), face.cells[0]);
+    } else {
+      for (const auto& [facet, cell] : facets) add(cell.face(), face.cells.emplace_back());
+    }
+    for (auto& list : face.cells) sort_unique(list);
+    const auto none = [](const auto& list) { return list.empty(); };
+    if (std::all_of(face.cells.begin(), face.cells.end(), none)) face.cells.clear();
+  }
+
+  /// Points of a facet, sorted: the same whichever side is the front.
+  static Loop key(const FlatComplex::Facet& facet) {
+    Loop result;
+    for (const Loop& loop : facet.loops) result.insert(result.end(), loop.begin(), loop.end());
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  bool must_flip(const FlatComplex::Face& face, HalfFace first) const {
+    const bool front = flat_.active(face.regions[0]), back = flat_.active(face.regions[1]);
+    if (front != back) return front;
+    return normal_order(first) < 0;
+  }
+
+  static void flip(FlatComplex::Face& face, std::vector<std::pair<FlatComplex::Facet, HalfFace>>& facets) {
+    const auto reverse_all = [](std::vector<Loop>& loops) {
+      for (Loop& loop : loops) std::reverse(loop.begin(), loop.end());
+      put_in_order(loops);
+    };
+    reverse_all(face.loops);
+    std::swap(face.regions[0], face.regions[1]);
+    for (auto& [facet, cell] : facets) {
+      reverse_all(facet.loops);
+      cell = cell.opposite();
+    }
+  }
+
+  bool inside_component(Component component, Index region) const {
+    return region != kNone && region < simple_.regions.size() && simple_.regions[region].component == component;
+  }
+  bool inside_component(Component component, RegionId region) const {
+    return inside_component(component, region_index(region));
+  }
+  template <class Regions>
+  bool inside_component(Component component, const Regions& regions) const {
+    return std::all_of(regions.begin(), regions.end(), [&](auto r) { return inside_component(component, r); });
+  }
+
+  Index region_index(RegionId region) const {
+    const auto place = simple_.region_place[region.index()];
+    return place.dimension == 3 && place.index < simple_.regions.size() ? place.index : kNone;
+  }
+
+  /// The first patch that covers all cells of the face, one of `leaves` if there is any.
+  std::optional<FlatComplex::Patch> patch_of(const SimplifiedComplex::Face& face,
+                                             const std::vector<LeafId>& leaves) const {
+    std::vector<FlatComplex::Patch> common, here, both;
+    for (std::size_t i = 0; i < face.cells.size(); ++i) {
+      here.clear(), both.clear();
+      for (const Cover& cover : complex_.cover(face.cells[i].face())) {
+        const Soup::Face& source = complex_.sources[cover.source];
+        if (source.leaf != complex_.frame) here.emplace_back(source.leaf, source.patch);
+      }
+      sort_unique(here);
+      if (i == 0) {
+        common = here;
+      } else {
+        std::set_intersection(common.begin(), common.end(), here.begin(), here.end(), std::back_inserter(both));
+        common.swap(both);
+      }
+      if (common.empty()) return std::nullopt;
+    }
+    const auto own = std::find_if(common.begin(), common.end(), [&](const FlatComplex::Patch& patch) {
+      return std::binary_search(leaves.begin(), leaves.end(), patch.first);
+    });
+    return own == common.end() ? common[0] : *own;
+  }
+
+  void make_edges() {
+    flat_.edges.resize(simple_.edges.size());
+    for_each_index(simple_.edges.size(), [&](std::size_t i) {
+      const auto& from = simple_.edges[i];
+      FlatComplex::Edge& edge = flat_.edges[i];
+      edge.points = numbers(chain_vertices(complex_, from));
+      edge.closed = from.closed;
+      if (edge.closed) {
+        rotate_to_least(edge.points);
+        if (edge.points.size() > 2 && edge.points.back() < edge.points[1]) {
+          std::reverse(edge.points.begin() + 1, edge.points.end());
+        }
+      } else {
+        Loop reversed(edge.points.rbegin(), edge.points.rend());
+        if (reversed < edge.points) edge.points.swap(reversed);
+      }
+      edge.component = from.component;
+      edge.wire = walks_[i] == 0;
+      edge.slit = slit_[i];
+      std::vector<RegionId> regions;
+      const EdgeId first = from.chain[0].edge();
+      complex_.star_regions(first, regions);
+      edge.entity = from.component != 0 && !inside_component(from.component, regions);
+      if (edge.wire) edge.region = region_index(complex_.some_region(first));
+      const auto& features = value_.features.edges;
+      edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
+        return std::binary_search(features.begin(), features.end(), h.edge());
+      });
+      for (const HalfEdge h : from.chain) {
+        add_origin(value_.selection.edges, value_.origins.edges, h.edge(), edge.origin);
+      }
+      edge.origin = unique(std::move(edge.origin));
+    });
+  }
+
+  void make_vertices() {
+    std::vector<char> on_edge(flat_.points.size(), 0), in_face(flat_.points.size(), 0);
+    for (const auto& edge : flat_.edges) {
+      for (const Index p : edge.points) on_edge[p] = 1;
+    }
+    for (const auto& face : flat_.faces) {
+      for (const Index p : face.isolated) in_face[p] = 1;
+    }
+    flat_.vertices.resize(simple_.vertices.size());
+    for_each_index(simple_.vertices.size(), [&](std::size_t i) {
+      const auto& from = simple_.vertices[i];
+      FlatComplex::Vertex& vertex = flat_.vertices[i];
+      vertex.point = points_.number(from.cell);
+      vertex.component = from.component;
+      vertex.free = !on_edge[vertex.point];
+      std::vector<RegionId> regions;
+      complex_.star_regions(from.cell, regions);
+      vertex.entity = from.component != 0 && !inside_component(from.component, regions);
+      if (vertex.free && !in_face[vertex.point]) vertex.region = region_index(complex_.some_region(from.cell));
+      const auto& features = value_.features.vertices;
+      vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);
+      add_origin(value_.selection.vertices, value_.origins.vertices, from.cell, vertex.origin);
+    });
+  }
+
+  /// Sides of faces in shells, by the fronts as they are now.
+  void turn_shells() {
+    for (auto& region : flat_.regions) {
+      for (auto& shell : region.shells) {
+        for (Index& side : shell) side ^= flipped_[side >> 1];
+        tbb::parallel_sort(shell.begin(), shell.end());
+      }
+      std::sort(region.shells.begin(), region.shells.end());
+    }
+  }
+};
+
+}  // namespace
+
+FlatComplex flatten(const ResultView& view) {
+  require(view.complex != nullptr && view.simplified != nullptr && view.value != nullptr,
+          "flatten: a result without a complex");
+  return Flattener(view).run();
+}
+
+const RegionAttributes& attributes_of(const ResultView& view, Component component) {
+  static const RegionAttributes kNothing;
+  return component == 0 ? kNothing : view.value->attributes(component);
+}
+
+}  // namespace cnrg

@@ -1,0 +1,104 @@
+// A result flattened to points, chains, loops and triangles: what every writer starts from.
+//
+// The numbering is canonical. Points are sorted by their exact coordinates; everything else follows from
+// point numbers alone. So a result has the same numbers whichever way it was computed, and reading a file
+// back and writing it again gives the same file.
+//
+//   * A point inside a straight chain that is no vertex and touches flat faces only is left out.
+//   * The front of a face is the outside, where exactly one of its sides is active; else the side to which
+//     the lexicographically positive normal of its first facet points.
+//   * A face on one plane has one facet. A face of a curved patch has a facet for each planar piece.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "csg/result/result_view.h"
+
+namespace cnrg {
+
+struct FlatComplex {
+  using Index = std::uint32_t;
+  static constexpr Index kNone = 0xffffffffu;
+  using Loop = std::vector<Index>;  ///< point numbers
+
+  /// Where an active cell came from, over all cells of the complex that it unites (of its own dimension): the
+  /// leaves and their faces, wires, points and regions that hold it. Both ascending; empty for inactive cells.
+  struct Provenance {
+    std::vector<LeafId> leaves;
+    std::vector<LeafCell> cells;
+  };
+  /// A patch of a leaf.
+  using Patch = std::pair<LeafId, std::uint32_t>;
+  struct Vertex {
+    Index point = 0;
+    Component component = 0;
+    bool entity = false;   ///< active, and not just the interior of a region of its component
+    bool feature = false;  ///< of the group; of components: of the groups they were made of
+    bool free = false;     ///< no listed edge ends there (it may lie inside of a face)
+    Index region = kNone;  ///< the region that holds a vertex on no edge and no face
+    Provenance origin;
+  };
+  struct Edge {
+    Loop points;  ///< from end to end; a closed chain does not repeat the first
+    bool closed = false;
+    Component component = 0;
+    bool entity = false, feature = false;
+    bool wire = false;     ///< no listed face has it on its boundary
+    bool slit = false;     ///< a face walks it twice
+    Index region = kNone;  ///< the region that holds a wire
+    Provenance origin;
+  };
+  struct Facet {
+    std::vector<Loop> loops;  ///< outer first, seen from the front counter-clockwise, holes clockwise
+    std::vector<Index> isolated;
+    friend auto operator<=>(const Facet&, const Facet&) = default;
+  };
+  struct Face {
+    std::vector<Loop> loops;                      ///< boundary walks, the face to the left as seen from the front
+    std::vector<Index> isolated;                  ///< vertices in the interior, by point
+    std::vector<Facet> facets;                    ///< of a face that is not flat; empty for a flat one
+    std::vector<std::array<Index, 3>> triangles;  ///< counter-clockwise as seen from the front
+    std::vector<Index> facet_ends;  ///< of a face that is not flat: where the triangles of each facet end
+    Component component = 0;
+    bool entity = false;
+    std::array<Index, 2> regions{kNone, kNone};  ///< on front and back
+    Provenance origin;
+    /// The patch that covers all of it, if there is one; of the leaves that it came from if possible.
+    std::optional<Patch> patch;
+    /// With ResultView::parameters, the cells of the leaf's patch (parameters.h) that the face lies in: of each
+    /// facet (of a flat face: of all of it), each list ascending. Empty where `patch` has no parameters.
+    std::vector<std::vector<std::vector<PatchCorner>>> cells;
+  };
+  struct Region {
+    Component component = 0;
+    bool bounded = true;
+    std::vector<std::vector<Index>> shells;  ///< face * 2 + side (0: front), ascending in each
+    std::vector<RegionId> cells;             ///< 3-cells of the complex
+    Provenance origin;
+  };
+
+  std::vector<VertexId> points;     ///< ascending by coordinates
+  std::vector<Index> frame_points;  ///< points on the frame of unbounded leaves, ascending
+  std::vector<Vertex> vertices;
+  std::vector<Edge> edges;
+  std::vector<Face> faces;
+  std::vector<Region> regions;
+
+  bool active(Index region) const { return region != kNone && regions[region].component != 0; }
+  /// 0: dangling (in or out of a region), 1: bounds one active region, 2: a wall between two.
+  int regions_bounded(const Face& face) const {
+    return face.regions[0] == face.regions[1] ? 0 : active(face.regions[0]) + active(face.regions[1]);
+  }
+};
+
+FlatComplex flatten(const ResultView& view);
+
+/// Name, material and leaves of a component; empty for 0.
+const RegionAttributes& attributes_of(const ResultView& view, Component component);
+
+}  // namespace cnrg

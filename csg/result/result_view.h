@@ -1,0 +1,40 @@
+// What writers are given: one node of an evaluated tree with all that its file says of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csg/leaves/surface_parameters.h"
+#include "csg/operators/node_value.h"
+#include "kernel/selection/simplify.h"
+
+namespace cnrg {
+
+/// What a writer says of a leaf.
+struct LeafInfo {
+  std::string name;  ///< the node's name in the tree
+};
+
+/// One node of an evaluated tree, as writers see it.
+struct ResultView {
+  std::string node{};  ///< name of the node
+  const Complex* complex = nullptr;
+  const NodeValue* value = nullptr;
+  const SimplifiedComplex* simplified = nullptr;
+  const std::vector<LeafInfo>* leaves = nullptr;  ///< by LeafId
+  struct Material {
+    std::string name, color;
+  };
+  std::vector<Material> materials{};
+  bool of_group = false;  ///< `value` has the components of a group (snap.h): the last are entities
+  /// Given: .json and .vtu say the parameters of faces on patches of the leaves.
+  const SurfaceParameters* parameters = nullptr;
+};
+
+/// What rounding to doubles did to a written file.
+struct RoundingReport {
+  std::size_t moved = 0;  ///< vertices whose doubles differ from their exact coordinates
+  bool embedded = true;   ///< the rounded facets still meet only in shared vertices and edges
+};
+
+}  // namespace cnrg

@@ -1,0 +1,449 @@
+#include "csg/result/snap_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "csg/result/rounding.h"
+#include "kernel/base/error.h"
+#include "kernel/base/parallel.h"
+#include "kernel/base/point_hash.h"
+#include "kernel/base/sorted.h"
+#include "kernel/exact/triangulate.h"
+
+namespace cnrg {
+namespace {
+
+using Index = std::uint32_t;
+using Xyz = std::array<double, 3>;
+constexpr Index kNone = 0xffffffffu;
+
+struct HashXyz {
+  std::size_t operator()(const Xyz& p) const { return hash_of_point(p.data()); }
+};
+
+std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
+
+/// Lists of numbers, each stored once.
+class Lists {
+ public:
+  Index intern(std::vector<Index> list) {
+    const auto [it, fresh] = known_.try_emplace(std::move(list), Index(lists_.size()));
+    if (fresh) lists_.push_back(&it->first);
+    return it->second;
+  }
+  const std::vector<Index>& operator[](Index i) const { return *lists_[i]; }
+  Index unite(Index a, Index b) {
+    if (a == b) return a;
+    std::vector<Index> both = (*this)[a];
+    both.insert(both.end(), (*this)[b].begin(), (*this)[b].end());
+    sort_unique(both);
+    return intern(std::move(both));
+  }
+
+ private:
+  std::map<std::vector<Index>, Index> known_;
+  std::vector<const std::vector<Index>*> lists_;
+};
+
+/// At least the distance between a point of the table and one of doubles.
+double distance(const PointTable& table, VertexId v, const Xyz& to) {
+  const RationalPoint from = table.rational(v);
+  Xyz d;
+  for (std::size_t k = 0; k < 3; ++k) d[k] = to_double(from[k] - from_double(to[k]));
+  return std::hypot(d[0], d[1], d[2]) * (1 + 0x1p-50);
+}
+
+bool has_doubles(const PointTable& table, VertexId v) {
+  if (table.is_double(v)) return true;
+  const RationalPoint p = table.rational(v);
+  return is_double(p[0]) && is_double(p[1]) && is_double(p[2]);
+}
+
+Xyz nearest(const PointTable& table, VertexId v) {
+  Xyz p = table.nearest(v);
+  for (double& c : p) {
+    if (!std::isfinite(c)) {
+      throw InputError("a coordinate of the result is beyond the range of doubles; write .json, which is exact");
+    }
+    c += 0.0;  // no -0
+  }
+  return p;
+}
+
+Xyz on_grid(Xyz p, double cell) {
+  for (double& c : p) c = std::nearbyint(c / cell) * cell + 0.0;
+  return p;
+}
+
+using Cells = std::set<Xyz>;  // of the grid, by their centers
+
+/// The first of the given cells that the point lies in or on; nothing if there is none.
+std::optional<Xyz> cell_of(const Xyz& p, const Cells& cells, double size) {
+  std::array<Xyz, 2> near;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double at = p[k] / size, first = std::ceil(at - 0.5), last = std::floor(at + 0.5);
+    near[0][k] = first * size + 0.0;
+    near[1][k] = last * size + 0.0;
+  }
+  for (unsigned i = 0; i < 8; ++i) {
+    const Xyz center{near[i >> 2][0], near[i >> 1 & 1][1], near[i & 1][2]};
+    if (cells.contains(center)) return center;
+  }
+  return {};
+}
+
+void add_box(Soup& soup, LeafId leaf, const Xyz& center, double half) {
+  PointId p[8];
+  for (int i = 0; i < 8; ++i) {
+    p[i] = soup.add_point(center[0] + (i & 1 ? half : -half), center[1] + (i & 2 ? half : -half),
+                          center[2] + (i & 4 ? half : -half));
+  }
+  constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  for (const auto& f : kFaces) {
+    const std::vector<PointId> loop{p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
+    soup.add_face(leaf, std::span(&loop, 1), 0, 0);
+  }
+}
+
+class Snapper {
+ public:
+  Snapper(const PointTable& table, const NumberedDrawing& drawing) : drawing_(drawing) {
+    const std::size_t n = drawing.points.size();
+    std::vector<Xyz> rounded(n);
+    std::vector<double> moves(n, 0);
+    for_each_index(n, [&](std::size_t p) {
+      const VertexId v = drawing.points[p];
+      rounded[p] = nearest(table, v);
+      if (!table.is_double(v)) moves[p] = distance(table, v, rounded[p]);
+    });
+    double largest = 0;
+    Numbering numbers(start_.xyz);
+    for (std::size_t p = 0; p < n; ++p) {
+      for (const double c : rounded[p]) largest = std::max(largest, std::abs(c));
+      start_.displacement = std::max(start_.displacement, moves[p]);
+      start_.at.push_back(numbers(rounded[p]));
+    }
+    if (largest > 0) unit_ = std::ldexp(1.0, std::max(std::ilogb(largest) - 52, -1074));
+    for (const auto& t : drawing.triangles) {
+      const auto& [a, b, c] = t.points;
+      start_.triangles.push_back({{start_.at[a], start_.at[b], start_.at[c]}, lists_.intern({2 * t.face})});
+    }
+    for (const auto& [ends, edge] : drawing.pieces) {
+      add_piece(start_, start_.at[ends[0]], start_.at[ends[1]], lists_.intern({edge}));
+    }
+  }
+
+  SnappedDrawing run() {
+    Refined first = refine(start_);
+    if (first.crossings == 0) return finish(start_, first, 1);
+    int rounds = 1;
+    double cell = unit_ * kSnapFirstCell;
+    for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
+      State state = moved(start_, first, cell);
+      std::size_t fewest = std::numeric_limits<std::size_t>::max();
+      for (int patience = kSnapPatience; patience > 0;) {
+        Refined refined = refine(state);
+        ++rounds;
+        if (refined.crossings == 0) return finish(state, refined, rounds);
+        patience = refined.crossings < fewest ? kSnapPatience : patience - 1;
+        fewest = std::min(fewest, refined.crossings);
+        if (refined.crossings > 8 * fewest + 64) break;
+        if (patience > 0) state = moved(state, refined, cell);
+      }
+    }
+    std::string last;
+    append(last, cell / kSnapGrowth);
+    throw InputError("rounding to doubles makes facets cross, and snapping vertices to a grid of " + last +
+                     " still does; move the model nearer to the origin, or write .json, which is exact");
+  }
+
+ private:
+  struct Triangle {
+    std::array<Index, 3> points;
+    Index faces;  // a list of faces and turns
+  };
+  struct State {
+    std::vector<Xyz> xyz;
+    std::vector<Triangle> triangles;
+    std::map<std::array<Index, 2>, Index> pieces;  // between two points: a list of edges
+    std::vector<Index> at;                         // of each point of the drawing, or kNone
+    double displacement = 0;
+  };
+  struct Refined {
+    Complex complex;            // its first vertices are the points of the state
+    std::vector<char> settled;  // vertices that are doubles
+    std::size_t crossings = 0;  // vertices that are not
+  };
+  /// Points by their coordinates.
+  class Numbering {
+   public:
+    explicit Numbering(std::vector<Xyz>& xyz) : xyz_(xyz) {}
+    Index operator()(const Xyz& p) {
+      const auto [it, fresh] = number_.try_emplace(p, Index(xyz_.size()));
+      if (fresh) xyz_.push_back(p);
+      return it->second;
+    }
+
+   private:
+    std::vector<Xyz>& xyz_;
+    std::unordered_map<Xyz, Index, HashXyz> number_;
+  };
+
+  const NumberedDrawing& drawing_;
+  Lists lists_;
+  State start_;      // each point rounded by itself
+  double unit_ = 1;  // one unit in the last place of the largest coordinate
+
+  void add_piece(State& state, Index a, Index b, Index edges) {
+    if (a == b) return;
+    const auto [it, fresh] = state.pieces.try_emplace({std::min(a, b), std::max(a, b)}, edges);
+    if (!fresh) it->second = lists_.unite(it->second, edges);
+  }
+
+  Refined refine(State& state) const {
+    drop_flat_triangles(state);
+    keep_used_points(state);
+    Refined refined{complex_of(state), {}, 0};
+    const Complex& complex = refined.complex;
+    refined.settled.assign(complex.points.size(), 1);
+    for_each_of(complex.vertices,
+                [&](VertexId v) { refined.settled[v.index()] = has_doubles(complex.points, v); });
+    refined.crossings = std::size_t(std::count(refined.settled.begin(), refined.settled.end(), 0));
+    return refined;
+  }
+
+  static void drop_flat_triangles(State& state) {
+    PointTable table;
+    for (const Xyz& p : state.xyz) table.add(p[0], p[1], p[2]);
+    std::vector<char> flat(state.triangles.size(), 0);
+    for_each_index(flat.size(), [&](std::size_t i) {
+      const auto& [a, b, c] = state.triangles[i].points;
+      flat[i] = a == b || b == c || c == a || collinear(table, VertexId(a), VertexId(b), VertexId(c));
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      if (!flat[i]) state.triangles[kept++] = state.triangles[i];
+    }
+    state.triangles.resize(kept);
+  }
+
+  /// Numbers the points again: those that something has, so that a point of the soup is the vertex of its number.
+  void keep_used_points(State& state) const {
+    std::vector<Index> number(state.xyz.size(), kNone);
+    for (const auto& t : state.triangles)
+      for (const Index p : t.points) number[p] = 0;
+    for (const auto& [ends, edges] : state.pieces)
+      for (const Index p : ends) number[p] = 0;
+    for (const Index p : drawing_.isolated) number[state.at[p]] = 0;
+    Index n = 0;
+    for (Index p = 0; p < number.size(); ++p) {
+      if (number[p] == kNone) continue;
+      state.xyz[n] = state.xyz[p];
+      number[p] = n++;
+    }
+    state.xyz.resize(n);
+    for (auto& t : state.triangles)
+      for (Index& p : t.points) p = number[p];
+    std::map<std::array<Index, 2>, Index> pieces;
+    for (const auto& [ends, edges] : state.pieces) pieces[{number[ends[0]], number[ends[1]]}] = edges;
+    state.pieces = std::move(pieces);
+    for (Index& p : state.at) p = p == kNone ? kNone : number[p];
+  }
+
+  /// Source i is triangle i; the cells of the grid come after them.
+  Complex complex_of(const State& state, const Cells& cells = {}, double cell = 0) const {
+    Soup soup;
+    const LeafId leaf = soup.add_leaf(Fill::none);
+    for (const Xyz& p : state.xyz) soup.add_point(p[0], p[1], p[2]);
+    std::unordered_set<std::uint64_t> sides;
+    std::vector<char> held(state.xyz.size(), 0);
+    Index number = 0;
+    for (const auto& t : state.triangles) {
+      const auto& [a, b, c] = t.points;
+      soup.add_triangle(leaf, PointId(a), PointId(b), PointId(c), number, number);
+      ++number;
+      sides.insert({key_of(a, b), key_of(b, c), key_of(c, a)});
+      held[a] = held[b] = held[c] = 1;
+    }
+    for (const auto& [ends, edges] : state.pieces) {
+      if (sides.contains(key_of(ends[0], ends[1]))) continue;
+      soup.add_wire(leaf, PointId(ends[0]), PointId(ends[1]), number++);
+      held[ends[0]] = held[ends[1]] = 1;
+    }
+    for (const Index p : drawing_.isolated) {
+      if (!held[state.at[p]]) soup.add_isolated(leaf, PointId(state.at[p]));
+    }
+    for (const Xyz& center : cells) add_box(soup, leaf, center, cell / 2);
+    return build_complex(soup);
+  }
+
+  /// The refinement of a drawing that has not been cut yet is that drawing.
+  bool is_plain(const State& state, const Complex& complex) const {
+    std::vector<std::uint64_t> edges;
+    for (const auto& t : state.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) edges.push_back(key_of(t.points[k], t.points[(k + 1) % 3]));
+    }
+    for (const auto& [ends, list] : state.pieces) edges.push_back(key_of(ends[0], ends[1]));
+    sort_unique(edges);
+    return state.xyz.size() == drawing_.points.size() && state.triangles.size() == drawing_.triangles.size() &&
+           state.pieces.size() == drawing_.pieces.size() && complex.vertex_count() == state.xyz.size() &&
+           complex.edge_count() == edges.size() && complex.face_count() == state.triangles.size();
+  }
+
+  /// The faces of the drawing on a face of the complex.
+  Index faces_on(const State& state, const Complex& complex, FaceId f) {
+    const auto covers = complex.cover(f);
+    std::vector<Index> all;
+    for (const Cover& cover : covers) {
+      if (cover.source.index() >= state.triangles.size()) continue;
+      for (const Index code : lists_[state.triangles[cover.source.index()].faces]) {
+        all.push_back(code ^ (cover.same ? 0u : 1u));
+      }
+    }
+    std::sort(all.begin(), all.end());
+    return lists_.intern(std::move(all));
+  }
+
+  /// The edges of the drawing on an edge of the complex.
+  Index edges_on(const State& state, const Complex& complex, EdgeId e) {
+    Index edges = lists_.intern({});
+    for (const SegmentId s : complex.edge_segments[e]) {
+      const auto& [a, b] = complex.segment_ends[s];
+      const auto piece = state.pieces.find({std::min(a, b).value(), std::max(a, b).value()});
+      if (piece != state.pieces.end()) edges = lists_.unite(edges, piece->second);
+    }
+    return edges;
+  }
+
+  static void triangulate_face(const Complex& complex, FaceId f, std::vector<std::array<VertexId, 3>>& out) {
+    std::vector<std::vector<VertexId>> walks;
+    for (const LoopId l : complex.face_loops[f]) {
+      auto& walk = walks.emplace_back();
+      for (const HalfEdge h : complex.loop[l]) walk.push_back(complex.origin(h));
+    }
+    const auto isolated = complex.face_vertices[f];
+    if (walks.size() == 1 && walks[0].size() == 3 && isolated.empty()) {
+      out.push_back({walks[0][0], walks[0][1], walks[0][2]});
+      return;
+    }
+    out = triangulate(complex.points, complex.sheet_projection[complex.face_sheet[f]], walks, isolated);
+  }
+
+  /// The cells of the grid that hold new vertices or corners of triangles that were cut.
+  static Cells cells_of(const State& state, const Refined& refined, double size) {
+    const Complex& complex = refined.complex;
+    Cells cells;
+    std::vector<char> corner(state.xyz.size(), 0);
+    for (const VertexId v : complex.vertices) {
+      if (!refined.settled[v.index()]) cells.insert(on_grid(nearest(complex.points, v), size));
+    }
+    for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
+      bool cut = false;
+      for (const LoopId l : complex.face_loops[f]) {
+        for (const HalfEdge h : complex.loop[l]) cut = cut || !refined.settled[complex.origin(h).index()];
+      }
+      for (const VertexId v : complex.face_vertices[f]) cut = cut || !refined.settled[v.index()];
+      if (!cut) continue;
+      for (const Cover& cover : complex.cover(f)) {
+        for (const Index p : state.triangles[cover.source.index()].points) corner[p] = 1;
+      }
+    }
+    for (Index p = 0; p < corner.size(); ++p) {
+      if (corner[p]) cells.insert(on_grid(state.xyz[p], size));
+    }
+    return cells;
+  }
+
+  /// The drawing with all that lies in the cells drawn together in their centers.
+  State moved(const State& state, const Refined& refined, double size) {
+    const Cells cells = cells_of(state, refined, size);
+    const Complex complex = complex_of(state, cells, size);
+    std::vector<Index> faces, edges;
+    std::vector<char> used(complex.points.size(), 0);
+    for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
+      faces.push_back(faces_on(state, complex, f));
+      if (lists_[faces.back()].empty()) continue;
+      for (const LoopId l : complex.face_loops[f]) {
+        for (const HalfEdge h : complex.loop[l]) used[complex.origin(h).index()] = 1;
+      }
+      for (const VertexId v : complex.face_vertices[f]) used[v.index()] = 1;
+    }
+    for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
+      edges.push_back(edges_on(state, complex, e));
+      if (lists_[edges.back()].empty()) continue;
+      for (const VertexId v : complex.edge_ends[e]) used[v.index()] = 1;
+    }
+    for (const Index p : drawing_.isolated) used[state.at[p]] = 1;
+
+    std::vector<Xyz> there(complex.points.size());
+    std::vector<double> moves(complex.points.size(), 0);
+    for_each_of(complex.vertices, [&](VertexId v) {
+      if (!used[v.index()]) return;
+      const Xyz here = nearest(complex.points, v);
+      const std::optional<Xyz> center = cell_of(here, cells, size);
+      there[v.index()] = center ? *center : here;
+      if (there[v.index()] != here || !complex.points.is_double(v)) {
+        moves[v.index()] = distance(complex.points, v, there[v.index()]);
+      }
+    });
+
+    State next;
+    next.displacement = state.displacement + *std::max_element(moves.begin(), moves.end());
+    std::vector<Index> to(complex.points.size(), kNone);
+    Numbering numbers(next.xyz);
+    for (const VertexId v : complex.vertices) {
+      if (used[v.index()]) to[v.index()] = numbers(there[v.index()]);
+    }
+    std::vector<std::vector<std::array<VertexId, 3>>> made(complex.face_count());
+    for_each_index(
+        made.size(),
+        [&](std::size_t f) {
+          if (!lists_[faces[f]].empty()) triangulate_face(complex, FaceId(f), made[f]);
+        },
+        64);
+    for (std::size_t f = 0; f < made.size(); ++f) {
+      for (const auto& [a, b, c] : made[f]) {
+        next.triangles.push_back({{to[a.index()], to[b.index()], to[c.index()]}, faces[f]});
+      }
+    }
+    for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
+      if (lists_[edges[e.index()]].empty()) continue;
+      const auto& [a, b] = complex.edge_ends[e];
+      add_piece(next, to[a.index()], to[b.index()], edges[e.index()]);
+    }
+    for (const Index p : state.at) next.at.push_back(p == kNone ? kNone : to[p]);
+    return next;
+  }
+
+  SnappedDrawing finish(const State& state, Refined& refined, int rounds) {
+    SnappedDrawing result;
+    const Complex& complex = refined.complex;
+    for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
+      result.faces.push_back(lists_[faces_on(state, complex, f)]);
+    }
+    for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
+      result.edges.push_back(lists_[edges_on(state, complex, e)]);
+    }
+    for (const Index p : state.at) result.points.push_back(p == kNone ? VertexId::none() : VertexId(p));
+    result.rounds = rounds;
+    result.plain = rounds == 1 && is_plain(state, complex);
+    result.displacement = state.displacement;
+    result.complex = std::move(refined.complex);
+    return result;
+  }
+};
+
+}  // namespace
+
+SnappedDrawing snap(const PointTable& points, const NumberedDrawing& drawing) {
+  return Snapper(points, drawing).run();
+}
+
+}  // namespace cnrg

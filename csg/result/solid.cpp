@@ -1,0 +1,117 @@
+#include "csg/result/solid.h"
+
+#include <algorithm>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+using Index = FlatComplex::Index;
+constexpr const char* kBound =
+    "; write .json, or cut the node with a box first (`intersection`, or `product` where it is not closed)";
+
+/// `3 walls`, `1 wall`, or nothing for zero; appended with a comma.
+void count(std::string& list, std::size_t n, const char* one, const char* many) {
+  if (n == 0) return;
+  if (!list.empty()) list += ", ";
+  list += std::to_string(n) + " " + (n == 1 ? one : many);
+}
+
+}  // namespace
+
+void require_off_frame(const FlatComplex& flat, const std::string& format) {
+  const auto on_frame = [&](const FlatComplex::Loop& loop) {
+    return std::any_of(loop.begin(), loop.end(), [&](Index p) {
+      return std::binary_search(flat.frame_points.begin(), flat.frame_points.end(), p);
+    });
+  };
+  for (const auto& face : flat.faces) {
+    if (face.component != 0 && std::any_of(face.loops.begin(), face.loops.end(), on_frame)) {
+      throw InputError(format + " can not hold a face without bounds" + kBound);
+    }
+  }
+  for (const auto& edge : flat.edges) {
+    if (edge.component != 0 && on_frame(edge.points)) {
+      throw InputError(format + " can not hold a line without bounds" + kBound);
+    }
+  }
+}
+
+void require_closed_and_bounded(const FlatComplex& flat, const std::string& format) {
+  require_off_frame(flat, format);
+  for (const auto& region : flat.regions) {
+    if (region.component != 0 && !region.bounded) {
+      throw InputError(format + " can not hold a region without bounds" + kBound);
+    }
+  }
+  // An inactive cell is listed because it is on the boundary of active ones.
+  const auto missing = [](const auto& cells) {
+    return std::size_t(std::count_if(cells.begin(), cells.end(), [](const auto& c) { return c.component == 0; }));
+  };
+  std::string list;
+  count(list, missing(flat.faces), "boundary face", "boundary faces");
+  count(list, missing(flat.edges), "boundary edge", "boundary edges");
+  count(list, missing(flat.vertices), "boundary vertex", "boundary vertices");
+  if (!list.empty()) {
+    throw InputError(format + " holds closed sets only, and the result lacks " + list +
+                     "; write .json or .vtu, or apply `closure`");
+  }
+}
+
+SolidBoundary solid_boundary(const FlatComplex& flat, const std::string& format) {
+  require_closed_and_bounded(flat, format);
+  std::size_t walls = 0, cracks = 0, dangling = 0, wires = 0, points = 0;
+  bool inner = false, outer = false;  // wires and points in regions, and outside
+  SolidBoundary boundary;
+  std::vector<Index> number(flat.points.size(), FlatComplex::kNone);
+  for (const auto& face : flat.faces) {
+    if (face.component == 0 || !face.entity) continue;
+    const int bounded = flat.regions_bounded(face);
+    if (bounded != 1) {
+      ++(bounded == 2 ? walls : flat.active(face.regions[0]) ? cracks : dangling);
+      continue;
+    }
+    const bool front = flat.active(face.regions[0]);
+    for (auto t : face.triangles) {
+      if (front) std::swap(t[1], t[2]);
+      boundary.triangles.push_back(t);
+      for (const Index p : t) number[p] = 0;
+    }
+  }
+  const auto see = [&](std::size_t& n, Index region) {
+    ++n;
+    (flat.active(region) ? inner : outer) = true;
+  };
+  for (const auto& edge : flat.edges) {
+    if (edge.wire && edge.entity) see(wires, edge.region);
+  }
+  for (const auto& vertex : flat.vertices) {
+    if (vertex.entity && vertex.region != FlatComplex::kNone) see(points, vertex.region);
+  }
+  std::string list;
+  count(list, walls, "wall between regions", "walls between regions");
+  count(list, cracks, "face inside of a region", "faces inside of regions");
+  count(list, dangling, "face that bounds no region", "faces that bound no region");
+  count(list, wires, "wire", "wires");
+  count(list, points, "isolated point", "isolated points");
+  if (!list.empty()) {
+    const bool joins = walls > 0 || cracks > 0 || inner, drops = dangling > 0 || outer;
+    std::string remedy = drops ? "`regularize` (it drops what bounds no region)" : "";
+    if (joins && drops) remedy += " and ";
+    if (joins) remedy += "`unify` (it joins regions with what is in them)";
+    throw InputError(format + " holds the outer boundary of solids only, and the result has " + list +
+                     "; write .obj, .vtu or .json, which hold everything, or apply " + remedy);
+  }
+  for (Index p = 0; p < number.size(); ++p) {
+    if (number[p] == FlatComplex::kNone) continue;
+    number[p] = Index(boundary.points.size());
+    boundary.points.push_back(p);
+  }
+  for (auto& t : boundary.triangles) {
+    for (Index& p : t) p = number[p];
+  }
+  return boundary;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,157 @@
+// Height fields: a surface over a grid, or the solid from it down to a level.
+//
+// Cell (i, j) is cut by the diagonal from (i, j) to (i + 1, j + 1). The surface is one patch, number 0, its front
+// is up; a solid has its bottom as number 1 and its four walls as 2 to 5, each one polygon.
+// Heights in the tree are exact. In a file they are the doubles that the text rounds to, and the coordinates of
+// its points are the doubles nearest to origin + i * spacing, taken exactly from the decimals of the header.
+#include <algorithm>
+
+#include "csg/geometry/exact_vectors.h"
+#include "csg/imports/height_grid.h"
+#include "csg/leaves/geometry_leaf.h"
+#include "csg/leaves/prepare_shapes.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+/// Points of the grid, rows along y upwards; `none` where data is missing.
+struct GridPoints {
+  std::size_t columns, rows;
+  std::vector<PointId> ids;
+  PointId at(std::size_t i, std::size_t j) const { return ids[j * columns + i]; }
+};
+
+void check_base(const Rational& lowest, const Rational& base) {
+  if (lowest > base) return;
+  throw InputError("heightfield: base is " + to_decimal(base) + ", but the lowest height is " +
+                   to_decimal(lowest) + ": give a base below all heights");
+}
+
+GridPoints points_of_tree(LeafBuilder& builder, const HeightfieldShape& shape) {
+  const auto& rows = shape.heights;
+  if (rows.size() < 2 || rows[0].size() < 2) {
+    throw InputError("heightfield: heights has " + std::to_string(rows.size()) + " rows of " +
+                     std::to_string(rows.empty() ? 0 : rows[0].size()) + " entries: give at least 2 rows of 2");
+  }
+  if (shape.spacing_x <= 0 || shape.spacing_y <= 0) {
+    throw InputError("heightfield: spacing is [" + to_decimal(shape.spacing_x) + ", " +
+                     to_decimal(shape.spacing_y) + "]: give positive lengths");
+  }
+  GridPoints grid{rows[0].size(), rows.size(), {}};
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    if (rows[j].size() != grid.columns) {
+      throw InputError("heightfield: row " + std::to_string(j + 1) + " has " + std::to_string(rows[j].size()) +
+                       " heights, row 1 has " + std::to_string(grid.columns) + ": give rows of equal length");
+    }
+    const Rational y = shape.origin_y + Rational(static_cast<unsigned long>(j)) * shape.spacing_y;
+    for (std::size_t i = 0; i < grid.columns; ++i) {
+      if (shape.base) check_base(rows[j][i], *shape.base);
+      const Rational x = shape.origin_x + Rational(static_cast<unsigned long>(i)) * shape.spacing_x;
+      grid.ids.push_back(builder.point({x, y, rows[j][i]}));
+    }
+  }
+  return grid;
+}
+
+GridPoints points_of_file(LeafBuilder& builder, const HeightfieldShape& shape, std::vector<std::string>& notices) {
+  const HeightGrid file = read_height_grid(shape.file);
+  GridPoints grid{file.columns, file.rows, {}};
+  if (!file.missing.empty()) {
+    const auto missing = std::count(file.missing.begin(), file.missing.end(), true);
+    if (shape.base) {
+      throw InputError("heightfield: '" + shape.file + "' has no data at " + std::to_string(missing) +
+                       " points, so it has no solid: fill the gaps, or leave out `base`");
+    }
+    notices.push_back("heightfield '" + shape.file + "' has no data at " + std::to_string(missing) +
+                      " points: the cells around them are left out");
+  }
+  if (shape.base)
+    check_base(from_double(*std::min_element(file.heights.begin(), file.heights.end())), *shape.base);
+  const auto coordinates = [](const Rational& origin, const Rational& spacing, std::size_t n) {
+    std::vector<double> result;
+    for (std::size_t i = 0; i < n; ++i)
+      result.push_back(to_double(origin + Rational(static_cast<unsigned long>(i)) * spacing));
+    for (std::size_t i = 1; i < n; ++i) {
+      if (result[i - 1] < result[i]) continue;
+      throw InputError(
+          "heightfield: the cellsize is too small against the coordinates, neighbours round to one point");
+    }
+    return result;
+  };
+  const std::vector<double> x = coordinates(file.origin_x, file.spacing_x, file.columns);
+  const std::vector<double> y = coordinates(file.origin_y, file.spacing_y, file.rows);
+  for (std::size_t j = 0; j < file.rows; ++j) {
+    for (std::size_t i = 0; i < file.columns; ++i) {
+      const std::size_t k = j * file.columns + i;
+      const bool gap = !file.missing.empty() && file.missing[k];
+      grid.ids.push_back(gap ? PointId::none() : builder.soup().add_point(x[i], y[j], file.heights[k]));
+    }
+  }
+  return grid;
+}
+
+void add_surface(LeafBuilder& builder, const GridPoints& grid) {
+  const auto triangle = [&](PointId a, PointId b, PointId c) {
+    if (a.valid() && b.valid() && c.valid()) builder.triangle(a, b, c, 0);
+  };
+  std::size_t cells = 0;
+  for (std::size_t j = 0; j + 1 < grid.rows; ++j) {
+    for (std::size_t i = 0; i + 1 < grid.columns; ++i) {
+      const PointId a = grid.at(i, j), b = grid.at(i + 1, j), c = grid.at(i + 1, j + 1), d = grid.at(i, j + 1);
+      if (!a.valid() || !b.valid() || !c.valid() || !d.valid()) continue;
+      ++cells;
+      triangle(a, b, c);
+      triangle(a, c, d);
+    }
+  }
+  if (cells == 0) throw InputError("heightfield: no cell has data at all of its corners: there is no surface");
+}
+
+void add_walls(LeafBuilder& builder, const GridPoints& grid, const Rational& base) {
+  // The border counter-clockwise as seen from above: south, east, north, west, each with its two ends.
+  const std::size_t last_i = grid.columns - 1, last_j = grid.rows - 1;
+  std::vector<PointId> sides[4];
+  for (std::size_t i = 0; i <= last_i; ++i) {
+    sides[0].push_back(grid.at(i, 0));
+    sides[2].push_back(grid.at(last_i - i, last_j));
+  }
+  for (std::size_t j = 0; j <= last_j; ++j) {
+    sides[1].push_back(grid.at(last_i, j));
+    sides[3].push_back(grid.at(0, last_j - j));
+  }
+  PointId bottom[4];
+  for (std::size_t s = 0; s < 4; ++s) {
+    RationalPoint p = builder.value(sides[s].front());
+    p[2] = base;
+    bottom[s] = builder.point(p);
+  }
+  builder.face({bottom[3], bottom[2], bottom[1], bottom[0]}, 1);
+  for (std::size_t s = 0; s < 4; ++s) {
+    std::vector<PointId> loop{bottom[s], bottom[(s + 1) % 4]};
+    loop.insert(loop.end(), sides[s].rbegin(), sides[s].rend());
+    builder.face(loop, static_cast<std::uint32_t>(2 + s));
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<PreparedLeaf> prepare_heightfield(const HeightfieldShape& shape) {
+  if (!shape.file.empty() && !shape.heights.empty()) {
+    throw InputError("heightfield: both heights and a file are given: leave one out");
+  }
+  LeafBuilder builder(shape.base ? Fill::winding : Fill::none);
+  std::vector<std::string> notices;
+  const GridPoints grid =
+      shape.file.empty() ? points_of_tree(builder, shape) : points_of_file(builder, shape, notices);
+  add_surface(builder, grid);
+  for (const std::size_t j : {std::size_t{0}, grid.rows - 1}) {
+    for (const std::size_t i : {std::size_t{0}, grid.columns - 1}) {
+      if (grid.at(i, j).valid()) builder.soup().add_curve_end(builder.leaf(), grid.at(i, j));
+    }
+  }
+  if (shape.base) add_walls(builder, grid, *shape.base);
+  return builder.finish(std::move(notices));
+}
+
+}  // namespace cnrg

@@ -1,0 +1,67 @@
+#include "csg/text/table.h"
+
+#include <algorithm>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+/// Characters of a UTF-8 text: bytes that start one.
+std::size_t length(const std::string& text) {
+  return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+}  // namespace
+
+void Table::add_column(std::string title, Align align) { columns_.push_back({std::move(title), align}); }
+
+void Table::add_row(std::vector<std::string> cells) {
+  require(cells.size() <= columns_.size(), "Table: a row has more cells than there are columns");
+  rows_.push_back(std::move(cells));
+}
+
+std::vector<std::size_t> Table::widths() const {
+  std::vector<std::size_t> result(columns_.size(), 0);
+  for (const auto& row : rows_) {
+    for (std::size_t i = 0; i < row.size(); ++i) result[i] = std::max(result[i], length(row[i]));
+  }
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (result[i] > 0 || rows_.empty()) result[i] = std::max(result[i], length(columns_[i].title));
+  }
+  return result;
+}
+
+std::string Table::format(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) const {
+  std::string result;
+  bool first = true;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (widths[i] == 0) continue;
+    if (!first) result += "  ";
+    first = false;
+    const std::string cell = i < cells.size() ? cells[i] : std::string();
+    const std::string space(widths[i] - std::min(widths[i], length(cell)), ' ');
+    result += columns_[i].align == Align::left ? cell + space : space + cell;
+  }
+  result.erase(result.find_last_not_of(' ') + 1);
+  return result + "\n";
+}
+
+std::string Table::line(std::size_t row) const { return format(rows_.at(row), widths()); }
+
+std::string Table::text() const {
+  const auto width = widths();
+  std::vector<std::string> titles;
+  for (const Column& column : columns_) titles.push_back(column.title);
+  std::string result = format(titles, width);
+  for (const auto& row : rows_) result += format(row, width);
+  return result;
+}
+
+std::string grouped(std::size_t number) {
+  std::string digits = std::to_string(number);
+  for (std::ptrdiff_t i = std::ptrdiff_t(digits.size()) - 3; i > 0; i -= 3) digits.insert(std::size_t(i), 1, ',');
+  return digits;
+}
+
+}  // namespace cnrg

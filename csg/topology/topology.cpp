@@ -1,0 +1,258 @@
+// Local shapes and Betti numbers are asked of the cells of the complex, and reported by the cells that
+// simplification leaves: a chain of edges has one shape all along.
+#include "csg/topology/topology.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "csg/text/table.h"
+#include "csg/topology/around.h"
+#include "csg/topology/region_graph.h"
+#include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
+#include "kernel/selection/canonical.h"
+#include "kernel/selection/homology.h"
+#include "kernel/selection/manifold.h"
+
+namespace cnrg {
+namespace {
+
+using Index = std::uint32_t;
+constexpr std::size_t kNamesPerReason = 12;
+
+/// True if a cell of a closed set reaches infinity (the frame).
+bool unbounded(const Complex& complex, const CellSet& set) {
+  const auto reaches = [&](EdgeId e) {
+    const auto& [a, b] = complex.edge_ends[e];
+    return complex.on_frame(a) || complex.on_frame(b);
+  };
+  const auto any = [](const auto& cells, auto test) { return std::any_of(cells.begin(), cells.end(), test); };
+  return any(set.regions, [&](RegionId r) { return complex.unbounded(r); }) || any(set.edges, reaches) ||
+         any(set.faces, [&](FaceId f) {
+           return any(complex.face_loops[f], [&](LoopId l) {
+             return any(complex.loop[l], [&](HalfEdge h) { return reaches(h.edge()); });
+           });
+         });
+}
+
+template <class IdT>
+bool has(const std::vector<IdT>& list, IdT id) {
+  return std::binary_search(list.begin(), list.end(), id);
+}
+
+/// The cells that each simplified face and region unites.
+struct United {
+  std::vector<CellSet> faces, regions;
+
+  United(const Complex& complex, const SimplifiedComplex& simplified)
+      : faces(simplified.faces.size()), regions(simplified.regions.size()) {
+    const auto deal = [&](const SimplifiedComplex::Place& place, auto cell, auto member) {
+      if (place.dimension < 2 || place.index == SimplifiedComplex::kNowhere) return;
+      ((place.dimension == 2 ? faces : regions)[place.index].*member).push_back(cell);
+    };
+    for (VertexId v : complex.vertices) deal(simplified.vertex_place[v.index()], v, &CellSet::vertices);
+    for (EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
+      deal(simplified.edge_place[e.index()], e, &CellSet::edges);
+    }
+    for (FaceId f : IdRange<FaceId>(complex.face_count())) {
+      deal(simplified.face_place[f.index()], f, &CellSet::faces);
+    }
+    for (RegionId r : IdRange<RegionId>(complex.region_count)) {
+      deal(simplified.region_place[r.index()], r, &CellSet::regions);
+    }
+  }
+};
+
+SimplifiedEuler euler_of(const Complex& complex, const CellSet& closed, const SimplifiedComplex& simplified,
+                         BettiCounter& counter) {
+  const United united(complex, simplified);
+  SimplifiedEuler t;
+  for (const auto& vertex : simplified.vertices) t.v += has(closed.vertices, vertex.cell);
+  for (const auto& edge : simplified.edges) {
+    if (!has(closed.edges, edge.chain.front().edge())) continue;
+    ++t.e;
+    t.edge_loops += edge.closed;
+  }
+  for (std::size_t i = 0; i < simplified.faces.size(); ++i) {
+    if (!has(closed.faces, simplified.faces[i].cells.front().face())) continue;
+    const auto& face = simplified.faces[i];
+    ++t.f;
+    if (is_flat(complex, face)) {
+      t.r += static_cast<long>(face.loops.size() - 1 + face.isolated.size());
+      continue;
+    }
+    const auto b = counter.of(united.faces[i]).z2;
+    t.r += b[1];
+    t.closed_faces += b[2];
+  }
+  for (std::size_t i = 0; i < simplified.regions.size(); ++i) {
+    if (!has(closed.regions, simplified.regions[i].cells.front())) continue;
+    const auto b = counter.of(united.regions[i]).z2;
+    ++t.volumes;
+    t.volume_holes += b[1];
+    t.volume_cavities += b[2];
+  }
+  const auto b = counter.of(closed).z2;
+  t.pieces = b[0], t.holes = b[1], t.cavities = b[2];
+  return t;
+}
+
+std::string euler_text(const SimplifiedEuler& t, bool closed) {
+  const bool patches = t.edge_loops != 0 || t.closed_faces != 0;
+  const auto side = [](const char* sign, long value) { return sign + std::to_string(value); };
+  std::string left = std::to_string(t.v);
+  left += patches ? side(" - (", t.e) + side(" - ", t.edge_loops) + ")" : side(" - ", t.e);
+  left += side(" + (", t.f) + side(" - ", t.r) + (patches ? side(" + ", t.closed_faces) : "") + ")";
+  left += side(" - (", t.volumes) + side(" - ", t.volume_holes) + side(" + ", t.volume_cavities) + ")";
+  const std::string right = std::to_string(t.pieces) + side(" - ", t.holes) + side(" + ", t.cavities);
+  std::string out = closed ? "Euler-Poincaré (Masuda 1993)\n" : "Euler-Poincaré (Masuda 1993), of the closure\n";
+  out += patches ? "  v - (e - eh) + (f - r + fc) - (V - Vh + Vc) = C - Ch + Cc\n"
+                 : "  v - e + (f - r) - (V - Vh + Vc) = C - Ch + Cc\n";
+  out += "  " + left + " = " + right + side("   (", t.left()) + side(" = ", t.right()) + ")\n";
+  out +=
+      "  vertices v, edges e, faces f, rings of faces r; volumes V, their handles Vh and cavities Vc;\n"
+      "  pieces C, holes through the whole Ch, cavities Cc";
+  out += patches ? "; edges that close without a vertex eh, faces without boundary fc\n" : "\n";
+  return out;
+}
+
+std::string betti_text(const std::vector<BettiNumbers>& numbers, const std::vector<Component>& components,
+                       std::span<const RegionAttributes> attributes) {
+  Table table;
+  table.add_column("Betti numbers", Table::Align::left);
+  for (const char* title : {"b0(Z/2)", "b1(Z/2)", "b2(Z/2)", "b0(Q)", "b1(Q)", "b2(Q)"}) table.add_column(title);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::string name = i == 0 ? "point set" : component_name(attributes, components[i - 1]);
+    std::vector<std::string> row{"  " + name};
+    for (long b : numbers[i].z2) row.push_back(std::to_string(b));
+    for (long b : numbers[i].q) row.push_back(std::to_string(b));
+    table.add_row(std::move(row));
+  }
+  return table.text() + "  b0: pieces, b1: independent loops, b2: enclosed cavities\n";
+}
+
+/// Shapes of the simplified cells: how many of each form, and the names by reason.
+struct Shapes {
+  std::array<std::size_t, 8> vertices{}, edges{};
+  std::map<std::pair<int, std::string>, std::vector<std::string>> reasons;  // by dimension, edges first
+  std::vector<Index> odd_edges, odd_vertices;                               // not manifold
+
+  Shapes(const Complex& complex, const CellSet& set, const SimplifiedComplex& simplified,
+         Neighbourhoods& neighbourhoods) {
+    const Manifoldness m = manifoldness(complex, set, neighbourhoods);
+    for (Index i = 0; i < simplified.edges.size(); ++i) {
+      const EdgeId e = simplified.edges[i].chain.front().edge();
+      if (count(m.edges, e, edges, -1, cell_name(1, i))) odd_edges.push_back(i);
+    }
+    for (Index i = 0; i < simplified.vertices.size(); ++i) {
+      if (count(m.vertices, simplified.vertices[i].cell, vertices, 0, cell_name(0, i))) odd_vertices.push_back(i);
+    }
+  }
+
+ private:
+  // True for a cell that is not manifold.
+  template <class IdT>
+  bool count(const std::vector<std::pair<IdT, LocalShape>>& shapes, IdT cell, std::array<std::size_t, 8>& counts,
+             int order, const std::string& name) {
+    const auto at = std::lower_bound(shapes.begin(), shapes.end(), cell,
+                                     [](const auto& entry, IdT id) { return entry.first < id; });
+    if (at == shapes.end() || at->first != cell) return false;  // not in the closure of the set
+    ++counts[static_cast<std::size_t>(at->second.form)];
+    if (at->second.reason.empty()) return false;
+    reasons[{order, at->second.reason}].push_back(name);
+    return true;
+  }
+};
+
+std::string shapes_text(const Shapes& shapes) {
+  Table table;
+  table.add_column("local shape", Table::Align::left);
+  table.add_column("vertices");
+  table.add_column("edges");
+  for (std::size_t i = 0; i < shapes.vertices.size(); ++i) {
+    if (shapes.vertices[i] + shapes.edges[i] == 0) continue;
+    table.add_row({std::string("  ") + to_string(static_cast<LocalForm>(i)), grouped(shapes.vertices[i]),
+                   grouped(shapes.edges[i])});
+  }
+  std::string out = table.text();
+  out += "  manifold: one half-ball of solid; surface, surface border: one sheet without solid; wire: no face\n";
+  for (const auto& [key, names] : shapes.reasons) {
+    out += "  " + key.second + ":";
+    for (std::size_t i = 0; i < std::min(names.size(), kNamesPerReason); ++i) {
+      out += (i == 0 ? " " : ", ") + names[i];
+    }
+    if (names.size() > kNamesPerReason) out += " and " + grouped(names.size() - kNamesPerReason) + " more";
+    out += "\n";
+  }
+  return out;
+}
+
+std::string sheets_text(const std::vector<Sheet>& sheets) {
+  if (sheets.empty()) return "";
+  const auto closed = std::count_if(sheets.begin(), sheets.end(), [](const Sheet& s) { return s.closed; });
+  const auto one_sided = std::count_if(sheets.begin(), sheets.end(), [](const Sheet& s) { return !s.orientable; });
+  return "sheets without solid: " + grouped(sheets.size()) + ", closed " + std::to_string(closed) +
+         ", one-sided (not orientable) " + std::to_string(one_sided) + "\n";
+}
+
+std::string adjacency_text(const RegionGraph& graph) {
+  if (graph.edges.empty()) return "";
+  std::string out = "adjacent regions\n";
+  for (const RegionGraph::Edge& e : graph.edges) {
+    out += "  " + graph.nodes[e.nodes[0]].name + " - " + graph.nodes[e.nodes[1]].name + ": " + grouped(e.faces) +
+           (e.faces == 1 ? " face\n" : " faces\n");
+  }
+  return out;
+}
+
+std::vector<Component> components_of(const Selection& selection) {
+  std::vector<Component> out;
+  const auto add = [&](const auto& cells) {
+    for (const auto& [cell, c] : cells) out.push_back(c);
+  };
+  add(selection.vertices), add(selection.edges), add(selection.faces), add(selection.regions);
+  sort_unique(out);
+  return out;
+}
+
+}  // namespace
+
+SimplifiedEuler simplified_euler(const Complex& complex, const Selection& selection,
+                                 const SimplifiedComplex& simplified) {
+  const CellSet closed = closure(complex, support(selection));
+  require(!unbounded(complex, closed), "simplified_euler: the set is not bounded");
+  Neighbourhoods neighbourhoods(complex);
+  BettiCounter counter(neighbourhoods);
+  return euler_of(complex, closed, simplified, counter);
+}
+
+std::string topology_text(const Complex& complex, const Selection& selection, const SimplifiedComplex& simplified,
+                          std::span<const RegionAttributes> components) {
+  const CellSet set = support(selection);
+  if (set.empty()) return "the point set is empty\n";
+  Neighbourhoods neighbourhoods(complex);
+  BettiCounter counter(neighbourhoods);
+  const CellSet closed = closure(complex, set);
+  const CellSet missing = subtract(closed, set);
+  std::string out;
+  if (unbounded(complex, closed)) {
+    out += "Euler-Poincaré: not stated, the point set is unbounded\n";
+  } else {
+    out += euler_text(euler_of(complex, closed, simplified, counter), missing.empty());
+  }
+  const std::vector<Component> active = components_of(selection);
+  out += betti_text(betti_numbers(selection, active, counter), active, components);
+  const Shapes shapes(complex, set, simplified, neighbourhoods);
+  out += shapes_text(shapes);
+  out += radial_orders_text(complex, simplified, components, shapes.odd_edges);
+  out += neighbourhoods_text(simplified, neighbourhoods, shapes.odd_vertices);
+  out += sheets_text(sheets(complex, set));
+  out += shells_text(simplified, components);
+  out += adjacency_text(region_graph(simplified, components));
+  return out;
+}
+
+}  // namespace cnrg

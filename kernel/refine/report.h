@@ -1,0 +1,29 @@
+// What may be asked of refinement, and what it says of its work.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/ids.h"
+#include "kernel/exact/predicates.h"
+
+namespace cnrg {
+
+/// What was dropped or noteworthy on the way, for reports.
+struct RefineReport {
+  std::vector<SourceId> zero_area;  ///< faces without area: dropped
+  std::uint64_t candidates = 0;     ///< pairs from the broad phase
+  /// Pairs in contact by kind (Gursoz et al. 1991): face-face, face-edge, face-vertex, edge-edge, edge-vertex,
+  /// vertex-vertex.
+  std::array<std::uint64_t, 6> contacts{};
+  std::uint64_t constructed = 0;  ///< constructed vertices
+  StageCounts stages;             ///< predicate calls by deciding stage
+};
+
+/// Options of `build_complex`.
+struct RefineOptions {
+  int threads = 0;  ///< 0: all cores
+};
+
+}  // namespace cnrg

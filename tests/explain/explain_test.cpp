@@ -1,0 +1,412 @@
+// Explanations against the evaluation that they explain: random trees of boxes, sheets, wires and points on a
+// small grid, every cell of the refinement asked about at every node.
+#include "csg/explain/explain.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+
+#include "csg/explain/lives.h"
+
+namespace cnrg {
+namespace {
+
+struct Run {
+  Tree tree;
+  Evaluation evaluation;
+};
+
+Run run(const std::string& nodes, const std::string& result) {
+  Run r{parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: " + result + "\n", "t.yaml"), {}};
+  EvaluateOptions options;
+  options.keep_all = true;
+  r.evaluation = evaluate(r.tree, options);
+  return r;
+}
+
+class RandomTree {
+ public:
+  explicit RandomTree(std::uint64_t seed) : random_(seed) {}
+
+  /// Nodes of groups; the last one is `result`. With `topology` operators on components follow.
+  std::string nodes(bool topology) {
+    std::string out;
+    std::vector<std::string> pool;
+    for (int i = 0, n = between(3, 5); i < n; ++i) {
+      pool.push_back("l" + std::to_string(i));
+      out += "  " + pool.back() + ": {" + leaf() + "}\n";
+    }
+    std::string last;
+    for (int i = 0, n = between(2, 4); i < n; ++i) {
+      std::string operands = any(pool);
+      const std::string op = pick({"union", "union", "intersection", "difference"});
+      for (int k = 0, m = between(1, 2); k < m; ++k) {
+        std::string operand = k == 0 && !last.empty() ? last : any(pool);
+        if (op == "difference" && between(0, 3) == 0) operand = "{complement: " + operand + "}";
+        operands += ", " + operand;
+      }
+      last = i + 1 == n && !topology ? "result" : "n" + std::to_string(i);
+      out += "  " + last + ": {" + op + ": [" + operands + "]";
+      if (op != "difference") out += ", dominance: " + pick({"left", "right", "equal"});
+      out += between(0, 7) == 0 ? ", regularize: true}\n" : "}\n";
+      pool.push_back(last);
+    }
+    if (!topology) return out;
+    out += "  s: {" + pick({"sum", "product", "subtract"}) + ": [" + any(pool) + ", " + last + "]}\n";
+    std::string all;
+    for (const std::string op : {"interior", "closure", "boundary", "regularize"}) {
+      out += "  t_" + op + ": {" + op + ": " + pick({"s", last.c_str()}) + "}\n";
+      out += "  e_" + op + ": {" + op + ": s, each: true}\n";
+      all += (all.empty() ? "" : ", ") + ("t_" + op) + ", e_" + op;
+    }
+    return out + "  u: {unify: {complement: s}}\n  result: {sum: [u, " + all + "]}\n";
+  }
+
+ private:
+  int between(int low, int high) {
+    return low + static_cast<int>(random_() % static_cast<unsigned>(high - low + 1));
+  }
+  std::string any(const std::vector<std::string>& pool) {
+    return pool[static_cast<std::size_t>(between(0, static_cast<int>(pool.size()) - 1))];
+  }
+  std::string pick(const std::vector<std::string>& words) { return any(words); }
+  static std::string text(int x, int y, int z) {
+    return "[" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z) + "]";
+  }
+  std::string leaf() {
+    const int x = between(0, 2), y = between(0, 2), z = between(0, 2);
+    const int X = x + between(1, 2), Y = y + between(1, 2), Z = z + between(1, 2);
+    switch (between(0, 7)) {
+      case 0:
+        return "polygon: [" + text(x, y, z) + ", " + text(X, y, z) + ", " + text(X, Y, z) + ", " + text(x, Y, z) +
+               "]";
+      case 1:
+        return "polygon: [" + text(x, y, z) + ", " + text(x, Y, z) + ", " + text(x, Y, Z) + ", " + text(x, y, Z) +
+               "]";
+      case 2: return "polyline: [" + text(x, y, z) + ", " + text(X, y, z) + ", " + text(X, Y, z) + "]";
+      case 3: return "points: [" + text(x, y, z) + ", " + text(X, Y, Z) + "]";
+      case 4: return "box: {min: " + text(x - 1, y - 1, z - 1) + ", max: " + text(X + 1, Y + 1, Z + 1) + "}";
+      default: return "box: {min: " + text(x, y, z) + ", max: " + text(X, Y, Z) + "}";
+    }
+  }
+  std::mt19937_64 random_;
+};
+
+std::vector<Piece> all_pieces(const Complex& complex) {
+  std::vector<Piece> out;
+  const CellSet all = all_cells(complex);
+  for (const VertexId v : all.vertices) out.push_back({{0, v, {}, {}, {}}, 0});
+  for (const EdgeId e : all.edges) out.push_back({{1, {}, e, {}, {}}, 0});
+  for (const FaceId f : all.faces) out.push_back({{2, {}, {}, f, {}}, 1});
+  for (const RegionId r : all.regions) out.push_back({{3, {}, {}, {}, r}, 0});
+  return out;
+}
+
+Component component_in(const Selection& s, const Location& at) {
+  const auto find = [](const auto& list, auto id) -> Component {
+    for (const auto& [cell, component] : list) {
+      if (cell == id) return component;
+    }
+    return 0;
+  };
+  switch (at.dimension) {
+    case 0: return find(s.vertices, at.vertex);
+    case 1: return find(s.edges, at.edge);
+    case 2: return find(s.faces, at.face);
+    default: return find(s.regions, at.region);
+  }
+}
+
+/// The condition of the row, from nothing but the facts that are told.
+bool condition_holds(const BooleanFacts& f) {
+  const std::vector<CellState>& around = f.b.around;
+  switch (f.verdict.row->condition) {
+    case Condition::never: return false;
+    case Condition::always: return true;
+    case Condition::one_region_a: return f.a.regions == 1;
+    case Condition::one_region_b: return f.b.regions == 1;
+    case Condition::opposite_regions:
+      return f.a.regions == 1 && f.b.regions == 1 &&
+             (f.a.sides[0].component == 0) != (f.b.sides[0].component == 0);
+    case Condition::parts_or_hangs_in_b:
+      return f.b.regions == 2 || (f.b.regions == 0 && f.b.sides[0].component != 0);
+    case Condition::no_new_region: return f.b.regions != 1;
+    case Condition::no_side_survives: {
+      bool survives = false;
+      for (const std::size_t s : {0u, 1u}) {
+        survives = survives || (f.a.sides[s].component != 0 && f.b.sides[s].component == 0);
+      }
+      return !survives || (f.a.regions == 0 && f.b.regions == 0);
+    }
+    case Condition::not_free_a: return !f.a.free;
+    case Condition::not_free_b: return !f.b.free;
+    case Condition::free_in_neither: return !f.a.free && !f.b.free;
+    case Condition::inside_region_b: return around.size() == 1 && around[0].component != 0;
+  }
+  return false;
+}
+
+/// The operator's decision from the star of one set.
+bool decided(Operator op, const StarFacts& s) {
+  switch (op) {
+    case Operator::interior: return s.in_set && s.whole;
+    case Operator::closure: return s.touched;
+    case Operator::boundary: return s.touched && !s.whole;
+    default: return s.solid;
+  }
+}
+
+/// Free is what bounds nothing of the operand: no face around an edge, no edge or face around a vertex.
+bool is_free(const Complex& complex, const Group& group, const Location& cell) {
+  const Selection s = selection_of(complex, group);
+  const CellSet around =
+      star(complex, cell.dimension == 0 ? CellSet{{cell.vertex}, {}, {}, {}} : CellSet{{}, {cell.edge}, {}, {}});
+  const auto entities = static_cast<Component>(group.regions.size() + 1);
+  const auto among = [&](const auto& list, const auto& cells) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& entry) {
+      return entry.second == entities && std::binary_search(cells.begin(), cells.end(), entry.first);
+    });
+  };
+  return !among(s.faces, around.faces) && (cell.dimension == 1 || !among(s.edges, around.edges));
+}
+
+std::string check_boolean_facts(const BooleanFacts& f) {
+  const Verdict& v = f.verdict;
+  if (v.entity != (f.a.state.entity || f.b.state.entity)) return "an entity of an operand has no verdict";
+  if (!v.entity) {
+    const bool a = f.a.state.component != 0, b = f.b.state.component != 0, r = f.result.component != 0;
+    return r == (f.op == BooleanOp::unite       ? a || b
+                 : f.op == BooleanOp::intersect ? a && b
+                                                : a && !b)
+               ? ""
+               : "a cell inside of regions is not where the point sets say";
+  }
+  if (v.removed == f.result.entity) return "removed and still an entity, or the other way round";
+  if (v.bounds_kept) return v.removed ? "removed though it bounds a kept cell" : "";
+  const bool cut = v.row->condition == Condition::inside_region_b && v.removed;  // of a wall: see tables.h
+  return condition_holds(f) == v.removed || cut ? "" : std::string("the facts do not explain ") + v.row->id;
+}
+
+/// Everything told of every cell at every node, against the kept values and the counts of the rows.
+std::string check(const Run& r, std::set<std::string>& rows) {
+  const Complex& complex = *r.evaluation.complex;
+  const std::vector<Piece> pieces = all_pieces(complex);
+  const std::vector<Life> lives = Lives(r.tree, r.evaluation, r.tree.result).of(pieces, false);
+  std::map<std::string, std::size_t> place;
+  for (std::size_t i = 0; i < r.evaluation.rows.size(); ++i) place[r.evaluation.rows[i].name] = i;
+  for (std::size_t s = 0; s < lives.front().size(); ++s) {
+    const std::string& name = lives.front()[s].name;
+    const std::size_t i = place.at(name);
+    const Node& node = r.tree.nodes[lives.front()[s].node];
+    const Selection selection = selection_of(complex, *r.evaluation.values[InstanceId(i)]);
+    std::map<std::string, std::size_t> removals;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      const LifeStep& step = lives[p][s];
+      if (step.state.component != component_in(selection, pieces[p].cell)) return name + ": wrong state";
+      for (const BooleanFacts& f : step.booleans) {
+        const std::string fault = check_boolean_facts(f);
+        if (!fault.empty()) return name + ": " + fault;
+        if (f.verdict.entity && !f.verdict.bounds_kept) rows.insert(f.verdict.row->id);
+        if (f.verdict.removed) ++removals[f.verdict.row->id];
+      }
+      if (node.op != Operator::leaf && pieces[p].cell.dimension < 2 && !step.booleans.empty()) {
+        const BooleanFacts& f = step.booleans.front();
+        const NodeValue& left = *r.evaluation.values[r.evaluation.instances[InstanceId(i)].operands[0]];
+        const OperandFacts& told = f.a.name == step.operands[0].first ? f.a : f.b;
+        if (told.state.entity && left.is_group() && told.free != is_free(complex, left.group(), pieces[p].cell)) {
+          return name + ": free is told wrongly";
+        }
+      }
+      if (step.booleans.empty() && !step.stars.empty()) {
+        const bool active = std::any_of(step.stars.begin(), step.stars.end(),
+                                        [&](const StarFacts& star) { return decided(node.op, star); });
+        if (active != (step.state.component != 0)) return name + ": the star does not explain the result";
+      }
+      const CellState& made = step.attribute ? step.attribute->before : step.state;
+      if (!step.booleans.empty() && step.booleans.back().result != made)
+        return name + ": the last step is not the result";
+    }
+    const auto& counted = r.evaluation.rows[i].removals;
+    if (removals != std::map<std::string, std::size_t>(counted.begin(), counted.end())) {
+      return name + ": removals of its rows do not add up";
+    }
+  }
+  return "";
+}
+
+TEST_CASE("every cell's life agrees with the evaluation, and every row of the tables occurs", "[explain]") {
+  std::set<std::string> rows;
+  for (std::uint64_t seed = 0; seed < 250; ++seed) {
+    const std::string nodes = RandomTree(seed).nodes(false);
+    INFO("seed " << seed << "\n" << nodes);
+    CHECK(check(run(nodes, "result"), rows) == "");
+  }
+  const std::string thin = R"(  b: {box: {min: [0, 0, 0], max: [4, 4, 4]}}
+  w: {polyline: [[1, 1, 1], [2, 1, 1]]}
+  p: {points: [[3, 3, 3]]}
+  t: {union: [w, p]}
+  i: {intersection: [b, t], dominance: equal}
+  j: {intersection: [t, b], dominance: equal}
+  k: {intersection: [t, b], dominance: left}
+  result: {union: [i, j, k]}
+)";
+  CHECK(check(run(thin, "result"), rows) == "");
+  for (const TableRow& row : table_rows()) {
+    INFO(row.id);
+    CHECK(rows.count(row.id) == 1);
+  }
+}
+
+TEST_CASE("stars explain the topological operators", "[explain]") {
+  std::set<std::string> rows;
+  for (std::uint64_t seed = 1000; seed < 1060; ++seed) {
+    const std::string nodes = RandomTree(seed).nodes(true);
+    INFO("seed " << seed << "\n" << nodes);
+    CHECK(check(run(nodes, "result"), rows) == "");
+  }
+}
+
+const char* const kBoxes = R"(  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}
+  b: {box: {min: [1, 1, 0], max: [3, 3, 2]}}
+  u: {union: [a, b]}
+)";
+
+TEST_CASE("a wall that vanished: the row and the facts that removed it", "[explain]") {
+  const Run r = run(kBoxes, "u");
+  const Explanation e = explain(r.tree, r.evaluation, r.tree.result, RationalPoint{1, Rational(3, 2), 1});
+  CHECK(e.state.component == 1);
+  CHECK_FALSE(e.state.entity);
+  REQUIRE(e.classes.size() == 1);
+  const Life& life = e.classes[0].life;
+  REQUIRE(life.size() == 3);
+  CHECK(life[0].state.name == "a");
+  CHECK(life[1].state.entity);
+  CHECK(life[1].leaf_cells == std::vector<LeafCell>{{LeafId(1), 2, 0}, {LeafId(1), 3, 1}});
+  REQUIRE(life[2].booleans.size() == 1);
+  const BooleanFacts& f = life[2].booleans[0];
+  CHECK(f.verdict.row->id == std::string("union.face.BinA.equal"));
+  CHECK(f.verdict.removed);
+  CHECK(f.a.name == "a");
+  CHECK(f.b.regions == 1);
+  // n points to the side where b is not.
+  REQUIRE(e.classes[0].normal);
+  const bool outward = *e.classes[0].normal == std::array<Integer, 3>{-1, 0, 0};
+  CHECK(f.b.sides[outward ? 0 : 1].component == 0);
+  CHECK(f.b.sides[outward ? 1 : 0].component == 1);
+}
+
+TEST_CASE("n points to the side that is told first, on every facet of a curved face too", "[explain]") {
+  const Run r = run(R"(  s: {sphere: {center: [0, 0, 0], radius: 3, segments: 12}}
+  c: {cylinder: {from: [0, 0, -5], to: [0, 0, 5], radius: 1, segments: 12}}
+  u: {union: [s, c], dominance: left}
+)",
+                    "u");
+  const Complex& complex = *r.evaluation.complex;
+  const Locator locator(complex);
+  const SimplifiedComplex& simplified = r.evaluation.value(r.tree.result).simplified;
+  std::vector<Piece> pieces;
+  for (const SimplifiedComplex::Face& face : simplified.faces) {
+    for (const HalfFace h : face.cells) {
+      pieces.push_back({{2, {}, {}, h.face(), {}}, h.side()});
+      pieces.push_back({{2, {}, {}, h.face(), {}}, h.opposite().side()});
+    }
+  }
+  const std::vector<Life> lives = Lives(r.tree, r.evaluation, r.tree.result).of(pieces, false);
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const BooleanFacts& f = lives[p].back().booleans.at(0);
+    for (const std::size_t side : {0u, 1u}) {
+      const RegionId next =
+          complex.region(HalfFace(pieces[p].cell.face, pieces[p].side ^ static_cast<unsigned>(side)));
+      CHECK(f.a.sides[side].component == r.evaluation.values[InstanceId(0)]->group().region_of(next));
+      CHECK(f.b.sides[side].component == r.evaluation.values[InstanceId(1)]->group().region_of(next));
+    }
+  }
+  for (std::size_t k = 0; k < simplified.faces.size(); ++k) {
+    for (const LifeClass& c : explain(r.tree, r.evaluation, r.tree.result, "f" + std::to_string(k)).classes) {
+      RationalPoint off = c.point;
+      Integer size = 0;
+      for (const Integer& n : *c.normal) size += abs(n);
+      for (std::size_t i = 0; i < 3; ++i) off[i] += Rational((*c.normal)[i], size * 1000000);
+      const RegionId there = locator.locate(off).region;
+      const OperandFacts& a = c.life.back().booleans[0].a;
+      CHECK(a.sides[0].component == r.evaluation.values[InstanceId(0)]->group().region_of(there));
+    }
+  }
+}
+
+TEST_CASE("pieces of a simplified cell are told in classes", "[explain]") {
+  // Without features bottom and top are one face each, with pieces of a alone, of both, of b alone.
+  const Run r = run(std::string(kBoxes) + "  p: {simplify: {of: u, mode: points}}\n", "p");
+  const SimplifiedComplex& s = r.evaluation.value(r.tree.result).simplified;
+  const Complex& complex = *r.evaluation.complex;
+  const Locator locator(complex);
+  bool three = false;
+  for (std::size_t k = 0; k < s.faces.size(); ++k) {
+    const Explanation e = explain(r.tree, r.evaluation, r.tree.result, "f" + std::to_string(k));
+    CHECK(e.pieces == s.faces[k].cells.size());
+    std::size_t pieces = e.pieces_left_out;
+    for (const LifeClass& c : e.classes) {
+      pieces += c.pieces;
+      const Location at = locator.locate(c.point);
+      CHECK(at.dimension == 2);
+      CHECK(at.face == c.example.face);
+      CHECK_FALSE(c.origins.empty());
+    }
+    CHECK(pieces == e.pieces);
+    three = three || e.classes.size() == 3;
+    if (e.classes.size() != 3) continue;
+    const Explanation one = explain(r.tree, r.evaluation, r.tree.result, "f" + std::to_string(k), 1);
+    CHECK(one.classes.size() == 1);
+    CHECK(one.classes_left_out == 2);
+    CHECK(one.classes[0].pieces + one.pieces_left_out == one.pieces);
+  }
+  CHECK(three);
+}
+
+TEST_CASE("the point of a region lies in it, bounded or not", "[explain]") {
+  const Run r = run(R"(  a: {box: {min: [0, 0, 0], max: ["1/1000", 1, 1]}}
+  w: {polyline: [["1/2000", -1, "1/2"], ["1/2000", 2, "1/2"]]}
+  s: {sphere: {center: [0, 0, 5], radius: 1, segments: 8}}
+  u: {union: [a, w, s], dominance: left}
+)",
+                    "u");
+  const SimplifiedComplex& s = r.evaluation.value(r.tree.result).simplified;
+  const Locator locator(*r.evaluation.complex);
+  REQUIRE(s.regions.size() == 3);
+  for (std::size_t k = 0; k < s.regions.size(); ++k) {
+    const Explanation e = explain(r.tree, r.evaluation, r.tree.result, "r" + std::to_string(k));
+    for (const LifeClass& c : e.classes) CHECK(locator.locate(c.point).region == c.example.region);
+  }
+  const Run wires = run("  w: {polyline: [[0, 0, 0], [5, 0, 0]]}\n", "w");
+  const Explanation e = explain(wires.tree, wires.evaluation, wires.tree.result, "r0");
+  CHECK(Locator(*wires.evaluation.complex).locate(e.classes.at(0).point).dimension == 3);
+}
+
+TEST_CASE("cells that are none are refused with those that there are", "[explain][errors]") {
+  const Run r = run(kBoxes, "u");
+  const auto fault = [&](const std::string& cell) {
+    try {
+      explain(r.tree, r.evaluation, r.tree.result, cell);
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  const std::size_t faces = r.evaluation.kept[0].simplified.faces.size();
+  CHECK(fault("f99") == "`f99`: the node `u` has faces f0 to f" + std::to_string(faces - 1));
+  CHECK(fault("r99999999999999") == "`r99999999999999`: the node `u` has regions r0 to r1");
+  for (const char* cell : {"", "f", "x1", "f-1", "f1x", "12", "-"}) {
+    CHECK_THAT(fault(cell), Catch::StartsWith("`" + std::string(cell) + "` names no cell"));
+  }
+  const Run half =
+      run("  h: {halfspace: {point: [0, 0, 0], normal: [0, 0, 1]}}\n  b: {box: {min: [0, 0, 0], max: "
+          "[1, 1, 1]}}\n  u: {union: [h, b]}\n",
+          "u");
+  CHECK_THROWS_AS(explain(half.tree, half.evaluation, half.tree.result, RationalPoint{1000000, 0, 0}), InputError);
+}
+
+}  // namespace
+}  // namespace cnrg

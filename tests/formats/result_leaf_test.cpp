@@ -1,0 +1,420 @@
+// Results read back: the same complex, the same file; and every broken file named with its place.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "csg/leaves/leaf.h"
+#include "csg/leaves/prepare_shapes.h"
+#include "csg/operators/cnrg.h"
+#include "csg/operators/leaf_value.h"
+#include "csg/text/file.h"
+#include "kernel/base/error.h"
+#include "tests/formats/cases.h"
+#include "tests/scenes/scene.h"
+
+using namespace cnrg;
+using namespace cnrg::test;
+using Json = nlohmann::json;
+
+namespace {
+
+/// A result file without what tells where it came from; also without `more` of each cell. Regions of groups are
+/// numbered as they come.
+Json comparable(const std::string& path, const std::vector<std::string>& more = {}) {
+  Json json = Json::parse(text_of(path));
+  json.erase("leaves");
+  for (auto& component : json["components"]) component.erase("leaves");
+  std::vector<std::size_t> number(json["components"].size() + 2, 0);
+  Json components = Json::array();
+  const auto renumber = [&](std::size_t component) {
+    if (component == 0 || component == number.size() - 1 || !json["group"]) return component;
+    if (number[component] == 0) {
+      components.push_back(json["components"][component - 1]);
+      number[component] = components.size();
+    }
+    return number[component];
+  };
+  for (const char* kind : {"regions", "faces", "edges", "vertices"}) {
+    for (auto& cell : json[kind]) {
+      cell.erase("origin");
+      cell["component"] = renumber(cell["component"]);
+      for (const std::string& key : more) cell.erase(key);
+    }
+  }
+  if (json["group"]) json["components"] = components;
+  return json;
+}
+
+NodeValue value_of(const Case& c, std::size_t leaf, const PreparedLeaf& prepared, const Transform& transform) {
+  std::vector<RegionAttributes> attributes;
+  for (const LeafRegion& region : prepared.regions()) attributes.push_back({region.name, region.material, {}});
+  REQUIRE(prepared.cells() != nullptr);
+  return leaf_value(*c.complex, LeafId(leaf), c.leaves[leaf], *prepared.cells(), transform, attributes);
+}
+
+Case read_back(const std::string& path, const Transform& transform = {}) {
+  const auto leaf = prepare_result({path});
+  Soup soup;
+  leaf->add_to(soup, transform);
+  Case c(soup);
+  REQUIRE(validate(*c.complex) == "");
+  c.show(value_of(c, 0, *leaf, transform));
+  return c;
+}
+
+/// Read and written, a result is the same but for where it came from; then it stays the same file.
+void check_round_trip(const Case& c) {
+  const Scratch dir;
+  write(dir / "a.json", c.view());
+  Case again = read_back(dir / "a.json");
+  again.materials = c.materials;
+  write(dir / "b.json", again.view());
+  const bool same = comparable(dir / "a.json") == comparable(dir / "b.json");
+  CHECK(same);
+  Case third = read_back(dir / "b.json");
+  third.materials = c.materials;
+  write(dir / "c.json", third.view());
+  const bool same_again = text_of(dir / "b.json") == text_of(dir / "c.json");
+  CHECK(same_again);
+  Transform mirror;
+  mirror.linear[0][0] = -1;
+  mirror.offset = {Rational(1, 3), 0, 0};
+  Case mirrored = read_back(dir / "a.json", mirror);
+  mirrored.materials = c.materials;
+  write(dir / "m.json", mirrored.view());
+  Case back = read_back(dir / "m.json", mirror);
+  back.materials = c.materials;
+  write(dir / "n.json", back.view());
+  const bool same_after_mirrors = comparable(dir / "a.json") == comparable(dir / "n.json");
+  CHECK(same_after_mirrors);
+  write(dir / "x.vtu", c.view());
+}
+
+}  // namespace
+
+TEST_CASE("round trip: a box") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, Rational(2, 3), Rational(1, 7)});
+  Case c(soup, {{{"stone", "rock", {}}}});
+  c.materials = {{"rock", "#123456"}};
+  check_round_trip(c);
+}
+
+TEST_CASE("round trip: walls, sheets in and out, wires, points, a cavity") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {6, 6, 6});
+  add_box(soup, {4, 4, 4}, {8, 8, 8});
+  add_sheet(soup, {{1, -1, -1}, {1, 7, -1}, {1, 7, 7}, {1, -1, 7}});
+  add_sheet(soup, {{2, 2, 2}, {3, 2, 2}, {3, 3, 2}});
+  add_wire(soup, {2, 1, 1}, {3, 1, 1});
+  add_wire(soup, {5, 5, 5}, {9, 9, 10});
+  add_point(soup, {2, 5, 5});
+  add_point(soup, {0, 3, 3});
+  add_point(soup, {0, 0, 5});
+  add_wire(soup, {0, 2, 2}, {0, 2, 4});
+  Case c(soup, {{{"first", "rock", {}}}, {{"second", "", {}}}});
+  c.show(c.unite(Dominance::left));
+  check_round_trip(c);
+  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.group, c.leaves[1]).group);
+  check_round_trip(c);
+}
+
+TEST_CASE("round trip: faces with holes, a slit, a bridge and touching loops") {
+  Soup soup;
+  const LeafId leaf = soup.add_leaf(Fill::none);
+  const auto ring = [&](std::vector<RationalPoint> points) {
+    std::vector<PointId> loop;
+    for (const auto& p : points) loop.push_back(soup.add_point(p));
+    return loop;
+  };
+  const std::vector<std::vector<PointId>> loops{
+      ring({{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}}),
+      ring({{2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}}),
+      ring({{4, 4, 0}, {5, 6, 0}, {6, 5, 0}}),
+  };
+  soup.add_face(leaf, loops, 0, 0);
+  const auto wire = [&](const RationalPoint& a, const RationalPoint& b, std::uint32_t number) {
+    soup.add_wire(leaf, soup.add_point(a), soup.add_point(b), number);
+  };
+  wire({0, 0, 0}, {2, 2, 0}, 0);  // a bridge
+  wire({7, 7, 0}, {8, 7, 0}, 1);  // a slit
+  wire({8, 7, 0}, {8, 8, 2}, 1);
+  soup.add_isolated(leaf, soup.add_point(RationalPoint{1, 8, 0}));
+  Case c(soup);
+  check_round_trip(c);
+}
+
+TEST_CASE("round trip: curved patches, cut by others") {
+  Soup soup;
+  add_drum(soup, 12, -4, 4);
+  add_box(soup, {-9, -9, 0}, {9, 9, 2});
+  Case c(soup, {{{"drum", "", {}}}, {{"slab", "", {}}}});
+  check_round_trip(c);
+  for (const Dominance d : {Dominance::left, Dominance::right, Dominance::equal}) {
+    c.show(c.unite(d));
+    check_round_trip(c);
+  }
+  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group);
+  check_round_trip(c);
+}
+
+TEST_CASE("round trip: a flat face whose rim is a curve") {
+  Soup soup;
+  add_drum(soup, 12, -4, 4);
+  const LeafId sheet = soup.add_leaf(Fill::none);
+  const std::vector<std::vector<PointId>> square{{soup.add_point(-90, -90, 0), soup.add_point(90, -90, 0),
+                                                  soup.add_point(90, 90, 0), soup.add_point(-90, 90, 0)}};
+  soup.add_face(sheet, square, 0, 0);
+  Case c(soup, {{{"drum", "", {}}}});
+  c.show(apply(*c.complex, BooleanOp::intersect, Dominance::equal, c.leaves[1], c.leaves[0]).group);
+  CHECK(active_counts(c.simplified) == std::array<std::size_t, 4>{0, 1, 1, 0});
+  check_round_trip(c);
+  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[1], c.leaves[0]).group);
+  CHECK(active_counts(c.simplified) == std::array<std::size_t, 4>{4, 5, 1, 0});
+  check_round_trip(c);
+}
+
+TEST_CASE("round trip: a horizon and a fault part a box") {
+  HeightfieldShape horizon;
+  horizon.origin_x = horizon.origin_y = -1;
+  for (int j = 0; j < 8; ++j) {
+    auto& row = horizon.heights.emplace_back();
+    for (int i = 0; i < 8; ++i) row.push_back(3 + Rational((i * 5 + j * 3) % 7 - 3, 10));
+  }
+  const auto leaf = prepare(Shape(horizon));
+  Soup soup;
+  leaf->add_to(soup, {});
+  add_sheet(soup, {{2, -1, -1}, {2, 7, -1}, {4, 7, 8}, {4, -1, 8}});
+  add_box(soup, {0, 0, 0}, {5, 5, 6});
+  Case c(soup, {{}, {}, {{"rock", "", {}}}});
+  const Group surfaces = apply(*c.complex, BooleanOp::unite, Dominance::equal, c.leaves[0], c.leaves[1]).group;
+  const Group layers = apply(*c.complex, BooleanOp::unite, Dominance::left, surfaces, c.leaves[2]).group;
+  const Group outside = complement(*c.complex, c.leaves[2]);
+  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, layers, outside).group);
+  CHECK(c.group.regions.size() == 4);
+  check_round_trip(c);
+}
+
+TEST_CASE("a leaf of a result mirrors and moves exactly") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 2, 3});
+  Case c(soup);
+  const Scratch dir;
+  write(dir / "a.json", c.view());
+  const auto leaf = prepare_result({dir / "a.json"});
+  Soup mirrored;
+  Transform mirror;
+  mirror.linear[0][0] = -1;
+  mirror.offset = {Rational(1, 3), 0, 0};
+  leaf->add_to(mirrored, mirror);
+  Case again(mirrored);
+  REQUIRE(again.group.regions.size() == 1);
+  write(dir / "b.json", again.view());
+  const Json json = Json::parse(text_of(dir / "b.json"));
+  CHECK(json["points"][0] == Json{"-2/3", "0", "0"});
+  CHECK(json["regions"].size() == 2);
+  CHECK(json["regions"][0]["volume"] != json["regions"][1]["volume"]);
+}
+
+TEST_CASE("a group without bounds is read back, a plane is not") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  Case c(soup, {{{"rock", "granite", {}}}});
+  c.show(complement(*c.complex, c.group));
+  check_round_trip(c);
+  const auto halfspace = prepare(Shape(HalfspaceShape{{0, 0, 0}, {0, 0, 1}}));
+  Case half(make_soup({{halfspace.get(), {}}}));
+  const Scratch dir;
+  for (const Topological op : {Topological::interior, Topological::closure}) {
+    half.show(apply(*half.complex, op, components_of(*half.complex, half.leaves[0])).value);
+    write(dir / "half.json", half.view());
+    using Catch::Contains;
+    CHECK_THROWS_WITH(prepare_result({dir / "half.json"}), Contains("no bounds") && Contains("product"));
+  }
+}
+
+TEST_CASE("round trip: components that are open, closed, neither; of every dimension; with dominance") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {6, 6, 6});
+  add_box(soup, {4, 4, 4}, {8, 8, 8});
+  add_drum(soup, 12, -4, 9);
+  add_sheet(soup, {{1, -1, -1}, {1, 7, -1}, {1, 7, 7}, {1, -1, 7}});
+  add_wire(soup, {2, 1, 1}, {9, 1, 1});
+  add_point(soup, {2, 5, 5});
+  const Names names{{{"first", "rock", {}}}, {{"second", "", {}}}, {{"drum", "ore", {}}}};
+  Case c(soup, names);
+  c.materials = {{"rock", ""}};
+  std::vector<Components> leaves;
+  for (std::size_t i = 0; i < 6; ++i) {
+    c.leaves[i].dominance = Rational(int(i)) / 3;
+    leaves.push_back(components_of(*c.complex, c.leaves[i]));
+  }
+  for (const Topological op : {Topological::interior, Topological::closure, Topological::boundary}) {
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      CAPTURE(name(op), i);
+      c.show(apply(*c.complex, op, leaves[i]).value);
+      check_round_trip(c);
+    }
+  }
+  Components all = leaves[0];
+  for (std::size_t i = 1; i < leaves.size(); ++i) {
+    CAPTURE(i);
+    all = sum(*c.complex, all, leaves[i]).value;
+    c.show(all);
+    check_round_trip(c);
+    c.show(subtract(*c.complex, leaves[0], leaves[i]).value);
+    check_round_trip(c);
+    c.show(subtract(*c.complex, leaves[i], leaves[0]).value);
+    check_round_trip(c);
+    c.show(product(*c.complex, leaves[0], leaves[i]).value);
+    check_round_trip(c);
+  }
+  c.show(complement(*c.complex, all).value);
+  check_round_trip(c);
+  c.show(apply_each(*c.complex, Topological::boundary, all).value);
+  check_round_trip(c);
+  const Scratch dir;
+  c.show(all);
+  write(dir / "all.json", c.view());
+  const Case again = read_back(dir / "all.json");
+  REQUIRE_FALSE(again.value.is_group());
+  const auto& attributes = again.value.components().attributes;
+  REQUIRE(attributes.size() == all.attributes.size());
+  for (std::size_t i = 0; i < attributes.size(); ++i) {
+    CHECK(attributes[i].name == all.attributes[i].name);
+    CHECK(attributes[i].material == all.attributes[i].material);
+    CHECK(attributes[i].dominance == all.attributes[i].dominance);
+  }
+  CHECK(again.value.components().attributes.back().leaves == std::vector<LeafId>{LeafId(0)});
+}
+
+namespace {
+
+/// The scene's leaves and a box, the values of which it makes the most, by seed.
+void check_random_scene(std::uint64_t seed, scenes::Position position) {
+  CAPTURE(seed, int(position));
+  const scenes::Scene scene = scenes::random_scene(seed, 2, position);
+  const Rational size = position == scenes::Position::general ? 16 : 4;
+  const RationalPoint low{Rational(1, 2), Rational(3, 2), Rational(1, 2)}, high{size, size, size};
+  Soup soup = scenes::make_soup(scene.leaves);
+  add_box(soup, low, high);
+  Names names(3);
+  for (auto& regions : names) {
+    for (int i = 0; i < 3; ++i) regions.push_back({"r" + std::to_string(&regions - names.data()), "rock", {}});
+  }
+  Case c(soup, names);
+  c.leaves[0].dominance = 1;
+  const Components a = components_of(*c.complex, c.leaves[0]), b = components_of(*c.complex, c.leaves[1]);
+  const Components box = components_of(*c.complex, c.leaves[2]);
+  scenes::Random random(seed);
+  const Complex& complex = *c.complex;
+  Components value;
+  switch (seed % 8) {
+    case 0: value = sum(complex, a, b).value; break;
+    case 1: value = product(complex, a, b).value; break;
+    case 2: value = subtract(complex, a, b).value; break;
+    case 3: value = apply(complex, Topological::interior, sum(complex, a, b).value).value; break;
+    case 4: value = apply(complex, Topological::closure, subtract(complex, b, a).value).value; break;
+    case 5: value = apply(complex, Topological::boundary, subtract(complex, b, a).value).value; break;
+    case 6: value = complement(complex, sum(complex, a, b).value).value; break;
+    default: value = apply_each(complex, Topological::regularize, sum(complex, a, b).value).value; break;
+  }
+  c.show(value);
+  check_round_trip(c);
+  c.show(apply(complex, BooleanOp::unite, Dominance(random.below(3)), c.leaves[0], c.leaves[1]).group);
+  check_round_trip(c);
+  c.show(apply(complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group);
+  check_round_trip(c);
+
+  // Where another leaf cuts its cells the value is the same, and operators give the same.
+  const Scratch dir;
+  c.show(value);
+  write(dir / "a.json", c.view());
+  const auto leaf = prepare_result({dir / "a.json"});
+  Soup second;
+  leaf->add_to(second, {});
+  add_box(second, low, high);
+  Case cut(second, {{}, names[2]});
+  cut.show(value_of(cut, 0, *leaf, {}));
+  write(dir / "b.json", cut.view());
+  const bool same = comparable(dir / "a.json") == comparable(dir / "b.json");
+  CHECK(same);
+  c.show(sum(complex, value, box).value);
+  cut.show(sum(*cut.complex, cut.value.components(), components_of(*cut.complex, cut.leaves[1])).value);
+  write(dir / "a.json", c.view());
+  write(dir / "b.json", cut.view());
+  // Patches and features are those of the leaves; which diagonal halves a rectangle depends on roundings.
+  const std::vector<std::string> of_leaves{"patch", "feature", "triangles"};
+  const bool same_sum = comparable(dir / "a.json", of_leaves) == comparable(dir / "b.json", of_leaves);
+  CHECK(same_sum);
+}
+
+}  // namespace
+
+TEST_CASE("round trip: random values of components and groups") {
+  for (std::uint64_t seed = 1; seed <= 48; ++seed) {
+    check_random_scene(seed, scenes::Position::degenerate);
+    if (seed % 3 == 0) check_random_scene(seed, scenes::Position::general);
+    if (seed % 3 == 1) check_random_scene(seed, scenes::Position::tilted);
+  }
+}
+
+TEST_CASE("broken files are refused with their place") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  add_point(soup, {3, 3, 3});
+  Case c(soup);
+  c.show(c.unite());
+  const Scratch dir;
+  write(dir / "good.json", c.view());
+  const std::string good = text_of(dir / "good.json");
+  const auto refused = [&](const std::string& text) -> std::string {
+    replace_file(dir / "bad.json", text);
+    try {
+      prepare_result({dir / "bad.json"});
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr((dir / "bad.json").size());
+    }
+    return "accepted";
+  };
+  const auto edited = [&](const std::string& pointer, const Json& value) {
+    Json json = Json::parse(good);
+    json[Json::json_pointer(pointer)] = value;
+    return refused(json.dump());
+  };
+  const auto erased = [&](const std::string& pointer, const std::string& key) {
+    Json json = Json::parse(good);
+    json[Json::json_pointer(pointer)].erase(key);
+    return refused(json.dump());
+  };
+  const auto starts = [](const std::string& text, const std::string& head) {
+    CAPTURE(text);
+    return text.rfind(head, 0) == 0;
+  };
+  CHECK(refused(good) == "accepted");
+  CHECK(refused(good.substr(0, good.size() / 2)).find(": error: this is no JSON") != std::string::npos);
+  CHECK(starts(refused(""), ":1:1: error: "));
+  CHECK(starts(refused("[]"), ": error: "));
+  CHECK(starts(edited("/format", "other"), ": error: "));
+  CHECK(starts(edited("/version", 2), ": error: /version: "));
+  CHECK(starts(edited("/points/3", Json{"1", "2"}), ": error: /points/3: "));
+  CHECK(starts(edited("/points/3/1", "1/0"), ": error: /points/3/1: "));
+  CHECK(starts(edited("/points/3/1", 0.5), ": error: /points/3/1: "));
+  CHECK(starts(edited("/faces/2/loops/0/1", 99), ": error: /faces/2/loops/0/1: point 99 does not exist"));
+  CHECK(starts(edited("/faces/2/loops/0/1", -1), ": error: /faces/2/loops/0/1: "));
+  CHECK(starts(edited("/faces/2/loops", Json::array()), ": error: /faces/2/loops: "));
+  CHECK(starts(edited("/faces/2/regions/0", 9), ": error: /faces/2/regions/0: "));
+  CHECK(starts(edited("/faces/2/regions", "x"), ": error: /faces/2/regions: "));
+  CHECK(starts(erased("/faces/2", "patch"), ": error: /faces/2: "));
+  CHECK(starts(erased("", "dominance"), ": error: "));
+  CHECK(starts(erased("", "edges"), ": error: "));
+  CHECK(starts(edited("/points/0/0", "1/9"), ": error: /points/1: "));  // no longer sorted
+  CHECK(starts(edited("/points/7/0", "10/9"), ": error: /faces/"));     // no longer planar
+  CHECK(starts(edited("/vertices/8/point", 7), ": error: /vertices/8: "));
+  CHECK(starts(edited("/regions/0/component", 7), ": error: /regions/0/component: component 7 does not exist"));
+  CHECK(starts(edited("/edges/4/component", 0), ": error: /faces/"));  // not closed
+  CHECK(starts(edited("/vertices/0/component", 0), ": error: /edges/"));
+  CHECK(starts(edited("/vertices/1/point", 0), ": error: /vertices/1: "));
+  CHECK(starts(edited("/edges/0/points", Json{0, 0}), ": error: /edges/0/points/1: "));
+  CHECK_THROWS_AS(prepare_result({dir / "none.json"}), InputError);
+  CHECK_THROWS_AS(prepare_result({dir.path()}), FileError);
+}

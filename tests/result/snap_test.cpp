@@ -1,0 +1,270 @@
+// Snapped results: every vertex is three doubles, nothing crosses, and regions, walls, wires and points are what
+// they were, but for what was thinner than the displacement.
+#include "csg/result/snap.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "csg/formats/formats.h"
+#include "csg/leaves/leaf.h"
+#include "csg/mesh/mesh.h"
+#include "csg/mesh/tetrahedra.h"
+#include "csg/operators/cnrg.h"
+#include "csg/result/rounding.h"
+#include "kernel/base/error.h"
+#include "kernel/selection/measure.h"
+#include "tests/formats/mesh_readers.h"
+#include "tests/mesh/mesh_cases.h"
+
+using namespace cnrg;
+using namespace cnrg::test;
+
+namespace {
+
+const Rational kTiny(1, Integer("100000000000000000"));  // 1e-17
+
+bool plainly_embedded(const ResultView& view) {
+  const FlatComplex flat = flatten(view);
+  return is_embedded(round_points(view, flat), drawing_of(flat));
+}
+
+struct Measure {
+  Rational volume = 0;
+  double area = 0;
+};
+
+/// Volume and area of the boundary of each component with regions.
+std::map<Component, Measure> measures(const ResultView& view) {
+  const Selection selection = selection_of(*view.complex, *view.value);
+  std::map<Component, std::vector<RegionId>> cells;
+  for (const auto& [cell, component] : selection.regions) cells[component].push_back(cell);
+  std::map<Component, Measure> result;
+  for (const auto& [component, list] : cells) {
+    Measure& m = result[component];
+    m.volume = *volume(*view.complex, list);
+    for (const RegionId r : list) {
+      for (const HalfFace h : view.complex->region_faces[r]) {
+        m.area += std::sqrt(to_double(squared_area(*view.complex, h.face())));
+      }
+    }
+  }
+  return result;
+}
+
+/// What holds for every snapped result.
+void check_snapped(const ResultView& exact, const SnappedResult& snapped) {
+  const ResultView view = snapped.shown(exact);
+  INFO(snapped.report().text());
+  REQUIRE(snapped.report().rounds > 0);
+  REQUIRE(validate(*view.complex) == "");
+  const FlatComplex flat = flatten(view);
+  const RoundedPoints points = round_points(view, flat);
+  CHECK(points.moved == 0);
+  CHECK(is_embedded(points, drawing_of(flat)));
+
+  auto before = measures(exact), after = measures(view);
+  std::size_t lost = 0;
+  for (auto& [component, was] : before) {
+    const Measure now = after[component];
+    lost += now.area == 0;
+    CHECK(to_double(abs(was.volume - now.volume)) <= (was.area + now.area) * snapped.report().displacement);
+  }
+  CHECK(after.size() == before.size());
+  CHECK(lost <= snapped.report().regions);
+  for (Component i = 1; i <= exact.value->component_count(); ++i) {
+    CHECK(view.value->attributes(i).name == exact.value->attributes(i).name);
+    CHECK(view.value->attributes(i).material == exact.value->attributes(i).material);
+  }
+
+  // Read back by a leaf of ours: the same triangles, and nothing new.
+  const Scratch scratch;
+  const RoundingReport report = write(scratch / "s.obj", view);
+  CHECK((report.moved == 0 && report.embedded));
+  const auto leaf = prepare(MeshShape{scratch / "s.obj", Fill::none, false});
+  const Complex read = build_complex(make_soup({{leaf.get(), {}}}));
+  CHECK(validate(read) == "");
+  CHECK(read.face_count() == drawing_of(flat).triangles.size());
+  for (const VertexId v : read.vertices) CHECK(read.points.is_double(v));
+}
+
+/// A box about the origin, turned about (1, 2, 3) by the quaternion 1 + step (i + 2 j + 3 k).
+LeafId add_turned_box(Soup& soup, const RationalPoint& half, const Rational& step, const RationalPoint& center) {
+  const Transform turn = [&] {
+    const Rational x = step, y = 2 * step, z = 3 * step, square = 1 + x * x + y * y + z * z;
+    Transform t;
+    t.linear = {{{1 + x * x - y * y - z * z, 2 * (x * y - z), 2 * (x * z + y)},
+                 {2 * (x * y + z), 1 - x * x + y * y - z * z, 2 * (y * z - x)},
+                 {2 * (x * z - y), 2 * (y * z + x), 1 - x * x - y * y + z * z}}};
+    for (auto& row : t.linear)
+      for (Rational& entry : row) entry /= square;
+    t.offset = center;
+    return t;
+  }();
+  const LeafId leaf = soup.add_leaf(Fill::winding);
+  PointId p[8];
+  for (int i = 0; i < 8; ++i) {
+    p[i] = soup.add_point(turn.apply({i & 1 ? half[0] : Rational(-half[0]), i & 2 ? half[1] : Rational(-half[1]),
+                                      i & 4 ? half[2] : Rational(-half[2])}));
+  }
+  const int faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  std::uint32_t number = 0;
+  for (const auto& f : faces) {
+    const std::vector<PointId> loop{p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
+    soup.add_face(leaf, std::span(&loop, 1), number, number);
+    ++number;
+  }
+  return leaf;
+}
+
+}  // namespace
+
+TEST_CASE("snap: what rounding leaves as it is stays the exact result", "[snap]") {
+  Case c = oblique();
+  const SnappedResult snapped(c.view(), false);
+  CHECK(snapped.report().rounds == 0);
+  CHECK(snapped.shown(c.view()).complex == c.complex.get());
+  CHECK(msh_text(snapped.shown(c.view())).text == msh_text(c.view()).text);
+}
+
+TEST_CASE("snap: a gap thinner than doubles closes to a wall", "[snap]") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  add_box(soup, {0, 0, 1 + kTiny}, {1, 1, 2});
+  Case c(soup, {{{"low", "clay", {}}}, {{"high", "", {}}}});
+  c.materials = {{"clay", ""}};
+  c.show(c.unite());
+  REQUIRE(!plainly_embedded(c.view()));
+  CHECK_THROWS_WITH(tetrahedra(c.view()), Catch::Contains("--snap"));
+  const SnappedResult snapped(c.view(), false);
+  check_snapped(c.view(), snapped);
+  CHECK(snapped.report().faces == 0);
+  CHECK(snapped.report().regions == 0);
+  CHECK(snapped.report().moved == 4);
+  CHECK(snapped.report().added == 0);
+  const ResultView view = snapped.shown(c.view());
+  CHECK(active_counts(*view.simplified) == std::array<std::size_t, 4>{12, 20, 11, 2});
+  const MeshFile mesh = read_msh(msh_text(tetrahedra(view).mesh));
+  CHECK(mesh.volume("low") == 1);
+  CHECK(mesh.volume("high") == 1);
+  CHECK(mesh.volume("material clay") == 1);
+  CHECK(mesh.measure(mesh.in_group(2, "wall low | high")) == Approx(1));
+  // As one component there is no wall, and formats of solids take it.
+  Case joined(soup);
+  joined.show(NodeValue(unify(*joined.complex, components_of(*joined.complex, joined.unite())).value));
+  REQUIRE(!plainly_embedded(joined.view()));
+  const SnappedResult one(joined.view(), false);
+  check_snapped(joined.view(), one);
+  CHECK(active_counts(*one.shown(joined.view()).simplified)[3] == 1);
+  CHECK_NOTHROW(off_text(one.shown(joined.view())));
+}
+
+TEST_CASE("snap: a slab thinner than doubles vanishes, a sheet does not", "[snap]") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  add_box(soup, {3, 0, 1}, {4, 1, 1 + kTiny});
+  add_sheet(soup, {{0, 0, 3}, {1, 0, 3}, {1, Rational(1, 3), 3}});
+  add_wire(soup, {2, 0, 5}, {2, 0, 5 + kTiny});
+  Case c(soup);
+  c.show(c.unite());
+  REQUIRE(!plainly_embedded(c.view()));
+  const SnappedResult snapped(c.view(), false);
+  const ResultView view = snapped.shown(c.view());
+  CHECK(snapped.report().faces == 6);
+  CHECK(snapped.report().regions == 1);
+  CHECK(snapped.report().wires == 1);
+  CHECK(snapped.report().displacement >= 1e-17);
+  CHECK(snapped.report().displacement < 3e-17);  // 1/3, rounded
+  CHECK_THAT(snapped.report().text(), Catch::Contains("6 faces and 1 region without thickness vanished"));
+  CHECK(validate(*view.complex) == "");
+  CHECK(active_counts(*view.simplified) == std::array<std::size_t, 4>{11, 15, 7, 1});
+  const FlatComplex flat = flatten(view);
+  CHECK(round_points(view, flat).moved == 0);
+}
+
+TEST_CASE("snap: crossing sheets, wires and points keep what they came from", "[snap]") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {Rational(1, 3), Rational(1, 3), Rational(1, 3)});
+  add_sheet(soup,
+            {{-1, -1, Rational(1, 7)}, {1, -1, Rational(1, 7)}, {1, 1, Rational(1, 7)}, {-1, 1, Rational(1, 7)}});
+  add_sheet(soup, {{-1, -1, Rational(1, 7) - kTiny},
+                   {1, -1, Rational(1, 7) + kTiny},
+                   {1, 1, Rational(1, 7) + kTiny},
+                   {-1, 1, Rational(1, 7) - kTiny}});
+  add_wire(soup, {Rational(1, 9), Rational(1, 9), -1}, {Rational(1, 9), Rational(1, 9), 1});
+  add_point(soup, {Rational(1, 5), Rational(1, 5), Rational(1, 4)});
+  add_point(soup, {Rational(7, 5), Rational(1, 5), Rational(1, 4)});
+  Case c(soup, {{{"block", "", {}}}});
+  c.show(c.unite(Dominance::right));
+  REQUIRE(!plainly_embedded(c.view()));
+  const SnappedResult snapped(c.view(), false);
+  const ResultView view = snapped.shown(c.view());
+  check_snapped(c.view(), snapped);
+  const FlatComplex flat = flatten(view);
+  std::set<std::uint32_t> of_faces;
+  for (const auto& f : flat.faces) {
+    for (const LeafCell& cell : f.origin.cells) {
+      if (cell.dimension == 2) of_faces.insert(cell.leaf.value());
+    }
+  }
+  CHECK(of_faces == std::set<std::uint32_t>{0, 1, 2});
+  std::size_t wires = 0, free = 0;
+  for (const auto& e : flat.edges) {
+    if (!e.wire) continue;
+    ++wires;
+    CHECK(e.origin.leaves == std::vector<LeafId>{LeafId(3)});
+    CHECK(std::count(e.origin.cells.begin(), e.origin.cells.end(), LeafCell{LeafId(3), 1, 0}) == 1);
+  }
+  for (const auto& v : flat.vertices) {
+    free += v.free;
+    if (v.free) CHECK((v.origin.leaves == std::vector{LeafId(4)} || v.origin.leaves == std::vector{LeafId(5)}));
+  }
+  CHECK(wires == 4);
+  CHECK(free == 2);
+  CHECK_NOTHROW(msh_text(view));
+  CHECK_NOTHROW(vtu_text(view));
+  CHECK_NOTHROW(smesh_text(view));
+  CHECK_NOTHROW(poly_text(view));
+  CHECK_NOTHROW(medit_text(view));
+}
+
+TEST_CASE("snap: nearly coincident boxes", "[snap]") {
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u}) {
+    std::mt19937_64 random(seed);
+    const auto third = [&] { return Rational(long(random() % 97 + 1), 3); };
+    const RationalPoint half{third(), third(), third()}, center{third() / 7, third() / 7, third() / 7};
+    const Rational step = kTiny * Rational(long(random() % 60 + 1));
+    INFO("seed " << seed << ", step " << to_decimal(step));
+    Soup soup;
+    add_turned_box(soup, half, 0, center);
+    add_turned_box(soup, half, step, center);
+    add_box(soup, {0, 0, 0}, {50, Rational(1, 3), Rational(1, 7)});
+    Case c(soup, {{{"a", "", {}}}, {{"b", "", {}}}, {{"c", "", {}}}});
+    c.show(c.unite(seed % 2 == 0 ? Dominance::equal : Dominance::left));
+    if (plainly_embedded(c.view())) continue;
+    const SnappedResult snapped(c.view(), false);
+    if (snapped.report().regions == 0) check_snapped(c.view(), snapped);
+    CHECK(snapped.report().displacement < 1e-10);
+    const SnappedResult raw(c.view(), true), again(c.view(), false);
+    CHECK(raw.report().text() == snapped.report().text());
+    CHECK(obj_text(again.shown(c.view())).text == obj_text(snapped.shown(c.view())).text);
+  }
+}
+
+TEST_CASE("snap: a region without bounds stays one", "[snap]") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  add_box(soup, {0, 0, 1 + kTiny}, {1, 1, 2});
+  Case c(soup);
+  c.show(NodeValue(complement(*c.complex, components_of(*c.complex, c.unite())).value));
+  const SnappedResult snapped(c.view(), false);
+  const ResultView view = snapped.shown(c.view());
+  CHECK(snapped.report().rounds == 1);
+  const FlatComplex flat = flatten(view);
+  CHECK(round_points(view, flat).moved == 0);
+  const auto outside =
+      std::find_if(flat.regions.begin(), flat.regions.end(), [](const auto& r) { return !r.bounded; });
+  REQUIRE(outside != flat.regions.end());
+  CHECK(outside->component == 1);
+  CHECK_NOTHROW(vtu_text(view));
+}
