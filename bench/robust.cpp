@@ -41,7 +41,7 @@ std::string evaluate(const std::vector<std::string>& files, const Options& optio
   const std::vector<Group> groups = leaf_groups(complex);
   Group group = groups[0];
   for (std::size_t i = 1; i < groups.size(); ++i)
-    group = apply(complex, BooleanOp::unite, Dominance::equal, group, groups[i]).group;
+    group = boolean_operation(complex, BooleanOp::unite, Dominance::equal, group, groups[i]).group;
   const SimplifiedComplex s = simplify(complex, selection_of(complex, group), group.features);
   const auto counts = active_counts(s);
   std::vector<RegionId> cells;

@@ -125,7 +125,8 @@ std::string evaluate(const std::string& file, Copy copy, const std::string& fold
   const Complex complex = build_complex(make_soup(instances));
   const std::vector<Group> groups = leaf_groups(complex);
   Group group = groups[0];
-  if (copy != Copy::none) group = apply(complex, BooleanOp::unite, Dominance::equal, group, groups[1]).group;
+  if (copy != Copy::none)
+    group = boolean_operation(complex, BooleanOp::unite, Dominance::equal, group, groups[1]).group;
   const NodeValue value(complex, std::move(group));
   const SimplifiedComplex simplified = simplify(complex, selection_of(complex, value), value.features());
   ResultView view;

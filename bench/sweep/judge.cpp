@@ -31,7 +31,7 @@ BooleanOp boolean_op(Operation operation) {
 Group united(const Complex& complex, const std::vector<Group>& groups, const std::vector<LeafId>& leaves) {
   Group all = groups[leaves[0].index()];
   for (std::size_t i = 1; i < leaves.size(); ++i)
-    all = apply(complex, BooleanOp::unite, Dominance::equal, all, groups[leaves[i].index()]).group;
+    all = boolean_operation(complex, BooleanOp::unite, Dominance::equal, all, groups[leaves[i].index()]).group;
   return all;
 }
 
@@ -42,8 +42,8 @@ CellSet exact_set(const Complex& complex, const std::vector<Group>& groups, cons
                   const Leaves& operands) {
   Group value = united(complex, groups, operands[0]);
   for (std::size_t i = 0; i < problem.steps.size(); ++i)
-    value = apply(complex, boolean_op(problem.steps[i]), Dominance::equal, value,
-                  united(complex, groups, operands[i + 1]))
+    value = boolean_operation(complex, boolean_op(problem.steps[i]), Dominance::equal, value,
+                              united(complex, groups, operands[i + 1]))
                 .group;
   return point_set(complex, value);
 }

@@ -432,12 +432,6 @@ std::vector<Diagnostic> check(const Tree& tree) {
   return PreparedLeaves(tree).notices();
 }
 
-std::size_t NodeRow::removed() const {
-  std::size_t total = 0;
-  for (const auto& [id, count] : removals) total += count;
-  return total;
-}
-
 const KeptValue& Evaluation::value(NodeId node) const {
   const auto it = std::find_if(kept.begin(), kept.end(), [&](const KeptValue& k) { return k.node == node; });
   require(it != kept.end(), "evaluate: the value of this node was not kept");

@@ -12,6 +12,7 @@
 
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
+#include "csg/operators/tables.h"
 #include "csg/tree/tree.h"
 #include "csg/tree/unfold.h"
 #include "kernel/complex/complex.h"
@@ -41,9 +42,8 @@ struct NodeRow {
   std::string operator_name;
   std::array<std::size_t, 4> cells{};      ///< active cells by dimension, simplified
   std::array<std::size_t, 4> raw_cells{};  ///< active cells by dimension, as the refinement has them
-  /// Entities removed by rows of the tables: id of the row and how many; rows that removed nothing are absent.
-  std::vector<std::pair<std::string, std::size_t>> removals;
-  std::size_t removed() const;
+  Removals removals;                       ///< entities removed by rows of the tables
+  std::size_t removed() const { return removals.total(); }
   bool is_group = true;
   std::size_t components = 0;  ///< as NodeValue::component_count has it
   std::size_t regions = 0;     ///< components that hold 3-cells; in a group its regions

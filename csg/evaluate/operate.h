@@ -17,8 +17,8 @@ namespace cnrg {
 /// What came of one operator.
 struct Outcome {
   NodeValue value;
-  std::vector<std::pair<std::string, std::size_t>> removals;  ///< by row id of the tables, each id once
-  std::vector<MaterialConflict> conflicts;  ///< materials that met under equal dominance; `region`: a component
+  Removals removals;
+  std::vector<MaterialConflict> conflicts;  ///< materials that met under equal dominance
 };
 
 struct Operand {

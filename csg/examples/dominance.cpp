@@ -15,13 +15,15 @@ int main() {
   for (const auto& [title, dominance] : {std::pair("left", Dominance::left), std::pair("right", Dominance::right),
                                          std::pair("equal", Dominance::equal)}) {
     std::cout << title << "\n";
-    const BooleanResult result = apply(complex, BooleanOp::unite, dominance, groups[0], groups[1]);
+    const BooleanResult result = boolean_operation(complex, BooleanOp::unite, dominance, groups[0], groups[1]);
     const Selection selection = selection_of(complex, result.group);
     for (Component i = 1; i <= result.group.regions.size(); ++i) {
       std::cout << "  region " << result.group.regions[i - 1].name << ", volume "
                 << volume(complex, support(selection, i).regions).value() << "\n";
     }
-    for (const auto& [row, count] : result.removals) std::cout << "  " << row << " removed " << count << "\n";
+    for (const auto& [row, count] : result.removals) {
+      std::cout << "  " << table_rows()[row].id << " removed " << count << "\n";
+    }
   }
 }
 

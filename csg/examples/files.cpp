@@ -13,7 +13,8 @@ int main() {
   const auto b = prepare(BoxShape{{1, 1, 1}, {3, 3, Rational(10, 3)}});
   const Complex complex = build_complex(make_soup({{a.get(), {}}, {b.get(), {}}}));
   const std::vector<Group> groups = leaf_groups(complex, {{{.name = "a", .material = "clay"}}, {{.name = "b"}}});
-  const NodeValue value(complex, apply(complex, BooleanOp::unite, Dominance::left, groups[0], groups[1]).group);
+  const NodeValue value(complex,
+                        boolean_operation(complex, BooleanOp::unite, Dominance::left, groups[0], groups[1]).group);
   const SimplifiedComplex simplified = simplify(complex, value, selection_of(complex, value));
   const std::vector<LeafInfo> leaves{{"a"}, {"b"}};
   const ResultView view{.node = "both",

@@ -16,7 +16,7 @@ int main() {
   const auto cut = prepare(PolygonShape{{{2, -1, -1}, {2, 2, -1}, {2, 2, 2}, {2, -1, 2}}, {}});
   const Complex complex = build_complex(make_soup({{a.get(), {}}, {b.get(), {}}, {cut.get(), {}}}));
   const std::vector<Group> groups = leaf_groups(complex);
-  const Group both = apply(complex, BooleanOp::unite, Dominance::equal, groups[0], groups[1]).group;
+  const Group both = boolean_operation(complex, BooleanOp::unite, Dominance::equal, groups[0], groups[1]).group;
   const Selection selection = selection_of(complex, both);
   for (const auto& [name, mode] :
        {std::pair("raw", SimplifyMode::raw), std::pair("features", SimplifyMode::features),

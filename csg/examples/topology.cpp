@@ -25,7 +25,7 @@ int main() {
   print("boundary", boundary(complex, set));
   // The same on components, which keep their names.
   for (const Topological op : {Topological::closure, Topological::regularize}) {
-    const Components result = apply(complex, op, cracked).value;
+    const Components result = topological_operation(complex, op, cracked).value;
     std::cout << name(op) << " has " << result.attributes.size() << " components, " << cracked.attributes.size()
               << " before\n";
   }

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
-#include "csg/operators/boolean.h"
 #include "csg/operators/origins.h"
+#include "csg/operators/verdict.h"
 
 namespace cnrg {
 

@@ -15,7 +15,7 @@
 #include <mutex>
 #include <tuple>
 
-#include "csg/operators/boolean.h"
+#include "csg/operators/detect_regions.h"
 #include "kernel/base/sorted.h"
 #include "kernel/selection/curve.h"
 

@@ -64,7 +64,8 @@ Truth truth_of(const Model& a, const Model& b, Operation operation, const Model&
   const BooleanOp op = operation == Operation::unite       ? BooleanOp::unite
                        : operation == Operation::intersect ? BooleanOp::intersect
                                                            : BooleanOp::subtract;
-  const Group result = regularize(complex, apply(complex, op, Dominance::equal, groups[0], groups[1]).group);
+  const Group result =
+      regularize(complex, boolean_operation(complex, op, Dominance::equal, groups[0], groups[1]).group);
   Truth truth;
   truth.same_set = inside(result) == inside(groups[2]);
   // One region, whatever the walls: the canonical form of the point set.

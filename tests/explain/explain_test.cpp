@@ -202,7 +202,7 @@ std::string check(const Run& r, std::set<std::string>& rows) {
     const std::size_t i = place.at(name);
     const Node& node = r.tree.nodes[lives.front()[s].node];
     const Selection selection = selection_of(complex, *r.evaluation.values[InstanceId(i)]);
-    std::map<std::string, std::size_t> removals;
+    std::map<const TableRow*, std::size_t> removals;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       const LifeStep& step = lives[p][s];
       if (step.state.component != component_in(selection, pieces[p].cell)) return name + ": wrong state";
@@ -210,7 +210,7 @@ std::string check(const Run& r, std::set<std::string>& rows) {
         const std::string fault = check_boolean_facts(f);
         if (!fault.empty()) return name + ": " + fault;
         if (f.verdict.entity && !f.verdict.bounds_kept) rows.insert(f.verdict.row->id);
-        if (f.verdict.removed) ++removals[f.verdict.row->id];
+        if (f.verdict.removed) ++removals[f.verdict.row];
       }
       if (node.op != Operator::leaf && pieces[p].cell.dimension < 2 && !step.booleans.empty()) {
         const BooleanFacts& f = step.booleans.front();
@@ -229,8 +229,9 @@ std::string check(const Run& r, std::set<std::string>& rows) {
       if (!step.booleans.empty() && step.booleans.back().result != made)
         return name + ": the last step is not the result";
     }
-    const auto& counted = r.evaluation.rows[i].removals;
-    if (removals != std::map<std::string, std::size_t>(counted.begin(), counted.end())) {
+    std::map<const TableRow*, std::size_t> counted;
+    for (const auto& [row, count] : r.evaluation.rows[i].removals) counted[&table_rows()[row]] = count;
+    if (removals != counted) {
       return name + ": removals of its rows do not add up";
     }
   }

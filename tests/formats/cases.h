@@ -109,7 +109,7 @@ struct Case {
   Group unite(Dominance dominance = Dominance::equal) const {
     Group all = leaves[0];
     for (std::size_t i = 1; i < leaves.size(); ++i) {
-      all = apply(*complex, BooleanOp::unite, dominance, all, leaves[i]).group;
+      all = boolean_operation(*complex, BooleanOp::unite, dominance, all, leaves[i]).group;
     }
     return all;
   }

@@ -116,7 +116,7 @@ TEST_CASE("interior, closure, boundary and regularize of a solid with a fin and 
                  point({9, 9, 9})});
   const Components x = s.one(0);
   const auto op = [&](Topological t, const Components& operand) {
-    const Components out = apply(s.complex, t, operand).value;
+    const Components out = topological_operation(s.complex, t, operand).value;
     CHECK(check_topological(s.complex, t, false, operand, out) == "");
     return out;
   };
@@ -140,7 +140,7 @@ TEST_CASE("interior, closure, boundary and regularize of a solid with a fin and 
 TEST_CASE("with each, closures that overlap fall into atoms", "[cnrg]") {
   const Scene s({parted_box({0, 0, 0}, {4, 2, 2}, 2, 1)});
   Components open = s.leaves[0];
-  open = subtract(s.complex, open, apply(s.complex, Topological::boundary, s.one(0)).value).value;
+  open = subtract(s.complex, open, topological_operation(s.complex, Topological::boundary, s.one(0)).value).value;
   // Two open boxes and the open wall between them.
   REQUIRE(open.attributes.size() == 3);
   const Components atoms = apply_each(s.complex, Topological::closure, open).value;
@@ -150,7 +150,7 @@ TEST_CASE("with each, closures that overlap fall into atoms", "[cnrg]") {
   const Components inner = apply_each(s.complex, Topological::interior, open).value;
   CHECK(inner.attributes.size() == 2);
   CHECK(sizes(inner) == std::array<std::size_t, 4>{0, 0, 0, 2});
-  const Components whole = apply(s.complex, Topological::interior, open).value;
+  const Components whole = topological_operation(s.complex, Topological::interior, open).value;
   CHECK(sizes(whole) == std::array<std::size_t, 4>{0, 0, 1, 2});
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("cells remember the leaves that they came from", "[cnrg]") {
   CHECK(leaves_of(s.one(1), f) == std::vector<LeafId>{LeafId(1)});
   // What closure adds came from what it closes.
   const Components open = subtract(s.complex, s.one(0), s.one(1)).value;
-  const Components shut = apply(s.complex, Topological::closure, open).value;
+  const Components shut = topological_operation(s.complex, Topological::closure, open).value;
   CHECK(leaves_of(shut, f) == std::vector<LeafId>{LeafId(0)});
   const auto cells = leaf_cells(s.complex, f, std::vector<LeafId>{LeafId(0), LeafId(1)});
   CHECK(std::count_if(cells.begin(), cells.end(), [](const LeafCell& c) { return c.dimension == 2; }) == 2);

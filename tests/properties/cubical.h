@@ -55,7 +55,7 @@ int region_around(const Grid& grid, const Group& g, Cell c);
 
 enum class Op { unite, intersect, subtract };
 /// The tables; `dominant`: a dominates b.
-Group apply(const Grid& grid, Op op, bool dominant, const Group& a, const Group& b);
+Group boolean_operation(const Grid& grid, Op op, bool dominant, const Group& a, const Group& b);
 Group complement(const Grid& grid, const Group& g);
 Group regularize(const Grid& grid, const Group& g);
 

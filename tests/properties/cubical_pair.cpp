@@ -249,9 +249,9 @@ std::string compare_operations(const Grid& grid, const Kernel& kernel, const Gro
   for (int op = 0; op < 3; ++op) {
     for (const auto dominance : {cnrg::Dominance::left, cnrg::Dominance::right, cnrg::Dominance::equal}) {
       const bool swapped = dominance == cnrg::Dominance::right && op != 2;
-      const Group want =
-          apply(grid, static_cast<Op>(op), dominance != cnrg::Dominance::equal, swapped ? b : a, swapped ? a : b);
-      const auto have = cnrg::apply(kernel.complex(), ops[op], dominance, ka, kb);
+      const Group want = boolean_operation(grid, static_cast<Op>(op), dominance != cnrg::Dominance::equal,
+                                           swapped ? b : a, swapped ? a : b);
+      const auto have = cnrg::boolean_operation(kernel.complex(), ops[op], dominance, ka, kb);
       std::string wrong = kernel.compare(want, have.group);
       if (wrong.empty() && thorough) wrong = cnrg::check_boolean(kernel.complex(), ops[op], ka, kb, have.group);
       if (wrong.empty() && thorough && dominance == cnrg::Dominance::equal) {

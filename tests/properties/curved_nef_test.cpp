@@ -39,7 +39,7 @@ void check_pair(const Shape& a, const Transform& to_a, const Shape& b, const Tra
   check(groups[0], nef_a);
   check(groups[1], nef_b);
   const auto boolean = [&](BooleanOp op) {
-    return apply(complex, op, Dominance::equal, groups[0], groups[1]).group;
+    return boolean_operation(complex, op, Dominance::equal, groups[0], groups[1]).group;
   };
   check(boolean(BooleanOp::unite), nef_a.unite(nef_b));
   check(boolean(BooleanOp::intersect), nef_a.intersect(nef_b));

@@ -54,8 +54,8 @@ Dominance dominance(scenes::Ranking ranking) {
 
 Group evaluate(const Complex& complex, const std::vector<Group>& groups, const scenes::Expression& e) {
   if (e.op == scenes::Op::leaf) return groups[e.leaf];
-  return apply(complex, boolean_op(e.op), dominance(e.ranking), evaluate(complex, groups, *e.left),
-               evaluate(complex, groups, *e.right))
+  return boolean_operation(complex, boolean_op(e.op), dominance(e.ranking), evaluate(complex, groups, *e.left),
+                           evaluate(complex, groups, *e.right))
       .group;
 }
 

@@ -147,10 +147,10 @@ TEST_CASE("Idempotence", "[invariance]") {
     const Complex c = build(scene.leaves);
     for (const Group& g : leaf_groups(c)) {
       for (const Dominance d : {Dominance::left, Dominance::right, Dominance::equal}) {
-        CHECK((cells(apply(c, BooleanOp::unite, d, g, g).group) == cells(g)));
-        CHECK((cells(apply(c, BooleanOp::intersect, d, g, g).group) == cells(g)));
+        CHECK((cells(boolean_operation(c, BooleanOp::unite, d, g, g).group) == cells(g)));
+        CHECK((cells(boolean_operation(c, BooleanOp::intersect, d, g, g).group) == cells(g)));
       }
-      const Group nothing = apply(c, BooleanOp::subtract, Dominance::equal, g, g).group;
+      const Group nothing = boolean_operation(c, BooleanOp::subtract, Dominance::equal, g, g).group;
       CHECK(nothing.cells.empty());
       CHECK(nothing.faces.empty());
       CHECK(nothing.edges.empty());
@@ -164,10 +164,10 @@ TEST_CASE("Union and intersection are commutative", "[invariance]") {
     const Complex c = build(scene.leaves);
     const std::vector<Group> g = leaf_groups(c);
     for (const BooleanOp op : {BooleanOp::unite, BooleanOp::intersect}) {
-      CHECK((cells(apply(c, op, Dominance::equal, g[0], g[1]).group) ==
-             cells(apply(c, op, Dominance::equal, g[1], g[0]).group)));
-      CHECK((cells(apply(c, op, Dominance::left, g[0], g[1]).group) ==
-             cells(apply(c, op, Dominance::right, g[1], g[0]).group)));
+      CHECK((cells(boolean_operation(c, op, Dominance::equal, g[0], g[1]).group) ==
+             cells(boolean_operation(c, op, Dominance::equal, g[1], g[0]).group)));
+      CHECK((cells(boolean_operation(c, op, Dominance::left, g[0], g[1]).group) ==
+             cells(boolean_operation(c, op, Dominance::right, g[1], g[0]).group)));
     }
   });
 }
@@ -177,7 +177,9 @@ TEST_CASE("Union and intersection are associative as point sets", "[invariance]"
     const Complex c = build(scene.leaves);
     const std::vector<Group> g = leaf_groups(c);
     for (const BooleanOp op : {BooleanOp::unite, BooleanOp::intersect}) {
-      const auto two = [&](const Group& a, const Group& b) { return apply(c, op, Dominance::equal, a, b).group; };
+      const auto two = [&](const Group& a, const Group& b) {
+        return boolean_operation(c, op, Dominance::equal, a, b).group;
+      };
       CHECK((point_set(c, two(two(g[0], g[1]), g[2])) == point_set(c, two(g[0], two(g[1], g[2])))));
     }
   });
@@ -192,7 +194,7 @@ TEST_CASE("De Morgan's laws hold for solids", "[invariance]") {
     for (Group& group : g) group = regularize(c, group);
     const auto set = [&](const Group& group) { return point_set(c, regularize(c, group)); };
     const auto apply_equal = [&](BooleanOp op, const Group& x, const Group& y) {
-      return apply(c, op, Dominance::equal, x, y).group;
+      return boolean_operation(c, op, Dominance::equal, x, y).group;
     };
     const auto unite = [&](const Group& x, const Group& y) { return apply_equal(BooleanOp::unite, x, y); };
     const auto intersect = [&](const Group& x, const Group& y) { return apply_equal(BooleanOp::intersect, x, y); };
@@ -211,9 +213,9 @@ TEST_CASE("Volumes of union and intersection add up", "[invariance]") {
     const std::vector<Group> g = leaf_groups(c);
     const Rational operands = volume(c, g[0]) + volume(c, g[1]);
     for (const Dominance d : {Dominance::left, Dominance::right, Dominance::equal}) {
-      const Rational both = volume(c, apply(c, BooleanOp::intersect, d, g[0], g[1]).group);
-      CHECK(volume(c, apply(c, BooleanOp::unite, d, g[0], g[1]).group) + both == operands);
-      CHECK(volume(c, apply(c, BooleanOp::subtract, d, g[0], g[1]).group) + both == volume(c, g[0]));
+      const Rational both = volume(c, boolean_operation(c, BooleanOp::intersect, d, g[0], g[1]).group);
+      CHECK(volume(c, boolean_operation(c, BooleanOp::unite, d, g[0], g[1]).group) + both == operands);
+      CHECK(volume(c, boolean_operation(c, BooleanOp::subtract, d, g[0], g[1]).group) + both == volume(c, g[0]));
     }
   });
 }

@@ -45,7 +45,7 @@ class Comparison {
     Value a, b;
     if (Failure f = node(*e.left, a); !f.empty()) return f;
     if (Failure f = node(*e.right, b); !f.empty()) return f;
-    value.ours = apply(complex_, boolean_op(e.op), dominance(e.ranking), a.ours, b.ours).group;
+    value.ours = boolean_operation(complex_, boolean_op(e.op), dominance(e.ranking), a.ours, b.ours).group;
     switch (e.op) {
       case Op::unite: value.nef = a.nef.unite(b.nef); break;
       case Op::intersect: value.nef = a.nef.intersect(b.nef); break;
@@ -53,8 +53,8 @@ class Comparison {
     }
     const char* op = e.op == Op::unite ? "a union" : e.op == Op::intersect ? "an intersection" : "a difference";
     if (Failure f = compare(value, op); !f.empty()) return f;
-    const Group both = apply(complex_, BooleanOp::intersect, Dominance::equal, a.ours, b.ours).group;
-    const Group all = apply(complex_, BooleanOp::unite, Dominance::equal, a.ours, b.ours).group;
+    const Group both = boolean_operation(complex_, BooleanOp::intersect, Dominance::equal, a.ours, b.ours).group;
+    const Group all = boolean_operation(complex_, BooleanOp::unite, Dominance::equal, a.ours, b.ours).group;
     if (volume(complex_, both) + volume(complex_, all) != volume(complex_, a.ours) + volume(complex_, b.ours))
       return "volumes of union and intersection do not add up to those of the operands";
     return {};
