@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "kernel/base/sorted.h"
 #include "kernel/base/union_find.h"
@@ -93,18 +94,20 @@ PartBox hull(Items items) {
 
 using Meetings = std::vector<std::pair<PartPlace, PartPlace>>;
 
-Meetings across(Items few, Items many) {
+// Of the parts of one side and those of some operands, the first of which has this number.
+Meetings across(Items few, std::span<const PartedGroup> operands, std::uint32_t first) {
   Meetings out;
   if (few.empty()) return out;
   const PartBox all = hull(few);
-  std::vector<Item> near;
-  for (const Item& item : many) {
-    if (item.box->meets(all)) near.push_back(item);
-  }
-  if (near.empty()) return out;
-  const Boxes boxes(few);
-  for (const Item& item : near) {
-    boxes.for_each_meeting(item, [&](const Item& other) { out.emplace_back(item.place, other.place); });
+  std::optional<Boxes> boxes;
+  for (std::uint32_t k = 0; k < operands.size(); ++k) {
+    const std::vector<PartRef>& many = operands[k].parts;
+    for (std::uint32_t i = 0; i < many.size(); ++i) {
+      if (!many[i].box().meets(all)) continue;
+      if (!boxes) boxes.emplace(few);
+      const Item item{&many[i].box(), {first + k, i}};
+      boxes->for_each_meeting(item, [&](const Item& other) { out.emplace_back(item.place, other.place); });
+    }
   }
   return out;
 }
@@ -117,21 +120,29 @@ Meetings among(Items items) {
   return out;
 }
 
-Meetings find_meetings(BooleanOp op, std::span<const PartedGroup> operands) {
+std::vector<Item> items_of(std::span<const PartedGroup> operands, std::uint32_t first) {
   std::vector<Item> items;
   for (std::uint32_t k = 0; k < operands.size(); ++k) {
     std::uint32_t number = 0;
-    for (const PartRef& part : operands[k].parts) items.push_back({&part.box(), {k, number++}});
+    for (const PartRef& part : operands[k].parts) items.push_back({&part.box(), {first + k, number++}});
   }
-  if (op == BooleanOp::unite && operands.size() > 2) return among(items);
-  const Items first = Items(items).first(operands[0].parts.size()), others = Items(items).subspan(first.size());
-  return first.size() < others.size() ? across(first, others) : across(others, first);
+  return items;
+}
+
+Meetings find_meetings(BooleanOp op, std::span<const PartedGroup> operands) {
+  if (op == BooleanOp::unite && operands.size() > 2) return among(items_of(operands, 0));
+  const auto first = operands.first(1), others = operands.subspan(1);
+  std::size_t count = 0;
+  for (const PartedGroup& operand : others) count += operand.parts.size();
+  return first[0].parts.size() < count ? across(items_of(first, 0), others, 1)
+                                       : across(items_of(others, 1), first, 0);
 }
 
 }  // namespace
 
 std::vector<Cluster> find_clusters(BooleanOp op, std::span<const PartedGroup> operands) {
   const Meetings meetings = find_meetings(op, operands);
+  if (meetings.empty()) return {};
   std::vector<PartPlace> met;
   for (const auto& [a, b] : meetings) met.push_back(a), met.push_back(b);
   sort_unique(met);

@@ -103,7 +103,7 @@ void HeldRegions::unite(Roles roles, std::span<const Group* const> next, Conflic
   split(next);
   for (const RegionId c : next_cells_) {
     for_each_neighbour(c, [&](RegionId other) {
-      if (in_held(other) || in_next(other)) join(c, other);
+      if (in_next(other) ? c < other : in_held(other)) join(c, other);
     });
   }
   for (const RegionId c : next_cells_) {
@@ -268,7 +268,9 @@ std::vector<RegionId> HeldRegions::cells() const {
 
 void HeldRegions::join(RegionId a, RegionId b) {
   a = find(a), b = find(b);
-  if (sets_.unite(a, b)) joined_.emplace_back(std::minmax(a, b));
+  if (a == b) return;
+  sets_.unite(a, b);
+  joined_.emplace_back(std::minmax(a, b));
 }
 
 // Rings are joined at the end of a step: until then they are those of the regions before it.

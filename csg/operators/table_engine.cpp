@@ -160,10 +160,14 @@ class TableEngine::State {
 
   template <class IdT>
   void decide(EntityMarks<IdT>& marks, int dimension, Parts next, std::vector<IdT> Group::*entities) {
+    std::array<std::size_t, kRelations> rows;
+    for (std::size_t r = 0; r < kRelations; ++r) {
+      rows[r] = table_row(op_, roles_.dominant, dimension, static_cast<Relation>(r));
+    }
     const auto decide_one = [&](IdT cell) {
-      if (bounds_kept(cell)) return;
-      const std::size_t row = table_row(op_, roles_.dominant, dimension, relation(cell));
-      if (!holds(table_rows()[row].condition, cell)) return;
+      const std::size_t row = rows[static_cast<std::size_t>(relation(cell))];
+      const Condition condition = table_rows()[row].condition;
+      if (condition == Condition::never || bounds_kept(cell) || !holds(condition, cell)) return;
       marks.flags[cell] |= kRemoved;
       ++removed_[row];
     };

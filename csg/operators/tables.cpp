@@ -94,7 +94,7 @@ constexpr TableRow kRows[] = {
 
 static_assert(std::size(kRows) == kTableRows);
 
-constexpr std::size_t kDimensions = 3, kRelations = 5;
+constexpr std::size_t kDimensions = 3;
 constexpr std::size_t slot(BooleanOp op, bool dominant, std::size_t dimension, Relation relation) {
   return ((static_cast<std::size_t>(op) * 2 + (dominant ? 0 : 1)) * kDimensions + dimension) * kRelations +
          static_cast<std::size_t>(relation);
@@ -192,12 +192,6 @@ void wrong_dimension() {
 Roles roles(BooleanOp op, Dominance dominance) {
   if (op == BooleanOp::subtract) return {false, true};
   return {dominance == Dominance::right, dominance != Dominance::equal};
-}
-
-Relation relation_of(bool of_a, bool of_b, bool inside) {
-  if (of_a && of_b) return Relation::common;
-  if (of_a) return inside ? Relation::a_in_b : Relation::a_out_b;
-  return inside ? Relation::b_in_a : Relation::b_out_a;
 }
 
 bool keeps_outside(BooleanOp op, bool dominant, Relation relation) {

@@ -50,6 +50,7 @@ enum class Relation : std::uint8_t {
   a_out_b,  ///< AoutB: of A only, outside all regions of B
   b_out_a,  ///< BoutA
 };
+inline constexpr std::size_t kRelations = 5;
 /// `AinB`, `BinA`, `INTERS`, `AoutB`, `BoutA`.
 const char* name(Relation relation);
 /// `union`, `intersection`, `difference`.
@@ -101,7 +102,11 @@ struct Roles {
 Roles roles(BooleanOp op, Dominance dominance);
 
 /// Where an entity of A, of B or of both lies; `inside`: in a region of the operand that it is not of.
-Relation relation_of(bool of_a, bool of_b, bool inside);
+constexpr Relation relation_of(bool of_a, bool of_b, bool inside) {
+  if (of_a && of_b) return Relation::common;
+  if (of_a) return inside ? Relation::a_in_b : Relation::a_out_b;
+  return inside ? Relation::b_in_a : Relation::b_out_a;
+}
 
 /// What the rows say of all entities outside of the other operand (AoutB or BoutA): kept, or removed.
 bool keeps_outside(BooleanOp op, bool dominant, Relation relation);

@@ -272,7 +272,7 @@ TEST_CASE("round trip: components that are open, closed, neither; of every dimen
   }
   c.show(complement(*c.complex, all).value);
   check_round_trip(c);
-  c.show(apply_each(*c.complex, Topological::boundary, all).value);
+  c.show(topological_operation_of_each(*c.complex, Topological::boundary, all).value);
   check_round_trip(c);
   const Scratch dir;
   c.show(all);
@@ -322,7 +322,7 @@ void check_random_scene(std::uint64_t seed, scenes::Position position) {
       value = topological_operation(complex, Topological::boundary, subtract(complex, b, a).value).value;
       break;
     case 6: value = complement(complex, sum(complex, a, b).value).value; break;
-    default: value = apply_each(complex, Topological::regularize, sum(complex, a, b).value).value; break;
+    default: value = topological_operation_of_each(complex, Topological::regularize, sum(complex, a, b).value).value; break;
   }
   c.show(value);
   check_round_trip(c);

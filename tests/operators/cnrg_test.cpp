@@ -143,11 +143,11 @@ TEST_CASE("with each, closures that overlap fall into atoms", "[cnrg]") {
   open = subtract(s.complex, open, topological_operation(s.complex, Topological::boundary, s.one(0)).value).value;
   // Two open boxes and the open wall between them.
   REQUIRE(open.attributes.size() == 3);
-  const Components atoms = apply_each(s.complex, Topological::closure, open).value;
+  const Components atoms = topological_operation_of_each(s.complex, Topological::closure, open).value;
   CHECK(check_topological(s.complex, Topological::closure, true, open, atoms) == "");
   // The open boxes, the wall inside (of all three), its rim (also), the rest of either skin.
   CHECK(atoms.attributes.size() == 3);
-  const Components inner = apply_each(s.complex, Topological::interior, open).value;
+  const Components inner = topological_operation_of_each(s.complex, Topological::interior, open).value;
   CHECK(inner.attributes.size() == 2);
   CHECK(sizes(inner) == std::array<std::size_t, 4>{0, 0, 0, 2});
   const Components whole = topological_operation(s.complex, Topological::interior, open).value;

@@ -139,7 +139,7 @@ class Laws {
   }
 
   void each(const Components& x) {
-    const auto own = [&](Topological op) { return apply_each(complex_, op, x).value; };
+    const auto own = [&](Topological op) { return topological_operation_of_each(complex_, op, x).value; };
     for (const Topological op : kTopological) {
       CellSet all;
       for (Component c = 1; c <= x.attributes.size(); ++c)

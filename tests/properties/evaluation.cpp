@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "csg/operators/detect_regions.h"
 #include "tests/scenes/measure.h"
 
 namespace cnrg::properties {
