@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "csg/evaluate/diagnostics.h"
