@@ -15,9 +15,13 @@
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/operate.h"
 #include "csg/evaluate/prepared_leaves.h"
+#include "csg/leaves/cell_table.h"
+#include "csg/leaves/surface_parameters.h"
 #include "csg/operators/component_lists.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 #include "csg/operators/leaf_value.h"
+#include "csg/operators/node_value.h"
+#include "csg/tree/unfold.h"
 #include "kernel/selection/canonical.h"
 #include "kernel/selection/measure.h"
 
@@ -52,7 +56,7 @@ void refine(const PreparedLeaves& leaves, const EvaluateOptions& options, Evalua
   refine_options.threads = options.threads;
   leaves.locate_errors([&] {
     const Soup soup = make_soup(leaves.instances(), options.reach);
-    result.complex = std::make_unique<Complex>(build_complex(soup, refine_options, &result.refine));
+    result.complex = build_complex(soup, refine_options, &result.refine);
   });
   if (options.validate) {
     const std::string violation = validate(*result.complex);
@@ -64,7 +68,7 @@ void refine(const PreparedLeaves& leaves, const EvaluateOptions& options, Evalua
     result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
     placed.push_back({leaves.instances()[i].leaf->parameters(), leaves.instances()[i].transform});
   }
-  result.parameters = std::make_unique<const SurfaceParameters>(*result.complex, std::move(placed));
+  result.parameters = std::make_shared<const SurfaceParameters>(*result.complex, std::move(placed));
   result.refine_seconds = stopwatch.seconds();
 }
 
@@ -411,9 +415,12 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
                               options.raw ? SimplifyMode::raw : SimplifyMode::features);
       put_in_order(complex, made->second);
     }
-    result.kept.push_back({unfolding.instances[root].node, values[root], std::move(made->second),
-                           leaves_below(unfolding, leaves, root)});
+    const NodeId node = unfolding.instances[root].node;
+    result.kept.push_back({node, values[root], std::make_shared<const SimplifiedComplex>(std::move(made->second)),
+                           leaves_below(unfolding, leaves, root), tree.nodes[node].name});
   }
+  for (const Material& m : tree.materials) result.materials.push_back({m.name, m.color});
+  result.raw = options.raw;
   result.instances = unfolding.instances;
   if (options.keep_all) {
     for (std::shared_ptr<NodeValue>& value : values) result.values.push_back(std::move(value));
