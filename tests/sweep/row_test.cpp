@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "tests/report/plausible.h"
+#include "bench/sweep/row.h"
 
 namespace cnrg::bench {
 namespace {
