@@ -18,13 +18,15 @@ from dataclasses import dataclass
 
 from words import decade_text, exponent_text, percent, power_of_ten
 
-# Colours as (light, dark): the page's variables --ink, --muted, --rule, --s0, ...
+# Colours as (light, dark): the page's variables --page, --ink, --muted, --rule, --s0, ...
+GROUND = ("#ffffff", "#14171b")
 INK, MUTED, RULE = ("#1b2026", "#e7eaee"), ("#5a6470", "#9ba5b1"), ("#d9dee4", "#333b44")
 SERIES = (("#0067b1", "#5db1f0"), ("#cc4e00", "#ff8f4a"), ("#9a7000", "#e2b534"), ("#00805b", "#3fc49a"),
           ("#b0528f", "#e58cc4"), ("#3f97c4", "#a3d6f4"), ("#7a5c3e", "#c4a384"), ("#6b7280", "#a3abb8"),
           ("#8a1c4a", "#e0739f"), ("#2f8580", "#74cdc6"))
-VARIABLES = {"ink": INK, "muted": MUTED, "rule": RULE} | {f"s{i}": colours for i, colours in enumerate(SERIES)}
-MARKERS = "osv^DXP*<>"
+VARIABLES = {"page": GROUND, "ink": INK, "muted": MUTED, "rule": RULE}
+VARIABLES |= {f"s{i}": colours for i, colours in enumerate(SERIES)}
+MARKERS = "osv^D"  # filled, then empty
 DASHES = ("-", "--", "-.")
 EXACT_PLACE = 20  # on the axis of k, beyond the nearest distance
 SHORT_TITLE = 20  # characters that fit a column's head and a legend
@@ -35,8 +37,8 @@ STYLE = {
     "font.family": "DejaVu Sans", "font.size": 9, "axes.titlesize": 9, "axes.labelsize": 8.5, "legend.fontsize": 8.5,
     "xtick.labelsize": 8.5, "ytick.labelsize": 8.5, "text.color": INK[0], "axes.titlecolor": INK[0],
     "axes.labelcolor": MUTED[0], "xtick.color": MUTED[0], "ytick.color": MUTED[0], "axes.edgecolor": MUTED[0],
-    "axes.linewidth": 0.7, "axes.facecolor": "none", "grid.color": RULE[0], "grid.linewidth": 0.6, "axes.grid.axis": "y", "axes.grid": True,
-    "axes.axisbelow": True, "axes.spines.top": False, "axes.spines.right": False, "axes.spines.left": False,
+    "axes.linewidth": 0.7, "axes.facecolor": "none", "axes.axisbelow": True, "axes.grid": True, "axes.grid.axis": "y",
+    "grid.color": RULE[0], "grid.linewidth": 0.6, "axes.spines.top": False, "axes.spines.right": False, "axes.spines.left": False,
     "ytick.major.size": 0, "xtick.major.size": 3, "xtick.major.width": 0.7, "axes.titlelocation": "left",
     "lines.linewidth": 1.2, "lines.markersize": 3.6, "legend.frameon": False, "legend.handlelength": 2.2,
     "legend.borderaxespad": 0}
@@ -75,7 +77,9 @@ class Figure:
 def _painted(experiment, system, ours, size=1.0):
     """How the line of a system looks."""
     place = experiment.place[system]
-    return {"color": SERIES[place % len(SERIES)][0], "marker": MARKERS[place % len(MARKERS)],
+    colour = SERIES[place % len(SERIES)][0]
+    return {"color": colour, "marker": MARKERS[place % len(MARKERS)],
+            "markerfacecolor": GROUND[0] if place % len(SERIES) >= len(MARKERS) else colour,
             "linestyle": DASHES[place // len(SERIES) % len(DASHES)], "linewidth": size * (2.2 if ours else 1.2),
             "markersize": size * (4.4 if ours else 3.6), "clip_on": False}
 
@@ -105,12 +109,14 @@ def decades(values):
     return low, high, range(low, high + 1, 1 + (high - low) // 7)
 
 
-def _logarithmic(axis, values):
+def _logarithmic(axes, which, values):
+    """Makes the axis `x` or `y` one of whole decades around the values."""
     low, high, ticks = decades(values)
-    axis._set_axes_scale("log")
+    getattr(axes, f"set_{which}scale")("log")
+    axis = getattr(axes, f"{which}axis")
     axis.set_ticks([10.0 ** e for e in ticks], [decade_text(e) for e in ticks])
     axis.set_ticks([], minor=True)
-    return 10.0 ** low, 10.0 ** high
+    getattr(axes, f"set_{which}lim")(10.0 ** low, 10.0 ** high)
 
 
 # Failures against the distance to degeneracy.
@@ -120,9 +126,10 @@ RATE_COLUMNS = ("family", "system", "distance", "k", "runs", "judged", "failures
 
 def _rate_records(study):
     """The distance is 10^-k of the operands' size, and 0 for operands in the degenerate position."""
-    return [(study.family or "all", curve.system, f"1e-{p.k}" if p.k is not None else "0",
-             "exact" if p.k is None else p.k, p.tally.runs, p.tally.judged, p.tally.failures, p.tally.failure_rate)
-            for curve in study.curves for p in curve.points]
+    def places(k):
+        return ("0", "exact") if k is None else ("1" if k == 0 else f"1e-{k}", k)
+    return [(study.family or "all", curve.system, *places(p.k), p.tally.runs, p.tally.judged, p.tally.failures,
+             p.tally.failure_rate) for curve in study.curves for p in curve.points]
 
 
 def _draw_rates(axes, experiment, ours, records, ticks, lane, lanes, size=1.0):
@@ -221,8 +228,8 @@ def growth_figure(experiment, ours, study, what, cost, unit, unit_name):
         axes = figure.add_axes([0.68 / width, 0.5 / height, 1 - (0.8 + side) / width, 1 - 0.8 / height])
         handles = {system: axes.plot(*zip(*lines[system]), **_painted(experiment, system, system == ours))[0]
                    for system in lines}
-        axes.set_xlim(*_logarithmic(axes.xaxis, [record[3] for record in records]))
-        axes.set_ylim(*_logarithmic(axes.yaxis, [record[4] for record in records]))
+        _logarithmic(axes, "x", [record[3] for record in records])
+        _logarithmic(axes, "y", [record[4] for record in records])
         axes.set_title(_shown(study.family))
         axes.set_xlabel("triangles of all operands")
         axes.set_ylabel(f"{what}, {unit_name}")
@@ -260,13 +267,13 @@ def _ratios(experiment, ratios, what):
                       [y - 0.26, y - 0.26, y + 0.26, y + 0.26, y - 0.26], color=colour, linewidth=1)
             axes.plot([median, median], [y - 0.26, y + 0.26], color=colour, linewidth=2.4, solid_capstyle="butt")
         axes.axvline(1, color=INK[0], linewidth=1)
-        axes.set_xlim(*_logarithmic(axes.xaxis, [1, *(r[2] for r in records), *(r[6] for r in records)]))
+        _logarithmic(axes, "x", [1, *(r[2] for r in records), *(r[6] for r in records)])
         axes.set_ylim(-0.6, len(records) - 0.4)
         axes.set_yticks(range(len(records)), names[::-1])
         for text, record in zip(axes.get_yticklabels(), reversed(records)):
             text.set_color(SERIES[experiment.place[record[0]] % len(SERIES)][0])
-        axes.set_title(what)
-        axes.set_xlabel(f"{what} as a multiple of ours (least, quartiles, median, most)")
+        axes.set_title(f"{what} as a multiple of ours")
+        axes.set_xlabel("least, quartiles, median and most")
 
     return Figure(f"{what}-ratios", f"{what} as a multiple of ours",
                   f"{what} as a multiple of ours: least, quartiles, median and most, a bar per system; ours is 1",

@@ -9,7 +9,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from rows import CLASS_OF, CONFIRMED, FAILURES, LAST_DISTANCE, OURS, VERDICTS
+from rows import CLASS_OF, CONFIRMED, FAILURES, LAST_DISTANCE, OURS
 
 ONSET = 0.01  # the failure rate from which on failures begin
 

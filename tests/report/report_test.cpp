@@ -19,8 +19,7 @@ struct Ended {
 
 /// The suite with one argument; its errors are in the text, too.
 Ended suite(const std::string& argument) {
-  const std::string command =
-      "/usr/bin/python3 '" CNRG_SOURCES "/tests/report/suite.py' '" + argument + "' 2>&1";
+  const std::string command = "/usr/bin/python3 '" CNRG_SOURCES "/tests/report/suite.py' '" + argument + "' 2>&1";
   Ended ended;
   FILE* const pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return ended;
@@ -44,7 +43,7 @@ class PythonTest : public Catch::ITestInvoker {
   std::string id_;  // module.Class.test_name
 };
 
-/// The suite can not say which tests it has.
+/// The suite cannot say which tests it has.
 class NoTests : public Catch::ITestInvoker {
  public:
   explicit NoTests(std::string why) : why_(std::move(why)) {}

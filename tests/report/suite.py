@@ -1,5 +1,5 @@
 """The tests of bench/report, for the program test_report: `suite.py --list` prints their names, one per line;
-`suite.py NAME` runs one. For all at once: `/usr/bin/python3 -m unittest discover tests/report`."""
+`suite.py NAME...` runs these, `suite.py` all."""
 import sys
 import unittest
 from pathlib import Path
@@ -16,14 +16,14 @@ def tests_in(suite):
 
 def main():
     found = {test.id(): test for test in tests_in(unittest.TestLoader().discover(HERE, top_level_dir=HERE))}
-    if sys.argv[1] == "--list":
+    if sys.argv[1:] == ["--list"]:
         broken = [test for test in found.values() if isinstance(test, unittest.loader._FailedTest)]
         for test in broken:
             print(test._exception, file=sys.stderr)
         print("\n".join(found))
         return bool(broken) or not found
-    test = found[sys.argv[1]]
-    return not unittest.TextTestRunner(stream=sys.stdout).run(test).wasSuccessful()
+    chosen = unittest.TestSuite(found[name] for name in sys.argv[1:] or found)
+    return not unittest.TextTestRunner(stream=sys.stdout).run(chosen).wasSuccessful()
 
 
 if __name__ == "__main__":

@@ -102,7 +102,7 @@ class Page(unittest.TestCase):
         drawings = "".join(re.findall("<svg.*?</svg>", full_page(), re.DOTALL))
         self.assertNotRegex(drawings, "#[0-9a-f]{6}|rgb\\(|font-family|font:|'DejaVu")
         used = set(re.findall(r"var\(--([a-z0-9]+)\)", drawings))
-        self.assertEqual(used, {"ink", "muted", "rule"} | {f"s{place}" for place in range(7)})
+        self.assertEqual(used, {"page", "ink", "muted", "rule"} | {f"s{place}" for place in range(7)})
         light, dark = full_page().split("@media (prefers-color-scheme: dark)", 1)
         for name in used:
             self.assertIn(f"--{name}: #", light)
@@ -248,7 +248,3 @@ class Json(unittest.TestCase):
             self.assertEqual(said | {"facts": facts, "truth": truth}, row)
         self.assertEqual([row["facts"] for row in report["rows"]].count("exact"), 1)
         self.assertEqual(text.count("\n"), 1 + 11 + 1 + len(rows) + 1)  # a line per truth and per row
-
-
-if __name__ == "__main__":
-    unittest.main()

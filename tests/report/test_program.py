@@ -122,7 +122,3 @@ class Program(unittest.TestCase):
                 (Path(hidden) / f"{module}.py").write_text(f"raise ModuleNotFoundError(name={module!r})\n")
                 self.assertEqual(self.fault("rows", "-o", "page.html", PYTHONPATH=hidden),
                                  f"{module} was not found; install the package {package}")
-
-
-if __name__ == "__main__":
-    unittest.main()

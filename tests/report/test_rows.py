@@ -100,7 +100,3 @@ class Rows(unittest.TestCase):
             make_experiment([], sweep.systems, [], None)
         with self.assertRaisesRegex(Unread, "^two rows of ours on face-union-s1-kexact-r1; remove one of the two"):
             make_experiment(sweep.rows + [sweep.rows[0]], sweep.systems, [], None)
-
-
-if __name__ == "__main__":
-    unittest.main()

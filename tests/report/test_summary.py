@@ -239,7 +239,3 @@ class Words(unittest.TestCase):
         self.assertEqual([words.decade_text(e) for e in (-4, -3, -1, 0, 2, 3, 4)],
                          ["10⁻⁴", "0.001", "0.1", "1", "100", "1,000", "10⁴"])
         self.assertEqual((words.plural(1, "run"), words.plural(2000, "run")), ("1 run", "2,000 runs"))
-
-
-if __name__ == "__main__":
-    unittest.main()
