@@ -318,6 +318,7 @@ def figures_of(experiment, summary):
 
 SVG = "http://www.w3.org/2000/svg"
 LINK = "{http://www.w3.org/1999/xlink}href"
+NOT_SAID = {"svg": ("Date", "Creator", "Format", "Type"), "pdf": ("CreationDate", "Creator", "Producer")}
 PAPER = "paper"  # the id of what is behind a figure: white in a file, nothing on the page
 
 
@@ -333,21 +334,19 @@ def styled():
         yield
 
 
-def drawn(figure, commit):
-    """Its bytes as SVG and as PDF: the same whenever they are made."""
+def drawn(figure, form, commit=""):
+    """Its bytes as `svg` or `pdf`: the same whenever they are made. `commit`: of the rows, for the file's own words."""
     with styled():
         from matplotlib.figure import Figure as Canvas
 
         said = clean(figure.description) + (f". Rows of commit {clean(commit)}" if commit else "")
-        canvas = Canvas()
+        words_of = {"svg": {"Title": clean(figure.title), "Description": said},
+                    "pdf": {"Title": clean(figure.title), "Subject": said}}
+        canvas, out = Canvas(), io.BytesIO()
         canvas.patch.set_gid(PAPER)
         figure.draw(canvas)
-        svg, pdf = io.BytesIO(), io.BytesIO()
-        canvas.savefig(svg, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None,
-                                                    "Title": clean(figure.title), "Description": said})
-        canvas.savefig(pdf, format="pdf", metadata={"CreationDate": None, "Creator": None, "Producer": None,
-                                                    "Title": clean(figure.title), "Subject": said})
-    return svg.getvalue(), pdf.getvalue()
+        canvas.savefig(out, format=form, metadata=dict.fromkeys(NOT_SAID[form]) | words_of[form])
+    return out.getvalue()
 
 
 def _without(element, gone):

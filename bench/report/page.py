@@ -67,8 +67,8 @@ def runs_json(experiment):
     return re.sub("[<>&\x7f\ufffe\uffff]", lambda c: f"\\u{ord(c[0]):04x}", text)
 
 
-def page_html(experiment, summary, title, figures, svgs):
-    """`svgs`: the drawn figures by their names."""
+def page_html(experiment, summary, title, figures, svgs, folder=""):
+    """`svgs`: the drawn figures by their names; `folder`: where their files are, if they are written."""
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
     from markupsafe import Markup
 
@@ -83,7 +83,7 @@ def page_html(experiment, summary, title, figures, svgs):
     environment.filters |= {name: getattr(words, name) for name in
                             ("grouped", "percent", "three_digits", "megabytes", "plural")}
     environment.globals |= {
-        "e": experiment, "s": summary, "figures": figures, "facts": main_facts(experiment, summary),
+        "e": experiment, "s": summary, "figures": figures, "folder": folder, "facts": main_facts(experiment, summary),
         "runs": Markup(runs_json(experiment)), "variables": VARIABLES, "colours": len(SERIES),
         "verdicts": VERDICTS, "class_of": CLASS_OF, "failed": FAILURES, "counts_as": COUNTS_AS, "meanings": MEANINGS,
         "confirms": CONFIRMS, "none": words.NONE, "spoken": spoken, "power": power, "rounding_text": rounding_text,

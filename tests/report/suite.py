@@ -1,6 +1,11 @@
-"""The tests of bench/report, for the program test_report: `suite.py --list` prints their names, one per line;
-`suite.py NAME...` runs these, `suite.py` all."""
+"""The tests of bench/report, for the program test_report.
+
+    suite.py --list    prints their names, one per line
+    suite.py NAME...   runs these, or all without a name; prints for each a line `passed NAME` or `failed NAME` and
+                       then, indented, why
+"""
 import sys
+import textwrap
 import unittest
 from pathlib import Path
 
@@ -14,16 +19,30 @@ def tests_in(suite):
         yield from tests_in(test) if isinstance(test, unittest.TestSuite) else [test]
 
 
+class Result(unittest.TestResult):
+    def startTest(self, test):
+        super().startTest(test)
+        self.before = len(self.failures) + len(self.errors)
+
+    def stopTest(self, test):
+        said = [text for _, text in (self.failures + self.errors)]
+        passed = len(said) == self.before
+        print("passed" if passed else "failed", test.id(), flush=True)
+        if not passed:
+            print(textwrap.indent("\n".join(said), "  "), flush=True)
+            self.failures, self.errors, self.any_failed = [], [], True
+        super().stopTest(test)
+
+
 def main():
     found = {test.id(): test for test in tests_in(unittest.TestLoader().discover(HERE, top_level_dir=HERE))}
     if sys.argv[1:] == ["--list"]:
-        broken = [test for test in found.values() if isinstance(test, unittest.loader._FailedTest)]
-        for test in broken:
-            print(test._exception, file=sys.stderr)
         print("\n".join(found))
-        return bool(broken) or not found
-    chosen = unittest.TestSuite(found[name] for name in sys.argv[1:] or found)
-    return not unittest.TextTestRunner(stream=sys.stdout).run(chosen).wasSuccessful()
+        return not found
+    result = Result()
+    result.any_failed = False
+    unittest.TestSuite(found[name] for name in sys.argv[1:] or found).run(result)
+    return result.any_failed
 
 
 if __name__ == "__main__":

@@ -106,7 +106,7 @@ class Figures(unittest.TestCase):
 
     def test_each_figure_says_its_systems_and_units(self):
         for name, figure in FIGURES.items():
-            svg, pdf = drawn(figure, "0123abcd")
+            svg, pdf = (drawn(figure, form, "0123abcd") for form in ("svg", "pdf"))
             said = "\n".join(texts(svg))
             systems = {record[0 if name.endswith("-ratios") else 1] for record in figure.records}
             for system in systems:
@@ -119,7 +119,7 @@ class Figures(unittest.TestCase):
             self.assertTrue(pdf.startswith(b"%PDF-"))
             self.assertNotIn(b"/Type3", pdf)  # fonts that publishers refuse
             self.assertNotRegex(svg.decode(), r"\d{4}-\d{2}-\d{2}T")
-        self.assertEqual(drawn(figure, "0123abcd"), (svg, pdf))
+        self.assertEqual((drawn(figure, "svg", "0123abcd"), drawn(figure, "pdf", "0123abcd")), (svg, pdf))
 
     def test_axes_have_whole_decades_with_all_their_ticks(self):
         low, high, ticks = decades([0.02, 30])
@@ -132,7 +132,7 @@ class Figures(unittest.TestCase):
             ends = [GrowthPoint(size, 1, 1, factor * 10.0 ** e, factor * 10.0 ** e, 1.0)
                     for size, factor in ((1, 1.5), (2, 500))]
             study = GrowthStudy("f", [GrowthCurve("a & b", ends, None, None)])
-            svg, _ = drawn(growth_figure(experiment, "ours", study, "time", "seconds", 1, "seconds"), "")
+            svg = drawn(growth_figure(experiment, "ours", study, "time", "seconds", 1, "seconds"), "svg")
             ticks = [words.decade_text(tick) for tick in range(e, e + 4)]
             self.assertEqual(sorted(texts(svg)),
                              sorted(2 * ticks + ["f", "a & b", "triangles of all operands", "time, seconds"]))
@@ -146,7 +146,7 @@ class Figures(unittest.TestCase):
         looks = {(line.get_color(), line.get_marker(), line.get_markerfacecolor(), line.get_linestyle())
                  for line in axes.lines}
         self.assertEqual(len(looks), 30)
-        page = for_page(drawn(figures.growth["f"][0], "")[0], figures.growth["f"][0])
+        page = for_page(drawn(figures.growth["f"][0], "svg"), figures.growth["f"][0])
         self.assertEqual(set(re.findall(r"var\(--(s[0-9]+)\)", page)), {f"s{i}" for i in range(10)})
 
     def test_colours_stay_apart_for_the_colour_blind_in_brightness_or_marker(self):

@@ -22,7 +22,7 @@ VOID = {"meta"}
 def page_of(experiment, title="A <title> & more"):
     summary = Summary(experiment)
     figures = figures_of(experiment, summary)
-    svgs = {figure.name: drawn(figure, "")[0] for figure in figures.all()}
+    svgs = {figure.name: drawn(figure, "svg") for figure in figures.all()}
     return page_html(experiment, summary, title, figures, svgs)
 
 

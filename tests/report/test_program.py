@@ -81,6 +81,8 @@ class Program(unittest.TestCase):
                          "missing.json: cannot be read")
         self.assertEqual(self.run_report("rows", "-o", "page.html", "--machine", "other.json").returncode, 0)
         self.assertIn("Another processor", self.read("page.html"))
+        self.assertNotIn(".pdf", self.read("page.html"))
+        self.assertEqual(self.written(), ["page.html"])
 
     def test_a_broken_file_is_named_and_nothing_is_written(self):
         arguments = ("rows", "-o", "page.html", "--json", "page.json", "--figures", "figures")
