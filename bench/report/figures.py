@@ -10,7 +10,6 @@ import csv
 import io
 import math
 import re
-import textwrap
 import warnings
 import xml.etree.ElementTree as ET
 from contextlib import contextmanager
@@ -38,10 +37,10 @@ STYLE = {
     "xtick.labelsize": 8.5, "ytick.labelsize": 8.5, "text.color": INK[0], "axes.titlecolor": INK[0],
     "axes.labelcolor": MUTED[0], "xtick.color": MUTED[0], "ytick.color": MUTED[0], "axes.edgecolor": MUTED[0],
     "axes.linewidth": 0.7, "axes.facecolor": "none", "axes.axisbelow": True, "axes.grid": True, "axes.grid.axis": "y",
-    "grid.color": RULE[0], "grid.linewidth": 0.6, "axes.spines.top": False, "axes.spines.right": False, "axes.spines.left": False,
-    "ytick.major.size": 0, "xtick.major.size": 3, "xtick.major.width": 0.7, "axes.titlelocation": "left",
-    "lines.linewidth": 1.2, "lines.markersize": 3.6, "legend.frameon": False, "legend.handlelength": 2.2,
-    "legend.borderaxespad": 0}
+    "grid.color": RULE[0], "grid.linewidth": 0.6, "axes.spines.top": False, "axes.spines.right": False,
+    "axes.spines.left": False, "axes.titlelocation": "left", "ytick.major.size": 0, "xtick.major.size": 3,
+    "xtick.major.width": 0.7, "lines.linewidth": 1.2, "lines.markersize": 3.6, "legend.frameon": False,
+    "legend.handlelength": 2.2, "legend.borderaxespad": 0}
 
 
 def label(experiment, system):
@@ -86,7 +85,8 @@ def _painted(experiment, system, ours, size=1.0):
 
 def _shown(text):
     """For a place with little room."""
-    return textwrap.shorten(clean(text), LONGEST_NAME, placeholder="…") or "…"
+    text = " ".join(clean(text).split())
+    return text if len(text) <= LONGEST_NAME else text[:LONGEST_NAME - 1] + "…"
 
 
 def _inches(texts):
@@ -335,7 +335,8 @@ def styled():
 
 
 def drawn(figure, form, commit=""):
-    """Its bytes as `svg` or `pdf`: the same whenever they are made. `commit`: of the rows, for the file's own words."""
+    """Its bytes as `svg` or `pdf`: the same whenever they are made. `commit` is that of the rows, which the file says
+    of itself."""
     with styled():
         from matplotlib.figure import Figure as Canvas
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import words
 from facts import main_facts
 from figures import SERIES, VARIABLES, clean, for_page, label
-from rows import CLASS_OF, FAILURES, VERDICTS
+from rows import CLASS_OF, VERDICTS
 from summary import Tally
 
 MEANINGS = {
@@ -85,7 +85,7 @@ def page_html(experiment, summary, title, figures, svgs, folder=""):
     environment.globals |= {
         "e": experiment, "s": summary, "figures": figures, "folder": folder, "facts": main_facts(experiment, summary),
         "runs": Markup(runs_json(experiment)), "variables": VARIABLES, "colours": len(SERIES),
-        "verdicts": VERDICTS, "class_of": CLASS_OF, "failed": FAILURES, "counts_as": COUNTS_AS, "meanings": MEANINGS,
+        "verdicts": VERDICTS, "class_of": CLASS_OF, "counts_as": COUNTS_AS, "meanings": MEANINGS,
         "confirms": CONFIRMS, "none": words.NONE, "spoken": spoken, "power": power, "rounding_text": rounding_text,
         "label": lambda system: label(experiment, system), "sum_of": lambda tallies: sum(tallies, Tally()),
         "svg": lambda figure: Markup(for_page(svgs[figure.name], figure)),

@@ -161,6 +161,14 @@ class Figures(unittest.TestCase):
             self.assertGreater((1 + 0.05) / (luminance(light) + 0.05), 3)
             self.assertGreater((luminance(dark) + 0.05) / (luminance(GROUND[1]) + 0.05), 3)
 
+    def test_a_name_that_is_too_long_for_a_legend_is_cut(self):
+        long, spaced = "n" * 60, "a name\nin lines"
+        experiment = make_experiment([right_row(name, "f", size) for name in (long, spaced) for size in (1, 2, 3)],
+                                     [], [], None)
+        said = texts(drawn(figures_of(experiment, Summary(experiment)).growth["f"][0], "svg"))
+        self.assertIn("n" * 29 + "…", " ".join(said))
+        self.assertIn("a name in lines", " ".join(said))
+
     def test_families_may_be_called_anything(self):
         rows = [right_row("ours", family, size, seconds=float(size)) for family in ("../a", ".. a", "a b")
                 for size in (1, 2, 3)]
