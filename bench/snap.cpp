@@ -17,6 +17,7 @@
 
 #include "bench/cases/mesh_cases.h"
 #include "bench/peers/program.h"
+#include "csg/formats/writer.h"
 #include "csg/leaves/leaf.h"
 #include "csg/mesh/mesh.h"
 #include "csg/operators/boolean.h"
