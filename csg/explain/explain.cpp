@@ -114,7 +114,7 @@ RationalPoint point_in(const Complex& complex, const Locator& locator, RegionId 
   Rational step(1, size);
   for (Rational shrink(1, 2);; shrink *= shrink) {
     step *= shrink;
-    const RationalPoint p{base[0] + step * n[0], base[1] + step * n[1], base[2] + step * n[2]};
+    RationalPoint p{base[0] + step * n[0], base[1] + step * n[1], base[2] + step * n[2]};
     const Location at = locator.locate(p);
     if (at.dimension == 3 && at.region == r) return p;
   }
