@@ -1,4 +1,4 @@
-// Attributes of a result's regions from those of the operands (SEMANTICS 4, end).
+// Attributes of a result's regions from those of the operands (csg/SEMANTICS.md#attributes).
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Group Booleans by the paper's tables (pereira2012 3; SEMANTICS 3 and 4).
+// Group Booleans by the paper's tables (pereira2012 3; csg/SEMANTICS.md#the-tables).
 //
 // Both operands are groups on one complex. Entities are classified by propagation (region labels are there
 // already), removed by the rows of tables.h, faces first, then edges, then vertices; then regions are detected
@@ -37,8 +37,8 @@ Roles roles(BooleanOp op, Dominance dominance);
 
 /// A op B. `dominance` names the dominant operand; for union and intersection the operands swap roles when it
 /// is the right one, so that A in a row id is the dominant operand. The difference ignores it.
-/// The result takes the larger dominance number. Attributes of regions: SEMANTICS 4, end; with equal dominance
-/// an operand without a material or name yields to the other.
+/// The result takes the larger dominance number. Attributes of regions: csg/SEMANTICS.md#attributes; with equal
+/// dominance an operand without a material or name yields to the other.
 BooleanResult apply(const Complex& complex, BooleanOp op, Dominance dominance, const Group& a, const Group& b);
 
 /// The group whose regions are all that is not inside a region of `g`, the unbounded included, with the walls

@@ -1,4 +1,4 @@
-// The groups of the leaves, read off the labels and covers of the complex in one pass (SEMANTICS 3, 6).
+// The groups of the leaves, read off the labels and covers of the complex in one pass (csg/SEMANTICS.md#leaves).
 //
 // Entities of a leaf: the faces that a soup face of it covers, with their closure (cells that other leaves cut
 // into their interior included), its wires, its isolated vertices. Regions: the 3-cells with a label of the

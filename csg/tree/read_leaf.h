@@ -1,4 +1,5 @@
-// Leaves in a tree file: from YAML values to shapes (SEMANTICS 7; the forms are at the structures of shapes.h).
+// Leaves in a tree file: from YAML values to shapes (csg/FORMATS.md#leaves; the forms are at the structures of
+// shapes.h).
 #pragma once
 
 #include <functional>
