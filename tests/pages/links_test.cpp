@@ -1,7 +1,8 @@
 // Links between pages and citations of pages lead somewhere.
 //
 // A page is cited by its path from the root of the repository and the anchor of a heading, in comments as in
-// pages: csg/SEMANTICS.md#groups. A link in a page is relative to the page, as browsers have it.
+// pages: csg/SEMANTICS.md#groups. A link in a page is relative to the page, as browsers have it. The name of a
+// page alone, without folder and anchor, is a word.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>
@@ -43,7 +44,8 @@ std::vector<std::string> citations_in(const std::string& text) {
   for (std::sregex_iterator i(text.begin(), text.end(), named), end; i != end; ++i) {
     const auto at = static_cast<std::size_t>(i->position());
     const bool link = i->str(1) == "(" && at > 0 && text[at - 1] == ']';
-    if (!link) citations.push_back(i->str(2));
+    const bool word = i->str(2).find_first_of("/#") == std::string::npos;
+    if (!link && !word) citations.push_back(i->str(2));
   }
   return citations;
 }
@@ -78,7 +80,7 @@ TEST_CASE("citations are found in a text", "[pages]") {
   const std::string page = std::string("csg/SEMANTICS") + ".md";
   CHECK(citations_in("(" + page + "#the-tables). [x](../a.md#b)") ==
         std::vector<std::string>{page + "#the-tables"});
-  CHECK(citations_in("as " + page + " has it") == std::vector<std::string>{page});
+  CHECK(citations_in("as " + page + " has it, and x.md") == std::vector<std::string>{page});
   const std::string bare = std::string("SEMAN") + "TICS";
   CHECK(bare_names_in("see " + bare + " 4, not " + page) == std::vector<std::string>{bare});
 }
