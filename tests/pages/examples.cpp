@@ -1,3 +1,5 @@
+// What is shown is a pattern: parts without `...` have to be printed line by line, each after the one before it;
+// the first part begins where the output does, the last one ends where it ends.
 #include "tests/pages/examples.h"
 
 #include <algorithm>

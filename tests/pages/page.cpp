@@ -1,3 +1,4 @@
+// One pass over the lines of a page; only fences change what a line means.
 #include "tests/pages/page.h"
 
 #include <algorithm>
