@@ -110,7 +110,7 @@ TEST_CASE("tables of a page are read", "[pages]") {
   CHECK(tables[1].rows.empty());
 }
 
-TEST_CASE("FORMATS.md has the leaves that the reader has, each with its keys", "[pages][formats]") {
+TEST_CASE("csg/FORMATS.md has the leaves that the reader has, each with its keys", "[pages][formats]") {
   const Workshop w;
   const std::map<std::string, Words> leaves = keys_of("leaf");
   Words names;
@@ -122,7 +122,7 @@ TEST_CASE("FORMATS.md has the leaves that the reader has, each with its keys", "
   CHECK(names == words_in_source("csg/tree/read_leaf.cpp", "kReaders{{", "\\{\"([a-z]+)\", read_"));
 }
 
-TEST_CASE("FORMATS.md has the keys of every part of a leaf and an attribute", "[pages][formats]") {
+TEST_CASE("csg/FORMATS.md has the keys of every part of a leaf and an attribute", "[pages][formats]") {
   const Workshop w;
   const std::string triangle = "vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]";
   const auto material = [](const std::string& text) { return "{cnrg: 1, materials: {m: {" + text + "}}}"; };
@@ -150,7 +150,7 @@ TEST_CASE("FORMATS.md has the keys of every part of a leaf and an attribute", "[
   CHECK(first_words(formats(), "key of the file") == known_keys(w, "{@}"));
 }
 
-TEST_CASE("FORMATS.md has the operators and attributes that the reader has", "[pages][formats]") {
+TEST_CASE("csg/FORMATS.md has the operators and attributes that the reader has", "[pages][formats]") {
   CHECK(first_words(formats(), "operator") ==
         words_in_source("csg/tree/read_tree.cpp", "kOperators{{", "\\{\"([a-z]+)\", Operator::"));
   Words attributes = words_in_source("csg/tree/read_tree.cpp", "kAttributes{", "\"([a-z]+)\"");
@@ -158,7 +158,7 @@ TEST_CASE("FORMATS.md has the operators and attributes that the reader has", "[p
   CHECK(first_words(formats(), "attribute") == attributes);
 }
 
-TEST_CASE("FORMATS.md has the extensions that the program writes and reads", "[pages][formats]") {
+TEST_CASE("csg/FORMATS.md has the extensions that the program writes and reads", "[pages][formats]") {
   const Workshop w;
   w.write("t.yaml", kScene);
   const auto listed = [](const std::string& text, const std::string& mark) {
@@ -174,7 +174,7 @@ TEST_CASE("FORMATS.md has the extensions that the program writes and reads", "[p
   CHECK(first_words(formats(), "file") == listed(w.run("check mesh.yaml").err, "with the extension"));
 }
 
-TEST_CASE("FORMATS.md names options that there are", "[pages][formats]") {
+TEST_CASE("csg/FORMATS.md names options that there are", "[pages][formats]") {
   const Workshop w;
   std::string help;
   for (const std::string command : {"eval", "check", "locate", "explain", "mesh", "tables"}) {
@@ -193,7 +193,7 @@ TEST_CASE("FORMATS.md names options that there are", "[pages][formats]") {
   CHECK(options > 20);
 }
 
-TEST_CASE("FORMATS.md has the columns of rows and the arrays of .vtu", "[pages][formats]") {
+TEST_CASE("csg/FORMATS.md has the columns of rows and the arrays of .vtu", "[pages][formats]") {
   const Workshop w;
   w.write("t.yaml", kScene);
   const Outcome o = w.run("eval t.yaml --node curved -o t.vtu --parameters");
@@ -263,7 +263,7 @@ std::vector<std::string> write_results(const Workshop& w) {
   return files;
 }
 
-TEST_CASE("FORMATS.md has the members of .json, in their order", "[pages][formats]") {
+TEST_CASE("csg/FORMATS.md has the members of .json, in their order", "[pages][formats]") {
   const Workshop w;
   const std::map<std::string, std::vector<std::string>> cells{{"vertices", listed_members("of", "vertex")},
                                                               {"edges", listed_members("of", "edge")},
@@ -325,7 +325,7 @@ for name in sys.argv[2:]:
   CHECK(o.out == "broken.json faces/0/regions\n");
 }
 
-TEST_CASE("exit statuses are those of FORMATS.md", "[pages][formats]") {
+TEST_CASE("exit statuses are those of csg/FORMATS.md", "[pages][formats]") {
   const Workshop w;
   w.write("t.yaml", kScene);
   CHECK(w.run("check t.yaml").status == 0);
