@@ -65,7 +65,7 @@ std::vector<double> seconds_per_union(const std::string& text, bool all_roots, b
   const Evaluation evaluation = evaluate(tree, options);
   std::vector<double> out;
   for (const NodeRow& row : evaluation.rows) {
-    if (row.operator_name == "union") out.push_back(row.seconds + row.measure_seconds);
+    if (row.operator_name == "union") out.push_back(row.seconds + row.totals_seconds);
   }
   return out;
 }

@@ -1,4 +1,9 @@
 // The driver over the DAG of a tree: one refinement for all leaves, then one selection per node.
+//
+// Lifetimes. An Evaluation owns all that it holds and needs nothing else: the tree and the options may go. Inside
+// of it everything speaks of one complex by ids: a value, a kept value or a simplified complex that is taken out
+// of it is of use as long as `complex` lives, and so are `parameters`, which hold a reference. Moving an
+// Evaluation moves neither complex nor values: references to them stay good. Ids of nodes are those of the tree.
 #pragma once
 
 #include <array>
@@ -54,10 +59,10 @@ struct NodeRow {
   std::vector<std::optional<Rational>> volumes;
   std::vector<std::pair<Component, std::string>> named;  ///< parallel to `volumes`: the component and its name
   double seconds = 0;                                    ///< of the operator alone
-  double measure_seconds = 0;                            ///< of counts and volumes
+  double totals_seconds = 0;                             ///< of counts and volumes
 };
 
-/// The value of a node that was asked for.
+/// The value of a node that was asked for; of use with the complex of its evaluation alone.
 struct KeptValue {
   NodeId node;
   std::shared_ptr<const NodeValue> value;
@@ -77,14 +82,15 @@ struct Evaluation {
   double refine_seconds = 0;            ///< soup and complex
   std::unique_ptr<const SurfaceParameters> parameters;  ///< of the leaves' patches and curves, found on demand
   IdVector<InstanceId, Instance> instances;             ///< below the roots, operands before users; as `rows`
-  /// With `keep_all`: the value of each.
+  /// With `keep_all`: the value of each, those in `kept` included; otherwise empty, and each value has been freed
+  /// after its last user.
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
   /// The kept value of a node; the node must have been asked for.
   const KeptValue& value(NodeId node) const;
 };
 
 /// Evaluates the result of the tree and the nodes asked for, each placed by its own transform.
-/// Throws TreeError for faults with a place in the tree or in a file it names, FileError for files that can not
+/// Throws TreeError for faults with a place in the tree or in a file it names, FileError for files that cannot
 /// be read, InvariantError for bugs.
 Evaluation evaluate(const Tree& tree, const EvaluateOptions& options = {});
 

@@ -465,7 +465,7 @@ void Totals::remove(const Complex& complex, const Part& part) {
   }
 }
 
-const Totals& measure(const Complex& complex, PartedGroup& value) {
+const Totals& totals_of(const Complex& complex, PartedGroup& value) {
   if (!value.totals) {
     value.totals.emplace();
     value.fresh = value.parts;

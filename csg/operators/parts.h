@@ -59,7 +59,7 @@ class Part {
   mutable std::vector<std::optional<Rational>> volumes_;
 };
 
-/// Sums of the measures of parts.
+/// Sums over parts: their counts of cells, their regions and volumes.
 struct Totals {
   std::array<std::size_t, 4> raw{}, simplified{};
   std::size_t regions = 0, unbounded = 0;  ///< all of them; those without a volume
@@ -95,13 +95,13 @@ struct PartedGroup {
   std::vector<PartRef> parts;
   Rational dominance = 0;
   /// The sums over all parts but those in `fresh`; nothing when they are not known. An operator passes them on, so
-  /// that measuring a value costs what is new in it.
+  /// that they cost what is new in a value.
   std::optional<Totals> totals;
   std::vector<PartRef> fresh;
 };
 
 /// The sums over all parts, kept in the value.
-const Totals& measure(const Complex& complex, PartedGroup& value);
+const Totals& totals_of(const Complex& complex, PartedGroup& value);
 
 /// The group as one part, or none if it is empty.
 PartedGroup parted(const Complex& complex, Group group);

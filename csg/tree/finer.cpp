@@ -10,9 +10,9 @@ namespace {
 
 constexpr long kMostSegments = 1'000'000;  // as in a tree file
 
-class Refiner {
+class Finer {
  public:
-  Refiner(const std::string& file, const Node& node, int times) : file_(file), node_(node), times_(times) {}
+  Finer(const std::string& file, const Node& node, int times) : file_(file), node_(node), times_(times) {}
 
   template <class S>
   void operator()(S& shape) const {
@@ -57,7 +57,7 @@ void make_finer(Tree& tree, int times) {
   if (times < 1) throw InputError("finer: give 1 or more, not " + std::to_string(times));
   if (times == 1) return;
   for (Node& node : tree.nodes) {
-    if (node.shape) std::visit(Refiner(tree.file, node, times), *node.shape);
+    if (node.shape) std::visit(Finer(tree.file, node, times), *node.shape);
   }
 }
 

@@ -29,4 +29,10 @@ struct Unfolding {
 /// stack. Throws TreeError when there are more than `most`.
 Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t most = 1'000'000);
 
+/// The numbers of the leaf instances: 0, 1, ... in the order of the instances; none() for an inner node.
+IdVector<InstanceId, LeafId> number_leaves(const Tree& tree, const IdVector<InstanceId, Instance>& instances);
+
+/// An instance and all below it, ascending: operands before users, itself the last.
+std::vector<InstanceId> instances_below(const IdVector<InstanceId, Instance>& instances, InstanceId root);
+
 }  // namespace cnrg

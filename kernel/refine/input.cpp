@@ -21,7 +21,7 @@ namespace cnrg {
 namespace {
 
 /// Points of doubles by value. All points are entered at once, by any number of threads; equal ones share a slot,
-/// which keeps the smallest number.
+/// which keeps the smallest number. A NumberTable is for one thread.
 class EqualPoints {
  public:
   explicit EqualPoints(const Soup& soup)

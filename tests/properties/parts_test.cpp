@@ -87,8 +87,8 @@ std::vector<Conflict> conflicts(const PartedResult& result) {
   return out;
 }
 
-void check_measures(const Complex& complex, PartedGroup& parts, const Group& plain) {
-  const Totals& totals = measure(complex, parts);
+void check_totals(const Complex& complex, PartedGroup& parts, const Group& plain) {
+  const Totals& totals = totals_of(complex, parts);
   const Selection s = selection_of(complex, plain);
   CHECK((totals.raw == std::array{s.vertices.size(), s.edges.size(), s.faces.size(), s.regions.size()}));
   CHECK((totals.simplified == active_counts(simplify(complex, s, plain.features))));
@@ -158,7 +158,7 @@ std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, 
   for (Group& leaf : leaves) {
     leaf.dominance = random.below(3);
     values.push_back({leaf, parted(complex, leaf)});
-    if (random.one_in(2)) measure(complex, values.back().parts);  // totals are kept up to date or made later
+    if (random.one_in(2)) totals_of(complex, values.back().parts);  // totals are kept up to date or made later
   }
   std::size_t most = 0;
   const std::size_t count = leaves.size();
@@ -174,7 +174,7 @@ std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, 
     CHECK((parts.removals == plain.removals));
     CHECK((conflicts(parts) == conflicts(plain.conflicts)));
     if (random.one_in(3)) parts.group.totals.reset();
-    check_measures(complex, parts.group, plain.group);
+    check_totals(complex, parts.group, plain.group);
     most = std::max(most, parts.group.parts.size());
     values.push_back({plain.group, parts.group});
     if (!chain && random.one_in(4)) {
