@@ -141,9 +141,9 @@ struct Complex {
 /// InvariantError for a bug.
 Complex build_complex(const Soup& soup, const RefineOptions& options = {}, RefineReport* report = nullptr);
 
-/// Checks the invariants (kernel/README.md#invariants): disjointness by symbol and order, loops closed, radial order,
-/// incidence both ways, d d = 0, Euler's formula per shell, labels consistent. Returns the first violation in words,
-/// or an empty string.
+/// Checks the invariants (kernel/README.md#invariants): vertices distinct, loops closed, radial order, incidence
+/// both ways, d d = 0, Euler's formula per shell, labels consistent. Returns the first violation in words, or an
+/// empty string.
 std::string validate(const Complex& complex);
 
 /// Where a point lies.
