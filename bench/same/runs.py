@@ -48,10 +48,13 @@ def files_of(tree, *options):
 
 
 def runs_of(tree):
-    """The runs for one tree. Threads take turns, so that each kind of answer comes from one and from two."""
+    """The runs for one tree: its files always, the rest in turns, since a process takes longer than most trees do.
+
+    Threads take turns, too, so that each kind of answer comes from one and from two.
+    """
     r = random.Random(tree.name)
     path, turn = tree.path, tree.turn
-    one, two = ("--threads", 1 + turn % 2), ("--threads", 2 - turn % 2)
+    one, two = ("--threads", 1 + turn // 4 % 2), ("--threads", 2 - turn // 4 % 2)
     runs = []
     for part, node, file in tree.before:
         runs.append(run_of("eval", part, *(["--node", node] if node else []), files=[file]))
@@ -62,7 +65,8 @@ def runs_of(tree):
     large = LARGE.get(tree.name)
     nodes = [node for node in tree.nodes if not (large and large.search(node))]
     runs.append(each_node("exact", tree, tree.nodes, "--trace", "--topology", *one))
-    runs.append(each_node("raw", tree, nodes, "--trace", "--raw", *two))
+    if turn % 2 or tree.thorough:
+        runs.append(each_node("raw", tree, nodes, "--trace", "--raw", *two))
     runs.append(files_of(tree, *two))
     if tree.thorough:  # formats that refuse nothing, of every node at once
         shown = [(node, f"{node}.{ending}") for node in nodes for ending in ("vtu", "obj", "regions.dot")]
@@ -70,9 +74,9 @@ def runs_of(tree):
                                                     for word in ("--node", node, "-o", file))], "",
                         [file for _, file in shown]))
     curved = CURVED.search(tree.text) is not None
-    if curved or turn % 8 == 0:
+    if (curved and turn % 2) or tree.thorough:
         runs.append(run_of("eval", path, "--parameters", "--quiet", *one, files=["uv.json", "uv.vtu"]))
-    if turn % 4 == 1 or tree.thorough:
+    if turn % 6 == 1 or tree.thorough:
         runs.append(run_of("eval", path, "--snap", "--quiet", *two, files=["snap.vtu", "snap.msh", "snap.stl"]))
     if curved and turn % 3 == 0 and not tree.thorough:
         runs.append(run_of("eval", path, "--finer", 2, "--topology", *one, files=["finer.json"]))
@@ -83,16 +87,19 @@ def runs_of(tree):
         asked = [None] + r.sample(nodes, min(2, len(nodes)))
     for node in asked:
         of = ["--node", node] if node else []
-        runs.append(run_of("locate", path, *of, "--parameters", "--material", *one, text=points))
+        if turn % 2 == 0 or tree.thorough:
+            runs.append(run_of("locate", path, *of, "--parameters", "--material", *one, text=points))
         cell = r.choice("vveefffrrr")
-        runs.append(run_of("explain", path, *of, "--cell", cell + str(r.randrange(3 if cell == "r" else 8)), *two))
-    if tree.points:
+        if turn // 2 % 2 or tree.thorough:
+            runs.append(run_of("explain", path, *of, "--cell", cell + str(r.randrange(3 if cell == "r" else 8)), *two))
+    if tree.points and (turn // 2 % 2 == 0 or tree.thorough):
         runs.append(run_of("explain", path, "--point", r.choice(tree.points).replace(" ", ","), *one))
-    if turn % 5 == 0 or tree.thorough:
+    if turn % 9 == 0 or tree.thorough:
         runs.append(run_of("check", path))
     if turn % 16 == 3 or tree.thorough:
         ways = (["--quality", "1.6"], ["-Y"], ["--snap", "--max-volume", "1"])
-        runs.append(run_of("mesh", path, *([] if tree.thorough else ways[turn // 16 % 3]), files=["mesh." + ("msh", "vtu", "mesh")[turn % 3]]))
+        options = [] if tree.thorough else ways[turn // 16 % 3]
+        runs.append(run_of("mesh", path, *options, files=["mesh." + ("msh", "vtu", "mesh")[turn % 3]]))
     return runs
 
 
