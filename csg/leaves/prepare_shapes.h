@@ -8,28 +8,28 @@
 
 namespace cnrg {
 
-// solids.cpp: closed, outward oriented, Fill::winding.
+// shapes/solids.cpp: closed, outward oriented, Fill::winding.
 std::unique_ptr<PreparedLeaf> prepare_box(const BoxShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_prism(const PrismShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_pyramid(const PyramidShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_tetrahedron(const TetrahedronShape& shape);
 
-// flat.cpp: no regions.
+// shapes/open_shapes.cpp: no regions.
 std::unique_ptr<PreparedLeaf> prepare_polygon(const PolygonShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_polyline(const PolylineShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_points(const PointsShape& shape);
 
-// curved.cpp: tessellated solids, Fill::winding.
+// curves/curved.cpp: tessellated solids, Fill::winding.
 std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParameters* record);
 std::unique_ptr<PreparedLeaf> prepare_cylinder(const CylinderShape& shape, LeafParameters* record);
 std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape, LeafParameters* record);
 std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape, LeafParameters* record);
 
-// parametric.cpp: Bézier and B-spline patches and curves, Coons patches; fill as the shape says.
+// curves/parametric.cpp: Bézier and B-spline patches and curves, Coons patches; fill as the shape says.
 std::unique_ptr<PreparedLeaf> prepare_bezier(const BezierShape& shape, LeafParameters* record);
 std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape, LeafParameters* record);
 
-// extrude.cpp, revolve.cpp: Fill::winding, or none for a curve.
+// curves/extrude.cpp, curves/revolve.cpp: Fill::winding, or none for a curve.
 std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape, LeafParameters* record);
 std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafParameters* record);
 
@@ -37,12 +37,13 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafPar
 std::unique_ptr<PreparedLeaf> prepare_plane(const PlaneShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_halfspace(const HalfspaceShape& shape);
 
-// One file each.
+// imports/mesh.cpp, imports/cad.cpp, shapes/heightfield.cpp, shapes/group.cpp.
 std::unique_ptr<PreparedLeaf> prepare_heightfield(const HeightfieldShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_mesh(const MeshShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_cad(const CadShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_group(const GroupShape& shape);
 
+// imports/result_leaf.cpp
 /// Reads a result that `cnrg eval -o file.json` wrote, of a group or of components: open, closed or neither, of
 /// any dimension. The leaf has the same complex and (PreparedLeaf::cells) the same value: components with their
 /// names, materials and dominance, and features. Its soup has the faces by their loops (by their facets where they

@@ -2,8 +2,9 @@
 //
 // A *grade* is a function of position, t, and a mixture at some values of t, its *stops*: between two stops the
 // fractions are linear in t, before the first and after the last they are constant. t is
-//   linear     0 at `from`, 1 at `to`, constant on planes at right angles to the way between them (in units of
-//   it); distance   the Euclidean distance, in units of the model, to the faces, wires and points of a node.
+//   linear    0 at `from`, 1 at `to`, and constant on planes at right angles to the way between them;
+//   distance  the Euclidean distance, in units of the model, to the faces, wires and points of a node.
+//
 // The coordinates are those of the place where the material is put on a node: the node's own transforms are done,
 // those of nodes above move material and shape together. So a grade has a placement.
 //

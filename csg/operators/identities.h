@@ -1,7 +1,7 @@
 // The identities that each evaluated Boolean must satisfy (SEMANTICS 5.1 to 5.3), checked cell by cell.
 //
-// For tests and `--check`: each call passes over the whole complex. Each function returns the first violation in
-// words, naming the cell, or an empty string.
+// For tests and EvaluateOptions::validate: each call passes over the whole complex. Each function returns the
+// first violation in words, naming the cell, or an empty string.
 #pragma once
 
 #include <string>

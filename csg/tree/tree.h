@@ -94,7 +94,8 @@ std::vector<std::string> materials_of(const Node& node);
 std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots);
 
 /// Reads a tree file (YAML 1.2 or JSON). Throws TreeError for the first fault, FileError when the file can not
-/// be read. Geometry of the leaves and files that they name are not looked at: see `prepare_leaves`.
+/// be read. The geometry of leaves and the files that they name are not
+/// looked at: `check` (csg/evaluate/evaluate.h) does that.
 Tree read_tree(const std::string& path);
 
 /// The same for a text; `file` is for messages, and paths in the text are relative to its folder.

@@ -1,4 +1,7 @@
-// Exact numbers. GMP and MPFR appear in this folder only; the rest of the project says Integer and Rational.
+// Exact numbers: integers and fractions of any size, and the ways between them, text and doubles.
+//
+// GMP and MPFR do the arithmetic. The rest of the project says Integer and Rational, and names the libraries only
+// where the program prints their versions or sees that memory has run out (csg/app).
 #pragma once
 
 #include <gmpxx.h>
