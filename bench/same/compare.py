@@ -185,8 +185,8 @@ def cad_files():
 
 
 def trees_of(options):
-    boxes = ("cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  b: {box: {min: [1, 0, 0], max: [2, 1, 1]}}"
-             "\n  c: {union: [a, b]}\nresult: c\n")
+    boxes = ("cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
+             "  b: {box: {min: [1, 0, 0], max: [2, 1, 1]}}\n  c: {union: [a, b]}\nresult: c\n")
     trees = [Tree("commands", boxes, nodes=["a", "b", "c"])] + found_trees(ROOT)
     cad = cad_files() if options.trees else {}
     trees += [random_tree(options.seed, number, cad) for number in range(options.trees)]

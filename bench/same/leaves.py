@@ -506,5 +506,6 @@ def mesh_text(kind, faces):
         f"{len(f)} " + " ".join(str(number[p]) for p in f) + "\n" for f in faces)
     if kind == "off":
         return f"OFF\n{len(points)} {len(faces)} 0\n" + rows
-    return (f"ply\nformat ascii 1.0\nelement vertex {len(points)}\nproperty double x\nproperty double y\n"
-            f"property double z\nelement face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n") + rows
+    header = (f"ply\nformat ascii 1.0\nelement vertex {len(points)}\nproperty double x\nproperty double y\n"
+              f"property double z\nelement face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n")
+    return header + rows
