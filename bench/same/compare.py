@@ -15,6 +15,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -70,16 +71,17 @@ class Same:
     def run(self, trees):
         with ThreadPoolExecutor(self.jobs) as pool:
             futures = [pool.submit(self.compare, tree) for tree in trees]
-            for number, future in enumerate(futures):
-                self.add(*future.result())
-                if number % 50 == 49:
-                    self.save_answers()
-                if sys.stderr.isatty():
-                    print(f"\r{number + 1} of {len(futures)} trees", end="", file=sys.stderr, flush=True)
-                if self.different == MOST_TREES:
-                    for other in futures:
-                        other.cancel()
-                    break
+            try:
+                for number, future in enumerate(futures):
+                    self.add(*future.result())
+                    if number % 50 == 49:
+                        self.save_answers()
+                    if sys.stderr.isatty():
+                        print(f"\r{number + 1} of {len(futures)} trees", end="", file=sys.stderr, flush=True)
+                    if self.different == MOST_TREES:
+                        break
+            finally:  # nobody wants the rest, if there is one
+                pool.shutdown(wait=False, cancel_futures=True)
         if sys.stderr.isatty():
             print("\r\033[K", end="", file=sys.stderr, flush=True)
         self.save_answers()
@@ -227,6 +229,7 @@ def main():
         for tree in trees:
             print(f"# {tree.name}\n{tree.text}")
         return 0
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # not before what is under way has ended
     same = Same(options)
     same.run(trees)
     return same.report()
