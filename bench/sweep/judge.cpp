@@ -7,7 +7,7 @@
 #include "bench/cases/soup_of.h"
 #include "bench/sweep/facts.h"
 #include "csg/operators/boolean.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
 #include "kernel/selection/manifold.h"
@@ -318,7 +318,8 @@ Leaves add_operands(Soup& soup, const Problem& problem) {
 Facts exact_facts(const Problem& problem) {
   Soup soup;
   const Leaves operands = add_operands(soup, problem);
-  const Complex complex = build_complex(soup);
+  const auto built_complex = build_complex(soup);
+  const Complex& complex = *built_complex;
   return facts_of(complex, exact_set(complex, leaf_groups(complex), problem, operands));
 }
 
@@ -328,7 +329,7 @@ Judgement judge(const Problem& problem, const Model& result, double rounding) {
   Soup soup;
   const Leaves operands = add_operands(soup, problem);
   const std::vector<LeafId> found = add_model(soup, result);
-  std::optional<Complex> built;
+  std::shared_ptr<const Complex> built;
   try {
     built = build_complex(soup);
   } catch (const InputError& error) {

@@ -30,6 +30,7 @@
 #include "csg/evaluate/rows.h"
 #include "csg/evaluate/simplified_value.h"
 #include "csg/evaluate/value_store.h"
+#include "csg/leaves/surface_parameters.h"
 
 namespace cnrg {
 namespace {
@@ -64,7 +65,7 @@ void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& optio
   refine_options.threads = options.threads;
   leaves.locate_errors([&] {
     const Soup soup = make_soup(leaves.instances(), options.reach);
-    result.complex = std::make_unique<Complex>(build_complex(soup, refine_options, &result.refine));
+    result.complex = build_complex(soup, refine_options, &result.refine);
   });
   if (options.validate) {
     const std::string violation = validate(*result.complex);
@@ -76,7 +77,7 @@ void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& optio
     result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
     placed.push_back({leaves.instances()[i].leaf->parameters(), leaves.instances()[i].transform});
   }
-  result.parameters = std::make_unique<const SurfaceParameters>(*result.complex, std::move(placed));
+  result.parameters = std::make_shared<const SurfaceParameters>(*result.complex, std::move(placed));
   result.refine_seconds = stopwatch.seconds();
 }
 
@@ -171,8 +172,12 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
     SimplifiedComplex simplified = of_result && node == tree.result
                                        ? std::move(*of_result)
                                        : simplified_in_order(complex, value, selection_of(complex, value), mode);
-    result.kept.push_back({node, values.share(root), std::move(simplified), leaves.below(unfolding, root)});
+    result.kept.push_back({node, values.share(root),
+                           std::make_shared<const SimplifiedComplex>(std::move(simplified)),
+                           leaves.below(unfolding, root), tree.nodes[node].name});
   }
+  for (const Material& m : tree.materials) result.materials.push_back({m.name, m.color});
+  result.raw = options.raw;
   result.instances = unfolding.instances;
   if (options.keep_all) result.values = values.take();
   return result;

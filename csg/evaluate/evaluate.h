@@ -15,14 +15,16 @@
 #include <utility>
 #include <vector>
 
-#include "csg/leaves/surface_parameters.h"
-#include "csg/operators/node_value.h"
+#include "csg/operators/group.h"
+#include "csg/result/result.h"
 #include "csg/tree/tree.h"
-#include "csg/tree/unfold.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg {
+
+class NodeValue;
+class SurfaceParameters;
 
 /// Called at the beginning of a stage (done = 0) and after each of its steps; `total` is 0 when it is not known.
 using Progress = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
@@ -66,27 +68,35 @@ struct NodeRow {
 struct KeptValue {
   NodeId node;
   std::shared_ptr<const NodeValue> value;
-  SimplifiedComplex simplified;  ///< with mode raw when the options say so
-  std::vector<LeafId> leaves;    ///< the leaves below it, ascending
+  std::shared_ptr<const SimplifiedComplex> simplified;  ///< with mode raw when the options say so
+  std::vector<LeafId> leaves;                           ///< the leaves below it, ascending
+  std::string name{};                                   ///< of the node
   /// The value as a group; InvariantError when it is components.
-  const Group& group() const { return value->group(); }
+  const Group& group() const;
 };
 
 struct Evaluation {
-  std::unique_ptr<Complex> complex;
+  std::shared_ptr<const Complex> complex;
   RefineReport refine;
   std::vector<NodeRow> rows;            ///< operands before users
   std::vector<KeptValue> kept;          ///< the result, then `EvaluateOptions::nodes` in their order; each once
   std::vector<std::string> leaf_names;  ///< by LeafId; empty for the frame
   std::vector<Diagnostic> diagnostics;  ///< notices of leaves, conflicts of materials
   double refine_seconds = 0;            ///< soup and complex
-  std::unique_ptr<const SurfaceParameters> parameters;  ///< of the leaves' patches and curves, found on demand
+  std::shared_ptr<const SurfaceParameters> parameters;  ///< of the leaves' patches and curves, found on demand
   IdVector<InstanceId, Instance> instances;             ///< below the roots, operands before users; as `rows`
   /// With `keep_all`: the value of each, those in `kept` included; otherwise empty, and each value has been freed
   /// after its last user.
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
+  std::vector<ResultNames::Material> materials;  ///< of the tree
+  bool raw = false;                              ///< EvaluateOptions::raw
   /// The kept value of a node; the node must have been asked for.
   const KeptValue& value(NodeId node) const;
+  /// The result of the tree, or a node that was asked for, as a value that needs the evaluation no more: to be
+  /// looked at, written (csg/formats/result_file.h), snapped. InputError for the name of a node that was not kept.
+  Result result() const;
+  Result result(NodeId node) const;
+  Result result(const std::string& name) const;
 };
 
 /// Evaluates the result of the tree and the nodes asked for, each placed by its own transform.

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "csg/evaluate/operate.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/leaves/cell_table.h"
+#include "csg/operators/group.h"
 #include "csg/operators/leaf_value.h"
 
 namespace cnrg {

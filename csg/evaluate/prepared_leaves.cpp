@@ -84,20 +84,17 @@ std::string solids_in(const std::string& solids, const std::vector<LeafRegion>& 
 }  // namespace
 
 PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding)
-    : tree_(&tree),
-      prepared_(std::vector<std::unique_ptr<PreparedLeaf>>(tree.nodes.size())),
-      leaf_of_(number_leaves(tree, unfolding.instances)) {
+    : tree_(&tree), prepared_(tree.nodes.size()), leaf_of_(number_leaves(tree, unfolding.instances)) {
   for (const InstanceId i : IdRange<InstanceId>(unfolding.instances.size())) {
     if (!leaf_of_[i].valid()) continue;
     const Instance& instance = unfolding.instances[i];
     if (!prepared_[instance.node]) prepare_node(instance.node);
     nodes_.push_back(instance.node);
-    instances_.push_back({prepared_[instance.node].get(), instance.transform});
+    instances_.push_back({prepared_[instance.node], instance.transform});
   }
 }
 
-PreparedLeaves::PreparedLeaves(const Tree& tree)
-    : tree_(&tree), prepared_(std::vector<std::unique_ptr<PreparedLeaf>>(tree.nodes.size())) {
+PreparedLeaves::PreparedLeaves(const Tree& tree) : tree_(&tree), prepared_(tree.nodes.size()) {
   for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
     if (tree.nodes[id].op == Operator::leaf) prepare_node(id);
   }

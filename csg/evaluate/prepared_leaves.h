@@ -47,7 +47,7 @@ class PreparedLeaves {
  private:
   void prepare_node(NodeId id);
   const Tree* tree_;
-  IdVector<NodeId, std::unique_ptr<PreparedLeaf>> prepared_;
+  IdVector<NodeId, std::shared_ptr<const PreparedLeaf>> prepared_;
   std::vector<LeafInstance> instances_;
   IdVector<InstanceId, LeafId> leaf_of_;
   IdVector<LeafId, NodeId> nodes_;

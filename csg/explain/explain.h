@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/leaves/surface_parameters.h"
 #include "csg/operators/boolean.h"
 #include "csg/operators/origins.h"
 

@@ -1,9 +1,8 @@
 // Every shape with counts of segments, or with a tessellation, is curved; no other shape has either.
-#include "csg/tree/finer.h"
-
 #include <algorithm>
 
 #include "csg/curves/boundary_curves.h"
+#include "csg/tree/tree.h"
 
 namespace cnrg {
 namespace {

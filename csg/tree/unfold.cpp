@@ -72,7 +72,7 @@ class Walk {
     const std::size_t place = node.transform ? transforms_.intern(transforms_[above] * *node.transform) : above;
     const auto it = known_.find({id, place});
     if (it != known_.end()) return it->second;
-    stack_.push_back({id, place, tree_.dag.operands(id), {}});
+    stack_.push_back({id, place, tree_.operands(id), {}});
     return {};
   }
 

@@ -10,15 +10,6 @@
 
 namespace cnrg {
 
-using InstanceId = Id<struct InstanceTag>;
-
-struct Instance {
-  NodeId node;
-  Transform transform;               ///< all transforms from a root down to the node, its own included
-  std::vector<InstanceId> operands;  ///< in the order of the node's operands
-  std::uint32_t number = 1;          ///< from 1 among the instances of the node
-};
-
 struct Unfolding {
   IdVector<InstanceId, Instance> instances;  ///< operands before users
   std::vector<InstanceId> roots;             ///< one for each root that was asked for

@@ -15,6 +15,7 @@
 #include "kernel/base/parallel.h"
 #include "kernel/base/point_hash.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 

@@ -19,6 +19,7 @@
 
 #include "kernel/base/parallel.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/predicates.h"
 #include "kernel/refine/contacts.h"
 #include "kernel/refine/edges.h"
 #include "kernel/refine/faces.h"

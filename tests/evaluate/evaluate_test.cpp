@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "csg/operators/node_value.h"
+
 namespace cnrg {
 namespace {
 
@@ -236,7 +238,7 @@ TEST_CASE("raw keeps the cells of the refinement", "[evaluate]") {
   const NodeRow& row = e.rows.back();
   CHECK(row.cells == Cells{8, 12, 6, 1});
   CHECK(row.raw_cells[2] > 6);
-  CHECK(active_counts(e.kept[0].simplified) == row.raw_cells);
+  CHECK(active_counts(*e.kept[0].simplified) == row.raw_cells);
 }
 
 }  // namespace

@@ -306,7 +306,7 @@ TEST_CASE("n points to the side that is told first, on every facet of a curved f
                     "u");
   const Complex& complex = *r.evaluation.complex;
   const Locator locator(complex);
-  const SimplifiedComplex& simplified = r.evaluation.value(r.tree.result).simplified;
+  const SimplifiedComplex& simplified = *r.evaluation.value(r.tree.result).simplified;
   std::vector<Piece> pieces;
   for (const SimplifiedComplex::Face& face : simplified.faces) {
     for (const HalfFace h : face.cells) {
@@ -340,7 +340,7 @@ TEST_CASE("n points to the side that is told first, on every facet of a curved f
 TEST_CASE("pieces of a simplified cell are told in classes", "[explain]") {
   // Without features bottom and top are one face each, with pieces of a alone, of both, of b alone.
   const Run r = run(std::string(kBoxes) + "  p: {simplify: {of: u, mode: points}}\n", "p");
-  const SimplifiedComplex& s = r.evaluation.value(r.tree.result).simplified;
+  const SimplifiedComplex& s = *r.evaluation.value(r.tree.result).simplified;
   const Complex& complex = *r.evaluation.complex;
   const Locator locator(complex);
   bool three = false;
@@ -373,7 +373,7 @@ TEST_CASE("the point of a region lies in it, bounded or not", "[explain]") {
   u: {union: [a, w, s], dominance: left}
 )",
                     "u");
-  const SimplifiedComplex& s = r.evaluation.value(r.tree.result).simplified;
+  const SimplifiedComplex& s = *r.evaluation.value(r.tree.result).simplified;
   const Locator locator(*r.evaluation.complex);
   REQUIRE(s.regions.size() == 3);
   for (std::size_t k = 0; k < s.regions.size(); ++k) {
@@ -395,7 +395,7 @@ TEST_CASE("cells that are none are refused with those that there are", "[explain
     }
     return std::string();
   };
-  const std::size_t faces = r.evaluation.kept[0].simplified.faces.size();
+  const std::size_t faces = r.evaluation.kept[0].simplified->faces.size();
   CHECK(fault("f99") == "`f99`: the node `u` has faces f0 to f" + std::to_string(faces - 1));
   CHECK(fault("r99999999999999") == "`r99999999999999`: the node `u` has regions r0 to r1");
   for (const char* cell : {"", "f", "x1", "f-1", "f1x", "12", "-"}) {

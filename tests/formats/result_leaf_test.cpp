@@ -222,7 +222,7 @@ TEST_CASE("a group without bounds is read back, a plane is not") {
   c.show(complement(*c.complex, c.group));
   check_round_trip(c);
   const auto halfspace = prepare(Shape(HalfspaceShape{{0, 0, 0}, {0, 0, 1}}));
-  Case half(make_soup({{halfspace.get(), {}}}));
+  Case half(make_soup({{halfspace}}));
   const Scratch dir;
   for (const Topological op : {Topological::interior, Topological::closure}) {
     half.show(apply(*half.complex, op, components_of(*half.complex, half.leaves[0])).value);

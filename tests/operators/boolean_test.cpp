@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/leaf_group.h"
 #include "csg/operators/paper_classification.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
@@ -30,8 +30,9 @@ std::vector<Group> named_leaves(const Complex& complex) {
 }
 
 TEST_CASE("a leaf keeps its features: cuts of other leaves are none", "[leaf_group]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}),
-                                      sheet({0, 0, 2}, {4, 4, 2}), wire({-1, 2, 4}, {5, 2, 4})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}),
+                                         sheet({0, 0, 2}, {4, 4, 2}), wire({-1, 2, 4}, {5, 2, 4})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   CHECK(counts(complex, leaves[0]) == Counts{8, 12, 6, 1});
   CHECK(counts(complex, leaves[1]) == Counts{8, 12, 6, 1});
@@ -43,14 +44,16 @@ TEST_CASE("a leaf keeps its features: cuts of other leaves are none", "[leaf_gro
 }
 
 TEST_CASE("a face cut by its leaf keeps the cut, in the point set it goes", "[leaf_group]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}, 1, 0)});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}, 1, 0)});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   CHECK(counts(complex, leaves[0]) == Counts{8 + 10, 12 + 8 + 8, 6 + 6, 1});
   CHECK(counts(complex, leaves[0], SimplifyMode::points) == Counts{8, 12, 6, 1});
 }
 
 TEST_CASE("one label in two places is two regions with one set of attributes", "[leaf_group]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {1, 1, 1}) + box({2, 0, 0}, {3, 1, 1})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {1, 1, 1}) + box({2, 0, 0}, {3, 1, 1})});
+  const Complex& complex = *built_complex;
   const auto leaves = named_leaves(complex);
   REQUIRE(leaves[0].regions.size() == 2);
   CHECK(leaves[0].regions[1].material == "rock");
@@ -58,7 +61,8 @@ TEST_CASE("one label in two places is two regions with one set of attributes", "
 }
 
 TEST_CASE("attributes follow dominance", "[attributes]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const Complex& complex = *built_complex;
   auto leaves = named_leaves(complex);
   leaves[1].dominance = 2;
   SECTION("left dominates the union: its region stays whole, the other keeps the rest") {
@@ -105,8 +109,9 @@ TEST_CASE("attributes follow dominance", "[attributes]") {
 }
 
 TEST_CASE("subtracting what only touches changes nothing", "[features]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({4, 1, 1}, {6, 3, 3}),
-                                      box({9, 9, 9}, {10, 10, 10}), sheet({1, 1, 1}, {1, 3, 3})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({4, 1, 1}, {6, 3, 3}),
+                                         box({9, 9, 9}, {10, 10, 10}), sheet({1, 1, 1}, {1, 3, 3})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   for (std::size_t i : {1u, 2u, 3u}) {
     const Group result = apply(complex, BooleanOp::subtract, Dominance::equal, leaves[0], leaves[i]).group;
@@ -117,7 +122,8 @@ TEST_CASE("subtracting what only touches changes nothing", "[features]") {
 }
 
 TEST_CASE("a notch has the features of the tool", "[features]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}, 1, 0)});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}, 1, 0)});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   const Group result = apply(complex, BooleanOp::subtract, Dominance::equal, leaves[0], leaves[1]).group;
   // The bottom of the notch is cut into four by the tool.
@@ -126,7 +132,8 @@ TEST_CASE("a notch has the features of the tool", "[features]") {
 }
 
 TEST_CASE("the wall between equal neighbours goes, its rim stays a feature", "[features]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {2, 2, 2}), box({2, 0, 0}, {4, 2, 2})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {2, 2, 2}), box({2, 0, 0}, {4, 2, 2})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   const Group sum = apply(complex, BooleanOp::unite, Dominance::equal, leaves[0], leaves[1]).group;
   CHECK(counts(complex, sum) == Counts{12, 20, 10, 1});
@@ -136,8 +143,9 @@ TEST_CASE("the wall between equal neighbours goes, its rim stays a feature", "[f
 }
 
 TEST_CASE("complement twice, De Morgan, regularize", "[complement]") {
-  const Complex complex =
+  const auto built_complex =
       complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}) + sheet({7, 0, 0}, {7, 5, 5})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   const Group &a = leaves[0], &b = leaves[1];
   const Group not_a = complement(complex, a), not_b = complement(complex, b);
@@ -155,8 +163,9 @@ TEST_CASE("complement twice, De Morgan, regularize", "[complement]") {
 }
 
 TEST_CASE("idempotence and order of equal unions", "[boolean]") {
-  const Complex complex =
+  const auto built_complex =
       complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}), parted_box({1, 1, -2}, {5, 3, 2}, 3)});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   for (const Group& g : leaves) {
     for (const BooleanOp op : {BooleanOp::unite, BooleanOp::intersect}) {
@@ -187,7 +196,8 @@ TEST_CASE("in a removed wall a border of leaf faces stays, a mere cut by another
   // The wall at x = 2, of four pieces or of one; a third leaf crosses it along y at z = 1.
   const Piece large = box({-2, -2, -2}, {8, 8, 8}), crossing = sheet({1, 1, 1}, {3, 3, 1});
   for (const int cuts : {1, 2}) {
-    const Complex complex = complex_of({large, parted_box({1, 0, 0}, {3, 4, 4}, 2, cuts), crossing});
+    const auto built_complex = complex_of({large, parted_box({1, 0, 0}, {3, 4, 4}, 2, cuts), crossing});
+    const Complex& complex = *built_complex;
     const auto leaves = leaf_groups(complex);
     const BooleanResult result = apply(complex, BooleanOp::intersect, Dominance::left, leaves[0], leaves[1]);
     CHECK(check_boolean(complex, BooleanOp::intersect, leaves[0], leaves[1], result.group) == "");
@@ -203,8 +213,9 @@ TEST_CASE("in a removed wall a border of leaf faces stays, a mere cut by another
 }
 
 TEST_CASE("the paper's classification is that of propagation", "[classification]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}),
-                                      parted_box({1, 0, 0}, {3, 4, 4}, 2), sheet({2, 0, 0}, {2, 8, 8})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}),
+                                         parted_box({1, 0, 0}, {3, 4, 4}, 2), sheet({2, 0, 0}, {2, 8, 8})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   const Locator locator(complex);
   for (const Group& a : leaves) {
@@ -217,7 +228,8 @@ TEST_CASE("the paper's classification is that of propagation", "[classification]
 }
 
 TEST_CASE("identities find what is wrong", "[identities]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   const Group good = apply(complex, BooleanOp::unite, Dominance::left, leaves[0], leaves[1]).group;
   Group bad = good;

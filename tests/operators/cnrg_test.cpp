@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "csg/operators/component_lists.h"
+#include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/leaf_group.h"
 #include "csg/operators/node_value.h"
 #include "tests/operators/pieces.h"
 
@@ -15,10 +15,11 @@ namespace {
 using namespace pieces;
 
 struct Scene {
-  Complex complex;
+  const std::shared_ptr<const Complex> built;
+  const Complex& complex = *built;
   std::vector<Components> leaves;
   explicit Scene(const std::vector<Piece>& pieces, const std::vector<std::vector<RegionAttributes>>& names = {})
-      : complex(complex_of(pieces)) {
+      : built(complex_of(pieces)) {
     for (const Group& group : leaf_groups(complex, names)) leaves.push_back(components_of(complex, group));
   }
   Components one(std::size_t leaf) const { return unify(complex, leaves[leaf]).value; }

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "csg/operators/boolean.h"
+#include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/leaf_group.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {
@@ -107,7 +107,8 @@ TEST_CASE("each row that can remove does so somewhere, also with the operands ex
     const auto row =
         std::find_if(table_rows().begin(), table_rows().end(), [&](const TableRow& r) { return r.id == c.row; });
     REQUIRE(row != table_rows().end());
-    const Complex complex = complex_of({c.left, c.right});
+    const auto built_complex = complex_of({c.left, c.right});
+    const Complex& complex = *built_complex;
     CHECK(validate(complex) == "");
     const auto leaves = leaf_groups(complex);
     const Dominance dominance = row->standing == Standing::equal ? Dominance::equal : Dominance::left;
@@ -131,7 +132,8 @@ TEST_CASE("each row that can remove does so somewhere, also with the operands ex
 }
 
 TEST_CASE("a verdict names the row, or the boundary that kept an entity", "[tables]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   for (const BooleanOp op : {BooleanOp::unite, BooleanOp::intersect, BooleanOp::subtract}) {
     for (const Dominance d : {Dominance::left, Dominance::right, Dominance::equal}) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "csg/operators/boolean.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 #include "csg/operators/node_value.h"
 #include "kernel/selection/simplify.h"
 #include "tests/properties/nef_oracle.h"

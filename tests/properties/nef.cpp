@@ -21,7 +21,7 @@ using Failure = std::string;
 class Comparison {
  public:
   explicit Comparison(const Scene& scene)
-      : scene_(scene), complex_(build_complex(scenes::make_soup(scene.leaves))), groups_(leaf_groups(complex_)) {}
+      : scene_(scene), built_(build_complex(scenes::make_soup(scene.leaves))), groups_(leaf_groups(complex_)) {}
 
   Failure run() {
     if (Failure f = cnrg::validate(complex_); !f.empty()) return "the complex is not valid: " + f;
@@ -111,7 +111,8 @@ class Comparison {
   }
 
   const Scene& scene_;
-  Complex complex_;
+  const std::shared_ptr<const Complex> built_;
+  const Complex& complex_ = *built_;
   std::vector<Group> groups_;
 };
 

@@ -326,7 +326,8 @@ TEST_CASE("Values in parts are the values as whole groups", "[parts]") {
         Random random(seed);
         const int room = static_cast<int>(seed % 4);
         const auto leaves = scattered_leaves(seed, 9, position, room);
-        const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+        const auto built_complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+        const Complex& complex = *built_complex;
         const auto groups = leaf_groups(complex, random_attributes(complex, random));
         most = std::max(most, check_evaluation(complex, groups, chain, random));
       }
@@ -379,7 +380,8 @@ TEST_CASE("A fold at once is the fold step by step", "[parts]") {
       INFO("seed " << seed << ", position " << static_cast<int>(position));
       Random random(seed);
       const auto leaves = scattered_leaves(seed, 8, position, static_cast<int>(seed % 3));
-      const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+      const auto built_complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+      const Complex& complex = *built_complex;
       conflicts += check_folds(complex, leaf_groups(complex, random_attributes(complex, random)), random);
     }
   }
@@ -416,7 +418,8 @@ TEST_CASE("A union far away carries the parts of its operands", "[parts]") {
     leaves.push_back(scenes::solid_leaf(scenes::box_solid({3 * i, 0, 0}, {3 * i + 2, 1, 1})));
   }
   leaves.push_back(scenes::solid_leaf(scenes::box_solid({5, 0, 0}, {6, 1, 1})));  // touches the second and third
-  const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+  const auto built_complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+  const Complex& complex = *built_complex;
   const std::vector<Group> groups = leaf_groups(complex);
   std::vector<PartedGroup> v;
   for (const Group& g : groups) v.push_back(parted(complex, g));
@@ -440,7 +443,8 @@ TEST_CASE("Simplified counts are those of the simplified complex", "[simplify]")
     for (const auto position : {scenes::Position::general, scenes::Position::degenerate}) {
       INFO("seed " << seed << ", position " << static_cast<int>(position));
       const auto leaves = scattered_leaves(seed, 4, position, static_cast<int>(seed % 3));
-      const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+      const auto built_complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+      const Complex& complex = *built_complex;
       const auto check = [&](const Selection& s, const Features& features) {
         check_places(complex, s, features);
         for (const SimplifyMode mode : kModes) {
