@@ -85,6 +85,16 @@ TEST_CASE("rooms include rooms below them only", "[pages][rooms]") {
   CHECK(seen > 800);
 }
 
+TEST_CASE("the program on the page of csg is an example", "[pages][rooms]") {
+  const Page page = read_page(root() / "csg" / "README.md");
+  const std::string example = text_of(root() / "csg" / "examples" / "split.cpp");
+  const auto begin = std::find(page.lines.begin(), page.lines.end(), "```cpp");
+  REQUIRE(begin != page.lines.end());
+  std::string program;
+  for (auto line = begin + 1; line != page.lines.end() && *line != "```"; ++line) program += *line + "\n";
+  CHECK(example.find("\n" + program + "\n// Output:\n") != std::string::npos);
+}
+
 /// Paths that a page names in backquotes, without what is no path of the repository: a file or folder below the
 /// root or beside the page, perhaps with `*` in its last part.
 std::vector<std::string> paths_in(const Page& page) {
