@@ -7,6 +7,7 @@
 
 #include "csg/evaluate/simplified_value.h"
 #include "csg/operators/component_lists.h"
+#include "csg/tree/unfold.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 

@@ -1,4 +1,4 @@
-// Attributes of a region of a result from those of the operands (SEMANTICS 4, end).
+// Attributes of a region of a result from those of the operands (csg/SEMANTICS.md#attributes).
 #pragma once
 
 #include <span>

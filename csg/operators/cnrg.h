@@ -1,4 +1,4 @@
-// The operators of Constructive Non-Regularized Geometry (rossignac1991; SEMANTICS 2) on one complex.
+// The operators of Constructive Non-Regularized Geometry (rossignac1991; csg/SEMANTICS.md#components).
 //
 //   aggregate   all components of all operands; an overlap is an error
 //   unify       one component: |X|

@@ -1,4 +1,4 @@
-// A group: entities of dimension up to 2, closed under boundary, and regions (SEMANTICS 3; pereira2012 2.1).
+// A group (csg/SEMANTICS.md#groups; pereira2012 2.1): entities of dimension 2 at most, closed, and regions.
 //
 // Sparse and sorted by id. `cells` holds the 3-cells inside of regions. A cell of dimension <= 2 that is no
 // entity has one and the same region of the group (or none) all around it.

@@ -1,4 +1,4 @@
-// The tables of the group Booleans as data (SEMANTICS 4; pereira2012 3, Fig. 3).
+// The tables of the group Booleans as data (csg/SEMANTICS.md#the-tables; pereira2012 3, Fig. 3).
 //
 // Fig. 3 is an image whose cells the text does not carry: the rows are our reading, derived from the paper's
 // text, from point-set identities and from Fig. 10. A row says when an entity is removed. A is the dominant
@@ -25,7 +25,7 @@
 //                 out      | always                                       | always
 //   difference    AoutB never; all others always
 //
-// A cell inside of a wall between two regions of B lies in none of them; SEMANTICS 4 keeps it. That is meant for
+// A cell inside of a wall between two regions of B lies in none of them; the table keeps it. That is meant for
 // features of B (a border between two leaf faces, a wire on the wall). Where only the common refinement cut the
 // wall, the cell goes with it, or the result would depend on what other leaves of the tree happen to cross there.
 #pragma once
@@ -74,7 +74,7 @@ enum class Condition : std::uint8_t {
   free_in_neither,      ///< edge, vertex: not free in A and not free in B
   inside_region_b,      ///< edge, vertex: all around it is one region of B; also a mere cut of a wall inside of B
 };
-/// The condition in the words of SEMANTICS 4.
+/// The condition in the words of csg/SEMANTICS.md#the-tables.
 const char* words(Condition condition);
 /// Throws InvariantError: a condition of faces was asked of a lower cell, or the other way round.
 [[noreturn]] void wrong_dimension();

@@ -155,9 +155,9 @@ class Complex {
 std::shared_ptr<const Complex> build_complex(const Soup& soup, const RefineOptions& options = {},
                                              RefineReport* report = nullptr);
 
-/// Checks every invariant of SEMANTICS 1 and 5.2 that needs no second evaluation: disjointness by symbol and
-/// order, loops closed, radial order, incidence both ways, d d = 0, Euler's formula per sheet and for the whole,
-/// labels consistent. Returns the first violation in words, or an empty string.
+/// Checks the invariants (kernel/README.md#invariants): vertices distinct, loops closed, radial order, incidence
+/// both ways, d d = 0, Euler's formula per shell, labels consistent. Returns the first violation in words, or an
+/// empty string.
 std::string validate(const Complex& complex);
 
 /// Where a point lies.

@@ -6,7 +6,7 @@
 //       line_plane(a, b, P)      the point of line ab on plane P
 //       three_planes(P, Q, R)    the point common to three planes
 //       line_line(a, b, c, d)    the point common to two coplanar lines
-//     so no construction cascades (ARCHITECTURE, decision 1).
+//     so no construction cascades (kernel/README.md#why-no-construction-cascades).
 //   * `lo[k] <= exact[k] <= hi[k]` always holds. A bound may be infinite; then only the exact stage decides.
 //   * The exact value is homogeneous, canonical: w > 0, gcd(x, y, z, w) = 1; equal points have equal values.
 #pragma once

@@ -1,4 +1,4 @@
-// The operators of CNRG on small scenes whose components can be counted by hand (SEMANTICS 2).
+// The operators of CNRG on small scenes whose components can be counted by hand (csg/SEMANTICS.md#components).
 #include "csg/operators/cnrg.h"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,6 @@
 // Random trees of curved, flat and unbounded leaves: each node's identities, both classifications, and what a
-// simplified value promises to its readers (SEMANTICS 5, 6; CNRG_SEEDS and CNRG_FIRST_SEED as for cubical pairs).
+// simplified value promises to its readers (csg/SEMANTICS.md#identities; CNRG_SEEDS and CNRG_FIRST_SEED as for
+// cubical pairs).
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdlib>

@@ -1,4 +1,5 @@
-// The laws of the CNRG algebra on the values of random dags (SEMANTICS 2, 5.4): no oracle, so many more dags.
+// The laws of the CNRG algebra on the values of random dags (csg/SEMANTICS.md#identities): no oracle, so many more
+// dags.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // What must not change the answer: order of input, exact rigid motion, number of threads; and the laws of set
-// algebra as far as groups have them (SEMANTICS 5.3, 5.4).
+// algebra as far as groups have them (csg/SEMANTICS.md#identities).
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numeric>

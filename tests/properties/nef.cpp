@@ -1,4 +1,4 @@
-// Random trees against Nef polyhedra: equal point sets at every node (SEMANTICS 5.1, 5.2, 5.5).
+// Random trees against Nef polyhedra: equal point sets at every node (csg/SEMANTICS.md#identities).
 #include <catch2/catch.hpp>
 #include <exception>
 #include <iostream>

@@ -111,7 +111,8 @@ Component state_of(const std::vector<std::pair<IdT, Component>>& list, IdT id) {
   return it != list.end() && it->first == id ? it->second : 0;
 }
 
-/// What SEMANTICS 6 says of each cell of the complex that needs no merged neighbour to tell, in mode `features`.
+/// What csg/SEMANTICS.md#simplification says of each cell of the complex that needs no merged neighbour to tell,
+/// in mode `features`.
 void check_places(const Complex& c, const Selection& s, const Features& features) {
   const SimplifiedComplex simplified = simplify(c, s, features);
   for (FaceId f : IdRange<FaceId>(c.face_count())) {
