@@ -1,4 +1,5 @@
-// Group operators: Booleans by the paper's tables, complement, regularization (pereira2012 3; csg/SEMANTICS.md#the-tables).
+// Group operators: Booleans by the paper's tables, complement, regularization (pereira2012 3;
+// csg/SEMANTICS.md#the-tables).
 //
 // Both operands are groups on one complex. Rows of the tables remove entities, faces first, then edges, then
 // vertices; regions follow from what is left. Nothing is constructed. The rows are data in tables.h and decided in
@@ -21,8 +22,8 @@ struct BooleanResult {
 
 /// left op right. `dominance` names the dominant operand; for union and intersection the operands swap roles when
 /// it is the right one, so that A in a row id is the dominant operand. The difference ignores it.
-/// The result takes the larger dominance number. Attributes of regions: csg/SEMANTICS.md#attributes; with equal dominance
-/// an operand without a material or name yields to the other.
+/// The result takes the larger dominance number. Attributes of regions: csg/SEMANTICS.md#attributes; with equal
+/// dominance an operand without a material or name yields to the other.
 BooleanResult boolean_operation(const Complex& complex, BooleanOp op, Dominance dominance, const Group& left,
                                 const Group& right);
 

@@ -29,8 +29,8 @@ struct Value {
 };
 
 const std::vector<Value> kValues{{"steinmetz", 16. / 3, {"pipe_x", "pipe_y"}},
-                                   {"ring", 256 * kPi / 3, {"ball", "bore"}},
-                                   {"touch", 0, {"ball", "wide"}}};
+                                 {"ring", 256 * kPi / 3, {"ball", "bore"}},
+                                 {"touch", 0, {"ball", "wide"}}};
 
 TEST_CASE("volumes of curved solids are within chord times area of the exact ones", "[evaluate][curved]") {
   const Tree tree = read_tree("papers/keyser2004/chords.yaml");

@@ -63,7 +63,8 @@ TEST_CASE("a result by hand has the file of the tree's") {
   {
     const auto complex = two_boxes();
     const auto groups = leaf_groups(*complex, {{{.name = "a", .material = "clay"}}, {{.name = "b"}}});
-    by_hand.emplace(complex, boolean_operation(*complex, BooleanOp::unite, Dominance::left, groups[0], groups[1]).group,
+    by_hand.emplace(complex,
+                    boolean_operation(*complex, BooleanOp::unite, Dominance::left, groups[0], groups[1]).group,
                     ResultNames{.result = "both", .leaves = {"a", "b"}, .materials = {{"clay", "#aa7744"}}});
   }
   write(dir / "hand.json", *by_hand);

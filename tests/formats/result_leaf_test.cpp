@@ -322,7 +322,9 @@ void check_random_scene(std::uint64_t seed, scenes::Position position) {
       value = topological_operation(complex, Topological::boundary, subtract(complex, b, a).value).value;
       break;
     case 6: value = complement(complex, sum(complex, a, b).value).value; break;
-    default: value = topological_operation_of_each(complex, Topological::regularize, sum(complex, a, b).value).value; break;
+    default:
+      value = topological_operation_of_each(complex, Topological::regularize, sum(complex, a, b).value).value;
+      break;
   }
   c.show(value);
   check_round_trip(c);
