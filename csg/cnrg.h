@@ -11,14 +11,11 @@
 //   * A Tree, a Soup, an Evaluation and a Result own what they hold. A Complex is shared
 //     (std::shared_ptr<const Complex>) and constant.
 //   * Groups, components, selections and sets of cells are values, too; the ids in them are those of one complex
-//   and
-//     mean nothing on another.
-//   * What takes a `const Complex&` uses it during the call. Only Locator keeps the reference, and what is kept
-//   for
+//     and mean nothing on another.
+//   * What takes a `const Complex&` uses it during the call. Only Locator keeps the reference; what is kept for
 //     later (a Result) takes the pointer.
 //
-// These headers and what they include are all that is installed; the rest of the source is not for programs
-// outside.
+// These headers and what they include are all that is installed; the rest of the source is private.
 #pragma once
 
 // Cells: soup, complex, point location.
