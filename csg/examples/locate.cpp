@@ -17,9 +17,8 @@ nodes:
 result: model
 )",
                                "model.yaml");
-  const Evaluation evaluation = evaluate(tree);
-  const KeptValue& model = evaluation.value(tree.result);
-  const Locator locator(*evaluation.complex);
+  const Result model = evaluate(tree).result();
+  const Locator locator(model.complex());
   const Rational third(1, 3), half(1, 2), hair(1, 1000000000);
   const RationalPoint points[] = {{0, 0, 0},
                                   {third, half, 0},
@@ -30,11 +29,11 @@ result: model
                                   {1, third, third},
                                   {2, 2, 2}};
   for (const RationalPoint& p : points) {
-    const SimplifiedComplex::Place place = model.simplified.place(*evaluation.complex, locator.locate(p));
-    const Component component = component_of(model.simplified, place);
+    const SimplifiedComplex::Place place = model.place(locator.locate(p));
+    const Component component = model.component(place);
     std::cout << p[0] << " " << p[1] << " " << p[2] << ": dimension " << place.dimension << ", "
               << cell_name(place.dimension, place.index) << ", "
-              << (component == 0 ? "inactive" : model.value->attributes(component).name) << "\n";
+              << (component == 0 ? "inactive" : model.attributes(component).name) << "\n";
   }
 }
 
