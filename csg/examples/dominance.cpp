@@ -20,9 +20,8 @@ int main() {
     for (Component i = 1; i <= group.regions.size(); ++i) {
       std::cout << "  region " << result.attributes(i).name << ", volume " << *result.volume(i) << "\n";
     }
-    for (const auto& [row, count] : removals) {
+    for (const auto& [row, count] : removals)
       std::cout << "  " << table_rows()[row].id << " removed " << count << "\n";
-    }
   }
 }
 
