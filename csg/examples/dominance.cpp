@@ -14,13 +14,12 @@ int main() {
   for (const auto& [title, dominance] : {std::pair("left", Dominance::left), std::pair("right", Dominance::right),
                                          std::pair("equal", Dominance::equal)}) {
     std::cout << title << "\n";
-    const auto [group, removals, conflicts] =
-        boolean_operation(*complex, BooleanOp::unite, dominance, groups[0], groups[1]);
-    const Result result(complex, group);
-    for (Component i = 1; i <= group.regions.size(); ++i) {
+    const auto done = boolean_operation(*complex, BooleanOp::unite, dominance, groups[0], groups[1]);
+    const Result result(complex, done.group);
+    for (Component i = 1; i <= done.group.regions.size(); ++i) {
       std::cout << "  region " << result.attributes(i).name << ", volume " << *result.volume(i) << "\n";
     }
-    for (const auto& [row, count] : removals)
+    for (const auto& [row, count] : done.removals)
       std::cout << "  " << table_rows()[row].id << " removed " << count << "\n";
   }
 }

@@ -1,5 +1,4 @@
 // Exact point location: the cell of a node that holds a point with rational coordinates, and its component.
-//
 // A sloped seam parts a block of ground. The middle of the block is on the seam, a billionth beside it is not.
 #include <cnrg.h>
 
@@ -8,21 +7,20 @@
 
 using namespace cnrg;
 
-const char* const kModel = R"(cnrg: 1
+int main() {
+  const Result model = evaluate(parse_tree(R"(cnrg: 1
 nodes:
   ground: {box: {min: [0, 0, 0], max: [1, 1, 1]}, name: ground}
   seam:   {polygon: [["1/3", 0, 0], ["1/3", 1, 0], ["2/3", 1, 1], ["2/3", 0, 1]]}
   bolt:   {polyline: [[1, "1/2", "1/2"], [2, "1/2", "1/2"]]}
   model:  {union: [bolt, {union: [seam, ground], dominance: left}]}
 result: model
-)";
-
-int main() {
-  const Result model = evaluate(parse_tree(kModel, "model.yaml")).result();
+)",
+                                           "model.yaml"))
+                           .result();
   const Locator locator(model.complex());
   std::istringstream points(
-      "0 0 0  1/3 1/2 0  1/2 1/2 1/2  500000001/1000000000 1/2 1/2  1/3 1/3 1/3  4/3 1/2 1/2 "
-      "1 1/3 1/3  2 2 2");
+      "0 0 0  1/3 1/2 0  1/2 1/2 1/2  500000001/1000000000 1/2 1/2  1/3 1/3 1/3  4/3 1/2 1/2  1 1/3 1/3  2 2 2");
   for (RationalPoint p; points >> p[0] >> p[1] >> p[2];) {
     const SimplifiedComplex::Place place = model.place(locator.locate(p));
     const Component component = model.component(place);
