@@ -7,6 +7,7 @@
 #include "kernel/refine/box_tree.h"
 #include "kernel/refine/contacts.h"
 #include "kernel/refine/identity.h"
+#include "kernel/refine/refine.h"
 #include "kernel/refine/subdivision.h"
 
 namespace cnrg::bench {
