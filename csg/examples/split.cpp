@@ -12,7 +12,7 @@ int main() {
   const auto sheet = prepare(PolygonShape{{{1, 0, 0}, {2, 0, 3}, {2, 3, 3}, {1, 3, 0}}, {}});
   const auto complex = build_complex(make_soup({{block}, {sheet}}));
   const std::vector<Group> leaves = leaf_groups(*complex);
-  const Group split = apply(*complex, BooleanOp::unite, Dominance::right, leaves[0], leaves[1]).group;
+  const Group split = boolean_operation(*complex, BooleanOp::unite, Dominance::right, leaves[0], leaves[1]).group;
   const Result result(complex, split, {.result = "split", .leaves = {"block", "sheet"}});
   for (Component i = 1; i <= split.regions.size(); ++i) {
     std::cout << "region " << i << " has the volume " << *result.volume(i) << "\n";
