@@ -96,10 +96,4 @@ void prepare_totals(const Complex& complex, const Unfolding& unfolding, ValueSto
   });
 }
 
-std::size_t NodeRow::removed() const {
-  std::size_t total = 0;
-  for (const auto& [id, count] : removals) total += count;
-  return total;
-}
-
 }  // namespace cnrg

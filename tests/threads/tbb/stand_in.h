@@ -72,6 +72,7 @@ class blocked_range {
   Value begin() const { return begin_; }
   Value end() const { return end_; }
   std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
+  bool is_divisible() const { return size() > grain_; }
 
   /// Into how many pieces of at least one grain it falls, and piece i of n.
   std::size_t pieces() const { return std::clamp<std::size_t>(size() / grain_, 1, stand_in::kPieces); }
