@@ -85,6 +85,21 @@ TEST_CASE("rooms include rooms below them only", "[pages][rooms]") {
   CHECK(seen > 800);
 }
 
+TEST_CASE("the pages list the rooms that there are", "[pages][rooms]") {
+  for (const std::string part : {"kernel", "csg", "bench", "tests"}) {
+    std::set<std::string> folders;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root() / part)) {
+      const std::string room = part + "/" + entry.path().filename().string();
+      const bool cache = room.ends_with("__pycache__");
+      if (entry.is_directory() && room != "csg/examples" && !cache) folders.insert(room);
+    }
+    const std::vector<std::string> listed = listed_rooms(part);
+    INFO(part << "/README.md, the table under Rooms");
+    CHECK(std::set<std::string>(listed.begin(), listed.end()) == folders);
+    CHECK(listed.size() == folders.size());
+  }
+}
+
 TEST_CASE("the program on the page of csg is an example", "[pages][rooms]") {
   const Page page = read_page(root() / "csg" / "README.md");
   const std::string example = text_of(root() / "csg" / "examples" / "split.cpp");
