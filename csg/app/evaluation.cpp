@@ -1,5 +1,5 @@
-// What all commands share: reading a tree at its fineness, evaluating it behind a progress bar, and printing
-// diagnostics.
+// What all commands share: a tree read at the fineness asked for, an evaluation behind a progress bar, and the
+// printing of its diagnostics.
 #include "csg/app/evaluation.h"
 
 #include <iostream>

@@ -1,5 +1,5 @@
-// Files of results, written and read. The extension of the name chooses the format; a file appears whole or not at
-// all (csg/text/file.h).
+// Files of results, written and read. The extension of the name chooses the format; a file appears whole
+// or not at all (csg/text/file.h).
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Parameters of the corners of triangles: exactly in the cell of their facet.
+// The corners of a triangle get their parameters in the cell of its facet, exactly, and are rounded last.
 #include "csg/formats/vtu_parameters.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 using Cells = std::vector<std::vector<PatchCorner>>;
 
-/// A cell whose map is that of all; nothing if they have no common affine map.
+/// A cell whose map serves all the cells; nullptr if no one affine map does.
 const std::vector<PatchCorner>* common(const Cells& cells) {
   if (cells.size() == 1) return &cells[0];
   if (cells.empty()) return nullptr;

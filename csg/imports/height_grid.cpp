@@ -1,4 +1,4 @@
-// The reader of ESRI ASCII grids.
+// The reader of ESRI ASCII grids: keys and values of the header in any order, then the rows, northern ones first.
 #include "csg/imports/height_grid.h"
 
 #include <cctype>

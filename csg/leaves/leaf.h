@@ -30,8 +30,8 @@ class LeafFileError : public InputError {
 };
 
 /// What a leaf says about its regions: region i (from 1) has `regions[i - 1]`. Material and name are those of
-/// the shape itself (group regions, components of results read back); the attributes of the
-/// node are in the tree.
+/// the shape itself (group regions, components of results read back); the node's own
+/// attributes are in the tree.
 struct LeafRegion {
   std::string name;
   RegionMaterial material{};  ///< a grade (of a result read back) is in the leaf's coordinates

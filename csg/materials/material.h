@@ -107,8 +107,8 @@ class MaterialSampler {
   Rational parameter(const RationalPoint& p) const;
 };
 
-/// `steel 3/4, ceramic 1/4`, for people: largest fraction first; one material alone has no number, long fractions
-/// are decimals.
+/// `steel 3/4, ceramic 1/4`, for people: largest fraction first; one material alone has no number, and long
+/// fractions are decimals.
 std::string to_text(const Mixture& mixture);
 
 }  // namespace cnrg

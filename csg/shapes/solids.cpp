@@ -10,8 +10,8 @@
 namespace cnrg {
 namespace {
 
-/// For each edge i of a loop (point i to the next) a number of the side above it, from `next` on; collinear
-/// neighbours share one, for their sides lie in one plane.
+/// A face number, from `next` on, for the side above each edge i of a loop (point i to the next); collinear
+/// neighbours share one, since their sides lie in one plane.
 std::vector<std::uint32_t> side_numbers(const std::vector<RationalPoint>& loop, std::uint32_t& next) {
   const std::size_t n = loop.size();
   const auto straight = [&](std::size_t i) {
