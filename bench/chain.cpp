@@ -65,7 +65,7 @@ std::vector<double> seconds_per_union(const std::string& text, bool all_roots, b
   const Evaluation evaluation = evaluate(tree, options);
   std::vector<double> out;
   for (const NodeRow& row : evaluation.rows) {
-    if (row.operator_name == "union") out.push_back(row.seconds + row.measure_seconds);
+    if (row.operator_name == "union") out.push_back(row.seconds + row.totals_seconds);
   }
   return out;
 }
@@ -127,7 +127,7 @@ double cells(const NodeRow& row) {
 
 std::size_t largest_bits(const KeptValue& value, const PointTable& points) {
   std::size_t bits = 0;
-  for (const SimplifiedComplex::Vertex& vertex : value.simplified.vertices) {
+  for (const SimplifiedComplex::Vertex& vertex : value.simplified->vertices) {
     const ExactPoint& p = points.exact(vertex.cell);
     for (const Integer& number : {p.x, p.y, p.z, p.w})
       bits = std::max(bits, mpz_sizeinbase(number.get_mpz_t(), 2));

@@ -13,7 +13,7 @@
 #include "bench/cases/mesh_cases.h"
 #include "csg/leaves/leaf.h"
 #include "csg/operators/boolean.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
 
@@ -27,21 +27,22 @@ struct Options {
 };
 
 std::string evaluate(const std::vector<std::string>& files, const Options& options) {
-  std::vector<std::unique_ptr<PreparedLeaf>> leaves;
+  std::vector<std::shared_ptr<const PreparedLeaf>> leaves;
   std::vector<LeafInstance> instances;
   std::string notices;
   for (const std::string& file : files) {
     leaves.push_back(prepare(MeshShape{file, options.fill, false}));
-    instances.push_back({leaves.back().get(), {}});
+    instances.push_back({leaves.back(), {}});
     for (const std::string& notice : leaves.back()->notices()) notices += "; " + notice;
   }
   RefineReport report;
-  const Complex complex = build_complex(make_soup(instances), {}, &report);
+  const auto built_complex = build_complex(make_soup(instances), {}, &report);
+  const Complex& complex = *built_complex;
   if (const std::string invalid = validate(complex); !invalid.empty()) return "INVALID " + invalid;
   const std::vector<Group> groups = leaf_groups(complex);
   Group group = groups[0];
   for (std::size_t i = 1; i < groups.size(); ++i)
-    group = apply(complex, BooleanOp::unite, Dominance::equal, group, groups[i]).group;
+    group = boolean_operation(complex, BooleanOp::unite, Dominance::equal, group, groups[i]).group;
   const SimplifiedComplex s = simplify(complex, selection_of(complex, group), group.features);
   const auto counts = active_counts(s);
   std::vector<RegionId> cells;

@@ -17,10 +17,11 @@
 
 #include "bench/cases/mesh_cases.h"
 #include "bench/peers/program.h"
+#include "csg/formats/writer.h"
 #include "csg/leaves/leaf.h"
 #include "csg/mesh/mesh.h"
 #include "csg/operators/boolean.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 #include "csg/result/flat.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
@@ -66,7 +67,8 @@ double area_of(const Complex& complex, const Selection& selection) {
 /// What is wrong with a written result, read back; empty if nothing is.
 std::string check_file(const std::string& path, const Drawing& drawing) {
   const auto leaf = prepare(MeshShape{path, Fill::none, false});
-  const Complex complex = build_complex(make_soup({{leaf.get(), {}}}));
+  const auto built_complex = build_complex(make_soup({{leaf}}));
+  const Complex& complex = *built_complex;
   if (const std::string invalid = validate(complex); !invalid.empty()) return path + " read back: " + invalid;
   if (complex.face_count() != drawing.triangles.size()) {
     return path + " has " + std::to_string(drawing.triangles.size()) + " triangles, which are refined to " +
@@ -106,7 +108,7 @@ std::string check(const ResultView& exact, const SnappedResult& snapped, const s
 
 std::string evaluate(const std::string& file, Copy copy, const std::string& folder) {
   const auto leaf = prepare(MeshShape{file, {}, false});
-  std::vector<LeafInstance> instances{{leaf.get(), {}}};
+  std::vector<LeafInstance> instances{{leaf}};
   if (copy != Copy::none) {
     Soup soup;
     leaf->add_to(soup, {});
@@ -120,12 +122,14 @@ std::string evaluate(const std::string& file, Copy copy, const std::string& fold
       middle[k] = (from_double(low) + from_double(high)) / 2;
     }
     instances.push_back(
-        {leaf.get(), copy == Copy::turned ? Transform::rotation({1, 2, 3}, 30, middle) : turned_a_little(middle)});
+        {leaf, copy == Copy::turned ? Transform::rotation({1, 2, 3}, 30, middle) : turned_a_little(middle)});
   }
-  const Complex complex = build_complex(make_soup(instances));
+  const auto built_complex = build_complex(make_soup(instances));
+  const Complex& complex = *built_complex;
   const std::vector<Group> groups = leaf_groups(complex);
   Group group = groups[0];
-  if (copy != Copy::none) group = apply(complex, BooleanOp::unite, Dominance::equal, group, groups[1]).group;
+  if (copy != Copy::none)
+    group = boolean_operation(complex, BooleanOp::unite, Dominance::equal, group, groups[1]).group;
   const NodeValue value(complex, std::move(group));
   const SimplifiedComplex simplified = simplify(complex, selection_of(complex, value), value.features());
   ResultView view;

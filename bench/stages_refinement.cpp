@@ -2,11 +2,12 @@
 #include <algorithm>
 
 #include "bench/stages.h"
-#include "kernel/complex/builder.h"
+#include "kernel/complex/draft.h"
 #include "kernel/refine/box_pairs.h"
 #include "kernel/refine/box_tree.h"
 #include "kernel/refine/contacts.h"
 #include "kernel/refine/identity.h"
+#include "kernel/refine/refine.h"
 #include "kernel/refine/subdivision.h"
 
 namespace cnrg::bench {
@@ -152,14 +153,9 @@ void whole_complex(benchmark::State& state, const std::string& name) {
 
 void labels(benchmark::State& state, const std::string& name) {
   const Soup& soup = stage_soup(name);
-  Complex complex = build_complex(soup);
-  for (auto _ : state) {
-    complex.region_labels = {};
-    complex.label_sets = {};
-    complex.leaf_regions = {};
-    label_regions(soup, complex);
-  }
-  count_items(state, complex.region_count);
+  ComplexDraft complex(soup);
+  for (auto _ : state) complex.label(soup);
+  count_items(state, complex->region_count);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "bench/cases/boolean_node.h"
 #include "bench/stages.h"
 #include "csg/formats/formats.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 #include "kernel/selection/canonical.h"
 #include "kernel/selection/measure.h"
 
@@ -15,7 +15,7 @@ namespace {
 /// A case evaluated.
 struct Evaluated {
   explicit Evaluated(const std::string& name)
-      : complex(build_complex(stage_soup(name))),
+      : built(build_complex(stage_soup(name))),
         leaves(values_of(complex, leaf_groups(complex))),
         value(evaluate_node(complex, Operation::unite, leaves).value),
         selection(selection_of(complex, value)),
@@ -26,7 +26,8 @@ struct Evaluated {
   ResultView view() const {
     return {.node = "all", .complex = &complex, .value = &value, .simplified = &simplified, .leaves = &names};
   }
-  Complex complex;
+  const std::shared_ptr<const Complex> built;
+  const Complex& complex = *built;
   std::vector<NodeValue> leaves;  // given up to the Boolean
   NodeValue value;
   Selection selection;

@@ -1,11 +1,21 @@
 // The library in one include, for programs that use it: `#include <cnrg.h>`.
 //
 // Two ways in:
-//   * a tree file or a text of one: `read_tree`, `parse_tree`, then `evaluate`, then `write`;
+//   * a tree file or a text of one: `read_tree`, `parse_tree`, then `evaluate`, then `write` of a `Result`;
 //   * step by step: shapes (or a Soup by hand) -> `make_soup` -> `build_complex` -> `leaf_groups` -> operators
-//     -> `simplify`, `volume`, `Locator`, `write`.
+//     -> `volume`, `Locator`, a `Result` -> `write`.
 // csg/examples of the source has a short program for each. Everything is in the namespace cnrg. Errors are
 // exceptions: InputError for what the caller can mend, FileError, InvariantError for bugs (kernel/base/error.h).
+//
+// What lives how long:
+//   * A Tree, a Soup, an Evaluation and a Result own what they hold. A Complex is shared
+//     (std::shared_ptr<const Complex>) and constant.
+//   * Groups, components, selections and sets of cells are values, too; the ids in them are those of one complex
+//     and mean nothing on another.
+//   * What takes a `const Complex&` uses it during the call. Only Locator keeps the reference; what is kept for
+//     later (a Result) takes the pointer.
+//
+// These headers and what they include are all that is installed; the rest of the source is private.
 #pragma once
 
 // Cells: soup, complex, point location.
@@ -22,16 +32,14 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/shapes.h"
-#include "csg/tree/finer.h"
 #include "csg/tree/tree.h"
 
 // Operators.
 #include "csg/operators/boolean.h"
 #include "csg/operators/cnrg.h"
-#include "csg/operators/leaf_group.h"
-#include "csg/operators/leaf_value.h"
-#include "csg/operators/node_value.h"
+#include "csg/operators/components.h"
+#include "csg/operators/group.h"
 
-// Files of results.
-#include "csg/formats/node_file.h"
-#include "csg/formats/writer.h"
+// Results and their files.
+#include "csg/formats/result_file.h"
+#include "csg/result/result.h"

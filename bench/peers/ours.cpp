@@ -3,7 +3,7 @@
 #include "bench/cases/boolean_node.h"
 #include "bench/cases/soup_of.h"
 #include "bench/peers/peer.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
 
@@ -14,7 +14,8 @@ Outcome evaluate_ours(const Case& c, const Checks& checks, int threads) {
   const Soup soup = soup_of(c);
   RefineReport report;
   Measurement measurement;
-  const Complex complex = build_complex(soup, {.threads = threads}, &report);
+  const auto built_complex = build_complex(soup, {.threads = threads}, &report);
+  const Complex& complex = *built_complex;
   measurement.lap("complex");
   std::vector<NodeValue> leaves = values_of(complex, leaf_groups(complex));
   measurement.lap("leaves");

@@ -1,15 +1,11 @@
 // CGAL's Nef polyhedra: exact, of mixed dimension. Built with CGAL's assertions, so that what goes wrong is said.
 //
 // Differences are closed after each step: cl(A - B), as everywhere in this project.
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/IO/Nef_polyhedron_iostream_3.h>
 #include <CGAL/Nef_S2/SM_const_decorator.h>
 #include <CGAL/Nef_S2/SM_point_locator.h>
 #include <CGAL/Nef_nary_union_3.h>
 #include <CGAL/Nef_polyhedron_3.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/version.h>
 
 #include <algorithm>
@@ -17,89 +13,21 @@
 #include <unordered_map>
 
 #include "bench/peers/built_in.h"
-#include "bench/peers/closed_surface.h"
+#include "bench/peers/cgal_mesh.h"
+#include "bench/peers/face_loops.h"
 #include "bench/peers/nef_file.h"
+#include "bench/peers/nef_parts.h"
 
 namespace cnrg::bench {
 namespace {
 
-namespace processing = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using nef::Kernel;
+using nef::Parts;
 using Nef = CGAL::Nef_polyhedron_3<Kernel>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
-Kernel::Point_3 point_of(const RationalPoint& p) {
-  const auto number = [](const Rational& x) { return lazy_number<Kernel::FT>(x); };
-  return {number(p[0]), number(p[1]), number(p[2])};
-}
 
 RationalPoint point_of(const Kernel::Point_3& p) {
   const auto number = [](const Kernel::FT& x) { return rational_of(CGAL::exact(x)); };
   return {number(p.x()), number(p.y()), number(p.z())};
-}
-
-// --- operands
-
-struct Shell {
-  Mesh mesh;  ///< oriented outward
-  bool cavity = false;
-};
-
-/// The parts of an operand in CGAL's own forms: it is their union, cavities taken out of the shells before them.
-struct Parts {
-  std::vector<Shell> shells;
-  std::vector<std::vector<Kernel::Point_3>> sheets;
-  std::vector<std::array<Kernel::Point_3, 2>> wires;
-  std::vector<Kernel::Point_3> points;
-};
-
-/// Each piece by itself, from the largest to the smallest.
-std::vector<Shell> pieces_of(const Mesh& surface, bool touching) {
-  std::vector<Mesh> pieces;
-  processing::split_connected_components(surface, pieces);
-  std::vector<std::pair<Kernel::FT, Shell>> sized;
-  for (Mesh& piece : pieces) {
-    const Mesh cut = triangulated(piece);
-    if (touching && processing::does_self_intersect(cut))
-      throw Refusal("input", "a shell intersects or touches itself");
-    const Kernel::FT volume = processing::volume(cut);
-    const bool cavity = volume < 0;
-    if (touching && cavity) throw Refusal("input", "a cavity intersects or touches another shell");
-    if (cavity) processing::reverse_face_orientations(piece);
-    sized.emplace_back(CGAL::abs(volume), Shell{std::move(piece), cavity});
-  }
-  std::stable_sort(sized.begin(), sized.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<Shell> shells;
-  for (auto& [volume, shell] : sized) shells.push_back(std::move(shell));
-  return shells;
-}
-
-/// A Nef polyhedron of a surface fills all that it encloses, also cavities, and takes no shells that touch. So the
-/// surface is given as one only if it has neither. Throws Refusal for what CGAL does not take.
-std::vector<Shell> shells_of(const Mesh& surface) {
-  const Mesh triangles = triangulated(surface);
-  if (processing::does_self_intersect(triangles)) return pieces_of(surface, true);
-  if (!processing::does_bound_a_volume(triangles)) throw Refusal("input", "an operand bounds no volume");
-  std::vector<Shell> pieces = pieces_of(surface, false);
-  if (std::any_of(pieces.begin(), pieces.end(), [](const Shell& shell) { return shell.cavity; })) return pieces;
-  return {{surface, false}};
-}
-
-Parts parts_of(const Model& model) {
-  Parts parts;
-  const auto is_solid = [](const Model::Face& face) { return face.solid; };
-  if (std::any_of(model.faces.begin(), model.faces.end(), is_solid))
-    parts.shells = shells_of(closed_surface<Mesh>(model, [](const RationalPoint& p) { return point_of(p); }));
-  for (const Model::Face& face : model.faces) {
-    if (face.solid) continue;
-    if (face.loops.size() != 1) throw Refusal("input", "a face has holes");
-    parts.sheets.emplace_back();
-    for (const std::uint32_t p : face.loops[0]) parts.sheets.back().push_back(point_of(model.points[p]));
-  }
-  for (const auto& [a, b] : model.wires)
-    parts.wires.push_back({point_of(model.points[a]), point_of(model.points[b])});
-  for (const std::uint32_t p : model.isolated) parts.points.push_back(point_of(model.points[p]));
-  return parts;
 }
 
 // --- operations
@@ -245,7 +173,7 @@ auto guarded(const char* stage, Work work) {
 Answer evaluate(const Problem& problem) {
   std::vector<Parts> parts;
   guarded("input", [&] {
-    for (const Model& operand : problem.operands) parts.push_back(parts_of(operand));
+    for (const Model& operand : problem.operands) parts.push_back(nef::parts_of(operand));
   });
   Measurement measurement;
   std::vector<Nef> operands;

@@ -5,7 +5,7 @@
 #include "bench/peers/built_in.h"
 #include "bench/peers/face_loops.h"
 #include "csg/evaluate/operate.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 #include "kernel/base/error.h"
 #include "kernel/selection/simplify.h"
 
@@ -134,7 +134,7 @@ class ModelMaker {
   Model model_;
 };
 
-Complex complex_of(const Soup& soup, RefineReport& report) {
+std::shared_ptr<const Complex> complex_of(const Soup& soup, RefineReport& report) {
   try {
     return build_complex(soup, {.threads = 1}, &report);
   } catch (const InputError& error) {
@@ -150,7 +150,8 @@ Answer evaluate(const Problem& problem) {
   for (const Model& operand : problem.operands) leaves.push_back(add_model(soup, operand));
   measurement.lap("conversion");
   RefineReport report;
-  const Complex complex = complex_of(soup, report);
+  const auto built_complex = complex_of(soup, report);
+  const Complex& complex = *built_complex;
   measurement.lap("complex");
   std::vector<Group> groups = leaf_groups(complex);
   std::vector<NodeValue> operands;

@@ -6,6 +6,7 @@
 #include "bench/peers/face_loops.h"
 #include "bench/peers/system.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/predicates.h"
 #include "kernel/exact/triangulate.h"
 
 namespace cnrg::bench {

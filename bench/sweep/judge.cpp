@@ -7,7 +7,7 @@
 #include "bench/cases/soup_of.h"
 #include "bench/sweep/facts.h"
 #include "csg/operators/boolean.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
 #include "kernel/selection/manifold.h"
@@ -31,7 +31,7 @@ BooleanOp boolean_op(Operation operation) {
 Group united(const Complex& complex, const std::vector<Group>& groups, const std::vector<LeafId>& leaves) {
   Group all = groups[leaves[0].index()];
   for (std::size_t i = 1; i < leaves.size(); ++i)
-    all = apply(complex, BooleanOp::unite, Dominance::equal, all, groups[leaves[i].index()]).group;
+    all = boolean_operation(complex, BooleanOp::unite, Dominance::equal, all, groups[leaves[i].index()]).group;
   return all;
 }
 
@@ -42,8 +42,8 @@ CellSet exact_set(const Complex& complex, const std::vector<Group>& groups, cons
                   const Leaves& operands) {
   Group value = united(complex, groups, operands[0]);
   for (std::size_t i = 0; i < problem.steps.size(); ++i)
-    value = apply(complex, boolean_op(problem.steps[i]), Dominance::equal, value,
-                  united(complex, groups, operands[i + 1]))
+    value = boolean_operation(complex, boolean_op(problem.steps[i]), Dominance::equal, value,
+                              united(complex, groups, operands[i + 1]))
                 .group;
   return point_set(complex, value);
 }
@@ -318,7 +318,8 @@ Leaves add_operands(Soup& soup, const Problem& problem) {
 Facts exact_facts(const Problem& problem) {
   Soup soup;
   const Leaves operands = add_operands(soup, problem);
-  const Complex complex = build_complex(soup);
+  const auto built_complex = build_complex(soup);
+  const Complex& complex = *built_complex;
   return facts_of(complex, exact_set(complex, leaf_groups(complex), problem, operands));
 }
 
@@ -328,7 +329,7 @@ Judgement judge(const Problem& problem, const Model& result, double rounding) {
   Soup soup;
   const Leaves operands = add_operands(soup, problem);
   const std::vector<LeafId> found = add_model(soup, result);
-  std::optional<Complex> built;
+  std::shared_ptr<const Complex> built;
   try {
     built = build_complex(soup);
   } catch (const InputError& error) {

@@ -1,7 +1,7 @@
 // The machine that a sweep runs on, as far as the system tells.
 #pragma once
 
-#include "bench/report/experiment.h"
+#include "bench/sweep/description.h"
 
 namespace cnrg::bench {
 

@@ -4,7 +4,7 @@
 //   settings.json                 what all units have in common; the same command goes on, another one is refused
 //   truth/PROBLEM.json            who confirms the exact result
 //   rows/PROBLEM/SYSTEM.json      one row
-//   rows/{systems,families,machine}.json    what the report says of them (bench/report/experiment.h)
+//   rows/{systems,families,machine}.json    what a report says of them (bench/sweep/description.h)
 #pragma once
 
 #include <optional>

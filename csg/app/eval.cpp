@@ -9,7 +9,8 @@
 #include "csg/app/progress_bar.h"
 #include "csg/app/row_table.h"
 #include "csg/evaluate/evaluate.h"
-#include "csg/formats/node_file.h"
+#include "csg/formats/result_file.h"
+#include "csg/operators/node_value.h"
 #include "csg/topology/topology.h"
 
 namespace cnrg::app {
@@ -38,7 +39,7 @@ class FileWriter {
   void write_file(const std::string& path, NodeId node) {
     const bool snaps = arguments_.snap && !is_exact(path);
     RoundingReport rounding;
-    const SnappedResult* snapped = nullptr;
+    const Snapped* snapped = nullptr;
     {
       ProgressBar bar(arguments_.quiet);
       if (snaps) {
@@ -46,7 +47,12 @@ class FileWriter {
         snapped = &snapped_of(node);
       }
       bar.show("write " + path, 0, 0);
-      rounding = write(path, tree_, evaluation_, node, {arguments_.parameters, snapped});
+      if (shows_dag(path)) {
+        write(path, evaluation_);
+      } else {
+        const Result shown = snaps ? snapped->result : evaluation_.result(node);
+        rounding = at_node(tree_, node, [&] { return write(path, shown, {arguments_.parameters}); });
+      }
     }
     if (!rounding.embedded) {
       std::cerr << path << ": warning: rounding moved " << rounding.moved
@@ -54,8 +60,8 @@ class FileWriter {
     } else if (!arguments_.quiet && rounding.moved > 0) {
       std::cerr << path << ": notice: rounding moved " << rounding.moved
                 << " vertices; the facets still meet as they should\n";
-    } else if (!arguments_.quiet && snaps && snapped->report().rounds > 0) {
-      std::cerr << path << ": notice: " << snapped->report().text() << '\n';
+    } else if (!arguments_.quiet && snaps && snapped->report.rounds > 0) {
+      std::cerr << path << ": notice: " << snapped->report.text() << '\n';
     } else if (!arguments_.quiet && arguments_.snap && !snaps) {
       std::cerr << path << ": notice: this format is exact; --snap changes nothing in it\n";
     }
@@ -65,12 +71,18 @@ class FileWriter {
   const Tree& tree_;
   const Evaluation& evaluation_;
   const EvalArguments& arguments_;
-  std::map<NodeId, SnappedResult> snapped_;
+  struct Snapped {
+    SnapReport report;
+    Result result;
+  };
+  std::map<NodeId, Snapped> snapped_;
 
-  const SnappedResult& snapped_of(NodeId node) {
+  const Snapped& snapped_of(NodeId node) {
     const auto found = snapped_.find(node);
     if (found != snapped_.end()) return found->second;
-    return snapped_.emplace(node, snap(tree_, evaluation_, node, arguments_.raw)).first->second;
+    SnapReport report;
+    Result result = at_node(tree_, node, [&] { return snap(evaluation_.result(node), &report); });
+    return snapped_.emplace(node, Snapped{report, std::move(result)}).first->second;
   }
 };
 
@@ -81,7 +93,7 @@ std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vec
   for (const NodeId node : nodes) {
     const KeptValue& kept = evaluation.value(node);
     text += "\ntopology of " + tree.nodes[node].name + "\n" +
-            topology_text(*evaluation.complex, selection_of(*evaluation.complex, *kept.value), kept.simplified,
+            topology_text(*evaluation.complex, selection_of(*evaluation.complex, *kept.value), *kept.simplified,
                           kept.value->attributes());
   }
   return text;

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "csg/app/progress_bar.h"
-#include "csg/tree/finer.h"
 
 namespace cnrg::app {
 

@@ -16,6 +16,17 @@ Tree read_tree(const std::string& path, int finer);
 /// Evaluates behind a progress bar and prints the diagnostics; `quiet`: no bar, warnings only.
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet);
 
+/// Runs `work`; an InputError that it throws, such as of a format that cannot show the node, comes out as
+/// TreeError at the node.
+template <class Work>
+auto at_node(const Tree& tree, NodeId node, Work work) {
+  try {
+    return work();
+  } catch (const InputError& e) {
+    throw TreeError(tree.file, tree.nodes[node].at, e.what());
+  }
+}
+
 /// InputError when a file is given twice: only one of the two could stay.
 void require_distinct(const std::vector<std::string>& files);
 

@@ -19,6 +19,8 @@
 #include "csg/app/exit_status.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/explain/lives.h"
+#include "csg/leaves/surface_parameters.h"
+#include "csg/operators/node_value.h"
 
 namespace cnrg::app {
 namespace {
@@ -148,10 +150,10 @@ int run_locate(const LocateArguments& arguments) {
       continue;
     }
     const Location cell = locator.locate(*point);
-    const SimplifiedComplex::Place place = value.simplified.place(*evaluation.complex, cell);
-    std::cout << describe(value.simplified, place, *value.value);
+    const SimplifiedComplex::Place place = value.simplified->place(*evaluation.complex, cell);
+    std::cout << describe(*value.simplified, place, *value.value);
     if (arguments.parameters) std::cout << describe_parameters(evaluation, *value.value, cell, *point);
-    if (arguments.material) std::cout << materials.describe(component_of(value.simplified, place), *point);
+    if (arguments.material) std::cout << materials.describe(component_of(*value.simplified, place), *point);
     std::cout << "\n";
   }
   return kDone;

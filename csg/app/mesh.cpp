@@ -1,13 +1,13 @@
 // `cnrg mesh`.
 #include <iostream>
-#include <optional>
 
 #include "csg/app/commands.h"
 #include "csg/app/evaluation.h"
 #include "csg/app/exit_status.h"
 #include "csg/app/progress_bar.h"
 #include "csg/evaluate/evaluate.h"
-#include "csg/formats/node_file.h"
+#include "csg/formats/mesh_file.h"
+#include "csg/formats/result_file.h"
 #include "csg/text/table.h"
 
 namespace cnrg::app {
@@ -46,23 +46,22 @@ int run_mesh(const MeshArguments& arguments) {
   options.nodes = {node};
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   TetrahedralMesh made;
-  std::optional<SnappedResult> snapped;
+  Result result = evaluation.result(node);
+  SnapReport snapped;
   {
     ProgressBar bar(arguments.quiet);
     if (arguments.snap) {
       bar.show("snap", 0, 0);
-      snapped.emplace(snap(tree, evaluation, node));
+      result = at_node(tree, node, [&] { return snap(result, &snapped); });
     }
     bar.show("mesh", 0, 0);
-    made = tetrahedra(tree, evaluation, node, arguments.options, snapped ? &*snapped : nullptr);
+    made = at_node(tree, node, [&] { return tetrahedra(result, arguments.options); });
   }
   if (!arguments.quiet) std::cout << table_of(made) << std::flush;
   for (const std::string& path : arguments.files) {
-    write(path, tree, evaluation, node, made.mesh);
+    write(path, result, made.mesh);
     if (arguments.quiet) continue;
-    if (snapped && snapped->report().rounds > 0) {
-      std::cerr << path << ": notice: " << snapped->report().text() << '\n';
-    }
+    if (snapped.rounds > 0) std::cerr << path << ": notice: " << snapped.text() << '\n';
     if (made.rounding.moved == 0) continue;
     std::cerr << path << ": notice: rounding moved " << made.rounding.moved
               << " vertices; the facets still meet as they should\n";

@@ -28,7 +28,9 @@ std::string volume_text(const std::optional<Rational>& volume) {
 
 std::string details(const NodeRow& row) {
   std::string text;
-  for (const auto& [id, count] : row.removals) text += "    " + id + ": " + std::to_string(count) + "\n";
+  for (const auto& [number, count] : row.removals) {
+    text += std::string("    ") + table_rows()[number].id + ": " + std::to_string(count) + "\n";
+  }
   if (row.volumes.size() < 2) return text;
   for (std::size_t i = 0; i < row.volumes.size(); ++i) {
     const auto& [component, name] = row.named[i];

@@ -1,4 +1,4 @@
-// Grid, ring, refinement; see the header.
+// Grid, ring, bisection; see the header.
 #include "csg/curves/patch_mesh.h"
 
 #include <algorithm>
@@ -112,7 +112,7 @@ class Mesher {
     choose_grid();
     add_ring();
     add_inside();
-    if (fineness_.by_chord()) refine();
+    if (fineness_.by_chord()) bisect_coarse();
     return result();
   }
 
@@ -134,7 +134,7 @@ class Mesher {
   }
 
   /// False if more than a quarter of the cells are above the chord; the grid then has twice the steps in the
-  /// direction that adds more in most of those seen. Fewer are left to `refine`.
+  /// direction that adds more in most of those seen. Fewer are left to `bisect_coarse`.
   bool grid_is_fine() {
     const double hu = 1.0 / grid_[0], hv = 1.0 / grid_[1];
     const double cells = static_cast<double>(grid_[0]) * grid_[1];
@@ -249,7 +249,8 @@ class Mesher {
     }
   }
 
-  void refine() {
+  /// Triangles are cut until all are near enough to the patch.
+  void bisect_coarse() {
     for (std::size_t t = 0; t < triangles_.size(); ++t) hang(t);
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       while (const std::optional<std::size_t> worst = worst_edge(triangles_[t])) bisect(t, *worst);

@@ -1,4 +1,9 @@
 // The driver over the DAG of a tree: one refinement for all leaves, then one selection per node.
+//
+// Lifetimes. An Evaluation owns all that it holds and needs nothing else: the tree and the options may go. Inside
+// of it everything speaks of one complex by ids: a value, a kept value or a simplified complex that is taken out
+// of it is of use as long as `complex` lives, and so are `parameters`, which hold a reference. Moving an
+// Evaluation moves neither complex nor values: references to them stay good. Ids of nodes are those of the tree.
 #pragma once
 
 #include <array>
@@ -10,14 +15,17 @@
 #include <utility>
 #include <vector>
 
-#include "csg/leaves/surface_parameters.h"
-#include "csg/operators/node_value.h"
+#include "csg/operators/group.h"
+#include "csg/operators/tables.h"
+#include "csg/result/result.h"
 #include "csg/tree/tree.h"
-#include "csg/tree/unfold.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg {
+
+class NodeValue;
+class SurfaceParameters;
 
 /// Called at the beginning of a stage (done = 0) and after each of its steps; `total` is 0 when it is not known.
 using Progress = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
@@ -41,9 +49,8 @@ struct NodeRow {
   std::string operator_name;
   std::array<std::size_t, 4> cells{};      ///< active cells by dimension, simplified
   std::array<std::size_t, 4> raw_cells{};  ///< active cells by dimension, as the refinement has them
-  /// Entities removed by rows of the tables: id of the row and how many; rows that removed nothing are absent.
-  std::vector<std::pair<std::string, std::size_t>> removals;
-  std::size_t removed() const;
+  Removals removals;                       ///< entities removed by rows of the tables
+  std::size_t removed() const { return removals.total(); }
   bool is_group = true;
   std::size_t components = 0;  ///< as NodeValue::component_count has it
   std::size_t regions = 0;     ///< components that hold 3-cells; in a group its regions
@@ -54,37 +61,46 @@ struct NodeRow {
   std::vector<std::optional<Rational>> volumes;
   std::vector<std::pair<Component, std::string>> named;  ///< parallel to `volumes`: the component and its name
   double seconds = 0;                                    ///< of the operator alone
-  double measure_seconds = 0;                            ///< of counts and volumes
+  double totals_seconds = 0;                             ///< of counts and volumes
 };
 
-/// The value of a node that was asked for.
+/// The value of a node that was asked for; of use with the complex of its evaluation alone.
 struct KeptValue {
   NodeId node;
   std::shared_ptr<const NodeValue> value;
-  SimplifiedComplex simplified;  ///< with mode raw when the options say so
-  std::vector<LeafId> leaves;    ///< the leaves below it, ascending
+  std::shared_ptr<const SimplifiedComplex> simplified;  ///< with mode raw when the options say so
+  std::vector<LeafId> leaves;                           ///< the leaves below it, ascending
+  std::string name{};                                   ///< of the node
   /// The value as a group; InvariantError when it is components.
-  const Group& group() const { return value->group(); }
+  const Group& group() const;
 };
 
 struct Evaluation {
-  std::unique_ptr<Complex> complex;
+  std::shared_ptr<const Complex> complex;
   RefineReport refine;
   std::vector<NodeRow> rows;            ///< operands before users
   std::vector<KeptValue> kept;          ///< the result, then `EvaluateOptions::nodes` in their order; each once
   std::vector<std::string> leaf_names;  ///< by LeafId; empty for the frame
   std::vector<Diagnostic> diagnostics;  ///< notices of leaves, conflicts of materials
   double refine_seconds = 0;            ///< soup and complex
-  std::unique_ptr<const SurfaceParameters> parameters;  ///< of the leaves' patches and curves, found on demand
+  std::shared_ptr<const SurfaceParameters> parameters;  ///< of the leaves' patches and curves, found on demand
   IdVector<InstanceId, Instance> instances;             ///< below the roots, operands before users; as `rows`
-  /// With `keep_all`: the value of each.
+  /// With `keep_all`: the value of each, those in `kept` included; otherwise empty, and each value has been freed
+  /// after its last user.
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
+  std::vector<ResultNames::Material> materials;  ///< of the tree
+  bool raw = false;                              ///< EvaluateOptions::raw
   /// The kept value of a node; the node must have been asked for.
   const KeptValue& value(NodeId node) const;
+  /// The result of the tree, or a node that was asked for, as a value that needs the evaluation no more: to be
+  /// looked at, written (csg/formats/result_file.h), snapped. InputError for the name of a node that was not kept.
+  Result result() const;
+  Result result(NodeId node) const;
+  Result result(const std::string& name) const;
 };
 
 /// Evaluates the result of the tree and the nodes asked for, each placed by its own transform.
-/// Throws TreeError for faults with a place in the tree or in a file it names, FileError for files that can not
+/// Throws TreeError for faults with a place in the tree or in a file it names, FileError for files that cannot
 /// be read, InvariantError for bugs.
 Evaluation evaluate(const Tree& tree, const EvaluateOptions& options = {});
 

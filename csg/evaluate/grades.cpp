@@ -64,7 +64,7 @@ class TargetBuilder {
 }  // namespace
 
 std::optional<DistanceTarget> distance_target(const Complex& complex, const KeptValue& value) {
-  return TargetBuilder(complex, value.simplified).run();
+  return TargetBuilder(complex, *value.simplified).run();
 }
 
 Grades::Grades(const Tree& tree, const Unfolding& unfolding, const std::function<Evaluation(NodeId)>& evaluate)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/tree/unfold.h"
 
 namespace cnrg {
 

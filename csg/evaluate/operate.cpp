@@ -2,7 +2,7 @@
 #include "csg/evaluate/operate.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <optional>
 
 #include "csg/operators/fold.h"
@@ -36,19 +36,6 @@ Dominance dominance_of(const Node& node, const PartedGroup& a, const PartedGroup
   return a.dominance > b.dominance ? Dominance::left : Dominance::right;
 }
 
-void add_removals(std::vector<std::pair<std::string, std::size_t>>& sums,
-                  const std::vector<std::pair<std::string, std::size_t>>& removals) {
-  for (const auto& [id, count] : removals) {
-    if (count == 0) continue;
-    const auto it = std::find_if(sums.begin(), sums.end(), [&](const auto& sum) { return sum.first == id; });
-    if (it == sums.end()) {
-      sums.emplace_back(id, count);
-    } else {
-      it->second += count;
-    }
-  }
-}
-
 void require_identity(const Node& node, const std::string& violation) {
   if (!violation.empty()) throw InvariantError("`" + node.name + "`: " + violation);
 }
@@ -68,9 +55,10 @@ PartedGroup group_operand(const Complex& complex, const Node& node, const Operan
   return parted(complex, group_of(complex, value.components()));
 }
 
-/// ((a op b) op c) op ... without a value for each step.
-Outcome fold_at_once(const Complex& complex, const Node& node, std::span<const Operand> operands) {
+/// A Boolean node: the fold ((a op b) op c) op ... of its operands.
+Outcome boolean_of(const Complex& complex, const Node& node, std::span<const Operand> operands) {
   std::vector<PartedGroup> values;
+  values.reserve(operands.size());
   std::vector<Dominance> dominances;
   PartedGroup left;  // of the steps so far: its dominance alone
   for (const Operand& operand : operands) {
@@ -82,37 +70,35 @@ Outcome fold_at_once(const Complex& complex, const Node& node, std::span<const O
     dominances.push_back(dominance_of(node, left, values.back()));
     left.dominance = std::max(left.dominance, values.back().dominance);
   }
-  FoldResult result = fold(complex, boolean_op(node.op), dominances, std::move(values));
+  FoldResult result = boolean_fold(complex, boolean_op(node.op), dominances, std::move(values));
   return {std::move(result.group), std::move(result.removals), std::move(result.conflicts)};
 }
 
-/// ((a op b) op c) op ..., each step seen or validated. An intersection costs what its operands do in steps, too.
-Outcome fold(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate,
-             const std::function<void(const BooleanStep&)>& see = {}) {
+/// The same in folds of two, each shown to `see` as whole groups.
+Outcome boolean_in_steps(const Complex& complex, const Node& node, std::span<const Operand> operands,
+                         const std::function<void(const BooleanStep&)>& see) {
   const BooleanOp op = boolean_op(node.op);
-  if (!see && !validate && operands.size() > 2 && op != BooleanOp::intersect) {
-    return fold_at_once(complex, node, operands);
-  }
   Outcome outcome;
   PartedGroup value = group_operand(complex, node, operands[0]);
   for (std::size_t k = 1; k < operands.size(); ++k) {
     PartedGroup right = group_operand(complex, node, operands[k]);
     const Dominance dominance = dominance_of(node, value, right);
-    std::optional<std::array<Group, 2>> whole_operands;
-    if (see || validate) whole_operands = {whole(value), whole(right)};
-    PartedResult step = apply(complex, op, dominance, std::move(value), std::move(right));
-    if (whole_operands) {
-      const auto& [a, b] = *whole_operands;
-      const Group result = whole(step.group);
-      if (see) see({op, dominance, a, b, result, k});
-      if (validate) require_identity(node, check_boolean(complex, op, a, b, result));
-    }
-    add_removals(outcome.removals, step.removals);
-    for (auto& [part, conflict] : step.conflicts) outcome.conflicts.push_back(std::move(conflict));
+    const Group left_whole = whole(value), right_whole = whole(right);
+    FoldResult step = boolean_fold(complex, op, std::span(&dominance, 1), {std::move(value), std::move(right)});
+    const Group result = whole(step.group);
+    see({op, dominance, left_whole, right_whole, result, k});
+    outcome.removals.add(step.removals);
+    std::move(step.conflicts.begin(), step.conflicts.end(), std::back_inserter(outcome.conflicts));
     value = std::move(step.group);
   }
   outcome.value = std::move(value);
   return outcome;
+}
+
+Outcome validated_boolean(const Complex& complex, const Node& node, std::span<const Operand> operands) {
+  return boolean_in_steps(complex, node, operands, [&](const BooleanStep& step) {
+    require_identity(node, check_boolean(complex, step.op, step.left, step.right, step.result));
+  });
 }
 
 Outcome of_components(ComponentsResult result) {
@@ -133,8 +119,7 @@ struct ComponentOperands {
 };
 
 /// sum, product and subtract from left to right. A product costs what its operands do in steps, too.
-Outcome fold_components(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                        bool validate) {
+Outcome overlay_of(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate) {
   if (!validate && operands.size() > 2 && node.op != Operator::product) {
     const ComponentOperands all(complex, operands);
     return of_components(node.op == Operator::sum ? sum(complex, all.pointers, stated_dominance(node))
@@ -205,7 +190,8 @@ Outcome topology_of(const Complex& complex, const Node& node, const Operand& of,
     if (op == Topological::regularize) return {regularized(complex, operand.parts()), {}, {}};
   }
   const Components x = components_of(complex, operand);
-  ComponentsResult result = node.each ? apply_each(complex, op, x, of.below) : apply(complex, op, x, of.below);
+  ComponentsResult result = node.each ? topological_operation_of_each(complex, op, x, of.below)
+                                      : topological_operation(complex, op, x, of.below);
   if (validate) require_identity(node, check_topological(complex, op, node.each, x, result.value));
   return of_components(std::move(result));
 }
@@ -232,7 +218,7 @@ void apply_attributes(const Complex& complex, const Node& node, const RegionMate
 
 void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material,
                       Components& components) {
-  if (node.regularize) components = apply(complex, Topological::regularize, components).value;
+  if (node.regularize) components = topological_operation(complex, Topological::regularize, components).value;
   if (node.forget_features) components.features = {};
   for (ComponentAttributes& attributes : components.attributes) {
     if (node.op != Operator::leaf) set_attributes(node, material, attributes);
@@ -244,7 +230,7 @@ void apply_attributes(const Complex& complex, const Node& node, const RegionMate
 
 void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
                    const std::function<void(const BooleanStep&)>& see) {
-  fold(complex, node, operands, false, see);
+  boolean_in_steps(complex, node, operands, see);
 }
 
 Topological topological(Operator op) {
@@ -262,10 +248,12 @@ Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& 
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:
-    case Operator::subtract: outcome = fold(complex, node, operands, validate); break;
+    case Operator::subtract:
+      outcome = validate ? validated_boolean(complex, node, operands) : boolean_of(complex, node, operands);
+      break;
     case Operator::sum:
     case Operator::product:
-    case Operator::cnrg_subtract: outcome = fold_components(complex, node, operands, validate); break;
+    case Operator::cnrg_subtract: outcome = overlay_of(complex, node, operands, validate); break;
     case Operator::aggregate: outcome = aggregate_all(complex, operands); break;
     case Operator::unify:
       outcome = of_components(unify(complex, components_of(complex, *operands[0].value)));

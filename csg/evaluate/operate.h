@@ -17,8 +17,8 @@ namespace cnrg {
 /// What came of one operator.
 struct Outcome {
   NodeValue value;
-  std::vector<std::pair<std::string, std::size_t>> removals;  ///< by row id of the tables, each id once
-  std::vector<MaterialConflict> conflicts;  ///< materials that met under equal dominance; `region`: a component
+  Removals removals;
+  std::vector<MaterialConflict> conflicts;  ///< materials that met under equal dominance
 };
 
 struct Operand {
@@ -30,8 +30,8 @@ struct Operand {
 
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes; `material`
 /// is the node's, empty for none. With `validate` each Boolean, complement and CNRG operator is checked against
-/// the identities of SEMANTICS 2 and 5; InvariantError names the node and the first violation. InputError when the
-/// operands do not suit the operator: the message names the operator to insert.
+/// the identities of csg/SEMANTICS.md#identities; InvariantError names the node and the first violation.
+/// InputError when the operands do not suit the operator: the message names the operator to insert.
 Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
                 std::span<const Operand> operands, bool validate);
 

@@ -84,22 +84,28 @@ std::string solids_in(const std::string& solids, const std::vector<LeafRegion>& 
 }  // namespace
 
 PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding)
-    : tree_(&tree), prepared_(std::vector<std::unique_ptr<PreparedLeaf>>(tree.nodes.size())) {
-  leaf_of_.resize(unfolding.instances.size());
+    : tree_(&tree), prepared_(tree.nodes.size()), leaf_of_(number_leaves(tree, unfolding.instances)) {
   for (const InstanceId i : IdRange<InstanceId>(unfolding.instances.size())) {
+    if (!leaf_of_[i].valid()) continue;
     const Instance& instance = unfolding.instances[i];
-    if (tree.nodes[instance.node].op != Operator::leaf) continue;
     if (!prepared_[instance.node]) prepare_node(instance.node);
-    leaf_of_[i] = nodes_.push_back(instance.node);
-    instances_.push_back({prepared_[instance.node].get(), instance.transform});
+    nodes_.push_back(instance.node);
+    instances_.push_back({prepared_[instance.node], instance.transform});
   }
 }
 
-PreparedLeaves::PreparedLeaves(const Tree& tree)
-    : tree_(&tree), prepared_(std::vector<std::unique_ptr<PreparedLeaf>>(tree.nodes.size())) {
+PreparedLeaves::PreparedLeaves(const Tree& tree) : tree_(&tree), prepared_(tree.nodes.size()) {
   for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
     if (tree.nodes[id].op == Operator::leaf) prepare_node(id);
   }
+}
+
+std::vector<LeafId> PreparedLeaves::below(const Unfolding& unfolding, InstanceId instance) const {
+  std::vector<LeafId> leaves;
+  for (const InstanceId i : instances_below(unfolding.instances, instance)) {
+    if (leaf_of_[i].valid()) leaves.push_back(leaf_of_[i]);
+  }
+  return leaves;
 }
 
 void PreparedLeaves::prepare_node(NodeId id) {

@@ -16,7 +16,8 @@
 
 namespace cnrg {
 
-/// The leaf instances of an unfolded tree; LeafId(i) is the i-th in the order of the instances.
+/// The leaf instances of an unfolded tree, by LeafId as `number_leaves` has it. The tree must outlive this; the
+/// unfolding need not.
 class PreparedLeaves {
  public:
   /// Prepares each leaf node below the unfolding once. Throws TreeError or FileError with a position.
@@ -27,6 +28,8 @@ class PreparedLeaves {
   const std::vector<LeafInstance>& instances() const { return instances_; }
   /// The leaf of an instance; none() for an inner node.
   LeafId leaf_of(InstanceId instance) const { return leaf_of_[instance]; }
+  /// The leaves below an instance, ascending; its own if it is one.
+  std::vector<LeafId> below(const Unfolding& unfolding, InstanceId instance) const;
   const Node& node_of(LeafId leaf) const { return tree_->nodes[nodes_[leaf]]; }
 
   /// What people say of the regions 1 to `count` of a leaf: the shape's own words, else those of the node,
@@ -44,7 +47,7 @@ class PreparedLeaves {
  private:
   void prepare_node(NodeId id);
   const Tree* tree_;
-  IdVector<NodeId, std::unique_ptr<PreparedLeaf>> prepared_;
+  IdVector<NodeId, std::shared_ptr<const PreparedLeaf>> prepared_;
   std::vector<LeafInstance> instances_;
   IdVector<InstanceId, LeafId> leaf_of_;
   IdVector<LeafId, NodeId> nodes_;

@@ -11,23 +11,21 @@ using namespace cnrg;
 void print(const char* title, const Complex& complex, const Components& value) {
   std::cout << title << "\n";
   for (Component i = 1; i <= value.attributes.size(); ++i) {
-    const CellSet cells = support(value.selection, i);
-    std::cout << "  " << value.attributes[i - 1].name << ": " << cells.vertices.size() << " vertices, "
-              << cells.edges.size() << " edges, " << cells.faces.size() << " faces, volume "
-              << volume(complex, cells.regions).value() << "\n";
+    const auto [vertices, edges, faces, regions] = support(value.selection, i);
+    std::cout << "  " << value.attributes[i - 1].name << ": " << vertices.size() << " vertices, " << edges.size()
+              << " edges, " << faces.size() << " faces, volume " << *volume(complex, regions) << "\n";
   }
 }
 
 int main() {
-  const auto a = prepare(BoxShape{{0, 0, 0}, {2, 2, 2}});
-  const auto b = prepare(BoxShape{{1, 1, 1}, {3, 3, 3}});
-  const Complex complex = build_complex(make_soup({{a.get(), {}}, {b.get(), {}}}));
-  const std::vector<Group> groups = leaf_groups(complex, {{{.name = "a"}}, {{.name = "b"}}});
-  const Components x = components_of(complex, groups[0]), y = components_of(complex, groups[1]);
-  print("a", complex, x);
-  print("sum", complex, sum(complex, x, y).value);
-  print("product", complex, product(complex, x, y).value);
-  print("unify(sum)", complex, unify(complex, sum(complex, x, y).value).value);
+  const auto complex = build_complex(
+      make_soup({{prepare(BoxShape{{0, 0, 0}, {2, 2, 2}})}, {prepare(BoxShape{{1, 1, 1}, {3, 3, 3}})}}));
+  const std::vector<Group> groups = leaf_groups(*complex, {{{.name = "a"}}, {{.name = "b"}}});
+  const Components x = components_of(*complex, groups[0]), y = components_of(*complex, groups[1]);
+  print("a", *complex, x);
+  print("sum", *complex, sum(*complex, x, y).value);
+  print("product", *complex, product(*complex, x, y).value);
+  print("unify(sum)", *complex, unify(*complex, sum(*complex, x, y).value).value);
 }
 
 // Output:

@@ -8,20 +8,19 @@
 using namespace cnrg;
 
 int main() {
-  const auto a = prepare(BoxShape{{0, 0, 0}, {2, 2, 2}});
-  const auto b = prepare(BoxShape{{1, 1, 1}, {3, 3, 3}});
-  const Complex complex = build_complex(make_soup({{a.get(), {}}, {b.get(), {}}}));
-  const std::vector<Group> groups = leaf_groups(complex, {{{.name = "a"}}, {{.name = "b"}}});
+  const auto complex = build_complex(
+      make_soup({{prepare(BoxShape{{0, 0, 0}, {2, 2, 2}})}, {prepare(BoxShape{{1, 1, 1}, {3, 3, 3}})}}));
+  const std::vector<Group> groups = leaf_groups(*complex, {{{.name = "a"}}, {{.name = "b"}}});
   for (const auto& [title, dominance] : {std::pair("left", Dominance::left), std::pair("right", Dominance::right),
                                          std::pair("equal", Dominance::equal)}) {
     std::cout << title << "\n";
-    const BooleanResult result = apply(complex, BooleanOp::unite, dominance, groups[0], groups[1]);
-    const Selection selection = selection_of(complex, result.group);
-    for (Component i = 1; i <= result.group.regions.size(); ++i) {
-      std::cout << "  region " << result.group.regions[i - 1].name << ", volume "
-                << volume(complex, support(selection, i).regions).value() << "\n";
+    const auto done = boolean_operation(*complex, BooleanOp::unite, dominance, groups[0], groups[1]);
+    const Result result(complex, done.group);
+    for (Component i = 1; i <= done.group.regions.size(); ++i) {
+      std::cout << "  region " << result.attributes(i).name << ", volume " << *result.volume(i) << "\n";
     }
-    for (const auto& [row, count] : result.removals) std::cout << "  " << row << " removed " << count << "\n";
+    for (const auto& [row, count] : done.removals)
+      std::cout << "  " << table_rows()[row].id << " removed " << count << "\n";
   }
 }
 

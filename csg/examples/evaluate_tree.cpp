@@ -17,8 +17,7 @@ result: model
 )";
 
 int main() {
-  const cnrg::Tree tree = cnrg::parse_tree(kModel, "model.yaml");
-  const cnrg::Evaluation evaluation = cnrg::evaluate(tree);
+  const cnrg::Evaluation evaluation = cnrg::evaluate(cnrg::parse_tree(kModel, "model.yaml"));
   for (const cnrg::NodeRow& row : evaluation.rows) {
     std::cout << row.name << " (" << row.operator_name << "):";
     for (const std::size_t cells : row.cells) std::cout << " " << cells;

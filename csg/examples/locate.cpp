@@ -1,14 +1,14 @@
 // Exact point location: the cell of a node that holds a point with rational coordinates, and its component.
-//
 // A sloped seam parts a block of ground. The middle of the block is on the seam, a billionth beside it is not.
 #include <cnrg.h>
 
 #include <iostream>
+#include <sstream>
 
 using namespace cnrg;
 
 int main() {
-  const Tree tree = parse_tree(R"(cnrg: 1
+  const Result model = evaluate(parse_tree(R"(cnrg: 1
 nodes:
   ground: {box: {min: [0, 0, 0], max: [1, 1, 1]}, name: ground}
   seam:   {polygon: [["1/3", 0, 0], ["1/3", 1, 0], ["2/3", 1, 1], ["2/3", 0, 1]]}
@@ -16,25 +16,17 @@ nodes:
   model:  {union: [bolt, {union: [seam, ground], dominance: left}]}
 result: model
 )",
-                               "model.yaml");
-  const Evaluation evaluation = evaluate(tree);
-  const KeptValue& model = evaluation.value(tree.result);
-  const Locator locator(*evaluation.complex);
-  const Rational third(1, 3), half(1, 2), hair(1, 1000000000);
-  const RationalPoint points[] = {{0, 0, 0},
-                                  {third, half, 0},
-                                  {half, half, half},
-                                  {half + hair, half, half},
-                                  {third, third, third},
-                                  {1 + third, half, half},
-                                  {1, third, third},
-                                  {2, 2, 2}};
-  for (const RationalPoint& p : points) {
-    const SimplifiedComplex::Place place = model.simplified.place(*evaluation.complex, locator.locate(p));
-    const Component component = component_of(model.simplified, place);
+                                           "model.yaml"))
+                           .result();
+  const Locator locator(model.complex());
+  std::istringstream points(
+      "0 0 0  1/3 1/2 0  1/2 1/2 1/2  500000001/1000000000 1/2 1/2  1/3 1/3 1/3  4/3 1/2 1/2  1 1/3 1/3  2 2 2");
+  for (RationalPoint p; points >> p[0] >> p[1] >> p[2];) {
+    const SimplifiedComplex::Place place = model.place(locator.locate(p));
+    const Component component = model.component(place);
     std::cout << p[0] << " " << p[1] << " " << p[2] << ": dimension " << place.dimension << ", "
               << cell_name(place.dimension, place.index) << ", "
-              << (component == 0 ? "inactive" : model.value->attributes(component).name) << "\n";
+              << (component == 0 ? "inactive" : model.attributes(component).name) << "\n";
   }
 }
 

@@ -8,26 +8,25 @@
 using namespace cnrg;
 
 int main() {
-  const auto a = prepare(BoxShape{{0, 0, 0}, {1, 1, 1}});
-  const auto b = prepare(BoxShape{{1, 1, 0}, {2, 2, 1}});
-  const Complex complex = build_complex(make_soup({{a.get(), {}}, {b.get(), {}}}));
-  for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
-    const std::span<const FaceUse> uses = complex.edge_uses[e];
+  const auto complex = build_complex(
+      make_soup({{prepare(BoxShape{{0, 0, 0}, {1, 1, 1}})}, {prepare(BoxShape{{1, 1, 0}, {2, 2, 1}})}}));
+  for (const EdgeId e : IdRange<EdgeId>(complex->edge_count())) {
+    const std::span<const FaceUse> uses = complex->edge_uses[e];
     if (uses.size() == 2) continue;
-    const auto [from, to] = complex.edge_ends[e];
+    const auto [from, to] = complex->edge_ends[e];
     std::cout << "edge from";
-    for (const Rational& x : complex.points.rational(from)) std::cout << " " << x;
+    for (const Rational& x : complex->points.rational(from)) std::cout << " " << x;
     std::cout << " to";
-    for (const Rational& x : complex.points.rational(to)) std::cout << " " << x;
+    for (const Rational& x : complex->points.rational(to)) std::cout << " " << x;
     std::cout << "\n";
     for (const FaceUse& use : uses) {
-      const LeafId leaf = complex.sources[complex.cover(use.face).front().source].leaf;
-      const RationalPoint normal = area_vector(complex, use.face);  // of the front
+      const LeafId leaf = complex->sources[complex->cover(use.face).front().source].leaf;
+      const RationalPoint normal = area_vector(*complex, use.face);  // of the front
       std::cout << "  face of box " << leaf.value() << ", normal " << normal[0] << " " << normal[1] << " "
                 << normal[2];
-      const RegionId wedge = complex.region(use.after());
-      if (complex.labels(wedge).empty()) std::cout << ", then outside";
-      for (const Label& label : complex.labels(wedge)) std::cout << ", then box " << label.leaf.value();
+      const RegionId wedge = complex->region(use.after());
+      if (complex->labels(wedge).empty()) std::cout << ", then outside";
+      for (const Label& label : complex->labels(wedge)) std::cout << ", then box " << label.leaf.value();
       std::cout << "\n";
     }
   }

@@ -15,12 +15,10 @@ int main() {
   const auto roof = prepare(TetrahedronShape{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}});
   const Transform turn = Transform::rotation({0, 0, 1}, 30, {0, 0, 0});
   const Transform shift = Transform::translation({9, 0, 0});
-  const Soup soup = make_soup({{plate.get(), {}}, {plate.get(), turn}, {roof.get(), shift}});
-  const Complex complex = build_complex(soup);
-  for (const Group& group : leaf_groups(complex)) {
-    std::vector<RegionId> cells;  // of the leaf's one region: others cut it into several
-    for (const auto& [cell, region] : group.cells) cells.push_back(cell);
-    std::cout << cells.size() << " cells, volume " << volume(complex, cells).value() << "\n";
+  const auto complex = build_complex(make_soup({{plate}, {plate, turn}, {roof, shift}}));
+  for (const Group& group : leaf_groups(*complex)) {
+    const Result leaf(complex, group);  // of one region: others cut it into several cells
+    std::cout << group.cells.size() << " cells, volume " << *leaf.volume(1) << "\n";
   }
 }
 

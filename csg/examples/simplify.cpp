@@ -10,25 +10,23 @@
 using namespace cnrg;
 
 int main() {
-  const auto a = prepare(BoxShape{{0, 0, 0}, {1, 1, 1}});
-  const auto b = prepare(BoxShape{{1, 0, 0}, {3, 1, 1}});
-  // Only in the complex: it cuts the cells of b.
+  // Only in the complex: it cuts the cells of the second box.
   const auto cut = prepare(PolygonShape{{{2, -1, -1}, {2, 2, -1}, {2, 2, 2}, {2, -1, 2}}, {}});
-  const Complex complex = build_complex(make_soup({{a.get(), {}}, {b.get(), {}}, {cut.get(), {}}}));
-  const std::vector<Group> groups = leaf_groups(complex);
-  const Group both = apply(complex, BooleanOp::unite, Dominance::equal, groups[0], groups[1]).group;
-  const Selection selection = selection_of(complex, both);
+  const auto complex = build_complex(
+      make_soup({{prepare(BoxShape{{0, 0, 0}, {1, 1, 1}})}, {prepare(BoxShape{{1, 0, 0}, {3, 1, 1}})}, {cut}}));
+  const std::vector<Group> groups = leaf_groups(*complex);
+  const Group both = boolean_operation(*complex, BooleanOp::unite, Dominance::equal, groups[0], groups[1]).group;
   for (const auto& [name, mode] :
        {std::pair("raw", SimplifyMode::raw), std::pair("features", SimplifyMode::features),
         std::pair("points", SimplifyMode::points)}) {
-    const SimplifiedComplex simplified = simplify(complex, selection, both.features, mode);
+    const Result result(complex, both, {}, mode);
     std::cout << name << ":";
-    for (const std::size_t count : active_counts(simplified)) std::cout << " " << count;
+    for (const std::size_t count : active_counts(result.cells())) std::cout << " " << count;
     std::cout << "\n";
-    for (const SimplifiedComplex::Region& region : simplified.regions) {
+    for (const SimplifiedComplex::Region& region : result.cells().regions) {
       if (region.component == 0) continue;
-      std::cout << "  region of " << region.cells.size() << " cells, volume "
-                << volume(complex, region.cells).value() << "\n";
+      std::cout << "  region of " << region.cells.size() << " cells, volume " << *volume(*complex, region.cells)
+                << "\n";
     }
   }
 }

@@ -12,20 +12,19 @@ void print(const char* title, const CellSet& set) {
 }
 
 int main() {
-  const auto box = prepare(BoxShape{{0, 0, 0}, {2, 2, 2}});
   const auto sheet = prepare(PolygonShape{{{1, 0, 0}, {1, 1, 0}, {1, 1, 2}, {1, 0, 2}}, {}});
-  const Complex complex = build_complex(make_soup({{box.get(), {}}, {sheet.get(), {}}}));
-  const std::vector<Group> groups = leaf_groups(complex);
-  const Components cracked =
-      subtract(complex, components_of(complex, groups[0]), components_of(complex, groups[1])).value;
+  const auto complex = build_complex(make_soup({{prepare(BoxShape{{0, 0, 0}, {2, 2, 2}})}, {sheet}}));
+  const std::vector<Group> groups = leaf_groups(*complex);
+  const Components x = components_of(*complex, groups[0]), y = components_of(*complex, groups[1]);
+  const Components cracked = subtract(*complex, x, y).value;
   const CellSet set = support(cracked.selection);
   print("box - sheet", set);
-  print("interior", interior(complex, set));
-  print("closure", closure(complex, set));
-  print("boundary", boundary(complex, set));
+  print("interior", interior(*complex, set));
+  print("closure", closure(*complex, set));
+  print("boundary", boundary(*complex, set));
   // The same on components, which keep their names.
   for (const Topological op : {Topological::closure, Topological::regularize}) {
-    const Components result = apply(complex, op, cracked).value;
+    const Components result = topological_operation(*complex, op, cracked).value;
     std::cout << name(op) << " has " << result.attributes.size() << " components, " << cracked.attributes.size()
               << " before\n";
   }

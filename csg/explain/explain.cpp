@@ -114,7 +114,7 @@ RationalPoint point_in(const Complex& complex, const Locator& locator, RegionId 
   Rational step(1, size);
   for (Rational shrink(1, 2);; shrink *= shrink) {
     step *= shrink;
-    const RationalPoint p{base[0] + step * n[0], base[1] + step * n[1], base[2] + step * n[2]};
+    RationalPoint p{base[0] + step * n[0], base[1] + step * n[1], base[2] + step * n[2]};
     const Location at = locator.locate(p);
     if (at.dimension == 3 && at.region == r) return p;
   }
@@ -198,7 +198,7 @@ Explanation head(const Tree& tree, const Evaluation& evaluation, NodeId node, co
   out.node_name = tree.nodes[node].name;
   out.cell = cell_name(place.dimension, place.index);
   out.dimension = place.dimension;
-  if (place.index != SimplifiedComplex::kNowhere) out.pieces = pieces_of(kept.simplified, place).size();
+  if (place.index != SimplifiedComplex::kNowhere) out.pieces = pieces_of(*kept.simplified, place).size();
   return out;
 }
 
@@ -207,10 +207,10 @@ Explanation head(const Tree& tree, const Evaluation& evaluation, NodeId node, co
 Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node, const std::string& cell,
                     std::size_t most) {
   const KeptValue& kept = evaluation.value(node);
-  const Place place = parse_cell(cell, tree.nodes[node].name, kept.simplified);
+  const Place place = parse_cell(cell, tree.nodes[node].name, *kept.simplified);
   Explanation out = head(tree, evaluation, node, place);
   const Locator locator(*evaluation.complex);
-  const std::vector<Piece> pieces = pieces_of(kept.simplified, place);
+  const std::vector<Piece> pieces = pieces_of(*kept.simplified, place);
   out.state = state_in(*evaluation.complex, *kept.value, pieces.front().cell);
   Classes(tree, evaluation, node, locator).explain(pieces, most, out);
   return out;
@@ -230,13 +230,13 @@ Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node,
         "the point lies beyond the box to which planes and half-spaces are cut, where nothing is "
         "computed; ask for a point nearer to the other leaves");
   }
-  const Place place = kept.simplified.place(complex, at);
+  const Place place = kept.simplified->place(complex, at);
   Explanation out = head(tree, evaluation, node, place);
   out.asked = point;
   out.state = state_in(complex, *kept.value, at);
   Piece piece{at, 0};
   if (at.dimension == 2 && place.dimension == 2) {
-    for (const HalfFace h : kept.simplified.faces[place.index].cells) {
+    for (const HalfFace h : kept.simplified->faces[place.index].cells) {
       if (h.face() == at.face) piece.side = h.side();
     }
   }

@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
-#include "csg/operators/boolean.h"
+#include "csg/leaves/surface_parameters.h"
 #include "csg/operators/origins.h"
+#include "csg/operators/verdict.h"
 
 namespace cnrg {
 

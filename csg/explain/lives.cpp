@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "csg/evaluate/simplified_value.h"
 #include "csg/operators/component_lists.h"
+#include "csg/tree/unfold.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
-#include "kernel/selection/canonical.h"
 
 namespace cnrg {
 namespace {
@@ -207,33 +208,15 @@ Lives::Lives(const Tree& tree, const Evaluation& evaluation, NodeId node)
     : tree_(tree),
       evaluation_(evaluation),
       complex_(*evaluation.complex),
-      leaf_of_(evaluation.instances.size()),
-      count_(tree.nodes.size()) {
+      leaf_of_(number_leaves(tree, evaluation.instances)) {
   require(!evaluation.values.empty(), "explain: the evaluation has not kept all values");
   const NodeValue* value = evaluation.value(node).value.get();
   InstanceId root;
-  std::size_t leaves = 0;
   for (const InstanceId i : IdRange<InstanceId>(evaluation.instances.size())) {
-    const NodeId id = evaluation.instances[i].node;
-    ++count_[id];
-    if (tree.nodes[id].op == Operator::leaf) leaf_of_[i] = LeafId(leaves++);
     if (evaluation.values[i].get() == value) root = i;
   }
   require(root.valid(), "explain: the node is not among the instances");
-  std::vector<char> below(root.index() + 1, 0);
-  below[root.index()] = 1;
-  for (std::size_t i = below.size(); i-- > 0;) {
-    if (!below[i]) continue;
-    below_.push_back(InstanceId(i));
-    for (const InstanceId operand : evaluation.instances[InstanceId(i)].operands) below[operand.index()] = 1;
-  }
-  std::reverse(below_.begin(), below_.end());
-}
-
-std::string Lives::name_of(InstanceId id) const {
-  const Instance& instance = evaluation_.instances[id];
-  const std::string& name = tree_.nodes[instance.node].name;
-  return count_[instance.node] == 1 ? name : name + "#" + std::to_string(instance.number);
+  below_ = instances_below(evaluation.instances, root);
 }
 
 std::vector<Life> Lives::of(const std::vector<Piece>& pieces, bool named) {
@@ -400,8 +383,7 @@ void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Pie
 const SimplifiedComplex& Lives::simplified(const NodeValue& value) {
   const auto it = simplified_.find(&value);
   if (it != simplified_.end()) return it->second;
-  SimplifiedComplex made = simplify(complex_, value, selection_of(complex_, value));
-  put_in_order(complex_, made);
+  SimplifiedComplex made = simplified_in_order(complex_, value, selection_of(complex_, value));
   return simplified_.emplace(&value, std::move(made)).first->second;
 }
 

@@ -29,7 +29,7 @@ std::vector<LeafCell> leaf_cells_at(const Complex& complex, const Location& cell
 
 class Lives {
  public:
-  /// `evaluation` must have kept all values and that of `node`.
+  /// `evaluation` must have kept all values and that of `node`. It and the tree must outlive this.
   Lives(const Tree& tree, const Evaluation& evaluation, NodeId node);
 
   /// The lives of the pieces, in their order. `named`: fill what StarFacts fills for lives that are shown.
@@ -50,15 +50,14 @@ class Lives {
   StarFacts star_of(const Components& x, Component only, const CellSet& star, const Location& cell,
                     const NodeValue& value, bool named);
   const SimplifiedComplex& simplified(const NodeValue& value);
-  std::string name_of(InstanceId id) const;
+  const std::string& name_of(InstanceId id) const { return evaluation_.rows[id.index()].name; }
   std::vector<Operand> operands_of(InstanceId id) const;
 
   const Tree& tree_;
   const Evaluation& evaluation_;
   const Complex& complex_;
-  std::vector<InstanceId> below_;          ///< ascending, the root last
-  IdVector<InstanceId, LeafId> leaf_of_;   ///< none() for inner nodes
-  IdVector<NodeId, std::uint32_t> count_;  ///< instances of each node
+  std::vector<InstanceId> below_;         ///< the root and all below it, operands before users
+  IdVector<InstanceId, LeafId> leaf_of_;  ///< none() for inner nodes
   std::map<const NodeValue*, SimplifiedComplex> simplified_;
   std::vector<std::unique_ptr<NodeValue>> made_;  ///< values before the attribute `regularize`
 };

@@ -2,8 +2,9 @@
 //
 // Facets of a face have its number, so that a face of the model is one face of the complex, however many facets it
 // has. Edges are wires along their segments and vertices isolated points: both lie on faces mostly, where they are
-// features (SEMANTICS 6), so the complex has the edges and vertices of the model and no others; each wire knows
-// its edge. Seams are no features unless they are asked for: a cylinder's side is one face without a cut.
+// features (csg/SEMANTICS.md#simplification), so the complex has the edges and vertices of the model and no
+// others; each wire knows its edge. Seams are no features unless they are asked for: a cylinder's side is one face
+// without a cut.
 //
 // What the tessellation says of itself is not believed. Points with equal coordinates are made one, then:
 //   * the border of a face's facets, as a chain, is the chain of its edges' segments;

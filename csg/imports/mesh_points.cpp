@@ -1,21 +1,18 @@
-// Merging by an open hash table on the bytes of the coordinates.
+// Merging by a hash of the coordinates; what is no three doubles is compared exactly.
 #include "csg/imports/mesh_points.h"
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 
 #include "csg/geometry/exact_vectors.h"
+#include "kernel/base/number_table.h"
 #include "kernel/base/point_hash.h"
 #include "kernel/exact/coplanar.h"
 
 namespace cnrg {
 
 MeshPoints::MeshPoints(const MeshData& mesh) {
-  constexpr std::uint32_t kEmpty = std::numeric_limits<std::uint32_t>::max();
   const std::size_t count = mesh.point_count();
-  const std::size_t mask = std::bit_ceil(2 * count + 1) - 1;
-  std::vector<std::uint32_t> slots(mask + 1, kEmpty);
+  NumberTable numbers(count);
   number_.reserve(count);
   xyz_.reserve(mesh.xyz.size());
   auto next_exact = mesh.exact.begin();
@@ -24,19 +21,17 @@ MeshPoints::MeshPoints(const MeshData& mesh) {
     const double p[3] = {mesh.xyz[3 * i] + 0.0, mesh.xyz[3 * i + 1] + 0.0, mesh.xyz[3 * i + 2] + 0.0};
     const RationalPoint* value = nullptr;
     if (next_exact != mesh.exact.end() && next_exact->first == i) value = &(next_exact++)->second;
-    std::size_t slot = hash_of_point(p) & mask;
-    for (; slots[slot] != kEmpty; slot = (slot + 1) & mask) {
-      const std::uint32_t other = slots[slot];
-      if (!std::equal(p, p + 3, xyz(other))) continue;
+    std::uint32_t& number = numbers.slot(hash_of_point(p), [&](std::uint32_t other) {
+      if (!std::equal(p, p + 3, xyz(other))) return false;
       const RationalPoint* other_value = exact(other);
-      if (value && other_value ? *value == *other_value : value == other_value) break;
-    }
-    if (slots[slot] == kEmpty) {
-      slots[slot] = static_cast<std::uint32_t>(size());
-      if (value) exact_.emplace_back(slots[slot], *value);
+      return value && other_value ? *value == *other_value : value == other_value;
+    });
+    if (number == NumberTable::kNone) {
+      number = static_cast<std::uint32_t>(size());
+      if (value) exact_.emplace_back(number, *value);
       xyz_.insert(xyz_.end(), p, p + 3);
     }
-    number_.push_back(slots[slot]);
+    number_.push_back(number);
   }
 }
 

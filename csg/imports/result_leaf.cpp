@@ -13,6 +13,8 @@
 #include "csg/imports/json_cursor.h"
 #include "csg/imports/mesh_file.h"
 #include "csg/imports/read_grades.h"
+#include "csg/leaves/cell_table.h"
+#include "csg/leaves/parameters.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "csg/leaves/leaf.h"
+#include "csg/leaves/parameters.h"
 
 namespace cnrg {
 

@@ -4,6 +4,7 @@
 // so that an unbounded leaf can see how far the others reach.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -11,13 +12,14 @@
 #include <vector>
 
 #include "csg/geometry/transform.h"
-#include "csg/leaves/cell_table.h"
-#include "csg/leaves/parameters.h"
 #include "csg/leaves/shapes.h"
 #include "csg/materials/material.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
+
+class LeafParameters;
+struct CellTable;
 
 /// A fault inside a file that a leaf reads. The message already has its position, `file:line: error: ...` (for
 /// binary data `file: byte N: error: ...`): who knows the tree's position may add where the file is used.
@@ -34,7 +36,11 @@ struct LeafRegion {
   RegionMaterial material{};  ///< with a grade in the leaf's own coordinates: of a result read back
 };
 
-/// A shape whose files were read and whose geometry was checked.
+/// Makes the parameters of a leaf (parameters.h); it needs nothing of the leaf to be left. Empty for a leaf
+/// without patches and curves.
+using ParameterSource = std::function<std::shared_ptr<const LeafParameters>()>;
+
+/// A shape whose files were read and whose geometry was checked. It keeps what it needs of them.
 class PreparedLeaf {
  public:
   virtual ~PreparedLeaf() = default;
@@ -60,16 +66,16 @@ class PreparedLeaf {
 /// Reads files and checks everything that can be checked for the leaf alone. Throws InputError: the message
 /// starts with `file:line:` for a fault inside a mesh file (LeafFileError), otherwise it has no position and the
 /// tree reader puts the node's position in front. Throws FileError if a file exists but can not be read.
-std::unique_ptr<PreparedLeaf> prepare(const Shape& shape);
+std::shared_ptr<const PreparedLeaf> prepare(const Shape& shape);
 
 /// One instance of a leaf.
 struct LeafInstance {
-  const PreparedLeaf* leaf = nullptr;
-  Transform transform;
+  std::shared_ptr<const PreparedLeaf> leaf;
+  Transform transform{};
 };
 
-/// Makes the soup of all instances; LeafId(i) is instance i (frame, if any, comes after them).
-/// `reach`: points that the frame of unbounded leaves must hold, besides what the others reach.
+/// Makes the soup of all instances; LeafId(i) is instance i (frame, if any, comes after them). It is whole by
+/// itself. `reach`: points that the frame of unbounded leaves must hold, besides what the others reach.
 Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const RationalPoint> reach = {});
 
 }  // namespace cnrg

@@ -96,7 +96,7 @@ Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const Ratio
     }
     const LeafId leaf = instance.leaf->add_to(soup, instance.transform);
     if (!instance.leaf->unbounded()) continue;
-    const auto* shape = dynamic_cast<const UnboundedLeaf*>(instance.leaf);
+    const auto* shape = dynamic_cast<const UnboundedLeaf*>(instance.leaf.get());
     require(shape != nullptr, "make_soup: an unbounded leaf that is no plane");
     unbounded.push_back({leaf, shape, shape->image(instance.transform)});
   }

@@ -18,7 +18,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -103,9 +102,5 @@ class LeafParameters {
   std::vector<Index> facets_{0};             // where the cells of each facet begin, and their end
   std::vector<std::array<Index, 4>> wires_;  // points, then values
 };
-
-/// Makes the parameters of a leaf; it needs nothing of the leaf to be left. Empty for a leaf without patches and
-/// curves.
-using ParameterSource = std::function<std::shared_ptr<const LeafParameters>()>;
 
 }  // namespace cnrg

@@ -1,4 +1,5 @@
 // From a shape to its preparation.
+#include "csg/leaves/parameters.h"
 #include "csg/leaves/prepare_shapes.h"
 
 namespace cnrg {
@@ -45,6 +46,6 @@ struct Dispatch {
 
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare(const Shape& shape) { return std::visit(Dispatch{}, shape); }
+std::shared_ptr<const PreparedLeaf> prepare(const Shape& shape) { return std::visit(Dispatch{}, shape); }
 
 }  // namespace cnrg

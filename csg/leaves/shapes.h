@@ -1,4 +1,4 @@
-// The leaves of a tree as data: what the tree file says, before any geometry is made (SEMANTICS 7).
+// The leaves of a tree as data: what the tree file says, before any geometry is made (csg/FORMATS.md#leaves).
 //
 // All numbers are exact. Lengths are in the model's unit. Angles are in degrees. The tree reader fills these
 // structures; `prepare` (leaf.h) reads and checks them, `make_soup` makes their geometry.
@@ -97,7 +97,7 @@ struct MeshShape {
   std::optional<Fill> fill;
   bool decimal = false;
 };
-/// `{group: {vertices, faces, edges, points, regions, fill}}` as INTERFACE has it.
+/// `{group: {vertices, faces, edges, points, regions, fill}}` (csg/FORMATS.md#groups).
 struct GroupShape {
   struct Face {
     std::vector<std::vector<std::uint32_t>> loops;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "csg/geometry/transform.h"
+#include "csg/leaves/leaf.h"
 #include "csg/leaves/parameters.h"
 #include "kernel/complex/complex.h"
 

@@ -7,6 +7,7 @@
 
 #include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/distance.h"
 
 namespace cnrg {
 namespace {
@@ -34,6 +35,9 @@ MaterialSampler::MaterialSampler(const RegionMaterial& material) : material_(mat
   require(target != nullptr && !target->empty(), "a graded material has nothing to measure a distance to");
   distance_ = std::make_unique<DistanceTo>(target->points, target->vertices, target->segments, target->triangles);
 }
+
+MaterialSampler::~MaterialSampler() = default;
+MaterialSampler::MaterialSampler(MaterialSampler&&) noexcept = default;
 
 Rational MaterialSampler::parameter(const RationalPoint& p) const {
   const Grade& grade = material_.grade()->grade;

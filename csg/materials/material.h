@@ -12,6 +12,8 @@
 // mixture are rationals of sum 1.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -19,9 +21,10 @@
 #include <vector>
 
 #include "csg/geometry/transform.h"
-#include "kernel/exact/distance.h"
 
 namespace cnrg {
+
+class DistanceTo;
 
 /// Fractions by material, ascending by name, none zero, of sum 1.
 using Mixture = std::vector<std::pair<std::string, Rational>>;
@@ -90,6 +93,8 @@ class RegionMaterial {
 class MaterialSampler {
  public:
   explicit MaterialSampler(const RegionMaterial& material);
+  ~MaterialSampler();
+  MaterialSampler(MaterialSampler&&) noexcept;
   /// Empty for the empty material. Throws InputError when the distance is beyond the range of double.
   Mixture at(const RationalPoint& p) const;
   /// All materials that it may hold, ascending.

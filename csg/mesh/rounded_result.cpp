@@ -36,7 +36,7 @@ struct RoundedResult::Data {
   std::vector<Index> first_triangle;  // in the drawing, of each face
   std::vector<HalfFace> front;        // of each triangle of the drawing
   std::vector<RegionId> region;       // of the rounded complex, for each region of the result
-  explicit Data(Redrawing redrawing) : drawn(std::move(redrawing)), locator(drawn.complex) {}
+  explicit Data(Redrawing redrawing) : drawn(std::move(redrawing)), locator(*drawn.complex) {}
 };
 
 RoundedResult::RoundedResult(const ResultView& view, const FlatComplex& flat, const std::string& format)
@@ -55,7 +55,7 @@ RoundedResult::RoundedResult(const ResultView& view, const FlatComplex& flat, co
 RoundedResult::~RoundedResult() = default;
 
 void RoundedResult::match_regions() {
-  const Complex& complex = data_->drawn.complex;
+  const Complex& complex = *data_->drawn.complex;
   auto& first = data_->first_triangle;
   Index n = 0;
   for (const auto& face : flat_.faces) {
@@ -94,7 +94,7 @@ void RoundedResult::match_regions() {
 }
 
 void RoundedResult::match_wires_and_points() const {
-  const Complex& complex = data_->drawn.complex;
+  const Complex& complex = *data_->drawn.complex;
   const auto check = [&](RegionId found, Index region) {
     if (region == kNone || !data_->region[region].valid() || found == data_->region[region]) return;
     throw InputError(format_ +

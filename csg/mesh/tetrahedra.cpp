@@ -10,6 +10,7 @@
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 namespace {

@@ -5,20 +5,6 @@
 
 namespace cnrg {
 
-struct TetrahedraOptions {
-  double max_volume = 0;       ///< no tetrahedron is larger (cubic units); 0: no bound
-  double quality = 0;          ///< largest ratio of circumradius to shortest edge, at least 1; 0: no bound
-  bool keep_boundary = false;  ///< no new points on faces and edges, but inside of regions only
-  int seconds = 600;           ///< of processor time for each way in which TetGen is asked; 0: no bound
-};
-
-/// What was made of one region.
-struct RegionTetrahedra {
-  std::string name;  ///< of its group in the mesh
-  std::size_t tetrahedra = 0;
-  Rational volume;  ///< of the tetrahedra, exactly
-};
-
 struct TetrahedralMesh {
   Mesh mesh;
   RoundingReport rounding;

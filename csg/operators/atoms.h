@@ -22,7 +22,7 @@ class Atoms {
   bool meet(const Components& x) const;
   /// Takes in the next operand. Attributes of what it shares with atoms as `sum` has them.
   void add(const Components& x, std::optional<Dominance> dominance);
-  /// The atoms that have cells as components, and all conflicts; `region` of these is 0.
+  /// The atoms that have cells as components, and all conflicts.
   ComponentsResult result();
 
  private:

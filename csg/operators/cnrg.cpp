@@ -152,7 +152,7 @@ class Overlay {
         CellSet cells;
         if (!c.other.empty()) cells = support(out_.value.selection, number);
         if (!cells.empty() && dimension(cells) >= std::min(in_x[i - 1], in_y[j - 1])) {
-          out_.conflicts.push_back({number, c.attributes.material, c.other, std::move(cells)});
+          out_.conflicts.push_back({c.attributes.material, c.other, std::move(cells)});
         }
         out_.value.attributes.push_back(std::move(c.attributes));
       }
@@ -184,7 +184,7 @@ ComponentAttributes strongest(const Components& x, std::vector<MaterialConflict>
     if (out.material.empty()) {
       out.material = a.material;
     } else if (!a.material.empty() && a.material != out.material) {
-      conflicts.push_back({1, out.material, a.material, support(x.selection, static_cast<Component>(i + 1))});
+      conflicts.push_back({out.material, a.material, support(x.selection, static_cast<Component>(i + 1))});
     }
   }
   return out;
@@ -302,7 +302,7 @@ const char* name(Topological op) {
   }
 }
 
-CellSet apply(const Complex& complex, Topological op, const CellSet& set) {
+CellSet topological_operation(const Complex& complex, Topological op, const CellSet& set) {
   switch (op) {
     case Topological::interior: return interior(complex, set);
     case Topological::closure: return closure(complex, set);
@@ -432,10 +432,10 @@ ComponentsResult complement(const Complex& complex, const Components& x) {
   return out;
 }
 
-ComponentsResult apply(const Complex& complex, Topological op, const Components& x,
-                       std::span<const LeafId> below) {
+ComponentsResult topological_operation(const Complex& complex, Topological op, const Components& x,
+                                       std::span<const LeafId> below) {
   const CellSet have = support(x.selection);
-  const CellSet want = apply(complex, op, have);
+  const CellSet want = topological_operation(complex, op, have);
   const auto extra = static_cast<Component>(x.attributes.size() + 1);
   ComponentsResult out;
   Components& value = out.value;
@@ -452,12 +452,12 @@ ComponentsResult apply(const Complex& complex, Topological op, const Components&
 }
 
 // Atoms of several components are boundaries that they share: no conflict of materials.
-ComponentsResult apply_each(const Complex& complex, Topological op, const Components& x,
-                            std::span<const LeafId> below) {
+ComponentsResult topological_operation_of_each(const Complex& complex, Topological op, const Components& x,
+                                               std::span<const LeafId> below) {
   Memberships memberships;
   const std::vector<CellSet> own = supports(x);
   for (std::size_t i = 0; i < own.size(); ++i) {
-    memberships.add(apply(complex, op, own[i]), static_cast<Component>(i + 1));
+    memberships.add(topological_operation(complex, op, own[i]), static_cast<Component>(i + 1));
   }
   ComponentsResult out;
   Components& value = out.value;

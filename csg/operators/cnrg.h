@@ -1,4 +1,4 @@
-// The operators of Constructive Non-Regularized Geometry (rossignac1991; SEMANTICS 2) on one complex.
+// The operators of Constructive Non-Regularized Geometry (rossignac1991; csg/SEMANTICS.md#components).
 //
 //   aggregate   all components of all operands; an overlap is an error
 //   unify       one component: |X|
@@ -26,14 +26,15 @@
 #include <string>
 #include <vector>
 
-#include "csg/operators/boolean.h"
+#include "csg/operators/attributes.h"
 #include "csg/operators/components.h"
+#include "csg/operators/tables.h"
 
 namespace cnrg {
 
 struct ComponentsResult {
   Components value;
-  std::vector<MaterialConflict> conflicts;  ///< `region` is the component of the result
+  std::vector<MaterialConflict> conflicts;
 };
 
 /// Throws InputError when operands overlap; the message names the two operands (their `names`, parallel) and one
@@ -50,7 +51,7 @@ ComponentsResult subtract(const Complex& complex, const Components& x, const Com
 ComponentsResult complement(const Complex& complex, const Components& x);
 
 /// sum(sum(x, y), z) ... and subtract(subtract(x, y), z) ... of two operands at least, at the cost of the cells of
-/// all of them; `region` of a conflict is 0.
+/// all of them.
 ComponentsResult sum(const Complex& complex, std::span<const Components* const> operands,
                      std::optional<Dominance> dominance);
 ComponentsResult subtract(const Complex& complex, std::span<const Components* const> operands);
@@ -59,13 +60,13 @@ enum class Topological : std::uint8_t { interior, closure, boundary, regularize 
 const char* name(Topological op);
 /// A cell that the operator adds came from the cells of X next to it, and from those of the leaves `below` X
 /// (ascending) that have a face, wire or point there: the wall that was taken away, for one.
-ComponentsResult apply(const Complex& complex, Topological op, const Components& x,
-                       std::span<const LeafId> below = {});
+ComponentsResult topological_operation(const Complex& complex, Topological op, const Components& x,
+                                       std::span<const LeafId> below = {});
 /// The operator on every component by itself.
-ComponentsResult apply_each(const Complex& complex, Topological op, const Components& x,
-                            std::span<const LeafId> below = {});
+ComponentsResult topological_operation_of_each(const Complex& complex, Topological op, const Components& x,
+                                               std::span<const LeafId> below = {});
 
 /// What the operator does to a point set.
-CellSet apply(const Complex& complex, Topological op, const CellSet& set);
+CellSet topological_operation(const Complex& complex, Topological op, const CellSet& set);
 
 }  // namespace cnrg

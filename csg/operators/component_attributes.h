@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "csg/operators/boolean.h"
 #include "csg/operators/components.h"
+#include "csg/operators/tables.h"
 
 namespace cnrg {
 

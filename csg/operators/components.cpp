@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "csg/operators/boolean.h"
 #include "csg/operators/component_lists.h"
+#include "csg/operators/detect_regions.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {

@@ -1,4 +1,4 @@
-// The values of CNRG operators (rossignac1991; SEMANTICS 1 and 2): a selection with any number of components.
+// The values of CNRG operators (rossignac1991; csg/SEMANTICS.md#components): selections with many components.
 //
 // A component is any set of cells: open, closed, neither, of any dimension, unbounded. Components are disjoint and
 // numbered from 1.

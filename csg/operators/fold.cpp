@@ -1,160 +1,175 @@
+// The driver: clusters, the engine on each, the other parts as they are, and all of it put together.
 #include "csg/operators/fold.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
-#include "csg/operators/accumulator.h"
-#include "kernel/base/union_find.h"
-#include "kernel/refine/box_pairs.h"
+#include "csg/operators/clusters.h"
+#include "csg/operators/table_engine.h"
 
 namespace cnrg {
 namespace {
 
-// A part and the operand that it is of.
-struct Item {
-  PartRef part;
-  std::uint32_t operand;
-};
-
-bool finite(const PartBox& box) {
-  return std::all_of(box.low.begin(), box.low.end(), [](float x) { return std::isfinite(x); }) &&
-         std::all_of(box.high.begin(), box.high.end(), [](float x) { return std::isfinite(x); });
-}
-
-Box kernel_box(const PartBox& box) {
-  Box out;
-  out.extend({box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]});
-  return out;
-}
-
-// Sets of items of which neighbours may meet, each in the order of operands. Those of a difference hang together
-// by the first operand alone.
-std::vector<std::vector<Item>> find_clusters(BooleanOp op, const std::vector<Item>& items) {
-  UnionFind sets(items.size());
-  std::vector<std::uint32_t> bounded, unbounded;
-  std::vector<Box> boxes;
-  const auto count = static_cast<std::uint32_t>(items.size());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (finite(items[i].part.box())) {
-      bounded.push_back(i);
-      boxes.push_back(kernel_box(items[i].part.box()));
-    } else {
-      unbounded.push_back(i);
-    }
-  }
-  const auto meet = [&](std::uint32_t i, std::uint32_t j) {
-    const std::uint32_t a = items[i].operand, b = items[j].operand;
-    if (a != b && (op == BooleanOp::unite || a == 0 || b == 0)) sets.unite(i, j);
-  };
-  for (const std::uint32_t i : unbounded) {
-    for (std::uint32_t j = 0; j < count; ++j) meet(i, j);
-  }
-  const BoxPairs pairs(boxes);
-  for (std::size_t part = 0; part < pairs.part_count(); ++part) {
-    pairs.find(part,
-               [&](std::uint32_t x, std::uint32_t y) { meet(bounded[pairs.item(x)], bounded[pairs.item(y)]); });
-  }
-  std::vector<std::vector<Item>> clusters;
-  std::vector<std::uint32_t> number(items.size(), 0);  // 1 + index
-  for (std::uint32_t i = 0; i < count; ++i) {
-    std::uint32_t& n = number[sets.find(i)];
-    if (n == 0) {
-      clusters.emplace_back();
-      n = static_cast<std::uint32_t>(clusters.size());
-    }
-    clusters[n - 1].push_back(items[i]);
-  }
-  return clusters;
-}
+using Parts = std::vector<PartRef>;
 
 class Fold {
  public:
-  Fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances)
-      : complex_(complex), op_(op), dominances_(dominances), steps_(dominances.size()) {}
+  Fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
+       std::vector<PartedGroup> operands)
+      : complex_(complex),
+        op_(op),
+        dominances_(dominances),
+        operands_(std::move(operands)),
+        busy_(operands_.size()),
+        steps_(dominances.size()) {}
 
-  FoldResult run(std::vector<PartedGroup> operands) {
+  FoldResult run() {
     FoldResult out;
-    std::vector<Item> items;
-    for (std::uint32_t k = 0; k < operands.size(); ++k) {
-      out.group.dominance = k == 0 ? operands[k].dominance : std::max(out.group.dominance, operands[k].dominance);
-      for (PartRef& part : operands[k].parts) items.push_back({std::move(part), k});
+    const std::vector<Cluster> clusters = find_clusters(op_, operands_);
+    Parts made;
+    for (const Cluster& cluster : clusters) {
+      const PartedGroup one = parted(complex_, evaluate(cluster));
+      made.insert(made.end(), one.parts.begin(), one.parts.end());
     }
-    std::vector<PartRef>& parts = out.group.parts;
-    for (const std::vector<Item>& cluster : find_clusters(op_, items)) {
-      if (cluster.size() > 1) {
-        const PartedGroup made = parted(complex_, accumulate(cluster));
-        parts.insert(parts.end(), made.parts.begin(), made.parts.end());
-      } else if (op_ == BooleanOp::unite || cluster[0].operand == 0) {
-        parts.push_back(cluster[0].part);
-      } else {
-        drop(cluster[0]);
-      }
+    take_out(clusters);
+    for (std::uint32_t k = 0; k < operands_.size(); ++k) {
+      if (!stays(k)) drop(k);
     }
-    std::sort(parts.begin(), parts.end(), before);
-    sum_up(out);
+    put_together(std::move(made), out.group);
+    for (FoldStep& step : steps_) add(step, out);
     return out;
   }
 
  private:
-  Group accumulate(const std::vector<Item>& cluster) {
+  Group evaluate(const Cluster& cluster) {
     std::vector<const Group*> of_operand;
-    std::size_t next = 0;
-    const auto take = [&] {
-      const std::uint32_t operand = cluster[next].operand;
+    auto next = cluster.begin();
+    const auto take = [&](std::uint32_t operand) -> std::span<const Group* const> {
       of_operand.clear();
-      for (; next < cluster.size() && cluster[next].operand == operand; ++next) {
-        of_operand.push_back(&cluster[next].part->group());
+      for (; next != cluster.end() && next->operand == operand; ++next) {
+        of_operand.push_back(&operands_[operand].parts[next->part]->group());
       }
-      return operand;
+      return of_operand;
     };
-    take();
-    Accumulator held(complex_, of_operand);
-    while (next < cluster.size()) {
-      const std::uint32_t operand = take();
-      held.apply(op_, dominances_[operand - 1], of_operand, steps_[operand - 1]);
-    }
-    return held.group();
-  }
-
-  // What a difference takes away, off the first operand: the rows remove all of it.
-  void drop(const Item& item) {
-    std::vector<std::size_t>& removed = steps_[item.operand - 1].removed;
-    if (removed.empty()) removed.resize(table_rows().size(), 0);
-    const Group& g = item.part->group();
-    const std::size_t sizes[] = {g.vertices.size(), g.edges.size(), g.faces.size()};
-    for (int dimension = 0; dimension <= 2; ++dimension) {
-      removed[table_row(op_, true, dimension, Relation::b_out_a)] += sizes[dimension];
+    std::uint32_t operand = next->operand;
+    TableEngine engine(complex_, op_, take(operand));
+    while (true) {
+      // An intersection with an operand that has no part here leaves nothing.
+      if (op_ == BooleanOp::intersect && !engine.empty()) ++operand;
+      else operand = next == cluster.end() ? none() : next->operand;
+      if (operand >= operands_.size()) return engine.group();
+      engine.step(dominances_[operand - 1], take(operand), steps_[operand - 1]);
     }
   }
+  std::uint32_t none() const { return static_cast<std::uint32_t>(operands_.size()); }
 
-  void sum_up(FoldResult& out) {
-    std::vector<std::size_t> place(table_rows().size(), 0);  // 1 + index in `removals`
-    for (FoldStep& step : steps_) {
-      for (std::size_t row = 0; row < step.removed.size(); ++row) {
-        if (step.removed[row] == 0) continue;
-        if (place[row] == 0) {
-          out.removals.emplace_back(table_rows()[row].id, 0);
-          place[row] = out.removals.size();
-        }
-        out.removals[place[row] - 1].second += step.removed[row];
+  // The parts of clusters, out of the operands.
+  void take_out(const std::vector<Cluster>& clusters) {
+    for (const Cluster& cluster : clusters) {
+      for (const PartPlace& place : cluster) {
+        busy_[place.operand].push_back(std::move(operands_[place.operand].parts[place.part]));
       }
-      std::stable_sort(step.conflicts.begin(), step.conflicts.end(),
-                       [](const auto& a, const auto& b) { return a.first < b.first; });
-      for (auto& [region, conflict] : step.conflicts) out.conflicts.push_back(std::move(conflict));
     }
+    for (std::size_t k = 0; k < operands_.size(); ++k) {
+      if (busy_[k].empty()) continue;
+      std::erase_if(operands_[k].parts, [](const PartRef& part) { return part.get() == nullptr; });
+    }
+  }
+
+  // What the rows say of parts of an operand that meet no other: the first one stands left in the first step, the
+  // others right in their own.
+  std::size_t step_of(std::uint32_t operand) const { return operand == 0 ? 0 : operand - 1; }
+  Relation outside(std::uint32_t operand) const {
+    const bool is_a = (operand == 0) != roles(op_, dominances_[step_of(operand)]).swapped;
+    return is_a ? Relation::a_out_b : Relation::b_out_a;
+  }
+  bool stays(std::uint32_t operand) const {
+    return dominances_.empty() ||
+           keeps_outside(op_, roles(op_, dominances_[step_of(operand)]).dominant, outside(operand));
+  }
+
+  void drop(std::uint32_t operand) {
+    const std::size_t step = step_of(operand);
+    const bool dominant = roles(op_, dominances_[step]).dominant;
+    for (const PartRef& part : operands_[operand].parts) {
+      const Group& g = part->group();
+      const std::size_t sizes[] = {g.vertices.size(), g.edges.size(), g.faces.size()};
+      for (int dimension = 0; dimension <= 2; ++dimension) {
+        steps_[step].removed[table_row(op_, dominant, dimension, outside(operand))] += sizes[dimension];
+      }
+    }
+    operands_[operand].parts.clear();
+  }
+
+  void put_together(Parts made, PartedGroup& out) {
+    out.dominance = operands_[0].dominance;
+    for (const PartedGroup& operand : operands_) out.dominance = std::max(out.dominance, operand.dominance);
+    // The most parts stay where they are.
+    const auto most = std::max_element(operands_.begin(), operands_.end(), [](const auto& a, const auto& b) {
+      return a.parts.size() < b.parts.size();
+    });
+    Parts others;
+    for (auto operand = operands_.begin(); operand != operands_.end(); ++operand) {
+      if (operand == most) continue;
+      std::move(operand->parts.begin(), operand->parts.end(), std::back_inserter(others));
+    }
+    const bool measured = std::all_of(operands_.begin(), operands_.end(), [](const PartedGroup& operand) {
+      return operand.totals && operand.fresh.empty();
+    });
+    if (measured) out.totals = carried_totals(*most, others);
+    std::sort(made.begin(), made.end(), before);
+    out.fresh = made;
+    std::move(made.begin(), made.end(), std::back_inserter(others));
+    out.parts = std::move(most->parts);
+    add(out.parts, std::move(others));
+  }
+
+  // The totals of all parts that are carried: those of the operand with the most, and `others`.
+  Totals carried_totals(PartedGroup& most, const Parts& others) const {
+    if (most.parts.empty()) return {};
+    Totals out = std::move(*most.totals);
+    for (const PartRef& part : busy_[static_cast<std::size_t>(&most - operands_.data())]) {
+      out.remove(complex_, *part.get());
+    }
+    for (const PartRef& part : others) out.add(complex_, *part.get());
+    return out;
+  }
+
+  // A few are put in one by one.
+  static void add(Parts& parts, Parts more) {
+    if (more.size() < 8) {
+      for (PartRef& part : more) {
+        parts.insert(std::upper_bound(parts.begin(), parts.end(), part, before), std::move(part));
+      }
+      return;
+    }
+    std::sort(more.begin(), more.end(), before);
+    const auto middle = static_cast<std::ptrdiff_t>(parts.size());
+    parts.insert(parts.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    std::inplace_merge(parts.begin(), parts.begin() + middle, parts.end(), before);
+  }
+
+  static void add(FoldStep& step, FoldResult& out) {
+    for (const auto& [row, count] : step.removed) out.removals.add(row, count);
+    // Stable: those of one region stay as they are.
+    std::stable_sort(step.conflicts.begin(), step.conflicts.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (auto& [region, conflict] : step.conflicts) out.conflicts.push_back(std::move(conflict));
   }
 
   const Complex& complex_;
   BooleanOp op_;
   std::span<const Dominance> dominances_;
+  std::vector<PartedGroup> operands_;
+  std::vector<Parts> busy_;  // by operand: its parts in clusters
   std::vector<FoldStep> steps_;
 };
 
 }  // namespace
 
-FoldResult fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-                std::vector<PartedGroup> operands) {
-  return Fold(complex, op, dominances).run(std::move(operands));
+FoldResult boolean_fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
+                        std::vector<PartedGroup> operands) {
+  return Fold(complex, op, dominances, std::move(operands)).run();
 }
 
 }  // namespace cnrg

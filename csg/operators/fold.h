@@ -1,30 +1,28 @@
-// ((a op b) op c) op ... of many operands at the cost of what they touch.
+// ((a op b) op c) op ... of values in parts, at the cost of what the operands touch.
 //
-// Operand by operand, `apply` reads the accumulated value again and again. Here boxes tell first which parts of
-// all operands may meet; parts that meet none are carried over or dropped as a whole. Each cluster of the others
-// is accumulated by itself: what a step does there depends on nothing outside.
+// Boxes tell first which parts of all operands may meet (clusters.h). Each cluster goes through the engine of the
+// tables by itself: what a step does there depends on nothing outside. A part that meets none is carried over or
+// dropped as a whole: what is outside of the other operand, a row keeps always or removes always.
 #pragma once
 
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
+#include "csg/operators/attributes.h"
 #include "csg/operators/parts.h"
+#include "csg/operators/tables.h"
 
 namespace cnrg {
 
 struct FoldResult {
   PartedGroup group;
-  /// Removed entities of all steps by row id: rows in the order of the steps that first removed something by them,
-  /// rows of one step in table order.
-  std::vector<std::pair<std::string, std::size_t>> removals;
-  std::vector<MaterialConflict> conflicts;  ///< step by step; `region` is 0
+  Removals removals;                        ///< of all steps, step by step, those of one step in table order
+  std::vector<MaterialConflict> conflicts;  ///< step by step, those of one step in the order of its regions
 };
 
-/// `op` is unite or subtract; `dominances[k]` is that of the step that takes in operand k + 1. The value, removals
-/// and conflicts are those of `apply` step by step.
-FoldResult fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-                std::vector<PartedGroup> operands);
+/// `dominances[k]` is that of the step that takes in operand k + 1. The value, removals and conflicts are those of
+/// `boolean_operation` step by step. Operands that are not needed any more are to be moved in.
+FoldResult boolean_fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
+                        std::vector<PartedGroup> operands);
 
 }  // namespace cnrg

@@ -1,4 +1,4 @@
-// A group: entities of dimension up to 2, closed under boundary, and regions (SEMANTICS 3; pereira2012 2.1).
+// A group (csg/SEMANTICS.md#groups; pereira2012 2.1): entities of dimension 2 at most, closed, and regions.
 //
 // Sparse and sorted by id. `cells` holds the 3-cells inside of regions. A cell of dimension <= 2 that is no
 // entity has one and the same region of the group (or none) all around it.
@@ -23,6 +23,7 @@ struct RegionAttributes {
   std::vector<LeafId> leaves{};  ///< provenance: leaves with a region there, ascending
 };
 
+/// A value by itself; the ids in it are those of one complex.
 struct Group {
   std::vector<std::pair<RegionId, std::uint32_t>> cells;  ///< 3-cell -> region of the group, from 1
   std::vector<RegionAttributes> regions;                  ///< regions[i - 1] belongs to region i
@@ -46,5 +47,18 @@ struct Group {
 /// The selection of |G|: component i for region i and the cells in its interior, component
 /// `regions.size() + 1` for the entities.
 Selection selection_of(const Complex& complex, const Group& group);
+
+/// The group of each leaf, by LeafId, read off the labels and covers of the complex in one pass; that of the frame
+/// is empty. `attributes[leaf][label - 1]` says what people call a labelled region (missing ones have none);
+/// `leaves` of each region is set to the leaf.
+///
+/// Entities of a leaf: the faces that a soup face of it covers, with their closure (cells that other leaves cut
+/// into their interior included), its wires, its isolated vertices. Regions: the 3-cells with a label of the
+/// leaf, joined across faces that are no entities.
+/// Features of a leaf: edges on the boundary of its soup faces that part two of its faces or patches or are a free
+/// border, and its wires; its isolated vertices, and the ends of feature edges but those where exactly two of
+/// them continue each other, on a line or on one tessellated curve.
+std::vector<Group> leaf_groups(const Complex& complex,
+                               const std::vector<std::vector<RegionAttributes>>& attributes = {});
 
 }  // namespace cnrg

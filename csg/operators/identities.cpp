@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "csg/operators/component_lists.h"
+#include "csg/operators/detect_regions.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/scratch.h"
 #include "kernel/selection/selection.h"
@@ -231,9 +232,9 @@ std::string check_topological(const Complex& complex, Topological op, bool each,
   if (!out.empty()) return out;
   CellSet want;
   if (each) {
-    for (const CellSet& one : supports(x)) want = unite(want, apply(complex, op, one));
+    for (const CellSet& one : supports(x)) want = unite(want, topological_operation(complex, op, one));
   } else {
-    want = apply(complex, op, support(x.selection));
+    want = topological_operation(complex, op, support(x.selection));
   }
   const std::string d = first_difference(want, support(result.selection));
   return d.empty() ? "" : std::string("the point set is not that of ") + name(op) + ": " + d;

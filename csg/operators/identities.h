@@ -1,4 +1,4 @@
-// The identities that each evaluated Boolean must satisfy (SEMANTICS 5.1 to 5.3), checked cell by cell.
+// The identities that each evaluated Boolean must satisfy (csg/SEMANTICS.md#identities), checked cell by cell.
 //
 // For tests and EvaluateOptions::validate: each call passes over the whole complex. Each function returns the
 // first violation in words, naming the cell, or an empty string.
@@ -34,8 +34,8 @@ std::string check_complement(const Complex& complex, const Group& g, const Group
 /// Sorted lists, each cell once, components from 1 all with cells, origins parallel, features active.
 std::string check_components(const Complex& complex, const Components& x);
 
-/// The law of SEMANTICS 2: unify(sum(X, Y)) = |X| or |Y|, unify(product) = |X| and |Y|, unify(subtract) =
-/// |X| - |Y|; and no component holds cells of two components of an operand.
+/// The law of csg/SEMANTICS.md#components: unify(sum(X, Y)) = |X| or |Y|, unify(product) = |X| and |Y|,
+/// unify(subtract) = |X| - |Y|; and no component holds cells of two components of an operand.
 enum class OverlayLaw : std::uint8_t { sum, product, subtract };
 std::string check_overlay(OverlayLaw law, const Complex& complex, const Components& x, const Components& y,
                           const Components& result);

@@ -5,8 +5,6 @@
 // keeps the leaf alone. A cell of several leaves is marked so and looked at again by who asks, so that the cost is
 // that of all incidences. Blocks of cells are looked at in parallel; then every cell is dealt to its leaves in the
 // order of ids.
-#include "csg/operators/leaf_group.h"
-
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
@@ -15,7 +13,8 @@
 #include <mutex>
 #include <tuple>
 
-#include "csg/operators/boolean.h"
+#include "csg/operators/detect_regions.h"
+#include "csg/operators/group.h"
 #include "kernel/base/sorted.h"
 #include "kernel/selection/curve.h"
 

@@ -9,6 +9,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/predicates.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {

@@ -38,7 +38,7 @@ class NodeValue {
   std::optional<Group> stands_for;  ///< the closed complement, of the complement of a group
 
   /// What `simplify` keeps: the features of a group. The state of a cell of components is its component alone
-  /// (SEMANTICS 6).
+  /// (csg/SEMANTICS.md#simplification).
   const Features& features() const;
   const Origins& origins() const;
   /// How many components: the regions of a group and, if it has any, its entities as the last.

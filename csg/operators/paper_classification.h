@@ -1,4 +1,4 @@
-// The classification of the paper (pereira2012 3), beside the propagation that `apply` uses.
+// The classification of the paper (pereira2012 3), beside the propagation that the engine of the tables uses.
 //
 // The paper locates each vertex among the other group's regions; an edge takes the class of one of its vertices
 // that is not INTERS, a face that of such a vertex of its outer loop; an edge or face whose vertices are all

@@ -1,18 +1,14 @@
-// Boxes tell which parts of the two operands may meet; sets of parts connected by such pairs are *clusters*. Per
-// cluster the parts of either side are merged into one group and go through `apply`; the rest is carried.
+// What is measured of a part, and parts merged into one group.
 #include "csg/operators/parts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <tuple>
 
 #include "csg/operators/cell_sources.h"
 #include "kernel/base/error.h"
-#include "kernel/base/sorted.h"
-#include "kernel/base/union_find.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
 
@@ -174,206 +170,6 @@ Group merge(const std::vector<const Part*>& parts) {
   return out;
 }
 
-// Calls `found(i, j)` for each part i of `few` and j of `many` whose boxes meet: `few` sorted along one axis, with
-// the furthest reach of all before.
-template <class Found>
-void find_meetings(const Parts& few, const Parts& many, Found found) {
-  if (few.empty()) return;
-  int axis = 0;
-  float widest = -1;
-  for (int k = 0; k < 3; ++k) {
-    float low = kInfinity, high = -kInfinity;
-    for (const auto& part : few) {
-      const float at = part.box().low[k];
-      if (!std::isfinite(at)) continue;
-      low = std::min(low, at);
-      high = std::max(high, at);
-    }
-    if (high - low > widest) widest = high - low, axis = k;
-  }
-  std::vector<std::pair<float, std::uint32_t>> sorted;
-  for (std::uint32_t i = 0; i < few.size(); ++i) sorted.emplace_back(few[i].box().low[axis], i);
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<float> reach;
-  float furthest = -kInfinity;
-  PartBox hull = few[0].box();
-  for (const PartRef& part : few) {
-    for (int k = 0; k < 3; ++k) {
-      hull.low[k] = std::min(hull.low[k], part.box().low[k]);
-      hull.high[k] = std::max(hull.high[k], part.box().high[k]);
-    }
-  }
-  for (const auto& [low, i] : sorted) reach.push_back(furthest = std::max(furthest, few[i].box().high[axis]));
-  for (std::uint32_t j = 0; j < many.size(); ++j) {
-    const PartBox& box = many[j].box();
-    if (!box.meets(hull)) continue;
-    const auto end = std::upper_bound(sorted.begin(), sorted.end(), box.high[axis],
-                                      [](float x, const auto& entry) { return x < entry.first; });
-    for (auto n = static_cast<std::size_t>(end - sorted.begin()); n-- > 0 && reach[n] >= box.low[axis];) {
-      if (few[sorted[n].second].box().meets(box)) found(sorted[n].second, j);
-    }
-  }
-}
-
-struct Cluster {
-  std::vector<const Part*> left, right;
-};
-
-class PartedBoolean {
- public:
-  PartedBoolean(const Complex& complex, BooleanOp op, Dominance dominance)
-      : complex_(complex), op_(op), dominance_(dominance), removed_(table_rows().size(), 0) {}
-
-  PartedResult run(PartedGroup left, PartedGroup right) {
-    PartedResult out;
-    out.group.dominance = std::max(left.dominance, right.dominance);
-    const std::vector<Cluster> clusters = find_clusters(left.parts, right.parts);
-    std::vector<std::pair<PartRef, std::vector<MaterialConflict>>> made;
-    for (const Cluster& cluster : clusters) {
-      BooleanResult result = operate(cluster);
-      if (empty(result.group)) continue;
-      made.emplace_back(PartRef(std::make_shared<const Part>(complex_, std::move(result.group))),
-                        std::move(result.conflicts));
-    }
-    const auto [swapped, dominant] = roles(op_, dominance_);
-    const bool left_stays = carry(left.parts, swapped ? Relation::b_out_a : Relation::a_out_b, dominant);
-    const bool right_stays = carry(right.parts, swapped ? Relation::a_out_b : Relation::b_out_a, dominant);
-    if (measured(left) && measured(right)) {
-      const bool from_right = right_stays && (!left_stays || right.parts.size() > left.parts.size());
-      out.group.totals = from_right   ? carried(right, busy_right_, left.parts)
-                         : left_stays ? carried(left, busy_left_, right.parts)
-                                      : Totals{};
-    }
-
-    Parts& parts = out.group.parts;
-    parts = std::move(left.parts);
-    add(parts, std::move(right.parts));
-    Parts& fresh = out.group.fresh;
-    for (const auto& [part, conflicts] : made) fresh.push_back(part);
-    std::sort(fresh.begin(), fresh.end(), before);
-    add(parts, fresh);
-    for (auto& [part, conflicts] : made) {
-      const auto at = std::lower_bound(parts.begin(), parts.end(), part, before);
-      for (MaterialConflict& conflict : conflicts) {
-        out.conflicts.emplace_back(at - parts.begin(), std::move(conflict));
-      }
-    }
-    // Stable: those of one region stay as they are.
-    std::stable_sort(out.conflicts.begin(), out.conflicts.end(), [&](const auto& a, const auto& b) {
-      return parts[a.first]->first_cells()[a.second.region - 1] <
-             parts[b.first]->first_cells()[b.second.region - 1];
-    });
-    for (std::size_t i = 0; i < removed_.size(); ++i) {
-      if (removed_[i] != 0) out.removals.emplace_back(table_rows()[i].id, removed_[i]);
-    }
-    return out;
-  }
-
- private:
-  // Takes the parts that are in a cluster out of the lists, which keep the others; in the order of the left ones.
-  std::vector<Cluster> find_clusters(Parts& left, Parts& right) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> meetings;  // left, right
-    if (left.size() < right.size()) {
-      find_meetings(left, right, [&](std::uint32_t l, std::uint32_t r) { meetings.emplace_back(l, r); });
-    } else {
-      find_meetings(right, left, [&](std::uint32_t r, std::uint32_t l) { meetings.emplace_back(l, r); });
-    }
-    if (meetings.empty()) return {};
-    std::vector<std::uint32_t> lefts, rights;
-    for (const auto& [l, r] : meetings) lefts.push_back(l), rights.push_back(r);
-    sort_unique(lefts), sort_unique(rights);
-    const auto place = [](const std::vector<std::uint32_t>& list, std::uint32_t i) {
-      return static_cast<std::uint32_t>(std::lower_bound(list.begin(), list.end(), i) - list.begin());
-    };
-    // Left ones first: a cluster is named by its smallest part, a left one.
-    const auto split = static_cast<std::uint32_t>(lefts.size());
-    UnionFind sets(lefts.size() + rights.size());
-    for (const auto& [l, r] : meetings) sets.unite(place(lefts, l), split + place(rights, r));
-    std::vector<std::uint32_t> number(split, 0);  // 1 + index
-    std::vector<Cluster> clusters;
-    for (std::uint32_t i = 0; i < split; ++i) {
-      std::uint32_t& n = number[sets.find(i)];
-      if (n == 0) {
-        clusters.emplace_back();
-        n = static_cast<std::uint32_t>(clusters.size());
-      }
-      clusters[n - 1].left.push_back(left[lefts[i]].get());
-      busy_left_.push_back(std::move(left[lefts[i]]));
-    }
-    for (std::uint32_t i = 0; i < rights.size(); ++i) {
-      clusters[number[sets.find(split + i)] - 1].right.push_back(right[rights[i]].get());
-      busy_right_.push_back(std::move(right[rights[i]]));
-    }
-    const auto taken = [](const PartRef& part) { return part.get() == nullptr; };
-    std::erase_if(left, taken);
-    std::erase_if(right, taken);
-    return clusters;
-  }
-
-  BooleanResult operate(const Cluster& cluster) {
-    Group merged_left, merged_right;
-    const auto one = [](const std::vector<const Part*>& parts, Group& space) -> const Group& {
-      if (parts.size() == 1) return parts[0]->group();
-      space = merge(parts);
-      return space;
-    };
-    const Group& left = one(cluster.left, merged_left);
-    const Group& right = one(cluster.right, merged_right);
-    BooleanResult result = apply(complex_, op_, dominance_, left, right);
-    std::size_t row = 0;  // removals come in the order of rows
-    for (const auto& [id, count] : result.removals) {
-      while (table_rows()[row].id != id) ++row;
-      removed_[row] += count;
-    }
-    return result;
-  }
-
-  static bool measured(const PartedGroup& value) { return value.totals && value.fresh.empty(); }
-
-  // The totals of the parts that are carried: those of `most` without its busy ones, and `others`.
-  Totals carried(PartedGroup& most, const Parts& busy, const Parts& others) const {
-    Totals out = std::move(*most.totals);
-    for (const auto& part : busy) out.remove(complex_, *part.get());
-    for (const auto& part : others) out.add(complex_, *part.get());
-    return out;
-  }
-
-  // Parts off the other operand: the rows of this relation keep all of them (true), or remove all.
-  bool carry(Parts& parts, Relation relation, bool dominant) {
-    for (int dimension = 0; dimension <= 2; ++dimension) {
-      const std::size_t row = table_row(op_, dominant, dimension, relation);
-      const Condition condition = table_rows()[row].condition;
-      if (condition == Condition::never) return true;
-      require(condition == Condition::always, "parts: a row decides about entities outside of the other operand");
-      for (const auto& part : parts) {
-        const Group& g = part->group();
-        removed_[row] += dimension == 0 ? g.vertices.size() : dimension == 1 ? g.edges.size() : g.faces.size();
-      }
-    }
-    parts.clear();
-    return false;
-  }
-
-  // A few are put in one by one.
-  static void add(Parts& parts, Parts more) {
-    if (more.size() < 8) {
-      for (PartRef& part : more) {
-        parts.insert(std::upper_bound(parts.begin(), parts.end(), part, before), std::move(part));
-      }
-      return;
-    }
-    const auto middle = static_cast<std::ptrdiff_t>(parts.size());
-    parts.insert(parts.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-    std::inplace_merge(parts.begin(), parts.begin() + middle, parts.end(), before);
-  }
-
-  const Complex& complex_;
-  BooleanOp op_;
-  Dominance dominance_;
-  std::vector<std::size_t> removed_;  // by row
-  Parts busy_left_, busy_right_;      // the parts of clusters
-};
-
 std::vector<const Part*> pointers(const Parts& parts) {
   std::vector<const Part*> out;
   out.reserve(parts.size());
@@ -465,7 +261,7 @@ void Totals::remove(const Complex& complex, const Part& part) {
   }
 }
 
-const Totals& measure(const Complex& complex, PartedGroup& value) {
+const Totals& totals_of(const Complex& complex, PartedGroup& value) {
   if (!value.totals) {
     value.totals.emplace();
     value.fresh = value.parts;
@@ -481,11 +277,6 @@ std::vector<std::optional<Rational>> volumes(const Complex& complex, const Parte
     out.push_back(value.parts[part]->volumes(complex)[region - 1]);
   }
   return out;
-}
-
-PartedResult apply(const Complex& complex, BooleanOp op, Dominance dominance, PartedGroup left,
-                   PartedGroup right) {
-  return PartedBoolean(complex, op, dominance).run(std::move(left), std::move(right));
 }
 
 }  // namespace cnrg

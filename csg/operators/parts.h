@@ -2,8 +2,8 @@
 //
 // The tables decide about an entity by what lies around it. An entity of a part that shares no point with the
 // other operand is outside of all its regions (AoutB, BoutA), whose rows keep always or remove always: such a part
-// is carried over or dropped as a whole, and never read. Only parts whose boxes meet go through `apply` of
-// groups. A chain of unions of solids scattered in space so costs per node what one union costs, and pointers.
+// is carried over or dropped as a whole, and never read (fold.h). A chain of unions of solids scattered in space
+// so costs per node what one union costs, and pointers.
 //
 // Parts are immutable and shared between values.
 #pragma once
@@ -12,11 +12,10 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "csg/operators/boolean.h"
+#include "csg/operators/group.h"
 
 namespace cnrg {
 
@@ -59,7 +58,7 @@ class Part {
   mutable std::vector<std::optional<Rational>> volumes_;
 };
 
-/// Sums of the measures of parts.
+/// Sums over parts: their counts of cells, their regions and volumes.
 struct Totals {
   std::array<std::size_t, 4> raw{}, simplified{};
   std::size_t regions = 0, unbounded = 0;  ///< all of them; those without a volume
@@ -95,13 +94,13 @@ struct PartedGroup {
   std::vector<PartRef> parts;
   Rational dominance = 0;
   /// The sums over all parts but those in `fresh`; nothing when they are not known. An operator passes them on, so
-  /// that measuring a value costs what is new in it.
+  /// that they cost what is new in a value.
   std::optional<Totals> totals;
   std::vector<PartRef> fresh;
 };
 
 /// The sums over all parts, kept in the value.
-const Totals& measure(const Complex& complex, PartedGroup& value);
+const Totals& totals_of(const Complex& complex, PartedGroup& value);
 
 /// The group as one part, or none if it is empty.
 PartedGroup parted(const Complex& complex, Group group);
@@ -128,16 +127,5 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> region_order(const PartedGr
 
 /// Exact volumes by region of `whole(value)`, from region 1; nothing for an unbounded one.
 std::vector<std::optional<Rational>> volumes(const Complex& complex, const PartedGroup& value);
-
-struct PartedResult {
-  PartedGroup group;
-  std::vector<std::pair<std::string, std::size_t>> removals;  ///< as in BooleanResult
-  /// Each with the index of its part; `region` is that of the part's group. In the order of `whole`'s regions.
-  std::vector<std::pair<std::size_t, MaterialConflict>> conflicts;
-};
-
-/// A op B as `apply` has it for whole groups, with the same removals and conflicts. Operands that are not needed
-/// any more are to be moved in.
-PartedResult apply(const Complex& complex, BooleanOp op, Dominance dominance, PartedGroup left, PartedGroup right);
 
 }  // namespace cnrg

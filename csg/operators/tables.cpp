@@ -1,6 +1,7 @@
-// The rows, and the little that evaluates and prints them.
+// The rows, which of them fits an entity, and what prints them.
 #include "csg/operators/tables.h"
 
+#include <algorithm>
 #include <array>
 
 #include "kernel/base/error.h"
@@ -91,7 +92,9 @@ constexpr TableRow kRows[] = {
     {"difference.vertex.BoutA", subtract, any, 0, b_out_a, always},
 };
 
-constexpr std::size_t kDimensions = 3, kRelations = 5;
+static_assert(std::size(kRows) == kTableRows);
+
+constexpr std::size_t kDimensions = 3;
 constexpr std::size_t slot(BooleanOp op, bool dominant, std::size_t dimension, Relation relation) {
   return ((static_cast<std::size_t>(op) * 2 + (dominant ? 0 : 1)) * kDimensions + dimension) * kRelations +
          static_cast<std::size_t>(relation);
@@ -182,23 +185,49 @@ std::size_t table_row(BooleanOp op, bool dominant, int dimension, Relation relat
   return kIndex[slot(op, dominant, static_cast<std::size_t>(dimension), relation)];
 }
 
-bool holds(Condition condition, const FaceSides& s) {
-  switch (condition) {
-    case Condition::never: return false;
-    case Condition::always: return true;
-    case Condition::one_region_a: return s.regions_of_a() == 1;
-    case Condition::one_region_b: return s.regions_of_b() == 1;
-    case Condition::opposite_regions:
-      return s.regions_of_a() == 1 && s.regions_of_b() == 1 && (s.a[0] != 0) != (s.b[0] != 0);
-    case Condition::parts_or_hangs_in_b: return s.regions_of_b() == 2 || (s.regions_of_b() == 0 && s.b[0] != 0);
-    case Condition::no_new_region: return s.regions_of_b() != 1;
-    case Condition::no_side_survives: {
-      const bool survives = (s.a[0] != 0 && s.b[0] == 0) || (s.a[1] != 0 && s.b[1] == 0);
-      return !survives || (s.regions_of_a() == 0 && s.regions_of_b() == 0);
-    }
-    default: break;
+void wrong_dimension() {
+  throw InvariantError("tables: a condition was asked of an entity of the wrong dimension");
+}
+
+Roles roles(BooleanOp op, Dominance dominance) {
+  if (op == BooleanOp::subtract) return {false, true};
+  return {dominance == Dominance::right, dominance != Dominance::equal};
+}
+
+bool keeps_outside(BooleanOp op, bool dominant, Relation relation) {
+  const auto condition = [&](int dimension) {
+    return kRows[table_row(op, dominant, dimension, relation)].condition;
+  };
+  const Condition faces = condition(2);
+  require(
+      (faces == Condition::never || faces == Condition::always) && condition(1) == faces && condition(0) == faces,
+      "tables: entities outside of the other operand are not all kept or all removed");
+  return faces == Condition::never;
+}
+
+void Removals::add(std::size_t row, std::size_t count) {
+  if (count == 0) return;
+  const auto it =
+      std::find_if(counts_.begin(), counts_.end(), [&](const auto& entry) { return entry.first == row; });
+  if (it == counts_.end()) counts_.emplace_back(row, count);
+  else it->second += count;
+}
+
+void Removals::add(const Removals& more) {
+  for (const auto& [row, count] : more) add(row, count);
+}
+
+std::size_t Removals::of(std::size_t row) const {
+  for (const auto& [known, count] : counts_) {
+    if (known == row) return count;
   }
-  throw InvariantError("tables: a condition of edges and vertices was asked of a face");
+  return 0;
+}
+
+std::size_t Removals::total() const {
+  std::size_t sum = 0;
+  for (const auto& [row, count] : counts_) sum += count;
+  return sum;
 }
 
 std::string tables_markdown() {

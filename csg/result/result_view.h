@@ -6,6 +6,7 @@
 
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
+#include "csg/result/result.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg {
@@ -15,26 +16,19 @@ struct LeafInfo {
   std::string name;  ///< the node's name in the tree
 };
 
-/// One node of an evaluated tree, as writers see it.
+/// One node of an evaluated tree, as writers see it; it owns nothing of what it points to. A Result has one of
+/// itself (result_data.h).
 struct ResultView {
   std::string node{};  ///< name of the node
   const Complex* complex = nullptr;
   const NodeValue* value = nullptr;
   const SimplifiedComplex* simplified = nullptr;
   const std::vector<LeafInfo>* leaves = nullptr;  ///< by LeafId
-  struct Material {
-    std::string name, color;
-  };
+  using Material = ResultNames::Material;
   std::vector<Material> materials{};
   bool of_group = false;  ///< `value` has the components of a group (snap.h): the last are entities
   /// Given: .json and .vtu say the parameters of faces on patches of the leaves.
   const SurfaceParameters* parameters = nullptr;
-};
-
-/// What rounding to doubles did to a written file.
-struct RoundingReport {
-  std::size_t moved = 0;  ///< vertices whose doubles differ from their exact coordinates
-  bool embedded = true;   ///< the rounded facets still meet only in shared vertices and edges
 };
 
 }  // namespace cnrg

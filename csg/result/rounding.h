@@ -26,11 +26,12 @@ struct Drawing {
 
 /// The rounded triangles, segments and points refined exactly; triangle t of the drawing is leaf face t there.
 struct Redrawing {
-  Complex complex;
+  std::shared_ptr<const Complex> complex;
   std::size_t points = 0, edges = 0, triangles = 0;  ///< that were put in
   /// True if they meet only where they share points: nothing was cut, merged or lost.
   bool is_embedded() const {
-    return complex.vertex_count() == points && complex.edge_count() == edges && complex.face_count() == triangles;
+    return complex->vertex_count() == points && complex->edge_count() == edges &&
+           complex->face_count() == triangles;
   }
 };
 /// The drawing must not be empty.

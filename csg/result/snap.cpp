@@ -5,6 +5,7 @@
 #include <map>
 
 #include "csg/result/flat.h"
+#include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
 #include "csg/result/snap_drawing.h"
 #include "kernel/base/error.h"
@@ -69,7 +70,7 @@ class Labeller {
       : exact_(*view.complex),
         flat_(flat),
         snapped_(std::move(drawing)),
-        complex_(snapped_.complex),
+        complex_(*snapped_.complex),
         exact_value_(view.value->is_group() ? components_of(exact_, view.value->group())
                                             : view.value->components()),
         simplified_(*view.simplified) {
@@ -88,13 +89,16 @@ class Labeller {
     list_regions();
     take_covers();
     take_curves();
-    take_leaves();
+    sources_.leaf_count = exact_.leaf_count + 1;
     value_.attributes = exact_value_.attributes;
     return true;
   }
 
   Components value() { return std::move(value_); }
-  Complex complex() { return std::move(snapped_.complex); }
+  std::shared_ptr<const Complex> complex() {
+    snapped_.complex.set_sources(std::move(sources_));
+    return snapped_.complex.finish();
+  }
   /// The edges and vertices of the result, where they still are.
   Features kept() const { return kept_; }
 
@@ -130,11 +134,14 @@ class Labeller {
   const Complex& exact_;
   const FlatComplex& flat_;
   SnappedDrawing snapped_;
-  Complex& complex_;
+  const Complex& complex_;
   const Components exact_value_;
   SimplifiedComplex simplified_;
   Components value_;
   Features kept_;
+  /// Of the snapped complex. It names no regions of leaves: the result's region holds several of each, and a wall
+  /// of one leaf may lie where another one has its own.
+  ComplexSources sources_;
   IdVector<FaceId, std::array<std::vector<Index>, 2>>
       sides_;                         // regions named on front and back, the rest of a stack
   IdVector<RegionId, Index> region_;  // region of the result
@@ -338,7 +345,7 @@ class Labeller {
       list(value_.selection.vertices, value_.origins.vertices, v, state, leaves);
     }
     sort_unique(isolated);
-    complex_.isolated_leaves = SparseLists(isolated);
+    sources_.isolated_leaves = SparseLists(isolated);
   }
 
   void list_regions() {
@@ -396,6 +403,7 @@ class Labeller {
     }
     std::map<std::vector<Cover>, SourceSetId> known;
     Csr<SourceSetId, Cover> covers;
+    sources_.face_cover.resize(complex_.face_count());
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
       std::vector<Cover> list;
       for (const Index code : snapped_.faces[f]) {
@@ -404,10 +412,10 @@ class Labeller {
       sort_unique(list);
       const auto [it, fresh] = known.try_emplace(std::move(list));
       if (fresh) it->second = covers.push_back(it->first);
-      complex_.face_cover[f] = it->second;
+      sources_.face_cover[f] = it->second;
     }
-    complex_.covers = std::move(covers);
-    complex_.sources = std::move(sources);
+    sources_.covers = std::move(covers);
+    sources_.sources = std::move(sources);
   }
 
   /// Every edge is a segment. Its wires are those of leaves, and the edges of the result as curves of their own:
@@ -424,33 +432,22 @@ class Labeller {
       numbers.push_back(wires.push_back({result, i, {}, {}}));
     }
     std::vector<std::pair<SegmentId, WireId>> on;
-    complex_.edge_segments = {};
-    complex_.segment_ends.clear();
-    complex_.segment_faces = {};
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
-      const SegmentId segment = complex_.segment_ends.push_back(complex_.edge_ends[e]);
-      complex_.edge_segments.push_back(std::array{segment});
-      complex_.segment_faces.push_back(std::array<SourceId, 0>{});
+      const SegmentId segment = sources_.segment_ends.push_back(complex_.edge_ends[e]);
+      sources_.edge_segments.push_back(std::array{segment});
+      sources_.segment_faces.push_back(std::array<SourceId, 0>{});
       for (const Index i : snapped_.edges[e])
         for (const WireId w : of_edge[i]) on.emplace_back(segment, w);
     }
-    complex_.segment_wires = SparseLists(on);
-    complex_.wires = std::move(wires);
-  }
-
-  /// The snapped complex names no regions of leaves: the result's region holds several of each, and a wall of one
-  /// leaf may lie where another one has its own.
-  void take_leaves() {
-    complex_.leaf_count = exact_.leaf_count + 1;
-    complex_.fills.assign(complex_.leaf_count, Fill::none);
-    complex_.leaf_regions.assign(complex_.leaf_count, 0);
+    sources_.segment_wires = SparseLists(on);
+    sources_.wires = std::move(wires);
   }
 };
 
 }  // namespace
 
 struct SnappedResult::Data {
-  Complex complex;
+  std::shared_ptr<const Complex> complex;
   NodeValue value;
   SimplifiedComplex simplified;
   bool of_group = false;
@@ -468,7 +465,7 @@ SnappedResult::SnappedResult(const ResultView& view, bool raw) {
   data_->of_group = view.value->is_group() || view.of_group;
   const Features kept = labeller.kept();
   data_->complex = labeller.complex();
-  data_->simplified = simplify(data_->complex, data_->value.components().selection, kept,
+  data_->simplified = simplify(*data_->complex, data_->value.components().selection, kept,
                                raw ? SimplifyMode::raw : SimplifyMode::features);
 }
 
@@ -477,11 +474,25 @@ SnappedResult::SnappedResult(SnappedResult&&) noexcept = default;
 
 ResultView SnappedResult::shown(ResultView view) const {
   if (data_ == nullptr) return view;
-  view.complex = &data_->complex;
+  view.complex = data_->complex.get();
   view.value = &data_->value;
   view.simplified = &data_->simplified;
   view.of_group = data_->of_group;
   return view;
+}
+
+Result snap(const Result& result, SnapReport* report) {
+  const auto snapped = std::make_shared<const SnappedResult>(result.data().view(), result.data().raw);
+  if (report != nullptr) *report = snapped->report();
+  if (snapped->report().rounds == 0) return result;
+  auto data = std::make_shared<Result::Data>(result.data());
+  const ResultView shown = snapped->shown(data->view());
+  data->complex = std::shared_ptr<const Complex>(snapped, shown.complex);  // all live as long as `snapped`
+  data->value = std::shared_ptr<const NodeValue>(snapped, shown.value);
+  data->simplified = std::shared_ptr<const SimplifiedComplex>(snapped, shown.simplified);
+  data->parameters = nullptr;  // they are of points of the exact complex
+  data->of_group = shown.of_group;
+  return Result(std::move(data));
 }
 
 std::string SnapReport::text() const {

@@ -24,19 +24,6 @@
 
 namespace cnrg {
 
-struct SnapReport {
-  std::size_t points = 0;   ///< of the result
-  std::size_t moved = 0;    ///< of these: those that are elsewhere now, or nowhere
-  std::size_t added = 0;    ///< vertices where there was none
-  std::size_t faces = 0;    ///< of the result: faces that vanished
-  std::size_t regions = 0;  ///< of the result: active regions that vanished
-  std::size_t wires = 0;    ///< of the result: wires that vanished
-  int rounds = 0;           ///< refinements; 0: nothing had to be snapped, and all of this is 0
-  double displacement = 0;  ///< no point of the result moved farther (units of the model)
-  /// `3 of 20 vertices moved, by 1e-16 at most; ...`: one line without its end.
-  std::string text() const;
-};
-
 class SnappedResult {
  public:
   /// `raw`: the view shows unsimplified cells. Throws InputError for a result with faces or lines that reach the

@@ -177,7 +177,7 @@ class Snapper {
     double displacement = 0;
   };
   struct Refined {
-    Complex complex;            // its first vertices are the points of the state
+    ComplexDraft complex;       // its first vertices are the points of the state
     std::vector<char> settled;  // vertices that are doubles
     std::size_t crossings = 0;  // vertices that are not
   };
@@ -211,7 +211,7 @@ class Snapper {
     drop_flat_triangles(state);
     keep_used_points(state);
     Refined refined{complex_of(state), {}, 0};
-    const Complex& complex = refined.complex;
+    const Complex& complex = *refined.complex;
     refined.settled.assign(complex.points.size(), 1);
     for_each_of(complex.vertices,
                 [&](VertexId v) { refined.settled[v.index()] = has_doubles(complex.points, v); });
@@ -258,7 +258,7 @@ class Snapper {
   }
 
   /// Source i is triangle i; the cells of the grid come after them.
-  Complex complex_of(const State& state, const Cells& cells = {}, double cell = 0) const {
+  ComplexDraft complex_of(const State& state, const Cells& cells = {}, double cell = 0) const {
     Soup soup;
     const LeafId leaf = soup.add_leaf(Fill::none);
     for (const Xyz& p : state.xyz) soup.add_point(p[0], p[1], p[2]);
@@ -281,7 +281,7 @@ class Snapper {
       if (!held[state.at[p]]) soup.add_isolated(leaf, PointId(state.at[p]));
     }
     for (const Xyz& center : cells) add_box(soup, leaf, center, cell / 2);
-    return build_complex(soup);
+    return ComplexDraft(soup);
   }
 
   /// The refinement of a drawing that has not been cut yet is that drawing.
@@ -338,7 +338,7 @@ class Snapper {
 
   /// The cells of the grid that hold new vertices or corners of triangles that were cut.
   static Cells cells_of(const State& state, const Refined& refined, double size) {
-    const Complex& complex = refined.complex;
+    const Complex& complex = *refined.complex;
     Cells cells;
     std::vector<char> corner(state.xyz.size(), 0);
     for (const VertexId v : complex.vertices) {
@@ -364,7 +364,8 @@ class Snapper {
   /// The drawing with all that lies in the cells drawn together in their centers.
   State moved(const State& state, const Refined& refined, double size) {
     const Cells cells = cells_of(state, refined, size);
-    const Complex complex = complex_of(state, cells, size);
+    const ComplexDraft draft = complex_of(state, cells, size);
+    const Complex& complex = *draft;
     std::vector<Index> faces, edges;
     std::vector<char> used(complex.points.size(), 0);
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
@@ -423,8 +424,8 @@ class Snapper {
   }
 
   SnappedDrawing finish(const State& state, Refined& refined, int rounds) {
-    SnappedDrawing result;
-    const Complex& complex = refined.complex;
+    SnappedDrawing result{std::move(refined.complex), {}, {}, {}, 0, false, 0};
+    const Complex& complex = *result.complex;
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
       result.faces.push_back(lists_[faces_on(state, complex, f)]);
     }
@@ -435,7 +436,6 @@ class Snapper {
     result.rounds = rounds;
     result.plain = rounds == 1 && is_plain(state, complex);
     result.displacement = state.displacement;
-    result.complex = std::move(refined.complex);
     return result;
   }
 };

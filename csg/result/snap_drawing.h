@@ -25,7 +25,7 @@
 #include <span>
 #include <vector>
 
-#include "kernel/complex/complex.h"
+#include "kernel/complex/draft.h"
 
 namespace cnrg {
 
@@ -53,7 +53,7 @@ struct NumberedDrawing {
 };
 
 struct SnappedDrawing {
-  Complex complex;  ///< each vertex is three doubles
+  ComplexDraft complex;  ///< each vertex is three doubles
   /// Of each face of the complex the faces of the drawing that lie on it, each as often as it does: 2 * face, and
   /// 1 more where its front is the back here.
   Csr<FaceId, std::uint32_t> faces;

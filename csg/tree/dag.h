@@ -8,11 +8,8 @@
 #include <vector>
 
 #include "csg/tree/position.h"
-#include "kernel/base/ids.h"
 
 namespace cnrg {
-
-using NodeId = Id<struct NodeTag>;  ///< a node of a tree file, inline nodes included
 
 class Dag {
  public:

@@ -1,18 +1,17 @@
 // Every shape with counts of segments, or with a tessellation, is curved; no other shape has either.
-#include "csg/tree/finer.h"
-
 #include <algorithm>
 
 #include "csg/curves/boundary_curves.h"
+#include "csg/tree/tree.h"
 
 namespace cnrg {
 namespace {
 
 constexpr long kMostSegments = 1'000'000;  // as in a tree file
 
-class Refiner {
+class Finer {
  public:
-  Refiner(const std::string& file, const Node& node, int times) : file_(file), node_(node), times_(times) {}
+  Finer(const std::string& file, const Node& node, int times) : file_(file), node_(node), times_(times) {}
 
   template <class S>
   void operator()(S& shape) const {
@@ -57,7 +56,7 @@ void make_finer(Tree& tree, int times) {
   if (times < 1) throw InputError("finer: give 1 or more, not " + std::to_string(times));
   if (times == 1) return;
   for (Node& node : tree.nodes) {
-    if (node.shape) std::visit(Refiner(tree.file, node, times), *node.shape);
+    if (node.shape) std::visit(Finer(tree.file, node, times), *node.shape);
   }
 }
 

@@ -8,8 +8,11 @@
 #include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/base/ids.h"
 
 namespace cnrg {
+
+using NodeId = Id<struct NodeTag>;  ///< a node of a tree file, inline nodes included
 
 struct Position {
   int line = 1, column = 1;

@@ -1,4 +1,4 @@
-// Leaves in a tree file: from YAML values to shapes (SEMANTICS 7; the forms are at the structures of shapes.h).
+// Leaves in a tree file (csg/FORMATS.md#leaves): from YAML values to the structures of shapes.h.
 #pragma once
 
 #include <functional>

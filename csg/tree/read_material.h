@@ -6,7 +6,7 @@
 
 namespace cnrg {
 
-/// The entries of `materials`. TreeError for anything that is not as INTERFACE or README have it; nodes that a
+/// The entries of `materials`. TreeError for anything that is not as csg/FORMATS.md#materials has it; nodes that a
 /// distance is measured to are not looked up.
 std::vector<Material> read_materials(const Value& value);
 

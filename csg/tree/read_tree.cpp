@@ -15,6 +15,7 @@
 #include <iterator>
 #include <unordered_map>
 
+#include "csg/tree/dag.h"
 #include "csg/tree/read_leaf.h"
 #include "csg/tree/read_material.h"
 #include "csg/tree/suggest.h"
@@ -98,6 +99,7 @@ class TreeReader {
     tree_.result = named(*result, "`result`");
     check_graph();
     check_distances();
+    tree_.dag = std::make_shared<const Dag>(std::move(dag_));
   }
 
  private:
@@ -113,7 +115,7 @@ class TreeReader {
   }
 
   NodeId add_node(std::string name, bool is_inline, Position at) {
-    const NodeId id = tree_.dag.add_node();
+    const NodeId id = dag_.add_node();
     Node node;
     node.name = std::move(name);
     node.is_inline = is_inline;
@@ -152,15 +154,15 @@ class TreeReader {
     if (!value.is_map()) {
       if (!value.is_text())
         value.fail_type("an operand of `" + tree_.nodes[user].name + "`", "the name of a node or a node {...}");
-      tree_.dag.add_operand(user, named(value, "an operand"), value.at());
+      dag_.add_operand(user, named(value, "an operand"), value.at());
       return;
     }
     if (const NodeId known = recall(value); known.valid()) {
-      tree_.dag.add_operand(user, known, value.at());
+      dag_.add_operand(user, known, value.at());
       return;
     }
     const NodeId id = add_node(tree_.nodes[user].name + "/" + std::to_string(number), true, value.at());
-    tree_.dag.add_operand(user, id, value.at());
+    dag_.add_operand(user, id, value.at());
     remember(value, id);
     read_node(id, value);
   }
@@ -345,7 +347,7 @@ class TreeReader {
   }
 
   void check_graph() {
-    const Dag::Cycle cycle = tree_.dag.find_cycle();
+    const Dag::Cycle cycle = dag_.find_cycle();
     if (!cycle.nodes.empty()) {
       constexpr std::size_t kListed = 20;
       std::string way;
@@ -361,6 +363,7 @@ class TreeReader {
 
   Document& document_;
   Tree& tree_;
+  Dag dag_;
   LeafContext context_;
   std::unordered_multimap<std::size_t, std::pair<YAML::Node, NodeId>> by_place_;
 };
@@ -380,6 +383,8 @@ NodeId Tree::find(const std::string& name) const {
       file, nodes_at,
       "there is no node called `" + name + "`" + (hint.empty() ? "; use one of the names in `nodes`" : hint));
 }
+
+std::vector<NodeId> Tree::operands(NodeId node) const { return dag->operands(node); }
 
 const Material* Tree::material(const std::string& name) const {
   const auto it =
@@ -404,7 +409,7 @@ std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>
   std::vector<char> used;
   for (std::size_t before = 0; before != all.size();) {
     before = all.size();
-    used = tree.dag.reachable(all);
+    used = tree.dag->reachable(all);
     for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
       if (!used[id.index()]) continue;
       for (const std::string& name : materials_of(tree.nodes[id])) {

@@ -10,16 +10,18 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "csg/leaves/shapes.h"
 #include "csg/materials/material.h"
-#include "csg/tree/dag.h"
 #include "csg/tree/position.h"
 
 namespace cnrg {
+
+class Dag;
 
 enum class Operator : std::uint8_t {
   leaf,
@@ -71,10 +73,11 @@ struct Material {
   Position at{}, to_at{};        ///< of its key; of the node's name in `distance`
 };
 
+/// What a reader gives: a value, which refers to nothing and may be copied.
 struct Tree {
   std::string file;  ///< as it was given
   IdVector<NodeId, Node> nodes;
-  Dag dag;                              ///< over the same ids; no cycles
+  std::shared_ptr<const Dag> dag;       ///< who uses whom, over the same ids; no cycles
   std::map<std::string, NodeId> names;  ///< of the nodes that are not inline
   NodeId result;
   Position nodes_at;                ///< of the key `nodes`, for what concerns all of them
@@ -83,8 +86,20 @@ struct Tree {
   /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws TreeError at `nodes`
   /// with the nearest name when there is none.
   NodeId find(const std::string& name) const;
+  /// The operands of a node in the order of the file; one that is used twice is there twice.
+  std::vector<NodeId> operands(NodeId node) const;
   /// The material of that name, or nullptr.
   const Material* material(const std::string& name) const;
+};
+
+using InstanceId = Id<struct InstanceTag>;
+
+/// A node under one accumulated transform: a node that two users place differently is two instances.
+struct Instance {
+  NodeId node;
+  Transform transform;               ///< all transforms from a root down to the node, its own included
+  std::vector<InstanceId> operands;  ///< in the order of the node's operands
+  std::uint32_t number = 1;          ///< from 1 among the instances of the node
 };
 
 /// The names of the materials that a node puts on regions by itself: its own, those of a group's regions.
@@ -100,5 +115,12 @@ Tree read_tree(const std::string& path);
 
 /// The same for a text; `file` is for messages, and paths in the text are relative to its folder.
 Tree parse_tree(const std::string& text, const std::string& file);
+
+/// Makes every curved leaf of the tree `times` as fine (1 or more): `segments` and `rings` are multiplied by it,
+/// given or not, and `chord` is divided by its square, as the distance of a chord from its curve goes with the
+/// square of its length. Points of the coarser shape stay points of the finer one where counts are given. Other
+/// leaves are as they were: a grid, a mesh, a result that was read back. Throws TreeError at a leaf that would
+/// have more segments or rings than it may.
+void make_finer(Tree& tree, int times);
 
 }  // namespace cnrg

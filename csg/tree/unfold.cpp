@@ -1,6 +1,7 @@
 // A depth-first walk with its own stack; transforms are interned so that instances compare by number.
 #include "csg/tree/unfold.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -71,7 +72,7 @@ class Walk {
     const std::size_t place = node.transform ? transforms_.intern(transforms_[above] * *node.transform) : above;
     const auto it = known_.find({id, place});
     if (it != known_.end()) return it->second;
-    stack_.push_back({id, place, tree_.dag.operands(id), {}});
+    stack_.push_back({id, place, tree_.operands(id), {}});
     return {};
   }
 
@@ -108,6 +109,28 @@ Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t
   Unfolding result = walk.take();
   result.roots = std::move(root_instances);
   return result;
+}
+
+IdVector<InstanceId, LeafId> number_leaves(const Tree& tree, const IdVector<InstanceId, Instance>& instances) {
+  IdVector<InstanceId, LeafId> leaf_of(instances.size());
+  std::size_t leaves = 0;
+  for (const InstanceId i : IdRange<InstanceId>(instances.size())) {
+    if (tree.nodes[instances[i].node].op == Operator::leaf) leaf_of[i] = LeafId(leaves++);
+  }
+  return leaf_of;
+}
+
+std::vector<InstanceId> instances_below(const IdVector<InstanceId, Instance>& instances, InstanceId root) {
+  std::vector<char> below(root.index() + 1, 0);
+  below[root.index()] = 1;
+  std::vector<InstanceId> found;
+  for (std::size_t i = below.size(); i-- > 0;) {  // users come after operands
+    if (!below[i]) continue;
+    found.push_back(InstanceId(i));
+    for (const InstanceId operand : instances[InstanceId(i)].operands) below[operand.index()] = 1;
+  }
+  std::reverse(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace cnrg

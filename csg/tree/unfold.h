@@ -10,15 +10,6 @@
 
 namespace cnrg {
 
-using InstanceId = Id<struct InstanceTag>;
-
-struct Instance {
-  NodeId node;
-  Transform transform;               ///< all transforms from a root down to the node, its own included
-  std::vector<InstanceId> operands;  ///< in the order of the node's operands
-  std::uint32_t number = 1;          ///< from 1 among the instances of the node
-};
-
 struct Unfolding {
   IdVector<InstanceId, Instance> instances;  ///< operands before users
   std::vector<InstanceId> roots;             ///< one for each root that was asked for
@@ -28,5 +19,11 @@ struct Unfolding {
 /// The instances below `roots`, each root placed by its own transform alone. Iterative: depth costs memory, not
 /// stack. Throws TreeError when there are more than `most`.
 Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t most = 1'000'000);
+
+/// The numbers of the leaf instances: 0, 1, ... in the order of the instances; none() for an inner node.
+IdVector<InstanceId, LeafId> number_leaves(const Tree& tree, const IdVector<InstanceId, Instance>& instances);
+
+/// An instance and all below it, ascending: operands before users, itself the last.
+std::vector<InstanceId> instances_below(const IdVector<InstanceId, Instance>& instances, InstanceId root);
 
 }  // namespace cnrg

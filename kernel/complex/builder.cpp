@@ -2,19 +2,17 @@
 // by one sign per pair of sheets where it must.
 #include "kernel/complex/builder.h"
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
-#include <optional>
 #include <unordered_map>
 
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 
-Complex ComplexBuilder::build() {
+std::shared_ptr<Complex> ComplexBuilder::build() {
   take_cells();
   do_both(
       c_.face_count(), [&] { find_uses(); }, [&] { take_attributes(); });
@@ -29,7 +27,7 @@ Complex ComplexBuilder::build() {
   number_regions();
   mark_frame();
   label_regions(soup_, c_);
-  return std::move(c_);
+  return built_;
 }
 
 /// What refinement held for itself is given back here, before the arrays of the complex take memory.
@@ -257,21 +255,6 @@ void ComplexBuilder::mark_frame() {
       }
     }
   }
-}
-
-Complex build_complex(const Soup& soup, const RefineOptions& options, RefineReport* report) {
-  RefineReport local;
-  RefineReport& out = report != nullptr ? *report : local;
-  std::optional<tbb::global_control> limit;
-  if (options.threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
-  }
-  const StageCounts before = stage_counts();
-  Complex complex = ComplexBuilder(soup, refine(soup, out)).build();
-  const StageCounts after = stage_counts();
-  out.stages = {after.filter - before.filter, after.interval - before.interval, after.exact - before.exact};
-  for (const VertexId v : complex.vertices) out.constructed += complex.points.is_constructed(v) ? 1 : 0;
-  return complex;
 }
 
 }  // namespace cnrg

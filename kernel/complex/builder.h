@@ -10,7 +10,8 @@ namespace cnrg {
 class ComplexBuilder {
  public:
   ComplexBuilder(const Soup& soup, Refinement refinement) : soup_(soup), r_(std::move(refinement)) {}
-  Complex build();
+  /// Once. Whoever gets it still may write to it: only `ComplexDraft` (draft.h), which hands it on as const.
+  std::shared_ptr<Complex> build();
 
  private:
   // Cells and incidence (builder.cpp).
@@ -37,7 +38,8 @@ class ComplexBuilder {
 
   const Soup& soup_;
   Refinement r_;
-  Complex c_;
+  const std::shared_ptr<Complex> built_{new Complex};
+  Complex& c_ = *built_;
   std::vector<EdgeId> wired_;                   // edges of wires, ascending
   std::vector<EdgeId> wires_;                   // edges with no face, ascending
   std::vector<EdgeId> junctions_;               // edges with faces, but not with two uses

@@ -1,4 +1,11 @@
-// The complete geometric complex of space (Cavalcanti et al. 1997): parallel arrays, read-only once built.
+// The complete geometric complex of space (Cavalcanti et al. 1997): parallel arrays, constant once built.
+//
+// All that a program computes refers to one complex by 4-byte ids, from many threads, without locks; so nobody may
+// write to it, and the types see to that. Only ComplexBuilder makes one, it cannot be copied, moved or assigned,
+// and what `build_complex` gives is a std::shared_ptr<const Complex>. Readers take a `const Complex&` and read the
+// arrays as they are: no call stands between them and a cell. Who keeps something that refers to a complex for
+// longer than the caller does keeps a copy of the pointer. (Members that are const would do the same, but could
+// not be filled step by step; functions that return the arrays would be a call for each of the many readers.)
 //
 // Cells are pairwise disjoint and open; the boundary of each is a union of cells. Notation:
 //   v  vertex, e  edge (from ends[0] to ends[1], ends[0] lexicographically smaller), h  half-edge,
@@ -10,13 +17,14 @@
 // An edge with no face around it is a wire; it hangs in one region. The same for isolated vertices.
 #pragma once
 
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "kernel/base/ids.h"
 #include "kernel/complex/sparse.h"
 #include "kernel/exact/points.h"
-#include "kernel/exact/predicates.h"
 #include "kernel/refine/report.h"
 #include "kernel/refine/soup.h"
 
@@ -39,7 +47,11 @@ struct FaceUse {
   friend auto operator<=>(const FaceUse&, const FaceUse&) = default;
 };
 
-struct Complex {
+class Complex {
+ public:
+  Complex(const Complex&) = delete;
+  Complex& operator=(const Complex&) = delete;
+
   // --- geometry
   PointTable points;                       ///< indexed by VertexId; may hold points that are no vertex
   IdVector<SheetId, PlaneId> sheet_plane;  ///< the plane of each sheet; its normal is the front
@@ -130,20 +142,22 @@ struct Complex {
 
  private:
   friend class ComplexBuilder;
+  Complex() = default;
   IdVector<FaceId, char> frame_faces_;
   IdVector<EdgeId, char> frame_edges_;
   IdVector<VertexId, char> frame_vertices_;
   IdVector<RegionId, char> frame_regions_;
 };
 
-/// Refines the soup and builds its complex, labels included. Throws InputError for a face that is not planar
-/// and for sides that contradict each other (the message names leaf and faces as `leaf i, face j`),
-/// InvariantError for a bug.
-Complex build_complex(const Soup& soup, const RefineOptions& options = {}, RefineReport* report = nullptr);
+/// Refines the soup and builds its complex, labels included; the soup may go then. Throws InputError for a face
+/// that is not planar and for sides that contradict each other (the message names leaf and faces as `leaf i, face
+/// j`), InvariantError for a bug.
+std::shared_ptr<const Complex> build_complex(const Soup& soup, const RefineOptions& options = {},
+                                             RefineReport* report = nullptr);
 
-/// Checks every invariant of SEMANTICS 1 and 5.2 that needs no second evaluation: disjointness by symbol and
-/// order, loops closed, radial order, incidence both ways, d d = 0, Euler's formula per sheet and for the whole,
-/// labels consistent. Returns the first violation in words, or an empty string.
+/// Checks the invariants (kernel/README.md#invariants): vertices distinct, loops closed, radial order, incidence
+/// both ways, d d = 0, Euler's formula per shell, labels consistent. Returns the first violation in words, or an
+/// empty string.
 std::string validate(const Complex& complex);
 
 /// Where a point lies.
@@ -159,7 +173,7 @@ struct Location {
 ExactPoint interior_point(const Complex& complex, FaceId f);
 ExactPoint interior_point(const Complex& complex, EdgeId e);
 
-/// Exact point location in a complex. Building is O(n log n); a query is about O(log n).
+/// Exact point location in a complex, which must outlive it. Building is O(n log n); a query is about O(log n).
 class Locator {
  public:
   explicit Locator(const Complex& complex);

@@ -4,6 +4,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/complex/ray.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 

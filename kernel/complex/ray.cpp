@@ -5,6 +5,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 

@@ -5,6 +5,7 @@
 
 #include "kernel/base/union_find.h"
 #include "kernel/complex/complex.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 

@@ -6,12 +6,13 @@
 //       line_plane(a, b, P)      the point of line ab on plane P
 //       three_planes(P, Q, R)    the point common to three planes
 //       line_line(a, b, c, d)    the point common to two coplanar lines
-//     so no construction cascades (ARCHITECTURE, decision 1).
+//     so no construction cascades (kernel/README.md#why-no-construction-cascades).
 //   * `lo[k] <= exact[k] <= hi[k]` always holds. A bound may be infinite; then only the exact stage decides.
 //   * The exact value is homogeneous, canonical: w > 0, gcd(x, y, z, w) = 1; equal points have equal values.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <utility>
@@ -33,6 +34,12 @@ struct ExactPoint {
 /// The exact plane a x + b y + c z + d w = 0 with normal (a, b, c), gcd 1.
 struct ExactPlane {
   Integer a, b, c, d;
+};
+
+/// A coordinate plane to project to: the axes (u, v), chosen so that orientation is preserved for a plane
+/// whose normal has a positive component along the third axis (u, v swapped when it is negative).
+struct Projection {
+  std::uint8_t u = 0, v = 1;
 };
 
 /// An enclosure of one point and the way to its exact value; what predicates take.
@@ -132,5 +139,15 @@ class PointTable {
 
 /// The view of a point that is in no table; `value` must outlive the view.
 PointView view_of(const ExactPoint& value);
+
+/// How many signs of expressions in points (predicates.h) each stage decided: the bounds with a filter on doubles,
+/// intervals, the exact values.
+struct StageCounts {
+  std::uint64_t filter = 0, interval = 0, exact = 0;
+  double exact_share() const {
+    const auto n = filter + interval + exact;
+    return n == 0 ? 0.0 : double(exact) / double(n);
+  }
+};
 
 }  // namespace cnrg

@@ -4,6 +4,7 @@
 // Antisymmetry and invariance under cyclic exchange hold exactly, since each result is exact.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "kernel/exact/points.h"
@@ -11,12 +12,6 @@
 namespace cnrg {
 
 class PlaneFilter;
-
-/// A coordinate plane to project to: the axes (u, v), chosen so that orientation is preserved for a plane
-/// whose normal has a positive component along the third axis (u, v swapped when it is negative).
-struct Projection {
-  std::uint8_t u = 0, v = 1;
-};
 
 /// Sign of det(b-a, c-a, d-a): positive when d lies on the side to which the normal of (a, b, c) points.
 int orient3d(const PointView& a, const PointView& b, const PointView& c, const PointView& d);
@@ -50,13 +45,6 @@ Projection projection_of(const PointTable& t, PlaneId plane, const PlaneFilter& 
 bool same_plane(const PointTable& t, PlaneId p, PlaneId q);
 
 /// Calls per deciding stage, summed over all threads since the last reset.
-struct StageCounts {
-  std::uint64_t filter = 0, interval = 0, exact = 0;
-  double exact_share() const {
-    const auto n = filter + interval + exact;
-    return n == 0 ? 0.0 : double(exact) / double(n);
-  }
-};
 StageCounts stage_counts();
 /// Adds `n` signs that a filter outside of this file decided.
 void count_filtered(std::uint64_t n);

@@ -10,6 +10,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
+#include "kernel/exact/predicates.h"
 #include "kernel/refine/box_pairs.h"
 #include "kernel/refine/fans.h"
 

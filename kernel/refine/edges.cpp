@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "kernel/exact/predicates.h"
+
 namespace cnrg {
 
 namespace {

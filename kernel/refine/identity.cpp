@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "kernel/base/number_table.h"
 #include "kernel/base/point_hash.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/morton.h"
@@ -117,17 +118,16 @@ class Clusters {
 
 /// Unites exact items with equal coordinates; returns one of each.
 std::vector<Item> unite_exact(const std::vector<Item>& items, UnionFind& identity) {
-  constexpr std::uint32_t kFree = 0xffffffffu;
-  std::vector<std::uint32_t> slots(std::bit_ceil(2 * items.size() + 1), kFree);
+  NumberTable numbers(items.size());
   std::vector<Item> distinct;
   for (const Item& item : items) {
-    std::size_t slot = hash_of_point(item.lo.data()) & (slots.size() - 1);
-    while (slots[slot] != kFree && distinct[slots[slot]].lo != item.lo) slot = (slot + 1) & (slots.size() - 1);
-    if (slots[slot] == kFree) {
-      slots[slot] = static_cast<std::uint32_t>(distinct.size());
+    std::uint32_t& number =
+        numbers.slot(hash_of_point(item.lo.data()), [&](std::uint32_t k) { return distinct[k].lo == item.lo; });
+    if (number == NumberTable::kNone) {
+      number = static_cast<std::uint32_t>(distinct.size());
       distinct.push_back(item);
     } else {
-      identity.unite(distinct[slots[slot]].vertex.value(), item.vertex.value());
+      identity.unite(distinct[number].vertex.value(), item.vertex.value());
     }
   }
   return distinct;

@@ -15,13 +15,14 @@
 #include "kernel/base/parallel.h"
 #include "kernel/base/point_hash.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 
 namespace {
 
 /// Points of doubles by value. All points are entered at once, by any number of threads; equal ones share a slot,
-/// which keeps the smallest number.
+/// which keeps the smallest number. A NumberTable is for one thread.
 class EqualPoints {
  public:
   explicit EqualPoints(const Soup& soup)

@@ -1,5 +1,10 @@
 // The driver of refinement: symbols first, coordinates where a decision needs them, one subdivision per sheet.
 //
+// `Refiner::run` is the pipeline: identify equal input points; find where inputs meet; gather coplanar faces that
+// touch into sheets; give contacts their vertices and segments; list what lies in each sheet; cross the segments
+// of each sheet; cut each segment at its points; subdivide each sheet by what is left of its segments; number the
+// faces of all sheets.
+//
 // Why points meet: two constructed points that coincide lie in faces that touch there pairwise, so both are known
 // in a common sheet; every sheet therefore subdivides a common line at the same vertices. Segments are split once,
 // for all sheets that hold them.
@@ -8,121 +13,22 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
-#include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/predicates.h"
 #include "kernel/refine/contacts.h"
 #include "kernel/refine/edges.h"
 #include "kernel/refine/faces.h"
-#include "kernel/refine/identity.h"
+#include "kernel/refine/keyed_points.h"
+#include "kernel/refine/pair_lists.h"
 
 namespace cnrg {
 
 namespace {
-
-template <class T>
-void sort_unique(std::vector<T>& list) {
-  tbb::parallel_sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
-
-/// For each first id below n the second ids of the pairs, ascending and unique.
-template <class A, class B>
-Csr<Id<A>, Id<B>> lists_of(std::size_t n, const std::vector<std::pair<Id<A>, Id<B>>>& pairs) {
-  using Lists = Csr<Id<A>, Id<B>>;
-  Lists lists = Lists::counted(n, [&](const auto& add) {
-    for (const auto& [first, second] : pairs) add(first, second);
-  });
-  std::vector<std::uint32_t> offsets(n + 1, 0);
-  for_each_index(n, [&](std::size_t i) {
-    const auto list = lists[Id<A>(i)];
-    std::sort(list.begin(), list.end());
-    offsets[i + 1] = static_cast<std::uint32_t>(std::unique(list.begin(), list.end()) - list.begin());
-  });
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  if (offsets[n] == lists.value_count()) return lists;
-  std::vector<Id<B>> values(offsets[n]);
-  for_each_index(n, [&](std::size_t i) {
-    std::copy_n(lists[Id<A>(i)].begin(), offsets[i + 1] - offsets[i], values.begin() + offsets[i]);
-  });
-  return Lists::from_parts(std::move(offsets), std::move(values));
-}
-
-/// The place of each key in a list.
-class KeyPlaces {
- public:
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-
-  /// Without keys, with room for `most`.
-  explicit KeyPlaces(std::size_t most = 0) : slots_(std::bit_ceil(2 * most + 1), kNone) {}
-  /// Appends the key to the list unless it is in it.
-  void add(const PointKey& key, std::vector<PointKey>& list) {
-    std::uint32_t& place = slots_[slot_of(key, list)];
-    if (place != kNone) return;
-    place = static_cast<std::uint32_t>(list.size());
-    list.push_back(key);
-  }
-  std::uint32_t find(const PointKey& key, const std::vector<PointKey>& list) const {
-    return slots_[slot_of(key, list)];
-  }
-
- private:
-  std::size_t slot_of(const PointKey& key, const std::vector<PointKey>& list) const {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = key.hash() & mask;
-    while (slots_[slot] != kNone && !(list[slots_[slot]] == key)) slot = (slot + 1) & mask;
-    return slot;
-  }
-  std::vector<std::uint32_t> slots_;
-};
-
-/// Vertices of keys: new points are added in the order of their keys, then united with what coincides.
-class KeyedPoints {
- public:
-  void add(PointTable& table, UnionFind& identity, const RefineInput& in, const std::vector<PointKey>& keys) {
-    collect(keys);
-    std::vector<std::array<double, 3>> lo(keys_.size()), hi(keys_.size());
-    tbb::parallel_for(std::size_t{0}, keys_.size(),
-                      [&](std::size_t i) { table.enclose(definition_of(keys_[i], in), lo[i], hi[i]); });
-    first_ = VertexId(table.size());
-    identity_ = &identity;
-    for (std::size_t i = 0; i < keys_.size(); ++i) {
-      table.add(definition_of(keys_[i], in), lo[i], hi[i]);
-      identity.add();
-    }
-    unite_coincident(table, first_, identity);
-  }
-  VertexId operator()(const PointKey& key) const {
-    if (key.kind == PointKey::Kind::vertex) return VertexId(key.id[0]);
-    const std::uint32_t place = places_.find(key, keys_);
-    require(place != KeyPlaces::kNone, "a point key was never made");
-    return VertexId(identity_->find(first_.value() + place));
-  }
-
- private:
-  void collect(const std::vector<PointKey>& keys) {
-    KeyPlaces seen(keys.size());
-    for (const PointKey& key : keys) {
-      if (key.kind != PointKey::Kind::vertex) seen.add(key, keys_);
-    }
-    std::vector<PointKey> sorted = keys_;
-    tbb::parallel_sort(sorted.begin(), sorted.end());
-    keys_.clear();
-    places_ = KeyPlaces(sorted.size());
-    for (const PointKey& key : sorted) places_.add(key, keys_);
-  }
-
-  std::vector<PointKey> keys_;  // ascending
-  KeyPlaces places_;
-  VertexId first_;
-  UnionFind* identity_ = nullptr;
-};
 
 /// All the state on the way from the soup to the refinement.
 class Refiner {
@@ -138,6 +44,8 @@ class Refiner {
   void split_segments();
   void subdivide_sheets();
 
+  using InSheet = std::vector<std::pair<VertexId, SheetId>>;
+  void add_traces(InSheet& in_sheet);
   SheetContent content(std::size_t work) const;
   SourceId representative(SourceId f) const { return representative_[r_.sheet_of[f]]; }
   PointKey canonical(PointKey key) const;
@@ -215,7 +123,7 @@ PointKey Refiner::canonical(PointKey key) const {
   return key;
 }
 
-/// Contact points become vertices; traces become segments; what is known by symbol is noted.
+/// Contact points become vertices; what is known by symbol is noted.
 void Refiner::place_contacts() {
   std::vector<PointKey> keys;
   for (ContactList::Trace& t : contacts_.traces) {
@@ -227,7 +135,7 @@ void Refiner::place_contacts() {
   for (ContactList::OnFace& p : contacts_.on_face) keys.push_back(p.point = canonical(p.point));
   for (ContactList::OnWire& p : contacts_.on_wire) keys.push_back(p.point = canonical(p.point));
   std::vector<std::pair<VertexId, SegmentId>> on_segment;
-  std::vector<std::pair<VertexId, SheetId>> in_sheet;
+  InSheet in_sheet;
   identity_ = UnionFind(r_.input.points.size());
   contact_points_.add(r_.input.points, identity_, r_.input, keys);
 
@@ -248,8 +156,14 @@ void Refiner::place_contacts() {
   for (const ContactList::WireInPlane& w : contacts_.wires_in_plane) {
     sheet_segments_.push_back({r_.sheet_of[w.face], w.wire});
   }
+  add_traces(in_sheet);
+  known_.segments = lists_of(r_.input.points.size(), on_segment);
+  known_.sheets = lists_of(r_.input.points.size(), in_sheet);
+}
 
-  // Traces by their ends: one segment however many pairs of faces found it.
+/// The segments: those of the input, then the traces by their ends, each once however many pairs of faces found
+/// it. A trace that is one point is a point of its sheets.
+void Refiner::add_traces(InSheet& in_sheet) {
   r_.segments.ends = r_.input.segment_ends;
   r_.segments.input_count = r_.segments.ends.size();
   r_.segments.trace_sheets.assign(r_.segments.input_count, {SheetId::none(), SheetId::none()});
@@ -273,7 +187,7 @@ void Refiner::place_contacts() {
     if (compare_lex(r_.input.points, a, b) > 0) std::swap(a, b);
     traces.push_back({a, b, std::min(p, q), std::max(p, q)});
   }
-  sort_unique(traces);
+  sort_unique_in_parallel(traces);
   for (std::size_t i = 0; i < traces.size();) {
     const Trace& first = traces[i];
     SegmentId s = r_.input.find_segment(first.a, first.b);
@@ -286,8 +200,6 @@ void Refiner::place_contacts() {
       sheet_segments_.push_back({traces[i].q, s});
     }
   }
-  known_.segments = lists_of(r_.input.points.size(), on_segment);
-  known_.sheets = lists_of(r_.input.points.size(), in_sheet);
 }
 
 /// A sheet of one triangle that meets nothing needs no work. All others list their sides, traces, wires, points.
@@ -327,6 +239,7 @@ SheetContent Refiner::content(std::size_t work) const {
           work_points_[SheetId(work)]};
 }
 
+/// Where segments of a sheet cross is a vertex; then it is known which points lie inside of which segment.
 void Refiner::cross_sheets() {
   struct Found {
     std::vector<Crossing> crossings;
@@ -342,7 +255,7 @@ void Refiner::cross_sheets() {
     crossings_.insert(crossings_.end(), f.crossings.begin(), f.crossings.end());
     incidences_.insert(incidences_.end(), f.incidences.begin(), f.incidences.end());
   }
-  sort_unique(crossings_);
+  sort_unique_in_parallel(crossings_);
   std::vector<PointKey> keys;
   for (const Crossing& c : crossings_) keys.push_back(c.point);
   crossing_points_.add(r_.input.points, identity_, r_.input, keys);
@@ -369,6 +282,7 @@ void Refiner::split_segments() {
                        [&] { r_.segment_faces = faces_along(r_.input.sides, n); });
 }
 
+/// Each sheet by itself, from its cut segments to its faces.
 void Refiner::subdivide_sheets() {
   results_.resize(work_.size());
   const SubdivisionContext context{r_.input, r_.segments, r_.edges, r_.segment_faces, r_.sheet_of};

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/base/ids.h"
-#include "kernel/exact/predicates.h"
+#include "kernel/exact/points.h"
 
 namespace cnrg {
 

@@ -11,6 +11,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 

@@ -8,6 +8,7 @@
 
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 namespace {

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "kernel/base/sorted.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 namespace {

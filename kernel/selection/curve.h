@@ -1,4 +1,4 @@
-// When two edges continue each other at a vertex: on a line, or on one tessellated curve (SEMANTICS 6, 7).
+// When two edges continue each other: on a line, or on one tessellated curve (csg/SEMANTICS.md#simplification).
 //
 // A curve leaves no equation in the complex, only facets that remember their patch and wires that remember their
 // curve. Two edges are pieces of one curve when the same patches (of the same leaves) lie around both and the same

@@ -1,4 +1,4 @@
-// The rules of SEMANTICS 6 at each cell.
+// The rules of csg/SEMANTICS.md#simplification at each cell.
 //
 // A vertex inside a face is not told by its degree alone: with no kept edge around it, it may still be the point
 // where two faces touch (two cones, tip to tip). The faces around it form *fans*, joined over vanished edges; a

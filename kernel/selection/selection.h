@@ -3,9 +3,9 @@
 // Sparse: only active cells are listed, sorted by id, so that a value costs what it touches. Components are
 // numbered from 1; their attributes live with whoever numbered them.
 //
-// Topology is read off the complex by incidence (SEMANTICS 2): a cell is interior to a set when its whole star
-// is in the set; the closure adds the boundaries of cells. With a frame, cells on or outside of it belong to no
-// set, and what lies beyond it is not asked.
+// Topology is read off the complex by incidence (csg/SEMANTICS.md#cells-and-selections): a cell is interior to a
+// set when its whole star is in the set; the closure adds the boundaries of cells. With a frame, cells on or
+// outside of it belong to no set, and what lies beyond it is not asked.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct Selection {
   friend bool operator==(const Selection&, const Selection&) = default;
 };
 
-/// Entities in their own right that `simplify` keeps (SEMANTICS 6); sorted.
+/// Entities in their own right that `simplify` keeps (csg/SEMANTICS.md#simplification); sorted.
 struct Features {
   std::vector<EdgeId> edges;
   std::vector<VertexId> vertices;

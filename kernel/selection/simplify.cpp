@@ -18,6 +18,7 @@
 
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/predicates.h"
 #include "kernel/selection/merging.h"
 
 namespace cnrg {

@@ -1,4 +1,4 @@
-// Simplification of a selection (Rossignac & O'Connor 1990, SGC; SEMANTICS 6).
+// Simplification of a selection (Rossignac & O'Connor 1990, SGC; csg/SEMANTICS.md#simplification).
 //
 // Removes what no label needs: faces whose two regions and itself carry one state; then edges with exactly
 // two coplanar faces (or of one curved patch) of their state, or in the interior of a region of their state;

@@ -8,7 +8,7 @@
 #include "bench/baseline/topology.h"
 #include "bench/cases/soup_of.h"
 #include "csg/operators/boolean.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 #include "kernel/refine/refine.h"
 #include "kernel/refine/soup.h"
 #include "kernel/selection/measure.h"
@@ -59,12 +59,14 @@ std::size_t duplicates_of(const Model& model) {
 Truth truth_of(const Model& a, const Model& b, Operation operation, const Model& answer) {
   Soup soup;
   for (const Model* model : {&a, &b, &answer}) add_model(soup, *model);
-  const Complex complex = build_complex(soup, {.threads = 1}, nullptr);
+  const auto built_complex = build_complex(soup, {.threads = 1}, nullptr);
+  const Complex& complex = *built_complex;
   const std::vector<Group> groups = leaf_groups(complex);
   const BooleanOp op = operation == Operation::unite       ? BooleanOp::unite
                        : operation == Operation::intersect ? BooleanOp::intersect
                                                            : BooleanOp::subtract;
-  const Group result = regularize(complex, apply(complex, op, Dominance::equal, groups[0], groups[1]).group);
+  const Group result =
+      regularize(complex, boolean_operation(complex, op, Dominance::equal, groups[0], groups[1]).group);
   Truth truth;
   truth.same_set = inside(result) == inside(groups[2]);
   // One region, whatever the walls: the canonical form of the point set.

@@ -26,6 +26,8 @@
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/leaves/leaf.h"
+#include "csg/leaves/surface_parameters.h"
+#include "csg/operators/node_value.h"
 #include "tests/cad/models.h"
 
 namespace cnrg {

@@ -6,8 +6,11 @@
 #include <cstring>
 #include <random>
 #include <set>
+#include <type_traits>
+#include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/complex/draft.h"
 #include "tests/scenes/same_arrays.h"
 
 using namespace cnrg;
@@ -44,9 +47,16 @@ void add_solid(Soup& s, LeafId leaf, std::array<double, 3> low, std::array<doubl
   }
 }
 
-Complex build(const Soup& s) {
-  Complex c = build_complex(s);
-  REQUIRE(validate(c) == "");
+// Nobody but the builder can write to a complex.
+static_assert(std::is_same_v<decltype(build_complex(std::declval<Soup>())), std::shared_ptr<const Complex>>);
+static_assert(!std::is_default_constructible_v<Complex>);
+static_assert(!std::is_copy_constructible_v<Complex> && !std::is_move_constructible_v<Complex>);
+static_assert(!std::is_copy_assignable_v<Complex> && !std::is_move_assignable_v<Complex>);
+static_assert(std::is_same_v<decltype(*std::declval<ComplexDraft&>()), const Complex&>);
+
+std::shared_ptr<const Complex> build(const Soup& s) {
+  const auto c = build_complex(s);
+  REQUIRE(validate(*c) == "");
   return c;
 }
 
@@ -119,13 +129,13 @@ TEST_CASE("cells of boxes in contact") {
   SECTION("one box") {
     Soup s;
     add_box(s, 0, 0, 0, 1, 1, 1);
-    REQUIRE(counts(build(s)) == std::array<std::size_t, 4>{8, 12, 6, 2});
+    REQUIRE(counts(*build(s)) == std::array<std::size_t, 4>{8, 12, 6, 2});
   }
   SECTION("overlapping corners: 6 constructed vertices, 12 edges of each box, of which 3 are cut") {
     Soup s;
     add_box(s, 0, 0, 0, 2, 2, 2);
     add_box(s, 1, 1, 1, 3, 3, 3);
-    REQUIRE(counts(build(s)) == std::array<std::size_t, 4>{22, 36, 18, 4});
+    REQUIRE(counts(*build(s)) == std::array<std::size_t, 4>{22, 36, 18, 4});
   }
   SECTION("a common face, edge, vertex") {
     Soup face, edge, vertex;
@@ -133,14 +143,15 @@ TEST_CASE("cells of boxes in contact") {
     add_box(face, 2, 0, 0, 3, 2, 2);
     add_box(edge, 2, 2, 0, 3, 3, 2);
     add_box(vertex, 2, 2, 2, 3, 3, 3);
-    REQUIRE(counts(build(face)) == std::array<std::size_t, 4>{12, 20, 11, 3});
-    REQUIRE(counts(build(edge)) == std::array<std::size_t, 4>{14, 23, 12, 3});
-    REQUIRE(counts(build(vertex)) == std::array<std::size_t, 4>{15, 24, 12, 3});
+    REQUIRE(counts(*build(face)) == std::array<std::size_t, 4>{12, 20, 11, 3});
+    REQUIRE(counts(*build(edge)) == std::array<std::size_t, 4>{14, 23, 12, 3});
+    REQUIRE(counts(*build(vertex)) == std::array<std::size_t, 4>{15, 24, 12, 3});
   }
   SECTION("nested three deep: shells joined by rays") {
     Soup s;
     for (int i = 0; i < 3; ++i) add_box(s, i, i, i, 9 - i, 9 - i, 9 - i);
-    const Complex c = build(s);
+    const auto built_c = build(s);
+    const Complex& c = *built_c;
     REQUIRE(c.region_count == 4);
     std::multiset<std::size_t> labels;
     for (const RegionId r : IdRange<RegionId>(c.region_count)) labels.insert(c.labels(r).size());
@@ -159,7 +170,8 @@ TEST_CASE("radial order about an edge of many half-planes") {
     if (i % 2 == 0) s.add_triangle(leaf, a, b, p, i, i);
     else s.add_triangle(leaf, b, a, p, i, i);
   }
-  const Complex c = build(s);
+  const auto built_c = build(s);
+  const Complex& c = *built_c;
   const auto counted = std::find_if(c.edge_ends.begin(), c.edge_ends.end(), [&](const auto& ends) {
     return c.points.approx(ends[0])[0] == 0 && c.points.approx(ends[1])[0] == 0 &&
            c.points.approx(ends[0])[1] == 0 && c.points.approx(ends[1])[1] == 0;
@@ -201,7 +213,8 @@ TEST_CASE("labels by fill") {
           s.add_face(leaf, loops, static_cast<std::uint32_t>(f), 0);
         }
       }
-      const Complex c = build(s);
+      const auto built_c = build(s);
+      const Complex& c = *built_c;
       REQUIRE(c.region_count == 4);
       std::size_t filled = 0;
       for (const RegionId r : IdRange<RegionId>(c.region_count)) filled += c.labels(r).size();
@@ -214,7 +227,8 @@ TEST_CASE("labels by fill") {
     const std::vector<std::vector<PointId>> wall{
         {s.add_point(1, 0, 0), s.add_point(1, 2, 0), s.add_point(1, 2, 2), s.add_point(1, 0, 2)}};
     s.add_face(leaf, wall, 6, 6);
-    const Complex c = build(s);
+    const auto built_c = build(s);
+    const Complex& c = *built_c;
     REQUIRE(c.leaf_regions[leaf] == 2);
   }
   SECTION("solids: each is a region, whether or not they share the face between them") {
@@ -223,7 +237,8 @@ TEST_CASE("labels by fill") {
       const LeafId leaf = s.add_leaf(Fill::solids);
       add_solid(s, leaf, {0, 0, 0}, {1, 1, 1}, 1, 0, shared ? 2 : 0);
       add_solid(s, leaf, {1, 0, 0}, {2, 1, shared ? 1.0 : 2.0}, 2, 0, 0, shared ? 4 : 6);
-      const Complex c = build(s);
+      const auto built_c = build(s);
+      const Complex& c = *built_c;
       REQUIRE(c.region_count == 3);
       REQUIRE(c.leaf_regions[leaf] == 2);
       std::set<std::uint32_t> labels;
@@ -240,7 +255,8 @@ TEST_CASE("labels by fill") {
     add_solid(s, leaf, {0, 0, 0}, {9, 9, 9}, 1);
     add_solid(s, leaf, {1, 1, 1}, {8, 8, 8}, 0, 1);
     add_solid(s, leaf, {2, 2, 2}, {3, 3, 3}, 0, 2);
-    const Complex c = build(s);
+    const auto built_c = build(s);
+    const Complex& c = *built_c;
     REQUIRE(c.region_count == 4);
     std::multiset<std::size_t> labelled;
     for (const RegionId r : IdRange<RegionId>(c.region_count)) labelled.insert(c.labels(r).size());
@@ -291,7 +307,8 @@ TEST_CASE("labels by fill") {
 TEST_CASE("location: every cell of random scenes holds its own interior point") {
   for (unsigned seed = 0; seed < 60; ++seed) {
     INFO("seed " << seed);
-    const Complex c = build(random_scene(seed));
+    const auto built_c = build(random_scene(seed));
+    const Complex& c = *built_c;
     const Locator locator(c);
     for (const VertexId v : c.vertices) {
       const Location at = locator.locate(c.points.rational(v));
@@ -330,7 +347,8 @@ TEST_CASE("the same bytes for one thread and for two") {
   for (unsigned seed = 100; seed < 130; ++seed) {
     INFO("seed " << seed);
     const Soup s = random_scene(seed);
-    const Complex one = build_complex(s, {.threads = 1}), two = build_complex(s, {.threads = 2});
+    const auto built_one = build_complex(s, {.threads = 1}), built_two = build_complex(s, {.threads = 2});
+    const Complex &one = *built_one, &two = *built_two;
     REQUIRE(one.vertices == two.vertices);
     REQUIRE(one.edge_ends.raw() == two.edge_ends.raw());
     REQUIRE(one.edge_uses.values() == two.edge_uses.values());
@@ -347,7 +365,8 @@ TEST_CASE("the same arrays for one thread and for two where loops are long enoug
   add_torus(s, 0, 64, 32);
   add_torus(s, 2.5, 64, 32);
   add_band(s, 400, 1);
-  const Complex one = build_complex(s, {.threads = 1}), two = build_complex(s, {.threads = 2});
+  const auto built_one = build_complex(s, {.threads = 1}), built_two = build_complex(s, {.threads = 2});
+  const Complex &one = *built_one, &two = *built_two;
   REQUIRE(scenes::same_arrays(one, two));
   REQUIRE(validate(one) == "");
 }
@@ -357,7 +376,8 @@ TEST_CASE("a band of one side and a band of two") {
     INFO("half turns " << half_turns);
     Soup s;
     add_band(s, 24, half_turns);
-    const Complex c = build(s);
+    const auto built_c = build(s);
+    const Complex& c = *built_c;
     REQUIRE(counts(c) == std::array<std::size_t, 4>{48, 96, 48, 1});
     REQUIRE(c.region_faces[RegionId(0)].size() == 96);
   }
@@ -373,7 +393,8 @@ TEST_CASE("a half-space in its frame") {
   s.add_face(below, square, 0, 0, 0, 1);
   const LeafId frame = add_box(s, -8, -8, -8, 8, 8, 8, Fill::none);
   s.set_frame(frame, s.add_point(-8, -8, -8), {{below, 1u}});
-  const Complex c = build(s);
+  const auto built_c = build(s);
+  const Complex& c = *built_c;
   const Locator locator(c);
   const auto labels = [&](int x, int y, int z) {
     const Location at = locator.locate({Rational(x, 2), Rational(y, 2), Rational(z, 2)});

@@ -14,16 +14,19 @@ result: m
 )",
                                            "model.yaml");
   const cnrg::Evaluation evaluation = cnrg::evaluate(tree);
-  const cnrg::Locator locator(*evaluation.complex);
+  const cnrg::Result model = evaluation.result("m");
+  const cnrg::Locator locator(model.complex());
   const cnrg::Location center = locator.locate({1, 1, 1});
   std::cout << "a " << evaluation.rows.front().volume().value() << ", center in a cell of dimension "
             << center.dimension << "\n";
-  cnrg::write("m.json", tree, evaluation, tree.result);
-  cnrg::write("m.off", tree, evaluation, tree.result);
+  cnrg::write("m.json", model);
+  cnrg::write("m.off", snap(model));
+  cnrg::write_tetrahedra({"m.msh"}, model);
   const std::vector<cnrg::Shape> shapes{cnrg::ResultShape{"m.json"}, cnrg::MeshShape{"m.off", {}}};
   for (const cnrg::Shape& shape : shapes) {
-    const auto leaf = cnrg::prepare(shape);
-    const cnrg::Complex complex = cnrg::build_complex(cnrg::make_soup({{leaf.get(), {}}}));
-    std::cout << complex.region_count << " regions, " << cnrg::validate(complex) << "\n";
+    const auto complex = cnrg::build_complex(cnrg::make_soup({{cnrg::prepare(shape)}}));
+    std::cout << complex->region_count << " regions, " << cnrg::validate(*complex) << "\n";
   }
+  const cnrg::Result again = cnrg::read_result("m.json");
+  std::cout << again.component_count() << " components, as before: " << model.component_count() << "\n";
 }

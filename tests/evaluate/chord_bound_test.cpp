@@ -22,15 +22,15 @@ const std::map<std::string, Leaf> kLeaves{{"pipe_x", {3 * kPi, 6 * kPi}},
                                           {"bore", {108 * kPi, 72 * kPi}},
                                           {"wide", {300 * kPi, 120 * kPi}}};
 
-struct Result {
+struct Value {
   std::string name;
   double volume;
   std::vector<std::string> leaves;
 };
 
-const std::vector<Result> kResults{{"steinmetz", 16. / 3, {"pipe_x", "pipe_y"}},
-                                   {"ring", 256 * kPi / 3, {"ball", "bore"}},
-                                   {"touch", 0, {"ball", "wide"}}};
+const std::vector<Value> kValues{{"steinmetz", 16. / 3, {"pipe_x", "pipe_y"}},
+                                 {"ring", 256 * kPi / 3, {"ball", "bore"}},
+                                 {"touch", 0, {"ball", "wide"}}};
 
 TEST_CASE("volumes of curved solids are within chord times area of the exact ones", "[evaluate][curved]") {
   const Tree tree = read_tree("papers/keyser2004/chords.yaml");
@@ -38,7 +38,7 @@ TEST_CASE("volumes of curved solids are within chord times area of the exact one
     INFO("chord 1/" << chord);
     const auto numbered = [&](const std::string& name) { return name + "_" + std::to_string(chord); };
     EvaluateOptions options;
-    for (const Result& result : kResults) options.nodes.push_back(tree.find(numbered(result.name)));
+    for (const Value& result : kValues) options.nodes.push_back(tree.find(numbered(result.name)));
     std::map<std::string, double> volume;
     for (const NodeRow& row : evaluate(tree, options).rows) volume[row.name] = to_double(*row.volume());
     std::map<std::string, double> lost;
@@ -49,7 +49,7 @@ TEST_CASE("volumes of curved solids are within chord times area of the exact one
       CHECK(lost[name] > 0);  // facets are inside of convex solids
       CHECK(lost[name] <= leaf.curved_area / chord);
     }
-    for (const Result& result : kResults) {
+    for (const Value& result : kValues) {
       INFO(result.name);
       const double error = volume[numbered(result.name)] - result.volume;
       CHECK(error != 0);

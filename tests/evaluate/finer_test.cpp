@@ -1,6 +1,4 @@
 // Trees made finer: counts stay, volumes go to those of the exact shapes.
-#include "csg/tree/finer.h"
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/tree/tree.h"
 
 namespace cnrg {
 namespace {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/operators/node_value.h"
 
 namespace cnrg {
 namespace {
@@ -38,8 +39,8 @@ Run run(const std::string& nodes) {
 std::string material_at(const Run& r, const RationalPoint& p) {
   const KeptValue& kept = r.evaluation.value(r.tree.result);
   const Locator locator(*r.evaluation.complex);
-  const auto place = kept.simplified.place(*r.evaluation.complex, locator.locate(p));
-  const Component component = component_of(kept.simplified, place);
+  const auto place = kept.simplified->place(*r.evaluation.complex, locator.locate(p));
+  const Component component = component_of(*kept.simplified, place);
   if (component == 0) return "outside";
   return to_text(MaterialSampler(kept.value->attributes(component).material).at(p));
 }

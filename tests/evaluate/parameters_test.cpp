@@ -6,6 +6,8 @@
 #include "csg/curves/control_nets.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/geometry/exact_vectors.h"
+#include "csg/leaves/surface_parameters.h"
+#include "csg/operators/node_value.h"
 #include "csg/topology/topology.h"
 
 namespace cnrg {
@@ -34,7 +36,7 @@ std::string topology(const std::string& leaf) {
   const Tree tree = parse_tree("cnrg: 1\nnodes:\n  a: {" + leaf + "}\nresult: a\n", "t.yaml");
   const Evaluation evaluation = evaluate(tree);
   const KeptValue& kept = evaluation.value(tree.result);
-  return topology_text(*evaluation.complex, selection_of(*evaluation.complex, *kept.value), kept.simplified,
+  return topology_text(*evaluation.complex, selection_of(*evaluation.complex, *kept.value), *kept.simplified,
                        kept.value->attributes());
 }
 

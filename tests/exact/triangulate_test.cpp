@@ -8,6 +8,7 @@
 #include <set>
 
 #include "kernel/base/error.h"
+#include "kernel/exact/predicates.h"
 
 using namespace cnrg;
 

@@ -202,7 +202,7 @@ std::string check(const Run& r, std::set<std::string>& rows) {
     const std::size_t i = place.at(name);
     const Node& node = r.tree.nodes[lives.front()[s].node];
     const Selection selection = selection_of(complex, *r.evaluation.values[InstanceId(i)]);
-    std::map<std::string, std::size_t> removals;
+    std::map<const TableRow*, std::size_t> removals;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       const LifeStep& step = lives[p][s];
       if (step.state.component != component_in(selection, pieces[p].cell)) return name + ": wrong state";
@@ -210,7 +210,7 @@ std::string check(const Run& r, std::set<std::string>& rows) {
         const std::string fault = check_boolean_facts(f);
         if (!fault.empty()) return name + ": " + fault;
         if (f.verdict.entity && !f.verdict.bounds_kept) rows.insert(f.verdict.row->id);
-        if (f.verdict.removed) ++removals[f.verdict.row->id];
+        if (f.verdict.removed) ++removals[f.verdict.row];
       }
       if (node.op != Operator::leaf && pieces[p].cell.dimension < 2 && !step.booleans.empty()) {
         const BooleanFacts& f = step.booleans.front();
@@ -229,8 +229,9 @@ std::string check(const Run& r, std::set<std::string>& rows) {
       if (!step.booleans.empty() && step.booleans.back().result != made)
         return name + ": the last step is not the result";
     }
-    const auto& counted = r.evaluation.rows[i].removals;
-    if (removals != std::map<std::string, std::size_t>(counted.begin(), counted.end())) {
+    std::map<const TableRow*, std::size_t> counted;
+    for (const auto& [row, count] : r.evaluation.rows[i].removals) counted[&table_rows()[row]] = count;
+    if (removals != counted) {
       return name + ": removals of its rows do not add up";
     }
   }
@@ -306,7 +307,7 @@ TEST_CASE("n points to the side that is told first, on every facet of a curved f
                     "u");
   const Complex& complex = *r.evaluation.complex;
   const Locator locator(complex);
-  const SimplifiedComplex& simplified = r.evaluation.value(r.tree.result).simplified;
+  const SimplifiedComplex& simplified = *r.evaluation.value(r.tree.result).simplified;
   std::vector<Piece> pieces;
   for (const SimplifiedComplex::Face& face : simplified.faces) {
     for (const HalfFace h : face.cells) {
@@ -340,7 +341,7 @@ TEST_CASE("n points to the side that is told first, on every facet of a curved f
 TEST_CASE("pieces of a simplified cell are told in classes", "[explain]") {
   // Without features bottom and top are one face each, with pieces of a alone, of both, of b alone.
   const Run r = run(std::string(kBoxes) + "  p: {simplify: {of: u, mode: points}}\n", "p");
-  const SimplifiedComplex& s = r.evaluation.value(r.tree.result).simplified;
+  const SimplifiedComplex& s = *r.evaluation.value(r.tree.result).simplified;
   const Complex& complex = *r.evaluation.complex;
   const Locator locator(complex);
   bool three = false;
@@ -373,7 +374,7 @@ TEST_CASE("the point of a region lies in it, bounded or not", "[explain]") {
   u: {union: [a, w, s], dominance: left}
 )",
                     "u");
-  const SimplifiedComplex& s = r.evaluation.value(r.tree.result).simplified;
+  const SimplifiedComplex& s = *r.evaluation.value(r.tree.result).simplified;
   const Locator locator(*r.evaluation.complex);
   REQUIRE(s.regions.size() == 3);
   for (std::size_t k = 0; k < s.regions.size(); ++k) {
@@ -395,7 +396,7 @@ TEST_CASE("cells that are none are refused with those that there are", "[explain
     }
     return std::string();
   };
-  const std::size_t faces = r.evaluation.kept[0].simplified.faces.size();
+  const std::size_t faces = r.evaluation.kept[0].simplified->faces.size();
   CHECK(fault("f99") == "`f99`: the node `u` has faces f0 to f" + std::to_string(faces - 1));
   CHECK(fault("r99999999999999") == "`r99999999999999`: the node `u` has regions r0 to r1");
   for (const char* cell : {"", "f", "x1", "f-1", "f1x", "12", "-"}) {

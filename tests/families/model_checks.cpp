@@ -52,7 +52,8 @@ std::string solid_fault(const Model& model) {
   if (expected <= 0) return "the volume is not positive";
   Soup soup;
   add_model(soup, model);
-  const Complex complex = build_complex(soup, {.threads = 1});
+  const auto built_complex = build_complex(soup, {.threads = 1});
+  const Complex& complex = *built_complex;
   if (complex.region_count != 2) return "the faces cut space into " + std::to_string(complex.region_count);
   if (volume(complex, RegionId(1)) != expected) return "the faces cross each other";
   return {};
@@ -111,7 +112,8 @@ std::string fault_of(const Model& model) {
 Meeting meeting(const Model& a, const Model& b) {
   Soup soup;
   const LeafId first = add_model(soup, a).front(), second = add_model(soup, b).front();
-  const Complex complex = build_complex(soup, {.threads = 1});
+  const auto built_complex = build_complex(soup, {.threads = 1});
+  const Complex& complex = *built_complex;
   Meeting m;
   for (std::uint32_t i = 0; i < complex.face_count(); ++i) {
     const FaceId f(i);

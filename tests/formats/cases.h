@@ -12,7 +12,7 @@
 
 #include "csg/formats/writer.h"
 #include "csg/operators/boolean.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 
 namespace cnrg::test {
 
@@ -81,7 +81,7 @@ inline LeafId add_drum(Soup& soup, int n, const Rational& bottom, const Rational
 
 /// A result and all that its view points to.
 struct Case {
-  std::unique_ptr<Complex> complex;
+  std::shared_ptr<const Complex> complex;
   std::vector<Group> leaves;
   Group group;
   NodeValue value;
@@ -90,7 +90,7 @@ struct Case {
   std::vector<ResultView::Material> materials;
 
   explicit Case(const Soup& soup, const Names& names = {}) {
-    complex = std::make_unique<Complex>(build_complex(soup));
+    complex = build_complex(soup);
     leaves = leaf_groups(*complex, names);
     for (std::size_t i = 0; i < leaves.size(); ++i) infos.push_back({"leaf" + std::to_string(i)});
     show(leaves[0]);
@@ -109,7 +109,7 @@ struct Case {
   Group unite(Dominance dominance = Dominance::equal) const {
     Group all = leaves[0];
     for (std::size_t i = 1; i < leaves.size(); ++i) {
-      all = apply(*complex, BooleanOp::unite, dominance, all, leaves[i]).group;
+      all = boolean_operation(*complex, BooleanOp::unite, dominance, all, leaves[i]).group;
     }
     return all;
   }

@@ -1,11 +1,13 @@
 // Parameters in files: .json keeps them through reading back, .vtu shows them, and neither without being asked.
+#include "csg/leaves/parameters.h"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "csg/formats/node_file.h"
+#include "csg/formats/result_file.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/leaf.h"
 #include "kernel/base/error.h"
@@ -36,7 +38,7 @@ result: all
 
 std::string file_of(const std::string& text, const std::string& name, bool parameters, const Scratch& dir) {
   const Tree tree = parse_tree(text, dir / "t.yaml");
-  write(dir / name, tree, evaluate(tree), tree.result, {.parameters = parameters});
+  write(dir / name, evaluate(tree).result(), {.parameters = parameters});
   return text_of(dir / name);
 }
 

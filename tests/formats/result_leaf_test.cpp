@@ -114,7 +114,7 @@ TEST_CASE("round trip: walls, sheets in and out, wires, points, a cavity") {
   Case c(soup, {{{"first", "rock", {}}}, {{"second", "", {}}}});
   c.show(c.unite(Dominance::left));
   check_round_trip(c);
-  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.group, c.leaves[1]).group);
+  c.show(boolean_operation(*c.complex, BooleanOp::subtract, Dominance::equal, c.group, c.leaves[1]).group);
   check_round_trip(c);
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("round trip: curved patches, cut by others") {
     c.show(c.unite(d));
     check_round_trip(c);
   }
-  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group);
+  c.show(boolean_operation(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group);
   check_round_trip(c);
 }
 
@@ -165,10 +165,10 @@ TEST_CASE("round trip: a flat face whose rim is a curve") {
                                                   soup.add_point(90, 90, 0), soup.add_point(-90, 90, 0)}};
   soup.add_face(sheet, square, 0, 0);
   Case c(soup, {{{"drum", "", {}}}});
-  c.show(apply(*c.complex, BooleanOp::intersect, Dominance::equal, c.leaves[1], c.leaves[0]).group);
+  c.show(boolean_operation(*c.complex, BooleanOp::intersect, Dominance::equal, c.leaves[1], c.leaves[0]).group);
   CHECK(active_counts(c.simplified) == std::array<std::size_t, 4>{0, 1, 1, 0});
   check_round_trip(c);
-  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[1], c.leaves[0]).group);
+  c.show(boolean_operation(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[1], c.leaves[0]).group);
   CHECK(active_counts(c.simplified) == std::array<std::size_t, 4>{4, 5, 1, 0});
   check_round_trip(c);
 }
@@ -186,10 +186,12 @@ TEST_CASE("round trip: a horizon and a fault part a box") {
   add_sheet(soup, {{2, -1, -1}, {2, 7, -1}, {4, 7, 8}, {4, -1, 8}});
   add_box(soup, {0, 0, 0}, {5, 5, 6});
   Case c(soup, {{}, {}, {{"rock", "", {}}}});
-  const Group surfaces = apply(*c.complex, BooleanOp::unite, Dominance::equal, c.leaves[0], c.leaves[1]).group;
-  const Group layers = apply(*c.complex, BooleanOp::unite, Dominance::left, surfaces, c.leaves[2]).group;
+  const Group surfaces =
+      boolean_operation(*c.complex, BooleanOp::unite, Dominance::equal, c.leaves[0], c.leaves[1]).group;
+  const Group layers =
+      boolean_operation(*c.complex, BooleanOp::unite, Dominance::left, surfaces, c.leaves[2]).group;
   const Group outside = complement(*c.complex, c.leaves[2]);
-  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, layers, outside).group);
+  c.show(boolean_operation(*c.complex, BooleanOp::subtract, Dominance::equal, layers, outside).group);
   CHECK(c.group.regions.size() == 4);
   check_round_trip(c);
 }
@@ -222,10 +224,10 @@ TEST_CASE("a group without bounds is read back, a plane is not") {
   c.show(complement(*c.complex, c.group));
   check_round_trip(c);
   const auto halfspace = prepare(Shape(HalfspaceShape{{0, 0, 0}, {0, 0, 1}}));
-  Case half(make_soup({{halfspace.get(), {}}}));
+  Case half(make_soup({{halfspace}}));
   const Scratch dir;
   for (const Topological op : {Topological::interior, Topological::closure}) {
-    half.show(apply(*half.complex, op, components_of(*half.complex, half.leaves[0])).value);
+    half.show(topological_operation(*half.complex, op, components_of(*half.complex, half.leaves[0])).value);
     write(dir / "half.json", half.view());
     using Catch::Contains;
     CHECK_THROWS_WITH(prepare_result({dir / "half.json"}), Contains("no bounds") && Contains("product"));
@@ -251,7 +253,7 @@ TEST_CASE("round trip: components that are open, closed, neither; of every dimen
   for (const Topological op : {Topological::interior, Topological::closure, Topological::boundary}) {
     for (std::size_t i = 0; i < leaves.size(); ++i) {
       CAPTURE(name(op), i);
-      c.show(apply(*c.complex, op, leaves[i]).value);
+      c.show(topological_operation(*c.complex, op, leaves[i]).value);
       check_round_trip(c);
     }
   }
@@ -270,7 +272,7 @@ TEST_CASE("round trip: components that are open, closed, neither; of every dimen
   }
   c.show(complement(*c.complex, all).value);
   check_round_trip(c);
-  c.show(apply_each(*c.complex, Topological::boundary, all).value);
+  c.show(topological_operation_of_each(*c.complex, Topological::boundary, all).value);
   check_round_trip(c);
   const Scratch dir;
   c.show(all);
@@ -312,17 +314,23 @@ void check_random_scene(std::uint64_t seed, scenes::Position position) {
     case 0: value = sum(complex, a, b).value; break;
     case 1: value = product(complex, a, b).value; break;
     case 2: value = subtract(complex, a, b).value; break;
-    case 3: value = apply(complex, Topological::interior, sum(complex, a, b).value).value; break;
-    case 4: value = apply(complex, Topological::closure, subtract(complex, b, a).value).value; break;
-    case 5: value = apply(complex, Topological::boundary, subtract(complex, b, a).value).value; break;
+    case 3: value = topological_operation(complex, Topological::interior, sum(complex, a, b).value).value; break;
+    case 4:
+      value = topological_operation(complex, Topological::closure, subtract(complex, b, a).value).value;
+      break;
+    case 5:
+      value = topological_operation(complex, Topological::boundary, subtract(complex, b, a).value).value;
+      break;
     case 6: value = complement(complex, sum(complex, a, b).value).value; break;
-    default: value = apply_each(complex, Topological::regularize, sum(complex, a, b).value).value; break;
+    default:
+      value = topological_operation_of_each(complex, Topological::regularize, sum(complex, a, b).value).value;
+      break;
   }
   c.show(value);
   check_round_trip(c);
-  c.show(apply(complex, BooleanOp::unite, Dominance(random.below(3)), c.leaves[0], c.leaves[1]).group);
+  c.show(boolean_operation(complex, BooleanOp::unite, Dominance(random.below(3)), c.leaves[0], c.leaves[1]).group);
   check_round_trip(c);
-  c.show(apply(complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group);
+  c.show(boolean_operation(complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group);
   check_round_trip(c);
 
   // Where another leaf cuts its cells the value is the same, and operators give the same.

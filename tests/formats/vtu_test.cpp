@@ -109,14 +109,14 @@ TEST_CASE("vtu: of an open set the region is drawn, its boundary is not; materia
   Case c(soup, {{{"a", "rock", {}}}});
   c.materials = {{"steel", ""}, {"rock", ""}};
   const Components a = components_of(*c.complex, c.leaves[0]);
-  c.show(apply(*c.complex, Topological::interior, a).value);
+  c.show(topological_operation(*c.complex, Topological::interior, a).value);
   Vtu vtu = written(c.view());
   CHECK(vtu.array<std::int32_t>("dimension") == std::vector<std::int32_t>(12, 3));
   CHECK(vtu.array<std::int32_t>("component") == std::vector<std::int32_t>(12, 1));
   CHECK(vtu.array<std::int32_t>("material") == std::vector<std::int32_t>(12, 2));
   CHECK(vtu.array<std::int32_t>("source_leaf") == std::vector<std::int32_t>(12, 0));
 
-  Components boundary = apply(*c.complex, Topological::boundary, a).value;  // the entities alone
+  Components boundary = topological_operation(*c.complex, Topological::boundary, a).value;  // the entities alone
   REQUIRE(boundary.attributes.size() == 1);
   boundary.attributes[0].material = "steel";
   c.show(boundary);

@@ -220,7 +220,7 @@ TEST_CASE("an open set is refused by formats of closed ones") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {1, 1, 1});
   Case c(soup);
-  c.show(apply(*c.complex, Topological::interior, components_of(*c.complex, c.group)).value);
+  c.show(topological_operation(*c.complex, Topological::interior, components_of(*c.complex, c.group)).value);
   const ResultView view = c.view();
   const Scratch dir;
   CHECK(has(message_of(dir / "m.obj", view), "closure"));
@@ -259,8 +259,8 @@ TEST_CASE("formats of closed sets name the operator that helps, and it does") {
   const Components sheet = subtract(complex, leaves[2], leaves[0]).value;
   const std::string lacks = "lacks 1 boundary edge, 2 boundary vertices; write .json or .vtu, or apply `closure`";
   for (const std::string format : {"obj", "off", "stl", "ply"}) CHECK(has(says(sheet, format), lacks));
-  CHECK(has(says(apply(complex, Topological::closure, sheet).value, "stl"), "apply `regularize`"));
-  CHECK(says(apply(complex, Topological::closure, sheet).value, "obj") == "");
+  CHECK(has(says(topological_operation(complex, Topological::closure, sheet).value, "stl"), "apply `regularize`"));
+  CHECK(says(topological_operation(complex, Topological::closure, sheet).value, "obj") == "");
 
   // Three solids with walls between them: unify.
   const Components parts = sum(complex, leaves[0], leaves[1]).value;
@@ -272,7 +272,7 @@ TEST_CASE("formats of closed sets name the operator that helps, and it does") {
   // With the sheet, which is partly inside and partly out of them: both.
   const Components all = sum(complex, parts, leaves[2]).value;
   CHECK(has(says(all, "ply"), "`regularize` (it drops what bounds no region) and `unify`"));
-  CHECK(volume(unify(complex, apply(complex, Topological::regularize, all).value).value) == 12);
+  CHECK(volume(unify(complex, topological_operation(complex, Topological::regularize, all).value).value) == 12);
 }
 
 TEST_CASE("solids that touch in an edge are what they are") {
@@ -419,7 +419,7 @@ TEST_CASE("raw cells are written too, and are no walls") {
 
 TEST_CASE("an empty result is a valid file") {
   Case c = two_overlapping_boxes();
-  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[0]).group);
+  c.show(boolean_operation(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[0]).group);
   const Scratch dir;
   for (const std::string name : {"m.off", "m.ply", "m.stl", "m.obj", "m.json", "m.vtu"}) {
     CHECK(write(dir / name, c.view()).embedded);

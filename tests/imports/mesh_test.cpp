@@ -37,7 +37,7 @@ TEST_CASE("a closed mesh is a solid whose coplanar triangles are one face") {
   const auto leaf = prepare(mesh(files.write("cube.off", kCube)));
   CHECK(leaf->notices().empty());
   CHECK(leaf->regions().size() == 1);
-  const Soup soup = make_soup({{leaf.get(), {}}});
+  const Soup soup = make_soup({{leaf}});
   CHECK(soup.fill(LeafId(0)) == Fill::winding);
   CHECK(closed(soup));
   CHECK(volume(soup) == 1);
@@ -54,7 +54,7 @@ TEST_CASE("an open mesh") {
   CHECK_THAT(leaf->notices()[0],
              Catch::Contains("not closed, it has 3 boundary edges") && Catch::Contains("fill: none"));
   CHECK(leaf->regions().empty());
-  CHECK(make_soup({{leaf.get(), {}}}).fill(LeafId(0)) == Fill::none);
+  CHECK(make_soup({{leaf}}).fill(LeafId(0)) == Fill::none);
   CHECK_THAT(error_of(mesh(path, Fill::winding)),
              Catch::Contains("3 boundary edges, such as (") && Catch::Contains("`fill: cells`"));
   CHECK_THAT(error_of(mesh(path, Fill::parity)), Catch::Contains("not closed"));
@@ -81,7 +81,7 @@ TEST_CASE("T-junctions are closed in space") {
   text = replaced(text, "3 0 3 1\n", "3 0 3 8\n3 8 3 1\n");
   const auto leaf = prepare(mesh(files.write("junction.off", text)));
   CHECK(leaf->notices().empty());
-  CHECK(make_soup({{leaf.get(), {}}}).fill(LeafId(0)) == Fill::winding);
+  CHECK(make_soup({{leaf}}).fill(LeafId(0)) == Fill::winding);
   // A point beside the line leaves a gap.
   const auto gap = prepare(mesh(files.write("gap.off", replaced(text, ".5 0 0", ".5 1e-300 0"))));
   CHECK(gap->notices().size() == 1);
@@ -90,7 +90,7 @@ TEST_CASE("T-junctions are closed in space") {
   const auto zero = prepare(mesh(files.write("sewn.off", sewn)));
   REQUIRE(zero->notices().size() == 1);
   CHECK_THAT(zero->notices()[0], Catch::Contains("1 face has zero area"));
-  const Soup soup = make_soup({{zero.get(), {}}});
+  const Soup soup = make_soup({{zero}});
   CHECK(soup.fill(LeafId(0)) == Fill::winding);
   CHECK(soup.face_count() == 13);
   CHECK(volume(soup) == 1);
@@ -106,7 +106,7 @@ TEST_CASE("corners that repeat and faces that collapse") {
   REQUIRE(leaf->notices().size() == 2);
   CHECK_THAT(leaf->notices()[0], Catch::Contains("1 face repeats a corner"));
   CHECK_THAT(leaf->notices()[1], Catch::Contains("3 faces have fewer than 3 distinct corners"));
-  const Soup soup = make_soup({{leaf.get(), {}}});
+  const Soup soup = make_soup({{leaf}});
   CHECK(soup.fill(LeafId(0)) == Fill::winding);
   CHECK(soup.point_count() == 8);
   CHECK(volume(soup) == 1);
@@ -120,7 +120,7 @@ TEST_CASE("polygons stay polygons where they are planar exactly") {
   CHECK(quad.corners(SourceId(0)).size() == 4);
   const auto bent =
       prepare(mesh(files.write("bent.off", replaced(planar_text, "0 1 1\n", "0 1 1.0000000000000002\n"))));
-  const Soup cut = make_soup({{bent.get(), {}}});
+  const Soup cut = make_soup({{bent}});
   REQUIRE(cut.face_count() == 2);
   CHECK(leaf_faces(cut) == 2);
   CHECK_THAT(bent->notices().back(), Catch::Contains("1 polygon was not exactly planar"));

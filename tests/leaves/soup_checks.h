@@ -99,8 +99,8 @@ inline bool all_doubles(const Soup& soup) {
 }
 
 inline Soup soup_of(const Shape& shape, const Transform& transform = {}) {
-  const std::unique_ptr<PreparedLeaf> leaf = prepare(shape);
-  return make_soup({{leaf.get(), transform}});
+  const auto leaf = prepare(shape);
+  return make_soup({{leaf, transform}});
 }
 
 /// The message of the InputError that `action` throws; empty if it throws none.

@@ -44,7 +44,7 @@ TEST_CASE("a half-space in its frame") {
   CHECK(half->regions().size() == 1);
   const auto box = prepare(BoxShape{{0, 0, 0}, {1, 1, 1}});
   CHECK_FALSE(box->unbounded());
-  const Soup soup = make_soup({{half.get(), {}}, {box.get(), {}}});
+  const Soup soup = make_soup({{half}, {box}});
   REQUIRE(soup.leaf_count() == 3);
   CHECK(soup.frame() == LeafId(2));
   CHECK(soup.fill(LeafId(0)) == Fill::sides);
@@ -65,13 +65,11 @@ TEST_CASE("a half-space in its frame") {
     CHECK(cross(loop[1] - loop[0], loop[2] - loop[1])[2] > 0);
   }
   SECTION("turned over, the seed is inside") {
-    const Soup over = make_soup({{half.get(), Transform::scaling({1, 1, -1})}});
+    const Soup over = make_soup({{half, Transform::scaling({1, 1, -1})}});
     REQUIRE(over.seed_regions().size() == 1);
     CHECK(over.seed_regions()[0] == std::pair<LeafId, std::uint32_t>(LeafId(0), 1));
   }
-  SECTION("without unbounded leaves there is no frame") {
-    CHECK_FALSE(make_soup({{box.get(), {}}}).frame().valid());
-  }
+  SECTION("without unbounded leaves there is no frame") { CHECK_FALSE(make_soup({{box}}).frame().valid()); }
   CHECK_THAT(error_of(PlaneShape{{0, 0, 0}, {0, 0, 0}}), Catch::Contains("plane: the normal"));
   CHECK_THAT(error_of(HalfspaceShape{{0, 0, 0}, {0, 0, 0}}), Catch::Contains("halfspace: the normal"));
 }
@@ -79,7 +77,7 @@ TEST_CASE("a half-space in its frame") {
 TEST_CASE("planes of all kinds lie in the frame with all their vertices") {
   std::mt19937 random(4);
   for (int round = 0; round < 40; ++round) {
-    std::vector<std::unique_ptr<PreparedLeaf>> leaves;
+    std::vector<std::shared_ptr<const PreparedLeaf>> leaves;
     std::vector<LeafInstance> instances;
     std::vector<ExactHalfspace> planes;
     const int count = 1 + static_cast<int>(random() % 6);
@@ -89,7 +87,7 @@ TEST_CASE("planes of all kinds lie in the frame with all their vertices") {
       if (is_zero(normal)) normal = {1, -1, 0};
       const RationalPoint point{number(), number() * 10, number() / 3};
       leaves.push_back(prepare(PlaneShape{point, normal}));
-      instances.push_back({leaves.back().get(), {}});
+      instances.push_back({leaves.back(), {}});
       planes.push_back({normal, dot(normal, point)});
     }
     const Soup soup = make_soup(instances);
@@ -129,7 +127,7 @@ TEST_CASE("planes through the frame's corner move the corner") {
   // x = y, y = z and x + y = 2 z all pass through the corners of a cube.
   const auto a = prepare(PlaneShape{{0, 0, 0}, {1, -1, 0}}), b = prepare(PlaneShape{{0, 0, 0}, {0, 1, -1}}),
              c = prepare(PlaneShape{{0, 0, 0}, {1, 1, -2}});
-  const Soup soup = make_soup({{a.get(), {}}, {b.get(), {}}, {c.get(), {}}});
+  const Soup soup = make_soup({{a}, {b}, {c}});
   const RationalPoint seed = value(soup, soup.frame_seed());
   CHECK(seed[0] != seed[1]);
   CHECK(seed[1] != seed[2]);

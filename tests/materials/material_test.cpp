@@ -7,6 +7,7 @@
 #include <random>
 
 #include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/distance.h"
 
 namespace cnrg {
 namespace {

@@ -24,7 +24,7 @@ inline Case two_regions() {
 
 /// Leaf 0 without leaf 1.
 inline void subtract(Case& c) {
-  c.show(apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group);
+  c.show(boolean_operation(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group);
 }
 
 /// A box with a bore through it.
@@ -44,8 +44,9 @@ inline Case nested() {
   add_box(soup, {1, 1, 1}, {8, 8, 8});
   add_box(soup, {3, 3, 3}, {5, 5, 5});
   Case c(soup, {{{"shell", "", {}}}, {}, {{"block", "", {}}}});
-  const Group shell = apply(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group;
-  c.show(apply(*c.complex, BooleanOp::unite, Dominance::equal, shell, c.leaves[2]).group);
+  const Group shell =
+      boolean_operation(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[0], c.leaves[1]).group;
+  c.show(boolean_operation(*c.complex, BooleanOp::unite, Dominance::equal, shell, c.leaves[2]).group);
   return c;
 }
 

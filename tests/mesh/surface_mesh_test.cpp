@@ -242,7 +242,7 @@ TEST_CASE("formats of meshers hold closed and bounded results, and TetGen's embe
                       Catch::Contains("makes facets cross") && Catch::Contains("4 vertices move"));
   }
   CHECK_FALSE(write(dir / "m.msh", c.view()).embedded);
-  c.show(apply(*c.complex, Topological::interior, components_of(*c.complex, c.leaves[0])).value);
+  c.show(topological_operation(*c.complex, Topological::interior, components_of(*c.complex, c.leaves[0])).value);
   for (const std::string extension : {".msh", ".mesh", ".smesh", ".poly"}) {
     CHECK_THROWS_WITH(write(dir / ("m" + extension), c.view()), Catch::Contains("apply `closure`"));
   }

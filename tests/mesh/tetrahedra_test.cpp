@@ -174,9 +174,9 @@ TEST_CASE("what can not be meshed says so", "[mesh][errors]") {
   Case c(soup);
   c.show(c.leaves[1]);
   CHECK_THROWS_WITH(tetrahedra(c.view()), Catch::Contains("no region to fill"));
-  c.show(apply(*c.complex, Topological::interior, components_of(*c.complex, c.leaves[0])).value);
+  c.show(topological_operation(*c.complex, Topological::interior, components_of(*c.complex, c.leaves[0])).value);
   CHECK_THROWS_WITH(tetrahedra(c.view()), Catch::Contains("apply `closure`"));
-  c.show(apply(*c.complex, BooleanOp::unite, Dominance::equal, c.leaves[0], c.leaves[2]).group);
+  c.show(boolean_operation(*c.complex, BooleanOp::unite, Dominance::equal, c.leaves[0], c.leaves[2]).group);
   CHECK_THROWS_WITH(tetrahedra(c.view()), Catch::Contains("makes facets cross"));
 }
 

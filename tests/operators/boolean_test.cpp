@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/leaf_group.h"
 #include "csg/operators/paper_classification.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
@@ -30,8 +30,9 @@ std::vector<Group> named_leaves(const Complex& complex) {
 }
 
 TEST_CASE("a leaf keeps its features: cuts of other leaves are none", "[leaf_group]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}),
-                                      sheet({0, 0, 2}, {4, 4, 2}), wire({-1, 2, 4}, {5, 2, 4})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}),
+                                         sheet({0, 0, 2}, {4, 4, 2}), wire({-1, 2, 4}, {5, 2, 4})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   CHECK(counts(complex, leaves[0]) == Counts{8, 12, 6, 1});
   CHECK(counts(complex, leaves[1]) == Counts{8, 12, 6, 1});
@@ -43,14 +44,16 @@ TEST_CASE("a leaf keeps its features: cuts of other leaves are none", "[leaf_gro
 }
 
 TEST_CASE("a face cut by its leaf keeps the cut, in the point set it goes", "[leaf_group]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}, 1, 0)});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}, 1, 0)});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   CHECK(counts(complex, leaves[0]) == Counts{8 + 10, 12 + 8 + 8, 6 + 6, 1});
   CHECK(counts(complex, leaves[0], SimplifyMode::points) == Counts{8, 12, 6, 1});
 }
 
 TEST_CASE("one label in two places is two regions with one set of attributes", "[leaf_group]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {1, 1, 1}) + box({2, 0, 0}, {3, 1, 1})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {1, 1, 1}) + box({2, 0, 0}, {3, 1, 1})});
+  const Complex& complex = *built_complex;
   const auto leaves = named_leaves(complex);
   REQUIRE(leaves[0].regions.size() == 2);
   CHECK(leaves[0].regions[1].material == "rock");
@@ -58,11 +61,12 @@ TEST_CASE("one label in two places is two regions with one set of attributes", "
 }
 
 TEST_CASE("attributes follow dominance", "[attributes]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const Complex& complex = *built_complex;
   auto leaves = named_leaves(complex);
   leaves[1].dominance = 2;
   SECTION("left dominates the union: its region stays whole, the other keeps the rest") {
-    const auto result = apply(complex, BooleanOp::unite, Dominance::left, leaves[0], leaves[1]);
+    const auto result = boolean_operation(complex, BooleanOp::unite, Dominance::left, leaves[0], leaves[1]);
     REQUIRE(result.group.regions.size() == 2);
     CHECK(result.conflicts.empty());
     CHECK(result.group.dominance == 2);
@@ -72,32 +76,32 @@ TEST_CASE("attributes follow dominance", "[attributes]") {
     CHECK(result.group.regions[0].material != result.group.regions[1].material);
   }
   SECTION("equal operands: the left one's material, reported") {
-    const auto result = apply(complex, BooleanOp::unite, Dominance::equal, leaves[1], leaves[0]);
+    const auto result = boolean_operation(complex, BooleanOp::unite, Dominance::equal, leaves[1], leaves[0]);
     REQUIRE(result.group.regions.size() == 1);
     CHECK(result.group.regions[0].material == "ore");
     CHECK(result.group.regions[0].name == "leaf1");
     REQUIRE(result.conflicts.size() == 1);
-    CHECK(result.conflicts[0].region == 1);
+    CHECK(result.group.region_of(result.conflicts[0].cells.regions.at(0)) == 1);
     CHECK(result.conflicts[0].kept == "ore");
     CHECK(result.conflicts[0].other == "rock");
   }
   SECTION("equal operands: who has no material yields") {
     leaves[0].regions[0].material = {};
-    const auto result = apply(complex, BooleanOp::unite, Dominance::equal, leaves[0], leaves[1]);
+    const auto result = boolean_operation(complex, BooleanOp::unite, Dominance::equal, leaves[0], leaves[1]);
     CHECK(result.group.regions.at(0).material == "ore");
     CHECK(result.conflicts.empty());
   }
   SECTION("a dominant operand without a material stays without") {
     leaves[0].regions[0].material = {};
-    const auto result = apply(complex, BooleanOp::intersect, Dominance::left, leaves[0], leaves[1]);
+    const auto result = boolean_operation(complex, BooleanOp::intersect, Dominance::left, leaves[0], leaves[1]);
     CHECK(result.group.regions.at(0).material.empty());
   }
   SECTION("right dominates the intersection") {
-    const auto result = apply(complex, BooleanOp::intersect, Dominance::right, leaves[0], leaves[1]);
+    const auto result = boolean_operation(complex, BooleanOp::intersect, Dominance::right, leaves[0], leaves[1]);
     CHECK(result.group.regions.at(0).material == "ore");
   }
   SECTION("the difference keeps those of its left operand") {
-    const auto result = apply(complex, BooleanOp::subtract, Dominance::right, leaves[0], leaves[1]);
+    const auto result = boolean_operation(complex, BooleanOp::subtract, Dominance::right, leaves[0], leaves[1]);
     REQUIRE(result.group.regions.size() == 1);
     CHECK(result.group.regions[0].material == "rock");
     CHECK(result.group.regions[0].leaves == std::vector<LeafId>{LeafId(0)});
@@ -105,11 +109,13 @@ TEST_CASE("attributes follow dominance", "[attributes]") {
 }
 
 TEST_CASE("subtracting what only touches changes nothing", "[features]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({4, 1, 1}, {6, 3, 3}),
-                                      box({9, 9, 9}, {10, 10, 10}), sheet({1, 1, 1}, {1, 3, 3})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({4, 1, 1}, {6, 3, 3}),
+                                         box({9, 9, 9}, {10, 10, 10}), sheet({1, 1, 1}, {1, 3, 3})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   for (std::size_t i : {1u, 2u, 3u}) {
-    const Group result = apply(complex, BooleanOp::subtract, Dominance::equal, leaves[0], leaves[i]).group;
+    const Group result =
+        boolean_operation(complex, BooleanOp::subtract, Dominance::equal, leaves[0], leaves[i]).group;
     CHECK(result.faces == leaves[0].faces);
     CHECK(result.features.edges == leaves[0].features.edges);
     CHECK(counts(complex, result) == Counts{8, 12, 6, 1});
@@ -117,27 +123,31 @@ TEST_CASE("subtracting what only touches changes nothing", "[features]") {
 }
 
 TEST_CASE("a notch has the features of the tool", "[features]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}, 1, 0)});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}, 1, 0)});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
-  const Group result = apply(complex, BooleanOp::subtract, Dominance::equal, leaves[0], leaves[1]).group;
+  const Group result =
+      boolean_operation(complex, BooleanOp::subtract, Dominance::equal, leaves[0], leaves[1]).group;
   // The bottom of the notch is cut into four by the tool.
   CHECK(counts(complex, result) == Counts{8 + 4 + 4 + 5, 12 + 4 + 4 + 8 + 4, 6 + 4 + 4, 1});
   CHECK(counts(complex, result, SimplifyMode::points) == Counts{16, 24, 11, 1});
 }
 
 TEST_CASE("the wall between equal neighbours goes, its rim stays a feature", "[features]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {2, 2, 2}), box({2, 0, 0}, {4, 2, 2})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {2, 2, 2}), box({2, 0, 0}, {4, 2, 2})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
-  const Group sum = apply(complex, BooleanOp::unite, Dominance::equal, leaves[0], leaves[1]).group;
+  const Group sum = boolean_operation(complex, BooleanOp::unite, Dominance::equal, leaves[0], leaves[1]).group;
   CHECK(counts(complex, sum) == Counts{12, 20, 10, 1});
   CHECK(counts(complex, sum, SimplifyMode::points) == Counts{8, 12, 6, 1});
-  const Group kept = apply(complex, BooleanOp::unite, Dominance::left, leaves[0], leaves[1]).group;
+  const Group kept = boolean_operation(complex, BooleanOp::unite, Dominance::left, leaves[0], leaves[1]).group;
   CHECK(counts(complex, kept) == Counts{12, 20, 11, 2});
 }
 
 TEST_CASE("complement twice, De Morgan, regularize", "[complement]") {
-  const Complex complex =
+  const auto built_complex =
       complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}) + sheet({7, 0, 0}, {7, 5, 5})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   const Group &a = leaves[0], &b = leaves[1];
   const Group not_a = complement(complex, a), not_b = complement(complex, b);
@@ -146,21 +156,23 @@ TEST_CASE("complement twice, De Morgan, regularize", "[complement]") {
   CHECK(complement(complex, not_a).cells == a.cells);
   CHECK(complement(complex, not_a).faces == a.faces);
   CHECK(not_b.faces == regularize(complex, b).faces);
-  const Group rest = apply(complex, BooleanOp::intersect, Dominance::equal, not_a, not_b).group;
+  const Group rest = boolean_operation(complex, BooleanOp::intersect, Dominance::equal, not_a, not_b).group;
   CHECK(check_boolean(complex, BooleanOp::intersect, not_a, not_b, rest) == "");
-  const Group both = apply(complex, BooleanOp::unite, Dominance::equal, a, regularize(complex, b)).group;
+  const Group both =
+      boolean_operation(complex, BooleanOp::unite, Dominance::equal, a, regularize(complex, b)).group;
   CHECK(regularize(complex, complement(complex, rest)).faces == regularize(complex, both).faces);
-  CHECK(apply(complex, BooleanOp::subtract, Dominance::equal, a, b).group.cells ==
-        apply(complex, BooleanOp::intersect, Dominance::equal, a, not_b).group.cells);
+  CHECK(boolean_operation(complex, BooleanOp::subtract, Dominance::equal, a, b).group.cells ==
+        boolean_operation(complex, BooleanOp::intersect, Dominance::equal, a, not_b).group.cells);
 }
 
 TEST_CASE("idempotence and order of equal unions", "[boolean]") {
-  const Complex complex =
+  const auto built_complex =
       complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}), parted_box({1, 1, -2}, {5, 3, 2}, 3)});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   for (const Group& g : leaves) {
     for (const BooleanOp op : {BooleanOp::unite, BooleanOp::intersect}) {
-      const Group same = apply(complex, op, Dominance::equal, g, g).group;
+      const Group same = boolean_operation(complex, op, Dominance::equal, g, g).group;
       CHECK(same.faces == g.faces);
       CHECK(same.edges == g.edges);
       CHECK(same.vertices == g.vertices);
@@ -168,7 +180,7 @@ TEST_CASE("idempotence and order of equal unions", "[boolean]") {
     }
   }
   const auto unite = [&](const Group& a, const Group& b) {
-    const Group out = apply(complex, BooleanOp::unite, Dominance::equal, a, b).group;
+    const Group out = boolean_operation(complex, BooleanOp::unite, Dominance::equal, a, b).group;
     CHECK(check_boolean(complex, BooleanOp::unite, a, b, out) == "");
     return out;
   };
@@ -187,9 +199,11 @@ TEST_CASE("in a removed wall a border of leaf faces stays, a mere cut by another
   // The wall at x = 2, of four pieces or of one; a third leaf crosses it along y at z = 1.
   const Piece large = box({-2, -2, -2}, {8, 8, 8}), crossing = sheet({1, 1, 1}, {3, 3, 1});
   for (const int cuts : {1, 2}) {
-    const Complex complex = complex_of({large, parted_box({1, 0, 0}, {3, 4, 4}, 2, cuts), crossing});
+    const auto built_complex = complex_of({large, parted_box({1, 0, 0}, {3, 4, 4}, 2, cuts), crossing});
+    const Complex& complex = *built_complex;
     const auto leaves = leaf_groups(complex);
-    const BooleanResult result = apply(complex, BooleanOp::intersect, Dominance::left, leaves[0], leaves[1]);
+    const BooleanResult result =
+        boolean_operation(complex, BooleanOp::intersect, Dominance::left, leaves[0], leaves[1]);
     CHECK(check_boolean(complex, BooleanOp::intersect, leaves[0], leaves[1], result.group) == "");
     CHECK(result.group.regions.size() == 1);
     std::size_t wires = 0;
@@ -203,8 +217,9 @@ TEST_CASE("in a removed wall a border of leaf faces stays, a mere cut by another
 }
 
 TEST_CASE("the paper's classification is that of propagation", "[classification]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}),
-                                      parted_box({1, 0, 0}, {3, 4, 4}, 2), sheet({2, 0, 0}, {2, 8, 8})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3}),
+                                         parted_box({1, 0, 0}, {3, 4, 4}, 2), sheet({2, 0, 0}, {2, 8, 8})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   const Locator locator(complex);
   for (const Group& a : leaves) {
@@ -217,9 +232,10 @@ TEST_CASE("the paper's classification is that of propagation", "[classification]
 }
 
 TEST_CASE("identities find what is wrong", "[identities]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
-  const Group good = apply(complex, BooleanOp::unite, Dominance::left, leaves[0], leaves[1]).group;
+  const Group good = boolean_operation(complex, BooleanOp::unite, Dominance::left, leaves[0], leaves[1]).group;
   Group bad = good;
   bad.faces.pop_back();
   CHECK(check_group(complex, bad) != "");

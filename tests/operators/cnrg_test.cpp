@@ -1,11 +1,11 @@
-// The operators of CNRG on small scenes whose components can be counted by hand (SEMANTICS 2).
+// The operators of CNRG on small scenes whose components can be counted by hand (csg/SEMANTICS.md#components).
 #include "csg/operators/cnrg.h"
 
 #include <catch2/catch.hpp>
 
 #include "csg/operators/component_lists.h"
+#include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/leaf_group.h"
 #include "csg/operators/node_value.h"
 #include "tests/operators/pieces.h"
 
@@ -15,10 +15,11 @@ namespace {
 using namespace pieces;
 
 struct Scene {
-  Complex complex;
+  const std::shared_ptr<const Complex> built;
+  const Complex& complex = *built;
   std::vector<Components> leaves;
   explicit Scene(const std::vector<Piece>& pieces, const std::vector<std::vector<RegionAttributes>>& names = {})
-      : complex(complex_of(pieces)) {
+      : built(complex_of(pieces)) {
     for (const Group& group : leaf_groups(complex, names)) leaves.push_back(components_of(complex, group));
   }
   Components one(std::size_t leaf) const { return unify(complex, leaves[leaf]).value; }
@@ -116,7 +117,7 @@ TEST_CASE("interior, closure, boundary and regularize of a solid with a fin and 
                  point({9, 9, 9})});
   const Components x = s.one(0);
   const auto op = [&](Topological t, const Components& operand) {
-    const Components out = apply(s.complex, t, operand).value;
+    const Components out = topological_operation(s.complex, t, operand).value;
     CHECK(check_topological(s.complex, t, false, operand, out) == "");
     return out;
   };
@@ -140,17 +141,17 @@ TEST_CASE("interior, closure, boundary and regularize of a solid with a fin and 
 TEST_CASE("with each, closures that overlap fall into atoms", "[cnrg]") {
   const Scene s({parted_box({0, 0, 0}, {4, 2, 2}, 2, 1)});
   Components open = s.leaves[0];
-  open = subtract(s.complex, open, apply(s.complex, Topological::boundary, s.one(0)).value).value;
+  open = subtract(s.complex, open, topological_operation(s.complex, Topological::boundary, s.one(0)).value).value;
   // Two open boxes and the open wall between them.
   REQUIRE(open.attributes.size() == 3);
-  const Components atoms = apply_each(s.complex, Topological::closure, open).value;
+  const Components atoms = topological_operation_of_each(s.complex, Topological::closure, open).value;
   CHECK(check_topological(s.complex, Topological::closure, true, open, atoms) == "");
   // The open boxes, the wall inside (of all three), its rim (also), the rest of either skin.
   CHECK(atoms.attributes.size() == 3);
-  const Components inner = apply_each(s.complex, Topological::interior, open).value;
+  const Components inner = topological_operation_of_each(s.complex, Topological::interior, open).value;
   CHECK(inner.attributes.size() == 2);
   CHECK(sizes(inner) == std::array<std::size_t, 4>{0, 0, 0, 2});
-  const Components whole = apply(s.complex, Topological::interior, open).value;
+  const Components whole = topological_operation(s.complex, Topological::interior, open).value;
   CHECK(sizes(whole) == std::array<std::size_t, 4>{0, 0, 1, 2});
 }
 
@@ -205,7 +206,7 @@ TEST_CASE("cells remember the leaves that they came from", "[cnrg]") {
   CHECK(leaves_of(s.one(1), f) == std::vector<LeafId>{LeafId(1)});
   // What closure adds came from what it closes.
   const Components open = subtract(s.complex, s.one(0), s.one(1)).value;
-  const Components shut = apply(s.complex, Topological::closure, open).value;
+  const Components shut = topological_operation(s.complex, Topological::closure, open).value;
   CHECK(leaves_of(shut, f) == std::vector<LeafId>{LeafId(0)});
   const auto cells = leaf_cells(s.complex, f, std::vector<LeafId>{LeafId(0), LeafId(1)});
   CHECK(std::count_if(cells.begin(), cells.end(), [](const LeafCell& c) { return c.dimension == 2; }) == 2);

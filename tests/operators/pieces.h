@@ -77,7 +77,7 @@ inline Piece operator+(Piece a, const Piece& b) {
 }
 
 /// The complex of some leaves, each with Fill::sides.
-inline Complex complex_of(const std::vector<Piece>& leaves) {
+inline std::shared_ptr<const Complex> complex_of(const std::vector<Piece>& leaves) {
   Soup soup;
   std::map<Point, PointId> ids;
   const auto id = [&](Point p) {

@@ -5,8 +5,9 @@
 #include <string>
 
 #include "csg/operators/boolean.h"
+#include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/verdict.h"
 #include "tests/operators/pieces.h"
 
 namespace cnrg {
@@ -93,13 +94,6 @@ std::vector<Case> cases() {
   };
 }
 
-std::size_t removed_by(const BooleanResult& result, const std::string& id) {
-  for (const auto& [row, count] : result.removals) {
-    if (row == id) return count;
-  }
-  return 0;
-}
-
 TEST_CASE("each row that can remove does so somewhere, also with the operands exchanged", "[tables]") {
   std::set<std::string> fired;
   for (const Case& c : cases()) {
@@ -107,18 +101,19 @@ TEST_CASE("each row that can remove does so somewhere, also with the operands ex
     const auto row =
         std::find_if(table_rows().begin(), table_rows().end(), [&](const TableRow& r) { return r.id == c.row; });
     REQUIRE(row != table_rows().end());
-    const Complex complex = complex_of({c.left, c.right});
+    const auto built_complex = complex_of({c.left, c.right});
+    const Complex& complex = *built_complex;
     CHECK(validate(complex) == "");
     const auto leaves = leaf_groups(complex);
     const Dominance dominance = row->standing == Standing::equal ? Dominance::equal : Dominance::left;
-    const BooleanResult result = apply(complex, row->op, dominance, leaves[0], leaves[1]);
-    CHECK(removed_by(result, c.row) > 0);
+    const BooleanResult result = boolean_operation(complex, row->op, dominance, leaves[0], leaves[1]);
+    CHECK(result.removals.of(static_cast<std::size_t>(row - table_rows().begin())) > 0);
     CHECK(check_boolean(complex, row->op, leaves[0], leaves[1], result.group) == "");
     fired.insert(c.row);
     if (row->op == BooleanOp::subtract) continue;
     // The right operand dominates: the same result, the same rows.
     const Dominance mirrored = dominance == Dominance::equal ? Dominance::equal : Dominance::right;
-    const BooleanResult exchanged = apply(complex, row->op, mirrored, leaves[1], leaves[0]);
+    const BooleanResult exchanged = boolean_operation(complex, row->op, mirrored, leaves[1], leaves[0]);
     CHECK(exchanged.group.faces == result.group.faces);
     CHECK(exchanged.group.edges == result.group.edges);
     CHECK(exchanged.group.vertices == result.group.vertices);
@@ -131,11 +126,12 @@ TEST_CASE("each row that can remove does so somewhere, also with the operands ex
 }
 
 TEST_CASE("a verdict names the row, or the boundary that kept an entity", "[tables]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 1, 1}, {6, 3, 3})});
+  const Complex& complex = *built_complex;
   const auto leaves = leaf_groups(complex);
   for (const BooleanOp op : {BooleanOp::unite, BooleanOp::intersect, BooleanOp::subtract}) {
     for (const Dominance d : {Dominance::left, Dominance::right, Dominance::equal}) {
-      const Group result = apply(complex, op, d, leaves[0], leaves[1]).group;
+      const Group result = boolean_operation(complex, op, d, leaves[0], leaves[1]).group;
       for (FaceId f : IdRange<FaceId>(complex.face_count())) {
         const Verdict v = verdict(complex, op, d, leaves[0], leaves[1], result, f);
         REQUIRE(v.entity);

@@ -193,7 +193,7 @@ Group random_group(const Grid& grid, std::mt19937_64& random, bool noise) {
   return g;
 }
 
-Group apply(const Grid& grid, Op op, bool dominant, const Group& a, const Group& b) {
+Group boolean_operation(const Grid& grid, Op op, bool dominant, const Group& a, const Group& b) {
   Group g = empty_group(grid);
   for (int d : {2, 1, 0}) {
     for (Cell c = 0; c < grid.cells(); ++c) {

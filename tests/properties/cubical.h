@@ -1,4 +1,4 @@
-// Groups on a cubical grid, and the rules of SEMANTICS 3, 4 and 6 by brute force, without the kernel.
+// Groups on a cubical grid, and the rules of csg/SEMANTICS.md#the-tables by brute force, without the kernel.
 //
 // A cell is a point of {0 .. 2n}^3: an odd coordinate is an open unit interval, an even one a grid point. A group
 // holds which cubes are inside and which lower cells are entities; the outermost layer of cubes stays outside, so
@@ -55,7 +55,7 @@ int region_around(const Grid& grid, const Group& g, Cell c);
 
 enum class Op { unite, intersect, subtract };
 /// The tables; `dominant`: a dominates b.
-Group apply(const Grid& grid, Op op, bool dominant, const Group& a, const Group& b);
+Group boolean_operation(const Grid& grid, Op op, bool dominant, const Group& a, const Group& b);
 Group complement(const Grid& grid, const Group& g);
 Group regularize(const Grid& grid, const Group& g);
 
@@ -83,7 +83,7 @@ std::vector<Segment> wires(const Grid& grid, const Group& g, bool large);
 /// Vertices that bound no edge of the group.
 std::vector<std::array<int, 3>> points(const Grid& grid, const Group& g);
 
-/// The `group` leaf of a tree file (INTERFACE) for a group.
+/// The `group` leaf of a tree file (csg/FORMATS.md#groups) for a group.
 std::string fixture(const Grid& grid, const Group& g, const std::string& name);
 
 }  // namespace cubical

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "csg/operators/boolean.h"
+#include "csg/operators/group.h"
 #include "csg/operators/identities.h"
-#include "csg/operators/leaf_group.h"
 #include "csg/operators/paper_classification.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/simplify.h"
@@ -82,7 +82,7 @@ std::string name(const Grid& grid, Cell c) {
 class Kernel {
  public:
   Kernel(const Grid& grid, const Group& a, const Group& b, const Presentation& how)
-      : grid_(grid), complex_(build(grid, a, b, how)), locator_(complex_), leaves_(cnrg::leaf_groups(complex_)) {
+      : grid_(grid), built_(build(grid, a, b, how)), locator_(complex_), leaves_(cnrg::leaf_groups(complex_)) {
     const PairSoup soup(grid, how.tilted);
     for (Cell c = 0; c < grid.cells(); ++c) {
       const auto p = grid.position(c);
@@ -155,15 +155,16 @@ class Kernel {
   }
 
  private:
-  static cnrg::Complex build(const Grid& grid, const Group& a, const Group& b, const Presentation& how) {
+  static std::shared_ptr<const cnrg::Complex> build(const Grid& grid, const Group& a, const Group& b,
+                                                    const Presentation& how) {
     PairSoup soup(grid, how.tilted);
     soup.add(a, how.large_a);
     soup.add(b, how.large_b);
     cnrg::RefineOptions options;
     options.threads = 1;
-    cnrg::Complex complex = cnrg::build_complex(soup.soup, options);
+    const auto complex = cnrg::build_complex(soup.soup, options);
     if (how.thorough) {
-      if (const std::string wrong = cnrg::validate(complex); !wrong.empty()) throw std::runtime_error(wrong);
+      if (const std::string wrong = cnrg::validate(*complex); !wrong.empty()) throw std::runtime_error(wrong);
     }
     return complex;
   }
@@ -235,7 +236,8 @@ class Kernel {
   }
 
   const Grid& grid_;
-  cnrg::Complex complex_;
+  const std::shared_ptr<const cnrg::Complex> built_;
+  const cnrg::Complex& complex_ = *built_;
   cnrg::Locator locator_;
   std::vector<cnrg::Group> leaves_;
   std::vector<Cell> cells_;
@@ -249,9 +251,9 @@ std::string compare_operations(const Grid& grid, const Kernel& kernel, const Gro
   for (int op = 0; op < 3; ++op) {
     for (const auto dominance : {cnrg::Dominance::left, cnrg::Dominance::right, cnrg::Dominance::equal}) {
       const bool swapped = dominance == cnrg::Dominance::right && op != 2;
-      const Group want =
-          apply(grid, static_cast<Op>(op), dominance != cnrg::Dominance::equal, swapped ? b : a, swapped ? a : b);
-      const auto have = cnrg::apply(kernel.complex(), ops[op], dominance, ka, kb);
+      const Group want = boolean_operation(grid, static_cast<Op>(op), dominance != cnrg::Dominance::equal,
+                                           swapped ? b : a, swapped ? a : b);
+      const auto have = cnrg::boolean_operation(kernel.complex(), ops[op], dominance, ka, kb);
       std::string wrong = kernel.compare(want, have.group);
       if (wrong.empty() && thorough) wrong = cnrg::check_boolean(kernel.complex(), ops[op], ka, kb, have.group);
       if (wrong.empty() && thorough && dominance == cnrg::Dominance::equal) {

@@ -1,4 +1,5 @@
-// The kernel against a brute-force run of the rules on cubical complexes, cell for cell (SEMANTICS 3 to 6).
+// The kernel against a brute-force run of the rules on cubical complexes, cell for cell
+// (csg/SEMANTICS.md#the-tables).
 //
 // CNRG_SEEDS sets the number of pairs of each case, CNRG_FIRST_SEED where they start.
 #include <algorithm>

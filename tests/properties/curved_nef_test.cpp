@@ -25,8 +25,9 @@ scenes::Solid facets_of(const Soup& soup, LeafId leaf) {
 /// Volumes and canonical forms of both leaves and of their three Booleans are Nef's.
 void check_pair(const Shape& a, const Transform& to_a, const Shape& b, const Transform& to_b) {
   const auto first = prepare(a), second = prepare(b);
-  const Soup soup = make_soup({{first.get(), to_a}, {second.get(), to_b}});
-  const Complex complex = build_complex(soup);
+  const Soup soup = make_soup({{first, to_a}, {second, to_b}});
+  const auto built_complex = build_complex(soup);
+  const Complex& complex = *built_complex;
   REQUIRE(cnrg::validate(complex) == "");
   const std::vector<Group> groups = leaf_groups(complex);
   const NefSet nef_a = NefSet::solid(facets_of(soup, LeafId(0))),
@@ -39,7 +40,7 @@ void check_pair(const Shape& a, const Transform& to_a, const Shape& b, const Tra
   check(groups[0], nef_a);
   check(groups[1], nef_b);
   const auto boolean = [&](BooleanOp op) {
-    return apply(complex, op, Dominance::equal, groups[0], groups[1]).group;
+    return boolean_operation(complex, op, Dominance::equal, groups[0], groups[1]).group;
   };
   check(boolean(BooleanOp::unite), nef_a.unite(nef_b));
   check(boolean(BooleanOp::intersect), nef_a.intersect(nef_b));

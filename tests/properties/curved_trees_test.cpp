@@ -1,5 +1,6 @@
 // Random trees of curved, flat and unbounded leaves: each node's identities, both classifications, and what a
-// simplified value promises to its readers (SEMANTICS 5, 6; CNRG_SEEDS and CNRG_FIRST_SEED as for cubical pairs).
+// simplified value promises to its readers (csg/SEMANTICS.md#identities; CNRG_SEEDS and CNRG_FIRST_SEED as for
+// cubical pairs).
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/operators/identities.h"
+#include "csg/operators/node_value.h"
 #include "csg/operators/paper_classification.h"
 #include "kernel/selection/simplify.h"
 
@@ -193,7 +195,7 @@ std::string check_node(const Tree& tree, const Evaluation& evaluation, const Loc
   const Complex& complex = *evaluation.complex;
   const Group& g = group_of(evaluation, id);
   std::string out = check_group(complex, g);
-  const std::vector<NodeId> operands = tree.dag.operands(id);
+  const std::vector<NodeId> operands = tree.operands(id);
   if (out.empty() && tree.nodes[id].operator_name == "complement") {
     out = check_complement(complex, group_of(evaluation, operands[0]), g);
   }

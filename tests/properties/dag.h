@@ -1,7 +1,7 @@
 // Random tree files with every operator: what the CNRG algebra is proved on.
 //
 // Nodes are listed operands before users; the last one is the result. A node may have any number of users, and a
-// value that a group Boolean could not take gets a `closure` (SEMANTICS 2 and 3).
+// value that a group Boolean could not take gets a `closure` (csg/SEMANTICS.md#from-one-family-to-the-other).
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // What must not change the values of a dag: the order of its leaves, faces and points, an exact rigid motion, the
-// number of threads, and which values are kept (SEMANTICS 5.4). Values are compared by their canonical forms,
-// component by component.
+// number of threads, and which values are kept (csg/SEMANTICS.md#identities). Values are compared by their
+// canonical forms, component by component.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
-// The laws of the CNRG algebra on the values of random dags (SEMANTICS 2, 5.4): no oracle, so many more dags.
+// The laws of the CNRG algebra on the values of random dags (csg/SEMANTICS.md#identities): no oracle, so many more
+// dags.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -55,11 +56,13 @@ class Laws {
   Components minus(const Components& x, const Components& y) const { return cnrg::subtract(complex_, x, y).value; }
   Components no(const Components& x) const { return complement(complex_, x).value; }
   Components one_of(const Components& x) const { return unify(complex_, x).value; }
-  Components apply(Topological op, const Components& x) const { return cnrg::apply(complex_, op, x).value; }
-  Components interior(const Components& x) const { return apply(Topological::interior, x); }
-  Components closure(const Components& x) const { return apply(Topological::closure, x); }
-  Components boundary(const Components& x) const { return apply(Topological::boundary, x); }
-  Components regularize(const Components& x) const { return apply(Topological::regularize, x); }
+  Components made(Topological op, const Components& x) const {
+    return topological_operation(complex_, op, x).value;
+  }
+  Components interior(const Components& x) const { return made(Topological::interior, x); }
+  Components closure(const Components& x) const { return made(Topological::closure, x); }
+  Components boundary(const Components& x) const { return made(Topological::boundary, x); }
+  Components regularize(const Components& x) const { return made(Topological::regularize, x); }
 
   void holds(const std::string& law, bool truth) {
     if (!truth && broken_.empty()) broken_ = "the law is broken: " + law;
@@ -79,9 +82,9 @@ class Laws {
     same("unify(complement) = space - |X|", of(no(x)), cnrg::subtract(all_cells(complex_), a));
     for (const Topological op : kTopological) {
       const Components unified = one_of(x);
-      same(std::string("unify(") + name(op) + "(X)) = " + name(op) + "(unify(X))", of(apply(op, x)),
-           of(apply(op, unified)));
-      same(std::string(name(op)) + " of a set", of(apply(op, x)), cnrg::apply(complex_, op, a));
+      same(std::string("unify(") + name(op) + "(X)) = " + name(op) + "(unify(X))", of(made(op, x)),
+           of(made(op, unified)));
+      same(std::string(name(op)) + " of a set", of(made(op, x)), topological_operation(complex_, op, a));
     }
     same("De Morgan of a sum", of(no(plus(x, y))), of(times(no(x), no(y))));
     same("De Morgan of a product", of(no(times(x, y))), of(plus(no(x), no(y))));
@@ -137,15 +140,15 @@ class Laws {
   }
 
   void each(const Components& x) {
-    const auto own = [&](Topological op) { return apply_each(complex_, op, x).value; };
+    const auto own = [&](Topological op) { return topological_operation_of_each(complex_, op, x).value; };
     for (const Topological op : kTopological) {
       CellSet all;
       for (Component c = 1; c <= x.attributes.size(); ++c)
-        all = unite(all, cnrg::apply(complex_, op, support(x.selection, c)));
+        all = unite(all, topological_operation(complex_, op, support(x.selection, c)));
       same(std::string("each ") + name(op) + " is the union over the components", of(own(op)), all);
       if (Failure f = check_components(complex_, own(op)); !f.empty()) holds("each " + f, false);
       if (x.attributes.size() == 1)
-        same(std::string("each ") + name(op) + " of one component", of(own(op)), of(apply(op, x)));
+        same(std::string("each ") + name(op) + " of one component", of(own(op)), of(made(op, x)));
     }
     same("each closure", of(own(Topological::closure)), of(closure(x)));
     holds("each interior", subset(of(own(Topological::interior)), of(interior(x))));

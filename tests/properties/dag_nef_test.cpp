@@ -1,5 +1,5 @@
 // Random dags against Nef polyhedra, node by node: the point set of every value, open, unbounded or neither,
-// equals Nef's for the same expression (SEMANTICS 2, 5.5), and components are those of the definitions.
+// equals Nef's for the same expression (csg/SEMANTICS.md#identities), and components are those of the definitions.
 #include <catch2/catch.hpp>
 #include <exception>
 #include <sstream>

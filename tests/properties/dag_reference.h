@@ -1,7 +1,8 @@
 // The CNRG operators by their definition, cell by cell: what the sparse operators are checked against.
 //
 // Cells of all dimensions have one number; the only thing known of the complex is which cell is in whose closure.
-// Sets are arrays over all cells, components are what the table of SEMANTICS 2 says of each cell by itself.
+// Sets are arrays over all cells, components are what the table of csg/SEMANTICS.md#components says of each cell
+// by itself.
 #pragma once
 
 #include <compare>

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/operators/node_value.h"
 #include "tests/properties/dag.h"
 
 namespace cnrg::properties {

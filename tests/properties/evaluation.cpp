@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "csg/operators/detect_regions.h"
 #include "tests/scenes/measure.h"
 
 namespace cnrg::properties {
@@ -54,8 +55,8 @@ Dominance dominance(scenes::Ranking ranking) {
 
 Group evaluate(const Complex& complex, const std::vector<Group>& groups, const scenes::Expression& e) {
   if (e.op == scenes::Op::leaf) return groups[e.leaf];
-  return apply(complex, boolean_op(e.op), dominance(e.ranking), evaluate(complex, groups, *e.left),
-               evaluate(complex, groups, *e.right))
+  return boolean_operation(complex, boolean_op(e.op), dominance(e.ranking), evaluate(complex, groups, *e.left),
+                           evaluate(complex, groups, *e.right))
       .group;
 }
 

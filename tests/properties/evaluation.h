@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "csg/operators/boolean.h"
-#include "csg/operators/leaf_group.h"
+#include "csg/operators/group.h"
 #include "csg/operators/node_value.h"
 #include "kernel/selection/simplify.h"
 #include "tests/properties/nef_oracle.h"
@@ -41,7 +41,7 @@ NefSet to_nef(const Complex& complex, const Group& group);
 /// The sum of the volumes of the regions of a bounded group.
 Rational volume(const Complex& complex, const Group& group);
 
-/// What is wrong with a group (SEMANTICS 3 and 5.2) in words; empty when nothing is: closed under boundary,
+/// What is wrong with a group (csg/SEMANTICS.md#groups) in words; empty when nothing is: closed under boundary,
 /// walls complete, regions as detection finds them, features among the entities.
 std::string validate(const Complex& complex, const Group& group);
 

@@ -1,4 +1,4 @@
-// Random trees against Nef polyhedra: equal point sets at every node (SEMANTICS 5.1, 5.2, 5.5).
+// Random trees against Nef polyhedra: equal point sets at every node (csg/SEMANTICS.md#identities).
 #include <catch2/catch.hpp>
 #include <exception>
 #include <iostream>
@@ -21,7 +21,7 @@ using Failure = std::string;
 class Comparison {
  public:
   explicit Comparison(const Scene& scene)
-      : scene_(scene), complex_(build_complex(scenes::make_soup(scene.leaves))), groups_(leaf_groups(complex_)) {}
+      : scene_(scene), built_(build_complex(scenes::make_soup(scene.leaves))), groups_(leaf_groups(complex_)) {}
 
   Failure run() {
     if (Failure f = cnrg::validate(complex_); !f.empty()) return "the complex is not valid: " + f;
@@ -45,7 +45,7 @@ class Comparison {
     Value a, b;
     if (Failure f = node(*e.left, a); !f.empty()) return f;
     if (Failure f = node(*e.right, b); !f.empty()) return f;
-    value.ours = apply(complex_, boolean_op(e.op), dominance(e.ranking), a.ours, b.ours).group;
+    value.ours = boolean_operation(complex_, boolean_op(e.op), dominance(e.ranking), a.ours, b.ours).group;
     switch (e.op) {
       case Op::unite: value.nef = a.nef.unite(b.nef); break;
       case Op::intersect: value.nef = a.nef.intersect(b.nef); break;
@@ -53,8 +53,8 @@ class Comparison {
     }
     const char* op = e.op == Op::unite ? "a union" : e.op == Op::intersect ? "an intersection" : "a difference";
     if (Failure f = compare(value, op); !f.empty()) return f;
-    const Group both = apply(complex_, BooleanOp::intersect, Dominance::equal, a.ours, b.ours).group;
-    const Group all = apply(complex_, BooleanOp::unite, Dominance::equal, a.ours, b.ours).group;
+    const Group both = boolean_operation(complex_, BooleanOp::intersect, Dominance::equal, a.ours, b.ours).group;
+    const Group all = boolean_operation(complex_, BooleanOp::unite, Dominance::equal, a.ours, b.ours).group;
     if (volume(complex_, both) + volume(complex_, all) != volume(complex_, a.ours) + volume(complex_, b.ours))
       return "volumes of union and intersection do not add up to those of the operands";
     return {};
@@ -111,7 +111,8 @@ class Comparison {
   }
 
   const Scene& scene_;
-  Complex complex_;
+  const std::shared_ptr<const Complex> built_;
+  const Complex& complex_ = *built_;
   std::vector<Group> groups_;
 };
 

@@ -1,7 +1,8 @@
 // The point-set oracle: CGAL's Nef polyhedra behind a header without CGAL.
 //
 // It shares no code and no decision with the kernel: leaves come from their own solids, sheets, wires and points
-// (tests/scenes/scene.h), set operations are Nef's, all numbers are exact. SEMANTICS 5.1 says what must be equal.
+// (tests/scenes/scene.h), set operations are Nef's, all numbers are exact. csg/SEMANTICS.md#identities says what
+// must be equal.
 #pragma once
 
 #include <memory>

@@ -69,26 +69,23 @@ void check_same(const Group& parts, const Group& plain) {
   }
 }
 
-using Conflict = std::tuple<std::uint32_t, std::string, std::string>;
-
-std::vector<Conflict> conflicts(const std::vector<MaterialConflict>& list) {
-  std::vector<Conflict> out;
-  for (const MaterialConflict& c : list) out.emplace_back(c.region, c.kept.name(), c.other.name());
-  return out;
-}
-
-std::vector<Conflict> conflicts(const PartedResult& result) {
-  const auto order = region_order(result.group);
-  std::vector<Conflict> out;
-  for (const auto& [part, c] : result.conflicts) {
-    const auto at = std::find(order.begin(), order.end(), std::pair(static_cast<std::uint32_t>(part), c.region));
-    out.emplace_back(at - order.begin() + 1, c.kept.name(), c.other.name());
+void check_same(const std::vector<MaterialConflict>& a, const std::vector<MaterialConflict>& b) {
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    CHECK(a[i].kept == b[i].kept);
+    CHECK(a[i].other == b[i].other);
+    CHECK((a[i].cells == b[i].cells));
   }
-  return out;
 }
 
-void check_measures(const Complex& complex, PartedGroup& parts, const Group& plain) {
-  const Totals& totals = measure(complex, parts);
+/// A Boolean of two values in parts.
+FoldResult fold_of_two(const Complex& complex, BooleanOp op, Dominance dominance, PartedGroup left,
+                       PartedGroup right) {
+  return boolean_fold(complex, op, std::span(&dominance, 1), {std::move(left), std::move(right)});
+}
+
+void check_totals(const Complex& complex, PartedGroup& parts, const Group& plain) {
+  const Totals& totals = totals_of(complex, parts);
   const Selection s = selection_of(complex, plain);
   CHECK((totals.raw == std::array{s.vertices.size(), s.edges.size(), s.faces.size(), s.regions.size()}));
   CHECK((totals.simplified == active_counts(simplify(complex, s, plain.features))));
@@ -114,7 +111,8 @@ Component state_of(const std::vector<std::pair<IdT, Component>>& list, IdT id) {
   return it != list.end() && it->first == id ? it->second : 0;
 }
 
-/// What SEMANTICS 6 says of each cell of the complex that needs no merged neighbour to tell, in mode `features`.
+/// What csg/SEMANTICS.md#simplification says of each cell of the complex that needs no merged neighbour to tell,
+/// in mode `features`.
 void check_places(const Complex& c, const Selection& s, const Features& features) {
   const SimplifiedComplex simplified = simplify(c, s, features);
   for (FaceId f : IdRange<FaceId>(c.face_count())) {
@@ -157,7 +155,7 @@ std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, 
   for (Group& leaf : leaves) {
     leaf.dominance = random.below(3);
     values.push_back({leaf, parted(complex, leaf)});
-    if (random.one_in(2)) measure(complex, values.back().parts);  // totals are kept up to date or made later
+    if (random.one_in(2)) totals_of(complex, values.back().parts);  // totals are kept up to date or made later
   }
   std::size_t most = 0;
   const std::size_t count = leaves.size();
@@ -167,13 +165,13 @@ std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, 
     const auto op = random.one_in(2) ? BooleanOp::unite : static_cast<BooleanOp>(random.below(3));
     const auto dominance = static_cast<Dominance>(random.below(3));
     INFO(i << ": " << name(op) << ' ' << static_cast<int>(dominance) << " of " << left << ", " << right);
-    const BooleanResult plain = apply(complex, op, dominance, values[left].plain, values[right].plain);
-    PartedResult parts = apply(complex, op, dominance, values[left].parts, values[right].parts);
+    const BooleanResult plain = boolean_operation(complex, op, dominance, values[left].plain, values[right].plain);
+    FoldResult parts = fold_of_two(complex, op, dominance, values[left].parts, values[right].parts);
     check_same(whole(parts.group), plain.group);
     CHECK((parts.removals == plain.removals));
-    CHECK((conflicts(parts) == conflicts(plain.conflicts)));
+    check_same(parts.conflicts, plain.conflicts);
     if (random.one_in(3)) parts.group.totals.reset();
-    check_measures(complex, parts.group, plain.group);
+    check_totals(complex, parts.group, plain.group);
     most = std::max(most, parts.group.parts.size());
     values.push_back({plain.group, parts.group});
     if (!chain && random.one_in(4)) {
@@ -184,39 +182,39 @@ std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, 
   return most;
 }
 
-/// A fold of values with any number of parts, at once and step by step. Returns how many conflicts there were.
+/// A fold of values with any number of parts, at once, in folds of two, and of whole groups step by step. Returns
+/// how many conflicts there were.
 std::size_t check_fold(const Complex& complex, const std::vector<PartedGroup>& values, Random& random) {
-  const auto op = random.one_in(2) ? BooleanOp::unite : BooleanOp::subtract;
+  const auto op = static_cast<BooleanOp>(random.below(3));
   const bool by_number = random.one_in(2);
   std::vector<Dominance> dominances;
-  std::vector<std::pair<std::string, std::size_t>> removals;
-  std::vector<MaterialConflict> conflicts;
+  Removals removals, plain_removals;
+  std::vector<MaterialConflict> conflicts, plain_conflicts;
   PartedGroup left = values[0];
+  Group plain = whole(left);
   for (std::size_t k = 1; k < values.size(); ++k) {
     const auto any = random.one_in(2) ? Dominance::equal : static_cast<Dominance>(random.below(3));
     const Dominance greater = left.dominance == values[k].dominance  ? Dominance::equal
                               : left.dominance > values[k].dominance ? Dominance::left
                                                                      : Dominance::right;
     dominances.push_back(by_number ? greater : any);
-    PartedResult step = apply(complex, op, dominances.back(), left, values[k]);
-    for (const auto& [id, count] : step.removals) {
-      const auto it = std::find_if(removals.begin(), removals.end(), [&](const auto& r) { return r.first == id; });
-      if (it == removals.end()) removals.emplace_back(id, count);
-      else it->second += count;
-    }
-    for (auto& [part, conflict] : step.conflicts) conflicts.push_back(std::move(conflict));
+    FoldResult step = fold_of_two(complex, op, dominances.back(), left, values[k]);
+    removals.add(step.removals);
+    conflicts.insert(conflicts.end(), step.conflicts.begin(), step.conflicts.end());
     left = std::move(step.group);
+    BooleanResult one = boolean_operation(complex, op, dominances.back(), plain, whole(values[k]));
+    plain_removals.add(one.removals);
+    plain_conflicts.insert(plain_conflicts.end(), one.conflicts.begin(), one.conflicts.end());
+    plain = std::move(one.group);
   }
-  const FoldResult at_once = fold(complex, op, dominances, values);
+  const FoldResult at_once = boolean_fold(complex, op, dominances, values);
   INFO(name(op) << " of " << values.size());
   check_same(whole(at_once.group), whole(left));
+  check_same(whole(at_once.group), plain);
   CHECK((at_once.removals == removals));
-  REQUIRE(at_once.conflicts.size() == conflicts.size());
-  for (std::size_t i = 0; i < conflicts.size(); ++i) {
-    CHECK(at_once.conflicts[i].kept == conflicts[i].kept);
-    CHECK(at_once.conflicts[i].other == conflicts[i].other);
-    CHECK((at_once.conflicts[i].cells == conflicts[i].cells));
-  }
+  CHECK((at_once.removals == plain_removals));
+  check_same(at_once.conflicts, conflicts);
+  check_same(at_once.conflicts, plain_conflicts);
   for (std::size_t i = 1; i < at_once.group.parts.size(); ++i) {
     CHECK(before(at_once.group.parts[i - 1], at_once.group.parts[i]));
   }
@@ -250,7 +248,8 @@ std::size_t check_overlays(const Complex& complex, const std::vector<PartedGroup
   std::vector<Components> values;
   for (const PartedGroup& group : groups) {
     values.push_back(components_of(complex, whole(group)));
-    if (random.one_in(3)) values.back() = apply(complex, Topological::interior, values.back()).value;
+    if (random.one_in(3))
+      values.back() = topological_operation(complex, Topological::interior, values.back()).value;
   }
   std::vector<const Components*> pointers;
   for (const Components& value : values) pointers.push_back(&value);
@@ -266,12 +265,7 @@ std::size_t check_overlays(const Complex& complex, const std::vector<PartedGroup
   }
   const ComponentsResult at_once = sum(complex, pointers, dominance);
   check_same(at_once.value, added);
-  REQUIRE(at_once.conflicts.size() == conflicts.size());
-  for (std::size_t i = 0; i < conflicts.size(); ++i) {
-    CHECK(at_once.conflicts[i].kept == conflicts[i].kept);
-    CHECK(at_once.conflicts[i].other == conflicts[i].other);
-    CHECK((at_once.conflicts[i].cells == conflicts[i].cells));
-  }
+  check_same(at_once.conflicts, conflicts);
   check_same(subtract(complex, pointers).value, rest);
   return conflicts.size();
 }
@@ -294,7 +288,7 @@ std::size_t check_folds(const Complex& complex, std::vector<Group> leaves, Rando
       return values[static_cast<std::size_t>(random.below(static_cast<int>(values.size())))];
     };
     const auto op = static_cast<BooleanOp>(random.below(3));
-    PartedGroup made = apply(complex, op, static_cast<Dominance>(random.below(3)), pick(), pick()).group;
+    PartedGroup made = fold_of_two(complex, op, static_cast<Dominance>(random.below(3)), pick(), pick()).group;
     values.push_back(random.one_in(4) ? parted(complex, complement(complex, whole(made))) : std::move(made));
   }
   std::size_t conflicts = 0, overlay_conflicts = 0;
@@ -325,7 +319,8 @@ TEST_CASE("Values in parts are the values as whole groups", "[parts]") {
         Random random(seed);
         const int room = static_cast<int>(seed % 4);
         const auto leaves = scattered_leaves(seed, 9, position, room);
-        const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+        const auto built_complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+        const Complex& complex = *built_complex;
         const auto groups = leaf_groups(complex, random_attributes(complex, random));
         most = std::max(most, check_evaluation(complex, groups, chain, random));
       }
@@ -378,7 +373,8 @@ TEST_CASE("A fold at once is the fold step by step", "[parts]") {
       INFO("seed " << seed << ", position " << static_cast<int>(position));
       Random random(seed);
       const auto leaves = scattered_leaves(seed, 8, position, static_cast<int>(seed % 3));
-      const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+      const auto built_complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+      const Complex& complex = *built_complex;
       conflicts += check_folds(complex, leaf_groups(complex, random_attributes(complex, random)), random);
     }
   }
@@ -415,12 +411,13 @@ TEST_CASE("A union far away carries the parts of its operands", "[parts]") {
     leaves.push_back(scenes::solid_leaf(scenes::box_solid({3 * i, 0, 0}, {3 * i + 2, 1, 1})));
   }
   leaves.push_back(scenes::solid_leaf(scenes::box_solid({5, 0, 0}, {6, 1, 1})));  // touches the second and third
-  const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+  const auto built_complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+  const Complex& complex = *built_complex;
   const std::vector<Group> groups = leaf_groups(complex);
   std::vector<PartedGroup> v;
   for (const Group& g : groups) v.push_back(parted(complex, g));
   const auto unite = [&](const PartedGroup& a, const PartedGroup& b) {
-    return apply(complex, BooleanOp::unite, Dominance::left, a, b).group;
+    return fold_of_two(complex, BooleanOp::unite, Dominance::left, a, b).group;
   };
   const PartedGroup three = unite(unite(v[0], v[1]), v[2]);
   REQUIRE(three.parts.size() == 3);
@@ -430,7 +427,7 @@ TEST_CASE("A union far away carries the parts of its operands", "[parts]") {
   const PartedGroup four = unite(three, v[3]);
   REQUIRE(four.parts.size() == 2);
   CHECK(std::count(four.parts.begin(), four.parts.end(), v[0].parts[0]) == 1);
-  CHECK(apply(complex, BooleanOp::intersect, Dominance::equal, v[0], v[2]).group.parts.empty());
+  CHECK(fold_of_two(complex, BooleanOp::intersect, Dominance::equal, v[0], v[2]).group.parts.empty());
 }
 
 TEST_CASE("Simplified counts are those of the simplified complex", "[simplify]") {
@@ -439,7 +436,8 @@ TEST_CASE("Simplified counts are those of the simplified complex", "[simplify]")
     for (const auto position : {scenes::Position::general, scenes::Position::degenerate}) {
       INFO("seed " << seed << ", position " << static_cast<int>(position));
       const auto leaves = scattered_leaves(seed, 4, position, static_cast<int>(seed % 3));
-      const Complex complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+      const auto built_complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
+      const Complex& complex = *built_complex;
       const auto check = [&](const Selection& s, const Features& features) {
         check_places(complex, s, features);
         for (const SimplifyMode mode : kModes) {

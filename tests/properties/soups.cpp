@@ -72,7 +72,8 @@ Group walls(const Complex& c) {
 std::uint64_t oracle_failures = 0;
 
 std::string failure_of(const std::vector<Leaf>& leaves) try {
-  const Complex c = build_complex(scenes::make_soup(leaves));
+  const auto built_c = build_complex(scenes::make_soup(leaves));
+  const Complex& c = *built_c;
   if (std::string f = cnrg::validate(c); !f.empty()) return "the complex is not valid: " + f;
   std::vector<NefSet> sets;
   for (const Leaf& leaf : leaves) sets.push_back(NefSet::leaf(leaf));

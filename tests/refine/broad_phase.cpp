@@ -130,7 +130,8 @@ TEST_CASE("an embedded fan meets itself in nothing but what its triangles share"
     RefineReport report;
     const RefineInput input = prepare_input(soup, report);
     const bool certain = embedded_fans(input)[input.vertex_of[0].index()] != 0;
-    const Complex complex = build_complex(soup, {}, &report);
+    const auto built_complex = build_complex(soup, {}, &report);
+    const Complex& complex = *built_complex;
     const bool apart = report.constructed == 0 && complex.vertex_count() == static_cast<std::size_t>(n) + 1 &&
                        complex.edge_count() == 2 * static_cast<std::size_t>(n);
     if (certain) CHECK(apart);

@@ -34,17 +34,20 @@ std::vector<Leaf> moved(std::vector<Leaf> leaves, const Motion& motion) {
 
 }  // namespace
 
-Complex valid_complex(const std::vector<Leaf>& leaves, const SoupOptions& options, RefineReport* report,
-                      int threads) {
-  Complex complex = build_complex(make_soup(leaves, options), {.threads = threads}, report);
-  REQUIRE(validate(complex) == "");
+std::shared_ptr<const Complex> valid_complex(const std::vector<Leaf>& leaves, const SoupOptions& options,
+                                             RefineReport* report, int threads) {
+  const auto complex = build_complex(make_soup(leaves, options), {.threads = threads}, report);
+  REQUIRE(validate(*complex) == "");
   return complex;
 }
 
-Complex valid_complex(const std::string& fixture) { return valid_complex(parse_fixture(fixture)); }
+std::shared_ptr<const Complex> valid_complex(const std::string& fixture) {
+  return valid_complex(parse_fixture(fixture));
+}
 
 void expect(const std::vector<Leaf>& leaves, const Expected& expected) {
-  const Complex plain = valid_complex(leaves);
+  const auto built_plain = valid_complex(leaves);
+  const Complex& plain = *built_plain;
   {
     INFO("as it is");
     check(plain, expected, 1);
@@ -53,29 +56,30 @@ void expect(const std::vector<Leaf>& leaves, const Expected& expected) {
     INFO("points not shared");
     SoupOptions options;
     options.share_points = false;
-    check(valid_complex(leaves, options), expected, 1);
+    check(*valid_complex(leaves, options), expected, 1);
   }
   {
     INFO("in reverse order");
     SoupOptions options;
     options.reverse_faces = true;
     for (std::size_t i = leaves.size(); i > 0; --i) options.order.push_back(i - 1);
-    check(valid_complex(leaves, options), expected, 1);
+    check(*valid_complex(leaves, options), expected, 1);
   }
   for (const int exponent : {900, -900}) {
     INFO("scaled by 2^" << exponent);
     const Rational factor = power_of_two(exponent);
-    check(valid_complex(moved(leaves, Motion::scaling(factor))), expected, factor * factor * factor);
+    check(*valid_complex(moved(leaves, Motion::scaling(factor))), expected, factor * factor * factor);
   }
   {
     INFO("turned and moved");
     Motion motion = Motion::rotation(3, 1, -2, 1);
     motion.offset = {Rational(1, 3), -7, Rational(22, 7)};
-    check(valid_complex(moved(leaves, motion)), expected, 1);
+    check(*valid_complex(moved(leaves, motion)), expected, 1);
   }
   {
     INFO("one thread");
-    const Complex single = valid_complex(leaves, {}, nullptr, 1);
+    const auto built_single = valid_complex(leaves, {}, nullptr, 1);
+    const Complex& single = *built_single;
     check(single, expected, 1);
     CHECK(same_arrays(plain, single));
   }

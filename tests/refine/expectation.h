@@ -15,9 +15,9 @@ struct Expected {
 };
 
 /// Builds the complex and requires that it is valid.
-Complex valid_complex(const std::vector<Leaf>& leaves, const SoupOptions& options = {},
-                      RefineReport* report = nullptr, int threads = 0);
-Complex valid_complex(const std::string& fixture);
+std::shared_ptr<const Complex> valid_complex(const std::vector<Leaf>& leaves, const SoupOptions& options = {},
+                                             RefineReport* report = nullptr, int threads = 0);
+std::shared_ptr<const Complex> valid_complex(const std::string& fixture);
 
 /// Requires counts, volumes and validity of the leaves as they are; with points not shared; faces and leaves in
 /// reverse order; scaled by 2^900 and 2^-900; turned by a rational rotation and moved; with one thread.

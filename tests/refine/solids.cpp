@@ -71,16 +71,17 @@ TEST_CASE("A box", "[solids]") { expect("leaf winding\n" + kUnit, {8, 12, 6, 2, 
 TEST_CASE("Equal boxes are one region with the labels of all", "[solids]") {
   const std::string three = "leaf winding\n" + kUnit + "leaf parity\n" + kUnit + "leaf sides\n" + kUnit;
   expect(three, {8, 12, 6, 2, {1}});
-  CHECK(labelled(valid_complex(three), {0, 1, 2}) == 1);
+  CHECK(labelled(*valid_complex(three), {0, 1, 2}) == 1);
   // Twice in one leaf: winding number 2 is inside, parity 0 is not.
-  CHECK(labelled(valid_complex("leaf winding\n" + kUnit + kUnit), {0}) == 1);
-  CHECK(labelled(valid_complex("leaf parity\n" + kUnit + kUnit), {}) == 1);
+  CHECK(labelled(*valid_complex("leaf winding\n" + kUnit + kUnit), {0}) == 1);
+  CHECK(labelled(*valid_complex("leaf parity\n" + kUnit + kUnit), {}) == 1);
 }
 
 TEST_CASE("Boxes overlap at a corner", "[solids]") {
   const std::string two = "leaf sides\nbox 0 0 0, 2 2 2\nleaf winding\nbox 1 1 1, 3 3 3";
   expect(two, {22, 36, 18, 4, {1, 7, 7}});
-  const Complex c = valid_complex(two);
+  const auto built_c = valid_complex(two);
+  const Complex& c = *built_c;
   CHECK(labelled(c, {0, 1}) == 1);
   CHECK(labelled(c, {0}) == 7);
   CHECK(labelled(c, {1}) == 7);
@@ -89,11 +90,11 @@ TEST_CASE("Boxes overlap at a corner", "[solids]") {
 TEST_CASE("A leaf that intersects itself", "[solids]") {
   const std::string boxes = "box 0 0 0, 2 2 2\nbox 1 1 1, 3 3 3\n";
   expect("leaf winding\n" + boxes, {22, 36, 18, 4, {1, 7, 7}});
-  CHECK(labelled(valid_complex("leaf winding\n" + boxes), {0}) == 15);
-  CHECK(labelled(valid_complex("leaf parity\n" + boxes), {0}) == 14);
-  CHECK(labelled(valid_complex("leaf cells\n" + boxes), {0}) == 15);
-  CHECK(labelled(valid_complex("leaf none\n" + boxes), {0}) == 0);
-  CHECK(valid_complex("leaf cells\n" + boxes).leaf_regions[LeafId(0)] == 3);
+  CHECK(labelled(*valid_complex("leaf winding\n" + boxes), {0}) == 15);
+  CHECK(labelled(*valid_complex("leaf parity\n" + boxes), {0}) == 14);
+  CHECK(labelled(*valid_complex("leaf cells\n" + boxes), {0}) == 15);
+  CHECK(labelled(*valid_complex("leaf none\n" + boxes), {0}) == 0);
+  CHECK(valid_complex("leaf cells\n" + boxes)->leaf_regions[LeafId(0)] == 3);
   // The sides contradict each other.
   CHECK_THROWS_AS(valid_complex("leaf sides\n" + boxes), InputError);
 }
@@ -140,8 +141,8 @@ TEST_CASE("Shells nested three deep", "[solids]") {
   const std::string boxes = "box 0 0 0, 7 7 7\nbox 1 1 1, 6 6 6\nbox 2 2 2, 5 5 5\n";
   for (const char* fill : {"parity", "winding", "cells", "none"})
     expect(std::string("leaf ") + fill + "\n" + boxes, {24, 36, 18, 4, {27, 98, 218}});
-  CHECK(labelled(valid_complex("leaf parity\n" + boxes), {0}) == 27 + 218);
-  CHECK(labelled(valid_complex("leaf winding\n" + boxes), {0}) == 343);
+  CHECK(labelled(*valid_complex("leaf parity\n" + boxes), {0}) == 27 + 218);
+  CHECK(labelled(*valid_complex("leaf winding\n" + boxes), {0}) == 343);
   // Two nests beside each other in the outermost one.
   expect(
       "leaf parity\nbox 0 0 0, 20 10 10\nbox 1 1 1, 9 9 9\nbox 11 1 1, 19 9 9\nbox 2 2 2, 3 3 3\n"
@@ -170,7 +171,8 @@ TEST_CASE("Linked square tori", "[solids]") {
   upright.offset = {1, 3, -2};
   two = parse_fixture(one + one);
   apply(upright, two[1]);
-  const Complex touching = valid_complex(two);
+  const auto built_touching = valid_complex(two);
+  const Complex& touching = *built_touching;
   CHECK(touching.region_count == 3);
   CHECK((volumes(touching) == std::vector<Rational>{16, 16}));
 }
@@ -203,7 +205,8 @@ TEST_CASE("Wires and points hang in regions", "[solids]") {
       "leaf sides\nbox 0 0 0, 2 2 2\nleaf none\nwire 1/2 1 1, 3/2 1 1\npoint 1 1/2 1\npoint 5 5 5\n"
       "wire 2 2 2, 1 3/2 3/2\n";
   expect(f, {8 + 2 + 2 + 1, 12 + 2, 6, 2, {8}});
-  const Complex c = valid_complex(f);
+  const auto built_c = valid_complex(f);
+  const Complex& c = *built_c;
   CHECK(c.region_wires[RegionId(1)].size() == 2);
   CHECK(c.region_vertices[RegionId(1)].size() == 1);
   CHECK(c.region_vertices[RegionId(0)].size() == 1);
@@ -225,7 +228,8 @@ TEST_CASE("Menger sponge, cube by cube", "[solids]") {
   for (const int level : {1, 2}) {
     const auto cubes = sponge(level);
     const GridCounts counts(cubes);
-    const Complex c = valid_complex({cube_leaf(cubes, Fill::cells)});
+    const auto built_c = valid_complex({cube_leaf(cubes, Fill::cells)});
+    const Complex& c = *built_c;
     CHECK(c.vertex_count() == counts.cells[0].size());
     CHECK(c.edge_count() == counts.cells[1].size());
     CHECK(c.face_count() == counts.cells[2].size());
@@ -261,7 +265,8 @@ TEST_CASE("Menger sponge, from its surface", "[solids]") {
           vertices.insert({2 * static_cast<int>(p[0].get_d()), 2 * static_cast<int>(p[1].get_d()),
                            2 * static_cast<int>(p[2].get_d())});
       }
-    const Complex c = valid_complex({surface});
+    const auto built_c = valid_complex({surface});
+    const Complex& c = *built_c;
     CHECK(c.vertex_count() == vertices.size());
     CHECK(c.edge_count() == edges.size());
     CHECK(c.face_count() == surface.faces.size());
@@ -276,7 +281,8 @@ TEST_CASE("Menger sponge of level 1 by tunnels", "[solids]") {
   const std::string f =
       "leaf sides\nbox 0 0 0, 3 3 3\nleaf sides\nbox 1 1 0, 2 2 3\nleaf sides\nbox 1 0 1, 2 3 2\n"
       "leaf sides\nbox 0 1 1, 3 2 2";
-  const Complex c = valid_complex(f);
+  const auto built_c = valid_complex(f);
+  const Complex& c = *built_c;
   CHECK(labelled(c, {0}) == 20);
   CHECK(labelled(c, {0, 1}) == 2);
   CHECK(labelled(c, {0, 1, 2, 3}) == 1);

@@ -46,7 +46,7 @@ const FlatComplex::Face& face_at(const Case& c, const FlatComplex& flat, std::si
 }
 
 Group boolean(const Case& c, BooleanOp op, const Group& a, const Group& b) {
-  return apply(*c.complex, op, Dominance::equal, a, b).group;
+  return boolean_operation(*c.complex, op, Dominance::equal, a, b).group;
 }
 
 }  // namespace

@@ -82,7 +82,8 @@ void check_snapped(const ResultView& exact, const SnappedResult& snapped) {
   const RoundingReport report = write(scratch / "s.obj", view);
   CHECK((report.moved == 0 && report.embedded));
   const auto leaf = prepare(MeshShape{scratch / "s.obj", Fill::none, false});
-  const Complex read = build_complex(make_soup({{leaf.get(), {}}}));
+  const auto built_read = build_complex(make_soup({{leaf}}));
+  const Complex& read = *built_read;
   CHECK(validate(read) == "");
   CHECK(read.face_count() == drawing_of(flat).triangles.size());
   for (const VertexId v : read.vertices) CHECK(read.points.is_double(v));

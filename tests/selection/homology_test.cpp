@@ -128,7 +128,7 @@ Numbers eliminate(const Complex& complex, const CellSet& set, int n, Numbers& ov
 }
 
 /// Random rectangles, wires and points on the grid points 1 .. n - 1.
-Complex random_grid(scenes::Random& random, int n) {
+std::shared_ptr<const Complex> random_grid(scenes::Random& random, int n) {
   const auto coordinate = [&] { return random.between(1, n - 1); };
   const auto at = [&] { return Point{coordinate(), coordinate(), coordinate()}; };
   std::vector<Piece> leaves(1);
@@ -162,7 +162,8 @@ TEST_CASE("betti numbers of random sets of cells are those of elimination", "[ho
   for (std::uint64_t seed = begin; seed < end; ++seed) {
     scenes::Random random(seed);
     const int n = seed % 4 == 3 ? 5 : 4;
-    const Complex complex = random_grid(random, n);
+    const auto built_complex = random_grid(random, n);
+    const Complex& complex = *built_complex;
     Neighbourhoods neighbourhoods(complex);
     BettiCounter counter(neighbourhoods);
     for (int i = 0; i < 4; ++i) {
@@ -183,7 +184,8 @@ TEST_CASE("betti numbers of sets in random scenes obey duality", "[homology]") {
     for (const auto position :
          {scenes::Position::general, scenes::Position::degenerate, scenes::Position::tilted}) {
       const auto scene = scenes::random_scene(seed, 3, position);
-      const Complex complex = build_complex(scenes::make_soup(scene.leaves));
+      const auto built_complex = build_complex(scenes::make_soup(scene.leaves));
+      const Complex& complex = *built_complex;
       Neighbourhoods neighbourhoods(complex);
       BettiCounter counter(neighbourhoods);
       scenes::Random random(seed + 7);
@@ -237,7 +239,8 @@ std::vector<Piece> ring(Point low) {
 }
 
 TEST_CASE("betti numbers of the empty set and of all space", "[homology]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {1, 1, 1}) + point({5, 5, 5})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {1, 1, 1}) + point({5, 5, 5})});
+  const Complex& complex = *built_complex;
   CHECK(numbers(complex, {}) == Numbers{0, 0, 0});
   CHECK(numbers(complex, all_cells(complex)) == Numbers{1, 0, 0});
   CellSet outside;
@@ -246,8 +249,9 @@ TEST_CASE("betti numbers of the empty set and of all space", "[homology]") {
 }
 
 TEST_CASE("betti numbers of a cube and what is taken off it", "[homology]") {
-  const Complex complex = complex_of(
+  const auto built_complex = complex_of(
       {box({0, 0, 0}, {4, 4, 4}), point({2, 2, 2}), wire({1, 1, 1}, {1, 1, 3}), wire({3, 3, 0}, {3, 3, 4})});
+  const Complex& complex = *built_complex;
   const std::vector<RegionId> cube = labelled(complex, 1);
   REQUIRE(cube.size() == 1);
   CellSet open;
@@ -279,7 +283,8 @@ TEST_CASE("betti numbers of a cube and what is taken off it", "[homology]") {
 TEST_CASE("betti numbers of tori, linked or not, and of their complements", "[homology]") {
   // Two square rings: one flat, one upright through the hole of the first.
   std::vector<Piece> leaves = ring({0, 0, 0});
-  const Complex torus = complex_of(leaves);
+  const auto built_torus = complex_of(leaves);
+  const Complex& torus = *built_torus;
   const CellSet solid = closed_region(torus, labelled(torus, 1));
   CHECK(numbers(torus, solid) == Numbers{1, 1, 0});
   CHECK(numbers(torus, boundary(torus, solid)) == Numbers{1, 2, 1});
@@ -290,8 +295,9 @@ TEST_CASE("betti numbers of tori, linked or not, and of their complements", "[ho
   Neighbourhoods neighbourhoods(torus);
   CHECK(inner_surfaces(torus, labelled(torus, 1), neighbourhoods) == std::vector<long>{0});
 
-  const Complex linked = complex_of({box({0, 0, 0}, {10, 10, 2}), box({2, 2, 0}, {8, 8, 2}),
-                                     box({4, 4, -5}, {6, 15, 7}), box({4, 6, -3}, {6, 13, 5})});
+  const auto built_linked = complex_of({box({0, 0, 0}, {10, 10, 2}), box({2, 2, 0}, {8, 8, 2}),
+                                        box({4, 4, -5}, {6, 15, 7}), box({4, 6, -3}, {6, 13, 5})});
+  const Complex& linked = *built_linked;
   CellSet rings;
   for (RegionId r : IdRange<RegionId>(linked.region_count)) {
     std::array<int, 4> in{};
@@ -305,8 +311,9 @@ TEST_CASE("betti numbers of tori, linked or not, and of their complements", "[ho
 }
 
 TEST_CASE("betti numbers of a shell, a dangling sheet, and components", "[homology]") {
-  const Complex complex =
+  const auto built_complex =
       complex_of({box({0, 0, 0}, {6, 6, 6}), box({2, 2, 2}, {4, 4, 4}), sheet({6, 2, 2}, {9, 4, 2})});
+  const Complex& complex = *built_complex;
   const CellSet shell = closed_region(complex, labelled(complex, 1));
   CHECK(numbers(complex, shell) == Numbers{1, 0, 1});
   CellSet with_sheet = closure(complex, all_cells(complex));
@@ -329,7 +336,7 @@ TEST_CASE("betti numbers of a shell, a dangling sheet, and components", "[homolo
 }
 
 /// Planes z = 0 and x = 0 and a box across both, in a frame.
-Complex framed() {
+std::shared_ptr<const Complex> framed() {
   Soup soup;
   const auto quad = [&](LeafId leaf, std::uint32_t number, std::array<std::array<int, 3>, 4> corners) {
     std::vector<std::vector<PointId>> loops(1);
@@ -357,7 +364,8 @@ Complex framed() {
 }
 
 TEST_CASE("betti numbers of sets that reach the frame", "[homology]") {
-  const Complex complex = framed();
+  const auto built_complex = framed();
+  const Complex& complex = *built_complex;
   REQUIRE(complex.region_count == 1 + 8);
   const CellSet all = all_cells(complex);
   CHECK(numbers(complex, all) == Numbers{1, 0, 0});

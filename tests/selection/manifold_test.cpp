@@ -49,25 +49,29 @@ CellSet labelled(const Complex& complex) {
 }
 
 TEST_CASE("shapes of solids", "[manifold]") {
-  const Complex one = complex_of({box({0, 0, 0}, {2, 2, 2})});
+  const auto built_one = complex_of({box({0, 0, 0}, {2, 2, 2})});
+  const Complex& one = *built_one;
   const Shapes box_shapes = shapes(one, labelled(one));  // asked of its closure
   CHECK(box_shapes.edges == Counts{{"manifold", 12}});
   CHECK(box_shapes.vertices == Counts{{"manifold", 8}});
   CHECK(box_shapes.manifold);
 
-  const Complex parted = complex_of({parted_box({0, 0, 0}, {4, 2, 2}, 2)});
+  const auto built_parted = complex_of({parted_box({0, 0, 0}, {4, 2, 2}, 2)});
+  const Complex& parted = *built_parted;
   Shapes inner = shapes(parted, labelled(parted));
   CHECK(inner.edges["interior"] == 4);
   CHECK(inner.vertices["interior"] == 1);
   CHECK(inner.manifold);
 
-  const Complex edge = complex_of({box({0, 0, 0}, {2, 2, 2}) + box({2, 2, 0}, {4, 4, 2})});
+  const auto built_edge = complex_of({box({0, 0, 0}, {2, 2, 2}) + box({2, 2, 0}, {4, 4, 2})});
+  const Complex& edge = *built_edge;
   const Shapes at_edge = shapes(edge, labelled(edge));
   CHECK(at_edge.edges == Counts{{"manifold", 22}, {"4 boundary faces meet: 2 solid sectors", 1}});
   CHECK(at_edge.vertices == Counts{{"manifold", 12}, {"a non-manifold edge ends here", 2}});
   CHECK(!at_edge.manifold);
 
-  const Complex corner = complex_of({box({0, 0, 0}, {2, 2, 2}) + box({2, 2, 2}, {4, 4, 4})});
+  const auto built_corner = complex_of({box({0, 0, 0}, {2, 2, 2}) + box({2, 2, 2}, {4, 4, 4})});
+  const Complex& corner = *built_corner;
   CHECK(shapes(corner, labelled(corner)).vertices == Counts{{"manifold", 14}, {"2 solid cones touch", 1}});
   // The other side of the same vertex.
   CellSet outside;
@@ -77,20 +81,23 @@ TEST_CASE("shapes of solids", "[manifold]") {
 }
 
 TEST_CASE("shapes of sheets, wires and points", "[manifold]") {
-  const Complex cross = complex_of({sheet({0, 0, 0}, {4, 4, 0}), sheet({0, 2, -2}, {4, 2, 2})});
+  const auto built_cross = complex_of({sheet({0, 0, 0}, {4, 4, 0}), sheet({0, 2, -2}, {4, 2, 2})});
+  const Complex& cross = *built_cross;
   Shapes at_cross = shapes(cross, bounded(cross));
   CHECK(at_cross.edges["4 sheets meet"] == 1);
   CHECK(at_cross.edges["surface border"] == static_cast<int>(cross.edge_count()) - 1);
   CHECK(at_cross.vertices["a non-manifold edge ends here"] == 2);
 
-  const Complex wires = complex_of({wire({0, 0, 0}, {4, 0, 0}), wire({2, 0, 0}, {2, 3, 0}), point({9, 9, 9}),
-                                    wire({0, 5, 0}, {3, 5, 0}), wire({3, 5, 0}, {3, 5, 6})});
+  const auto built_wires = complex_of({wire({0, 0, 0}, {4, 0, 0}), wire({2, 0, 0}, {2, 3, 0}), point({9, 9, 9}),
+                                       wire({0, 5, 0}, {3, 5, 0}), wire({3, 5, 0}, {3, 5, 6})});
+  const Complex& wires = *built_wires;
   const Shapes at_wires = shapes(wires, bounded(wires));
   CHECK(at_wires.edges == Counts{{"wire", 5}});
   CHECK(at_wires.vertices == Counts{{"3 wires meet", 1}, {"wire end", 5}, {"wire", 1}, {"isolated point", 1}});
 
-  const Complex pierced = complex_of(
+  const auto built_pierced = complex_of(
       {sheet({0, 0, 0}, {4, 4, 0}), wire({2, 2, -1}, {2, 2, 1}), wire({0, 0, 0}, {-1, -1, 0}), point({1, 1, 0})});
+  const Complex& pierced = *built_pierced;
   const Shapes at_pierced = shapes(pierced, bounded(pierced));
   CHECK(at_pierced.edges == Counts{{"wire", 3}, {"surface border", 4}});
   CHECK(at_pierced.vertices == Counts{{"2 wires and a sheet meet in a point", 1},
@@ -99,14 +106,16 @@ TEST_CASE("shapes of sheets, wires and points", "[manifold]") {
                                       {"surface border", 3},
                                       {"wire end", 3}});
 
-  const Complex slit = complex_of({sheet({0, 0, 0}, {4, 4, 0}), wire({1, 1, 0}, {2, 2, 0})});
+  const auto built_slit = complex_of({sheet({0, 0, 0}, {4, 4, 0}), wire({1, 1, 0}, {2, 2, 0})});
+  const Complex& slit = *built_slit;
   const Shapes at_slit = shapes(slit, bounded(slit));
   CHECK(at_slit.edges == Counts{{"surface border", 4}, {"surface", 1}});
   CHECK(at_slit.vertices == Counts{{"surface border", 4}, {"surface", 2}});
 
-  const Complex hung =
+  const auto built_hung =
       complex_of({box({0, 0, 0}, {4, 4, 4}), sheet({4, 1, 1}, {6, 3, 1}), wire({0, 0, 0}, {-1, 0, 0}),
                   wire({1, 1, 1}, {2, 2, 2}), sheet({1, 1, 3}, {2, 2, 3})});
+  const Complex& hung = *built_hung;
   const Shapes at_hung = shapes(hung, bounded(hung));
   CHECK(at_hung.edges == Counts{{"manifold", 12},
                                 {"a sheet hangs on the solid", 1},
@@ -120,7 +129,8 @@ TEST_CASE("shapes of sheets, wires and points", "[manifold]") {
                                    {"surface border", 2},
                                    {"interior", 6}});
   // Two sheets tip to tip.
-  const Complex tips = complex_of({sheet({0, 0, 0}, {1, 1, 0}), sheet({1, 1, 0}, {2, 2, 0})});
+  const auto built_tips = complex_of({sheet({0, 0, 0}, {1, 1, 0}), sheet({1, 1, 0}, {2, 2, 0})});
+  const Complex& tips = *built_tips;
   CHECK(shapes(tips, bounded(tips)).vertices["2 sheets touch in a point"] == 1);
 }
 
@@ -131,7 +141,8 @@ TEST_CASE("shapes at the centre of a grid are those that counting octants gives"
       for (int z : {0, 1}) leaves.push_back(box({x, y, z}, {x + 1, y + 1, z + 1}));
     }
   }
-  const Complex complex = complex_of(leaves);
+  const auto built_complex = complex_of(leaves);
+  const Complex& complex = *built_complex;
   VertexId centre;
   for (VertexId v : complex.vertices) {
     if (complex.points.rational(v) == RationalPoint{1, 1, 1}) centre = v;
@@ -222,7 +233,8 @@ TEST_CASE("one-sided sheets", "[manifold]") {
       soup.add_triangle(leaf, a, c, b, number, number);
       soup.add_triangle(leaf, b, c, d, number + 1, number + 1);
     }
-    const Complex complex = build_complex(soup);
+    const auto built_complex = build_complex(soup);
+    const Complex& complex = *built_complex;
     REQUIRE(complex.edge_count() == 24);
     const CellSet set = bounded(complex);
     const auto found = sheets(complex, set);
@@ -232,7 +244,8 @@ TEST_CASE("one-sided sheets", "[manifold]") {
     CHECK(shapes(complex, set).manifold);
     CHECK(betti_numbers(complex, set).z2 == std::array<long, 3>{1, 1, 0});
   }
-  const Complex box_walls = complex_of({box({0, 0, 0}, {1, 1, 1}, 0)});
+  const auto built_box_walls = complex_of({box({0, 0, 0}, {1, 1, 1}, 0)});
+  const Complex& box_walls = *built_box_walls;
   const auto walls = sheets(box_walls, bounded(box_walls));  // with the inside: none
   CHECK(walls.empty());
   CellSet surface = bounded(box_walls);
@@ -244,8 +257,9 @@ TEST_CASE("one-sided sheets", "[manifold]") {
 }
 
 TEST_CASE("links, radial order and shells", "[incidence]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2}),
-                                      sheet({4, 0, 4}, {6, 4, 4}), wire({3, 3, 3}, {3, 3, 2})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2}),
+                                         sheet({4, 0, 4}, {6, 4, 4}), wire({3, 3, 3}, {3, 3, 2})});
+  const Complex& complex = *built_complex;
   EdgeId hinge, hanging;
   for (EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
     if (complex.edge_uses[e].size() == 3) hinge = e;

@@ -38,7 +38,8 @@ TEST_CASE("volumes of cells with constructed corners add up exactly", "[measure]
                         static_cast<std::uint32_t>(f));
     }
   }
-  const Complex complex = build_complex(soup);
+  const auto built_complex = build_complex(soup);
+  const Complex& complex = *built_complex;
   REQUIRE(complex.region_count >= 4);
   const auto six_volume = [&](int i) {
     std::array<RationalPoint, 3> d;
@@ -67,7 +68,8 @@ TEST_CASE("volumes of cells with constructed corners add up exactly", "[measure]
 }
 
 TEST_CASE("lengths and areas", "[measure]") {
-  const Complex complex = complex_of({sheet({0, 0, 5}, {3, 4, 5}), wire({1, 1, 5}, {2, 1, 5})});
+  const auto built_complex = complex_of({sheet({0, 0, 5}, {3, 4, 5}), wire({1, 1, 5}, {2, 1, 5})});
+  const Complex& complex = *built_complex;
   REQUIRE(complex.face_count() == 1);
   CHECK(squared_area(complex, FaceId(0)) == 144);
   const RationalPoint n = area_vector(complex, FaceId(0));
@@ -90,7 +92,8 @@ TEST_CASE("square roots have the digits that were asked for", "[measure]") {
 
 TEST_CASE("terms of Euler and Poincare", "[euler]") {
   SECTION("a box") {
-    const Complex complex = complex_of({box({0, 0, 0}, {1, 1, 1})});
+    const auto built_complex = complex_of({box({0, 0, 0}, {1, 1, 1})});
+    const Complex& complex = *built_complex;
     const auto t = euler_terms(complex, closed(complex, bounded_regions(complex)));
     CHECK(t.volume_holes == 0);
     CHECK(t.pieces == 1);
@@ -103,8 +106,9 @@ TEST_CASE("terms of Euler and Poincare", "[euler]") {
     CHECK(check_euler(complex, walls) == "");
   }
   SECTION("a frame of boxes around a hole, with a cavity in one of them") {
-    const Complex complex =
+    const auto built_complex =
         complex_of({box({0, 0, 0}, {9, 9, 3}), box({3, 3, 0}, {6, 6, 3}), box({1, 1, 1}, {2, 2, 2})});
+    const Complex& complex = *built_complex;
     std::vector<RegionId> ring;
     for (RegionId r : bounded_regions(complex)) {
       if (complex.labels(r).size() == 1) ring.push_back(r);
@@ -127,8 +131,9 @@ TEST_CASE("terms of Euler and Poincare", "[euler]") {
   }
   SECTION("two boxes that meet in a vertex, and loops of wire in and outside") {
     const Piece loop = wire({1, 1, 1}, {2, 1, 1}) + wire({2, 1, 1}, {2, 2, 1}) + wire({2, 2, 1}, {1, 1, 1});
-    const Complex complex = complex_of({box({0, 0, 0}, {4, 4, 4}) + box({4, 4, 4}, {6, 6, 6}), loop,
-                                        wire({4, 0, 0}, {9, 0, 0}) + point({8, 8, 8})});
+    const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4}) + box({4, 4, 4}, {6, 6, 6}), loop,
+                                           wire({4, 0, 0}, {9, 0, 0}) + point({8, 8, 8})});
+    const Complex& complex = *built_complex;
     const CellSet set = all_cells(complex);
     CellSet bounded = set;
     bounded.regions = bounded_regions(complex);

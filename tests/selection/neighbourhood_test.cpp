@@ -59,7 +59,8 @@ TEST_CASE("neighbourhoods of random scenes are planar graphs on spheres", "[neig
     for (const auto position :
          {scenes::Position::general, scenes::Position::degenerate, scenes::Position::tilted}) {
       const auto scene = scenes::random_scene(seed, 4, position);
-      const Complex complex = build_complex(scenes::make_soup(scene.leaves));
+      const auto built_complex = build_complex(scenes::make_soup(scene.leaves));
+      const Complex& complex = *built_complex;
       Neighbourhoods neighbourhoods(complex);
       CAPTURE(seed, static_cast<int>(position));
       for (VertexId v : complex.vertices) {
@@ -106,7 +107,8 @@ TEST_CASE("parts of a neighbourhood are nested where one region lies on both sid
   add_wire(soup, {0, 0, 0}, {-4, 0, 4});
   add_wire(soup, {0, 0, 0}, {0, 0, -4});
   add_wire(soup, {0, 0, 0}, {5, 5, 0});
-  const Complex complex = build_complex(soup);
+  const auto built_complex = build_complex(soup);
+  const Complex& complex = *built_complex;
   CHECK(complex.region_count == 1);
   Neighbourhoods neighbourhoods(complex);
   const Neighbourhood n = neighbourhoods.at(vertex_at(complex, {0, 0, 0}));
@@ -135,7 +137,8 @@ TEST_CASE("reflex corners, slit tips and full circles", "[neighbourhood]") {
   add_wire(soup, {0, 0, 0}, {1, 1, 0});
   add_wire(soup, {0, 0, 0}, {0, 0, 1});
   add_wire(soup, {0, 0, 0}, {0, 0, -1});
-  const Complex complex = build_complex(soup);
+  const auto built_complex = build_complex(soup);
+  const Complex& complex = *built_complex;
   Neighbourhoods neighbourhoods(complex);
   const Neighbourhood n = neighbourhoods.at(vertex_at(complex, {0, 0, 0}));
   check(complex, n);
@@ -144,8 +147,9 @@ TEST_CASE("reflex corners, slit tips and full circles", "[neighbourhood]") {
   CHECK(n.germs[0].circles == 4);
 
   // A slit that ends within a rectangle, and a wire through another point of it.
-  const Complex plate = complex_of(
+  const auto built_plate = complex_of(
       {sheet({0, 0, 0}, {4, 4, 0}), wire({0, 2, 0}, {2, 2, 0}), wire({3, 3, -1}, {3, 3, 1}), point({1, 1, 0})});
+  const Complex& plate = *built_plate;
   Neighbourhoods around(plate);
   const Neighbourhood tip = around.at(vertex_at(plate, {2, 2, 0}));
   check(plate, tip);

@@ -17,7 +17,8 @@ CellSet region_set(RegionId r) {
 }
 
 TEST_CASE("closure, interior, boundary and star of a box", "[selection]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {1, 1, 1})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {1, 1, 1})});
+  const Complex& complex = *built_complex;
   REQUIRE(complex.region_count == 2);
   const CellSet open = region_set(RegionId(1));
   const CellSet closed = closure(complex, open);
@@ -37,8 +38,9 @@ TEST_CASE("closure, interior, boundary and star of a box", "[selection]") {
 
 TEST_CASE("interior tests the whole star, also where the complex is not simplified", "[selection]") {
   // A wire and a sheet run through the box: their cells are interior to it, but for those on its walls.
-  const Complex complex = complex_of(
+  const auto built_complex = complex_of(
       {box({0, 0, 0}, {4, 4, 4}), sheet({0, 0, 2}, {4, 4, 2}), wire({1, 1, 0}, {1, 1, 4}), point({3, 3, 3})});
+  const Complex& complex = *built_complex;
   REQUIRE(complex.region_count == 3);
   CellSet halves;
   halves.regions = {RegionId(1), RegionId(2)};
@@ -61,7 +63,8 @@ TEST_CASE("interior tests the whole star, also where the complex is not simplifi
 }
 
 TEST_CASE("components of selections", "[selection]") {
-  const Complex complex = complex_of({box({0, 0, 0}, {1, 1, 1})});
+  const auto built_complex = complex_of({box({0, 0, 0}, {1, 1, 1})});
+  const Complex& complex = *built_complex;
   const CellSet closed = closure(complex, region_set(RegionId(1)));
   Selection s;
   s.regions = {{RegionId(1), 1}};

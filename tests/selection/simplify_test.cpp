@@ -12,11 +12,11 @@ namespace {
 using namespace pieces;
 using Counts = std::array<std::size_t, 4>;
 
-Complex built(const Soup& soup) {
+std::shared_ptr<const Complex> built(const Soup& soup) {
   RefineOptions options;
   options.threads = 1;
-  Complex complex = build_complex(soup, options);
-  REQUIRE(validate(complex) == "");
+  const auto complex = build_complex(soup, options);
+  REQUIRE(validate(*complex) == "");
   return complex;
 }
 
@@ -54,7 +54,8 @@ Soup prism(int n, bool caps) {
 }
 
 TEST_CASE("the side of a cylinder is one face, its rims are closed curves", "[simplify]") {
-  const Complex complex = built(prism(7, true));
+  const auto built_complex = built(prism(7, true));
+  const Complex& complex = *built_complex;
   const auto s = simplify(complex, everything(complex, 2), {});
   CHECK(active_counts(s) == Counts{0, 2, 3, 1});
   for (const auto& edge : s.edges) {
@@ -72,15 +73,18 @@ TEST_CASE("the side of a cylinder is one face, its rims are closed curves", "[si
 }
 
 TEST_CASE("an open tube: both rims are borders of one patch", "[simplify]") {
-  const Complex complex = built(prism(9, false));
+  const auto built_complex = built(prism(9, false));
+  const Complex& complex = *built_complex;
   CHECK(active_counts(simplify(complex, everything(complex), {})) == Counts{0, 2, 1, 0});
   // Corners of a right angle or less stay where only one patch borders.
-  const Complex sharp = built(prism(3, false));
+  const auto built_sharp = built(prism(3, false));
+  const Complex& sharp = *built_sharp;
   CHECK(active_counts(simplify(sharp, everything(sharp), {})) == Counts{6, 6, 1, 0});
 }
 
 TEST_CASE("features stay where they are named", "[simplify]") {
-  const Complex complex = built(prism(7, true));
+  const auto built_complex = built(prism(7, true));
+  const Complex& complex = *built_complex;
   Features features;
   features.edges = {EdgeId(0)};
   for (EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
@@ -107,7 +111,8 @@ TEST_CASE("a vertex where two faces only touch stays", "[simplify]") {
                           soup.add_point(-4, -3, 4 * side)};
     for (int i = 0; i < 3; ++i) soup.add_triangle(leaf, tip, p[i], p[(i + 1) % 3], 0, 0);
   }
-  const Complex complex = built(soup);
+  const auto built_complex = built(soup);
+  const Complex& complex = *built_complex;
   const auto s = simplify(complex, everything(complex), {});
   CHECK(s.vertices.size() >= 1);
   CHECK(s.faces.size() == 2);
@@ -139,7 +144,8 @@ TEST_CASE("a patch that can not be oriented keeps one seam", "[simplify]") {
     soup.add_triangle(leaf, a[0], a[1], b[0], 0, 0);
     soup.add_triangle(leaf, a[1], b[1], b[0], 0, 0);
   }
-  const Complex complex = built(soup);
+  const auto built_complex = built(soup);
+  const Complex& complex = *built_complex;
   const auto s = simplify(complex, everything(complex), {});
   CHECK(s.faces.size() == 1);
   std::size_t kept = 0;
@@ -158,15 +164,17 @@ TEST_CASE("wires: straight pieces are one edge, pieces of one curve too", "[simp
   const PointId q[4] = {soup.add_point(5, 0, 0), soup.add_point(6, 0, 0), soup.add_point(7, 0, 0),
                         soup.add_point(7, 1, 0)};
   for (int i = 0; i < 3; ++i) soup.add_wire(leaf, q[i], q[i + 1], static_cast<std::uint32_t>(i + 1));
-  const Complex complex = built(soup);
+  const auto built_complex = built(soup);
+  const Complex& complex = *built_complex;
   CHECK(active_counts(simplify(complex, everything(complex), {})) == Counts{5, 3, 0, 0});
   CHECK(active_counts(simplify(complex, everything(complex), {}, SimplifyMode::points)) == Counts{9, 7, 0, 0});
 }
 
 TEST_CASE("open sets: missing cells remain as inactive ones", "[simplify]") {
   // A box without its walls, and without one inner point and one inner wire.
-  const Complex complex = complex_of(
+  const auto built_complex = complex_of(
       {box({0, 0, 0}, {4, 4, 4}), sheet({0, 0, 2}, {4, 4, 2}) + point({1, 1, 1}) + wire({2, 2, 1}, {2, 2, 3})});
+  const Complex& complex = *built_complex;
   Selection s;
   for (std::size_t r = 1; r < complex.region_count; ++r) s.regions.emplace_back(RegionId(r), 1);
   for (FaceId f : IdRange<FaceId>(complex.face_count())) {
@@ -186,7 +194,9 @@ TEST_CASE("open sets: missing cells remain as inactive ones", "[simplify]") {
 }
 
 TEST_CASE("a slit is walked twice and a puncture is isolated", "[simplify]") {
-  const Complex complex = complex_of({sheet({0, 0, 0}, {4, 4, 0}), wire({1, 1, 0}, {3, 1, 0}), point({2, 3, 0})});
+  const auto built_complex =
+      complex_of({sheet({0, 0, 0}, {4, 4, 0}), wire({1, 1, 0}, {3, 1, 0}), point({2, 3, 0})});
+  const Complex& complex = *built_complex;
   Features features;
   for (EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
     if (complex.edge_uses[e].size() == 2) features.edges.push_back(e);

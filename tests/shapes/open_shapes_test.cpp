@@ -100,7 +100,7 @@ TEST_CASE("groups") {
   REQUIRE(regions.size() == 2);
   CHECK(regions[1].material == "rock");
   CHECK(regions[1].name == "lower");
-  const Soup soup = make_soup({{leaf.get(), {}}});
+  const Soup soup = make_soup({{leaf}});
   CHECK(soup.fill(LeafId(0)) == Fill::sides);
   CHECK(closed(soup));
   CHECK(volume(soup) == 1);

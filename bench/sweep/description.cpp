@@ -1,0 +1,80 @@
+#include "bench/sweep/description.h"
+
+#include <stdexcept>
+
+#include "bench/sweep/json_fields.h"
+
+namespace cnrg::bench {
+
+std::string to_json(const std::vector<SystemInfo>& systems) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  for (const SystemInfo& s : systems) {
+    out.push_back({{"name", s.name},
+                   {"title", s.title},
+                   {"guarantee", s.guarantee},
+                   {"version", s.version},
+                   {"rounding", s.rounding},
+                   {"regularized", s.regularized},
+                   {"absent", s.absent}});
+  }
+  return json_text(out, 1);
+}
+
+std::string to_json(const std::vector<FamilyInfo>& families) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  for (const FamilyInfo& f : families) {
+    out.push_back({{"name", f.name}, {"title", f.title}, {"size_means", f.size_means}});
+  }
+  return json_text(out, 1);
+}
+
+std::string to_json(const MachineInfo& m) {
+  const nlohmann::ordered_json out{{"cpu", m.cpu},
+                                   {"cores", m.cores},
+                                   {"memory_bytes", m.memory_bytes},
+                                   {"system", m.system},
+                                   {"compiler", m.compiler},
+                                   {"commit", m.commit},
+                                   {"date", m.date},
+                                   {"limit_seconds", m.limit_seconds},
+                                   {"limit_bytes", m.limit_bytes},
+                                   {"command", m.command},
+                                   {"left_out", m.left_out}};
+  return json_text(out, 1);
+}
+
+std::vector<SystemInfo> systems_of_json(const std::string& text) {
+  const nlohmann::json list = parse_json(text);
+  if (!list.is_array()) throw std::runtime_error("no JSON list");
+  std::vector<SystemInfo> systems;
+  for (const nlohmann::json& object : list) {
+    const JsonFields in(object, "a system");
+    systems.push_back({in.text("name"), in.text("title"), in.text("guarantee"), in.text("version"),
+                       in.not_negative("rounding"), in.flag("regularized"), in.text("absent")});
+  }
+  return systems;
+}
+
+MachineInfo machine_of_json(const std::string& text) {
+  const nlohmann::json object = parse_json(text);
+  const JsonFields in(object, "the machine");
+  MachineInfo m;
+  m.cpu = in.text("cpu");
+  m.cores = in.integer<unsigned>("cores");
+  m.memory_bytes = in.integer<std::size_t>("memory_bytes");
+  m.system = in.text("system");
+  m.compiler = in.text("compiler");
+  m.commit = in.text("commit");
+  m.date = in.text("date");
+  m.limit_seconds = in.not_negative("limit_seconds");
+  m.limit_bytes = in.integer<std::size_t>("limit_bytes");
+  m.command = in.text("command");
+  for (const nlohmann::json& one : in.list("left_out")) {
+    if (!one.is_array() || one.size() != 2 || !one[0].is_string() || !one[1].is_string())
+      in.fail("left_out", "a list of pairs of texts");
+    m.left_out.emplace_back(one[0], one[1]);
+  }
+  return m;
+}
+
+}  // namespace cnrg::bench

@@ -1,0 +1,95 @@
+#include "csg/evaluate/diagnostics.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "csg/operators/component_lists.h"
+
+namespace cnrg {
+namespace {
+
+using Place = SimplifiedComplex::Place;
+
+/// The simplified cells that hold the cells of a set, largest dimension first.
+std::vector<Place> places_of(const SimplifiedComplex& simplified, const CellSet& cells) {
+  std::vector<Place> places;
+  const auto add = [&](const auto& list, const std::vector<Place>& map) {
+    for (const auto cell : list) places.push_back(map[cell.index()]);
+  };
+  add(cells.regions, simplified.region_place);
+  add(cells.faces, simplified.face_place);
+  add(cells.edges, simplified.edge_place);
+  add(cells.vertices, simplified.vertex_place);
+  const auto key = [](const Place& p) { return std::pair(-p.dimension, p.index); };
+  std::sort(places.begin(), places.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  const auto same = [&](const auto& a, const auto& b) { return key(a) == key(b); };
+  places.erase(std::unique(places.begin(), places.end(), same), places.end());
+  return places;
+}
+
+/// The first eight by name.
+std::string cell_names(const std::vector<Place>& places) {
+  constexpr std::size_t kListed = 8;
+  std::string text = places.size() == 1 ? "cell " : "cells ";
+  for (std::size_t i = 0; i < std::min(places.size(), kListed); ++i) {
+    text += (i == 0 ? "" : ", ") + cell_name(places[i].dimension, places[i].index);
+  }
+  return places.size() > kListed ? text + " and " + std::to_string(places.size() - kListed) + " more" : text;
+}
+
+/// The active cells among `cells`.
+CellSet active_of(const Selection& selection, const CellSet& cells) {
+  CellSet out;
+  const auto pick = [](const auto& list, const auto& from, auto& to) {
+    for (const auto id : from) {
+      if (place_in(list, id) != list.size()) to.push_back(id);
+    }
+  };
+  pick(selection.vertices, cells.vertices, out.vertices);
+  pick(selection.edges, cells.edges, out.edges);
+  pick(selection.faces, cells.faces, out.faces);
+  pick(selection.regions, cells.regions, out.regions);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Diagnostic> dropped_faces(const Tree& tree, const PreparedLeaves& leaves, const Complex& complex,
+                                      const RefineReport& report) {
+  std::map<LeafId, std::size_t> dropped;
+  for (const SourceId source : report.zero_area) ++dropped[complex.sources[source].leaf];
+  std::vector<Diagnostic> out;
+  for (const auto& [leaf, count] : dropped) {
+    if (leaf.index() >= leaves.instances().size()) continue;  // the frame
+    const Node& node = leaves.node_of(leaf);
+    out.push_back({tree.file, node.operator_at, Diagnostic::Level::notice,
+                   "`" + node.name + "`: faces without area were dropped: " + std::to_string(count)});
+  }
+  return out;
+}
+
+std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, const NodeValue& value,
+                                           const std::vector<MaterialConflict>& conflicts,
+                                           SimplifiedValue& simplified) {
+  std::vector<Diagnostic> out;
+  std::set<std::string> said;  // a fold may meet the same materials in the same cells more than once
+  for (const MaterialConflict& conflict : conflicts) {
+    // The others went in a later step of a fold.
+    const CellSet cells = active_of(simplified.selection(), conflict.cells);
+    if (cells.empty()) continue;
+    const std::vector<Place> places = places_of(simplified.get(), cells);
+    const Component component = component_of(simplified.get(), places.front());
+    const std::string message =
+        "`" + node.name + "`: the region `" + value.attributes(component).name + "` keeps the material `" +
+        conflict.kept.name() + "` where `" + conflict.other.name() +
+        (conflict.kept.name() == conflict.other.name() ? "` placed otherwise" : "`") + " has equal dominance (" +
+        cell_names(places) + "); give one of the two a greater `dominance`";
+    if (!said.insert(message).second) continue;
+    out.push_back({tree.file, node.operator_at, Diagnostic::Level::warning, message});
+  }
+  return out;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,24 @@
+// What an evaluation has to say beside its values, with the place in the tree file that it is about.
+#pragma once
+
+#include <vector>
+
+#include "csg/evaluate/prepared_leaves.h"
+#include "csg/evaluate/simplified_value.h"
+#include "csg/operators/boolean.h"
+#include "csg/tree/tree.h"
+#include "kernel/complex/complex.h"
+
+namespace cnrg {
+
+/// Notices: per leaf, how many of its faces have no area and so are no part of the complex.
+std::vector<Diagnostic> dropped_faces(const Tree& tree, const PreparedLeaves& leaves, const Complex& complex,
+                                      const RefineReport& report);
+
+/// Warnings: where materials met in a node's value and dominance did not decide, in cells as `cnrg locate` names
+/// them. `simplified` is that of `value` and is asked only where there is a conflict.
+std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, const NodeValue& value,
+                                           const std::vector<MaterialConflict>& conflicts,
+                                           SimplifiedValue& simplified);
+
+}  // namespace cnrg

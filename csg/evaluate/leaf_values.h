@@ -1,0 +1,14 @@
+// The values of the leaves, before any operator runs.
+#pragma once
+
+#include "csg/evaluate/prepared_leaves.h"
+#include "csg/evaluate/value_store.h"
+
+namespace cnrg {
+
+/// Puts the value of every leaf: its group on the complex, with the attributes of its node; of a result read back
+/// (csg/leaves/cell_table.h) what its file says. TreeError, at the leaf, for a result whose cells do not fit.
+void put_leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, Grades& grades,
+                     const Complex& complex, ValueStore& values);
+
+}  // namespace cnrg

@@ -1,0 +1,38 @@
+// From a kept value to a result, which shares what it shows with the evaluation.
+#include <algorithm>
+
+#include "csg/evaluate/evaluate.h"
+#include "csg/operators/node_value.h"
+#include "csg/result/result_data.h"
+
+namespace cnrg {
+namespace {
+
+Result result_of(const Evaluation& evaluation, const KeptValue& kept) {
+  auto data = std::make_shared<Result::Data>();
+  data->complex = evaluation.complex;
+  data->value = kept.value;
+  data->simplified = kept.simplified;
+  data->parameters = evaluation.parameters;
+  data->raw = evaluation.raw;
+  data->name({kept.name, evaluation.leaf_names, evaluation.materials});
+  return Result(std::move(data));
+}
+
+}  // namespace
+
+const Group& KeptValue::group() const { return value->group(); }
+
+Result Evaluation::result() const { return result_of(*this, kept.front()); }
+
+Result Evaluation::result(NodeId node) const { return result_of(*this, value(node)); }
+
+Result Evaluation::result(const std::string& name) const {
+  const auto it = std::find_if(kept.begin(), kept.end(), [&](const KeptValue& k) { return k.name == name; });
+  if (it == kept.end()) {
+    throw InputError("the node `" + name + "` was not kept; name it in EvaluateOptions::nodes");
+  }
+  return result_of(*this, *it);
+}
+
+}  // namespace cnrg

@@ -1,0 +1,45 @@
+// The values of instances for as long as somebody needs them.
+//
+// A value has one use for each place where it is an operand and one more if it is a root's. When an operator has
+// run, its operands lose the uses that it was: a value that has none left is freed. The uses of roots are never
+// taken back, so their values stay; with `keep_all` every value stays. Peak memory is that of the values that are
+// in use at a time: of a chain of nodes one or two, however long it is.
+#pragma once
+
+#include <memory>
+
+#include "csg/operators/node_value.h"
+#include "csg/tree/unfold.h"
+
+namespace cnrg {
+
+class ValueStore {
+ public:
+  /// `unfolding` must outlive this.
+  ValueStore(const Unfolding& unfolding, bool keep_all);
+
+  void put(InstanceId id, NodeValue value);
+  /// False before it was put and after it was freed.
+  bool has(InstanceId id) const { return values_[id] != nullptr; }
+  /// The value must be there. It stays where it is until it is freed.
+  NodeValue& operator[](InstanceId id) { return *values_[id]; }
+  std::shared_ptr<const NodeValue> share(InstanceId id) const { return values_[id]; }
+
+  /// Whether only one use is left: that of the operator that runs now, or of a root.
+  bool used_once_more(InstanceId id) const { return uses_[id] == 1; }
+  /// Whether the operator that runs now may take the value apart, since nobody sees it afterwards.
+  bool expendable(InstanceId operand) const { return used_once_more(operand) && !keep_all_; }
+  /// The operator of `user` has run.
+  void release_operands(InstanceId user);
+
+  /// Of all instances, by InstanceId; empty places for those that were freed.
+  IdVector<InstanceId, std::shared_ptr<const NodeValue>> take();
+
+ private:
+  const Unfolding& unfolding_;
+  bool keep_all_;
+  IdVector<InstanceId, std::shared_ptr<NodeValue>> values_;
+  IdVector<InstanceId, std::size_t> uses_;
+};
+
+}  // namespace cnrg

@@ -1,0 +1,106 @@
+#include "csg/formats/result_file.h"
+
+#include "csg/formats/dag_graph.h"
+#include "csg/formats/formats.h"
+#include "csg/formats/mesh_file.h"
+#include "csg/formats/writer.h"
+#include "csg/leaves/leaf.h"
+#include "csg/mesh/material_field.h"
+#include "csg/operators/leaf_value.h"
+#include "csg/result/result_data.h"
+#include "csg/text/file.h"
+#include "csg/topology/region_graph.h"
+#include "kernel/selection/canonical.h"
+
+namespace cnrg {
+namespace {
+
+bool shows_regions(const std::string& path) {
+  return extension_of(path) == ".dot" && extension_of(path.substr(0, path.size() - 4)) == ".regions";
+}
+
+}  // namespace
+
+bool shows_dag(const std::string& path) { return extension_of(path) == ".dot" && !shows_regions(path); }
+
+void check_file_name(const std::string& path) {
+  if (extension_of(path) == ".dot") return;
+  try {
+    check_extension(path);
+  } catch (const InputError& e) {
+    throw InputError(std::string(e.what()) + " .dot .regions.dot");
+  }
+}
+
+bool is_exact(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".json" || extension == ".dot";
+}
+
+RoundingReport write(const std::string& path, const Result& result, const FileOptions& options) {
+  if (shows_regions(path)) {
+    replace_file(path, region_graph(result.cells(), result.data().value->attributes()).dot());
+    return {};
+  }
+  return write(path, result.data().view(options.parameters));
+}
+
+void write(const std::string& path, const Evaluation& evaluation) {
+  if (!shows_dag(path)) throw InputError(path + ": the DAG of an evaluation is written as .dot");
+  replace_file(path, dag_dot(evaluation));
+}
+
+Result read_result(const std::string& path) {
+  const auto leaf = prepare(ResultShape{path});
+  const std::shared_ptr<const Complex> complex = build_complex(make_soup({{leaf}}));
+  std::vector<RegionAttributes> attributes;
+  for (const LeafRegion& region : leaf->regions()) {
+    attributes.push_back({.name = region.name, .material = region.material, .leaves = {LeafId(0)}});
+  }
+  const auto data = std::make_shared<Result::Data>();
+  data->complex = complex;
+  const auto value = std::make_shared<const NodeValue>(
+      leaf_value(*complex, LeafId(0), leaf_groups(*complex).front(), *leaf->cells(), {}, attributes));
+  data->value = value;
+  SimplifiedComplex simplified = simplify(*complex, *value, selection_of(*complex, *value));
+  put_in_order(*complex, simplified);
+  data->simplified = std::make_shared<const SimplifiedComplex>(std::move(simplified));
+  data->name({.result = path, .leaves = {path}});
+  return Result(data);
+}
+
+void check_mesh_file_name(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".msh" || extension == ".mesh" || extension == ".vtu") return;
+  const bool surface = extension == ".smesh" || extension == ".poly";
+  throw InputError(path +
+                   (surface ? ": this format holds faces and no tetrahedra; `cnrg eval -o` writes it"
+                            : ": no writer of tetrahedra for the extension `" + extension + "`") +
+                   "; use one of .msh .mesh .vtu");
+}
+
+TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options) {
+  const ResultView view = result.data().view();
+  TetrahedralMesh made = tetrahedra(view, options);
+  sample_materials(view, made.mesh);
+  return made;
+}
+
+void write(const std::string& path, const Result& result, const Mesh& mesh) {
+  check_mesh_file_name(path);
+  const std::string extension = extension_of(path);
+  replace_file(path, extension == ".msh"    ? msh_text(mesh)
+                     : extension == ".mesh" ? medit_text(mesh)
+                                            : vtu_text(result.data().view(), mesh));
+}
+
+TetrahedraReport write_tetrahedra(const std::vector<std::string>& paths, const Result& result,
+                                  const TetrahedraOptions& options) {
+  for (const std::string& path : paths) check_mesh_file_name(path);
+  TetrahedralMesh made = tetrahedra(result, options);
+  const Mesh& mesh = made.mesh;
+  for (const std::string& path : paths) write(path, result, mesh);
+  return {made.rounding, std::move(made.regions), mesh.points.size(), mesh.triangles.size(), mesh.segments.size()};
+}
+
+}  // namespace cnrg

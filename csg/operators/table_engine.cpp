@@ -1,0 +1,382 @@
+// Where a row of the tables is decided: `State::decide`.
+//
+// A Boolean takes the entities of both operands and removes some, faces first, then edges, then vertices. What
+// bounds something that stays, stays. Of every other entity the relation of the two operands there (AinB, INTERS,
+// ...) names one row, the row has a condition, and the condition is asked of the two operands as they were.
+//
+// The obvious ways to fold many operands fail. A Boolean per pair reads the value so far in every step: a union of
+// n solids costs n^2. A second evaluation for folds, beside that for pairs, is two readings of each condition, and
+// these drift apart. So there is one, and a pair is a fold of two: the value so far, *held*, stays where it is, as
+// flags on the cells of the complex, and a step walks the *next* operand. That is enough, since rows decide about
+// an entity by what lies around it, and outside of next's regions (AoutB, BoutA) unions and differences keep all
+// of held. An intersection removes that all: its step reads held, too, but the next one has less to read.
+//
+//   take_in            marks next, and asks for the entities of held that a row may remove
+//   decide             faces, edges, vertices: row, condition, count
+//   HeldRegions        does the operator on regions, which end at the faces that stay
+//   commit             makes next's entities held ones; what was removed goes
+//
+// A and B of the rows are held and next, or next and held where the right operand dominates: `a_` and `b_` say
+// which, and what the conditions ask of A and B (see holds_for_face, holds_for_lower) is answered by `Face` and
+// `Lower`. No other code knows which is which.
+#include "csg/operators/table_engine.h"
+
+#include <array>
+
+#include "csg/operators/bounds.h"
+#include "csg/operators/held_regions.h"
+
+namespace cnrg {
+namespace {
+
+using Parts = std::span<const Group* const>;
+
+// An operand of a step; the value is the flag of its entities.
+enum class Who : std::uint8_t { held = kHeld, next = kNext };
+
+}  // namespace
+
+class TableEngine::State {
+ public:
+  State(const Complex& complex, BooleanOp op, Parts first)
+      : complex_(complex),
+        op_(op),
+        faces_(complex.face_count()),
+        edges_(complex.edge_count()),
+        vertices_(complex.points.size()),
+        regions_(complex, op, faces_) {
+    for (const Group* part : first) load(*part);
+    regions_.load(first);
+  }
+
+  void step(Dominance dominance, Parts next, FoldStep& step) {
+    roles_ = roles(op_, dominance);
+    a_ = roles_.swapped ? Who::next : Who::held;
+    b_ = roles_.swapped ? Who::held : Who::next;
+    take_in(next);
+    decide(faces_, 2, next, &Group::faces);
+    decide(edges_, 1, next, &Group::edges);
+    decide(vertices_, 0, next, &Group::vertices);
+    regions_.update(roles_, next, step.conflicts);
+    commit(next);
+    for (std::size_t row = 0; row < kTableRows; ++row) {
+      if (removed_[row] != 0) step.removed[row] += removed_[row];
+    }
+    removed_ = {};
+  }
+
+  bool empty() const {
+    return faces_.listed.empty() && edges_.listed.empty() && vertices_.listed.empty() && regions_.empty();
+  }
+
+  Group group() {
+    Group out;
+    LeafSetMap sets(sets_, out.origins.sets);
+    write(faces_, sets, out.faces, out.origins.faces);
+    write(edges_, sets, out.edges, out.origins.edges);
+    write(vertices_, sets, out.vertices, out.origins.vertices);
+    write_features(edges_, out.edges, out.features.edges);
+    write_features(vertices_, out.vertices, out.features.vertices);
+    regions_.write(out);
+    return out;
+  }
+
+ private:
+  // --- the operands
+
+  void load(const Group& part) {
+    LeafSetMap sets(part.origins.sets, sets_);
+    load(faces_, part.faces, part.origins.faces, sets);
+    load(edges_, part.edges, part.origins.edges, sets);
+    load(vertices_, part.vertices, part.origins.vertices, sets);
+    for (const EdgeId e : part.features.edges) edges_.flags[e] |= kHeldFeature;
+    for (const VertexId v : part.features.vertices) vertices_.flags[v] |= kHeldFeature;
+  }
+
+  template <class IdT>
+  static void load(EntityMarks<IdT>& marks, const std::vector<IdT>& cells, const std::vector<LeafSetId>& origins,
+                   LeafSetMap& sets) {
+    marks.listed.insert(marks.listed.end(), cells.begin(), cells.end());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      marks.flags[cells[i]] = kHeld | kListed;
+      marks.origin[cells[i]] = sets(origins[i]);
+    }
+  }
+
+  void take_in(Parts next) {
+    for (const Group* part : next) {
+      for (const FaceId f : part->faces) faces_.flags[f] |= kNext;
+      for (const EdgeId e : part->edges) edges_.flags[e] |= kNext;
+      for (const VertexId v : part->vertices) vertices_.flags[v] |= kNext;
+      for (const EdgeId e : part->features.edges) edges_.flags[e] |= kNextFeature;
+      for (const VertexId v : part->features.vertices) vertices_.flags[v] |= kNextFeature;
+    }
+    regions_.take_in(next);
+    ask_held();
+  }
+
+  // The entities of held that a row may remove: all, if the rows remove what is outside of next; else those in the
+  // regions of next. Where held has fewer than there are faces in these, it is cheaper to ask all of them.
+  void ask_held() {
+    const Relation outside = relation_of(a_ == Who::held, b_ == Who::held, false);
+    bool all = !keeps_outside(op_, roles_.dominant, outside);
+    if (!all) {
+      const std::size_t held = faces_.listed.size() + edges_.listed.size() + vertices_.listed.size();
+      std::size_t faces = 0;
+      for (const RegionId cell : regions_.next_cells()) faces += complex_.region_faces[cell].size();
+      all = held < faces;
+    }
+    if (all) {
+      for (const FaceId f : faces_.listed) faces_.ask(f);
+      for (const EdgeId e : edges_.listed) edges_.ask(e);
+      for (const VertexId v : vertices_.listed) vertices_.ask(v);
+    } else {
+      for (const RegionId cell : regions_.next_cells()) ask_inside(cell);
+    }
+  }
+
+  // Entities of held in the closure of a 3-cell of next that are none of next are inside of its region.
+  void ask_inside(RegionId cell) {
+    for (const HalfFace h : complex_.region_faces[cell]) {
+      const FaceId f = h.face();
+      if (h.side() != 0 || faces_.has(f, kNext)) continue;  // inside: the same region on both sides
+      faces_.ask(f);
+      for (const LoopId l : complex_.face_loops[f]) {
+        for (const HalfEdge e : complex_.loop[l]) {
+          edges_.ask(e.edge());
+          vertices_.ask(complex_.origin(e));
+        }
+      }
+      for (const VertexId v : complex_.face_vertices[f]) vertices_.ask(v);
+    }
+    for (const EdgeId e : complex_.region_wires[cell]) {
+      edges_.ask(e);
+      for (const VertexId v : complex_.edge_ends[e]) vertices_.ask(v);
+    }
+    for (const VertexId v : complex_.region_vertices[cell]) vertices_.ask(v);
+  }
+
+  // --- the rows
+
+  template <class IdT>
+  void decide(EntityMarks<IdT>& marks, int dimension, Parts next, std::vector<IdT> Group::*entities) {
+    std::array<std::size_t, kRelations> rows;
+    for (std::size_t r = 0; r < kRelations; ++r) {
+      rows[r] = table_row(op_, roles_.dominant, dimension, static_cast<Relation>(r));
+    }
+    const auto decide_one = [&](IdT cell) {
+      const std::size_t row = rows[static_cast<std::size_t>(relation(cell))];
+      const Condition condition = table_rows()[row].condition;
+      if (condition == Condition::never || bounds_kept(cell) || !holds(condition, cell)) return;
+      marks.flags[cell] |= kRemoved;
+      ++removed_[row];
+    };
+    for (const Group* part : next) {
+      for (const IdT cell : part->*entities) decide_one(cell);
+    }
+    for (const IdT cell : marks.asked) decide_one(cell);
+  }
+
+  bool bounds_kept(FaceId) const { return false; }
+  template <class IdT>
+  bool bounds_kept(IdT cell) const {
+    return bounds_any(complex_, cell, [&](auto other) { return marks(other).kept(other); });
+  }
+
+  template <class IdT>
+  Relation relation(IdT cell) const {
+    const bool of_a = has(a_, cell), of_b = has(b_, cell);
+    const bool inside = of_a != of_b && in_region(of_a ? b_ : a_, complex_.some_region(cell));
+    return relation_of(of_a, of_b, inside);
+  }
+
+  bool holds(Condition condition, FaceId f) { return holds_for_face(condition, Face{*this, f}); }
+  template <class IdT>
+  bool holds(Condition condition, IdT cell) {
+    return holds_for_lower(condition, Lower<IdT>{*this, cell});
+  }
+
+  // --- what the conditions ask
+
+  class Face {
+   public:
+    Face(State& state, FaceId f) : state_(state), sides_(state.complex_.face_regions[f]) {}
+    bool in_a(int side) const { return in(state_.a_, side); }
+    bool in_b(int side) const { return in(state_.b_, side); }
+    int num_reg_a() const { return num_reg(state_.a_); }
+    int num_reg_b() const { return num_reg(state_.b_); }
+
+   private:
+    bool in(Who who, int side) const { return state_.in_region(who, sides_[static_cast<std::size_t>(side)]); }
+    int num_reg(Who who) const {
+      const bool front = in(who, 0), back = in(who, 1);
+      if (front != back) return 1;
+      return !front || state_.one_region(who, sides_[0], sides_[1]) ? 0 : 2;
+    }
+    State& state_;
+    const std::array<RegionId, 2>& sides_;
+  };
+
+  template <class IdT>
+  class Lower {
+   public:
+    Lower(State& state, IdT cell) : state_(state), cell_(cell) {}
+    bool free_in_a() const { return free_in(state_.a_); }
+    bool free_in_b() const { return free_in(state_.b_); }
+    bool in_regions_of_b() const {
+      return all_around([&](RegionId r) { return state_.in_region(state_.b_, r); });
+    }
+    bool in_one_region_of_b() const {
+      const RegionId first = state_.complex_.some_region(cell_);
+      return in_regions_of_b() && all_around([&](RegionId r) { return state_.one_region(state_.b_, first, r); });
+    }
+    bool only_cut_in_b() const { return state_.only_cut(state_.b_, cell_); }
+
+   private:
+    bool free_in(Who who) const {
+      return state_.has(who, cell_) &&
+             !bounds_any(state_.complex_, cell_, [&](auto other) { return state_.has(who, other); });
+    }
+    template <class F>
+    bool all_around(F f) const {
+      std::vector<RegionId>& around = state_.around_;
+      around.clear();
+      state_.complex_.star_regions(cell_, around);
+      return std::all_of(around.begin(), around.end(), f);
+    }
+    State& state_;
+    IdT cell_;
+  };
+
+  template <class IdT>
+  bool has(Who who, IdT cell) const {
+    return marks(cell).has(cell, static_cast<std::uint8_t>(who));
+  }
+  bool in_region(Who who, RegionId cell) const {
+    return who == Who::held ? regions_.in_held(cell) : regions_.in_next(cell);
+  }
+  bool one_region(Who who, RegionId a, RegionId b) {
+    return who == Who::held ? regions_.same_in_held(a, b) : regions_.same_in_next(a, b);
+  }
+  bool only_cut(Who who, EdgeId e) const { return !edges_.has(e, feature(who)); }
+  bool only_cut(Who who, VertexId v) const {
+    const auto edges = complex_.vertex_edges[v];
+    return !vertices_.has(v, feature(who)) &&
+           std::all_of(edges.begin(), edges.end(), [&](EdgeId e) { return only_cut(who, e); });
+  }
+  static std::uint8_t feature(Who who) { return who == Who::held ? kHeldFeature : kNextFeature; }
+
+  const EntityMarks<FaceId>& marks(FaceId) const { return faces_; }
+  const EntityMarks<EdgeId>& marks(EdgeId) const { return edges_; }
+  const EntityMarks<VertexId>& marks(VertexId) const { return vertices_; }
+
+  // --- the end of a step
+
+  void commit(Parts next) {
+    if (op_ == BooleanOp::subtract) mark_borders(next);
+    for (const Group* part : next) {
+      LeafSetMap sets(part->origins.sets, sets_);
+      commit(faces_, part->faces, part->origins.faces, sets);
+      commit(edges_, part->edges, part->origins.edges, sets);
+      commit(vertices_, part->vertices, part->origins.vertices, sets);
+    }
+    commit_asked(faces_), commit_asked(edges_), commit_asked(vertices_);
+  }
+
+  // A difference takes features of next only where they bound a face of next alone that stays: that lies inside of
+  // held. A next that only touches held leaves it as it was.
+  void mark_borders(Parts next) {
+    for (const Group* part : next) {
+      for (const FaceId f : part->faces) {
+        if (faces_.has(f, kHeld | kRemoved)) continue;
+        for (const LoopId l : complex_.face_loops[f]) {
+          for (const HalfEdge h : complex_.loop[l]) {
+            edges_.flags[h.edge()] |= kBorder;
+            vertices_.flags[complex_.origin(h)] |= kBorder;
+          }
+        }
+        for (const VertexId v : complex_.face_vertices[f]) vertices_.flags[v] |= kBorder;
+      }
+    }
+  }
+
+  template <class IdT>
+  void commit(EntityMarks<IdT>& marks, const std::vector<IdT>& cells, const std::vector<LeafSetId>& origins,
+              LeafSetMap& sets) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      std::uint8_t& flags = marks.flags[cells[i]];
+      if (flags & kRemoved) {
+        flags &= kListed;
+        continue;
+      }
+      LeafSetId& origin = marks.origin[cells[i]];
+      origin = (flags & kHeld) ? sets_.unite(origin, sets(origins[i])) : sets(origins[i]);
+      if (!(flags & kListed)) marks.listed.push_back(cells[i]);
+      const bool from_next = (flags & kNextFeature) && (op_ != BooleanOp::subtract || (flags & kBorder));
+      flags = kHeld | kListed | (from_next || (flags & kHeldFeature) ? kHeldFeature : 0);
+    }
+  }
+
+  template <class IdT>
+  void commit_asked(EntityMarks<IdT>& marks) const {
+    for (const IdT cell : marks.asked) {
+      std::uint8_t& flags = marks.flags[cell];
+      flags &= (flags & kRemoved) ? kListed : static_cast<std::uint8_t>(~kAsked);
+    }
+    marks.asked.clear();
+    if (op_ != BooleanOp::intersect) return;
+    // Few are left: the next step is to read these alone.
+    std::erase_if(marks.listed, [&](IdT cell) {
+      if (marks.has(cell, kHeld)) return false;
+      marks.flags[cell] = 0;
+      return true;
+    });
+  }
+
+  // --- the result
+
+  template <class IdT>
+  static void write(const EntityMarks<IdT>& marks, LeafSetMap& sets, std::vector<IdT>& list,
+                    std::vector<LeafSetId>& origins) {
+    list.reserve(marks.listed.size());
+    for (const IdT cell : marks.listed) {
+      if (marks.has(cell, kHeld)) list.push_back(cell);
+    }
+    merge_runs(list);
+    origins.reserve(list.size());
+    for (const IdT cell : list) origins.push_back(sets(marks.origin[cell]));
+  }
+
+  template <class IdT>
+  static void write_features(const EntityMarks<IdT>& marks, const std::vector<IdT>& list, std::vector<IdT>& out) {
+    for (const IdT cell : list) {
+      if (marks.has(cell, kHeldFeature)) out.push_back(cell);
+    }
+  }
+
+  const Complex& complex_;
+  const BooleanOp op_;
+  EntityMarks<FaceId> faces_;
+  EntityMarks<EdgeId> edges_;
+  EntityMarks<VertexId> vertices_;
+  HeldRegions regions_;
+  LeafSets sets_;  // of the origins of held
+
+  // The step.
+  Roles roles_{};
+  Who a_ = Who::held, b_ = Who::next;  // A and B of the rows
+  std::array<std::size_t, kTableRows> removed_{};
+  std::vector<RegionId> around_;
+};
+
+TableEngine::TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts)
+    : state_(std::make_unique<State>(complex, op, parts)) {}
+TableEngine::~TableEngine() = default;
+
+void TableEngine::step(Dominance dominance, std::span<const Group* const> parts, FoldStep& step) {
+  state_->step(dominance, parts, step);
+}
+bool TableEngine::empty() const { return state_->empty(); }
+Group TableEngine::group() { return state_->group(); }
+
+}  // namespace cnrg

@@ -1,0 +1,43 @@
+// The engine of the paper's tables: a fold ((a op b) op c) op ... of groups, in place. A Boolean of two groups is
+// a fold of two.
+//
+// table_engine.cpp is where a row of tables.h is decided, for all who ask: `boolean_operation` (boolean.h) and
+// `boolean_fold` (fold.h). It says how.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "csg/operators/attributes.h"
+#include "csg/operators/tables.h"
+
+namespace cnrg {
+
+/// What one step of a fold did.
+struct FoldStep {
+  std::map<std::size_t, std::size_t> removed;  ///< row of the tables -> entities
+  /// Each with the smallest 3-cell of its region of the step's result, in that order.
+  std::vector<std::pair<RegionId, MaterialConflict>> conflicts;
+};
+
+class TableEngine {
+ public:
+  /// Starts as the group of the first operand's `parts`, which share no point with each other.
+  TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts);
+  ~TableEngine();
+  /// One step with the next operand, given as its parts, which may be none; what it did is added to `step`.
+  void step(Dominance dominance, std::span<const Group* const> parts, FoldStep& step);
+  /// True if nothing is left.
+  bool empty() const;
+  /// The group of what there is. Its dominance is not set.
+  Group group();
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace cnrg

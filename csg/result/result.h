@@ -1,0 +1,110 @@
+// A result: one value on a complex, with all that files say of it.
+//
+// It comes from an evaluation, or from a group, components or a selection made by hand. It shares the ownership of
+// everything that it shows, so that it may be kept, copied (as a pointer is) and written when the tree, the
+// evaluation and the groups that it was made of are gone. It never changes; threads may read it at a time.
+// References that its members return live as long as the result or any copy of it.
+//
+//   write("model.vtu", evaluation.result("model"));                    csg/formats/result_file.h
+//   write("both.json", Result(complex, unite(...), {.result = "both"}));
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "csg/operators/components.h"
+#include "kernel/selection/simplify.h"
+
+namespace cnrg {
+
+/// What a result and what it was made of are called in files; all of it may stay empty.
+struct ResultNames {
+  struct Material {
+    std::string name, color{};  ///< color `#rrggbb`, or empty
+  };
+  std::string result{};               ///< of the result itself; of an evaluation its node's
+  std::vector<std::string> leaves{};  ///< by LeafId
+  std::vector<Material> materials{};  ///< in the order that files list them; others that regions have come after
+};
+
+class Result {
+ public:
+  /// The cells are simplified by `mode`. The lists of the value must be as operators make them: sorted, and of a
+  /// group closed.
+  Result(std::shared_ptr<const Complex> complex, Group group, ResultNames names = {},
+         SimplifyMode mode = SimplifyMode::features);
+  Result(std::shared_ptr<const Complex> complex, Components components, ResultNames names = {},
+         SimplifyMode mode = SimplifyMode::features);
+  /// Components without names and materials; a cell comes from all leaves that hold it.
+  Result(std::shared_ptr<const Complex> complex, Selection selection, ResultNames names = {},
+         SimplifyMode mode = SimplifyMode::features);
+
+  const std::string& name() const;
+  const Complex& complex() const;
+  /// The cells that files list, numbered as there.
+  const SimplifiedComplex& cells() const;
+  /// The regions of a group, and its entities as one more, the last, if it has any; or the components.
+  std::size_t component_count() const;
+  /// Name, material and leaves of component i, from 1.
+  const RegionAttributes& attributes(Component i) const;
+  /// The cells of the complex in it, by component.
+  Selection selection() const;
+  /// The exact volume of component i; nothing if it is unbounded.
+  std::optional<Rational> volume(Component i) const;
+  /// The cell of the result in which a point lies that a Locator of `complex()` has found.
+  SimplifiedComplex::Place place(const Location& location) const;
+  /// The component at a place; 0 outside of all.
+  Component component(const SimplifiedComplex::Place& place) const { return component_of(cells(), place); }
+
+  /// What it holds, for the rooms that make results and write them (result_data.h).
+  struct Data;
+  explicit Result(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+  const Data& data() const { return *data_; }
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// What rounding to doubles did to a written file.
+struct RoundingReport {
+  std::size_t moved = 0;  ///< vertices whose doubles differ from their exact coordinates
+  bool embedded = true;   ///< the rounded facets still meet only in shared vertices and edges
+};
+
+/// What `snap` did.
+struct SnapReport {
+  std::size_t points = 0;   ///< of the result
+  std::size_t moved = 0;    ///< of these: those that are elsewhere now, or nowhere
+  std::size_t added = 0;    ///< vertices where there was none
+  std::size_t faces = 0;    ///< of the result: faces that vanished
+  std::size_t regions = 0;  ///< of the result: active regions that vanished
+  std::size_t wires = 0;    ///< of the result: wires that vanished
+  int rounds = 0;           ///< refinements; 0: nothing had to be snapped, and all of this is 0
+  double displacement = 0;  ///< no point of the result moved farther (units of the model)
+  /// `3 of 20 vertices moved, by 1e-16 at most; ...`: one line without its end.
+  std::string text() const;
+};
+
+/// The result on doubles: every vertex is three doubles, and nothing crosses (csg/result/snap.h says how). The
+/// same result where rounding alone is right. Throws InputError for a result with faces or lines that reach the
+/// frame of unbounded leaves, for one that does not become stable, and beyond the range of doubles.
+Result snap(const Result& result, SnapReport* report = nullptr);
+
+/// What is asked of the tetrahedra that fill a result.
+struct TetrahedraOptions {
+  double max_volume = 0;       ///< no tetrahedron is larger (cubic units); 0: no bound
+  double quality = 0;          ///< largest ratio of circumradius to shortest edge, at least 1; 0: no bound
+  bool keep_boundary = false;  ///< no new points on faces and edges, but inside of regions only
+  int seconds = 600;           ///< of processor time for each way in which TetGen is asked; 0: no bound
+};
+
+/// What was made of one region.
+struct RegionTetrahedra {
+  std::string name;  ///< of its group in the mesh
+  std::size_t tetrahedra = 0;
+  Rational volume;  ///< of the tetrahedra, exactly
+};
+
+}  // namespace cnrg

@@ -1,0 +1,44 @@
+// A complex that is built but for what its cells come from.
+//
+// Cells are a matter of points and incidence alone; which faces and wires of which leaves lie on them is said in
+// arrays of their own. `build_complex` takes these from the soup and is done. A result on doubles is refined from
+// triangles that no leaf has, and only then is told what its cells stem from: until then it is a draft.
+#pragma once
+
+#include "kernel/complex/complex.h"
+
+namespace cnrg {
+
+/// What the cells of a complex come from; the members of Complex with the same names.
+struct ComplexSources {
+  IdVector<FaceId, SourceSetId> face_cover;
+  Csr<SourceSetId, Cover> covers;
+  IdVector<SourceId, Soup::Face> sources;
+  Csr<EdgeId, SegmentId> edge_segments;
+  IdVector<SegmentId, std::array<VertexId, 2>> segment_ends;
+  Csr<SegmentId, SourceId> segment_faces;
+  SparseLists<SegmentId, WireId> segment_wires;
+  IdVector<WireId, Soup::Wire> wires;
+  SparseLists<VertexId, LeafId> isolated_leaves;
+  std::size_t leaf_count = 0;
+};
+
+class ComplexDraft {
+ public:
+  /// Refines the soup and builds its complex, as `build_complex` does.
+  explicit ComplexDraft(const Soup& soup, const RefineOptions& options = {}, RefineReport* report = nullptr);
+  const Complex& operator*() const { return *complex_; }
+  const Complex* operator->() const { return complex_.get(); }
+
+  /// Replaces what the cells come from. The leaves then have neither fills nor regions of their own.
+  void set_sources(ComplexSources sources);
+  /// Finds the labels of the regions anew, from the soup that it was made of.
+  void label(const Soup& soup);
+  /// The complex, constant from now on; the draft is empty.
+  std::shared_ptr<const Complex> finish() { return std::move(complex_); }
+
+ private:
+  std::shared_ptr<Complex> complex_;
+};
+
+}  // namespace cnrg

@@ -1,0 +1,142 @@
+// The pages: each command in them prints what the page shows, and each tree of papers/ is in such a command.
+//
+// CNRG_WRITE_PAGES=1 writes what the commands print into the pages: write a command, run, read what has changed.
+#include "tests/pages/examples.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "tests/app/program.h"
+
+namespace cnrg {
+namespace {
+
+namespace fs = std::filesystem;
+using Lines = std::vector<std::string>;
+
+bool is_shown(const Lines& shown, const Lines& printed) { return difference(shown, printed).empty(); }
+
+std::string joined(const Lines& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+Lines lines_between(const Page& page, std::size_t begin, std::size_t end) {
+  return {page.lines.begin() + static_cast<std::ptrdiff_t>(begin),
+          page.lines.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+/// Where the commands of a page run: `cnrg` is the program, papers/ is a copy.
+void furnish(const Workshop& w, const Page& page) {
+  fs::create_directory(w.path(".bin"));
+  fs::create_symlink(CNRG_PROGRAM, w.path(".bin") / "cnrg");
+  fs::copy(root() / "papers", w.path("papers"), fs::copy_options::recursive);
+  fs::create_directories(w.path("out") / page.path.parent_path().filename());
+}
+
+/// What the command prints on standard output and then on standard error, and its status.
+Outcome run(const Workshop& w, const std::string& command) {
+  return w.shell("{ PATH=\"$PWD/.bin:$PATH\"\n" + command + "\n} </dev/null >.out 2>.err");
+}
+
+/// Runs the examples of a page.
+void check_examples(const Page& page) {
+  const Workshop w;
+  furnish(w, page);
+  Lines text = page.lines;
+  std::ptrdiff_t grown = 0;  // lines by which `text` is longer than the page so far
+  for (const CodeBlock& block : page.blocks) {
+    const Lines lines = lines_between(page, block.begin, block.end);
+    if (!block.file.empty()) {
+      INFO(name_of(page.path) << ":" << block.begin + 1 << ": " << block.file);
+      if (fs::exists(w.path(block.file))) CHECK(lines_of(w.read(block.file)) == lines);
+      else w.write(block.file, joined(lines));
+    }
+    for (const Claim& claim : claims_of(page, block)) {
+      const Outcome o = run(w, claim.command);
+      const Lines shown = lines_between(page, claim.begin, claim.end), printed = lines_of(o.out + o.err);
+      if (std::getenv("CNRG_WRITE_PAGES") != nullptr) {
+        const Lines right = corrected(shown, printed);
+        const auto begin = text.begin() + static_cast<std::ptrdiff_t>(claim.begin) + grown;
+        const auto rest = text.erase(begin, begin + static_cast<std::ptrdiff_t>(shown.size()));
+        text.insert(rest, right.begin(), right.end());
+        grown += static_cast<std::ptrdiff_t>(right.size()) - static_cast<std::ptrdiff_t>(shown.size());
+      } else {
+        INFO(name_of(page.path) << ":" << claim.begin << ": $ " << claim.command << "\n" << o.out << o.err);
+        CHECK(difference(shown, printed) == "");
+        const bool fails = joined(shown).find("error: ") != std::string::npos;
+        CHECK((o.status == 0) == !fails);
+      }
+    }
+  }
+  if (text != page.lines) std::ofstream(page.path) << joined(text);
+}
+
+TEST_CASE("lines are compared word by word", "[pages]") {
+  const Lines printed{"node  op   regions  seconds  volume", "a  box  1  0.000  8",
+                      "b  cone  2  0.125  1/123456789012 (8.1e-12)", "c  box  1  0.001  1/2 (0.5)"};
+  const std::string any = "...";
+  CHECK(is_shown(printed, printed));
+  CHECK(is_shown({any, "a box 1 9.999 8", "b cone 2 0.000 8.1e-12", "c box 1 0.000 1/2"}, printed));
+  CHECK(is_shown({any, "b cone 2 0.000 8.1e-12", any}, printed));
+  CHECK(is_shown({printed[0], any, printed[3]}, printed));
+  CHECK(is_shown({any}, {}));
+  CHECK(is_shown({}, {}));
+  CHECK_FALSE(is_shown({}, printed));
+  CHECK_FALSE(is_shown({printed[0]}, printed));
+  CHECK_FALSE(is_shown({printed[0], any}, {}));
+  CHECK_FALSE(is_shown({any, "a box 1 0.000 9", any}, printed));
+  CHECK_FALSE(is_shown({any, " a box 1 0.000 8", any}, printed));
+  CHECK_FALSE(is_shown({any, "a box 2 0.000 8", any}, printed));
+  CHECK_FALSE(is_shown({any, "b cone 2 0.000 8.2e-12", any}, printed));
+  CHECK_FALSE(is_shown({any, "c box 1 0.000 1/3 (0.5)"}, printed));
+  CHECK_FALSE(is_shown({any, "c box 1 0.000 1/2", any, "a box 1 0.000 8"}, printed));
+  CHECK_FALSE(is_shown({any, "a box 1 0.000 8"}, printed));
+}
+
+TEST_CASE("a page can be brought up to date", "[pages]") {
+  const Lines printed{"seconds  volume", "a   12.345  8", "b    0.100  1/3 (0.333333333333)", "note"};
+  CHECK(corrected({}, printed) ==
+        Lines{"seconds  volume", "a    0.000  8", "b    0.000  1/3 (0.333333333333)", "note"});
+  CHECK(corrected({"seconds volume", "b 0.000 1/3"}, printed) ==
+        Lines{"seconds volume", "a    0.000  8", "b 0.000 1/3", "note"});
+  CHECK(corrected({"seconds volume", "..."}, printed) == Lines{"seconds volume", "..."});
+}
+
+TEST_CASE("what the pages show is what the program prints", "[pages]") {
+  for (const fs::path& path : pages()) {
+    DYNAMIC_SECTION(name_of(path)) { check_examples(read_page(path)); }
+  }
+}
+
+TEST_CASE("each tree of a paper is shown on its page", "[pages]") {
+  std::size_t folders = 0;
+  for (const fs::directory_entry& folder : fs::directory_iterator(root() / "papers")) {
+    if (!folder.is_directory()) continue;
+    ++folders;
+    const Page page = read_page(folder.path() / "README.md");
+    std::set<std::string> words;  // of commands of which something is shown
+    for (const CodeBlock& block : page.blocks) {
+      for (const Claim& claim : claims_of(page, block)) {
+        std::istringstream stream(claim.command);
+        for (std::string word; claim.begin < claim.end && stream >> word;) words.insert(word);
+      }
+    }
+    for (const fs::directory_entry& tree : fs::directory_iterator(folder)) {
+      if (tree.path().extension() != ".yaml") continue;
+      const std::string name = name_of(tree.path());
+      INFO(name << ": its page has no block with a line `$ cnrg eval " << name << " ...` and its output");
+      CHECK(words.contains(name));
+    }
+  }
+  CHECK(folders >= 14);
+}
+
+}  // namespace
+}  // namespace cnrg

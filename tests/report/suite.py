@@ -1,0 +1,49 @@
+"""The tests of bench/report, for the program test_report.
+
+    suite.py --list    prints their names, one per line
+    suite.py NAME...   runs these, or all without a name; prints for each a line `passed NAME` or `failed NAME` and
+                       then, indented, why
+"""
+import sys
+import textwrap
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parents[1] / "bench" / "report")]
+
+
+def tests_in(suite):
+    for test in suite:
+        yield from tests_in(test) if isinstance(test, unittest.TestSuite) else [test]
+
+
+class Result(unittest.TestResult):
+    def startTest(self, test):
+        super().startTest(test)
+        self.before = len(self.failures) + len(self.errors)
+
+    def stopTest(self, test):
+        said = [text for _, text in (self.failures + self.errors)]
+        passed = len(said) == self.before
+        print("passed" if passed else "failed", test.id(), flush=True)
+        if not passed:
+            print(textwrap.indent("\n".join(said), "  "), flush=True)
+            self.failures, self.errors, self.any_failed = [], [], True
+        super().stopTest(test)
+
+
+def main():
+    found = {test.id(): test for test in tests_in(unittest.TestLoader().discover(HERE, top_level_dir=HERE))}
+    if sys.argv[1:] == ["--list"]:
+        print("\n".join(found))
+        return not found
+    result = Result()
+    result.any_failed = False
+    unittest.TestSuite(found[name] for name in sys.argv[1:] or found).run(result)
+    return result.any_failed
+
+
+if __name__ == "__main__":
+    sys.exit(main())
