@@ -43,7 +43,10 @@ void require_identity(const Node& node, const std::string& violation) {
 /// An operand of a group Boolean.
 PartedGroup group_operand(const Complex& complex, const Node& node, const Operand& operand) {
   const NodeValue& value = *operand.value;
-  if (value.is_group()) return operand.spent != nullptr ? std::move(operand.spent->parts()) : value.parts();
+  if (value.is_group()) {
+    if (operand.spent != nullptr) return std::move(operand.spent->parts());
+    return value.parts();
+  }
   if (value.stands_for) return parted(complex, *value.stands_for);
   const CellSet missing = missing_boundary(complex, value.components());
   if (!missing.empty()) {
