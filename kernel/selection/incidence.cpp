@@ -1,3 +1,5 @@
+// The arrays of the complex hold all that is asked for; only shells are not stored, and are joined again here from
+// neighbours in radial order.
 #include "kernel/selection/incidence.h"
 
 #include <algorithm>
