@@ -1,3 +1,4 @@
+// The strongest source decides; weaker ones fill in what it leaves empty, and are noted where they differ.
 #include "csg/operators/attributes.h"
 
 #include <algorithm>

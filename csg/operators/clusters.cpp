@@ -94,7 +94,8 @@ PartBox hull(Items items) {
 
 using Meetings = std::vector<std::pair<PartPlace, PartPlace>>;
 
-// Of the parts of one side and those of some operands, the first of which has this number.
+// The pairs between `few`, the parts of one side, and the parts of `operands`, the first of which has number
+// `first`.
 Meetings across(Items few, std::span<const PartedGroup> operands, std::uint32_t first) {
   Meetings out;
   if (few.empty()) return out;

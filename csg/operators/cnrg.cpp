@@ -208,7 +208,7 @@ void renumber(Components& x) {
   });
 }
 
-// The sets of cells that X lacks: the union of those of its cells next to them and of the leaves that have a
+// Origins of cells that X lacks: those of the cells of X next to them, and the leaves among `below` that have a
 // boundary there.
 class NearbyOrigins {
  public:

@@ -28,8 +28,8 @@ using Fate = Merging::Fate;
 using Use = Merging::Use;
 constexpr std::uint32_t kNowhere = SimplifiedComplex::kNowhere;
 
-// Disjoint sets that threads join at a time. A parent is smaller than its children, so that there is no cycle
-// whoever comes first, and the smallest member of a set is its root.
+// Disjoint sets that several threads join at the same time. A parent is smaller than its children, so no cycle can
+// come about, and the smallest member of a set is its root.
 class SharedSets {
  public:
   explicit SharedSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -174,7 +174,8 @@ class Assembly {
     const auto walkable = [&](HalfEdge h) { return merging_.walkable(h.edge()); };
     if (!std::all_of(loop.begin(), loop.end(), walkable)) return false;
     const auto first = std::min_element(loop.begin(), loop.end());
-    if (std::find(loop.begin(), loop.end(), first->twin()) != loop.end()) return false;  // which use is smaller?
+    if (std::find(loop.begin(), loop.end(), first->twin()) != loop.end())
+      return false;  // two uses: see walk_loops
     face.loops.push_back({first, loop.end()}, {loop.begin(), first});
     return true;
   }
@@ -270,7 +271,8 @@ class Assembly {
     }
   }
 
-  // A vertex that is isolated in a face lies in one of the complex, or edges around it vanished.
+  // A vertex that is isolated in a face of the result was so in a face of the complex, or edges around it
+  // vanished.
   void isolate_vertices() {
     std::vector<VertexId> vertices;
     for (EdgeId e : merging_.inner_edges()) {
