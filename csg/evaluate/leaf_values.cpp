@@ -1,3 +1,5 @@
+// One pass over the complex gives the groups of all leaves. Most are values as they are; the cells of a result
+// that was read back may be open or of many components, which its file tells cell by cell.
 #include "csg/evaluate/leaf_values.h"
 
 #include <utility>
