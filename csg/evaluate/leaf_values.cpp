@@ -44,8 +44,8 @@ void put_leaf_values(const Tree& tree, const Unfolding& unfolding, const Prepare
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
     NodeValue value = value_of(tree, leaves, instances[i], grades, complex, leaf, std::move(groups[leaf.index()]));
-    apply_attributes(complex, tree.nodes[instances[i].node], {},
-                     value);  // of a leaf they have the material already
+    // Without a material: the regions of a leaf have theirs already.
+    apply_attributes(complex, tree.nodes[instances[i].node], {}, value);
     values.put(i, std::move(value));
   }
 }

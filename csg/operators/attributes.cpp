@@ -1,4 +1,5 @@
-// The strongest source decides; weaker ones fill in what it leaves empty, and are noted where they differ.
+// The strongest source decides. If it does not dominate (`strict`), weaker ones fill in what it leaves empty, and
+// their materials are noted where they differ.
 #include "csg/operators/attributes.h"
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 namespace cnrg {
 namespace {
 
-// Completes `out`, whose faces are some of `g`: the edges, vertices and features of `g` in their closure, and
+// Completes `out`, whose faces are some of `g`: takes the edges, vertices and features in their closure, and all
 // origins.
 void keep_walls(const Complex& complex, const Group& g, Group& out) {
   Marks<EdgeId> edges(complex.edge_count());

@@ -1,5 +1,5 @@
-// Every face and edge that is asked about is an entity of a group, and has its origin there. Components may be
-// open: a cell that they lack is answered for by the active cells around it.
+// Of a group only entities are asked about, and these have origins. Components may be open: for a cell that they
+// lack, the active cells around it answer.
 #include "csg/operators/cell_sources.h"
 
 #include <algorithm>

@@ -94,8 +94,7 @@ PartBox hull(Items items) {
 
 using Meetings = std::vector<std::pair<PartPlace, PartPlace>>;
 
-// The pairs between `few`, the parts of one side, and the parts of `operands`, the first of which has number
-// `first`.
+// The pairs between `few`, the parts of one side, and the parts of `operands`, whose numbers begin with `first`.
 Meetings across(Items few, std::span<const PartedGroup> operands, std::uint32_t first) {
   Meetings out;
   if (few.empty()) return out;

@@ -10,8 +10,7 @@ namespace cnrg {
 class ComplexBuilder {
  public:
   ComplexBuilder(const Soup& soup, Refinement refinement) : soup_(soup), r_(std::move(refinement)) {}
-  /// Called once, by `ComplexDraft` (draft.h) alone: the result may still be written to, and is handed on as
-  /// const.
+  /// Called once, by `ComplexDraft` (draft.h) alone: the result may be written to until that hands it on as const.
   std::shared_ptr<Complex> build();
 
  private:

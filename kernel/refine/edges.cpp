@@ -1,5 +1,5 @@
 // Input segments that nothing cuts are edges, in order already; only pieces of the others are sorted, and the two
-// sequences merged. Sorting all would cost most of the time for bodies that hardly touch.
+// sequences merged. So bodies that hardly touch have next to nothing to sort.
 #include "kernel/refine/edges.h"
 
 #include <tbb/parallel_for.h>

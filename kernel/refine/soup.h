@@ -56,11 +56,10 @@ class Soup {
   /// one curve. A corner is an attribute of the point, not a cell.
   void add_curve_end(LeafId leaf, PointId p);
 
-  /// Declares a leaf as the frame: a closed convex box that cuts off what is unbounded. Its faces are oriented
-  /// outward. Every vertex of the arrangement is strictly inside, except where faces of unbounded leaves are cut
-  /// off on it. Cells on and outside of it are never active. `seed_regions`: the regions of leaves (Fill::sides)
-  /// at the frame's corner `seed`, which no face but the frame's touches; leaves that are not listed have region 0
-  /// there.
+  /// Declares a leaf as the frame: a closed convex box, oriented outward, that cuts off what is unbounded. Points
+  /// of other leaves are strictly inside, except where faces of unbounded leaves are cut off on it. Cells on and
+  /// outside of it are never active. `seed_regions`: the regions of leaves (Fill::sides) at the frame's corner
+  /// `seed`, which no face but the frame's touches; 0 for leaves that are not listed.
   void set_frame(LeafId frame, PointId seed, std::vector<std::pair<LeafId, std::uint32_t>> seed_regions);
 
   // --- reading

@@ -1,5 +1,4 @@
-// Euler-Poincare for closed sets of cells. Each term is counted on its own, except Ch, which follows from the
-// others.
+// Euler-Poincare for closed sets of cells. Each term but Ch is counted on its own; Ch follows from the formula.
 //
 // Handles of a volume. Push its boundary a little into it: a closed surface, one piece per cavity and one outside,
 // whose Euler characteristic is summed over what it is pushed from (`inner_surfaces`).

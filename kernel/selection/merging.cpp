@@ -3,8 +3,7 @@
 // Degrees do not tell that a vertex lies inside a face: with no kept edge around it, it may still be the point
 // where two faces touch (two cones, tip to tip). The faces around it form *fans*, joined over vanished edges; a
 // fan without a kept edge is a disk that has the vertex in its interior. If there is one such disk and nothing
-// else, the vertex is inside a face. Likewise two kept edges become one only if every fan runs from one to the
-// other.
+// else, the vertex is inside a face. Likewise two kept edges become one only if each fan runs between the two.
 #include "kernel/selection/merging.h"
 
 #include <algorithm>

@@ -54,7 +54,7 @@ CellSet unite(const CellSet& a, const CellSet& b);
 CellSet intersect(const CellSet& a, const CellSet& b);
 CellSet subtract(const CellSet& a, const CellSet& b);
 
-/// The cells whose closure meets a cell of the set, the set included (smallest open set of cells around it).
+/// The cells whose closure holds a cell of the set, the set included (the smallest open set of cells around it).
 CellSet star(const Complex& complex, const CellSet& set);
 /// The set and the boundaries of its cells.
 CellSet closure(const Complex& complex, const CellSet& set);

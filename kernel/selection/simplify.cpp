@@ -271,8 +271,7 @@ class Assembly {
     }
   }
 
-  // A vertex that is isolated in a face of the result was so in a face of the complex, or edges around it
-  // vanished.
+  // A vertex isolated in a face of the result was isolated in a face of the complex, or edges around it vanished.
   void isolate_vertices() {
     std::vector<VertexId> vertices;
     for (EdgeId e : merging_.inner_edges()) {
