@@ -1,4 +1,4 @@
-// Pairs of boxes that meet, then the sets that they connect. Where two sides face each other, boxes are looked for
+// Pairs of boxes that meet, then the sets that they connect. Where two sides are compared, boxes are looked for
 // among those of the side that has fewer: in a chain of Booleans one small operand meets a value of many parts in
 // each step, and most of these are passed over by one comparison with the box around the few.
 #include "csg/operators/clusters.h"

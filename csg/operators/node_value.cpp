@@ -14,8 +14,7 @@ const PartedGroup& NodeValue::parts() const {
 
 PartedGroup& NodeValue::parts() {
   require(is_group(), "a group was asked of a value of components");
-  whole_ =
-      std::make_unique<Whole>();  // the caller may change the parts: a whole made of them would be out of date
+  whole_ = std::make_unique<Whole>();  // the caller may change the parts, and the whole would be out of date
   return std::get<PartedGroup>(held_);
 }
 

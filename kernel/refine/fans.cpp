@@ -12,8 +12,8 @@ namespace cnrg {
 
 namespace {
 
-// A bit is set if something is not so at a vertex: all normals are negative along x, y, z (bits 0..2), or positive
-// (bits 3..5); all fans are closed (bit 6).
+// Each bit stands for a property that a vertex does not have: all normals around it are negative along x, y, z
+// (bits 0..2) or positive (bits 3..5), all fans are closed (bit 6).
 constexpr std::uint8_t kOpen = 1 << 6, kNone = 0x7f;
 
 class Fans {

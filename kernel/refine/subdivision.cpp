@@ -214,8 +214,8 @@ void Subdivider::nest(const SheetContent&) {
 
 void Subdivider::cover(const SheetContent& content) {
   face_cover_.assign(face_count_, {});
-  // Breadth first from the unbounded face, which nothing covers. Across an edge begin or end the soup faces that
-  // have it on their boundary; across a trace nothing changes.
+  // Breadth first from the unbounded face, which nothing covers. Soup faces begin or end at the edges on their
+  // boundary; across a trace nothing changes.
   std::vector<char> known(face_count_, 0);
   std::vector<std::vector<std::uint32_t>> half_edges(face_count_);
   for (std::uint32_t h = 0; h < 2 * edges_.size(); ++h) half_edges[loop_face_[loop_of_[h]]].push_back(h);

@@ -165,7 +165,8 @@ class Assembly {
     });
   }
 
-  // The one loop of a face that merged with no other, from its smallest edge. False if there is more to walk.
+  // The one loop of a face that merged with no other, from its smallest edge. False if there is more to walk, or
+  // the smallest edge is in a slit, so that its two uses have to be told apart.
   bool take_loop(Face& face) const {
     if (face.cells.size() > 1) return false;
     const auto loops = complex_.face_loops[face.cells.front().face()];
@@ -174,8 +175,7 @@ class Assembly {
     const auto walkable = [&](HalfEdge h) { return merging_.walkable(h.edge()); };
     if (!std::all_of(loop.begin(), loop.end(), walkable)) return false;
     const auto first = std::min_element(loop.begin(), loop.end());
-    if (std::find(loop.begin(), loop.end(), first->twin()) != loop.end())
-      return false;  // two uses: see walk_loops
+    if (std::find(loop.begin(), loop.end(), first->twin()) != loop.end()) return false;  // which use is smaller?
     face.loops.push_back({first, loop.end()}, {loop.begin(), first});
     return true;
   }
