@@ -71,10 +71,10 @@ TEST_CASE("A box", "[solids]") { expect("leaf winding\n" + kUnit, {8, 12, 6, 2, 
 TEST_CASE("Equal boxes are one region with the labels of all", "[solids]") {
   const std::string three = "leaf winding\n" + kUnit + "leaf parity\n" + kUnit + "leaf sides\n" + kUnit;
   expect(three, {8, 12, 6, 2, {1}});
-  CHECK(labelled(valid_complex(three), {0, 1, 2}) == 1);
+  CHECK(labelled(*valid_complex(three), {0, 1, 2}) == 1);
   // Twice in one leaf: winding number 2 is inside, parity 0 is not.
-  CHECK(labelled(valid_complex("leaf winding\n" + kUnit + kUnit), {0}) == 1);
-  CHECK(labelled(valid_complex("leaf parity\n" + kUnit + kUnit), {}) == 1);
+  CHECK(labelled(*valid_complex("leaf winding\n" + kUnit + kUnit), {0}) == 1);
+  CHECK(labelled(*valid_complex("leaf parity\n" + kUnit + kUnit), {}) == 1);
 }
 
 TEST_CASE("Boxes overlap at a corner", "[solids]") {
@@ -90,11 +90,11 @@ TEST_CASE("Boxes overlap at a corner", "[solids]") {
 TEST_CASE("A leaf that intersects itself", "[solids]") {
   const std::string boxes = "box 0 0 0, 2 2 2\nbox 1 1 1, 3 3 3\n";
   expect("leaf winding\n" + boxes, {22, 36, 18, 4, {1, 7, 7}});
-  CHECK(labelled(valid_complex("leaf winding\n" + boxes), {0}) == 15);
-  CHECK(labelled(valid_complex("leaf parity\n" + boxes), {0}) == 14);
-  CHECK(labelled(valid_complex("leaf cells\n" + boxes), {0}) == 15);
-  CHECK(labelled(valid_complex("leaf none\n" + boxes), {0}) == 0);
-  CHECK(valid_complex("leaf cells\n" + boxes).leaf_regions[LeafId(0)] == 3);
+  CHECK(labelled(*valid_complex("leaf winding\n" + boxes), {0}) == 15);
+  CHECK(labelled(*valid_complex("leaf parity\n" + boxes), {0}) == 14);
+  CHECK(labelled(*valid_complex("leaf cells\n" + boxes), {0}) == 15);
+  CHECK(labelled(*valid_complex("leaf none\n" + boxes), {0}) == 0);
+  CHECK(valid_complex("leaf cells\n" + boxes)->leaf_regions[LeafId(0)] == 3);
   // The sides contradict each other.
   CHECK_THROWS_AS(valid_complex("leaf sides\n" + boxes), InputError);
 }
@@ -141,8 +141,8 @@ TEST_CASE("Shells nested three deep", "[solids]") {
   const std::string boxes = "box 0 0 0, 7 7 7\nbox 1 1 1, 6 6 6\nbox 2 2 2, 5 5 5\n";
   for (const char* fill : {"parity", "winding", "cells", "none"})
     expect(std::string("leaf ") + fill + "\n" + boxes, {24, 36, 18, 4, {27, 98, 218}});
-  CHECK(labelled(valid_complex("leaf parity\n" + boxes), {0}) == 27 + 218);
-  CHECK(labelled(valid_complex("leaf winding\n" + boxes), {0}) == 343);
+  CHECK(labelled(*valid_complex("leaf parity\n" + boxes), {0}) == 27 + 218);
+  CHECK(labelled(*valid_complex("leaf winding\n" + boxes), {0}) == 343);
   // Two nests beside each other in the outermost one.
   expect(
       "leaf parity\nbox 0 0 0, 20 10 10\nbox 1 1 1, 9 9 9\nbox 11 1 1, 19 9 9\nbox 2 2 2, 3 3 3\n"
