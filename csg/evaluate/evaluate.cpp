@@ -10,8 +10,8 @@
 //
 // The way through the nodes is a loop over instances: the depth of a tree costs no stack. One thing calls the
 // driver from inside: a node to which a graded material measures distances is evaluated first, as the root of a
-// complex of its own (grades.h). Materials do not matter there, so it is evaluated without grades, and the driver
-// is not called once more.
+// complex of its own (grades.h). Materials do not matter there, so it is evaluated without grades, and this inner
+// run does not call the driver again.
 #include "csg/evaluate/evaluate.h"
 
 #include <tbb/global_control.h>

@@ -1,4 +1,5 @@
-// `simplify` leaves cells in the order of the refinement's ids; `put_in_order` gives them the numbers of people.
+// `simplify` leaves cells in the order of the refinement's ids; `put_in_order` gives them the numbers that people
+// see.
 #include "csg/evaluate/simplified_value.h"
 
 #include "kernel/selection/canonical.h"

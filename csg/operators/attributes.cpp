@@ -1,4 +1,4 @@
-// The strongest source decides. If it does not dominate (`strict`), weaker ones fill in what it leaves empty, and
+// The strongest source decides. Unless it dominates (`strict`), weaker ones fill in what it leaves empty, and
 // their materials are noted where they differ.
 #include "csg/operators/attributes.h"
 

@@ -1,5 +1,5 @@
-// The arrays of the complex hold all that is asked for; only shells are not stored, and are joined again here from
-// neighbours in radial order.
+// Links are set algebra on stars and closures, radial order is an array of the complex. Shells are not stored as
+// such: they are joined again from neighbours in radial order.
 #include "kernel/selection/incidence.h"
 
 #include <algorithm>
