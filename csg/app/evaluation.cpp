@@ -1,3 +1,5 @@
+// What all commands share: reading a tree at its fineness, evaluating it behind a progress bar, and printing
+// diagnostics.
 #include "csg/app/evaluation.h"
 
 #include <iostream>

@@ -1,4 +1,4 @@
-// Grid, ring, bisection; see the header.
+// The grid of a patch, the ring that joins it to the sides, and the bisection of what is too coarse.
 #include "csg/curves/patch_mesh.h"
 
 #include <algorithm>
@@ -28,9 +28,9 @@ std::size_t middle_corner(const PatchMesh& mesh, const Corners& c) {
   throw InvariantError("mesh_patch: a flat triangle without a middle corner");
 }
 
-/// Triangles without area (near a point that a side has shrunk to, corners may lie on one line): a b c with b
-/// between a and c, and its neighbour at a c with the corner d, become a b d and b c d, which cover the neighbour
-/// exactly.
+/// Mends triangles without area (where a side has shrunk to a point, corners near it may lie on one line). Let
+/// a b c be one with b between a and c, and d the corner of its neighbour at the edge a c: the two become a b d
+/// and b c d, which cover the neighbour exactly.
 void turn_flat_ones(PatchMesh& mesh) {
   const auto flat = [&](const Corners& c) {
     return collinear(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]);
@@ -50,8 +50,9 @@ void turn_flat_ones(PatchMesh& mesh) {
     for (std::size_t k = 0; k < 3; ++k) at_edge[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}] = t;
   };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) note(t);
-  // The one with the longest edge first: a flat neighbour then has its longest edge there too, and the two flat
-  // ones that come of it have shorter ones; of another neighbour none comes. What has no neighbour there goes.
+  // The triangle with the longest edge comes first. If its neighbour at that edge is flat, this is the neighbour's
+  // longest edge too, and the two flat triangles made of them have shorter ones; if the neighbour is not flat,
+  // neither are the two. So it ends. A flat triangle without a neighbour at its longest edge is dropped.
   std::vector<bool> gone(mesh.triangles.size(), false);
   while (!left.empty()) {
     const std::size_t t = std::prev(left.end())->second;
@@ -257,8 +258,8 @@ class Mesher {
     }
   }
 
-  /// The edge of a triangle to cut, or nothing if it is near enough to the patch. What lies in a cell that is
-  /// fine is, and so is every piece of a triangle that is.
+  /// The edge of a triangle to cut, or nothing if the triangle is near enough to the patch. A triangle in a cell
+  /// that is near enough is so itself, and so is every piece of one that is.
   std::optional<std::size_t> worst_edge(const Corners& corners) const {
     Place low = places_[corners[0]], high = low;
     for (std::uint32_t v : corners) {

@@ -1,3 +1,4 @@
+// Instances of nodes are the vertices of a Boost graph, operands its edges; Boost.Graph writes it.
 #include "csg/formats/dag_graph.h"
 
 #include <boost/graph/adjacency_list.hpp>

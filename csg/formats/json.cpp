@@ -4,9 +4,9 @@
 //   "format": "cnrg result", "version": 1, "node": name, "group": true | false, "dominance": fraction of a group,
 //   "leaves": [{"name"}],
 //   "materials": [{"name", "color"}],
-//   "grades": [{"material", "placement": {"linear": [row], "offset"}, "linear": {"from", "to"} or "distance":
-//   {"to",
-//     "points", "vertices", "segments", "triangles"}, "stops": [{"at", "mixture"}]}],   if a material is graded
+//   "grades": [{"material", "placement": {"linear": [row], "offset"},      if a material is graded
+//     "linear": {"from", "to"} or "distance": {"to", "points", "vertices", "segments", "triangles"},
+//     "stops": [{"at", "mixture"}]}],
 //   "components": [{"name", "material", "grade", "dominance", "leaves": [leaf]}],   component i is at [i - 1]
 //   "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted
 //   "frame": [point],                                                points that stand for infinity

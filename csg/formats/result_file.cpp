@@ -1,3 +1,5 @@
+// The extension decides: .dot is a graph, every other format gets the result as writers see it (ResultView).
+// A .json is read back as a tree would read it: as a leaf, alone in a complex of its own.
 #include "csg/formats/result_file.h"
 
 #include "csg/formats/dag_graph.h"

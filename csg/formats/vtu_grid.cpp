@@ -1,3 +1,5 @@
+// VTK's XML as text. Every array of numbers is one block of base64: its length in bytes as a 64-bit number, then
+// the numbers.
 #include "csg/formats/vtu_grid.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The table of formats by extension. The whole text is made before the file is touched, so that a format that
+// refuses a result leaves an old file as it was.
 #include "csg/formats/writer.h"
 
 #include <array>

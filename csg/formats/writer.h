@@ -12,8 +12,8 @@ void check_extension(const std::string& path);
 
 /// Writes `view` to `path` in the format of its extension (.json .vtu .msh .mesh .smesh .poly .obj .off
 /// .stl .ply), beside and renamed.
-/// Throws InputError for an unknown extension or a result that the format can not represent (the message says
-/// why and what to use instead), FileError if the file can not be written; the old file is then untouched.
+/// Throws InputError for an unknown extension or a result that the format cannot represent (the message says
+/// why and what to use instead), FileError if the file cannot be written; the old file is then untouched.
 RoundingReport write(const std::string& path, const ResultView& view);
 
 }  // namespace cnrg

@@ -17,8 +17,8 @@
 namespace cnrg {
 
 struct CadModel {
-  /// (u, v) of a triangle's corners. At corner `pole`, if there is one (below 3), parameter `free` (0: u, 1: v) is
-  /// anything.
+  /// (u, v) of a triangle's corners. Where one side of the patch shrinks to a point (a pole) one
+  /// parameter may have any value there: `free` (0: u, 1: v) of corner `pole`, if that is below 3.
   struct Place {
     std::array<std::array<double, 2>, 3> at;
     std::uint8_t pole = 3, free = 0;
@@ -28,10 +28,10 @@ struct CadModel {
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of points, counter-clockwise from the front
     std::vector<Place> places;                            ///< of these
     /// Its edges, run through with the face on the left as seen from the front: the number, and if it is forward.
-    /// An edge that lies inside of the face, or at both of its ends (a seam), is run through in both directions.
+    /// An edge inside of the face, or a seam, at which the face meets itself, is run through in both directions.
     std::vector<std::pair<std::uint32_t, bool>> border;
     std::vector<std::uint32_t> behind, before;  ///< solids that lie on its back, on its front
-    bool outside = false;                       ///< (also) a face of a shell or alone, of no solid
+    bool outside = false;                       ///< (also) used outside of all solids: by a shell, or alone
   };
   struct Edge {
     std::vector<std::uint32_t> points;  ///< along the curve, equal ends where it closes; one point: no length
@@ -50,9 +50,9 @@ struct CadModel {
   std::vector<std::string> notices;
 };
 
-/// Reads and tessellates. Throws InputError without a position where the file does not exist, holds no shape, can
-/// not be transferred or tessellated; LeafFileError `file: error: ...` where it is no such file; FileError if it
-/// can not be read. Without OpenCASCADE always InputError, which says how to get it.
+/// Reads and tessellates. Throws InputError without a position where the file does not exist, holds no shape, or
+/// cannot be transferred or tessellated; LeafFileError `file: error: ...` where the file is of another format;
+/// FileError if it cannot be read. Without OpenCASCADE always InputError, which says how to get it.
 CadModel read_cad(const CadShape& shape);
 
 /// `OpenCASCADE 7.6.3`, or empty without it.

@@ -28,7 +28,7 @@ struct MeshData {
 /// Reads a mesh by the extension of `path` (.off .obj .stl .ply, in any case). Coordinates are the doubles that
 /// the text rounds to; with `decimal` exactly the decimals of a text file.
 /// Throws LeafFileError (`path:line: error: ...`, for binary data `path: byte N: error: ...`) for a fault in the
-/// file, InputError if there is no such file or the extension is unknown, FileError if it can not be read.
+/// file, InputError if there is no such file or the extension is unknown, FileError if it cannot be read.
 MeshData read_mesh(const std::string& path, bool decimal);
 
 /// The whole file. InputError if it does not exist (the message has no position), FileError if reading fails.

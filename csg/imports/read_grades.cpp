@@ -1,3 +1,4 @@
+// Every number is checked where it is read, so that a message names the place of a fault in the document.
 #include "csg/imports/read_grades.h"
 
 #include <algorithm>

@@ -65,7 +65,7 @@ class PreparedLeaf {
 
 /// Reads files and checks everything that can be checked for the leaf alone. Throws InputError: the message
 /// starts with `file:line:` for a fault inside a mesh file (LeafFileError), otherwise it has no position and the
-/// tree reader puts the node's position in front. Throws FileError if a file exists but can not be read.
+/// tree reader puts the node's position in front. Throws FileError if a file exists but cannot be read.
 std::shared_ptr<const PreparedLeaf> prepare(const Shape& shape);
 
 /// One instance of a leaf.

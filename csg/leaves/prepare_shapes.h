@@ -55,7 +55,7 @@ std::unique_ptr<PreparedLeaf> prepare_group(const GroupShape& shape);
 ///
 /// Throws LeafFileError `file:line:column: error: ...` where the file is no JSON and `file: error: /faces/3/loops:
 /// ...` with the JSON path of any other fault, each with what to do; InputError if there is no such file,
-/// FileError if it can not be read.
+/// FileError if it cannot be read.
 std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape);
 
 }  // namespace cnrg

@@ -121,7 +121,7 @@ struct Tessellation {
   std::optional<int> segments;
 };
 /// `{points: [p, ...], weights: [w, ...], degree: d, knots: [t, ...]}` or a list of points. Weights are positive
-/// and rational (default 1): [1, 1, 2] makes of three points a quarter of a circle exactly, sqrt(2)/2 can not be
+/// and rational (default 1): [1, 1, 2] makes of three points a quarter of a circle exactly, sqrt(2)/2 cannot be
 /// given. Bézier curves have neither degree nor knots; B-splines have a degree, and knots that ascend, degree + 1
 /// more than points, with inner ones at most `degree` times (default: clamped, spans of equal length).
 struct CurveNet {

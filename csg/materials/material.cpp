@@ -1,3 +1,4 @@
+// The mixture at a point: its parameter t along the grade, then linear between the stops before and after t.
 #include "csg/materials/material.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Six times a volume is a determinant of differences of coordinates. With all coordinates as integers in one unit,
+// a sum of many needs no fractions until its end.
 #include "csg/mesh/exact_volume.h"
 
 #include <algorithm>

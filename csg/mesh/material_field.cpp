@@ -1,3 +1,4 @@
+// Fractions of materials by component and point. Tetrahedra of a component share corners: each is sampled once.
 #include "csg/mesh/material_field.h"
 
 #include <algorithm>

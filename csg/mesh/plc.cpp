@@ -1,3 +1,5 @@
+// Faces as facets, edges as segments, and a seed point in each region and cavity. A facet goes to the mesher as a
+// whole where it can, since its own triangles would bind the mesh; else as these triangles.
 #include "csg/mesh/plc.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// That rounded facets do not cross is not enough: a shell, a wire or a point may have moved through a wall as a
+// whole. So the rounded facets are refined to a complex, and each of its regions must have the sides of faces that
+// the region of the exact result has; each wire and point must lie in its old region.
+//
+// Seeds are proposed in doubles, by rays across a region, and proven by exact location in that complex.
 #include "csg/mesh/rounded_result.h"
 
 #include <algorithm>

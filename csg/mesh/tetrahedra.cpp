@@ -1,3 +1,8 @@
+// TetGen is asked in several ways (kAttempts) until its answer is proven to be a mesh of the result.
+//
+// It computes in doubles with tolerances and may fail, or return a mesh in which a face is missing or a region
+// leaks, without a word. So its answer is not believed: simplices are taken from it by their markers, and then
+// each statement of the header is checked (`prove_...`). Points that nothing uses are dropped at the end.
 #include "csg/mesh/tetrahedra.h"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ struct TetrahedralMesh {
 /// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015). Faces, wires and
 /// points outside of them are in the mesh as triangles, segments and points that conform, too. The boundary of a
 /// region is that of the result rounded to doubles, which must be embedded. A facet is given to TetGen as a whole,
-/// and where it can not mesh that, or with `keep_boundary`, as triangles unless it is planar in doubles.
+/// and where it cannot mesh that, or with `keep_boundary`, as triangles unless it is planar in doubles.
 ///
 /// What TetGen returns is proven before it is returned here: every tetrahedron is turned right; those of a region
 /// have together the volume that its rounded boundary encloses, to the last bit with `keep_boundary`, else but for

@@ -1,3 +1,4 @@
+// The tags of a cell: its numbers in the flattened result, then its material and the first leaf that it came from.
 #include "csg/result/cell_tags.h"
 
 namespace cnrg {

@@ -1,3 +1,5 @@
+// A value made by hand as a result: its cells simplified and put in the order of files, names for what it shows. A
+// selection does not know which leaves made its cells; each then comes from all the leaves that hold it.
 #include "csg/result/result.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// From the snapped drawing to a result, by the rules in the header: regions for the 3-cells first, by what the
+// sides of faces say; then which faces, edges and vertices remain and what they are; then their leaves and
+// patches.
 #include "csg/result/snap.h"
 
 #include <algorithm>

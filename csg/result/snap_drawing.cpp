@@ -1,3 +1,6 @@
+// Rounds on a *state*: points in doubles, triangles and pieces of edges by numbers of points, each with the list
+// of the faces or edges of the drawing that lie on it. Refining a state shows its crossings; moving it, cell by
+// cell of the grid, makes the next state.
 #include "csg/result/snap_drawing.h"
 
 #include <algorithm>

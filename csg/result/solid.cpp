@@ -1,3 +1,5 @@
+// What a format of closed surfaces cannot hold is counted and refused, with the operator that would take it away.
+// What is left are the triangles of faces with a region on exactly one side.
 #include "csg/result/solid.h"
 
 #include <algorithm>

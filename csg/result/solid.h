@@ -14,7 +14,7 @@ struct SolidBoundary {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< places in `points`; normals point out of the solid
 };
 
-/// Throws InputError if `format` (such as `OFF`) can not hold the result: an unbounded region, cells that are
+/// Throws InputError if `format` (such as `OFF`) cannot hold the result: an unbounded region, cells that are
 /// missing from the boundary, walls between regions, and faces, wires or points that bound no region. The
 /// message counts them and names formats and operators that help.
 SolidBoundary solid_boundary(const FlatComplex& flat, const std::string& format);

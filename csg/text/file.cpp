@@ -1,5 +1,5 @@
 // Beside and renamed: a new file under a name of its own in the same directory, so that the rename stays on one
-// disk and is atomic; flushed before, so that a crash can not leave the new name with no content.
+// disk and is atomic; flushed before, so that a crash cannot leave the new name with no content.
 #include "csg/text/file.h"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// Columns as wide as their widest text, counted in characters and not in bytes.
 #include "csg/text/table.h"
 
 #include <algorithm>
