@@ -5,7 +5,8 @@
 //   * step by step: shapes (or a Soup by hand) -> `make_soup` -> `build_complex` -> `leaf_groups` -> operators
 //     -> `volume`, `Locator`, a `Result` -> `write`.
 // csg/examples of the source has a short program for each. Everything is in the namespace cnrg. Errors are
-// exceptions: InputError for what the caller can mend, FileError, InvariantError for bugs (kernel/base/error.h).
+// exceptions: InputError for what the caller can mend, FileError where the system refuses a file, InvariantError
+// for bugs (kernel/base/error.h).
 //
 // What lives how long:
 //   * A Tree, a Soup, an Evaluation and a Result own what they hold. A Complex is shared

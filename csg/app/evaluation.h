@@ -1,5 +1,5 @@
-// One way to read a tree and to evaluate it for all commands: with a progress bar, and with what is to be said
-// about the tree.
+// One way for all commands to read a tree and to evaluate it: with a progress bar, and with the warnings and notes
+// about the tree on standard error.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// How the program ends (the interface's table of exit statuses).
+// How the program ends (csg/FORMATS.md#exit-statuses).
 #pragma once
 
 namespace cnrg::app {

@@ -1,4 +1,4 @@
-// GMP ends the program by abort() when memory runs out; here it ends with the interface's exit status.
+// GMP calls abort() when memory runs out; here the program ends with a message and an exit status of its own.
 #pragma once
 
 namespace cnrg::app {

@@ -1,4 +1,4 @@
-// `cnrg mesh`.
+// `cnrg mesh`: tetrahedra that fill a result, made once and written to every file, and a row per region.
 #include <iostream>
 
 #include "csg/app/commands.h"

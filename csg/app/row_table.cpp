@@ -1,4 +1,4 @@
-// The exact volume, which may be long, comes last.
+// Rows as a table of text; the exact volume, which may be long, is its last column.
 #include "csg/app/row_table.h"
 
 #include <cstdio>

@@ -63,7 +63,7 @@ ControlRow product(const ControlRow& a, const Polynomial& b) {
   return result;
 }
 
-/// A lower degree may need weights that are not positive where the higher one has none: it is not taken.
+/// False where positive weights become others by lowering the degree: the lower degree is then not taken.
 bool all_positive(const ControlRow& lower, const ControlRow& row) {
   const auto positive = [](const Homogeneous& h) { return h[3] > 0; };
   return std::all_of(lower.begin(), lower.end(), positive) || !std::all_of(row.begin(), row.end(), positive);
@@ -100,7 +100,7 @@ void divide_by_first_weight(std::vector<ControlRow>& net) {
   }
 }
 
-/// The rows of all v, each of the least degree that all of them have.
+/// Brings all rows to one degree, the least that serves them all.
 void reduce_rows(std::vector<ControlRow>& rows) {
   std::size_t degree = 0;
   std::vector<ControlRow> least;

@@ -45,7 +45,7 @@ struct BezierPatch {
   BezierCurve side(std::size_t k) const;
 };
 
-/// A curve as boundaries are compared by: least degree, first weight 1, and of its two directions the one whose
+/// The form in which curves are compared: least degree, first weight 1, and of its two directions the one whose
 /// net is smaller. Curves with equal nets, reversed or not, with weights in proportion, or of raised degree, have
 /// equal canonical nets.
 struct CanonicalCurve {

@@ -1,9 +1,10 @@
-// The curves in which patches meet: each is sampled by its own data, whatever patches lie at it.
+// The curves in which patches meet, sampled so that the facets on both sides fit.
 //
-// Two patches that have equal control points along a side, in either direction, with weights in proportion, of
-// one or of another degree, so get the same vertices there, in one leaf or in two, and facets that fit without a
-// gap. Steps of a curve are equal in its parameter and a power of two in number (with `chord`), so that vertices
-// have short coordinates and a curve run backward has the same ones.
+// If each patch chose the steps of its sides, a fine one and a coarse one would leave a gap between them. Here the
+// steps of a side follow from the curve alone: not from the patch, the direction in which it runs the curve, the
+// scale of its weights or a degree higher than need be. So two patches, of one leaf or of two, get the same
+// vertices where they meet. Steps of a curve are equal in its parameter and a power of two in number (with
+// `chord`), so that vertices have short coordinates and a curve run backward has the same ones.
 #pragma once
 
 #include <map>

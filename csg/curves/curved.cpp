@@ -80,7 +80,8 @@ void add_band(LeafBuilder& builder, const Ring& lower, const Ring& upper, std::u
   }
 }
 
-/// The direct neighbours of an axis: `from` with its cap (number 0), `to` with its cap (1), the side (2).
+/// A cylinder or cone between two rings: the cap at `from` is face 0, the cap at `to` 1 (no cap where the
+/// ring is one point), the side 2.
 void add_capped(LeafBuilder& builder, const Ring& bottom, const Ring& top,
                 const std::array<const char*, 3>& names) {
   for (std::uint32_t number = 0; number < 3; ++number) builder.name_patch(number, names[number]);

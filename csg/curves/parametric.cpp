@@ -87,7 +87,7 @@ class ParametricLeaf {
     std::uint32_t number;
   };
 
-  /// Corners of sheets: where two sides meet that no other patch has. A side of one point has none beside it.
+  /// Corners of sheets: where two sides meet that no other patch has. Of the two, one may be a single point.
   void add_corners() {
     for (const BezierPatch& piece : pieces_) {
       for (std::size_t k = 0; k < 4; ++k) {
@@ -99,7 +99,7 @@ class ParametricLeaf {
     }
   }
 
-  /// "the patch" is called "bezier patch", "patch 2" "bezier patch 2".
+  /// "the patch" becomes "bezier patch", "patch 2" becomes "bezier patch 2".
   std::string label(const std::string& name) const {
     return fineness_.shape() + " " + (name.starts_with("the ") ? name.substr(4) : name);
   }

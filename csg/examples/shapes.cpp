@@ -1,7 +1,7 @@
 // Leaves from shapes, without a tree file, and their exact volumes.
 //
 // A shape is data; `prepare` checks it and makes its geometry; an instance is that geometry under an exact
-// transform. A rotation by an angle is the nearest rational one, exactly orthogonal: it keeps volumes.
+// transform. A rotation by an angle is a rational one next to it, exactly orthogonal: it keeps volumes.
 #include <cnrg.h>
 
 #include <iostream>

@@ -1,5 +1,5 @@
-// A soup by hand: a square sheet, a wire through it, a point on it. Refined, all is cells that meet only along
-// their boundaries.
+// A soup by hand: a square sheet, a wire through it, a point on it. Refinement cuts them into
+// cells that meet only along their boundaries.
 #include <cnrg.h>
 
 #include <iostream>

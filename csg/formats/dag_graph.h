@@ -1,4 +1,4 @@
-// The DAG of an evaluated tree with its counts, for Graphviz.
+// The nodes of an evaluated tree and their operands as a directed acyclic graph (DAG) with counts, for Graphviz.
 #pragma once
 
 #include <string>

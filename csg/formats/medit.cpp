@@ -35,7 +35,8 @@ std::string medit_text(const Mesh& mesh) {
   std::string text = "MeshVersionFormatted 2\n";
   static constexpr const char* kKinds[] = {"vertices", "edges", "triangles", "tetrahedra"};
   for (std::size_t d = 0; d < 4; ++d) {
-    const std::size_t count = mesh.groups[d].size() - (d == 2 ? mesh.sources : 0);  // those that are first
+    // Groups of faces by their leaves are no references: they are never the first of a cell.
+    const std::size_t count = mesh.groups[d].size() - (d == 2 ? mesh.sources : 0);
     for (std::size_t g = 0; g < count; ++g) {
       text += "# " + std::string(kKinds[d]) + " " + std::to_string(g + 1) + " " + mesh.groups[d][g] + "\n";
     }

@@ -11,7 +11,7 @@ namespace cnrg {
 /// As tetrahedra.h has it, with the fractions of graded materials.
 TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options);
 
-/// Writes the mesh of a result to `path`, beside and renamed.
+/// Writes the mesh of a result to `path`; the file appears whole or not at all (csg/text/file.h).
 void write(const std::string& path, const Result& result, const Mesh& mesh);
 
 }  // namespace cnrg

@@ -1,5 +1,5 @@
-// A mesh in VTK's XML: tetrahedra, and the triangles, segments and vertices of the result, with the tags that
-// vtu.cpp explains.
+// A mesh in VTK's XML: tetrahedra, and the triangles, segments and vertices of the result. Their tags are
+// explained in vtu.cpp.
 #include "csg/formats/formats.h"
 #include "csg/formats/vtu_grid.h"
 #include "csg/mesh/mesh.h"

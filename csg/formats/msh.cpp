@@ -1,5 +1,5 @@
-// Gmsh's format 4.1 in text: entities with what bounds them, groups by name in every dimension, nodes and elements
-// by entity.
+// Gmsh's format 4.1 in text: entities with what bounds them, groups by name in every dimension, and by entity
+// nodes and elements.
 //
 // Of a surface mesh Gmsh can make a mesh of its own (`gmsh -3 FILE`): every piece of an edge and every facet has
 // its parametrization in the file, which is affine, and every region its boundary. A dangling face inside of a

@@ -1,5 +1,5 @@
 // Files of results, written and read. The extension of the name chooses the format; a file appears whole or not at
-// all: it is written beside and renamed.
+// all (csg/text/file.h).
 #pragma once
 
 #include <string>
@@ -14,14 +14,13 @@ namespace cnrg {
 void check_file_name(const std::string& path);
 /// True for a `.dot` of the DAG.
 bool shows_dag(const std::string& path);
-/// True for the formats that hold exact numbers or none, which snapping does not change: .json and both kinds of
-/// .dot.
+/// True for the formats that hold no doubles, so that they do not need snapping: .json and both kinds of .dot.
 bool is_exact(const std::string& path);
 
 /// How a result is shown in a file.
 struct FileOptions {
-  bool parameters =
-      false;  ///< .json and .vtu say the parameters of faces on curved patches; not of a snapped result
+  /// .json and .vtu say the parameters of faces on curved patches; not of a snapped result.
+  bool parameters = false;
 };
 
 /// Writes a result: .json .vtu .msh .mesh .smesh .poly .obj .off .stl .ply, and

@@ -46,7 +46,7 @@ FileText tetgen_text(const ResultView& view, const std::string& format, bool pol
     const auto& of = groups.of[std::size_t(dimension)][i];
     return of.empty() ? 0 : of[0];
   };
-  const std::size_t faces = groups.names[2].size() - groups.sources;  // those that are first
+  const std::size_t faces = groups.names[2].size() - groups.sources;  // no groups by leaf, which are never first
 
   std::string text = "# node " + one_line(view.node) + ", written by cnrg; tetgen -pA reads it\n";
   const auto name = [&](const char* kind, std::size_t dimension, std::size_t shift) {

@@ -1,8 +1,8 @@
-// Edges of polygons, gathered, and the boundary of the chain that the polygons are.
+// Do polygons enclose a volume? Their edges, and the boundary of their sum.
 //
-// Polygons enclose a volume when their boundary, as a chain of directed edges with integer coefficients, is zero.
-// It may be zero in space though not edge by edge: where one polygon has the edge a-b and its neighbours have a-m
-// and m-b (a T-junction), the pieces cancel on the line. Both are decided here, exactly.
+// They do when their boundary, as a chain of directed edges with integer coefficients, is zero. It may be zero in
+// space though not edge by edge: where one polygon has the edge a-b and its neighbours have a-m and m-b (a
+// T-junction), the pieces cancel on the line. Both are decided here, exactly.
 #pragma once
 
 #include <cstdint>
@@ -51,9 +51,9 @@ struct ChainEdge {
 /// The boundary edge by edge; modulo 2 with `parity` (then coefficients are 1).
 std::vector<ChainEdge> boundary(const SideTable& table, bool parity);
 
-/// Collinear pieces of `chain` cancel everywhere, so that it is zero as a set in space. `point` gives exact
-/// coordinates; equal indices if and only if equal points. Cheap for chains that are not zero. On false,
-/// `example` (if not null) is an edge that does not cancel.
+/// True if collinear pieces of `chain` cancel everywhere, so that it is zero in space. `point` gives the exact
+/// coordinates of an index; different indices must be different points. Mostly cheap for chains that are not zero.
+/// On false, `example` (if not null) is an edge that does not cancel.
 bool vanishes(const std::vector<ChainEdge>& chain, bool parity,
               const std::function<RationalPoint(std::uint32_t)>& point, ChainEdge* example = nullptr);
 

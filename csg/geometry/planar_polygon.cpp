@@ -27,7 +27,7 @@ int turn(const Point2& a, const Point2& b, const Point2& c) {
   return sgn(Rational((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])));
 }
 
-/// c, on the line ab, is on the segment ab.
+/// True if c, a point of the line ab, is on the segment ab.
 bool between(const Point2& a, const Point2& b, const Point2& c) {
   const int k = a[0] != b[0] ? 0 : 1;
   return a[k] < b[k] ? a[k] <= c[k] && c[k] <= b[k] : b[k] <= c[k] && c[k] <= a[k];
@@ -40,14 +40,14 @@ bool segments_meet(const Point2& a, const Point2& b, const Point2& c, const Poin
          (cdb == 0 && between(c, d, b));
 }
 
-/// Edges that share the end `shared` overlap: they leave it in the same direction.
+/// True if two edges overlap that share the end `shared`: they leave it in the same direction.
 bool fold_back(const Point2& shared, const Point2& p, const Point2& q) {
   if (turn(shared, p, q) != 0) return false;
   const Rational along = (p[0] - shared[0]) * (q[0] - shared[0]) + (p[1] - shared[1]) * (q[1] - shared[1]);
   return along > 0;
 }
 
-/// p is inside the loop; p is on none of its edges.
+/// True if p, which is on none of the loop's edges, is inside of it.
 bool inside(const std::vector<Point2>& loop, const Point2& p) {
   bool odd = false;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -125,7 +125,7 @@ class Checker {
     }
   }
 
-  /// Drops a coordinate along which the normal is not zero; exact, and simple iff the polygon is.
+  /// Drops a coordinate in which the normal is not zero: an exact projection, simple if the polygon is simple.
   void project() {
     std::size_t dropped = 0;
     while (normal_[dropped] == 0) ++dropped;

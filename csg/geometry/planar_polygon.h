@@ -18,7 +18,7 @@ struct PolygonNames {
 
 /// Checks that the loops (the outer one first) make a face: at least three points each, none equal to the next,
 /// all on one plane, every loop simple, holes inside of the outer loop, disjoint and not inside each other.
-/// Returns the normal of the plane, of any length, from whose side the outer loop is seen counter-clockwise.
+/// Returns a normal of the plane, of any length, on the side that sees the outer loop counter-clockwise.
 /// Throws InputError that names the point or the two edges at fault, and what to do. All decisions are exact;
 /// pairs of edges are found by a sweep, so the cost is near n log n for well-formed polygons.
 RationalPoint check_polygon(const std::vector<std::vector<RationalPoint>>& loops, const PolygonNames& names = {});

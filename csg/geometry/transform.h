@@ -14,7 +14,7 @@ struct Transform {
   static Transform translation(const RationalPoint& by);
   static Transform scaling(const RationalPoint& factors);  ///< no factor is zero
   /// By `degrees` about an axis through `center`: multiples of 90 degrees about a coordinate axis are exact;
-  /// else the nearest rational rotation (exactly orthogonal; the angle's error is below 1e-15).
+  /// else a rational rotation, exactly orthogonal, whose angle is off by less than 1e-15.
   static Transform rotation(const RationalPoint& axis, const Rational& degrees, const RationalPoint& center);
   /// The plane through `point` with `normal` as mirror.
   static Transform reflection(const RationalPoint& normal, const RationalPoint& point);

@@ -290,9 +290,9 @@ class CadLeaf {
     return fill;
   }
 
-  /// How a face goes to the soup. Solids: once, or once for each pair of solids that lie at it (more than one on a
-  /// side overlap). Winding: once for each solid, turned outward, and a face inside of a solid both ways, so that
-  /// the sum is right. Otherwise once.
+  /// How often and which way round a face goes to the soup. Fill::solids: once, with the solids on its sides, or
+  /// more often where several solids lie on one side (they overlap). Fill::winding: once for each solid, turned
+  /// outward, but a face inside of a solid both ways, so that it cancels out. Otherwise once.
   std::vector<Use> uses(Index f) const {
     const CadModel::Face& face = model_.faces[f];
     std::vector<Use> list;
@@ -403,7 +403,7 @@ class CadLeaf {
     return {a, b, at_b, at_a};
   }
 
-  /// visit(i) for every segment, to point i of an edge, that is a wire.
+  /// Calls visit(i) for every segment of an edge that becomes a wire; i is the point where it ends.
   template <class Visit>
   void each_segment(Index e, Visit visit) const {
     const CadModel::Edge& edge = model_.edges[e];

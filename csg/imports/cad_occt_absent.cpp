@@ -1,4 +1,4 @@
-// STEP and BREP files in a build without OpenCASCADE (CMake's option CNRG_OPENCASCADE).
+// STEP and BREP files are refused in a build without OpenCASCADE (CMake's option CNRG_OPENCASCADE).
 #include "csg/imports/cad_model.h"
 #include "kernel/base/error.h"
 

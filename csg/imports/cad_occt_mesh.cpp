@@ -163,7 +163,7 @@ class Tessellator {
     return nodes;
   }
 
-  /// The parameter that is anything at a pole: 0 for u, 1 for v.
+  /// The parameter that may have any value at a pole: 0 for u, 1 for v.
   static std::uint8_t free_parameter(const BRepAdaptor_Surface& surface, const gp_XY& uv) {
     gp_Pnt p;
     gp_Vec along_u, along_v;

@@ -46,8 +46,8 @@ namespace cnrg {
 namespace occt {
 namespace {
 
-/// Takes the printers from the default messenger, and standard output, where the reader of BREP files complains
-/// past it; and gives them back.
+/// Silences OpenCASCADE until the end of the scope: the printers of its default messenger, and standard output,
+/// where the reader of BREP files complains without the messenger.
 class Silence {
  public:
   Silence()
@@ -143,14 +143,14 @@ class Names {
  private:
   struct Name {
     std::string text;
-    std::size_t solids;  ///< that what is named has; 0: it is the solid itself
+    std::size_t solids;  ///< how many the named thing has; 0: it is a solid itself
   };
 
   static std::string text_of(const Handle(TCollection_HAsciiString) & name) {
     return name.IsNull() ? std::string() : std::string(name->ToCString());
   }
 
-  /// Of two names that of what has fewer solids stays: the part's and not the assembly's.
+  /// Of two names of a solid, that of the thing with fewer solids stays: the part's and not the assembly's.
   void add(const TopoDS_Shape& solid, const Name& name) {
     if (name.text.empty()) return;
     const auto [place, fresh] = names_.try_emplace(solid.TShape().get(), name);

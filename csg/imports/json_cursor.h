@@ -41,7 +41,7 @@ class Cursor {
     if (!value_->is_array()) fail(std::string("a list is needed here") + kAgain);
     return *this;
   }
-  /// A whole number below `limit`; `what` it counts.
+  /// The number of a thing, below `limit`; `what` is the thing's name in messages.
   Index number(std::size_t limit, const char* what) const {
     if (!value_->is_number_unsigned()) fail(std::string("the number of a ") + what + " is needed here" + kAgain);
     const auto n = value_->get<std::uint64_t>();

@@ -1,4 +1,4 @@
-// Merging by a hash of the coordinates; what is no three doubles is compared exactly.
+// Merging by a hash of the coordinates; points whose coordinates are not all doubles are compared exactly.
 #include "csg/imports/mesh_points.h"
 
 #include <algorithm>

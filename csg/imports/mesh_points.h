@@ -16,7 +16,7 @@ class MeshPoints {
   /// The number of the point that point `index` of the file became.
   std::uint32_t number(std::uint32_t index) const { return number_[index]; }
   const double* xyz(std::uint32_t p) const { return xyz_.data() + 3 * p; }
-  /// The exact value of a point that is no three doubles, or nullptr.
+  /// The exact value of a point whose coordinates are not all doubles, or nullptr.
   const RationalPoint* exact(std::uint32_t p) const;
   RationalPoint value(std::uint32_t p) const;
   bool coplanar(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;

@@ -9,8 +9,8 @@
 
 namespace cnrg::result {
 
-/// The entries of `grades` in their order; none where the file has no such member. LeafFileError for what is
-/// wrong.
+/// The entries of `grades` in their order; none where the file has no such member. Throws LeafFileError
+/// for what is wrong in them.
 std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root);
 
 }  // namespace cnrg::result

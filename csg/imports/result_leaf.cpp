@@ -1,9 +1,10 @@
-// Reading has three parts: a cursor on the JSON document (json_cursor.h); the tables of the file with every number
-// checked; and the leaf made from them. All cells of the file go to the soup, active or not; the cell table says
-// which are active.
+// A result in .json as a leaf. Reading it has three parts: a cursor on the JSON document (json_cursor.h); the
+// tables of the file with every number checked; and the leaf made from them. All cells of the file go to the soup,
+// active or not; the cell table says which are active.
 //
 // Edges are wires where the faces alone would not give the same edge again:
-//   * A face is handed to the soup without its slits: loops of the soup enclose by parity.
+//   * A face is handed to the soup without its slits (edges that it walks in both directions): loops of the soup
+//     enclose by parity.
 //   * A bent chain is one edge because it is one curve (kernel/selection/curve.h), and a wire is one.
 //   * Two edges that meet in a corner of curved faces might become one curve: a wire along one of them parts them.
 #include <algorithm>
@@ -173,7 +174,7 @@ class Reader {
       if (!table_.group) table_.dominances.push_back(c.member("dominance").rational());
     });
   }
-  /// Of a group's entities: the one after the last.
+  /// The entities of a group have the number after its last component.
   Index component_of(const Cursor& cell) const {
     return cell.member("component").number(content_.components.size() + 1 + table_.group, "component");
   }
@@ -303,7 +304,7 @@ class Reader {
     });
   }
 
-  /// For the facets of a face, from number `first`.
+  /// The cells of patches for the facets of a face, which are those from number `first` on.
   void choose_cells(const Cursor& lists, std::size_t first) {
     if (lists.array().size() != content_.facets.size() - first) {
       lists.fail(std::string("one list for each facet is needed here") + kAgain);
@@ -332,7 +333,8 @@ class Reader {
     return walks;
   }
 
-  /// The edges of a face must be there, those of a group's active face be active.
+  /// Checks that each step of a face is along an edge of the file (an active one if the face is active in a
+  /// group), and counts how often faces use each edge.
   void walk_boundary(const Cursor& face, const std::vector<Loop>& walks, Index component, bool flat) {
     std::map<Index, std::pair<Index, Index>> first;  // edge -> the segment where the face walks it first
     for (const Loop& walk : walks) {

@@ -1,4 +1,5 @@
-// The geometry of leaves: shapes to soup.
+// What a leaf is: a shape that is prepared once, then put into a soup (kernel/refine/soup.h: faces, wires and
+// points that nothing has cut yet) under each transform that the tree gives it.
 //
 // Files are read and checked before any soup is made, so that `cnrg check` can validate without evaluating and
 // so that an unbounded leaf can see how far the others reach.
@@ -29,22 +30,22 @@ class LeafFileError : public InputError {
 };
 
 /// What a leaf says about its regions: region i (from 1) has `regions[i - 1]`. Material and name are those of
-/// the shape itself (group regions, components of results read back); the node's own attributes come from the
-/// tree.
+/// the shape itself (group regions, components of results read back); the attributes of the
+/// node are in the tree.
 struct LeafRegion {
   std::string name;
-  RegionMaterial material{};  ///< with a grade in the leaf's own coordinates: of a result read back
+  RegionMaterial material{};  ///< a grade (of a result read back) is in the leaf's coordinates
 };
 
-/// Makes the parameters of a leaf (parameters.h); it needs nothing of the leaf to be left. Empty for a leaf
-/// without patches and curves.
+/// Makes the parameters of a leaf (parameters.h), also when the leaf itself is gone. Empty for a leaf without
+/// patches and curves.
 using ParameterSource = std::function<std::shared_ptr<const LeafParameters>()>;
 
 /// A shape whose files were read and whose geometry was checked. It keeps what it needs of them.
 class PreparedLeaf {
  public:
   virtual ~PreparedLeaf() = default;
-  /// Adds the leaf under a transform. Orientation survives reflections: sides and winding mean the same.
+  /// Adds the leaf under a transform. A reflection does not turn it inside out: sides and winding mean the same.
   /// An unbounded leaf adds only its id; `make_soup`, which sees how far the others reach, adds its face.
   virtual LeafId add_to(Soup& soup, const Transform& transform) const = 0;
   virtual std::vector<LeafRegion> regions() const = 0;
@@ -74,8 +75,8 @@ struct LeafInstance {
   Transform transform{};
 };
 
-/// Makes the soup of all instances; LeafId(i) is instance i (frame, if any, comes after them). It is whole by
-/// itself. `reach`: points that the frame of unbounded leaves must hold, besides what the others reach.
+/// Makes the soup of all instances, which it copies; LeafId(i) is instance i. If one is unbounded, the frame
+/// (unbounded.h) is one more leaf at the end, around the others and the points `reach`.
 Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const RationalPoint> reach = {});
 
 }  // namespace cnrg

@@ -1,4 +1,4 @@
-// From a shape to its preparation.
+// Which function prepares which shape.
 #include "csg/leaves/parameters.h"
 #include "csg/leaves/prepare_shapes.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 using Leaf = std::unique_ptr<PreparedLeaf>;
 
-/// The shape is kept, and made once more, with a record, when someone asks for parameters.
+/// Keeps the shape: when someone asks for parameters, the leaf is made once more, with a record of them.
 template <class Shape>
 Leaf curved(const Shape& shape, Leaf (*make)(const Shape&, LeafParameters*)) {
   Leaf leaf = make(shape, nullptr);

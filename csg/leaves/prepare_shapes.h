@@ -33,7 +33,7 @@ std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape, LeafParamet
 std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape, LeafParameters* record);
 std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafParameters* record);
 
-// unbounded.cpp
+// leaves/unbounded.cpp.
 std::unique_ptr<PreparedLeaf> prepare_plane(const PlaneShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_halfspace(const HalfspaceShape& shape);
 

@@ -20,8 +20,8 @@ namespace cnrg {
 struct BoxShape {
   RationalPoint min, max;
 };
-/// `{prism: {base: [[x, y, z], ...], vector: [x, y, z]}}`: a planar simple polygon swept along a vector; `holes`
-/// likewise.
+/// `{prism: {base: [[x, y, z], ...], holes: [[[x, y, z], ...], ...], vector: [x, y, z]}}`: a planar simple polygon
+/// with holes (if any), swept along a vector.
 struct PrismShape {
   std::vector<RationalPoint> base;
   std::vector<std::vector<RationalPoint>> holes;
@@ -160,8 +160,8 @@ struct CoonsShape {
 };
 /// A line of straight and curved segments: `[p, p, {bezier: [p, ...], weights: [...]}, p, ...]`. Between two
 /// corners a `bezier` gives the inner control points of the curve from one to the other (its weights are those of
-/// all its control points, ends too); without one the segment is straight. A closed line returns to its first
-/// corner.
+/// all its control points, ends too); without one the segment is straight. A closed line
+/// returns to its first corner.
 struct ProfileLine {
   std::vector<CurveNet> segments;
 };
@@ -172,9 +172,9 @@ struct Profile {
   bool closed = true;
 };
 /// `{extrude: {profile: ..., vector: [x, y, z], twist: degrees, scale: s, center: p, chord: e}}`: a planar profile
-/// (a curve may be any) swept along a vector, meanwhile turned about the axis through `center` along the vector,
-/// by `twist` in all, and scaled from 1 to s about the center (default: the first corner). Profiles that are
-/// twisted or scaled lie at right angles to the vector. s = 0 ends in a point.
+/// (a `curve` need not be planar) swept along a vector, meanwhile turned about the axis through `center` along the
+/// vector, by `twist` in all, and scaled from 1 to s about the center (default: the first corner). Profiles that
+/// are twisted or scaled lie at right angles to the vector. s = 0 ends in a point.
 struct ExtrudeShape {
   Profile profile;
   RationalPoint vector;
@@ -193,7 +193,7 @@ struct RevolveShape {
 /// `{step: {file: part.step, chord: e, unit: mm, solids: [2, bolt], fill: solids, seams: false}}`, `{brep: {file:
 /// part.brep, ...}}`: a boundary representation, read by OpenCASCADE; path already resolved. Each face of the
 /// model is one face, each edge an edge, each solid a region. `unit` (STEP only) is that of the model; default:
-/// the file's own. `solids`: only those, by number (from 1) or name; all that have the name. Without `fill`:
+/// the file's own. `solids`: only those, by number (from 1) or by name, which several may have. Without `fill`:
 /// Fill::solids if there are any. `seams`: edges where a face meets itself, such as the generator at which a
 /// cylinder's parameters start, are edges too, with their ends and the poles of spheres. Facets are as far from
 /// the faces as `chord` at most where it is measured, at four points of each (cad_occt_mesh.cpp).

@@ -54,7 +54,7 @@ class SurfaceParameters {
   std::string patch_name(LeafId leaf, std::uint32_t patch) const;
   std::string curve_name(LeafId leaf, std::uint32_t curve) const;
 
-  /// The cells of patches that a face of the complex lies in, of the given leaves (ascending), by their faces.
+  /// The cells of patches of the given leaves (ascending) in which a face of the complex lies.
   std::vector<PlacedCell> cells(FaceId f, std::span<const LeafId> leaves) const;
   /// Places on the patches of the given leaves (ascending) of a point of a face, an edge or a vertex of the
   /// complex: ascending by leaf, patch and parameters, each once. Where patches meet it has one on each; on a seam

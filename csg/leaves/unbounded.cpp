@@ -54,7 +54,7 @@ Rational power_of_two(int exponent) {
                        : Rational(one >> static_cast<mp_bitcnt_t>(-exponent));
 }
 
-/// A multiple of `unit` (a power of two) at or beyond `value`, so that corners of the frame are short doubles.
+/// The largest multiple of `unit` (a power of two) not above `value`: corners of the frame are short doubles so.
 Rational floor_to(const Rational& value, const Rational& unit) {
   const Rational scaled = value / unit;
   Integer q;
@@ -158,7 +158,7 @@ std::vector<RationalPoint> cut(const ExactHalfspace& plane, const ExactBox& box)
     }
   }
   require(points.size() >= 3, "the frame does not hold a plane");
-  // A convex polygon: sort by the direction from its centre of corners, by half-planes and turns.
+  // A convex polygon: its corners are sorted by their direction from their mean, by half-planes and turns.
   RationalPoint sum{0, 0, 0};
   for (const RationalPoint& p : points) sum = sum + p;
   const RationalPoint center = Rational(1, static_cast<long>(points.size())) * sum;

@@ -1,4 +1,8 @@
-// Planes and half-spaces.
+// Planes and half-spaces: leaves that go on forever.
+//
+// Refinement takes polygons only. So a plane is drawn as its section with the *frame*, a box around all other
+// leaves and all places where planes meet; what reaches the frame stands for what reaches infinity. How large the
+// frame must be is known when all leaves of a tree are: not the leaf makes its polygon, but `make_soup`.
 #pragma once
 
 #include "csg/leaves/leaf.h"
@@ -11,8 +15,7 @@ struct ExactHalfspace {
   Rational offset;
 };
 
-/// A plane or a half-space. It has no geometry of its own: `make_soup`, which sees how far the other leaves
-/// reach, adds its polygon in the frame.
+/// A plane or a half-space. It has no geometry of its own: `make_soup` adds its polygon in the frame.
 class UnboundedLeaf final : public PreparedLeaf {
  public:
   /// `solid`: region 1 on the back of the plane.
@@ -35,9 +38,9 @@ struct ExactBox {
   RationalPoint low, high;
 };
 
-/// A box that holds strictly inside: `points` box (if not null), a point of every plane, of every line common to
-/// two, and every point common to three; so that its inside shows the whole arrangement of the planes. No plane
-/// passes through its corner `high`. Cost: the cube of the number of different planes.
+/// A box that has strictly inside of it the box `points` (if not null), a point of every plane and of every line
+/// common to two, and every point common to three: so its inside shows the whole arrangement of the planes. No
+/// plane passes through its corner `high`. Cost: the cube of the number of different planes.
 ExactBox frame_box(const ExactBox* points, const std::vector<ExactHalfspace>& planes);
 
 /// The polygon plane ∩ box, counter-clockwise as seen from the side of the normal; the plane meets the inside.

@@ -9,9 +9,9 @@
 //   tetrahedra          as tetrahedra.h has it; its entities are the cells of the simplified result.
 //
 // Groups are what people call the entities: in dimension 3 a region by its name, and a material; in dimension 2
-// `boundary of rock`, `wall rock | ore`, `face of fault` (dangling), and once more
-// by the leaves that they came from, `from fault`, whatever they part; wires and free points by their leaf. Names
-// are distinct within a dimension; where a format has one group for a cell it is the first.
+// `boundary of rock`, `wall rock | ore`, `face of fault` (dangling), and once more by the leaves that faces came
+// from, `from fault`, whatever they part; wires and free points by their leaf. Names are distinct within a
+// dimension; a format that has one group for a cell takes the first.
 #pragma once
 
 #include <array>

@@ -28,9 +28,9 @@ struct Plc {
   std::vector<Seed> regions, holes;  ///< active regions; bounded inactive ones
 };
 
-/// What becomes a facet of the complex as a whole. What does not becomes its triangles.
+/// Which facets of faces are given to the mesher as a whole; all others are given as their triangles.
 enum class PlcFacets {
-  triangles,  ///< nothing
+  triangles,  ///< none
   planar,     ///< facets that are planar in doubles, exactly
   all,        ///< all facets; rounding moves their points out of a plane by the last digits
 };

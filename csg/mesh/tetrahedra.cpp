@@ -82,11 +82,11 @@ class TetrahedraMaker {
   }
 
  private:
-  /// Points of whole facets are off their plane by rounding. TetGen may triangulate them as it likes, which gives
-  /// better tetrahedra, but now and then it stumbles over that. Our triangles are planar, and keep volumes exact.
-  /// A box about the model that is less regular has helped where both did not, and a finer tolerance for what lies
-  /// in one plane where faces are nearly coplanar. Where TetGen returns what the proof refuses, a mesh without new
-  /// points on faces helps, and is tried if no bound is asked for.
+  /// A way to ask TetGen. Whole facets it may triangulate as it likes, which gives better tetrahedra; but rounding
+  /// has moved their points off the plane, and now and then TetGen stumbles over that. Our triangles are planar,
+  /// and keep volumes exact. Where both fail, a less regular box about the model has helped, and where faces are
+  /// nearly coplanar a finer tolerance for what lies in one plane (T). Where TetGen returns what the proof
+  /// refuses, a mesh without new points on faces (Y) helps, and is tried if no bound is asked for.
   struct Attempt {
     PlcFacets facets;
     TetgenFrame frame;

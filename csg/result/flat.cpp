@@ -22,7 +22,7 @@ using Index = FlatComplex::Index;
 using Loop = FlatComplex::Loop;
 constexpr Index kNone = FlatComplex::kNone;
 
-/// The least rotation of a cyclic list.
+/// Rotates a cyclic list to its lexicographically least form.
 void rotate_to_least(Loop& loop) {
   if (loop.empty()) return;
   const Index least = *std::min_element(loop.begin(), loop.end());
@@ -404,7 +404,7 @@ class Flattener {
     });
   }
 
-  /// Sides of faces in shells, by the fronts as they are now.
+  /// Names the sides of faces in shells by the fronts that the faces have now.
   void turn_shells() {
     for (auto& region : flat_.regions) {
       for (auto& shell : region.shells) {

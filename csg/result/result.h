@@ -2,7 +2,7 @@
 //
 // It comes from an evaluation, or from a group, components or a selection made by hand. It shares the ownership of
 // everything that it shows, so that it may be kept, copied (as a pointer is) and written when the tree, the
-// evaluation and the groups that it was made of are gone. It never changes; threads may read it at a time.
+// evaluation and the groups that it was made of are gone. It never changes; several threads may read it at once.
 // References that its members return live as long as the result or any copy of it.
 //
 //   write("model.vtu", evaluation.result("model"));                    csg/formats/result_file.h
@@ -31,8 +31,8 @@ struct ResultNames {
 
 class Result {
  public:
-  /// The cells are simplified by `mode`. The lists of the value must be as operators make them: sorted, and of a
-  /// group closed.
+  /// The cells are simplified by `mode`. The lists of the value must be as operators make them: sorted, and
+  /// closed if it is a group.
   Result(std::shared_ptr<const Complex> complex, Group group, ResultNames names = {},
          SimplifyMode mode = SimplifyMode::features);
   Result(std::shared_ptr<const Complex> complex, Components components, ResultNames names = {},

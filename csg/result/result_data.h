@@ -13,8 +13,8 @@ struct Result::Data {
   std::shared_ptr<const Complex> complex;
   std::shared_ptr<const NodeValue> value;
   std::shared_ptr<const SimplifiedComplex> simplified;  ///< in the order of files (put_in_order)
-  std::shared_ptr<const SurfaceParameters>
-      parameters;  ///< nullptr: none are known; refers to the evaluated complex
+  /// nullptr: none are known. Refers to the evaluated complex.
+  std::shared_ptr<const SurfaceParameters> parameters;
   std::string node;
   std::vector<LeafInfo> leaves;  ///< by LeafId
   std::vector<ResultView::Material> materials;

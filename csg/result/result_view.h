@@ -16,8 +16,8 @@ struct LeafInfo {
   std::string name;  ///< the node's name in the tree
 };
 
-/// One node of an evaluated tree, as writers see it; it owns nothing of what it points to. A Result has one of
-/// itself (result_data.h).
+/// One node of an evaluated tree, as writers see it. It owns nothing of what it points to. A Result
+/// makes a view of itself (result_data.h).
 struct ResultView {
   std::string node{};  ///< name of the node
   const Complex* complex = nullptr;
@@ -26,7 +26,7 @@ struct ResultView {
   const std::vector<LeafInfo>* leaves = nullptr;  ///< by LeafId
   using Material = ResultNames::Material;
   std::vector<Material> materials{};
-  bool of_group = false;  ///< `value` has the components of a group (snap.h): the last are entities
+  bool of_group = false;  ///< `value` is a snapped group's components (snap.h), the last its entities
   /// Given: .json and .vtu say the parameters of faces on patches of the leaves.
   const SurfaceParameters* parameters = nullptr;
 };

@@ -60,7 +60,7 @@ NumberedDrawing drawing_of_cells(const FlatComplex& flat) {
   return drawing;
 }
 
-/// Lists taken off each other, both ascending: what is in `a` more often than in `b`.
+/// What is in `a` more often than in `b`, as many times as it is more. Both are ascending.
 std::vector<Index> difference(const std::vector<Index>& a, const std::vector<Index>& b) {
   std::vector<Index> rest;
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
@@ -80,8 +80,8 @@ class Labeller {
     put_in_order(exact_, simplified_);  // so that its cells have the numbers of `flat`
   }
 
-  /// False if the drawing is the result's, with every region, wire and point where it is: the exact result will
-  /// do.
+  /// False if rounding changes nothing but digits, every region, wire and point staying where it is: then the
+  /// exact result will do.
   bool run() {
     find_sides();
     name_regions();
@@ -145,8 +145,8 @@ class Labeller {
   /// Of the snapped complex. It names no regions of leaves: the result's region holds several of each, and a wall
   /// of one leaf may lie where another one has its own.
   ComplexSources sources_;
-  IdVector<FaceId, std::array<std::vector<Index>, 2>>
-      sides_;                         // regions named on front and back, the rest of a stack
+  /// The regions that each face names on its front and back.
+  IdVector<FaceId, std::array<std::vector<Index>, 2>> sides_;
   IdVector<RegionId, Index> region_;  // region of the result
   bool contradicted_ = false;         // the sides of a 3-cell name several regions
   IdVector<FaceId, char> remains_;    // it did not vanish
@@ -154,8 +154,8 @@ class Labeller {
   IdVector<FaceId, Component> face_state_;
   IdVector<EdgeId, Component> edge_state_;
 
-  /// What a stack of faces says of its two sides: all fronts but those that are backs, too, and the other way
-  /// round.
+  /// Several faces of the result may have fallen onto one face. On its front are then the regions on their fronts
+  /// except those that are on their backs, too; and the other way round.
   void find_sides() {
     sides_.resize(complex_.face_count());
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
@@ -174,7 +174,8 @@ class Labeller {
     }
   }
 
-  /// Sides of a face on which nothing is left to say lie in one region: it is known from the other side.
+  /// A 3-cell is the region that the sides of its faces name. A face that names none has one region on both sides,
+  /// so the name of the 3-cell on one side is that of the other.
   void name_regions() {
     region_.assign(complex_.region_count, kNone);
     std::vector<char> named(complex_.region_count, 0);

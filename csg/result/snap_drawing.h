@@ -29,8 +29,8 @@
 
 namespace cnrg {
 
-/// The first grid in units in the last place of the largest coordinate, how much coarser each next one is, how
-/// many.
+/// The first grid, in units in the last place of the largest coordinate; how much coarser each next one is; and
+/// how many there are.
 inline constexpr double kSnapFirstCell = 4, kSnapGrowth = 16;
 inline constexpr int kSnapGrids = 9;
 /// A grid is given up after so many rounds without fewer crossings than ever before.

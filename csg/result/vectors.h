@@ -1,4 +1,4 @@
-// Vectors of doubles, for what proposes and draws; what decides is exact.
+// Vectors of doubles, for what only proposes points or draws; what decides is exact.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Beside and renamed: a new file under a name of its own in the same directory, so that the rename stays on one
-// disk and is atomic; flushed before, so that a crash cannot leave the new name with no content.
+// The content goes to a new file in the same directory, which is flushed and then renamed. Within a directory a
+// rename is atomic; without the flush a crash might leave the new name with no content.
 #include "csg/text/file.h"
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
-// JSON as text, member by member: what a file has hundreds of thousands of. Values of a library would take most of
-// the time of writing a file.
+// JSON as text, member by member. A file has hundreds of thousands of them: to build them first as values of a
+// JSON library would take most of the time of writing it.
 #pragma once
 
 #include <charconv>

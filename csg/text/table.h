@@ -34,7 +34,7 @@ class Table {
   std::string format(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) const;
 };
 
-/// An integer with thin groups for people: 1234567 -> `1,234,567`.
+/// An integer in groups of three digits, for people: 1234567 -> `1,234,567`.
 std::string grouped(std::size_t number);
 
 }  // namespace cnrg

@@ -9,11 +9,12 @@
 
 namespace cnrg {
 
-/// The terms of Euler-Poincare counted on the cells that simplification leaves (masuda1993 3), with two more that
-/// only cells of curved patches need:
+/// The terms of the formula of Euler and Poincare for sets that are no manifolds (masuda1993 3), counted on the
+/// cells that simplification leaves, with two more (eh, fc) that only cells of curved patches need:
 ///   v - (e - eh) + (f - r + fc) - (V - Vh + Vc) = C - Ch + Cc
-/// eh: edges that close on themselves without a vertex; r: independent loops of faces (the rings of a flat face);
-/// fc: faces without any boundary that enclose a cavity (all of a sphere).
+/// v, e, f: vertices, edges, faces; eh: edges that close on themselves without a vertex; r: independent loops of
+/// faces (the rings of a flat face); fc: faces without any boundary that enclose a cavity (all of a sphere);
+/// V: volumes, Vh: their handles, Vc: their cavities; C: pieces of the whole, Ch: holes through it, Cc: cavities.
 struct SimplifiedEuler {
   long v = 0, e = 0, edge_loops = 0, f = 0, r = 0, closed_faces = 0;
   long volumes = 0, volume_holes = 0, volume_cavities = 0;
@@ -32,8 +33,8 @@ SimplifiedEuler simplified_euler(const Complex& complex, const Selection& select
 /// Lines of text: Euler-Poincare with its terms; Betti numbers of the point set and of each component over Z/2 and
 /// Q; vertices and edges by their local shape, each way not to be a manifold with the cells concerned (named as
 /// `cnrg locate` names them), with radial orders and neighbourhoods there; sheets; shells and adjacency of
-/// regions. `simplified` is that of `selection`; what is known of component i is `components[i - 1]`, there may be
-/// fewer.
+/// regions. `simplified` is that of `selection`; `components[i - 1]` is what is known of component i, for as many
+/// components as there are entries.
 std::string topology_text(const Complex& complex, const Selection& selection, const SimplifiedComplex& simplified,
                           std::span<const RegionAttributes> components);
 
