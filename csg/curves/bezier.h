@@ -54,7 +54,7 @@ struct CanonicalCurve {
 };
 CanonicalCurve canonical(const BezierCurve& curve);
 
-/// Of the eight ways to write the net of a patch (transposed, run backward) the smallest, weights in proportion.
+/// Of the eight ways to write the net of a patch (transposed, run backward) the smallest, its first weight 1.
 /// `mirrored` if its front is the back of the given one.
 struct CanonicalPatch {
   BezierPatch patch;

@@ -5,8 +5,8 @@
 //
 // Without twist the facets of a step of the profile are planar quadrilaterals, and as far from the exact shape as
 // the profile's chords are from the profile: at most chord / 2, scaled up where s > 1 (the curve's steps are then
-// chosen for the larger one). With twist, take the polygon P in place of p: as far again. An edge of P of length
-// l is swept along a surface with second derivatives 0 in u, at most l (|s'| + m a) mixed and
+// chosen for the larger one). With twist, the sweep of the chords' polygon P is as far from that of p. An edge of
+// P of length l sweeps a surface with second derivatives 0 in u, at most l (|s'| + m a) mixed and at most
 // r (2 |s'| a + m a^2) in t, with a the twist in radians, m the largest s and r the largest distance from the
 // axis. So n sections in t and edges not longer than l are within (chord.h)
 //   (2 l (|s'| + m a) / n + r (2 |s'| a + m a^2) / n^2) / 8
@@ -127,7 +127,7 @@ class Extrusion {
     longest_ = fineness_.chord() * sections_ / (growth + most * a) * (1 - 1e-12);
   }
 
-  /// Steps of a segment: those of the curve, as large as the sweep makes it, and no edge too long for the twist.
+  /// Steps of a segment: those of its curve at the largest scale of the sweep, more where twist needs short edges.
   int steps(const BezierCurve& curve) {
     int n = 0;
     if (shape_.scale > 1) {

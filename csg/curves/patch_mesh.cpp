@@ -134,8 +134,8 @@ class Mesher {
     }
   }
 
-  /// False if more than a quarter of the cells are above the chord; the grid then has twice the steps in the
-  /// direction that adds more in most of those seen. Fewer are left to `bisect_coarse`.
+  /// False if more than a quarter of the cells are above the chord; the grid then gets twice the steps in the
+  /// direction that adds more to the bound in most of those seen. A quarter or less is left to `bisect_coarse`.
   bool grid_is_fine() {
     const double hu = 1.0 / grid_[0], hv = 1.0 / grid_[1];
     const double cells = static_cast<double>(grid_[0]) * grid_[1];

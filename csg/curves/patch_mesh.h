@@ -29,8 +29,8 @@ struct PatchMesh {
   std::vector<Parameters> parameters;
 };
 
-/// The cell of triangle t (parameters.h). Where one corner is a side of the patch, shrunk to a point, that side is
-/// the first of four, with the parameters of lines of the net from the other two corners: so triangles around a
+/// The cell of triangle t (parameters.h). If one corner is a pole, a side of the patch that has shrunk to a point,
+/// it is two corners of the cell, each with the parameter along that side of its neighbour: so triangles around a
 /// pole agree on the edges between them.
 std::vector<PatchCorner> cell_of(const PatchMesh& mesh, std::size_t t, const BezierPatch& patch);
 

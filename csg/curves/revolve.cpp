@@ -1,9 +1,9 @@
 // Revolution: S(u, a) = c + r(u) d(a) + z(u) n, with directions d(a) that are off by less than 4e-16 (circle.h).
 //
 // The same directions serve every point of the profile, so the chords of two circles are parallel, and a facet is
-// a planar quadrilateral, exactly. The profile's polygon is within chord / 2 of the profile, and its revolution
-// within chord / 2 of that of its facets: a facet holds the chord from S(u, a) to S(u, a + h) of each of its
-// points, which is within r h^2 / 8 of the arc.
+// a planar quadrilateral, exactly. The profile's polygon is within chord / 2 of the profile, and the facets are
+// within chord / 2 of the revolution of that polygon: through each of its points a facet has a chord from S(u, a)
+// to S(u, a + h), which is within r h^2 / 8 of the arc.
 //
 // Of a partial turn the caps are faces 0 (start) and 1; each segment of the profile is one more. Without caps the
 // segments are from 0. Segments on the axis sweep nothing.

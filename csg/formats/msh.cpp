@@ -80,7 +80,7 @@ class MshWriter {
       }
     }
   }
-  /// Of a region without tetrahedra: the box of what bounds it.
+  /// The box of each entity; that of a region is the box of what bounds it.
   void find_boxes() {
     for (std::size_t d = 0; d < 4; ++d) boxes_[d].resize(mesh_.entities[d].size());
     extend(0, mesh_.vertices);
@@ -216,7 +216,7 @@ class MshWriter {
     }
   }
 
-  /// Pieces run from 0 to 1, facets have coordinates of length in their plane.
+  /// A piece of an edge runs from 0 to 1; a facet has two coordinates in its plane, in the unit of the model.
   void add_parametrizations() {
     text_ += "$Parametrizations\n" + std::to_string(mesh_.segments.size()) + " " +
              std::to_string(mesh_.entities[2].size()) + "\n";

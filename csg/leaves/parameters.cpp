@@ -61,7 +61,7 @@ class Cell {
   /// For sides a b and d c that are parallel.
   Parameters in_trapezoid(std::size_t a, std::size_t b, std::size_t c, std::size_t d,
                           const RationalPoint& p) const {
-    // t grows across, by the signed distance from a b, which has the direction of the longer side.
+    // t grows across, by the signed distance from a b (where that is one point, in the direction of d c).
     const bool lower = point(a) != point(b);
     const RationalPoint &from = point(lower ? a : d), &to = point(lower ? b : c);
     const Rational t = wedge(from, to, point(a), p) / wedge(from, to, point(a), point(d));

@@ -5,9 +5,9 @@
 // corners are points S(u, v) of the patch with their parameters, exact rationals. Between its corners a flat facet
 // is not the curved patch, and the parameters of its points are those of the facet:
 //   * three corners: the affine map that agrees with them;
-//   * four corners a b c d, two opposite sides parallel (one of them may be a point: a pole): with s along these
-//     sides and t across, (s, t) of the bilinear map onto the quadrilateral, which is rational, and from there
-//     bilinear;
+//   * four corners a b c d, two opposite sides parallel (one of them may be a point: a pole): the bilinear map of
+//     the unit square onto the quadrilateral, s along these sides and t across, has a rational inverse; the
+//     parameters are bilinear in s and t;
 //   * any other four: affine in the triangles a b c and a c d.
 // So they are linear along every side of a cell, cells that meet in a side agree there (but for a seam or a pole),
 // and S at the parameters of a point of a facet is as near to that point as the facet is to the patch (chord.h).

@@ -240,7 +240,7 @@ class Labeller {
   Component component(Index region) const { return flat_.active(region) ? flat_.regions[region].component : 0; }
   Component component(RegionId region) const { return component(region_[region]); }
 
-  /// The first active one; 0 if there is none.
+  /// The least number of an active component; 0 if there is none.
   static void prefer(Component& best, Component other) {
     if (best == 0 || (other != 0 && other < best)) best = other;
   }

@@ -22,7 +22,7 @@ std::string radial_orders_text(const Complex& complex, const SimplifiedComplex& 
 std::string neighbourhoods_text(const SimplifiedComplex& simplified, Neighbourhoods& neighbourhoods,
                                 std::span<const std::uint32_t> vertices, std::size_t most = 12);
 
-/// One line per active region: how many shells bound it, and of how many faces.
+/// One line per active region: how many shells bound it, and of how many sides of faces.
 std::string shells_text(const SimplifiedComplex& simplified, std::span<const RegionAttributes> components,
                         std::size_t most = 12);
 
