@@ -48,7 +48,7 @@ void write_text(const fs::path& path, const std::string& text) {
   file << text;
   file.close();
   if (!file)
-    throw std::runtime_error(path.string() + ": can not be written; is the folder there and is there room?");
+    throw std::runtime_error(path.string() + ": cannot be written; is the folder there and is there room?");
 }
 
 GuardCase tree_case(const fs::path& folder, const std::string& name, const std::string& text) {

@@ -6,7 +6,7 @@
 // PATH is a mesh file or a folder (searched through). The result is the file with all of its self-intersections;
 // or its union with a copy of itself, turned by 30 degrees, or by 7e-16 so that nearly everything of the two
 // almost coincides. A line per case: `ok` and what was snapped, `plain` where rounding alone is right, `error`
-// with the message of a file that can not be read or of a result that can not be snapped, or CRASH, TIMEOUT, OOM,
+// with the message of a file that cannot be read or of a result that cannot be snapped, or CRASH, TIMEOUT, OOM,
 // BUG (a broken invariant), WRONG (what was written is not what it should be). Exit status 1 if any of those.
 #include "csg/result/snap.h"
 

@@ -218,7 +218,7 @@ int run(const Options& options) {
     return 0;
   }
   if (!options.json.empty() && !std::ofstream(options.json, std::ios::app))  // before the work, not after it
-    throw std::runtime_error(options.json + ": can not be written; is the folder there?");
+    throw std::runtime_error(options.json + ": cannot be written; is the folder there?");
   if (options.names.empty()) throw std::runtime_error("no case is named; name a group or a case of `--list`");
   std::vector<Recipe> some = chosen(all, options.names);
   add_general_position(all, some);

@@ -250,7 +250,7 @@ void write_json(const std::string& path, const std::vector<CaseResult>& results)
   std::ofstream file(path);
   file << out.dump(1) << "\n";
   file.close();
-  if (!file) throw std::runtime_error(path + ": can not be written; is the folder there and is there room?");
+  if (!file) throw std::runtime_error(path + ": cannot be written; is the folder there and is there room?");
 }
 
 }  // namespace cnrg::bench

@@ -50,7 +50,7 @@ void print_case(const CaseResult& result);
 /// Growth with size and number of leaves, and degenerate cases against general position, as far as they ran.
 void print_summary(const std::vector<CaseResult>& results);
 
-/// Throws std::runtime_error if the file can not be written.
+/// Throws std::runtime_error if the file cannot be written.
 void write_json(const std::string& path, const std::vector<CaseResult>& results);
 
 }  // namespace cnrg::bench

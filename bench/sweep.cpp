@@ -183,7 +183,7 @@ bool say_failed(const std::vector<FailedUnit>& failed) {
   return broken != 0;
 }
 
-/// Takes problems of files that can not be read out of the plan, and says so. Their process is not this one.
+/// Takes problems of files that cannot be read out of the plan, and says so. Their process is not this one.
 Store::LeftOut check_problems(const Setup& setup, Plan& plan) {
   Store::LeftOut left_out;
   if (setup.folder.empty()) return left_out;

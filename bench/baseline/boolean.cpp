@@ -17,7 +17,7 @@
 // - a fold reads the result of a step as the operand of the next one;
 // - the operands keep what reduction adds: neither collinear edges nor coplanar faces are joined, as in the book.
 //
-// What the method can not do, and says: operands that are no 2-manifold, or whose faces are not planar (input); a
+// What the method cannot do, and says: operands that are no 2-manifold, or whose faces are not planar (input); a
 // boundary that touches itself, as the result of an earlier Boolean may, where the other crosses it
 // (classification, null_edges). Exact arithmetic is not known to fail in another way
 // (tests/baseline/hunt_test.cpp). Doubles may fail in any

@@ -62,7 +62,7 @@ class Clipping {
       edges_.insert(std::minmax(triangles.back()[0], triangles.back()[2]));
       polygon_.erase(polygon_.begin() + static_cast<std::ptrdiff_t>(ear));
     }
-    if (shape(1) < -kFlat) fail("a face that can not be cut into triangles");
+    if (shape(1) < -kFlat) fail("a face that cannot be cut into triangles");
     triangles.push_back({polygon_[0], polygon_[1], polygon_[2]});
     return triangles;
   }
@@ -119,7 +119,7 @@ class Clipping {
           best_start = s;
           best = length;
         }
-    if (best_hole == holes.size()) fail("a hole of a face that can not be reached");
+    if (best_hole == holes.size()) fail("a hole of a face that cannot be reached");
     std::vector<std::uint32_t> with = holes[best_hole];
     std::rotate(with.begin(), with.begin() + static_cast<std::ptrdiff_t>(best_start), with.end());
     with.push_back(with.front());
@@ -169,7 +169,7 @@ class Clipping {
     std::size_t flattest = 0;
     for (std::size_t k = 1; k < n; ++k)
       if (std::fabs(shape(k)) < std::fabs(shape(flattest))) flattest = k;
-    if (std::fabs(shape(flattest)) > kFlat) fail("a face that can not be cut into triangles");
+    if (std::fabs(shape(flattest)) > kFlat) fail("a face that cannot be cut into triangles");
     return flattest;
   }
 

@@ -1,4 +1,4 @@
-// Problems of meshes that people made, from a folder. Nothing of the meshes is repaired but what a model can not
+// Problems of meshes that people made, from a folder. Nothing of the meshes is repaired but what a model cannot
 // say: of equal points one stays, triangles with a corner twice are left out, and polygons that are not planar, or
 // have a corner twice, become fans of triangles.
 #include <algorithm>

@@ -21,7 +21,7 @@ struct TriangleMesh {
 /// The triangles of a mesh file, polygons cut into fans. Throws as the reader of mesh leaves does.
 TriangleMesh read_mesh(const std::string& path);
 
-/// Writes OFF with all digits of the coordinates. Throws std::runtime_error if the file can not be written.
+/// Writes OFF with all digits of the coordinates. Throws std::runtime_error if the file cannot be written.
 void write_off(const std::string& path, const TriangleMesh& mesh);
 
 /// Turned about the y axis through the origin by `angle` (radians), then moved; coordinates rounded to doubles.

@@ -40,7 +40,7 @@ Mesh closed_surface(const Model& model, PointOf point_of) {
 template <class Mesh>
 Mesh triangulated(Mesh mesh) {
   if (!CGAL::Polygon_mesh_processing::triangulate_faces(mesh))
-    throw Refusal("input", "a polygon of an operand can not be triangulated");
+    throw Refusal("input", "a polygon of an operand cannot be triangulated");
   return mesh;
 }
 

@@ -7,7 +7,7 @@
 
 namespace cnrg::bench {
 
-/// The point set of a file of `Selective Nef Complex`. Throws std::runtime_error if it can not be read, Refusal
+/// The point set of a file of `Selective Nef Complex`. Throws std::runtime_error if it cannot be read, Refusal
 /// with stage `output` if CGAL finds it faulty.
 Model read_nef(const std::string& path);
 

@@ -21,7 +21,7 @@ struct Answer {
   std::string note;  ///< a few words, or empty
 };
 
-/// The system itself says that it has no result, or stops at what it can not do: a verdict, no fault of ours.
+/// The system itself says that it has no result, or stops at what it cannot do: a verdict, no fault of ours.
 class Refusal : public std::runtime_error {
  public:
   Refusal(std::string stage, const std::string& what) : std::runtime_error(what), stage_(std::move(stage)) {}
@@ -45,7 +45,7 @@ struct System {
   /// How far the coordinates of results may be from the exact ones, as a part of the largest coordinate; 0: exact.
   double rounding = 0;
   bool regularized = true;  ///< by its own contract results are closed solids and nothing else
-  std::string absent;       ///< why it can not run here and what to install; empty: it can
+  std::string absent;       ///< why it cannot run here and what to install; empty: it can
   /// Throws Refusal and Crash; whatever else it throws counts as a failure of the system at stage `unknown`.
   std::function<Answer(const Problem&)> evaluate;
   std::string executable{};  ///< of an external system

@@ -193,7 +193,7 @@ Answer evaluate(const Problem& problem) {
 
 Model read_nef(const std::string& path) {
   std::ifstream in(path);
-  if (!in) throw std::runtime_error("can not read " + path);
+  if (!in) throw std::runtime_error("cannot read " + path);
   Nef nef;
   guarded("output", [&] { in >> nef; });
   if (!in) throw std::runtime_error("is no text of a Nef polyhedron: " + path);

@@ -42,7 +42,7 @@ void write_program(const std::string& path, const Problem& problem, const std::v
     if (i + 1 == steps.size() || steps[i] != steps[i + 1]) out << "}\n";
   }
   out.close();
-  if (!out) throw std::runtime_error(path + ": can not be written; is there room?");
+  if (!out) throw std::runtime_error(path + ": cannot be written; is there room?");
 }
 
 /// The first line with one of these words; an empty text if there is none. OpenSCAD goes on without the object

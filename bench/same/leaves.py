@@ -18,6 +18,7 @@ class Leaf:
     def __init__(self, kind, value, faces=(), wires=(), points=(), files=None):
         self.kind, self.value, self.files = kind, value, files or {}
         self.faces, self.wires, self.points = list(faces), list(wires), list(points)
+        self.walls = []  # those of the facets that have a region on both sides
 
 
 def plus(p, q, factor=1):
@@ -284,7 +285,9 @@ class LeafMaker:
             for face in faces:
                 face.pop("sides", None)
         loops = [tuple(vertices[v] for v in face["loops"][0]) for face in faces]
-        return Leaf("group", value, loops, [(vertices[a], vertices[b]) for a, b in edges], vertices)
+        leaf = Leaf("group", value, loops, [(vertices[a], vertices[b]) for a, b in edges], vertices)
+        leaf.walls = [loop for loop, face in zip(loops, faces) if 0 not in face.get("sides", (0,))]
+        return leaf
 
     # Curved leaves, coarse: a tree is about how cells meet, not about how many they are.
 
@@ -443,6 +446,9 @@ class LeafMaker:
 
         for _ in range(r.randrange(1, 5)):
             leaf = r.choice(known)
+            if leaf.walls and r.randrange(2):
+                faces.append({"loops": [[vertex(x) for x in r.choice(leaf.walls)]]})
+                continue
             if leaf.faces and (not leaf.wires or r.randrange(2)):
                 loop = r.choice(leaf.faces)
             elif leaf.wires:
@@ -452,7 +458,7 @@ class LeafMaker:
                 continue
             at = r.randrange(len(loop))
             p, q = loop[at], loop[(at + 1) % len(loop)]
-            kind = r.randrange(5)
+            kind = r.randrange(7)
             if kind == 0:
                 points.append(vertex(p))
             elif kind == 1:

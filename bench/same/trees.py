@@ -101,6 +101,7 @@ class TreeMaker:
             node["translate"] = [self.random.choice((0, 0, 1, -1)) for _ in range(3)]
         if self.random.randrange(2):
             node["material"] = self.random.choice(self.materials())
+        self.leaves.append(leaf if "translate" not in node else Leaf(leaf.kind, leaf.value))
         self.push(node, GROUP, [])
 
     def materials(self):
@@ -198,8 +199,28 @@ class TreeMaker:
             return
         attributes = {}
         if op not in ("difference", "subtract") and r.randrange(2):
-            attributes["dominance"] = r.choice(("left", "right", "equal"))
+            attributes["dominance"] = r.choice(("left", "right", "equal", "equal"))
         self.apply(op, operands, **attributes)
+
+    def add_fold(self):
+        """Three leaves or more at once: they touch in more places than what is made of them."""
+        r = self.random
+        if len(self.leaves) < 3:
+            return self.add_many()
+        operands = r.sample(range(len(self.leaves)), min(len(self.leaves), r.choice((3, 3, 4, 5))))
+        operands.sort(key=lambda i: not self.leaves[i].walls)  # what others may lie in comes first
+        op = r.choice(("union", "union", "union", "difference", "difference", "sum", "subtract", "product"))
+        if r.randrange(3) == 0:
+            operands[0] = len(self.nodes) - 1  # what is made so far first
+            operands = list(dict.fromkeys(operands))
+            if len(operands) < 3:
+                return None
+            if op in GROUP_BOOLEANS and self.standing[operands[0]] == OPEN:
+                operands[0] = self.apply("closure", operands[:1])
+        attributes = {}
+        if op not in ("difference", "subtract") and r.randrange(4):
+            attributes["dominance"] = r.choice(("left", "right", "equal", "equal"))
+        return self.apply(op, operands, **attributes)
 
     def add_one(self):
         r = self.random
@@ -234,9 +255,12 @@ class TreeMaker:
     def make(self, part=False):
         """The text; `part`: a small tree, whose result another one reads."""
         r = self.random
+        if r.randrange(4) == 0:  # around all that is whole
+            low, high = r.choice(((-1, 4), (-1, 4), (0, 3)))
+            self.add_leaf(Leaf("box", {"min": [low] * 3, "max": [high] * 3}))
         for _ in range(2 if part else r.choice((2, 3, 3, 4))):
             self.add_leaf(self.maker.leaf(self.curved, self.unbounded and not part))
-        for _ in range(r.randrange(3)):
+        for _ in range(r.randrange(4)):
             if r.randrange(2):
                 self.add_leaf(self.maker.echo(self.leaves))
             else:
@@ -244,7 +268,9 @@ class TreeMaker:
         most = len(self.nodes) + (r.randrange(1, 4) if part else r.randrange(3, 11))
         while len(self.nodes) < most:
             kind = r.randrange(12)
-            if kind < 7:
+            if kind < 3:
+                self.add_fold()
+            elif kind < 7:
                 self.add_many()
             elif kind < 11:
                 self.add_one()

@@ -5,7 +5,7 @@
 
 namespace cnrg::bench {
 
-/// Processor, cores, memory, operating system, compiler and date; the rest is for the caller. What can not be
+/// Processor, cores, memory, operating system, compiler and date; the rest is for the caller. What cannot be
 /// found out is empty or 0.
 MachineInfo this_machine();
 

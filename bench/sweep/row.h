@@ -18,7 +18,7 @@ enum class Verdict : std::uint8_t {
   contact_lost,   ///< parts that touch in the exact result do not, or the other way round (rounded coordinates)
   dangling_lost,  ///< a surface, wire or point of an operand that the exact result has is missing
   wrong,          ///< anything else: volume or surface too much or too little, or no solid at all
-  refused,        ///< the system says that it can not
+  refused,        ///< the system says that it cannot
   crashed,
   timed_out,
   out_of_memory,

@@ -27,12 +27,12 @@ namespace fs = std::filesystem;
 void make_folder(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path, error);
-  if (error) throw std::runtime_error(path.string() + ": can not be made a folder: " + error.message());
+  if (error) throw std::runtime_error(path.string() + ": cannot be made a folder: " + error.message());
 }
 
 std::string read(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw std::runtime_error(path + ": can not be read");
+  if (!in) throw std::runtime_error(path + ": cannot be read");
   std::ostringstream text;
   text << in.rdbuf();
   return text.str();
@@ -121,7 +121,7 @@ void Store::describe(const Setup& setup, const std::string& command, const LeftO
 void Store::lock() {
   const std::string path = folder_ + "/lock";
   lock_ = open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
-  if (lock_ < 0) fail(path, "can not be opened");
+  if (lock_ < 0) fail(path, "cannot be opened");
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0)
     throw std::runtime_error(folder_ +
                              ": another sweep is at work here; wait for it, or give another folder by --out");
@@ -161,7 +161,7 @@ void write_whole(const std::string& path, const std::string& text) {
   // Units of one sweep never write the same file, but its settings may be made by several jobs at once.
   const std::string beside = path + "." + std::to_string(getpid()) + ".part";
   const int file = open(beside.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0644);
-  if (file < 0) fail(beside, "can not be written");
+  if (file < 0) fail(beside, "cannot be written");
   const auto give_up = [&](const char* what) {
     const int reason = errno;
     close(file);
@@ -172,16 +172,16 @@ void write_whole(const std::string& path, const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const ssize_t n = write(file, text.data() + at, text.size() - at);
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) give_up("can not be written");
+    if (n <= 0) give_up("cannot be written");
     at += static_cast<std::size_t>(n);
   }
-  if (fsync(file) != 0) give_up("can not be written");
+  if (fsync(file) != 0) give_up("cannot be written");
   close(file);
   if (std::rename(beside.c_str(), path.c_str()) != 0) {
     const int reason = errno;
     unlink(beside.c_str());
     errno = reason;
-    fail(path, "can not be written");
+    fail(path, "cannot be written");
   }
 }
 

@@ -16,7 +16,7 @@ namespace cnrg::bench {
 
 class Store {
  public:
-  /// Makes the folders. Throws std::runtime_error if they can not be made.
+  /// Makes the folders. Throws std::runtime_error if they cannot be made.
   explicit Store(const std::string& folder);
   ~Store();
   Store(const Store&) = delete;

@@ -12,7 +12,7 @@
 
 namespace cnrg::bench {
 
-/// The problem itself can not be made, such as one of a mesh file that is broken.
+/// The problem itself cannot be made, such as one of a mesh file that is broken.
 class ProblemError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

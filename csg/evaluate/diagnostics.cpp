@@ -1,3 +1,5 @@
+// Operators report conflicts of materials in cells of the complex; people know the cells of the simplified value,
+// so these are named, and what would be said twice is said once.
 #include "csg/evaluate/diagnostics.h"
 
 #include <algorithm>
@@ -76,7 +78,7 @@ std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, c
   std::vector<Diagnostic> out;
   std::set<std::string> said;  // a fold may meet the same materials in the same cells more than once
   for (const MaterialConflict& conflict : conflicts) {
-    // The others went in a later step of a fold.
+    // Cells that are not active any more went in a later step of a fold.
     const CellSet cells = active_of(simplified.selection(), conflict.cells);
     if (cells.empty()) continue;
     const std::vector<Place> places = places_of(simplified.get(), cells);

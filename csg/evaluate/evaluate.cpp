@@ -9,9 +9,9 @@
 //        -> kept values          value_store.h: every other value is freed after its last user
 //
 // The way through the nodes is a loop over instances: the depth of a tree costs no stack. One thing calls the
-// driver from inside: a node that a graded material has its distances to is evaluated as the root of its own
-// complex (grades.h), and since materials do not matter there it is evaluated without grades, so that this ends at
-// once.
+// driver from inside: a node to which a graded material measures distances is evaluated first, as the root of a
+// complex of its own (grades.h). Materials do not matter there, so it is evaluated without grades, and this inner
+// run does not call the driver again.
 #include "csg/evaluate/evaluate.h"
 
 #include <tbb/global_control.h>
@@ -152,7 +152,7 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
     append(result.diagnostics, material_conflicts(tree, tree.nodes[node], values[id], conflicts, simplified));
     const bool is_root = std::find(unfolding.roots.begin(), unfolding.roots.end(), id) != unfolding.roots.end();
     if (options.rows || is_root) {
-      // Cells of the result are simplified for its files in any case: no part of the time of its row.
+      // The result is simplified for its files in any case, so that is no part of the time of its row.
       const bool last = node == tree.result && is_root && values.used_once_more(id) && !options.raw;
       if (last) simplified.get();
       const Stopwatch stopwatch;

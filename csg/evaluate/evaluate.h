@@ -52,7 +52,7 @@ struct NodeRow {
   Removals removals;                       ///< entities removed by rows of the tables
   std::size_t removed() const { return removals.total(); }
   bool is_group = true;
-  std::size_t components = 0;  ///< as NodeValue::component_count has it
+  std::size_t components = 0;  ///< how many components; not filled for a group
   std::size_t regions = 0;     ///< components that hold 3-cells; in a group its regions
   /// Exact volume in cubic units of all of them together; nothing when one is unbounded.
   std::optional<Rational> total;

@@ -1,3 +1,5 @@
+// A material is given in the coordinates in which its node is placed: the transforms above the node move it, the
+// node's own does not. Distances are measured to triangles, segments and points of a simplified value.
 #include "csg/evaluate/grades.h"
 
 #include <algorithm>

@@ -14,7 +14,7 @@
 namespace cnrg {
 
 /// What a distance to a kept value is measured to: its faces (also those that bound a region), wires and points.
-/// Nothing for an unbounded one.
+/// Nothing for an unbounded value.
 std::optional<DistanceTarget> distance_target(const Complex& complex, const KeptValue& value);
 
 class Grades {
@@ -31,7 +31,7 @@ class Grades {
  private:
   const Tree& tree_;
   std::map<std::string, Grade> grades_;  ///< by material, distances with their targets
-  /// Equal ones are one object.
+  /// By material; equal placements are one object.
   std::map<std::string, std::vector<std::shared_ptr<const PlacedGrade>>> placed_;
   RegionMaterial placed(const std::string& name, Grade grade, Transform placement);
 };

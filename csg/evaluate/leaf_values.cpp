@@ -1,3 +1,5 @@
+// One pass over the complex gives the groups of all leaves. Most are values as they are; the cells of a result
+// that was read back may be open or of many components, which its file tells cell by cell.
 #include "csg/evaluate/leaf_values.h"
 
 #include <utility>
@@ -42,8 +44,8 @@ void put_leaf_values(const Tree& tree, const Unfolding& unfolding, const Prepare
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
     NodeValue value = value_of(tree, leaves, instances[i], grades, complex, leaf, std::move(groups[leaf.index()]));
-    apply_attributes(complex, tree.nodes[instances[i].node], {},
-                     value);  // of a leaf they have the material already
+    // Without a material: the regions of a leaf have theirs already.
+    apply_attributes(complex, tree.nodes[instances[i].node], {}, value);
     values.put(i, std::move(value));
   }
 }

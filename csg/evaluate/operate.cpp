@@ -1,4 +1,5 @@
-// The operators of the tree file, by those of the two families; see the header.
+// An operator of the tree file is one of two families: a group Boolean (boolean.h, fold.h) takes its operands as
+// groups, an operator of CNRG (cnrg.h) as components. Then come the attributes of the node.
 #include "csg/evaluate/operate.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ std::optional<Dominance> stated_dominance(const Node& node) {
   }
 }
 
-/// What the node says; without a word the greater number dominates.
+/// The dominance that the node states; if it states none, the operand with the greater number dominates.
 Dominance dominance_of(const Node& node, const PartedGroup& a, const PartedGroup& b) {
   if (const auto stated = stated_dominance(node)) return *stated;
   if (a.dominance == b.dominance) return Dominance::equal;
@@ -43,7 +44,10 @@ void require_identity(const Node& node, const std::string& violation) {
 /// An operand of a group Boolean.
 PartedGroup group_operand(const Complex& complex, const Node& node, const Operand& operand) {
   const NodeValue& value = *operand.value;
-  if (value.is_group()) return operand.spent != nullptr ? std::move(operand.spent->parts()) : value.parts();
+  if (value.is_group()) {
+    if (operand.spent != nullptr) return std::move(operand.spent->parts());
+    return value.parts();
+  }
   if (value.stands_for) return parted(complex, *value.stands_for);
   const CellSet missing = missing_boundary(complex, value.components());
   if (!missing.empty()) {
@@ -118,7 +122,7 @@ struct ComponentOperands {
   std::vector<const Components*> pointers;
 };
 
-/// sum, product and subtract from left to right. A product costs what its operands do in steps, too.
+/// sum, product and subtract from left to right. A product is made in steps always: these cost no more.
 Outcome overlay_of(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate) {
   if (!validate && operands.size() > 2 && node.op != Operator::product) {
     const ComponentOperands all(complex, operands);
@@ -157,7 +161,7 @@ Outcome aggregate_all(const Complex& complex, std::span<const Operand> operands)
   return of_components(aggregate(complex, all.pointers, names));
 }
 
-/// One component of one name keeps it; where there is none or several were joined it is called after the node.
+/// A component with a single name keeps it; without one, or with several joined, it is called after the node.
 void name_after(const Node& node, Outcome& outcome) {
   for (ComponentAttributes& a : outcome.value.components().attributes) {
     if (a.name.empty() || a.name == kEntitiesName || a.name.find(" & ") != std::string::npos) a.name = node.name;

@@ -1,4 +1,5 @@
-// Preparation of leaves and translation of messages; see the header.
+// Leaves are prepared node by node, whatever the number of their instances. Messages are translated by their form:
+// who throws names a place as `leaf i, face j` or as `file:line:`, and a name and a position are put there.
 #include "csg/evaluate/prepared_leaves.h"
 
 #include <optional>
@@ -68,7 +69,7 @@ Mention mention_of(const Node& node, const std::string& faces) {
   return {node.operator_at, "`" + node.name + "` (line " + std::to_string(node.operator_at.line) + ")"};
 }
 
-/// `, solid 1, solid 3` as `solid 1 `bolt`, solid 3 of `; nothing for nothing.
+/// From `, solid 1, solid 3` makes `solid 1 `bolt`, solid 3 of `; from an empty text an empty one.
 std::string solids_in(const std::string& solids, const std::vector<LeafRegion>& regions) {
   static const std::regex kNumber(R"(\d+)");
   std::string words;

@@ -1,3 +1,4 @@
+// A group sums up what its parts know. Components have no parts: each value of them is counted and measured anew.
 #include "csg/evaluate/rows.h"
 
 #include <tbb/parallel_for.h>

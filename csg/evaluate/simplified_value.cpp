@@ -1,3 +1,4 @@
+// `simplify` leaves cells in the order of the refinement's ids; `put_in_order` gives them the numbers people see.
 #include "csg/evaluate/simplified_value.h"
 
 #include "kernel/selection/canonical.h"

@@ -1,3 +1,4 @@
+// Uses are counted from the unfolding, before anything is evaluated.
 #include "csg/evaluate/value_store.h"
 
 #include <utility>

@@ -77,8 +77,8 @@ Rational rounded(double value, double step) {
   return Rational(whole) * power;
 }
 
-/// A point in the open region, short if it can be: away from one of its faces by less and less until the region
-/// holds it.
+/// A point in the open region, of few digits if possible: away from one of its faces by less and less until the
+/// region holds it.
 RationalPoint point_in(const Complex& complex, const Locator& locator, RegionId r) {
   if (complex.region_faces[r].empty()) {  // space with nothing but wires and points in it
     Rational beyond = 0;
@@ -100,7 +100,7 @@ RationalPoint point_in(const Complex& complex, const Locator& locator, RegionId 
     const auto p = complex.points.approx(complex.origin(e));
     for (std::size_t k = 0; k < 3; ++k) reach = std::max(reach, std::abs(p[k] - to_double(base[k])));
   }
-  constexpr int kShort = 50;  // then doubles do not tell the points from the face
+  constexpr int kShort = 50;  // halvings, after which doubles do not tell the point from the face
   for (int attempt = 0; attempt < kShort; ++attempt, reach /= 2) {
     RationalPoint p;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -104,7 +104,7 @@ struct LifeClass {
   std::vector<LeafCell> origins;                 ///< in the leaves that the example came from
   Mixture mixture;                               ///< at the point, where the material is graded
   std::vector<PatchPoint> patches;               ///< of the point, on the leaves that the example came from
-  std::vector<CurvePoint> curves;                ///< the same; of both one for each patch and curve
+  std::vector<CurvePoint> curves;                ///< likewise; each patch and each curve is listed once
 };
 
 struct Explanation {
@@ -114,7 +114,7 @@ struct Explanation {
   int dimension = 0;  ///< of the simplified cell
   CellState state;    ///< in the node
   std::size_t pieces = 0;              ///< cells of its dimension in the refinement that it unites
-  std::optional<RationalPoint> asked;  ///< the point asked about; then the one piece is what holds it
+  std::optional<RationalPoint> asked;  ///< the point, if one was asked about; the only piece is what holds it
   std::vector<LifeClass> classes;      ///< in the order of their first pieces
   std::size_t classes_left_out = 0, pieces_left_out = 0;
 };

@@ -235,7 +235,7 @@ class Tessellator {
     TopLoc_Location location;
     const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face(f), location);
     if (mesh.IsNull() || mesh->NbTriangles() == 0 || !mesh->HasUVNodes()) {
-      throw InputError(subject(shape_) + "OpenCASCADE can not mesh " + face_name(f) +
+      throw InputError(subject(shape_) + "OpenCASCADE cannot mesh " + face_name(f) +
                        ": give another `chord` or "
                        "`segments`, or repair the face where it was made");
     }
@@ -283,7 +283,7 @@ class Tessellator {
     const int e = edges_.FindIndex(part);
     const Handle(Poly_PolygonOnTriangulation) polygon = BRep_Tool::PolygonOnTriangulation(part, mesh, location);
     if (polygon.IsNull()) {
-      throw InputError(subject(shape_) + "OpenCASCADE can not mesh " + face_name(f) + " along " + edge_name(e) +
+      throw InputError(subject(shape_) + "OpenCASCADE cannot mesh " + face_name(f) + " along " + edge_name(e) +
                        ": give another `chord` or `segments`, or repair the face where it was made");
     }
     const int count = polygon->NbNodes();
@@ -323,7 +323,7 @@ class Tessellator {
     TopLoc_Location location;
     const Handle(Poly_Polygon3D) polygon = BRep_Tool::Polygon3D(TopoDS::Edge(edges_(e)), location);
     if (polygon.IsNull()) {
-      throw InputError(subject(shape_) + "OpenCASCADE can not cut " + edge_name(e) +
+      throw InputError(subject(shape_) + "OpenCASCADE cannot cut " + edge_name(e) +
                        " into segments: repair it where it was made");
     }
     take_edge(

@@ -20,10 +20,10 @@ std::string read_file(const std::string& path) {
     throw InputError("there is no file '" + path + "': check the path, it is relative to the tree file");
   }
   if (std::filesystem::is_directory(status)) {
-    throw FileError("'" + path + "' can not be read: it is a directory, give a file");
+    throw FileError("'" + path + "' cannot be read: it is a directory, give a file");
   }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw FileError("'" + path + "' can not be opened: " + std::strerror(errno));
+  if (!file) throw FileError("'" + path + "' cannot be opened: " + std::strerror(errno));
   std::string content;
   const std::uintmax_t size = std::filesystem::file_size(path, code);
   if (!code) content.resize(static_cast<std::size_t>(size));
@@ -39,7 +39,7 @@ std::string read_file(const std::string& path) {
     filled += count;
     if (count == 0) break;
   }
-  if (std::ferror(file.get())) throw FileError("'" + path + "' can not be read: " + std::strerror(errno));
+  if (std::ferror(file.get())) throw FileError("'" + path + "' cannot be read: " + std::strerror(errno));
   content.resize(filled);
   return content;
 }

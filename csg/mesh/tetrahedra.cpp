@@ -261,7 +261,7 @@ class TetrahedraMaker {
     if (!std::all_of(mesh().triangles.begin(), mesh().triangles.end(), kept) ||
         !std::all_of(mesh().segments.begin(), mesh().segments.end(), kept)) {
       throw InputError(
-          "TetGen can not fill the regions without new points on faces or edges; leave out "
+          "TetGen cannot fill the regions without new points on faces or edges; leave out "
           "--keep-boundary");
     }
   }

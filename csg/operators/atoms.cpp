@@ -1,3 +1,6 @@
+// An operand is read twice: first which pairs of an atom and a component of the operand there are, so that the new
+// atoms can be numbered in their order; then each cell goes to its new atom. Atoms that lose their last cell stay
+// in the list and are skipped in the end.
 #include "csg/operators/atoms.h"
 
 #include <algorithm>

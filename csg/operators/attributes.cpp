@@ -1,3 +1,5 @@
+// The strongest source decides. Unless it dominates (`strict`), weaker ones fill in what it leaves empty, and
+// their materials are noted where they differ.
 #include "csg/operators/attributes.h"
 
 #include <algorithm>

@@ -11,7 +11,8 @@
 namespace cnrg {
 namespace {
 
-// The entities of `g` in the closure of `walls`, with its features.
+// Completes `out`, whose faces are some of `g`: takes the edges, vertices and features in their closure, and all
+// origins.
 void keep_walls(const Complex& complex, const Group& g, Group& out) {
   Marks<EdgeId> edges(complex.edge_count());
   Marks<VertexId> vertices(complex.points.size());

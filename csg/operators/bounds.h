@@ -7,13 +7,13 @@
 
 namespace cnrg {
 
-/// True if a face around the edge `is` (a predicate of cells).
+/// True if the predicate `is` holds for a face around the edge.
 template <class Is>
 bool bounds_any(const Complex& complex, EdgeId e, const Is& is) {
   const auto uses = complex.edge_uses[e];
   return std::any_of(uses.begin(), uses.end(), [&](const FaceUse& use) { return is(use.face); });
 }
-/// True if an edge around the vertex `is`, or a face in which it lies as an isolated point.
+/// True if it holds for an edge at the vertex, or for a face in which the vertex lies as an isolated point.
 template <class Is>
 bool bounds_any(const Complex& complex, VertexId v, const Is& is) {
   const auto edges = complex.vertex_edges[v];

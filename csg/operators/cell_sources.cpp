@@ -1,3 +1,5 @@
+// Of a group only entities are asked about, and these have origins. Components may be open: for a cell that they
+// lack, the active cells around it answer.
 #include "csg/operators/cell_sources.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Pairs of boxes that meet, then the sets that they connect. Where two sides face each other, boxes are looked for
+// Pairs of boxes that meet, then the sets that they connect. Where two sides are compared, boxes are looked for
 // among those of the side that has fewer: in a chain of Booleans one small operand meets a value of many parts in
 // each step, and most of these are passed over by one comparison with the box around the few.
 #include "csg/operators/clusters.h"
@@ -94,7 +94,7 @@ PartBox hull(Items items) {
 
 using Meetings = std::vector<std::pair<PartPlace, PartPlace>>;
 
-// Of the parts of one side and those of some operands, the first of which has this number.
+// The pairs between `few`, the parts of one side, and the parts of `operands`, whose numbers begin with `first`.
 Meetings across(Items few, std::span<const PartedGroup> operands, std::uint32_t first) {
   Meetings out;
   if (few.empty()) return out;

@@ -1,6 +1,7 @@
-// Every operator is one of three passes over sorted lists: an overlay of two selections (a cell goes to the pair
-// of its components), a restriction of one selection to a set with one component more, or, component by component,
-// a list of memberships. Then components that have cells are numbered.
+// An operator on one value or two is one of three passes over sorted lists: an overlay of two selections (a cell
+// goes to the pair of its components), a restriction of one selection to a set with one component more, or,
+// component by component, a list of memberships. Then components that have cells are numbered. Many operands are
+// not overlaid pair by pair: `aggregate` and `sum` collect atoms (atoms.h), `subtract` marks what it takes away.
 #include "csg/operators/cnrg.h"
 
 #include <algorithm>
@@ -208,7 +209,7 @@ void renumber(Components& x) {
   });
 }
 
-// The sets of cells that X lacks: the union of those of its cells next to them and of the leaves that have a
+// Origins of cells that X lacks: those of the cells of X next to them, and the leaves among `below` that have a
 // boundary there.
 class NearbyOrigins {
  public:

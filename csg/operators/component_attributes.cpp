@@ -1,3 +1,5 @@
+// Names and materials are combined from operands, pair by pair. Leaves are not: they are those of the cells that a
+// component has in the end.
 #include "csg/operators/component_attributes.h"
 
 #include <algorithm>

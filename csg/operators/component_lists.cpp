@@ -1,3 +1,4 @@
+// All lists are sorted by cell: a question about one component is one pass, a question about two is a merge.
 #include "csg/operators/component_lists.h"
 
 namespace cnrg {

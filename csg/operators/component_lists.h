@@ -56,7 +56,7 @@ Features active(const Selection& selection, const Features& features);
 /// Which cells belong to which of several sets, and the atoms that this makes of them.
 class Memberships {
  public:
-  /// Components must come in ascending order.
+  /// The cells of `set` belong to `component`, beside those to which they belong already.
   void add(const CellSet& set, Component component);
   /// Numbers the distinct sets of components in their order (1, 2, ...), makes the selection of all cells by that
   /// number, and returns the sets.

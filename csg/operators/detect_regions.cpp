@@ -1,3 +1,4 @@
+// Disjoint sets of the 3-cells, joined across every face that is no wall; the cost is that of their boundaries.
 #include "csg/operators/detect_regions.h"
 
 #include "kernel/base/union_find.h"

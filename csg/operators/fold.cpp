@@ -63,7 +63,7 @@ class Fold {
   }
   std::uint32_t none() const { return static_cast<std::uint32_t>(operands_.size()); }
 
-  // The parts of clusters, out of the operands.
+  // Moves the parts that are in clusters from the operands to `busy_`.
   void take_out(const std::vector<Cluster>& clusters) {
     for (const Cluster& cluster : clusters) {
       for (const PartPlace& place : cluster) {
@@ -104,7 +104,7 @@ class Fold {
   void put_together(Parts made, PartedGroup& out) {
     out.dominance = operands_[0].dominance;
     for (const PartedGroup& operand : operands_) out.dominance = std::max(out.dominance, operand.dominance);
-    // The most parts stay where they are.
+    // The longest list of parts stays where it is; the others are merged into it.
     const auto most = std::max_element(operands_.begin(), operands_.end(), [](const auto& a, const auto& b) {
       return a.parts.size() < b.parts.size();
     });
@@ -135,7 +135,7 @@ class Fold {
     return out;
   }
 
-  // A few are put in one by one.
+  // A few parts are put in one by one, many are sorted and merged.
   static void add(Parts& parts, Parts more) {
     if (more.size() < 8) {
       for (PartRef& part : more) {

@@ -21,7 +21,7 @@ struct FoldResult {
 };
 
 /// `dominances[k]` is that of the step that takes in operand k + 1. The value, removals and conflicts are those of
-/// `boolean_operation` step by step. Operands that are not needed any more are to be moved in.
+/// `boolean_operation` step by step. Move in operands that are not needed any more: their lists are used again.
 FoldResult boolean_fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
                         std::vector<PartedGroup> operands);
 

@@ -24,7 +24,7 @@ std::string check_point_set(const Complex& complex, BooleanOp op, const Group& a
 std::string check_volumes(const Complex& complex, BooleanOp op, const Group& a, const Group& b,
                           const Group& result);
 
-/// All of the above, and the Euler-Poincare formula of the result.
+/// All of the above, and the Euler-Poincare formula of a result that is bounded, where there is no frame.
 std::string check_boolean(const Complex& complex, BooleanOp op, const Group& a, const Group& b,
                           const Group& result);
 

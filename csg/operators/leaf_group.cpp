@@ -229,8 +229,8 @@ class LeafGroups {
     edge_features_.set(e, nearby.features, block);
   }
 
-  // An edge between two faces that one face each of one and the same leaf covers, and nothing else at it: notes
-  // its leaf, and if it is a feature. False for any other edge.
+  // The common case: at the edge are two faces and nothing else, and each is covered by one face, both of the same
+  // leaf. Notes that leaf, and if the edge is a feature. False for any other edge.
   bool parts_one_leaf(EdgeId e) {
     const auto uses = complex_.edge_uses[e];
     if (uses.size() != 2) return false;
@@ -286,7 +286,7 @@ class LeafGroups {
       }
     }
     if (pieces.size() < 2 || pieces.front().use == pieces.back().use) return true;
-    // Two uses at least: there are two pieces when each use has one, as often as it may be covered.
+    // There are two uses at least. A third one makes a feature; of two, each may be covered by several faces.
     const auto first_of_back =
         std::find_if(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.use != pieces.front().use; });
     return std::any_of(std::next(pieces.begin()), pieces.end(), [&](const Piece& p) {

@@ -1,3 +1,5 @@
+// Group operators work on parts and seldom need the group as a whole, so it is merged when somebody asks, once for
+// all threads.
 #include "csg/operators/node_value.h"
 
 #include "csg/operators/cell_sources.h"
@@ -12,7 +14,7 @@ const PartedGroup& NodeValue::parts() const {
 
 PartedGroup& NodeValue::parts() {
   require(is_group(), "a group was asked of a value of components");
-  whole_ = std::make_unique<Whole>();  // what was made of the parts may not be what they become
+  whole_ = std::make_unique<Whole>();  // the caller may change the parts, and the whole would be out of date
   return std::get<PartedGroup>(held_);
 }
 

@@ -1,3 +1,5 @@
+// Which cells of leaves hold a cell of the complex: faces by the covers, wires by the segments under edges,
+// regions by the labels, each of the cells around it.
 #include "csg/operators/origins.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Origins: the leaves that each cell of a value came from, through any depth of the DAG.
 //
 // Values have few distinct sets of leaves and many cells: sets are interned in the value's own table, a cell
-// carries a 4-byte id. A cell that two operands have came from both. Which faces of these leaves it lies in is
-// read off the covers of the complex (`leaf_faces`).
+// carries a 4-byte id. A cell that two operands have came from both. Which cells of these leaves it lies in is
+// read off the complex (`leaf_cells`).
 #pragma once
 
 #include <array>

@@ -153,6 +153,7 @@ Group merge(const std::vector<const Part*>& parts) {
     region = number[cell_order.part(i)][region - 1];
   }
   std::vector<LeafSetMap> sets;
+  sets.reserve(parts.size());
   for (const Part* part : parts) sets.emplace_back(part->group().origins.sets, out.origins.sets);
   merge_entities(
       parts, sets, [](const Group& g) -> const auto& { return g.faces; },

@@ -9,7 +9,8 @@
 // these drift apart. So there is one, and a pair is a fold of two: the value so far, *held*, stays where it is, as
 // flags on the cells of the complex, and a step walks the *next* operand. That is enough, since rows decide about
 // an entity by what lies around it, and outside of next's regions (AoutB, BoutA) unions and differences keep all
-// of held. An intersection removes that all: its step reads held, too, but the next one has less to read.
+// of held. An intersection removes all that is outside: its step has to read held, too, but leaves less of it to
+// the step after.
 //
 //   take_in            marks next, and asks for the entities of held that a row may remove
 //   decide             faces, edges, vertices: row, condition, count
@@ -283,8 +284,8 @@ class TableEngine::State {
     commit_asked(faces_), commit_asked(edges_), commit_asked(vertices_);
   }
 
-  // A difference takes features of next only where they bound a face of next alone that stays: that lies inside of
-  // held. A next that only touches held leaves it as it was.
+  // A difference takes features of next only where they bound a face that held does not have and that stays: such
+  // a face lies inside of held. A next that only touches held leaves it as it was.
   void mark_borders(Parts next) {
     for (const Group* part : next) {
       for (const FaceId f : part->faces) {

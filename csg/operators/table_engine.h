@@ -2,7 +2,7 @@
 // a fold of two.
 //
 // table_engine.cpp is where a row of tables.h is decided, for all who ask: `boolean_operation` (boolean.h) and
-// `boolean_fold` (fold.h). It says how.
+// `boolean_fold` (fold.h). The head of that file says how.
 #pragma once
 
 #include <map>

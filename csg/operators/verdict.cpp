@@ -1,3 +1,5 @@
+// The verdict is read off afterwards: the operands tell the relation and so the row, the result tells what stayed.
+// Nothing is evaluated again.
 #include "csg/operators/verdict.h"
 
 #include "csg/operators/bounds.h"

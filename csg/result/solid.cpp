@@ -30,12 +30,12 @@ void require_off_frame(const FlatComplex& flat, const std::string& format) {
   };
   for (const auto& face : flat.faces) {
     if (face.component != 0 && std::any_of(face.loops.begin(), face.loops.end(), on_frame)) {
-      throw InputError(format + " can not hold a face without bounds" + kBound);
+      throw InputError(format + " cannot hold a face without bounds" + kBound);
     }
   }
   for (const auto& edge : flat.edges) {
     if (edge.component != 0 && on_frame(edge.points)) {
-      throw InputError(format + " can not hold a line without bounds" + kBound);
+      throw InputError(format + " cannot hold a line without bounds" + kBound);
     }
   }
 }
@@ -44,7 +44,7 @@ void require_closed_and_bounded(const FlatComplex& flat, const std::string& form
   require_off_frame(flat, format);
   for (const auto& region : flat.regions) {
     if (region.component != 0 && !region.bounded) {
-      throw InputError(format + " can not hold a region without bounds" + kBound);
+      throw InputError(format + " cannot hold a region without bounds" + kBound);
     }
   }
   // An inactive cell is listed because it is on the boundary of active ones.

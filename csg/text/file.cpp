@@ -30,7 +30,7 @@ class Draft {
       name_ = path + "." + std::to_string(getpid()) + "." + std::to_string(counter++) + ".tmp";
       descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (descriptor_ < 0 && errno == EEXIST);
-    if (descriptor_ < 0) fail(path_, "can not be written", errno);
+    if (descriptor_ < 0) fail(path_, "cannot be written", errno);
   }
   ~Draft() {
     if (descriptor_ >= 0) close(descriptor_);
@@ -43,17 +43,17 @@ class Draft {
     while (!content.empty()) {
       const ssize_t n = ::write(descriptor_, content.data(), content.size());
       if (n < 0 && errno == EINTR) continue;
-      if (n < 0) fail(path_, "can not be written", errno);
+      if (n < 0) fail(path_, "cannot be written", errno);
       content.remove_prefix(std::size_t(n));
     }
   }
   void keep(const struct stat* old) {
     if (old != nullptr) (void)fchmod(descriptor_, old->st_mode & 07777);
-    if (fsync(descriptor_) != 0) fail(path_, "can not be flushed to the disk", errno);
+    if (fsync(descriptor_) != 0) fail(path_, "cannot be flushed to the disk", errno);
     const int closed = close(descriptor_);
     descriptor_ = -1;
-    if (closed != 0) fail(path_, "can not be written", errno);
-    if (rename(name_.c_str(), path_.c_str()) != 0) fail(path_, "can not be replaced", errno);
+    if (closed != 0) fail(path_, "cannot be written", errno);
+    if (rename(name_.c_str(), path_.c_str()) != 0) fail(path_, "cannot be replaced", errno);
     kept_ = true;
   }
 
@@ -74,8 +74,8 @@ void replace_file(const std::string& path, std::string_view content) {
   }
   struct stat old;
   const bool exists = stat(target.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) fail(path, "can not be written", EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) throw FileError(path + ": can not be replaced: it is no regular file");
+  if (exists && S_ISDIR(old.st_mode)) fail(path, "cannot be written", EISDIR);
+  if (exists && !S_ISREG(old.st_mode)) throw FileError(path + ": cannot be replaced: it is no regular file");
   Draft draft(target);
   draft.write(content);
   draft.keep(exists ? &old : nullptr);

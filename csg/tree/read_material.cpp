@@ -1,3 +1,5 @@
+// A mixture may name a material that the file declares further down. So each mention is noted with its place, and
+// all are checked when every material is known.
 #include "csg/tree/read_material.h"
 
 #include <algorithm>

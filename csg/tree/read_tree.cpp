@@ -440,7 +440,7 @@ Tree parse_tree(const std::string& text, const std::string& file) {
 
 Tree read_tree(const std::string& path) {
   const auto fail = [&](const std::string& why) {
-    throw FileError(to_string(path, {}) + ": error: the tree file can not be read: " + why + "; check the path");
+    throw FileError(to_string(path, {}) + ": error: the tree file cannot be read: " + why + "; check the path");
   };
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) fail("it is a directory");

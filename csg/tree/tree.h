@@ -6,7 +6,7 @@
 //     one of its operands. `dominance: left|right|equal` is for a Boolean's own operands.
 //   * `material` and `name` of a leaf are those of its regions that have none of their own; on an inner node
 //     they replace what its regions had.
-//   * Whatever is no operand by name is an inline node; a YAML alias of one is the same node.
+//   * An operand that is written in place, not named, is an inline node; a YAML alias of it is the same node.
 #pragma once
 
 #include <map>
@@ -25,9 +25,11 @@ class Dag;
 
 enum class Operator : std::uint8_t {
   leaf,
+  // Group Booleans: `union`, `intersection`, `difference`.
   unite,
   intersect,
-  subtract,  ///< group Booleans: `union`, `intersection`, `difference`
+  subtract,
+  // Operators of CNRG (csg/operators/cnrg.h).
   aggregate,
   unify,
   sum,
@@ -37,7 +39,8 @@ enum class Operator : std::uint8_t {
   interior,
   closure,
   boundary,
-  regularize,  ///< CNRG
+  regularize,
+  // Of values of both families.
   simplify,
 };
 
@@ -108,9 +111,9 @@ std::vector<std::string> materials_of(const Node& node);
 /// A warning for each node of `nodes` that none of the roots uses, nor a distance in a material of a used one.
 std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots);
 
-/// Reads a tree file (YAML 1.2 or JSON). Throws TreeError for the first fault, FileError when the file can not
-/// be read. The geometry of leaves and the files that they name are not
-/// looked at: `check` (csg/evaluate/evaluate.h) does that.
+/// Reads a tree file (YAML 1.2 or JSON). Throws TreeError for the first fault, FileError when the file cannot be
+/// read. The geometry of leaves and the files that they name are not looked at: `check` (csg/evaluate/evaluate.h)
+/// does that.
 Tree read_tree(const std::string& path);
 
 /// The same for a text; `file` is for messages, and paths in the text are relative to its folder.

@@ -1,4 +1,5 @@
-// Strict reading of YAML values; see the header.
+// Strict reading of YAML values: each reader says what it wants, and fails with the place and an excerpt of what
+// is there instead.
 #include "csg/tree/yaml_value.h"
 
 #include <yaml-cpp/depthguard.h>

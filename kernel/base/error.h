@@ -12,14 +12,14 @@ class InvariantError : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// Input that can not be evaluated; the message says what is wrong and what to do (exit status 2).
+/// Input that cannot be evaluated; the message says what is wrong and what to do (exit status 2).
 /// The kernel knows no files: who reads one adds `file:line:column`.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A file that can not be read or written (exit status 3).
+/// A file that cannot be read or written (exit status 3).
 class FileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,8 +1,8 @@
 // Typed 4-byte ids and the arrays that they index.
 //
-// Every cell, leaf and table row of the project is named by an Id: a 32-bit number that knows what it
-// counts, so that an edge can not be used where a face is meant. Half-edges and half-faces pack their
-// side into the lowest bit; the opposite one is an XOR away.
+// Every cell, leaf and input face of the project is named by an Id: a 32-bit number that knows what it counts, so
+// that an edge cannot be used where a face is meant. Half-edges pack their direction and half-faces their side
+// into the lowest bit; the opposite one is an XOR away.
 #pragma once
 
 #include <compare>
@@ -186,8 +186,8 @@ class Csr {
     csr.values_ = std::move(values);
     return csr;
   }
-  /// Builds from pairs in any order: `visit(take)` calls take(id, value) for each, twice the same ones. Values of
-  /// an id stay in the order in which they come.
+  /// Builds from pairs in any order: `visit(take)` calls take(id, value) for each pair; it runs twice and must
+  /// give the same ones. Values of an id stay in the order in which they come.
   template <class Visit>
   static Csr counted(std::size_t n, const Visit& visit) {
     Csr csr;

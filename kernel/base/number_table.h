@@ -1,8 +1,8 @@
 // Equal things of a list, found by hash: an open table of their numbers.
 //
 // The things stay in the list of the caller; the table holds where in it they are, and asks the caller whether a
-// number is that of an equal thing. It never grows and nothing leaves it, so one probe after the other is all
-// there is to it. The order of the list is the caller's: no result depends on hashes.
+// number is that of an equal thing. It never grows and nothing leaves it, so linear probing is all there is to it.
+// The order of the list is the caller's: no result depends on hashes.
 #pragma once
 
 #include <bit>

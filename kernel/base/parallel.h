@@ -9,7 +9,11 @@
 
 namespace cnrg {
 
-inline constexpr std::size_t kGrain = 2048;  ///< steps that are worth a thread, each a few reads of memory
+#ifndef CNRG_GRAIN
+#define CNRG_GRAIN 2048
+#endif
+/// Steps that are worth a thread, each a few reads of memory. A build that looks for races sets one.
+inline constexpr std::size_t kGrain = CNRG_GRAIN;
 
 /// body(i) for each i below n, in any order; `grain` steps are worth a thread.
 template <class Body>

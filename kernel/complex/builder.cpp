@@ -30,7 +30,7 @@ std::shared_ptr<Complex> ComplexBuilder::build() {
   return built_;
 }
 
-/// What refinement held for itself is given back here, before the arrays of the complex take memory.
+/// What only refinement needed is freed here, before the arrays of the complex take memory.
 void ComplexBuilder::take_cells() {
   take_sparse_cells();
   c_.points = std::move(r_.input.points);
@@ -87,7 +87,7 @@ void ComplexBuilder::take_sparse_cells() {
   sort_unique(wired_);
 }
 
-/// Equal covers are one set; sets are numbered as they first appear. Nearly every face is covered once: a table
+/// Equal covers are one set; sets are numbered as they first appear. Nearly every face has one cover: a table
 /// finds its set by source and side.
 void ComplexBuilder::share_covers(Csr<FaceId, Cover> covers) {
   using List = std::span<const Cover>;

@@ -10,7 +10,7 @@ namespace cnrg {
 class ComplexBuilder {
  public:
   ComplexBuilder(const Soup& soup, Refinement refinement) : soup_(soup), r_(std::move(refinement)) {}
-  /// Once. Whoever gets it still may write to it: only `ComplexDraft` (draft.h), which hands it on as const.
+  /// Called once, by `ComplexDraft` (draft.h) alone: the result may be written to until that hands it on as const.
   std::shared_ptr<Complex> build();
 
  private:

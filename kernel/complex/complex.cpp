@@ -1,3 +1,4 @@
+// Stars and closures, read from the arrays of incidence, and points in the interior of edges and faces.
 #include "kernel/complex/complex.h"
 
 #include <algorithm>
@@ -83,7 +84,8 @@ ExactPoint interior_point(const Complex& complex, EdgeId e) {
   return ExactPoint::from(m);
 }
 
-/// From the middle of a side go inward, perpendicular in the projection, half the way to what comes first.
+/// Of a triangle the centroid. Else go inward from the middle of a side, perpendicular in the projection, half the
+/// way to the first point of the boundary.
 ExactPoint interior_point(const Complex& complex, FaceId f) {
   const PointTable& t = complex.points;
   const auto outer = complex.loop[complex.face_loops[f].front()];

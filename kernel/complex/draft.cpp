@@ -1,3 +1,4 @@
+// Refinement and building, with the number of threads set and the calls of predicates counted around both.
 #include "kernel/complex/draft.h"
 
 #include <tbb/global_control.h>

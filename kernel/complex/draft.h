@@ -1,8 +1,9 @@
 // A complex that is built but for what its cells come from.
 //
 // Cells are a matter of points and incidence alone; which faces and wires of which leaves lie on them is said in
-// arrays of their own. `build_complex` takes these from the soup and is done. A result on doubles is refined from
-// triangles that no leaf has, and only then is told what its cells stem from: until then it is a draft.
+// arrays of their own. `build_complex` takes these from the soup and is done. A result whose points are rounded to
+// doubles is refined from triangles that belong to no leaf, and is told later what its cells come from: until then
+// it is a draft.
 #pragma once
 
 #include "kernel/complex/complex.h"

@@ -1,5 +1,5 @@
-// Point location: the cell of lowest dimension whose box holds the point is tested exactly; off all of them a ray
-// tells the region.
+// Point location: vertices whose boxes hold the point are tested exactly, then edges, then faces; off all of them
+// a ray tells the region.
 #include <algorithm>
 
 #include "kernel/base/error.h"

@@ -1,3 +1,7 @@
+// A direction is tried for the whole ray. Boxes choose the faces that it may hit; signs of determinants with the
+// origin, a point ahead on the ray and a point aside tell for each if the ray passes through its interior. If any
+// sign is zero the direction is not generic, and the next one is tried. Hits are sorted by enclosures of their
+// parameters on the ray, exactly where these overlap.
 #include "kernel/complex/ray.h"
 
 #include <algorithm>

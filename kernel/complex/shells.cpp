@@ -19,8 +19,9 @@ constexpr std::size_t kRaysWithoutTree = 16;
 }  // namespace
 
 /// Neighbours in radial order have a shell in common: the side that looks counter-clockwise is the front for a use
-/// along the edge, the back for one against it. With two uses that is true of both wedges, so that patches grow;
-/// patches meet at junctions.
+/// along the edge, the back for one against it. At an edge with two uses both sides of the one face are joined to
+/// both of the other, so faces grow into patches (patches.h) first; at all other edges, the junctions, sides of
+/// patches are joined.
 void ComplexBuilder::join_shells() {
   Patches patches(c_.face_count());
   tbb::enumerable_thread_specific<std::vector<EdgeId>> turning;

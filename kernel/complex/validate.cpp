@@ -199,7 +199,7 @@ class Validator {
     }
   }
 
-  /// A wire whose end has no face continues in its own region.
+  /// Where an end of a wire touches no face, all wires there are in one region.
   void wire_regions(EdgeId e) {
     for (const VertexId v : c_.edge_ends[e]) {
       bool free = c_.vertex_faces[v].empty();

@@ -1,7 +1,7 @@
 // Exact numbers: integers and fractions of any size, and the ways between them, text and doubles.
 //
-// GMP and MPFR do the arithmetic. The rest of the project says Integer and Rational, and names the libraries only
-// where the program prints their versions or sees that memory has run out (csg/app).
+// GMP does the arithmetic. The project says Integer and Rational; functions of GMP are named only where operators
+// would cost temporaries or there is none, and where the program prints versions or watches memory (csg/app).
 #pragma once
 
 #include <gmpxx.h>

@@ -13,9 +13,9 @@ namespace cnrg {
 /// Triangulates the planar region that closed loops of points enclose, as seen along `axes`.
 ///
 /// A loop lists its corners without repeating the first. Loops may touch in vertices and walk an edge twice
-/// (a slit, which then is an edge of the triangulation); a point is inside when a ray to infinity crosses
-/// edges that are walked an odd number of times an odd number of times. So holes need no mark, and the
-/// direction of the loops does not matter. `isolated` are points inside that become vertices of triangles.
+/// (a slit, which then is an edge of the triangulation). A point is inside when a ray from it to infinity crosses
+/// an odd number of edges, counting each as often as the loops walk it. So holes need no mark, and the direction
+/// of the loops does not matter. `isolated` are points inside that become vertices of triangles.
 ///
 /// Returns triangles that are counter-clockwise in the projection, that cover the inside exactly once, and
 /// whose corners are the given points only. Where doubles suffice to prove that an edge is not Delaunay (in

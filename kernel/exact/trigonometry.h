@@ -10,7 +10,7 @@
 
 namespace cnrg {
 
-/// The doubles nearest to the sine and the cosine of an angle in degrees (ties to even can not occur).
+/// The doubles nearest to the sine and the cosine of an angle in degrees (ties cannot occur).
 double sine_degrees(const Rational& degrees);
 double cosine_degrees(const Rational& degrees);
 

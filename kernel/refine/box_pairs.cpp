@@ -1,3 +1,5 @@
+// The tree is filled from its blocks upward. Places of a block that hold no item get a box that meets nothing, so
+// that no loop asks for them.
 #include "kernel/refine/box_pairs.h"
 
 #include <tbb/parallel_for.h>

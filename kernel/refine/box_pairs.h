@@ -80,8 +80,8 @@ class BoxPairs {
   struct NodePair {
     std::uint32_t a, b;  // on one level; a == b: the pairs within
   };
-  // What the walk has yet to do, and what it found. An entry is written in any case and counted if it is one:
-  // which boxes meet is not to be foreseen, and a branch that is guessed wrong costs more than the test.
+  // What the walk has yet to do, and what it found. An entry is always written, and counted only if its boxes
+  // meet: no processor predicts which do, and a branch predicted wrong costs more than the write.
   struct NodeStack {
     std::array<NodePair, 128> entries;  // a level leaves at most three of its four pairs of children behind
     std::uint32_t size = 0;

@@ -1,3 +1,4 @@
+// The boxes of blocks in parallel, then those of inner nodes upward.
 #include "kernel/refine/box_tree.h"
 
 #include <tbb/parallel_for.h>

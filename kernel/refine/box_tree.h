@@ -1,7 +1,7 @@
 // An implicit balanced tree of boxes over items in Morton order, for queries by any test on boxes.
 //
-// Items are sorted along a space-filling curve and packed into blocks; block i of a tree with n blocks is the
-// leaf n + i of a heap, so the tree is one array of boxes and needs no pointers. Pairs are found by BoxPairs.
+// Items are sorted along a space-filling curve and packed into blocks; block b is leaf `leaves_ + b` of a heap, so
+// the tree is one array of boxes and needs no pointers. For all pairs of boxes that meet, see box_pairs.h.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ class BoxTree {
   std::size_t item_count() const { return items_.size(); }
 
   /// Calls `visit(item)` for every item whose box satisfies `test(box)`; test must be monotone (true for a box
-  /// if true for a box inside of it). `visit` may return false to stop.
+  /// if true for a box inside of it).
   template <class Test, class Visit>
   void query(const Test& test, const Visit& visit) const {
     if (blocks_ == 0) return;

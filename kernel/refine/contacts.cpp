@@ -1,3 +1,7 @@
+// Pairs come from the broad phase (box_pairs.h); most are neighbours in a mesh, which a `Glance` passes over
+// without a predicate. `PairTester` decides the others. For two faces: signs of the corners of each against the
+// plane of the other, which settle most pairs; then the points (`Event`) of each face on the common line, sorted;
+// then one merge of both lists, in which the intervals that both faces cover are the traces.
 #include "kernel/refine/contacts.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -175,8 +179,8 @@ int PairTester::order(Event& a, Event& b) {
 }
 
 /// The events of f on the plane of g, not sorted. With the line shifted a little to the positive side of g, a
-/// side of f toggles inside and outside where exactly one of its ends is positive; a side in the plane covers
-/// the line between its ends itself.
+/// side of f toggles inside and outside where exactly one of its ends is positive. A side in the plane covers the
+/// line between its ends itself; `faces` counts those in `depth`.
 void PairTester::cut(SourceId f, SourceId g, const std::vector<int>& sign, std::vector<Event>& events) {
   events.clear();
   const auto corners = in_.corners[f];
@@ -277,7 +281,8 @@ void PairTester::faces(SourceId f, SourceId g) {
   sort_events(f, sign_f_, events_f_);
   sort_events(g, sign_g_, events_g_);
 
-  // Merge along the line. `last` is the point before, if the interval up to here belongs to both faces.
+  // Merge along the line. `last` is the last point found on both faces: the begin of a trace if both cover what
+  // follows it.
   bool trace = false;
   std::optional<PointKey> last;
   bool last_was_run = false, f_on = false, g_on = false;
@@ -343,7 +348,7 @@ void PairTester::wire_face(SegmentId s, SourceId f) {
     PointView p;
     t_.enclose(d, p.lo, p.hi);
     exact_.clear();
-    // The point's exact value is made only if its enclosure does not decide.
+    // The exact value is made only if the enclosure meets the box of the face.
     const Projection axes = projection_of(t_, plane);
     Box box;
     for (const VertexId v : in_.corners[f]) {
@@ -388,12 +393,12 @@ void PairTester::wires(SegmentId s, SegmentId t) {
   const auto [c, d] = in_.segment_ends[t];
   const bool share = a == c || a == d || b == c || b == d;
   if (!share && orient3d(t_, a, b, c, d) != 0) return;
-  // Coplanar. A projection in which neither line is a point and, if they are not parallel, neither are the lines.
+  // Coplanar. If some projection shows c or d off the line ab, there are two lines, and their plane is not seen
+  // edge-on: signs in it decide.
   for (std::uint8_t k = 0; k < 3; ++k) {
     const Projection axes{static_cast<std::uint8_t>((k + 1) % 3), static_cast<std::uint8_t>((k + 2) % 3)};
     const int oc = orient2d(t_, axes, a, b, c), od = orient2d(t_, axes, a, b, d);
     if (oc == 0 && od == 0) continue;
-    // In this projection c or d is off the line ab: the lines are not one line.
     const int oa = orient2d(t_, axes, c, d, a), ob = orient2d(t_, axes, c, d, b);
     if (oc * od > 0 || oa * ob > 0) return;
     if (oc == 0) {
@@ -462,7 +467,7 @@ void ContactList::append(const ContactList& other) {
 
 namespace {
 
-/// Elements: faces, then wires, then isolated points.
+/// All that can be in contact, in one numbering: faces, then wires, then isolated points.
 class Elements {
  public:
   explicit Elements(const RefineInput& in)

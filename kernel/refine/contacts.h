@@ -1,4 +1,5 @@
-// Where two inputs meet: all pairs of faces, wires and points (the six kinds of Gursoz et al. 1991), as symbols.
+// Where two inputs meet: all pairs of faces, wires and points (the kinds of contact of Gursoz et al. 1991), as
+// symbols. Equal points are one vertex before this.
 //
 // Two faces in different planes meet along the common line of their planes. Each face cuts a set of closed
 // intervals out of that line; what is common to both sets are traces (segments) and touching points. Every

@@ -1,6 +1,7 @@
-// All pairs of segments in one sheet, by their boxes in the projection: a few by trying all, many by a box tree.
-// Signs that are known by symbol (an end of a trace on the edge that defines it, a point of a third sheet on the
-// trace of that sheet) are never computed.
+// Where the segments of one sheet cross or touch. Pairs whose boxes in the projection meet are found by trying all
+// if there are few segments, by a box tree otherwise. A zero is the dearest sign, since filters seldom decide it.
+// So zeros that are known by symbol (an end of a trace on the edge that defines it, a point of a third sheet on
+// the trace of that sheet) are looked up, and no predicate is asked.
 #include <tbb/task_arena.h>
 
 #include "kernel/exact/cross_filter.h"
@@ -108,8 +109,7 @@ class CrossingFinder {
   bool between(SegmentId s, VertexId v) const {
     const auto& [a, b] = segments_.ends[s];
     if (v == a || v == b) return false;
-    // Ends are in lexicographic order, and so is every point of the line; a coordinate in which the ends certainly
-    // differ tells alone.
+    // Along a line points are in lexicographic order. A coordinate in which the ends certainly differ is enough.
     for (int k = 0; k < 3; ++k) {
       const bool up = t_.upper(a, k)<t_.lower(b)[k], down = t_.lower(a)[k]> t_.upper(b, k);
       if (up) return compare(t_, k, a, v) < 0 && compare(t_, k, v, b) < 0;

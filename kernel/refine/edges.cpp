@@ -1,3 +1,5 @@
+// Input segments that nothing cuts are edges, in order already; only pieces of the others are sorted, and the two
+// sequences merged. So bodies that hardly touch have next to nothing to sort.
 #include "kernel/refine/edges.h"
 
 #include <tbb/parallel_for.h>
@@ -33,8 +35,8 @@ class Cutter {
   }
 
  private:
-  /// The segments that do not stay whole, with their points; traces are always among them, since they have no
-  /// place in the order.
+  /// A segment whose pieces are sorted: one with points in its interior or a trace, cut or not, for only input
+  /// segments are in order.
   struct Cut {
     std::uint32_t segment;
     std::size_t first_piece;  // in `pieces_`
@@ -96,7 +98,7 @@ class Cutter {
     });
   }
 
-  /// Whole segments in their order and pieces in theirs.
+  /// Merges the whole segments with the pieces; both are in order.
   void merge() {
     const std::size_t most = segments_.input_count + pieces_.size();
     out_.ends.reserve(most);

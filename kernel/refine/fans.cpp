@@ -1,3 +1,6 @@
+// Two passes over the triangles: the first notes at each corner along which axes the normals disagree and whether
+// the fan is open, the second counts how often the sectors pass one direction. Threads meet in atomic bits and
+// counts; the outcome does not depend on their order.
 #include "kernel/refine/fans.h"
 
 #include <atomic>
@@ -9,8 +12,8 @@ namespace cnrg {
 
 namespace {
 
-// Bits of what a vertex can not have: triangles with a negative (0..2) or positive (3..5) normal along an axis
-// only, closed fans (6).
+// Each bit stands for a property that a vertex does not have: all normals around it are negative along x, y, z
+// (bits 0..2) or positive (bits 3..5), all fans are closed (bit 6).
 constexpr std::uint8_t kOpen = 1 << 6, kNone = 0x7f;
 
 class Fans {

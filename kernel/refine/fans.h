@@ -1,4 +1,4 @@
-// Vertices around which triangles certainly do not meet but in what they share.
+// Vertices around which triangles certainly meet in nothing but the corners and sides that they share.
 //
 // Let every edge at a vertex v have exactly two sides of triangles around, in opposite directions: then the
 // triangles at v form cycles around it (*fans*). If all their normals have the same sign along one axis, they

@@ -1,7 +1,8 @@
-// Enclosures are clustered axis by axis: sorted along one axis, a gap between enclosures separates what can not be
+// Enclosures are clustered axis by axis: sorted along one axis, a gap between enclosures separates what cannot be
 // equal; what remains is clustered along the next axis, until no axis separates any more. Only within such a
-// cluster are exact coordinates compared. In general position every cluster holds one point. Enclosures of one
-// point, as on a grid, are points: equal ones are found by a hash, and one of each goes into the clusters.
+// cluster are exact coordinates compared. In general position every cluster holds one point. An enclosure without
+// extent (points of a grid have such) is the point itself: equal ones are found by a hash, and one of each goes
+// into the clusters.
 #include "kernel/refine/identity.h"
 
 #include <tbb/parallel_sort.h>
@@ -23,7 +24,8 @@ struct Item {
   VertexId vertex;
 };
 
-/// Which of many thin strips across each axis hold a part of an item: what lies in none can not be equal to one.
+/// Which of many thin strips across each axis hold a part of an item: a point outside of these strips along some
+/// axis cannot be equal to an item.
 class Strips {
  public:
   /// Around two lists of items.
@@ -139,7 +141,7 @@ void unite_coincident(const PointTable& table, VertexId first_new, UnionFind& id
   if (first_new.index() == table.size()) return;
   std::vector<Item> exact, vague;  // an enclosure of one point is the point
   const auto add = [&](VertexId v) {
-    if (identity.find(v.value()) != v.value()) return;  // stands for nothing but its representative
+    if (identity.find(v.value()) != v.value()) return;  // its representative is added
     const PointView p = table.view(v);
     (p.is_double() ? exact : vague).push_back({p.lo, p.hi, v});
   };

@@ -17,12 +17,13 @@ struct RefineInput {
   /// Ends of each input edge and wire, the lexicographically smaller first. Segments are numbered by their end of
   /// the smaller id, then by the other one.
   IdVector<SegmentId, std::array<VertexId, 2>> segment_ends;
-  std::vector<std::uint32_t> segment_begin;  ///< by vertex: of those with the smaller end there; one more
-  IdVector<SegmentId, char> paired;          ///< sides of exactly two faces, in opposite directions
-  std::vector<PlaneFilter> filters;          ///< by SourceId; freed once sheets are known
-  std::vector<SegmentId> wire_segment;       ///< by WireId; none() for a wire of length zero
-  std::vector<SegmentId> wires;              ///< segments that are wires, ascending and unique
-  std::vector<VertexId> isolated;            ///< isolated points (also ends of zero-length wires), unique
+  /// By vertex: the first of the segments of which it is the end of the smaller id; at the end, their number.
+  std::vector<std::uint32_t> segment_begin;
+  IdVector<SegmentId, char> paired;     ///< sides of exactly two faces, in opposite directions
+  std::vector<PlaneFilter> filters;     ///< by SourceId; freed once sheets are known
+  std::vector<SegmentId> wire_segment;  ///< by WireId; none() for a wire of length zero
+  std::vector<SegmentId> wires;         ///< segments that are wires, ascending and unique
+  std::vector<VertexId> isolated;       ///< isolated points (also ends of zero-length wires), unique
 
   bool dropped(SourceId f) const { return corners[f].empty(); }
   static PlaneId plane(SourceId f) { return PlaneId(f.index()); }

@@ -1,4 +1,5 @@
-// Repeated keys go by a hash before the rest is sorted: a point on a busy line has many.
+// A point where many inputs meet is found by each pair of them. So repeated keys are dropped by a hash first, and
+// only what is left is sorted.
 #include "kernel/refine/keyed_points.h"
 
 #include <tbb/parallel_for.h>

@@ -1,3 +1,5 @@
+// The Morton code of a point takes the bits of its three coordinates in turn, the highest first: 21 bits of each
+// here. Points with near codes are mostly near in space. Boxes are sorted by the codes of their middles.
 #include "kernel/refine/morton.h"
 
 #include <tbb/parallel_for.h>
@@ -30,7 +32,7 @@ std::uint64_t spread(std::uint64_t x) {
   return x;
 }
 
-/// By the highest bits into buckets, then each bucket by itself.
+/// Sorts by the highest bits into buckets, then each bucket by itself, in parallel.
 void sort(std::vector<Item>& items) {
   if (items.size() < 4096) {
     std::sort(items.begin(), items.end());

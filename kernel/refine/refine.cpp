@@ -5,9 +5,7 @@
 // of each sheet; cut each segment at its points; subdivide each sheet by what is left of its segments; number the
 // faces of all sheets.
 //
-// Why points meet: two constructed points that coincide lie in faces that touch there pairwise, so both are known
-// in a common sheet; every sheet therefore subdivides a common line at the same vertices. Segments are split once,
-// for all sheets that hold them.
+// Why sheets that are subdivided one by one, in parallel, fit together: kernel/README.md#why-points-meet.
 #include "kernel/refine/refine.h"
 
 #include <tbb/enumerable_thread_specific.h>

@@ -15,7 +15,7 @@ struct SegmentTable {
   std::size_t input_count = 0;
 
   bool is_trace(SegmentId s) const { return s.index() >= input_count; }
-  /// A sheet of the trace other than `sheet`: its plane cuts the trace's line out of that of `sheet`.
+  /// A sheet of the trace other than `sheet`: the planes of the two meet in the line of the trace.
   SheetId other_sheet(SegmentId s, SheetId sheet) const {
     return trace_sheets[s][0] == sheet ? trace_sheets[s][1] : trace_sheets[s][0];
   }

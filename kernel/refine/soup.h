@@ -52,14 +52,14 @@ class Soup {
   WireId add_wire(LeafId leaf, PointId a, PointId b, std::uint32_t leaf_edge);
   /// An isolated vertex of the leaf.
   void add_isolated(LeafId leaf, PointId p);
-  /// Declares a corner of a curved sheet: where two curves of the leaf end, and edges are no pieces of one curve.
-  /// A corner is an attribute of a point, no cell.
+  /// Declares a corner of a curved surface, where curves of the leaf end: edges that meet there are not pieces of
+  /// one curve. A corner is an attribute of the point, not a cell.
   void add_curve_end(LeafId leaf, PointId p);
 
-  /// Declares a leaf as the frame: a closed convex box that contains every vertex of the arrangement strictly
-  /// inside or, for faces of planes, on it. Cells on and outside of it are never active. Its faces are
-  /// oriented outward. `seed_regions`: region of leaves (Fill::sides) at the frame's corner `seed`, which no
-  /// face but the frame's touches; leaves that are not listed have region 0 there.
+  /// Declares a leaf as the frame: a closed convex box, oriented outward, that cuts off what is unbounded. Points
+  /// of other leaves are strictly inside, except where faces of unbounded leaves are cut off on it. Cells on and
+  /// outside of it are never active. `seed_regions`: the regions of leaves (Fill::sides) at the frame's corner
+  /// `seed`, which no face but the frame's touches; 0 for leaves that are not listed.
   void set_frame(LeafId frame, PointId seed, std::vector<std::pair<LeafId, std::uint32_t>> seed_regions);
 
   // --- reading

@@ -147,7 +147,8 @@ void Subdivider::find_outer_loops() {
   for (std::uint32_t& face : loop_face_) face = face == 0 ? kNone : static_cast<std::uint32_t>(face_count_++);
 }
 
-/// The face that a ray to the west from v meets first, among edges of other components; as a loop, or kNone.
+/// The loop whose face holds v, among loops of other components than `component`: that of the first edge to the
+/// west of v. kNone if there is no edge.
 std::uint32_t Subdivider::containing_face(VertexId v, std::uint32_t component) {
   const PointTable& t = x_.input.points;
   const PointView p = t.view(v);
@@ -180,7 +181,7 @@ std::uint32_t Subdivider::containing_face(VertexId v, std::uint32_t component) {
     }
     if (nearer < 0) best = up;
   }
-  return best == kNone ? kNone : loop_of_[best ^ 1];  // downward, the face to the left is the east
+  return best == kNone ? kNone : loop_of_[best ^ 1];  // v is to the east, so to the left of the downward half-edge
 }
 
 void Subdivider::nest(const SheetContent&) {
@@ -189,8 +190,8 @@ void Subdivider::nest(const SheetContent&) {
     loop_face_[component_outer_[0]] = 0;
     return;
   }
-  // Components from the left to the right: what a ray to the west meets belongs to one that is further left, or
-  // encloses; its outer face is then known.
+  // Components from left to right by their leftmost vertices: a ray to the west can only meet one that begins
+  // further left, and the face around that one is known by then.
   std::vector<std::uint32_t> order(component_count_), hit(component_count_, kNone);
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -213,7 +214,8 @@ void Subdivider::nest(const SheetContent&) {
 
 void Subdivider::cover(const SheetContent& content) {
   face_cover_.assign(face_count_, {});
-  // Adjacency of faces across edges that toggle something or nothing; breadth first from the unbounded face.
+  // Breadth first from the unbounded face, which nothing covers. Soup faces begin or end at the edges on their
+  // boundary; across a trace nothing changes.
   std::vector<char> known(face_count_, 0);
   std::vector<std::vector<std::uint32_t>> half_edges(face_count_);
   for (std::uint32_t h = 0; h < 2 * edges_.size(); ++h) half_edges[loop_face_[loop_of_[h]]].push_back(h);
@@ -233,7 +235,7 @@ void Subdivider::cover(const SheetContent& content) {
         }
       }
       std::sort(toggles.begin(), toggles.end());
-      // A face that has the edge on its boundary twice does not change across it.
+      // A soup face with this edge twice on its boundary covers both sides of it or none.
       result.clear();
       std::size_t n = 0;
       for (std::size_t i = 0; i < toggles.size();) {

@@ -1,3 +1,5 @@
+// Points are sorted by coordinates. From there on all is numbers: a cell's key lists the numbers of its points (a
+// region's those of its faces), and cells are sorted by their keys, from vertices to regions.
 #include "kernel/selection/canonical.h"
 
 #include <tbb/parallel_sort.h>

@@ -1,5 +1,5 @@
-// The order of the cells of a simplified complex that depends on the result alone, not on the refinement's ids:
-// by coordinates. Who names cells by number (files, `locate`, `explain`) means the same ones.
+// An order of the cells of a simplified complex by coordinates: it depends on the result alone, not on the ids of
+// the refinement, so that `f12` is the same face in every file, in `locate` and in `explain`.
 #pragma once
 
 #include <cstdint>

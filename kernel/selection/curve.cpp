@@ -1,3 +1,5 @@
+// What lies along an edge is listed as patches and wire curves; edges of one curve have equal lists. Whether a
+// patch is curved at the vertex shows in its facets around both edges: they lie in more than one sheet.
 #include "kernel/selection/curve.h"
 
 #include <algorithm>

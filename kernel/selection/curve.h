@@ -3,9 +3,9 @@
 // A curve leaves no equation in the complex, only facets that remember their patch and wires that remember their
 // curve. Two edges are pieces of one curve when the same patches (of the same leaves) lie around both and the same
 // wires' curves on both, and one of these is curved at the vertex: a patch with facets of more than one sheet
-// there, or a shared wire curve. Where a leaf says that its curves end (the corners of a sheet), none goes on. The
-// border of one single patch, of which a leaf of triangles says no corners, must not turn by a right angle or
-// more.
+// there, or a shared wire curve. Where a leaf says that its curves end (the corners of a curved surface), none
+// goes on. If one single patch lies around the edges they are on its border, and must turn by less than a right
+// angle: a leaf of mere triangles names no corners.
 //
 // Only leaves that the value in question came from count: others may run along a curve for a part of its way.
 #pragma once

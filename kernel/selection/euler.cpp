@@ -1,4 +1,4 @@
-// Euler-Poincare for closed sets of cells, each term counted on its own.
+// Euler-Poincare for closed sets of cells. Each term but Ch is counted on its own; Ch follows from the formula.
 //
 // Handles of a volume. Push its boundary a little into it: a closed surface, one piece per cavity and one outside,
 // whose Euler characteristic is summed over what it is pushed from (`inner_surfaces`).

@@ -1,3 +1,5 @@
+// Links are set algebra on stars and closures, radial order is an array of the complex. Shells are not stored as
+// such: they are joined again from neighbours in radial order.
 #include "kernel/selection/incidence.h"
 
 #include <algorithm>

@@ -42,7 +42,7 @@ int lowest_bit(double x) {
   return exponent - 53 + __builtin_ctzll(static_cast<std::uint64_t>(mantissa < 0 ? -mantissa : mantissa));
 }
 
-// sum + r . (p x q), with two temporaries that the caller keeps.
+// Adds r . (p x q) to the sum. `minor` is memory for the components of p x q, so that none is taken per call.
 void add_determinant(Integer& sum, const IntegerPoint& r, const IntegerPoint& p, const IntegerPoint& q,
                      Integer& minor) {
   for (int k = 0; k < 3; ++k) {

@@ -1,9 +1,9 @@
 // The rules of csg/SEMANTICS.md#simplification at each cell.
 //
-// A vertex inside a face is not told by its degree alone: with no kept edge around it, it may still be the point
+// Degrees do not tell that a vertex lies inside a face: with no kept edge around it, it may still be the point
 // where two faces touch (two cones, tip to tip). The faces around it form *fans*, joined over vanished edges; a
-// fan without a kept edge is a disk that has the vertex in its interior. One such disk and nothing else: the
-// vertex is inside a face. Likewise two kept edges are one only if every fan runs from one to the other.
+// fan without a kept edge is a disk that has the vertex in its interior. If there is one such disk and nothing
+// else, the vertex is inside a face. Likewise two kept edges become one only if each fan runs between the two.
 #include "kernel/selection/merging.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::pair<FaceId, bool> OrientedSets::find(FaceId x) const {
   return {x, flip};
 }
 
-// As `find`; everything on the way is linked to the smallest member.
+// As `find`; each member on the way is linked to the smallest one, so that the next search is short.
 std::pair<FaceId, bool> OrientedSets::shortened(FaceId x) {
   const auto [root, flip] = find(x);
   bool rest = flip;
@@ -83,7 +83,8 @@ Merging::Merging(const Complex& complex, const Selection& selection, const Featu
   decide_vertices(kept.vertices);
 }
 
-// The closure; what is in it counts as kept until it is decided. Cells on the frame are never active.
+// Lists the domain, without cells on the frame, which are never active. Its cells have the fate `kept`, unless one
+// of the decisions below takes it from them.
 void Merging::collect_domain(const Selection& selection, const Features& features) {
   const auto add = [&](auto& fates) {
     return [&](auto id) {
@@ -155,7 +156,8 @@ void Merging::decide_edges(const std::vector<EdgeId>& features) {
   faces_.settle();
 }
 
-// In a face if the union of its two faces is orientable.
+// What the cells around an edge say. Two faces that may merge over it are not compared in orientation yet:
+// `decide_edges` keeps an edge that would join a face to itself the wrong way round.
 Merging::Fate Merging::decide(EdgeId e) const {
   const Component s = state(e);
   Use pair[2];
@@ -267,7 +269,7 @@ void Merging::decide_vertices(const std::vector<VertexId>& features) {
   }
 }
 
-// Kept, for it does not lie between two walkable edges of its state and has some.
+// True if its edges alone show that v is kept: some are walkable, but not exactly two of the state of v.
 bool Merging::pinned(VertexId v) const {
   std::size_t n = 0;
   for (EdgeId e : complex_.vertex_edges[v]) {
@@ -296,7 +298,7 @@ Merging::Fate Merging::decide(VertexId v) {
   return Fate::in_face;
 }
 
-// Two kept edges are one: all faces run along both, and both are pieces of one line or curve.
+// True if two kept edges become one: all faces run along both, and both are pieces of one line or curve.
 bool Merging::continues(VertexId v, EdgeId a, EdgeId b) {
   if (fate(a) == Fate::hidden || fate(b) == Fate::hidden) return false;
   std::size_t at_a = 0, at_b = 0;

@@ -28,9 +28,9 @@ class OrientedSets {
   /// Joins the sets of a and b, `flip`: a and b are oriented against each other. False if they are in one set
   /// already with the other orientation (the union would not be orientable).
   bool unite(FaceId a, FaceId b, bool flip);
-  /// After the last union.
+  /// Called after the last union: then `find` is one step, and threads may ask.
   void settle();
-  /// The smallest member of the set of x, and whether x is oriented against it. After `settle` it is one step.
+  /// The smallest member of the set of x, and whether x is oriented against it.
   std::pair<FaceId, bool> find(FaceId x) const;
   /// All members but the smallest of each set, ascending; after `settle`.
   const std::vector<FaceId>& joined() const { return joined_; }
@@ -69,9 +69,9 @@ class Merging {
   Component state(FaceId f) const { return face_state_[f]; }
   Component state(RegionId r) const { return region_state_[r]; }
 
-  /// Merges the inactive regions, too: a pass over the faces of the complex.
+  /// Merges inactive regions over faces off the domain, too: a pass over the faces of the complex.
   void merge_inactive_regions();
-  /// The smallest cell of the merged region; an inactive one by itself before `merge_inactive_regions`.
+  /// The smallest cell of the merged region; of inactive ones only after `merge_inactive_regions`.
   RegionId region(RegionId r) { return regions_.find(r); }
   /// The smallest face of the merged face, and whether f is oriented against it.
   std::pair<FaceId, bool> face(FaceId f) const { return faces_.find(f); }

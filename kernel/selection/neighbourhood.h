@@ -75,7 +75,7 @@ struct Neighbourhood {
 
   std::span<const Dart> around(const Node& node) const { return {darts.data() + node.first, node.count}; }
   std::span<const Index> sides_of(const Circle& c) const { return {sides.data() + c.first, c.count}; }
-  /// V - E + F (a full circle has as many nodes as arcs): 1 + parts on a sphere.
+  /// V - E + F, which is 1 + parts on a sphere. A full circle adds nothing: it is as good as a node with an arc.
   long euler() const;
 };
 

@@ -1,5 +1,5 @@
-// A few blocks per thread are kept, the oldest go first. A block of which much was touched is given back: it cost
-// about as much as a new one, and would hold memory that nothing else needs.
+// A few blocks per thread are kept, the oldest go first. A block of which much was touched is freed: clearing it
+// costs about as much as a new one, and it would hold memory that others need.
 #include "kernel/selection/scratch.h"
 
 #include <algorithm>

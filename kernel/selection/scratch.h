@@ -19,7 +19,7 @@
 
 namespace cnrg {
 
-/// Zeroed bytes that are handed on within a thread. Whoever writes calls `touch` first.
+/// Zeroed bytes; once released they serve the next block of the same thread. Whoever writes calls `touch` first.
 class ZeroedBlock {
  public:
   static constexpr std::size_t kPage = 4096;
@@ -37,7 +37,7 @@ class ZeroedBlock {
   std::byte* data() const { return data_; }
   /// The bytes of the page at `offset` may be written from now on.
   void touch(std::size_t offset) {
-    // Nearly always it was touched before; a second thread that only reads this does not take the line away.
+    // Nearly always it was touched before; then a read alone leaves the cache line to other threads, too.
     const std::atomic_ref touched(data_[pages_ * kPage + offset / kPage]);
     if (touched.load(std::memory_order_relaxed) != std::byte{0}) return;
     touched.store(std::byte{1}, std::memory_order_relaxed);

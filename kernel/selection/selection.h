@@ -1,4 +1,4 @@
-// A selection on the complex (SCGC): for each cell of any dimension a component, or inactive.
+// A selection on the complex (cavalcanti1997): for each cell of any dimension a component, or inactive.
 //
 // Sparse: only active cells are listed, sorted by id, so that a value costs what it touches. Components are
 // numbered from 1; their attributes live with whoever numbered them.
@@ -54,16 +54,16 @@ CellSet unite(const CellSet& a, const CellSet& b);
 CellSet intersect(const CellSet& a, const CellSet& b);
 CellSet subtract(const CellSet& a, const CellSet& b);
 
-/// The cells whose closure meets a cell of the set, the set included (smallest open set of cells around it).
+/// The cells whose closure holds a cell of the set, the set included (the smallest open set of cells around it).
 CellSet star(const Complex& complex, const CellSet& set);
 /// The set and the boundaries of its cells.
 CellSet closure(const Complex& complex, const CellSet& set);
 /// The cells of the set whose star is in the set.
 CellSet interior(const Complex& complex, const CellSet& set);
-/// cl S - int S, which is cl S and cl(complement S).
+/// cl S - int S, which is what cl S and the closure of the complement have in common.
 CellSet boundary(const Complex& complex, const CellSet& set);
 
-/// The selection restricted to a set: Xi and S.
+/// The selection restricted to a set: its cells outside of the set are inactive.
 Selection restrict_to(const Selection& selection, const CellSet& set);
 /// The selection with the cells of `set` added as `component`; cells that are active keep theirs.
 Selection add_component(const Selection& selection, const CellSet& set, Component component);

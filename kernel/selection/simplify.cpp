@@ -28,8 +28,8 @@ using Fate = Merging::Fate;
 using Use = Merging::Use;
 constexpr std::uint32_t kNowhere = SimplifiedComplex::kNowhere;
 
-// Disjoint sets that threads join at a time. A parent is smaller than its children, so that there is no cycle
-// whoever comes first, and the smallest member of a set is its root.
+// Disjoint sets that several threads join at the same time. A parent is smaller than its children, so no cycle can
+// come about, and the smallest member of a set is its root.
 class SharedSets {
  public:
   explicit SharedSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -165,7 +165,8 @@ class Assembly {
     });
   }
 
-  // The one loop of a face that merged with no other, from its smallest edge. False if there is more to walk.
+  // The one loop of a face that merged with no other, from its smallest edge. False if there is more to walk, or
+  // the smallest edge is in a slit, so that its two uses have to be told apart.
   bool take_loop(Face& face) const {
     if (face.cells.size() > 1) return false;
     const auto loops = complex_.face_loops[face.cells.front().face()];
@@ -270,7 +271,7 @@ class Assembly {
     }
   }
 
-  // A vertex that is isolated in a face lies in one of the complex, or edges around it vanished.
+  // A vertex isolated in a face of the result was isolated in a face of the complex, or edges around it vanished.
   void isolate_vertices() {
     std::vector<VertexId> vertices;
     for (EdgeId e : merging_.inner_edges()) {

@@ -59,7 +59,7 @@ struct SimplifiedComplex {
 
 enum class SimplifyMode {
   features,  ///< keep features
-  points,    ///< forget features: the canonical form of the point set
+  points,    ///< forget features, patches and curves: the canonical form of the point set
   raw,       ///< merge nothing but what is inactive on both sides: every active cell stays a cell
 };
 

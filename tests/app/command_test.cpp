@@ -188,7 +188,7 @@ result: r
   CHECK(w.read("one.json") == w.read("four.json"));
 }
 
-TEST_CASE("results that can not be written are no success", "[app][errors]") {
+TEST_CASE("results that cannot be written are no success", "[app][errors]") {
   const Workshop w;
   w.write("t.yaml", kBoxes);
   if (!std::filesystem::exists("/dev/full")) return;

@@ -104,7 +104,7 @@ TEST_CASE("explain takes a cell as locate names it", "[app][explain]") {
   CHECK(o.out == w.run("explain t.yaml --threads 2 --node split --cell " + cell).out);
 }
 
-TEST_CASE("explain refuses what it can not look up", "[app][explain][errors]") {
+TEST_CASE("explain refuses what it cannot look up", "[app][explain][errors]") {
   const Workshop w;
   w.write("t.yaml", kSplit);
   const auto fault = [&](const std::string& arguments) {

@@ -44,7 +44,7 @@ TEST_CASE("mesh: a row per region and files in every format", "[app][mesh]") {
   CHECK(w.run("mesh t.yaml --node sheet -o s.msh").status == 2);
 }
 
-TEST_CASE("mesh: one error for what can not be meshed or written", "[app][mesh][errors]") {
+TEST_CASE("mesh: one error for what cannot be meshed or written", "[app][mesh][errors]") {
   const Workshop w;
   w.write("t.yaml", kPair);
   Outcome o = w.run("mesh t.yaml");

@@ -226,7 +226,7 @@ TEST_CASE("a torus from Euler operators has genus 1") {
   CHECK(topology.validate().genus == 0);
 }
 
-TEST_CASE("operators refuse what they can not do and change nothing") {
+TEST_CASE("operators refuse what they cannot do and change nothing") {
   Topology topology;
   topology.assemble({{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}, 4, 0, 0);
   const HalfEdgeId h = topology.edge(static_cast<EdgeId>(0)).first;

@@ -185,7 +185,7 @@ TEST_CASE("patches of different curvature meet in one curve's vertices") {
   }
 }
 
-TEST_CASE("chords and segments that can not be are refused") {
+TEST_CASE("chords and segments that cannot be are refused") {
   const PatchNet net = graph({{0, 1, 0}, {0, 3, 0}, {0, 0, 0}});
   const auto error = [&](const Tessellation& t) {
     return error_of([&] { mesh_of(patch_pieces(net, "test")[0], t); });

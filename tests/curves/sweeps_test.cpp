@@ -194,7 +194,7 @@ TEST_CASE("revolution counts its steps, and holes stay holes") {
   CHECK(all_doubles(soup));
 }
 
-TEST_CASE("sweeps that can not be are refused") {
+TEST_CASE("sweeps that cannot be are refused") {
   ExtrudeShape shape;
   CHECK_THAT(error_of(shape), Catch::Contains("the vector is zero"));
   shape.vector = {0, 0, 1};

@@ -118,7 +118,7 @@ TEST_CASE("trees of the papers keep their counts when they are made finer", "[ev
   CHECK(curved >= 4);
 }
 
-TEST_CASE("a leaf that can not be made so fine is named with its place", "[evaluate][finer]") {
+TEST_CASE("a leaf that cannot be made so fine is named with its place", "[evaluate][finer]") {
   Tree tree = parse_tree(R"(cnrg: 1
 nodes:
   a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}

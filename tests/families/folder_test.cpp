@@ -114,7 +114,7 @@ TEST_CASE("points are merged, polygons stay if they are planar", "[families]") {
   CHECK(problem.operands[1].solid());
 }
 
-TEST_CASE("a mesh that can not be read is listed and named", "[families]") {
+TEST_CASE("a mesh that cannot be read is listed and named", "[families]") {
   const Folder folder;
   folder.write("broken.off", "OFF\n3 1 0\n0 0 0\n1 0\n");
   folder.write("empty.off", "OFF\n0 0 0\n");

@@ -113,7 +113,7 @@ TEST_CASE("a snapped result is on doubles and needs the exact one no more") {
   SnapReport report;
   std::optional<Result> snapped = snap(evaluated().result(), &report);
   CHECK(report.moved == 0);  // plain rounding is right here
-  CHECK(write(dir / "both.obj", *snapped).embedded);
+  CHECK(write(dir / "both.vtu", *snapped).embedded);
   snapped = snap(evaluate(parse_tree(R"(cnrg: 1
 nodes:
   low:   {box: {min: [0, 0, 0], max: [1, 1, 1]}}

@@ -169,7 +169,7 @@ TEST_CASE("off, ply, stl and obj of a union parse back to the exact solid") {
   }
 }
 
-TEST_CASE("walls, sheets, wires and points: obj holds them, the others say which they can not") {
+TEST_CASE("walls, sheets, wires and points: obj holds them, the others say which they cannot") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {2, 2, 2});
   add_sheet(soup, {{1, -1, -1}, {1, 3, -1}, {1, 3, 3}, {1, -1, 3}});
@@ -435,7 +435,7 @@ TEST_CASE("an unknown extension names the known ones") {
   write(dir / "M.OFF", c.view());
 }
 
-TEST_CASE("a file that can not be written: the old one stays, nothing is left behind") {
+TEST_CASE("a file that cannot be written: the old one stays, nothing is left behind") {
   const Case c = two_overlapping_boxes();
   const Scratch dir;
   CHECK_THROWS_AS(write(dir / "no/such/m.off", c.view()), FileError);
@@ -450,11 +450,11 @@ TEST_CASE("a file that can not be written: the old one stays, nothing is left be
     chmod(dir.path().c_str(), 0700);
     CHECK(text_of(dir / "m.off") == "old");
   }
-  // A name so long that the file beside it can not be made.
+  // A name so long that the file beside it cannot be made.
   const std::string longest(251, 'x');
   replace_file(dir / "short.off", "old");
   CHECK_THROWS_AS(write(dir / (longest + ".off"), c.view()), FileError);
-  // A result that the format can not hold leaves the old file alone.
+  // A result that the format cannot hold leaves the old file alone.
   Case open = two_overlapping_boxes();
   open.show(complement(*open.complex, open.group));
   CHECK_THROWS_AS(write(dir / "m.off", open.view()), InputError);

@@ -165,7 +165,7 @@ TEST_CASE("crossing fractures: their area and the volume of the rock are kept", 
   }
 }
 
-TEST_CASE("what can not be meshed says so", "[mesh][errors]") {
+TEST_CASE("what cannot be meshed says so", "[mesh][errors]") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {1, 1, 1});
   add_sheet(soup, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});

@@ -121,7 +121,7 @@ TEST_CASE("a vertex where two faces only touch stays", "[simplify]") {
   CHECK(isolated == 2);
 }
 
-TEST_CASE("a patch that can not be oriented keeps one seam", "[simplify]") {
+TEST_CASE("a patch that cannot be oriented keeps one seam", "[simplify]") {
   // A Moebius strip of 5 quadrilaterals, split into triangles; the last rung is joined the other way round.
   Soup soup;
   const LeafId leaf = soup.add_leaf(Fill::none);

@@ -129,7 +129,7 @@ TEST_CASE("programs of the user: slow, greedy, crashing, refusing", "[sweep]") {
     return " --system " + name + "=" + name;
   };
   const std::string programs = program("slow", "sleep 30") + program("crash", "kill -SEGV $$") +
-                               program("refuse", "echo I can not >&2; exit 3") +
+                               program("refuse", "echo I cannot >&2; exit 3") +
                                program("first", "cp \"$2\" \"$4\"");
   const Outcome o = w.run(
       "face --operations union --distances exact --seeds 1 --sizes 4 --systems "
@@ -142,7 +142,7 @@ TEST_CASE("programs of the user: slow, greedy, crashing, refusing", "[sweep]") {
   REQUIRE(by_system.size() == 4);
   CHECK(by_system["slow"].verdict == Verdict::timed_out);
   CHECK(by_system["refuse"].verdict == Verdict::refused);
-  CHECK(by_system["refuse"].message.find("I can not") != std::string::npos);
+  CHECK(by_system["refuse"].message.find("I cannot") != std::string::npos);
   CHECK(by_system["crash"].verdict == Verdict::crashed);
   CHECK(by_system["first"].verdict == Verdict::wrong);  // the first operand is not the union
   CHECK(by_system["first"].missing > 0);

@@ -68,22 +68,21 @@ inline std::uint64_t own_number() {
 template <class Value>
 class blocked_range {
  public:
-  blocked_range(Value begin, Value end, std::size_t grain = 1) : begin_(begin), end_(end), grain_(grain) {}
+  blocked_range(Value begin, Value end, std::size_t /*grain*/ = 1) : begin_(begin), end_(end) {}
   Value begin() const { return begin_; }
   Value end() const { return end_; }
   std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
-  bool is_divisible() const { return size() > grain_; }
+  bool is_divisible() const { return size() > 1; }
 
-  /// Into how many pieces of at least one grain it falls, and piece i of n.
-  std::size_t pieces() const { return std::clamp<std::size_t>(size() / grain_, 1, stand_in::kPieces); }
+  /// Into how many pieces it falls, whatever is worth a thread, and piece i of n.
+  std::size_t pieces() const { return std::clamp<std::size_t>(size(), 1, stand_in::kPieces); }
   blocked_range piece(std::size_t i, std::size_t n) const {
     const auto at = [&](std::size_t k) { return static_cast<Value>(begin_ + static_cast<Value>(size() * k / n)); };
-    return {at(i), at(i + 1), grain_};
+    return {at(i), at(i + 1)};
   }
 
  private:
   Value begin_, end_;
-  std::size_t grain_;
 };
 
 template <class Value, class Body>
