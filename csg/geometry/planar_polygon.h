@@ -1,4 +1,4 @@
-// Planar polygons with holes, checked exactly.
+// Planar polygons with holes: is what people type a face? Decided exactly, and said in words that name the point.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,5 @@
-// Exact affine maps.
+// Exact affine maps. A matrix made of any rational quaternion is orthogonal exactly, so only the angle of a
+// rotation is ever rounded, by the choice of the quaternion (kernel/exact/trigonometry.h).
 #include "csg/geometry/transform.h"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// A bounded leaf: its geometry as a soup of one leaf, copied under a transform.
+// A bounded leaf: its geometry is made once, as a soup of one leaf, and copied under each transform.
 #pragma once
 
 #include <array>

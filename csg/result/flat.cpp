@@ -1,5 +1,5 @@
-// Flattening: cells in canonical order (kernel/selection/canonical.h), faces as loops and facets of point numbers,
-// fronts by what is outside, triangles.
+// Cells are taken in canonical order (kernel/selection/canonical.h); faces become loops and facets of point
+// numbers, are turned so that their front is the outside, and are cut into triangles.
 #include "csg/result/flat.h"
 
 #include <tbb/parallel_sort.h>

@@ -1,4 +1,4 @@
-// What a result holds.
+// What a Result shares with its copies; for the rooms that make results and write them, not for users.
 #pragma once
 
 #include "csg/operators/node_value.h"
