@@ -47,13 +47,6 @@ int guarded(const std::function<int()>& command) {
   }
 }
 
-struct LaterCommand {
-  const char *name, *purpose;
-};
-constexpr LaterCommand kLaterCommands[] = {
-    {"view", "one self-contained page that shows the result"},
-};
-
 /// What several commands have.
 void add_finer(CLI::App* sub, int& finer) {
   sub->add_option("--finer", finer,
@@ -193,18 +186,6 @@ int run(int argc, char** argv) {
   sub = program.add_subcommand("tables", "Prints the tables of the Booleans in Markdown");
   sub->footer("Example:\n  cnrg tables > tables.md");
   sub->callback([&] { command = [] { return run_tables(); }; });
-
-  for (const LaterCommand& later : kLaterCommands) {
-    sub = program.add_subcommand(later.name, std::string(later.purpose) + " (not in this version)");
-    sub->allow_extras()->footer(std::string("Example, in a later version:\n  cnrg ") + later.name + " model.yaml");
-    sub->callback([&command, later] {
-      command = [later] {
-        return fail(kBadInput, std::string("`") + later.name +
-                                   "` is not in this version of cnrg; see `cnrg --help` for "
-                                   "what is");
-      };
-    });
-  }
 
   try {
     program.parse(argc, argv);

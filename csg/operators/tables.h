@@ -4,26 +4,7 @@
 // text, from point-set identities and from Fig. 10. A row says when an entity is removed. A is the dominant
 // operand, or the left one when both are equal; for the difference A is the left one always.
 //
-//   faces                  | A > B                                        | A = B
-//   union         AinB     | never                                        | numRegA = 1
-//                 BinA     | always                                       | numRegB = 1
-//                 INTERS   | never                                        | numRegA = numRegB = 1 and nA != nB
-//                 out      | never                                        | never
-//   intersection  BinA     | numRegB = 2, or numRegB = 0 and insideB      | never
-//                 AinB, INTERS | never                                    | never
-//                 out      | always                                       | always
-//   difference    AinB, BoutA always; AoutB never; BinA numRegB != 1;
-//                 INTERS no side is in A and out of B's regions, or numRegA = numRegB = 0
-//
-//   edges, vertices (that bound no kept face or edge)
-//   union         AinB     | never                                        | not free in A
-//                 BinA     | always                                       | not free in B
-//                 INTERS   | never                                        | free in neither
-//                 out      | never                                        | never
-//   intersection  BinA     | inside one region of B (see below)           | never
-//                 AinB, INTERS | never                                    | never
-//                 out      | always                                       | always
-//   difference    AoutB never; all others always
+// The rows are in tables.cpp, and csg/SEMANTICS.md#the-tables shows them as the tables of the paper.
 //
 // A cell inside of a wall between two regions of B lies in none of them; the table keeps it. That is meant for
 // features of B (a border between two leaf faces, a wire on the wall). Where only the common refinement cut the

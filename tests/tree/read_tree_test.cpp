@@ -33,7 +33,7 @@ Tree single(const std::string& inside) {
   return parse_tree("cnrg: 1\nmaterials: {rock: {}}\nnodes: {a: {" + inside + "}}\nresult: a\n", "t.yaml");
 }
 
-TEST_CASE("the tree file of the interface reads as it is written", "[tree]") {
+TEST_CASE("a tree with every kind of node reads as it is written", "[tree]") {
   const Tree tree = parse_tree(kModel, "models/mine.yaml");
   REQUIRE(tree.nodes.size() == 8);
   CHECK(unused_nodes(tree, {tree.result}).empty());
