@@ -81,7 +81,7 @@ TEST_CASE("help lists what there is, and nothing else is a command", "[app][erro
   const Outcome o = w.run("view t.yaml -o a.html");
   CHECK(o.status == 2);
   CHECK(lines_in(o.err) == 1);
-  CHECK_THAT(o.err, StartsWith("cnrg: error: ") && Contains("view"));
+  CHECK_THAT(o.err, StartsWith("cnrg: error: "));
 }
 
 TEST_CASE("faults of the tree: one line, exit status 2; no file: 3", "[app][errors]") {
