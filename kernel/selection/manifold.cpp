@@ -156,6 +156,7 @@ class VertexShape {
       part.solid = true;
     }
     std::vector<Part> out;
+    out.reserve(found.size());
     for (const auto& [root, part] : found) out.push_back(part);
     return out;
   }
