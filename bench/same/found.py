@@ -19,6 +19,7 @@ LEAVES = ("box prism pyramid tetrahedron polygon polyline points halfspace plane
           "revolve bezier bspline coons heightfield mesh step brep group cnrg").split()
 OPERATORS = ("union intersection difference aggregate sum product subtract unify complement interior closure boundary "
              "regularize simplify").split()
+TOO_FINE = re.compile(r"segments: \d{4}")  # takes minutes
 LEAF = re.compile(r"^\s*(" + "|".join(LEAVES) + r"): *(?=[\[{])")
 NODE = re.compile(r"^  (\w+): *(\{|$|(?:&\w+ )?\{)", re.M)
 IN_NODE = re.compile(r"\b(" + "|".join(LEAVES + OPERATORS) + r"): ")
@@ -121,6 +122,6 @@ def found_trees(root):
     for path in sources:
         for k, text in enumerate(texts_of_source(path.read_text())):
             tree = whole(text)
-            if tree:
+            if tree and not TOO_FINE.search(tree):
                 add(f"{path.relative_to(root).as_posix()}:{k}", tree)
     return trees
