@@ -48,6 +48,7 @@ class Same:
         self.base, self.head = options.base, options.head
         self.seconds, self.jobs, self.keep, self.seed = options.seconds, options.jobs, options.keep, options.seed
         self.counts = dict.fromkeys(("trees", "runs", "files", "refused", "stopped"), 0)
+        self.rewords = [text.encode().split(b"=", 1) for text in options.reword]
         self.different, self.smallest = 0, None
         self.answers_file, self.known, self.fresh = None, {}, {}
         if options.answers and is_binary(self.base):
@@ -60,13 +61,22 @@ class Same:
         runs = command_runs(tree) if tree.name == "commands" else runs_of(tree)
         with tempfile.TemporaryDirectory(prefix="cnrg_same_") as folder:
             head = answers(self.head, tree, runs, in_folder(folder, "head"), self.seconds)
-            key, digest = key_of(tree, runs), digest_of(head)
-            if self.known.get(key) == digest:
+            key = key_of(tree, runs)
+            if self.known.get(key) in (digest_of(head), digest_of(self.old_words(head))):
                 return tree, runs, head, []
             base = answers(self.base, tree, runs, in_folder(folder, "base"), self.seconds)
         if not any(STOPPED in answer.values() for answer in base):
             self.fresh[key] = digest_of(base)
-        return tree, runs, head, differences(runs, base, head)
+        return tree, runs, head, differences(runs, self.old_words(base), self.old_words(head))
+
+    def old_words(self, answer_list):
+        """Streams with the words of before, where messages are meant to change."""
+        def text_of(name, text):
+            for old, new in self.rewords if name in ("stdout", "stderr") else ():
+                text = text.replace(new, old)
+            return text
+
+        return [{name: text_of(name, text) for name, text in answer.items()} for answer in answer_list]
 
     def run(self, trees):
         with ThreadPoolExecutor(self.jobs) as pool:
@@ -208,10 +218,14 @@ def parse():
     parser.add_argument("--seconds", type=float, default=300, metavar="S", help="a run that takes longer is stopped")
     parser.add_argument("--keep", default="out/same", metavar="FOLDER",
                         help="where the smallest differing tree is kept (out/same)")
+    parser.add_argument("--reword", action="append", default=[], metavar="OLD=NEW",
+                        help="messages are meant to have changed so: both count as OLD")
     parser.add_argument("--answers", metavar="FOLDER",
                         help="digests of what base answers are kept here, so that it is asked once only")
     parser.add_argument("--print", action="store_true", help="print the trees instead of comparing anything")
     options = parser.parse_args()
+    if not all(text.partition("=")[2] for text in options.reword):
+        parser.error("--reword is OLD=NEW")
     options.base, options.head = (str(Path(p).absolute()) for p in (options.base, options.head))
     for program in () if options.print else (options.base, options.head):
         if not os.access(program, os.X_OK) or os.path.isdir(program):

@@ -38,6 +38,14 @@ TEST_CASE("a program is the same as itself, and times do not count", "[same]") {
   CHECK_FALSE(std::filesystem::exists(w.path("out")));
 }
 
+TEST_CASE("messages that are meant to change may do so", "[same]") {
+  const Workshop w;
+  write_liar(w, "sed -i 's/vertices/corners/g' $o");
+  const Outcome o = same(w, "'" CNRG_PROGRAM "' ./liar", "--trees 1 --only random/ --reword vertices=corners");
+  INFO(o.out << o.err);
+  CHECK(o.status == 0);
+}
+
 TEST_CASE("one byte that differs is found and kept", "[same]") {
   struct Lie {
     std::string line, found;
