@@ -18,6 +18,18 @@ namespace cnrg::test {
 
 using Names = std::vector<std::vector<RegionAttributes>>;
 
+/// The faces of a box, outward, in the order of x, y and z. Bit k of a corner's number says that it is the high
+/// one in axis k.
+inline void add_box_faces(Soup& soup, LeafId leaf, const PointId (&p)[8]) {
+  const int faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  std::uint32_t number = 0;
+  for (const auto& f : faces) {
+    const std::vector<PointId> loop{p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
+    soup.add_face(leaf, std::span(&loop, 1), number, number);
+    ++number;
+  }
+}
+
 /// A solid box; region 1 inside.
 inline LeafId add_box(Soup& soup, const RationalPoint& low, const RationalPoint& high) {
   const LeafId leaf = soup.add_leaf(Fill::winding);
@@ -26,13 +38,7 @@ inline LeafId add_box(Soup& soup, const RationalPoint& low, const RationalPoint&
     const RationalPoint at{i & 1 ? high[0] : low[0], i & 2 ? high[1] : low[1], i & 4 ? high[2] : low[2]};
     p[i] = soup.add_point(at);
   }
-  const int faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  std::uint32_t number = 0;
-  for (const auto& f : faces) {
-    const std::vector<PointId> loop{p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
-    soup.add_face(leaf, std::span(&loop, 1), number, number);
-    ++number;
-  }
+  add_box_faces(soup, leaf, p);
   return leaf;
 }
 

@@ -108,13 +108,7 @@ LeafId add_turned_box(Soup& soup, const RationalPoint& half, const Rational& ste
     p[i] = soup.add_point(turn.apply({i & 1 ? half[0] : Rational(-half[0]), i & 2 ? half[1] : Rational(-half[1]),
                                       i & 4 ? half[2] : Rational(-half[2])}));
   }
-  const int faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  std::uint32_t number = 0;
-  for (const auto& f : faces) {
-    const std::vector<PointId> loop{p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
-    soup.add_face(leaf, std::span(&loop, 1), number, number);
-    ++number;
-  }
+  add_box_faces(soup, leaf, p);
   return leaf;
 }
 
