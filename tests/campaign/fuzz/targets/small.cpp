@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
@@ -101,6 +103,16 @@ bool few_parts(const Tree& tree) {
   return true;
 }
 
+/// Names and volumes of the components of a result, sorted; a volume that is not finite is empty.
+std::vector<std::pair<std::string, std::optional<Rational>>> components(const Result& result) {
+  std::vector<std::pair<std::string, std::optional<Rational>>> list;
+  for (Component i = 1; i <= result.component_count(); ++i) {
+    list.emplace_back(result.attributes(i).name, result.volume(i));
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
 }  // namespace
 
 Folder::Folder() {
@@ -142,7 +154,9 @@ void evaluate_small(const Tree& tree) {
   const Result result = evaluate(tree, options).result();
   const std::string file = folder().path("result.json");
   write(file, result);
-  read_result(file);
+  const Result back = read_result(file);
+  if (active_counts(back.cells()) != active_counts(result.cells())) fault("read back, cells are not as many");
+  if (components(back) != components(result)) fault("read back, components have other names or volumes");
 }
 
 void fault(const std::string& what) { throw std::logic_error("fault: " + what); }
