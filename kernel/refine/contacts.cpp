@@ -11,6 +11,7 @@
 #include <cmath>
 #include <deque>
 #include <optional>
+#include <unordered_map>
 
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
@@ -35,6 +36,43 @@ void for_each_side(std::span<const VertexId> corners, const Visit& visit) {
   }
 }
 
+/// Is a corner or a side one of a face's? Looked up where there are many, so that a disc with a wall at each of
+/// its sides does not cost the square of their number.
+class Boundaries {
+ public:
+  explicit Boundaries(const RefineInput& in) : in_(in) {
+    for (const SourceId f : IdRange<SourceId>(in.corners.size())) {
+      if (in.corners[f].size() <= kFew) continue;
+      Sorted& sorted = large_[f.value()];
+      sorted.corners.assign(in.corners[f].begin(), in.corners[f].end());
+      sorted.sides.assign(in.sides[f].begin(), in.sides[f].end());
+      std::sort(sorted.corners.begin(), sorted.corners.end());
+      std::sort(sorted.sides.begin(), sorted.sides.end());
+    }
+  }
+  bool has_corner(SourceId f, VertexId v) const {
+    const auto corners = in_.corners[f];
+    if (corners.size() <= kFew) return std::find(corners.begin(), corners.end(), v) != corners.end();
+    const std::vector<VertexId>& sorted = large_.at(f.value()).corners;
+    return std::binary_search(sorted.begin(), sorted.end(), v);
+  }
+  bool has_side(SourceId f, SegmentId s) const {
+    const auto sides = in_.sides[f];
+    if (sides.size() <= kFew) return std::find(sides.begin(), sides.end(), s) != sides.end();
+    const std::vector<SegmentId>& sorted = large_.at(f.value()).sides;
+    return std::binary_search(sorted.begin(), sorted.end(), s);
+  }
+
+ private:
+  static constexpr std::size_t kFew = 16;
+  struct Sorted {
+    std::vector<VertexId> corners;
+    std::vector<SegmentId> sides;
+  };
+  const RefineInput& in_;
+  std::unordered_map<std::uint32_t, Sorted> large_;
+};
+
 /// A point of a face on the common line of two planes.
 struct Event {
   PointKey key;
@@ -46,7 +84,8 @@ struct Event {
 /// The pair tests of one thread, with its scratch memory and what it found.
 class PairTester {
  public:
-  explicit PairTester(const RefineInput& in) : in_(in), t_(in.points) {}
+  PairTester(const RefineInput& in, const Boundaries& boundaries)
+      : in_(in), t_(in.points), boundaries_(boundaries) {}
   ContactList list;
   std::uint64_t filtered = 0;  ///< signs that the filters of planes decided
 
@@ -66,14 +105,12 @@ class PairTester {
   PointView view_of_key(const PointKey& key, const Definition& d);
   int order(Event& a, Event& b);
   const ExactPoint& exact(Event& e);
-  bool has_corner(SourceId f, VertexId v) const {
-    const auto c = in_.corners[f];
-    return std::find(c.begin(), c.end(), v) != c.end();
-  }
+  bool has_corner(SourceId f, VertexId v) const { return boundaries_.has_corner(f, v); }
   void choose_axis();
 
   const RefineInput& in_;
   const PointTable& t_;
+  const Boundaries& boundaries_;
   std::vector<int> sign_f_, sign_g_;
   std::vector<Event> events_f_, events_g_;
   std::deque<ExactPoint> exact_;  // values of events that no table holds
@@ -81,7 +118,7 @@ class PairTester {
 };
 
 PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& out) {
-  const auto corners = in_.corners[f], other = in_.corners[g];
+  const auto corners = in_.corners[f];
   const PlaneFilter& plane = in_.filters[g.index()];
   const auto side = [&](VertexId v) {
     const double* p = t_.doubles(v);
@@ -97,7 +134,7 @@ PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& 
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const VertexId v = corners[i];
     if (!v.valid()) continue;
-    if (std::find(other.begin(), other.end(), v) == other.end()) out[i] = side(v);
+    if (!has_corner(g, v)) out[i] = side(v);
     positive = positive || out[i] > 0;
     negative = negative || out[i] < 0;
     zero = zero || out[i] == 0;
@@ -109,20 +146,20 @@ PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& 
 /// True if f touches the plane of g from one side, in corners and sides that g shares: then the contact is a
 /// corner or a side of both faces already.
 bool PairTester::only_shared(SourceId f, SourceId g, const std::vector<int>& sign) const {
-  const auto corners = in_.corners[f], other = in_.corners[g];
+  const auto corners = in_.corners[f];
   bool positive = false, negative = false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (!corners[i].valid()) continue;
     if (sign[i] > 0) positive = true;
     if (sign[i] < 0) negative = true;
-    if (sign[i] == 0 && std::find(other.begin(), other.end(), corners[i]) == other.end()) return false;
+    if (sign[i] == 0 && !has_corner(g, corners[i])) return false;
   }
   if (positive && negative) return false;
-  const auto sides = in_.sides[f], other_sides = in_.sides[g];
+  const auto sides = in_.sides[f];
   bool shared = true;
   for_each_side(corners, [&](std::size_t i, std::size_t j) {
     if (sign[i] != 0 || sign[j] != 0) return;
-    shared = shared && std::find(other_sides.begin(), other_sides.end(), sides[i]) != other_sides.end();
+    shared = shared && boundaries_.has_side(g, sides[i]);
   });
   return shared;
 }
@@ -467,6 +504,42 @@ void ContactList::append(const ContactList& other) {
 
 namespace {
 
+/// Fans (fans.h) of so many triangles that to take all pairs of them, if only for a glance, is too much. They meet
+/// in their corner and in the sides that neighbours share, so all that is left to find is which neighbours are
+/// coplanar.
+class LargeFans {
+ public:
+  /// `fans` by vertex, of `embedded_fans`.
+  LargeFans(const RefineInput& in, const std::vector<char>& fans) : in_(in), large_(fans.size(), 0) {
+    constexpr std::uint32_t kMany = 64;
+    std::vector<std::uint32_t> faces(fans.size(), 0);
+    for (const VertexId v : in.corners.values()) {
+      if (v.valid() && fans[v.index()] != 0 && ++faces[v.index()] > kMany) large_[v.index()] = 1;
+    }
+  }
+  bool at(VertexId v) const { return large_[v.index()] != 0; }
+  /// Calls `visit(f, g)` for the faces on both sides of each edge from the middle of such a fan.
+  template <class Visit>
+  void for_each_neighbours(const Visit& visit) const {
+    std::vector<std::pair<SegmentId, SourceId>> spokes;
+    for (const SourceId f : IdRange<SourceId>(in_.corners.size())) {
+      const auto corners = in_.corners[f];
+      if (corners.size() != 3) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (at(corners[i]) || at(corners[(i + 1) % 3])) spokes.push_back({in_.sides[f][i], f});
+      }
+    }
+    std::sort(spokes.begin(), spokes.end());
+    for (std::size_t i = 1; i < spokes.size(); ++i) {
+      if (spokes[i].first == spokes[i - 1].first) visit(spokes[i - 1].second, spokes[i].second);
+    }
+  }
+
+ private:
+  const RefineInput& in_;
+  std::vector<char> large_;
+};
+
 /// All that can be in contact, in one numbering: faces, then wires, then isolated points.
 class Elements {
  public:
@@ -485,19 +558,19 @@ class Elements {
   bool is_face(std::uint32_t e) const { return e < faces_; }
   Box box(std::uint32_t e) const {
     Box box;
-    const auto extend = [&](VertexId v) {
-      if (!v.valid()) return;
+    for_each_corner(e, [&](VertexId v) {
       const PointView p = in_.points.view(v);
       box.extend(p.lo, p.hi);
-    };
-    if (is_face(e)) {
-      for (const VertexId v : in_.corners[SourceId(e)]) extend(v);
-    } else if (is_wire(e)) {
-      for (const VertexId v : in_.segment_ends[wire(e)]) extend(v);
-    } else {
-      extend(point(e));
-    }
+    });
     return box;
+  }
+  void describe(std::uint32_t e, const LargeFans& fans, BoxPairs::Outline& out) const {
+    std::size_t groups = 0;
+    for_each_corner(e, [&](VertexId v) {
+      const PointView p = in_.points.view(v);
+      out.corners.push_back({p.lo, p.hi});
+      if (is_face(e) && fans.at(v)) out.groups[groups++] = v.value();  // all faces of a fan are triangles
+    });
   }
   void test(std::uint32_t a, std::uint32_t b, PairTester& tester) const {
     if (a > b) std::swap(a, b);
@@ -510,6 +583,18 @@ class Elements {
 
  private:
   bool is_wire(std::uint32_t e) const { return e >= faces_ && e < faces_ + wires_; }
+  template <class Visit>
+  void for_each_corner(std::uint32_t e, const Visit& visit) const {
+    if (is_face(e)) {
+      for (const VertexId v : in_.corners[SourceId(e)]) {
+        if (v.valid()) visit(v);
+      }
+    } else if (is_wire(e)) {
+      for (const VertexId v : in_.segment_ends[wire(e)]) visit(v);
+    } else {
+      visit(point(e));
+    }
+  }
   SegmentId wire(std::uint32_t e) const { return in_.wires[e - faces_]; }
   VertexId point(std::uint32_t e) const { return in_.isolated[e - faces_ - wires_]; }
   const RefineInput& in_;
@@ -566,18 +651,22 @@ ContactList find_contacts(const RefineInput& in) {
   std::vector<std::uint32_t> kept = elements.list();
   std::vector<Box> boxes(kept.size());
   for_each_index(kept.size(), [&](std::size_t i) { boxes[i] = elements.box(kept[i]); });
-  const BoxPairs pairs(boxes);
+  BoxPairs pairs(boxes);
+  const std::vector<char> fans = embedded_fans(in);
+  const Boundaries boundaries(in);
+  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in, boundaries); });
+  if (pairs.crowded()) {
+    const LargeFans large(in, fans);
+    pairs.orient(boxes, [&](std::uint32_t i, BoxPairs::Outline& out) { elements.describe(kept[i], large, out); });
+    large.for_each_neighbours([&](SourceId f, SourceId g) { testers.local().faces(f, g); });
+  }
   boxes = {};
   std::vector<Glance> glances(pairs.place_count());
-  {
-    const std::vector<char> fans = embedded_fans(in);
-    for_each_index(glances.size(), [&](std::size_t place) {
-      const std::uint32_t e = kept[pairs.item(static_cast<std::uint32_t>(place))];
-      glances[place] = glance(in, e, elements.is_face(e), fans);
-    });
-    kept = {};
-  }
-  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in); });
+  for_each_index(glances.size(), [&](std::size_t place) {
+    const std::uint32_t e = kept[pairs.item(static_cast<std::uint32_t>(place))];
+    glances[place] = glance(in, e, elements.is_face(e), fans);
+  });
+  kept = {};
   tbb::parallel_for(std::size_t{0}, pairs.part_count(), [&](std::size_t part) {
     PairTester& tester = testers.local();
     std::uint64_t candidates = 0;
