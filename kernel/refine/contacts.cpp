@@ -11,13 +11,14 @@
 #include <cmath>
 #include <deque>
 #include <optional>
-#include <unordered_map>
 
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/box_pairs.h"
+#include "kernel/refine/face_boundaries.h"
 #include "kernel/refine/fans.h"
+#include "kernel/refine/large_fans.h"
 
 namespace cnrg {
 
@@ -36,43 +37,6 @@ void for_each_side(std::span<const VertexId> corners, const Visit& visit) {
   }
 }
 
-/// Is a corner or a side one of a face's? Looked up where there are many, so that a disc with a wall at each of
-/// its sides does not cost the square of their number.
-class Boundaries {
- public:
-  explicit Boundaries(const RefineInput& in) : in_(in) {
-    for (const SourceId f : IdRange<SourceId>(in.corners.size())) {
-      if (in.corners[f].size() <= kFew) continue;
-      Sorted& sorted = large_[f.value()];
-      sorted.corners.assign(in.corners[f].begin(), in.corners[f].end());
-      sorted.sides.assign(in.sides[f].begin(), in.sides[f].end());
-      std::sort(sorted.corners.begin(), sorted.corners.end());
-      std::sort(sorted.sides.begin(), sorted.sides.end());
-    }
-  }
-  bool has_corner(SourceId f, VertexId v) const {
-    const auto corners = in_.corners[f];
-    if (corners.size() <= kFew) return std::find(corners.begin(), corners.end(), v) != corners.end();
-    const std::vector<VertexId>& sorted = large_.at(f.value()).corners;
-    return std::binary_search(sorted.begin(), sorted.end(), v);
-  }
-  bool has_side(SourceId f, SegmentId s) const {
-    const auto sides = in_.sides[f];
-    if (sides.size() <= kFew) return std::find(sides.begin(), sides.end(), s) != sides.end();
-    const std::vector<SegmentId>& sorted = large_.at(f.value()).sides;
-    return std::binary_search(sorted.begin(), sorted.end(), s);
-  }
-
- private:
-  static constexpr std::size_t kFew = 16;
-  struct Sorted {
-    std::vector<VertexId> corners;
-    std::vector<SegmentId> sides;
-  };
-  const RefineInput& in_;
-  std::unordered_map<std::uint32_t, Sorted> large_;
-};
-
 /// A point of a face on the common line of two planes.
 struct Event {
   PointKey key;
@@ -84,7 +48,7 @@ struct Event {
 /// The pair tests of one thread, with its scratch memory and what it found.
 class PairTester {
  public:
-  PairTester(const RefineInput& in, const Boundaries& boundaries)
+  PairTester(const RefineInput& in, const FaceBoundaries& boundaries)
       : in_(in), t_(in.points), boundaries_(boundaries) {}
   ContactList list;
   std::uint64_t filtered = 0;  ///< signs that the filters of planes decided
@@ -110,7 +74,7 @@ class PairTester {
 
   const RefineInput& in_;
   const PointTable& t_;
-  const Boundaries& boundaries_;
+  const FaceBoundaries& boundaries_;
   std::vector<int> sign_f_, sign_g_;
   std::vector<Event> events_f_, events_g_;
   std::deque<ExactPoint> exact_;  // values of events that no table holds
@@ -121,8 +85,7 @@ PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& 
   const auto corners = in_.corners[f];
   const PlaneFilter& plane = in_.filters[g.index()];
   const auto side = [&](VertexId v) {
-    const double* p = t_.doubles(v);
-    const int s = p != nullptr ? plane.side(p) : kUndecided;
+    const int s = plane.side(t_.lower(v), width_of(t_, v));
     if (s != kUndecided) {
       ++filtered;
       return s;
@@ -504,42 +467,6 @@ void ContactList::append(const ContactList& other) {
 
 namespace {
 
-/// Fans (fans.h) of so many triangles that to take all pairs of them, if only for a glance, is too much. They meet
-/// in their corner and in the sides that neighbours share, so all that is left to find is which neighbours are
-/// coplanar.
-class LargeFans {
- public:
-  /// `fans` by vertex, of `embedded_fans`.
-  LargeFans(const RefineInput& in, const std::vector<char>& fans) : in_(in), large_(fans.size(), 0) {
-    constexpr std::uint32_t kMany = 64;
-    std::vector<std::uint32_t> faces(fans.size(), 0);
-    for (const VertexId v : in.corners.values()) {
-      if (v.valid() && fans[v.index()] != 0 && ++faces[v.index()] > kMany) large_[v.index()] = 1;
-    }
-  }
-  bool at(VertexId v) const { return large_[v.index()] != 0; }
-  /// Calls `visit(f, g)` for the faces on both sides of each edge from the middle of such a fan.
-  template <class Visit>
-  void for_each_neighbours(const Visit& visit) const {
-    std::vector<std::pair<SegmentId, SourceId>> spokes;
-    for (const SourceId f : IdRange<SourceId>(in_.corners.size())) {
-      const auto corners = in_.corners[f];
-      if (corners.size() != 3) continue;
-      for (std::size_t i = 0; i < 3; ++i) {
-        if (at(corners[i]) || at(corners[(i + 1) % 3])) spokes.push_back({in_.sides[f][i], f});
-      }
-    }
-    std::sort(spokes.begin(), spokes.end());
-    for (std::size_t i = 1; i < spokes.size(); ++i) {
-      if (spokes[i].first == spokes[i - 1].first) visit(spokes[i - 1].second, spokes[i].second);
-    }
-  }
-
- private:
-  const RefineInput& in_;
-  std::vector<char> large_;
-};
-
 /// All that can be in contact, in one numbering: faces, then wires, then isolated points.
 class Elements {
  public:
@@ -606,7 +533,7 @@ class Elements {
 /// adds 2^-24 per component. The cross product of two of them is off by less than 1e-6.
 struct Glance {
   std::uint32_t element;
-  std::array<VertexId, 3> corners;  // of a triangle in doubles
+  std::array<VertexId, 3> corners;  // of a triangle
   std::array<char, 3> fans{};       // fans.h, by corner
   bool steady = false;              // there is a normal
   std::array<float, 3> normal{};
@@ -652,13 +579,13 @@ ContactList find_contacts(const RefineInput& in) {
   std::vector<Box> boxes(kept.size());
   for_each_index(kept.size(), [&](std::size_t i) { boxes[i] = elements.box(kept[i]); });
   BoxPairs pairs(boxes);
-  const std::vector<char> fans = embedded_fans(in);
-  const Boundaries boundaries(in);
+  std::vector<char> fans = embedded_fans(in);
+  const FaceBoundaries boundaries(in);
   tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in, boundaries); });
   if (pairs.crowded()) {
     const LargeFans large(in, fans);
     pairs.orient(boxes, [&](std::uint32_t i, BoxPairs::Outline& out) { elements.describe(kept[i], large, out); });
-    large.for_each_neighbours([&](SourceId f, SourceId g) { testers.local().faces(f, g); });
+    for_each_of(large.neighbours(), [&](const auto& pair) { testers.local().faces(pair.first, pair.second); });
   }
   boxes = {};
   std::vector<Glance> glances(pairs.place_count());
