@@ -69,16 +69,23 @@ BoxPairs::BoxPairs(const std::vector<Box>& boxes) {
   }
 }
 
+namespace {
+
+constexpr double kMany = 16;
+
+double volume(const std::array<std::int32_t, 3>& lo, const std::array<std::int32_t, 3>& hi) {
+  double product = 1;
+  for (std::size_t k = 0; k < 3; ++k) product *= 1.0 + hi[k] - lo[k];  // flat boxes fill flat nodes
+  return product;
+}
+
+}  // namespace
+
 /// How much of a node the boxes of its items fill, each counted as often as it is there, is in how many of them a
 /// point lies on average, and so how many others an item has to be compared with.
 void BoxPairs::find_crowded(const std::vector<Box>& boxes) {
-  constexpr double kMany = 16, kManyBelow = 4;  // the second below a crowded node
-  constexpr std::uint32_t kFew = 8;             // blocks; too few for an average: they go with the node above
-  const auto volume = [](const std::array<std::int32_t, 3>& lo, const std::array<std::int32_t, 3>& hi) {
-    double product = 1;
-    for (std::size_t k = 0; k < 3; ++k) product *= 1.0 + hi[k] - lo[k];  // flat boxes fill flat nodes
-    return product;
-  };
+  constexpr double kManyBelow = 4;               // below a crowded node
+  constexpr std::uint32_t kFew = 8;              // blocks; too few for an average: they go with the node above
   std::vector<double> filled(nodes_.size(), 0);  // sums of volumes
   for_each_index(blocks_.size(), [&](std::size_t b) {
     for (std::uint32_t i = 0; i < kBlock && b * kBlock + i < boxes.size(); ++i) {
@@ -113,7 +120,10 @@ void BoxPairs::orient(const std::vector<Box>& boxes, const Describe& describe) {
   }
   for (std::uint32_t place = 0; place < n; ++place) {
     upright_[of_place(place)] = boxes[items_[place]];
-    if (crowded_[leaves_ + place / kBlock] != 0) numbers[of_place(place)] = count++;
+    // Also what is as large among few as others are among many.
+    const GridBox box = item_box(place / kBlock, place % kBlock);
+    const bool large = n * volume(box.lo, box.hi) > kMany * volume(nodes_[1].lo, nodes_[1].hi);
+    if (large || crowded_[leaves_ + place / kBlock] != 0) numbers[of_place(place)] = count++;
   }
   turned_ = std::move(numbers);
   oriented_.resize(count);

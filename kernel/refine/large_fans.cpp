@@ -1,4 +1,4 @@
-// What fans.h says of an axis holds of any direction d. Here it is the sum of the normals, and the projection
+// What fans.h says of an axis holds of any direction d. Here it is made of sums, and the projection
 // along it is the pair of linear maps w -> dz wx - dx wz and w -> dz wy - dy wz (or with the axes turned, so that
 // dz is the largest): both vanish on d exactly, and they keep the orientation of what d looks at if dz is
 // positive.
@@ -27,28 +27,39 @@ class Fan {
 
   /// True only if its triangles certainly meet in nothing but what they share.
   bool is_embedded() {
-    std::array<double, 3> sum{};
+    std::array<double, 3> normals{}, spokes{};
     for (const SourceId f : faces_) {
       const auto sides = in_.sides[f];
       if (sides.size() != 3) return false;
       const std::size_t i = corner(f);
       const std::optional<std::array<double, 3>> normal = in_.filters[f.index()].unit_normal();
       if (!in_.paired[sides[i]] || !in_.paired[sides[(i + 2) % 3]] || !normal) return false;
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += (*normal)[k];
+      const double *p = t_.lower(middle_), *q = t_.lower(in_.corners[f][(i + 1) % 3]);
+      const double length = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        normals[k] += (*normal)[k];
+        spokes[k] += (q[k] - p[k]) / length;
+      }
     }
-    const auto larger = [](double a, double b) { return std::fabs(a) < std::fabs(b); };
-    axis_ = static_cast<std::size_t>(std::max_element(sum.begin(), sum.end(), larger) - sum.begin());
-    const double largest = std::fabs(sum[axis_]);
-    if (!(largest > 1e-3)) return false;
-    for (std::size_t k = 0; k < 3; ++k) d_[k] = sum[k] / largest;
+    // Of a flat fan the normals show the way, of a sharp convex one its inside, from within or from without.
+    const std::array<double, 3> back{-spokes[0], -spokes[1], -spokes[2]};
+    return is_embedded_along(normals) || is_embedded_along(spokes) || is_embedded_along(back);
+  }
+
+ private:
+  bool is_embedded_along(const std::array<double, 3>& direction) {
+    const auto smaller = [](double a, double b) { return std::fabs(a) < std::fabs(b); };
+    axis_ = static_cast<std::size_t>(std::max_element(direction.begin(), direction.end(), smaller) -
+                                     direction.begin());
+    const double largest = std::fabs(direction[axis_]);
+    if (!(largest > 1e-3 && largest < 1e10)) return false;
+    for (std::size_t k = 0; k < 3; ++k) d_[k] = direction[k] / largest;
     for (const SourceId f : faces_) {
       if (in_.filters[f.index()].side_of_normal(d_) <= 0) return false;
     }
     // The sectors that pass a direction are counted; one in which a corner may lie is no good.
     return go_around_once(0.618) || go_around_once(-1.325) || go_around_once(0.382);
   }
-
- private:
   std::size_t corner(SourceId f) const {
     const auto c = in_.corners[f];
     return static_cast<std::size_t>(std::find(c.begin(), c.end(), middle_) - c.begin());
