@@ -106,12 +106,20 @@ RandomDag permuted(RandomDag dag, std::vector<std::size_t>& number) {
   return out;
 }
 
+/// Each cell came from the same leaves; the tables of their sets may be in another order.
+bool same_sets(const LeafSets& a, const std::vector<LeafSetId>& x, const LeafSets& b,
+               const std::vector<LeafSetId>& y) {
+  return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                    [&](LeafSetId s, LeafSetId t) { return std::ranges::equal(a[s], b[t]); });
+}
+
 /// Equal cells, features, components and origins on equal complexes.
 bool same(const Complex& complex_a, const NodeValue& a, const Complex& complex_b, const NodeValue& b) {
   return selection_of(complex_a, a) == selection_of(complex_b, b) && a.features().edges == b.features().edges &&
          a.features().vertices == b.features().vertices && a.component_count() == b.component_count() &&
-         a.origins().faces == b.origins().faces && a.origins().edges == b.origins().edges &&
-         a.origins().vertices == b.origins().vertices;
+         same_sets(a.origins().sets, a.origins().faces, b.origins().sets, b.origins().faces) &&
+         same_sets(a.origins().sets, a.origins().edges, b.origins().sets, b.origins().edges) &&
+         same_sets(a.origins().sets, a.origins().vertices, b.origins().sets, b.origins().vertices);
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ class Campaign {
   Campaign(const Families& families, const Options& options, State& state, std::ostream& log)
       : families_(families), options_(options), state_(state), log_(log) {
     for (const auto& family : families_) state_.tallies.try_emplace(family->name());
-    for (const Failure& f : state_.failures) ++shrunk_[f.family];
+    for (const Failure& f : state_.failures) ++failures_[f.family];
   }
 
   bool run() {
@@ -235,9 +235,13 @@ class Campaign {
     if (outcome.verdict != Verdict::wrong && outcome.verdict != Verdict::declined) return;
     const Failure failure{w.family->name(), w.seed, outcome};
     state_.failures.push_back(failure);
-    log_ << failure.family << " " << failure.seed << ": " << name(outcome.verdict) << ": "
-         << one_line(outcome.message) << std::endl;
-    if (shrunk_[failure.family]++ < options_.most_shrunk) to_shrink_.push_back(failure);
+    const std::size_t before = failures_[failure.family]++;
+    if (before < options_.most_told)
+      log_ << failure.family << " " << failure.seed << ": " << name(outcome.verdict) << ": "
+           << one_line(outcome.message) << std::endl;
+    else if (before == options_.most_told)
+      log_ << failure.family << ": more fail; " << options_.state << " lists them" << std::endl;
+    if (before < options_.most_shrunk) to_shrink_.push_back(failure);
     save();
   }
 
@@ -260,7 +264,7 @@ class Campaign {
   Clock::time_point saved_ = began_;
   std::vector<Worker> workers_;
   std::deque<Failure> to_shrink_;
-  std::map<std::string, std::size_t> shrunk_;
+  std::map<std::string, std::size_t> failures_;  ///< how many there were, by family
 };
 
 std::string comment(const std::string& text) {

@@ -28,6 +28,7 @@ struct Options {
   int shrink_seconds = 120;  ///< of one failure
   /// How many failures of a family are made smaller; a fault that shows everywhere would take all the time.
   std::size_t most_shrunk = 5;
+  std::size_t most_told = 20;  ///< on the log, of each family
   Limits limits;
 };
 

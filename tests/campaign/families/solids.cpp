@@ -26,7 +26,8 @@ Solid random_solid(Random& random) {
   if (random.one_in(4)) return random_curved(random);
   for (;;) {
     const auto position = random.one_in(4) ? scenes::Position::tilted : scenes::Position::degenerate;
-    for (const Solid& solid : scenes::random_scene(random.next(), 1, position).leaves[0].solids) return solid;
+    const scenes::Scene scene = scenes::random_scene(random.next(), 1, position);
+    if (!scene.leaves[0].solids.empty()) return scene.leaves[0].solids[0];
   }
 }
 

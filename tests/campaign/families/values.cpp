@@ -169,14 +169,14 @@ std::string compare_results(const Result& a, const Result& b) {
 std::string compare_read_back(const RandomDag& dag) {
   const Result first = properties::evaluate_result(dag).result();
   const Folder folder;
-  write(folder / "a.json", first);
-  const Result second = read_result(folder / "a.json");
+  const std::string path = folder / "result.json";  // which it says it came from
+  write(path, first);
+  const Result second = read_result(path);
   if (std::string f = compare_results(first, second); !f.empty()) return f;
-  write(folder / "b.json", second);
-  write(folder / "c.json", read_result(folder / "b.json"));
-  if (text_of_file(folder / "b.json") != text_of_file(folder / "c.json"))
-    return "read and written twice, the file is another one";
-  return {};
+  write(path, second);
+  const std::string text = text_of_file(path);
+  write(path, read_result(path));
+  return text == text_of_file(path) ? "" : "read and written twice, the file is another one";
 }
 
 }  // namespace
