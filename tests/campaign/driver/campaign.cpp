@@ -220,6 +220,7 @@ class Campaign {
         line >> verdict >> seconds;
         outcome.verdict = static_cast<Verdict>(verdict);
         std::getline(line >> std::ws, outcome.message);
+        outcome.message = from_one_line(outcome.message);
         state_.tallies.at(w.family->name()).seconds += seconds;
         judged(w, outcome);
       }

@@ -19,7 +19,8 @@ void enter_child(const Limits& limits) {
   const rlimit none{0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
   std::signal(SIGINT, SIG_IGN);  // of a terminal: the parent decides
-  std::signal(SIGTERM, SIG_DFL);
+  // A crash is for the parent to tell, whatever handlers this process had.
+  for (const int number : {SIGTERM, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL}) std::signal(number, SIG_DFL);
 }
 
 std::string words_of_end(int status, const Limits& limits) {

@@ -55,6 +55,15 @@ std::string one_line(const std::string& text) {
   return out;
 }
 
+std::string from_one_line(const std::string& line) {
+  std::string out;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool escaped = line[i] == '\\' && i + 1 < line.size();
+    out += !escaped ? line[i] : line[++i] == 'n' ? '\n' : line[i];
+  }
+  return out;
+}
+
 std::string to_text(const State& state) {
   std::ostringstream out;
   out.precision(12);
@@ -96,6 +105,7 @@ State parse_state(const std::string& text) {
         if (!(in >> f.seed >> verdict)) throw std::runtime_error("a seed or a verdict is missing");
         f.outcome.verdict = verdict_of(verdict);
         std::getline(in >> std::ws, f.outcome.message);
+        f.outcome.message = from_one_line(f.outcome.message);
         state.failures.push_back(std::move(f));
       } else {
         throw std::runtime_error("neither `family` nor `failure`");

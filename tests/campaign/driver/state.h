@@ -39,6 +39,8 @@ struct State {
 
 /// On one line: line breaks and backslashes as `\n` and `\\`, at most 2000 bytes.
 std::string one_line(const std::string& text);
+/// The text that was put on one line.
+std::string from_one_line(const std::string& line);
 
 std::string to_text(const State& state);
 /// Throws std::runtime_error with the line that is no line of a state.

@@ -73,7 +73,7 @@ void add_betti(Families& families) {
   Recipe<std::uint64_t> grid;
   grid.name = "betti-grids";
   grid.oracle = "elimination over Z/2 and Q";
-  grid.share = 1;
+  grid.share = 0.5;
   grid.make = [](std::uint64_t seed) { return seed; };
   grid.compare = compare_grid;
   grid.smaller = [](std::uint64_t) { return std::vector<std::uint64_t>(); };

@@ -75,7 +75,7 @@ void add_nef(Families& families) {
     scene.text = [](const Scene& s) { return scenes::tree_file(s); };
     add(families, scene);
   };
-  scenes_family("nef-general", Position::general, 2, 1.5);
+  scenes_family("nef-general", Position::general, 2, 1);
   scenes_family("nef-degenerate", Position::degenerate, 3, 1);
   scenes_family("nef-tilted", Position::tilted, 3, 1);
 
@@ -95,7 +95,7 @@ void add_nef(Families& families) {
   Recipe<RandomDag> dag;
   dag.name = "nef-trees";
   dag.oracle = "Nef: every operator, open and unbounded sets";
-  dag.share = 1.5;
+  dag.share = 1;
   dag.make = [](std::uint64_t seed) {
     return properties::random_dag(seed + 10'000'000, properties::position_of(seed));
   };

@@ -195,7 +195,7 @@ void add_values(Families& families) {
     dag.text = properties::tree_file;
     add(families, dag);
   };
-  dags("laws", "laws of the algebra, definitions cell by cell", 1.5, 100'000'000, properties::law_failure);
+  dags("laws", "laws of the algebra, definitions cell by cell", 1, 100'000'000, properties::law_failure);
   dags("permuted", "other order of leaves, faces, points", 1, 200'000'000, properties::permutation_failure);
   dags("moved", "exact rotation and translation", 1, 300'000'000, properties::motion_failure);
   dags("threads", "1 and 2 threads, byte for byte", 1, 400'000'000, properties::threads_failure);
@@ -204,7 +204,7 @@ void add_values(Families& families) {
   Recipe<Fold> fold;
   fold.name = "folded";
   fold.oracle = "many operands at once, one by one, turned round";
-  fold.share = 1;
+  fold.share = 1.5;
   fold.make = random_fold;
   fold.compare = compare_fold;
   fold.smaller = smaller_folds;

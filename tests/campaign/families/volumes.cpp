@@ -286,8 +286,8 @@ void add_volumes(Families& families) {
     recipe.text = [](const Boxes& b) { return scenes::tree_file(scene_of(solids_of(b), b.root)); };
     add(families, recipe);
   };
-  boxes("volumes-boxes", "inclusion and exclusion, by hand", 1.5, false);
-  boxes("echoes-boxes", "inclusion and exclusion, by hand", 1.5, true);
+  boxes("volumes-boxes", "inclusion and exclusion, by hand", 2, false);
+  boxes("echoes-boxes", "inclusion and exclusion, by hand", 1, true);
 
   Recipe<Solids> solids;
   solids.name = "volumes-solids";
