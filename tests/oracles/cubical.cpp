@@ -151,7 +151,7 @@ int region_around(const Grid& grid, const Group& g, Cell c) {
   return r;
 }
 
-Group random_group(const Grid& grid, std::mt19937_64& random, bool noise) {
+Group random_group(const Grid& grid, std::mt19937_64& random, bool noise, double loose) {
   Group g = empty_group(grid);
   std::vector<int> label(grid.cells(), 0);
   const auto pick = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
@@ -180,7 +180,7 @@ Group random_group(const Grid& grid, std::mt19937_64& random, bool noise) {
     if (grid.dimension(c) == 3) {
       g.inside[c] = label[c] != 0;
     } else if (!grid.on_rim(c)) {
-      g.entity[c] = chance(share[grid.dimension(c)]);
+      g.entity[c] = chance(loose * share[grid.dimension(c)]);
       if (grid.dimension(c) == 2) {
         const auto& side = grid.around(c);
         if (label[side[0]] != label[side[1]]) g.entity[c] = 1;

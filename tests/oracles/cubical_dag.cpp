@@ -279,7 +279,8 @@ CubicalDag random_cubical_dag(const Grid& grid, std::uint64_t seed, bool moved) 
   std::vector<cnrg::scenes::Leaf> leaves;
   const std::size_t count = 2 + random() % 2 + (random() % 4 == 0 ? 1 : 0);
   while (leaves.size() < count) {
-    cnrg::scenes::Leaf leaf = leaf_of(grid, random_group(grid, random, random() % 2 == 0), false);
+    cnrg::scenes::Leaf leaf =
+        leaf_of(grid, random_group(grid, random, random() % 2 == 0, random() % 2 == 0 ? 1 : 4), false);
     if (!leaf.faces.empty() || !leaf.wires.empty() || !leaf.points.empty()) leaves.push_back(std::move(leaf));
   }
   CubicalDag out;

@@ -277,11 +277,11 @@ std::string compare_pair(const Grid& grid, const Group& a, const Group& b, const
   }
 }
 
-Pair random_pair(const Grid& grid, std::uint64_t seed) {
+Pair random_pair(const Grid& grid, std::uint64_t seed, double loose) {
   std::mt19937_64 random(seed);
   Pair pair;
-  pair.a = random_group(grid, random, random() % 2 == 0);
-  pair.b = random_group(grid, random, random() % 2 == 0);
+  pair.a = random_group(grid, random, random() % 2 == 0, loose);
+  pair.b = random_group(grid, random, random() % 2 == 0, loose);
   pair.presentation.large_a = random() % 2 == 0;
   pair.presentation.large_b = random() % 2 == 0;
   return pair;

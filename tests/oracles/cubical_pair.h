@@ -31,7 +31,7 @@ struct Pair {
   Group a, b;
   Presentation presentation;
 };
-Pair random_pair(const Grid& grid, std::uint64_t seed);
+Pair random_pair(const Grid& grid, std::uint64_t seed, double loose = 1);
 
 /// Groups with a cube or an entity less.
 std::vector<Group> smaller(const Grid& grid, const Group& group);
