@@ -7,6 +7,7 @@ Families every_family() {
   add_cubes(families);
   add_nef(families);
   add_values(families);
+  add_transforms(families);
   add_volumes(families);
   add_places(families);
   add_betti(families);

@@ -11,6 +11,8 @@ void add_cubes(Families& families);
 void add_nef(Families& families);
 /// Values of whole trees: laws, definitions, order, motion, threads, many operands, files.
 void add_values(Families& families);
+/// Nodes under transforms.
+void add_transforms(Families& families);
 /// Volumes by inclusion and exclusion, of boxes, solids and echoes.
 void add_volumes(Families& families);
 /// Which points are in which node, by definition.
