@@ -73,7 +73,7 @@ void add_betti(Families& families) {
   Recipe<std::uint64_t> grid;
   grid.name = "betti-grids";
   grid.oracle = "elimination over Z/2 and Q";
-  grid.share = 0.5;
+  grid.share = 0.3;
   grid.make = [](std::uint64_t seed) { return seed; };
   grid.compare = compare_grid;
   grid.smaller = [](std::uint64_t) { return std::vector<std::uint64_t>(); };
@@ -83,7 +83,7 @@ void add_betti(Families& families) {
   Recipe<Sets> scenes_of;
   scenes_of.name = "betti-scenes";
   scenes_of.oracle = "Alexander duality";
-  scenes_of.share = 1;
+  scenes_of.share = 1.5;
   scenes_of.make = [](std::uint64_t seed) {
     const auto position = static_cast<scenes::Position>(seed % 3);
     return Sets{seed, scenes::random_scene(seed + 50'000'000, 2, position).leaves};

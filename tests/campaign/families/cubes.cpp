@@ -52,7 +52,7 @@ void add_cubes(Families& families) {
     pair.text = [](const GridPair& p) { return cubical::tree_file(grid(p.large), p.pair); };
     add(families, pair);
   };
-  pairs("cubes", "brute force on cubes: the tables", 3, 60'000'000, false);
+  pairs("cubes", "brute force on cubes: the tables", 4, 60'000'000, false);
   pairs("cubes-mapped", "brute force on cubes turned, sheared, reflected", 2, 70'000'000, true);
 
   const auto dags = [&](const char* name, const char* oracle, double share, std::uint64_t offset, bool moved) {
@@ -75,7 +75,7 @@ void add_cubes(Families& families) {
     add(families, dag);
   };
   dags("cube-trees", "brute force on cubes: every operator", 1.5, 80'000'000, false);
-  dags("cube-trees-mapped", "brute force on cubes: every operator, mapped", 1, 90'000'000, true);
+  dags("cube-trees-mapped", "brute force on cubes: every operator, mapped", 0.7, 90'000'000, true);
 }
 
 }  // namespace cnrg::campaign

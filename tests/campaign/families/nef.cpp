@@ -75,14 +75,14 @@ void add_nef(Families& families) {
     scene.text = [](const Scene& s) { return scenes::tree_file(s); };
     add(families, scene);
   };
-  scenes_family("nef-general", Position::general, 2, 1);
+  scenes_family("nef-general", Position::general, 2, 0.6);
   scenes_family("nef-degenerate", Position::degenerate, 3, 1);
-  scenes_family("nef-tilted", Position::tilted, 3, 1);
+  scenes_family("nef-tilted", Position::tilted, 3, 0.6);
 
   Recipe<std::vector<Leaf>> soup;
   soup.name = "nef-soups";
   soup.oracle = "Nef: walls and cavities of soups";
-  soup.share = 1;
+  soup.share = 1.5;
   soup.make = [](std::uint64_t seed) {
     return properties::random_soup(seed + 1'000'000, 4 + static_cast<int>(seed % 4),
                                    2 + static_cast<int>(seed % 3));
@@ -95,7 +95,7 @@ void add_nef(Families& families) {
   Recipe<RandomDag> dag;
   dag.name = "nef-trees";
   dag.oracle = "Nef: every operator, open and unbounded sets";
-  dag.share = 1;
+  dag.share = 0.6;
   dag.make = [](std::uint64_t seed) {
     return properties::random_dag(seed + 10'000'000, properties::position_of(seed));
   };
@@ -110,7 +110,7 @@ void add_nef(Families& families) {
   Recipe<CurvedPair> curved;
   curved.name = "nef-curved";
   curved.oracle = "Nef of the leaves' facets";
-  curved.share = 1;
+  curved.share = 0.6;
   curved.make = [](std::uint64_t seed) {
     return CurvedPair{properties::random_curved_solid(2 * seed), properties::random_curved_solid(2 * seed + 1)};
   };

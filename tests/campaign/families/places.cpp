@@ -268,7 +268,7 @@ void add_places(Families& families) {
   places("places", "points by definition", 1, [](std::uint64_t seed) {
     return Places{properties::random_dag(seed + 600'000'000, properties::position_of(seed)), {}, seed};
   });
-  places("echoes-places", "points by definition", 1, [](std::uint64_t seed) {
+  places("echoes-places", "points by definition", 0.6, [](std::uint64_t seed) {
     return Places{properties::random_dag(seed + 700'000'000, echoes(seed)), {}, seed};
   });
   places("places-planes", "points by definition, unbounded leaves", 1, [](std::uint64_t seed) {

@@ -204,7 +204,7 @@ void add_values(Families& families) {
   Recipe<Fold> fold;
   fold.name = "folded";
   fold.oracle = "many operands at once, one by one, turned round";
-  fold.share = 1.5;
+  fold.share = 2;
   fold.make = random_fold;
   fold.compare = compare_fold;
   fold.smaller = smaller_folds;

@@ -286,7 +286,7 @@ void add_volumes(Families& families) {
     recipe.text = [](const Boxes& b) { return scenes::tree_file(scene_of(solids_of(b), b.root)); };
     add(families, recipe);
   };
-  boxes("volumes-boxes", "inclusion and exclusion, by hand", 2, false);
+  boxes("volumes-boxes", "inclusion and exclusion, by hand", 3, false);
   boxes("echoes-boxes", "inclusion and exclusion, by hand", 1, true);
 
   Recipe<Solids> solids;
@@ -313,7 +313,7 @@ void add_volumes(Families& families) {
   Recipe<Nested> nested;
   nested.name = "echoes-nested";
   nested.oracle = "a solid in a larger copy: volumes, cells";
-  nested.share = 1;
+  nested.share = 1.5;
   nested.make = random_nested;
   nested.compare = compare_nested;
   nested.smaller = [](const Nested&) { return std::vector<Nested>(); };
