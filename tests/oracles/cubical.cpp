@@ -180,7 +180,7 @@ Group random_group(const Grid& grid, std::mt19937_64& random, bool noise, double
     if (grid.dimension(c) == 3) {
       g.inside[c] = label[c] != 0;
     } else if (!grid.on_rim(c)) {
-      g.entity[c] = chance(loose * share[grid.dimension(c)]);
+      g.entity[c] = chance((grid.dimension(c) < 2 ? loose : 1) * share[grid.dimension(c)]);
       if (grid.dimension(c) == 2) {
         const auto& side = grid.around(c);
         if (label[side[0]] != label[side[1]]) g.entity[c] = 1;

@@ -47,7 +47,8 @@ struct Group {
 
 /// Closes the entities under boundary, adds missing walls between inside and outside, detects regions.
 void complete(const Grid& grid, Group& g);
-/// Boxes (or noise) of a few regions, extra faces (cracks, sheets), wires, points: `loose` times as many as usual.
+/// Boxes (or noise) of a few regions, extra faces (cracks, sheets), wires and points, `loose` times as many as
+/// usual.
 Group random_group(const Grid& grid, std::mt19937_64& random, bool noise, double loose = 1);
 /// The region that holds a cell that is no entity (all around it is one), or -1 where there is none such.
 int region_around(const Grid& grid, const Group& g, Cell c);

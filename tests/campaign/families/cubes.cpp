@@ -31,8 +31,8 @@ void add_cubes(Families& families) {
     pair.oracle = oracle;
     pair.share = share;
     pair.make = [=](std::uint64_t seed) {
-      GridPair out{seed % 8 == 0, {}};
-      out.pair = cubical::random_pair(grid(out.large), seed + offset, seed % 3 == 0 ? 1 : 4);
+      GridPair out{seed % 3 == 0, {}};
+      out.pair = cubical::random_pair(grid(out.large), seed + offset, seed % 2 == 0 ? 1 : 4);
       if (moved) out.pair.presentation.place = cubical::random_place(seed);
       out.pair.presentation.thorough = seed % 4 == 1;
       return out;
