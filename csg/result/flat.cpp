@@ -8,6 +8,7 @@
 #include <numeric>
 #include <span>
 
+#include "csg/geometry/canonical_loop.h"
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
@@ -21,33 +22,6 @@ namespace {
 using Index = FlatComplex::Index;
 using Loop = FlatComplex::Loop;
 constexpr Index kNone = FlatComplex::kNone;
-
-/// Rotates a cyclic list to its lexicographically least form.
-void rotate_to_least(Loop& loop) {
-  if (loop.empty()) return;
-  const Index least = *std::min_element(loop.begin(), loop.end());
-  std::size_t best = loop.size();
-  const auto at = [&](std::size_t start, std::size_t i) { return loop[(start + i) % loop.size()]; };
-  for (std::size_t s = 0; s < loop.size(); ++s) {
-    if (loop[s] != least) continue;
-    if (best == loop.size()) {
-      best = s;
-      continue;
-    }
-    for (std::size_t i = 1; i < loop.size(); ++i) {
-      if (at(s, i) == at(best, i)) continue;
-      if (at(s, i) < at(best, i)) best = s;
-      break;
-    }
-  }
-  std::rotate(loop.begin(), loop.begin() + std::ptrdiff_t(best), loop.end());
-}
-
-/// Outer loop first (of a planar face it is the one with the least point), then the others in order.
-void put_in_order(std::vector<Loop>& loops) {
-  for (Loop& loop : loops) rotate_to_least(loop);
-  std::sort(loops.begin(), loops.end());
-}
 
 class Flattener {
  public:
