@@ -31,12 +31,12 @@ HeldRegions::HeldRegions(const Complex& complex, BooleanOp op, const EntityMarks
 
 void HeldRegions::load(std::span<const Group* const> parts) {
   for (const Group* part : parts) {
-    std::vector<RegionId> first, last;
-    for (const auto& [cell, region] : part->cells) {  // regions come in the order of their first cells
+    std::vector<RegionId> first(part->regions.size()), last(part->regions.size());
+    for (const auto& [cell, region] : part->cells) {
       inside_[cell] = 1;
       held_cells_.push_back(cell);
-      if (region > first.size()) {
-        first.push_back(cell), last.push_back(cell);
+      if (!first[region - 1].valid()) {
+        first[region - 1] = last[region - 1] = cell;
         set_attributes(cell, part->regions[region - 1]);
         continue;
       }
@@ -55,9 +55,11 @@ void HeldRegions::take_in(std::span<const Group* const> parts) {
   for (const Group* part : parts) {
     const auto base = static_cast<std::uint32_t>(next_attributes_.size());
     for (const RegionAttributes& region : part->regions) next_attributes_.push_back(&region);
+    next_first_.resize(next_attributes_.size());
     for (const auto& [cell, region] : part->cells) {
       next_region_[cell] = base + region;
-      if (base + region > next_first_.size()) next_first_.push_back(cell);
+      RegionId& first = next_first_[base + region - 1];
+      if (!first.valid()) first = cell;
       next_cells_.push_back(cell);
     }
   }

@@ -69,7 +69,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> order_regions(const std::ve
     std::uint32_t number = 0;
     for (RegionId cell : parts[i]->first_cells()) regions.emplace_back(cell, i, ++number);
   }
-  if (!std::is_sorted(regions.begin(), regions.end())) std::sort(regions.begin(), regions.end());
+  if (parts.size() > 1 && !std::is_sorted(regions.begin(), regions.end()))
+    std::sort(regions.begin(), regions.end());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
   out.reserve(regions.size());
   for (const auto& [cell, part, number] : regions) out.emplace_back(part, number);
@@ -184,17 +185,20 @@ bool before(const PartRef& a, const PartRef& b) {
   const auto first = []<class IdT>(const std::vector<IdT>& list) { return list.empty() ? IdT() : list.front(); };
   const auto key = [&](const Part& part) {
     const Group& g = part.group();
-    return std::tuple(first(part.first_cells()), first(g.vertices), first(g.edges), first(g.faces));
+    const RegionId cell = g.cells.empty() ? RegionId() : g.cells.front().first;
+    return std::tuple(cell, first(g.vertices), first(g.edges), first(g.faces));
   };
   return key(*a.get()) < key(*b.get());
 }
 
 Part::Part(const Complex& complex, Group group) : group_(std::move(group)), box_(box_of(complex, group_)) {
-  first_cells_.reserve(group_.regions.size());
+  first_cells_.resize(group_.regions.size());
   for (const auto& [cell, region] : group_.cells) {
-    if (region > first_cells_.size()) first_cells_.push_back(cell);
+    RegionId& first = first_cells_.at(region - 1);
+    if (!first.valid()) first = cell;
   }
-  require(first_cells_.size() == group_.regions.size(), "parts: regions are not in the order of their cells");
+  require(std::all_of(first_cells_.begin(), first_cells_.end(), [](RegionId cell) { return cell.valid(); }),
+          "parts: a region without cells");
 }
 
 const CellCounts& Part::counts(const Complex& complex) const {
