@@ -65,9 +65,9 @@ Transform Placement::transform() const {
   return out;
 }
 
-std::size_t Placement::digits() const {
+std::size_t Placement::bits() const {
   std::size_t most = 0;
-  for (const Integer& number : numbers_) most = std::max(most, mpz_sizeinbase(number.get_mpz_t(), 10));
+  for (const Integer& number : numbers_) most = std::max(most, mpz_sizeinbase(number.get_mpz_t(), 2));
   return most;
 }
 

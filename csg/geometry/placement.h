@@ -20,8 +20,8 @@ class Placement {
   /// First `inner`, then this. Fast when `inner` has short numbers, whatever this has.
   Placement operator*(const Placement& inner) const;
   Transform transform() const;
-  /// How many decimal digits the longest of its numbers has, or one more.
-  std::size_t digits() const;
+  /// How many bits the longest of its numbers has.
+  std::size_t bits() const;
 
   /// Some order; equal ones are equal maps.
   friend bool operator<(const Placement& a, const Placement& b) { return a.numbers_ < b.numbers_; }

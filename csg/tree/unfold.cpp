@@ -75,13 +75,13 @@ class Walk {
 
   std::size_t place_below(std::size_t above, const Node& node) {
     Placement place = places_[above] * Placement(*node.transform);
-    if (const std::size_t digits = place.digits(); digits > kMostDigits) {
-      throw TreeError(tree_.file, node.at,
-                      "the transforms from the result down to `" + node.name +
-                          "` have a product with numbers of " + std::to_string(digits) + " digits, and " +
-                          std::to_string(kMostDigits) +
-                          " are the limit; nest fewer of them, or transforms with shorter numbers, such as one "
-                          "rotation in place of many");
+    if (const std::size_t bits = place.bits(); bits > kMostBits) {
+      throw TreeError(
+          tree_.file, node.at,
+          "the transforms from the result down to `" + node.name + "` have a product with numbers of " +
+              std::to_string(bits) + " bits, and " + std::to_string(kMostBits) +
+              " (30,000 digits) are the limit; nest fewer of them, or transforms with shorter numbers, "
+              "such as one rotation in place of many");
     }
     return places_.intern(std::move(place));
   }
