@@ -136,28 +136,6 @@ TEST_CASE("Two faces cross along a segment that ends inside both", "[sheets]") {
          {4 + 3 + 2, 4 + 3 + 2 + 1, 3, 1});
 }
 
-TEST_CASE("Holes and points of a face cost by their number", "[sheets][growth]") {
-  const auto signs = [](int n) {
-    const auto at = [](int x, int y) { return std::to_string(x) + " " + std::to_string(y) + " 0"; };
-    std::string text =
-        "leaf none\nface -1 -1 0, " + at(4 * n, -1) + ", " + at(4 * n, 4 * n) + ", " + at(-1, 4 * n);
-    for (int i = 0; i < n * n; ++i) {
-      const int x = 4 * (i % n), y = 4 * (i / n);
-      text += " | " + at(x, y) + ", " + at(x + 2, y) + ", " + at(x, y + 2);
-    }
-    for (int i = 0; i < n * n; ++i) text += "\npoint " + at(4 * (i % n) + 2, 4 * (i / n) + 2);
-    const Soup soup = make_soup(parse_fixture(text));
-    reset_stage_counts();
-    const auto complex = build_complex(soup);
-    const StageCounts counts = stage_counts();
-    CHECK(complex->face_count() == 1);
-    return counts.filter + counts.interval + counts.exact;
-  };
-  const auto few = signs(20), many = signs(40);  // 400 and 1,600 holes
-  CHECK(few > 400);
-  CHECK(double(many) < 2.5 * 2.5 * double(few));
-}
-
 TEST_CASE("Rational coordinates", "[sheets]") {
   expect(
       "leaf none\nface 1/3 1/7 0, 22/7 1/7 0, 22/7 355/113 0, 1/3 355/113 0\n"
