@@ -75,7 +75,7 @@ class Walk {
 
   std::size_t place_below(std::size_t above, const Node& node) {
     Placement place = places_[above] * Placement(*node.transform);
-    if (const std::size_t bits = place.bits(); bits > kMostBits) {
+    if (const std::size_t bits = place.bits(); above != identity_ && bits > kMostBits) {
       throw TreeError(
           tree_.file, node.at,
           "the transforms from the result down to `" + node.name + "` have a product with numbers of " +

@@ -16,7 +16,8 @@ struct Unfolding {
   IdVector<NodeId, std::uint32_t> count;     ///< instances of each node
 };
 
-/// The longest number that a product of transforms may have: 30,000 digits, as of 2,000 rotations.
+/// The longest number, in bits, that a product of two transforms or more may have: 30,000 digits, as of 2,000
+/// rotations. One transform may have longer ones.
 inline constexpr std::size_t kMostBits = 100'000;
 
 /// The instances below `roots`, each root placed by its own transform alone. Iterative: depth costs memory, not

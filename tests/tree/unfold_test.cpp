@@ -136,6 +136,8 @@ TEST_CASE("a product of transforms may have long numbers, up to a limit", "[tree
                        "\"}\n  r: {simplify: b, scale: \"" + outer + "\"}\n");
   };
   CHECK(scaled(49'999).instances.size() == 3);  // 2^99,999 has 100,000 bits
+  CHECK(unfold_text("  r: {points: [[1, 1, 1]], scale: \"" + Integer(Integer(1) << 150'000).get_str() + "\"}\n")
+            .instances.size() == 1);
   CHECK_THROWS_WITH(scaled(50'000),
                     Catch::Contains("t.yaml:4:3: error: the transforms from the result down to `b` "
                                     "have a product with numbers of 100001 bits, and 100000"));
