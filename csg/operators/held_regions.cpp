@@ -195,6 +195,7 @@ void HeldRegions::combine(Roles roles, const std::vector<RegionId>& next_cells, 
     of_region.clear();
     for (auto it = begin; it != end; ++it) of_region.push_back(&attributes_of(*it));
     made.emplace_back(result, combined(of_region, roles.dominant, others));
+    made.back().second.leaves = leaves_of(std::span(begin, end));
     for (const RegionMaterial& other : others) {
       MaterialConflict conflict{made.back().second.material, other, {}};
       conflict.cells.regions = cells_of(std::span(begin, end), other, next_cells);
@@ -206,6 +207,21 @@ void HeldRegions::combine(Roles roles, const std::vector<RegionId>& next_cells, 
     if (source.held) drop_attributes(source.first);
   }
   for (auto& [region, attributes] : made) set_attributes(region, std::move(attributes));
+}
+
+// The leaves of one region of the result. A region of held that is one whole is of this result alone and goes when
+// it is made, so its list is taken: a region that grows in n steps would be copied n times.
+std::vector<LeafId> HeldRegions::leaves_of(std::span<const Source> sources) {
+  const auto longest = std::max_element(sources.begin(), sources.end(), [&](const Source& a, const Source& b) {
+    return attributes_of(a).leaves.size() < attributes_of(b).leaves.size();
+  });
+  const bool whole = longest->held && !std::binary_search(split_.begin(), split_.end(), longest->first);
+  std::vector<LeafId> leaves =
+      whole ? std::move(pool_[longest->attributes]->leaves) : attributes_of(*longest).leaves;
+  for (auto source = sources.begin(); source != sources.end(); ++source) {
+    if (source != longest) add_leaves(leaves, attributes_of(*source).leaves);
+  }
+  return leaves;
 }
 
 // The 3-cells of one region of the result, that of `sources`, where an operand has the material.

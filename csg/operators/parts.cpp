@@ -16,6 +16,7 @@ namespace cnrg {
 namespace {
 
 using Parts = std::vector<PartRef>;
+using SetMap = LeafSetMap<LeafSets, LeafSets>;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // A plane has no vertex but those on the frame, which are no entities.
@@ -129,7 +130,7 @@ auto merged(const std::vector<const Part*>& parts, List list) {
 
 // One kind of entities with their origins, whose sets are each part's own.
 template <class List, class OriginList, class IdT>
-void merge_entities(const std::vector<const Part*>& parts, std::vector<LeafSetMap>& sets, List list,
+void merge_entities(const std::vector<const Part*>& parts, std::vector<SetMap>& sets, List list,
                     OriginList origins, std::vector<IdT>& out, std::vector<LeafSetId>& out_origins) {
   const MergeOrder order(parts, list);
   out = order.gather(list);
@@ -153,7 +154,7 @@ Group merge(const std::vector<const Part*>& parts) {
     std::uint32_t& region = out.cells[i].second;
     region = number[cell_order.part(i)][region - 1];
   }
-  std::vector<LeafSetMap> sets;
+  std::vector<SetMap> sets;
   sets.reserve(parts.size());
   for (const Part* part : parts) sets.emplace_back(part->group().origins.sets, out.origins.sets);
   merge_entities(
