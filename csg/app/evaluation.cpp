@@ -2,9 +2,9 @@
 // printing of its diagnostics.
 #include "csg/app/evaluation.h"
 
-#include <iostream>
 #include <set>
 
+#include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 
 namespace cnrg::app {
@@ -36,7 +36,7 @@ void require_distinct(const std::vector<std::string>& files) {
 
 void print(const std::vector<Diagnostic>& diagnostics, bool quiet) {
   for (const Diagnostic& d : diagnostics) {
-    if (!quiet || d.level == Diagnostic::Level::warning) std::cerr << d.text() << "\n";
+    if (!quiet || d.level == Diagnostic::Level::warning) tell(d.text());
   }
 }
 

@@ -7,7 +7,6 @@
 // With parameters, a point on a patch or curve of a leaf that its cell came from has more fields, each behind a
 // tabulator (a name has none): `leaf: patch: u v`, `leaf: curve: t`, exactly; one for each patch and curve.
 #include <algorithm>
-#include <cctype>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -21,6 +20,7 @@
 #include "csg/explain/lives.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
+#include "csg/text/escape.h"
 
 namespace cnrg::app {
 namespace {
@@ -76,20 +76,13 @@ std::vector<std::optional<RationalPoint>> read_points() {
   return points;
 }
 
-/// On one line and in one field: breaks in a name become blanks.
-std::string one_line(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-  return name;
-}
-
 std::string describe(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place,
                      const NodeValue& value) {
   const Component component = component_of(simplified, place);
   const std::string text = std::to_string(place.dimension) + " " + cell_name(place.dimension, place.index) + " " +
                            std::to_string(component);
   if (component == 0) return text;
-  const std::string name = one_line(value.attributes(component).name);
+  const std::string name = shown(value.attributes(component).name);
   return name.empty() ? text : text + " " + name;
 }
 
@@ -100,7 +93,7 @@ std::string describe_parameters(const Evaluation& evaluation, const NodeValue& v
   const std::vector<LeafId> leaves = origins_in(*evaluation.complex, value, cell);
   std::string text;
   const auto add = [&](LeafId leaf, const std::string& surface, const std::string& at) {
-    text += "\t" + one_line(evaluation.leaf_names[leaf.index()]) + ": " + one_line(surface) + ": " + at;
+    text += "\t" + shown(evaluation.leaf_names[leaf.index()]) + ": " + shown(surface) + ": " + at;
   };
   for (const PatchPoint& q : first_of_each(parameters.on_patches(cell, p, leaves))) {
     add(q.leaf, parameters.patch_name(q.leaf, q.patch), to_string(q.at[0]) + " " + to_string(q.at[1]));
@@ -119,7 +112,7 @@ class Materials {
     if (component == 0) return {};
     const auto [it, fresh] = samplers_.try_emplace(component, value_.attributes(component).material);
     const Mixture mixture = it->second.at(p);
-    return mixture.empty() ? "" : "\tmaterial: " + one_line(to_text(mixture));
+    return mixture.empty() ? "" : "\tmaterial: " + shown(to_text(mixture));
   }
 
  private:

@@ -13,6 +13,7 @@
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
 #include "csg/app/memory.h"
+#include "csg/app/output.h"
 #include "kernel/base/error.h"
 
 namespace cnrg::app {
@@ -21,16 +22,17 @@ namespace {
 /// Messages about files have their place in front; others are told in the program's name.
 int fail(int status, const std::string& message) {
   const bool placed = message.find(": error: ") != std::string::npos;
-  std::cerr << (placed ? "" : "cnrg: error: ") << message << std::endl;
+  tell((placed ? "" : "cnrg: error: ") + message);
   return status;
 }
 
 int guarded(const std::function<int()>& command) {
   try {
+    Output output;
     const int status = command();
-    std::cout.flush();
-    if (!std::cout) return fail(kNoAccess, "the results could not be written to standard output; is there room?");
-    return status;
+    if (output.finish()) return status;
+    if (output.unread()) return kNoAccess;
+    return fail(kNoAccess, "the results could not be written to standard output; is there room?");
   } catch (const InputError& e) {
     return fail(kBadInput, e.what());
   } catch (const FileError& e) {
@@ -40,10 +42,11 @@ int guarded(const std::function<int()>& command) {
   } catch (const std::runtime_error& e) {  // a thread or a folder that the system does not give
     return fail(kNoAccess, std::string("the system refused: ") + e.what() + "; free memory or use --threads 1");
   } catch (const std::exception& e) {
-    return fail(kBug,
-                std::string("broken invariant: ") + e.what() +
-                    "\nThis is a bug of cnrg: please send this message, the tree file with the files that it "
-                    "names, and the output of `cnrg --version`.");
+    fail(kBug, std::string("broken invariant: ") + e.what());
+    tell(
+        "This is a bug of cnrg: please send this message, the tree file with the files that it names, and the "
+        "output of `cnrg --version`.");
+    return kBug;
   }
 }
 
@@ -205,7 +208,7 @@ int main(int argc, char** argv) {
   try {
     return cnrg::app::run(argc, argv);
   } catch (const std::exception& e) {
-    std::cerr << "cnrg: error: " << e.what() << std::endl;
+    cnrg::app::tell(std::string("cnrg: error: ") + e.what());
     return cnrg::app::kBug;
   }
 }

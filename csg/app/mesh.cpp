@@ -4,6 +4,7 @@
 #include "csg/app/commands.h"
 #include "csg/app/evaluation.h"
 #include "csg/app/exit_status.h"
+#include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
@@ -61,10 +62,10 @@ int run_mesh(const MeshArguments& arguments) {
   for (const std::string& path : arguments.files) {
     write(path, result, made.mesh);
     if (arguments.quiet) continue;
-    if (snapped.rounds > 0) std::cerr << path << ": notice: " << snapped.text() << '\n';
+    if (snapped.rounds > 0) tell(path + ": notice: " + snapped.text());
     if (made.rounding.moved == 0) continue;
-    std::cerr << path << ": notice: rounding moved " << made.rounding.moved
-              << " vertices; the facets still meet as they should\n";
+    tell(path + ": notice: rounding moved " + std::to_string(made.rounding.moved) +
+         " vertices; the facets still meet as they should");
   }
   return kDone;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "csg/leaves/leaf.h"
+#include "csg/text/escape.h"
 
 namespace cnrg {
 namespace {
@@ -117,10 +118,6 @@ void TextCursor::fail_at(int line, const std::string& text) const {
   throw LeafFileError(path_ + ":" + std::to_string(line) + ": error: " + text);
 }
 
-std::string quoted(std::string_view token) {
-  std::string text = "'";
-  for (char c : token.substr(0, 40)) text += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
-  return text + (token.size() > 40 ? "...'" : "'");
-}
+std::string quoted(std::string_view token) { return "'" + excerpt(token) + "'"; }
 
 }  // namespace cnrg

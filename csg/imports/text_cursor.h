@@ -48,7 +48,7 @@ class TextCursor {
   char comment_;
 };
 
-/// The token in quotes for messages, cut to a readable length, control characters replaced.
+/// The token in quotes for messages, cut to a readable length.
 std::string quoted(std::string_view token);
 
 }  // namespace cnrg

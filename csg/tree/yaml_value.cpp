@@ -10,6 +10,7 @@
 #include <sstream>
 #include <unordered_set>
 
+#include "csg/text/escape.h"
 #include "csg/tree/suggest.h"
 
 namespace cnrg {
@@ -19,19 +20,12 @@ Position position_of(const YAML::Mark& mark, Position otherwise) {
   return mark.is_null() ? otherwise : Position{mark.line + 1, mark.column + 1};
 }
 
-/// A text cut to a length that fits in a message, control characters replaced.
-std::string excerpt(const std::string& text) {
-  constexpr std::size_t kLongest = 40;
-  std::string cut = text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
-  for (char& c : cut) {
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  }
-  return "`" + cut + "`";
-}
+/// The beginning of a text in quotes.
+std::string quoted(const std::string& text) { return "`" + excerpt(text) + "`"; }
 
 std::string describe(const YAML::Node& node) {
   switch (node.Type()) {
-    case YAML::NodeType::Scalar: return "the text " + excerpt(node.Scalar());
+    case YAML::NodeType::Scalar: return "the text " + quoted(node.Scalar());
     case YAML::NodeType::Sequence:
       return node.size() == 1 ? "a list of one" : "a list of " + std::to_string(node.size());
     case YAML::NodeType::Map: return "a map";
@@ -66,6 +60,21 @@ class Beginning : public YAML::EventHandler {
   }
   std::optional<YAML::Mark> mark_;
 };
+
+/// yaml-cpp takes any bytes for UTF-8, unless the text begins as one of UTF-16 or UTF-32, which it converts.
+void check_encoding(const Document& document, const std::string& text) {
+  const auto begins = [&](std::string_view bytes) { return std::string_view(text).starts_with(bytes); };
+  if (begins("\xfe\xff") || begins("\xff\xfe") || text.find('\0') < 4) return;
+  const std::size_t at = first_invalid(text);
+  if (at == text.size()) return;
+  const std::string_view before = std::string_view(text).substr(0, at);
+  const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
+  const auto is_first = [](char c) { return (c & 0xc0) != 0x80; };
+  const Position position{
+      1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
+      1 + static_cast<int>(std::count_if(before.begin() + static_cast<long>(line_begin), before.end(), is_first))};
+  document.fail(position, "the byte " + shown(text.substr(at, 1)) + " is no UTF-8; save the file as UTF-8");
+}
 
 /// The text must hold one document and nothing else. `YAML::Load` stops silently after the first one, and
 /// `YAML::LoadAll` never ends where a bracket or comma belongs to nothing, so documents are counted to two here.
@@ -122,7 +131,7 @@ Rational Value::number(const std::string& what) const {
   if (!is_text()) fail_type(what, "a number");
   const std::optional<Rational> value = parse_rational(raw());
   if (!value) {
-    fail(what + ": " + excerpt(raw()) +
+    fail(what + ": " + quoted(raw()) +
          " is no number; write a decimal such as 0.1 or 1.5e-3, or a fraction such as "
          "\"1/3\"");
   }
@@ -133,7 +142,7 @@ long Value::integer(const std::string& what, long low, long high) const {
   const Rational value = number(what);
   if (value.get_den() != 1 || value < low || value > high) {
     fail(what + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) + ", not " +
-         excerpt(raw()));
+         quoted(raw()));
   }
   return value.get_num().get_si();
 }
@@ -190,7 +199,7 @@ std::vector<Value::Entry> Value::entries(const std::string& what) const {
       document_->fail(key_at, "a key of " + what + " must be a text, not " + describe(item.first));
     const std::string& key = item.first.Scalar();
     if (!seen.insert(key).second) {
-      document_->fail(key_at, "the key " + excerpt(key) + " is there twice in " + what + "; remove or rename one");
+      document_->fail(key_at, "the key " + quoted(key) + " is there twice in " + what + "; remove or rename one");
     }
     result.push_back({key, key_at, Value(*document_, item.second, key_at)});
   }
@@ -204,7 +213,7 @@ Fields::Fields(const Value& map, std::string what, std::initializer_list<std::st
     std::string known;
     for (const std::string_view key : allowed) known += (known.empty() ? "" : ", ") + std::string(key);
     const std::string hint = did_you_mean(e.key, std::span(allowed.begin(), allowed.size()));
-    map.document().fail(e.key_at, "unknown key " + excerpt(e.key) + " in " + what_ +
+    map.document().fail(e.key_at, "unknown key " + quoted(e.key) + " in " + what_ +
                                       (hint.empty() ? "; known are: " + known : hint));
   }
 }
@@ -230,6 +239,7 @@ const Value& Fields::at(std::string_view key, std::string_view hint) const {
 }
 
 YAML::Node load_yaml(const Document& document, const std::string& text) {
+  check_encoding(document, text);
   try {
     check_one_document(document, text);
     return YAML::Load(text);
