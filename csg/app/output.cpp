@@ -26,7 +26,10 @@ int write_out(std::string_view text) {
 
 }  // namespace
 
-void tell(std::string_view message) { std::cerr << shown(message) << std::endl; }
+void tell(std::string_view message) {
+  std::cout.flush();  // what was said before stands before
+  std::cerr << shown(message) << std::endl;
+}
 
 Output::Output() : before_(std::cout.rdbuf(this)) {}
 

@@ -6,6 +6,7 @@
 
 #include "csg/leaves/leaf.h"
 #include "csg/text/escape.h"
+#include "csg/text/number.h"
 
 namespace cnrg {
 namespace {
@@ -90,12 +91,12 @@ double TextCursor::parse(std::string_view text, const char* wanted, Rational* ex
   if (whole && error == std::errc() && !exact) return value;
   if (!whole && !exact) fail(quoted(text) + " is no number, " + wanted + " is expected");
   // Exact decimals, and numbers beyond the range of double (tiny ones are 0).
-  const std::optional<Rational> rational = parse_rational(text);
-  if (!rational) fail(quoted(text) + " is no number, " + wanted + " is expected");
-  value = to_double(*rational);
+  NumberText number = read_number(text);
+  if (!number.value) fail(quoted(text) + number.fault + ": " + wanted + " is expected");
+  value = to_double(*number.value);
   if (!std::isfinite(value))
     fail(quoted(text) + " is beyond the largest double (1.8e308): use a larger unit of length");
-  if (exact) *exact = *rational;
+  if (exact) *exact = std::move(*number.value);
   return value;
 }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <filesystem>
 
+#include "csg/text/escape.h"
+#include "csg/text/number.h"
 #include "csg/tree/read_curved.h"
 
 namespace cnrg {
@@ -275,10 +277,10 @@ Shape read_group(const Value& value, const LeafContext& context) {
   }
   if (const Value* regions = f.find("regions")) {
     for (const Value::Entry& e : regions->entries(f.name("regions"))) {
-      const std::optional<Rational> number = parse_rational(e.key);
+      const std::optional<Rational> number = read_number(e.key).value;
       if (!number || number->get_den() != 1 || *number < 1 || *number > 1'000'000'000) {
-        value.document().fail(e.key_at,
-                              "a key of `regions` must be the number of a region, from 1, not `" + e.key + "`");
+        value.document().fail(
+            e.key_at, "a key of `regions` must be the number of a region, from 1, not `" + excerpt(e.key) + "`");
       }
       const Fields attributes(e.value, "a region of group", {"material", "name"});
       GroupShape::Region& region = shape.regions[static_cast<std::uint32_t>(number->get_num().get_ui())];

@@ -15,6 +15,7 @@
 #include <iterator>
 #include <unordered_map>
 
+#include "csg/text/number.h"
 #include "csg/tree/dag.h"
 #include "csg/tree/read_leaf.h"
 #include "csg/tree/read_material.h"
@@ -296,7 +297,7 @@ class TreeReader {
                      node.operator_name + "` a number, such as `dominance: 2`");
       }
       node.dominant = side->second;
-    } else if (parse_rational(text)) {
+    } else if (read_number(text).value || text.find_first_not_of("0123456789+-.eE/") == std::string::npos) {
       node.dominance = e.value.number("`dominance`");
     } else {
       e.value.fail_type("`dominance`", has_sides(node.op) ? "left, right, equal or a number" : "a number");

@@ -11,6 +11,7 @@
 #include <unordered_set>
 
 #include "csg/text/escape.h"
+#include "csg/text/number.h"
 #include "csg/tree/suggest.h"
 
 namespace cnrg {
@@ -129,13 +130,9 @@ bool Value::boolean(const std::string& what) const {
 
 Rational Value::number(const std::string& what) const {
   if (!is_text()) fail_type(what, "a number");
-  const std::optional<Rational> value = parse_rational(raw());
-  if (!value) {
-    fail(what + ": " + quoted(raw()) +
-         " is no number; write a decimal such as 0.1 or 1.5e-3, or a fraction such as "
-         "\"1/3\"");
-  }
-  return *value;
+  NumberText number = read_number(raw());
+  if (!number.value) fail(what + ": " + quoted(raw()) + number.fault);
+  return std::move(*number.value);
 }
 
 long Value::integer(const std::string& what, long low, long high) const {

@@ -162,10 +162,13 @@ TEST_CASE("values of the wrong type", "[tree][errors]") {
 }
 
 TEST_CASE("what is no number", "[tree][errors]") {
-  for (const std::string bad :
-       {"nan", ".inf", "-.inf", "abc", "1/0", "0x10", "1e999999999", "1_000", "''", "--1"}) {
+  for (const std::string bad : {"nan", ".inf", "-.inf", "abc", "1/0", "0x10", "1_000", "''", "--1"}) {
     expect_node("points: [[0, 0, " + bad + "]]", 17, {"is no number", "1/3"});
   }
+  expect_node("points: [[0, 0, 1e100001]]", 17, {"`1e100001` has the exponent 100001", "-100000 to 100000"});
+  expect_node("points: [[0, 0, 1/1e-999999999]]", 17, {"has the exponent -999999999"});
+  expect_node("points: [[0, 0, " + std::string(100'001, '7') + "]]", 17,
+              {"777...` has 100,001 characters", "at most 100,000"});
   expect_node("points: [[0, 0, ]]", 10, {"a list of 2"});
   expect_node("points: [[0, 0, ~]]", 17, {"must be a number, not empty"});
 }
