@@ -106,7 +106,7 @@ std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vec
 int run_eval(const EvalArguments& arguments) {
   require_distinct(arguments.files);
   for (const std::string& path : arguments.files) check_file_name(path);  // before the work, not after it
-  const Tree tree = read_tree(arguments.tree, arguments.finer);
+  const Tree tree = tree_of(arguments);
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.raw = arguments.raw;
@@ -129,13 +129,14 @@ int run_eval(const EvalArguments& arguments) {
   return kDone;
 }
 
-int run_check(const std::string& path, int finer) {
-  const Tree tree = read_tree(path, finer);
+int run_check(const CheckArguments& arguments) {
+  const Tree tree = tree_of(arguments);
   print(unused_nodes(tree, {tree.result}), false);
   print(check(tree), false);
   const auto leaves =
       std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const Node& n) { return n.op == Operator::leaf; });
-  std::cout << shown(path) << ": " << tree.nodes.size() << " nodes, " << leaves << " of them leaves; no faults\n";
+  std::cout << shown(arguments.tree) << ": " << tree.nodes.size() << " nodes, " << leaves
+            << " of them leaves; no faults\n";
   return kDone;
 }
 

@@ -9,12 +9,6 @@
 
 namespace cnrg::app {
 
-Tree read_tree(const std::string& path, int finer) {
-  Tree tree = cnrg::read_tree(path);
-  make_finer(tree, finer);
-  return tree;
-}
-
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet) {
   ProgressBar bar(quiet);
   options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {

@@ -37,7 +37,7 @@ int run_explain(const ExplainArguments& arguments) {
   }
   RationalPoint point;
   if (!arguments.point.empty()) point = parse_point(arguments.point);
-  const Tree tree = read_tree(arguments.tree, arguments.finer);
+  const Tree tree = tree_of(arguments);
   const NodeId node = arguments.node.empty() ? tree.result : tree.find(arguments.node);
   EvaluateOptions options;
   options.threads = arguments.threads;

@@ -191,7 +191,7 @@ class Places {
 }  // namespace
 
 int run_locate(const LocateArguments& arguments) {
-  const Tree tree = read_tree(arguments.tree, arguments.finer);
+  const Tree tree = tree_of(arguments);
   Places places(tree, arguments);
   LineReader lines([] { std::cout << std::flush; });
   std::string_view line;

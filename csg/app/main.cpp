@@ -50,12 +50,25 @@ int guarded(const std::function<int()>& command) {
   }
 }
 
-/// What several commands have.
-void add_finer(CLI::App* sub, int& finer) {
-  sub->add_option("--finer", finer,
+/// What all commands have that read a tree.
+template <class Arguments>
+void add_tree(CLI::App* sub, Arguments& arguments) {
+  sub->add_option("TREE", arguments.tree, "Tree file (YAML or JSON)")->required();
+  sub->add_option("--finer", arguments.finer,
                   "Curved leaves are K times finer than the tree says: segments times K, chord by K squared")
       ->type_name("K")
       ->check(CLI::Range(1, 1000));
+  sub->add_option("--inside", arguments.inside,
+                  "For a tree that is not trusted: refuse every file that it names outside of this folder")
+      ->type_name("FOLDER")
+      ->check([](const std::string& folder) {
+        return folder.empty() ? std::string("the folder has no name") : std::string();
+      });
+}
+
+/// What all commands have that evaluate.
+void add_threads(CLI::App* sub, int& threads) {
+  sub->add_option("--threads", threads, "Threads; 0 is one per core")->type_name("K")->check(CLI::Range(0, 4096));
 }
 
 /// A finite number between two bounds.
@@ -80,7 +93,7 @@ int run(int argc, char** argv) {
 
   EvalArguments eval;
   CLI::App* sub = program.add_subcommand("eval", "Evaluates a tree: one row per node, files of the result");
-  sub->add_option("TREE", eval.tree, "Tree file (YAML or JSON)")->required();
+  add_tree(sub, eval);
   sub->add_option("--node", eval.nodes,
                   "Evaluate this node too; files show it instead of the result: one node for all, or one for each "
                   "-o")
@@ -104,51 +117,40 @@ int run(int argc, char** argv) {
   sub->add_flag("--parameters", eval.parameters,
                 "In .json and .vtu: the parameters u, v of faces on curved patches")
       ->excludes(snap);
-  sub->add_option("--threads", eval.threads, "Threads; 0 is one per core")
-      ->type_name("K")
-      ->check(CLI::Range(0, 4096));
-  add_finer(sub, eval.finer);
+  add_threads(sub, eval.threads);
   sub->add_flag("--quiet", eval.quiet, "No rows and no notices");
   sub->footer("Example:\n  cnrg eval model.yaml --node split -o split.vtu --trace");
   sub->callback([&] { command = [&] { return run_eval(eval); }; });
 
-  std::string tree;
-  int finer = 1;
+  CheckArguments check;
   sub = program.add_subcommand("check", "Reads and validates a tree file without evaluating it");
-  sub->add_option("TREE", tree, "Tree file (YAML or JSON)")->required();
-  add_finer(sub, finer);
+  add_tree(sub, check);
   sub->footer("Example:\n  cnrg check model.yaml");
-  sub->callback([&] { command = [&] { return run_check(tree, finer); }; });
+  sub->callback([&] { command = [&] { return run_check(check); }; });
 
   LocateArguments locate;
   sub = program.add_subcommand("locate", "Reads points `x y z` and prints `dim cell component name` for each");
-  sub->add_option("TREE", locate.tree, "Tree file (YAML or JSON)")->required();
+  add_tree(sub, locate);
   sub->add_option("--node", locate.node, "Node to look into; the result without it")->type_name("N");
-  sub->add_option("--threads", locate.threads, "Threads; 0 is one per core")
-      ->type_name("K")
-      ->check(CLI::Range(0, 4096));
+  add_threads(sub, locate.threads);
   sub->add_flag("--parameters", locate.parameters,
                 "Also the place on patches and curves of leaves: `leaf: patch: u v`, `leaf: curve: t`, each "
                 "behind a tabulator");
   sub->add_flag("--material", locate.material,
                 "Also what a graded material is there: `material: steel 3/4, ceramic 1/4`, behind a tabulator");
-  add_finer(sub, locate.finer);
   sub->footer("Example:\n  echo \"1/3 0.5 2\" | cnrg locate model.yaml --node split");
   sub->callback([&] { command = [&] { return run_locate(locate); }; });
 
   ExplainArguments explain;
   sub = program.add_subcommand("explain",
                                "Tells the way of a cell through the tree: what kept or removed it, and why");
-  sub->add_option("TREE", explain.tree, "Tree file (YAML or JSON)")->required();
+  add_tree(sub, explain);
   sub->add_option("--node", explain.node, "Node to look into; the result without it")->type_name("N");
   sub->add_option("--cell", explain.cell, "Cell of the node, as `cnrg locate` names it: v3, e0, f12, r1")
       ->type_name("NAME");
   sub->add_option("--point", explain.point, "Instead of a cell: what holds this point, active or not")
       ->type_name("X,Y,Z");
-  sub->add_option("--threads", explain.threads, "Threads; 0 is one per core")
-      ->type_name("K")
-      ->check(CLI::Range(0, 4096));
-  add_finer(sub, explain.finer);
+  add_threads(sub, explain.threads);
   sub->footer(
       "Example:\n  cnrg explain model.yaml --node split --cell f12\n  cnrg explain model.yaml --point 1/3,0.5,2");
   sub->callback([&] { command = [&] { return run_explain(explain); }; });
@@ -156,7 +158,7 @@ int run(int argc, char** argv) {
   MeshArguments mesh;
   sub = program.add_subcommand("mesh",
                                "Fills the regions with tetrahedra that conform to every face, wire and point");
-  sub->add_option("TREE", mesh.tree, "Tree file (YAML or JSON)")->required();
+  add_tree(sub, mesh);
   sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N");
   sub->add_option("-o", mesh.files, "Write this file, in the format of its extension: .msh .mesh .vtu")
       ->type_name("FILE")
@@ -178,10 +180,7 @@ int run(int argc, char** argv) {
   sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
                 "No new points on faces and edges, so that the meshes of neighbours fit");
   sub->add_flag("--snap", mesh.snap, "Move vertices until the facets, rounded to doubles, meet as they should");
-  sub->add_option("--threads", mesh.threads, "Threads; 0 is one per core")
-      ->type_name("K")
-      ->check(CLI::Range(0, 4096));
-  add_finer(sub, mesh.finer);
+  add_threads(sub, mesh.threads);
   sub->add_flag("--quiet", mesh.quiet, "No table and no notices");
   sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");
   sub->callback([&] { command = [&] { return run_mesh(mesh); }; });

@@ -4,14 +4,14 @@
 #include <cctype>
 #include <map>
 
-#include "csg/imports/mesh_file.h"
 #include "csg/imports/text_cursor.h"
 #include "csg/leaves/leaf.h"
+#include "csg/text/input_file.h"
 
 namespace cnrg {
 
-HeightGrid read_height_grid(const std::string& path) {
-  const std::string text = read_file(path);
+HeightGrid read_height_grid(const std::string& path, const std::string& inside) {
+  const std::string text = read_file(path, inside);
   TextCursor cursor(path, text, 0);
   if (!cursor.more()) cursor.fail("the file is empty: give an ESRI ASCII grid");
   std::map<std::string, Rational> header;
@@ -75,7 +75,7 @@ HeightGrid read_height_grid(const std::string& path) {
       }
       grid.heights[at] = height;
       if (missing && height == no_data) {
-        grid.missing.resize(grid.columns * grid.rows, false);
+        grid.missing.resize(grid.heights.size(), false);  // all of them, or the file is too short
         grid.missing[at] = true;
       }
     }

@@ -139,6 +139,7 @@ Shape read_heightfield(const Value& value, const LeafContext& context) {
       }
     }
     shape.file = resolve(file->text(f.name("file")), context);
+    shape.inside = context.inside;
     return shape;
   }
   if (const Value* origin = f.find("origin")) {
@@ -167,6 +168,7 @@ Shape read_mesh(const Value& value, const LeafContext& context) {
   const Fields f(value, "mesh", {"file", "fill", "coordinates"});
   MeshShape shape;
   shape.file = resolve(f.at("file", "part.off").text(f.name("file")), context);
+  shape.inside = context.inside;
   if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
   if (const Value* coordinates = f.find("coordinates")) {
     const std::string name = coordinates->text(f.name("coordinates"));
@@ -182,6 +184,7 @@ CadShape read_cad(const Fields& f, CadShape::Format format, const LeafContext& c
   CadShape shape;
   shape.format = format;
   shape.file = resolve(f.at("file", "part.step").text(f.name("file")), context);
+  shape.inside = context.inside;
   shape.tessellation = read_tessellation(f);
   if (const Value* fill = f.find("fill")) {
     const std::string name = fill->text(f.name("fill"));
@@ -295,7 +298,7 @@ Shape read_group(const Value& value, const LeafContext& context) {
 }
 
 Shape read_result(const Value& value, const LeafContext& context) {
-  return ResultShape{resolve(value.text("`cnrg`, the file of a result,"), context)};
+  return ResultShape{resolve(value.text("`cnrg`, the file of a result,"), context), context.inside};
 }
 
 struct Reader {

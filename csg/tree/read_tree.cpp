@@ -8,14 +8,12 @@
 // without limit.
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <unordered_map>
 
+#include "csg/text/input_file.h"
 #include "csg/text/number.h"
+#include "csg/text/table.h"
 #include "csg/tree/dag.h"
 #include "csg/tree/read_leaf.h"
 #include "csg/tree/read_material.h"
@@ -78,7 +76,8 @@ bool is_zero(const RationalPoint& p) { return p[0] == 0 && p[1] == 0 && p[2] == 
 
 class TreeReader {
  public:
-  TreeReader(Document& document, Tree& tree) : document_(document), tree_(tree) {
+  TreeReader(Document& document, Tree& tree, const ReadOptions& options) : document_(document), tree_(tree) {
+    if (!options.inside.empty()) context_.inside = folder_of_inputs(options.inside);
     context_.folder = std::filesystem::path(document.file).parent_path().string();
     context_.check_material = [this](const Value& value) { check_material(value); };
   }
@@ -430,26 +429,28 @@ std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>
   return result;
 }
 
-Tree parse_tree(const std::string& text, const std::string& file) {
-  constexpr std::size_t kHonestAliases = 1'000'000;
+Tree parse_tree(const std::string& text, const std::string& file, const ReadOptions& options) {
+  constexpr std::size_t kHonestAliases = 1'000'000, kMostBytes = 100'000'000;
+  if (text.size() > kMostBytes) {
+    throw TreeError(file, {},
+                    "this file has " + grouped(text.size()) + " bytes, and a tree has at most " +
+                        grouped(kMostBytes) + "; give large shapes as files that the tree names");
+  }
   Document document{file, text.size() + kHonestAliases};
   Tree tree;
   tree.file = file;
-  TreeReader(document, tree).read(load_yaml(document, text));
+  TreeReader(document, tree, options).read(load_yaml(document, text));
   return tree;
 }
 
-Tree read_tree(const std::string& path) {
-  const auto fail = [&](const std::string& why) {
-    throw FileError(to_string(path, {}) + ": error: the tree file cannot be read: " + why + "; check the path");
-  };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) fail("it is a directory");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) fail(std::strerror(errno));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) fail(std::strerror(errno));
-  return parse_tree(text, path);
+Tree read_tree(const std::string& path, const ReadOptions& options) {
+  std::string text;
+  try {
+    text = read_file(path);
+  } catch (const FileError& e) {
+    throw FileError(to_string(path, {}) + ": error: the tree file: " + e.what());
+  }
+  return parse_tree(text, path, options);
 }
 
 }  // namespace cnrg
