@@ -14,6 +14,7 @@
 #include "csg/app/exit_status.h"
 #include "csg/app/memory.h"
 #include "csg/app/output.h"
+#include "csg/tree/suggest.h"
 #include "kernel/base/error.h"
 
 namespace cnrg::app {
@@ -80,6 +81,27 @@ CLI::Validator number_check(double above, double below, const std::string& wante
         return read && value > above && value < below ? std::string() : "`" + text + "` is not " + wanted;
       },
       "");
+}
+
+/// What is wrong with the command line, what was probably meant, and where to look.
+std::string command_line_fault(const CLI::App& program, const CLI::ParseError& e) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& asked = chosen.empty() ? program : *chosen.front();
+  std::vector<std::string> names;
+  if (chosen.empty())
+    for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  for (const CLI::Option* option : asked.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  std::string hint;
+  for (const std::string& word : program.remaining(true)) {  // what no option took
+    hint = did_you_mean(word.substr(0, word.find('=')), known);
+    if (!hint.empty()) break;
+  }
+  const std::string see = "`cnrg " + (chosen.empty() ? "" : asked.get_name() + " ") + "--help`";
+  return e.what() + (hint.empty() ? "; see " : hint + " See ") + see;
 }
 
 int run(int argc, char** argv) {
@@ -193,7 +215,7 @@ int run(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return program.exit(e);
-    return fail(kBadInput, std::string(e.what()) + "; see `cnrg --help`");
+    return fail(kBadInput, command_line_fault(program, e));
   }
   return guarded(command);
 }

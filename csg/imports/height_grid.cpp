@@ -64,8 +64,8 @@ HeightGrid read_height_grid(const std::string& path, const std::string& inside) 
   for (std::size_t row = grid.rows; row-- > 0;) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       if (!cursor.more()) {
-        cursor.fail("the file ends within row " + std::to_string(grid.rows - row) + " of " +
-                    std::to_string(grid.rows) + ": it is truncated, or ncols or nrows is wrong");
+        cursor.fail_at_end("the file ends within row " + std::to_string(grid.rows - row) + " of " +
+                           std::to_string(grid.rows));
       }
       const double height = cursor.number("a height");
       const std::size_t at = row * grid.columns + column;

@@ -1,6 +1,7 @@
 // Tokens and numbers of text files, one pass, without copies.
 #include "csg/imports/text_cursor.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -57,10 +58,7 @@ std::string_view TextCursor::token_in_line() {
 }
 
 std::string_view TextCursor::token(const char* wanted) {
-  const int line = line_;
-  if (!more())
-    fail_at(line,
-            std::string("the file ends where ") + wanted + " is expected: it is truncated, or a count is wrong");
+  if (!more()) fail_at_end(std::string("the file ends where ") + wanted + " is expected");
   return token_in_line();
 }
 
@@ -113,6 +111,13 @@ void TextCursor::coordinates(MeshData& mesh, bool decimals) {
     doubles = doubles && is_double(x);
   }
   if (!doubles) mesh.exact.emplace_back(static_cast<std::uint32_t>(mesh.point_count() - 1), std::move(p));
+}
+
+void TextCursor::fail_at_end(const std::string& text) const {
+  const std::string_view all(begin_, static_cast<std::size_t>(end_ - begin_));
+  const std::string_view content = all.substr(0, all.find_last_not_of(" \t\r\n") + 1);
+  const auto line = 1 + std::count(content.begin(), content.end(), '\n');
+  fail_at(static_cast<int>(line), text + ": it is truncated, or a count is wrong; write the file again");
 }
 
 void TextCursor::fail_at(int line, const std::string& text) const {

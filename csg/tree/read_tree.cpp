@@ -199,13 +199,18 @@ class TreeReader {
       if (is_attribute(e, has_operator)) continue;
       check_operator_name(e, what);
       if (operation) {
-        document_.fail(e.key_at, what + " has two operators, `" + operation->key + "` and `" + e.key +
-                                     "`; make one of them a node of its own");
+        const bool first = find_operator(operation->key) != nullptr, second = find_operator(e.key) != nullptr;
+        const char* const kinds = first && second ? " has two operators, `"
+                                  : first         ? " has an operator and a leaf, `"
+                                  : second        ? " has a leaf and an operator, `"
+                                                  : " has two leaves, `";
+        document_.fail(
+            e.key_at, what + kinds + operation->key + "` and `" + e.key + "`; make one of them a node of its own");
       }
       operation = &e;
     }
     if (!operation) {
-      document_.fail(tree_.nodes[id].at, what + " has no operator; add one, such as `box` or `union`");
+      document_.fail(tree_.nodes[id].at, what + " has no leaf and no operator; add one, such as `box` or `union`");
     }
     tree_.nodes[id].operator_at = operation->key_at;
     tree_.nodes[id].operator_name = operation->key;

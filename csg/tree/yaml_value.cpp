@@ -235,6 +235,26 @@ const Value& Fields::at(std::string_view key, std::string_view hint) const {
   return *value;
 }
 
+namespace {
+
+/// A tabulator among the blanks before a word: the reason why a text is no YAML, which yaml-cpp tells elsewhere.
+void check_indentation(const Document& document, std::string_view text, int last_line) {
+  int line = 1;
+  for (std::size_t begin = 0; begin < text.size() && line <= last_line + 1; ++line) {
+    const std::size_t word = std::min(text.find_first_not_of(" \t", begin), text.size());
+    const std::size_t tab = std::min(text.find('\t', begin), text.size());
+    if (tab < word && word < text.size() && text[word] != '\n' && text[word] != '\r' && text[word] != '#') {
+      document.fail({line, static_cast<int>(tab - begin) + 1},
+                    "a tabulator indents this line, which YAML does not allow; replace it by blanks");
+    }
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string_view::npos) return;
+    begin = end + 1;
+  }
+}
+
+}  // namespace
+
 YAML::Node load_yaml(const Document& document, const std::string& text) {
   check_encoding(document, text);
   try {
@@ -245,6 +265,7 @@ YAML::Node load_yaml(const Document& document, const std::string& text) {
                   "lists and maps are nested too deep here; give the inner nodes names in "
                   "`nodes` and use these as operands");
   } catch (const YAML::Exception& e) {
+    check_indentation(document, text, position_of(e.mark, {}).line);
     document.fail(position_of(e.mark, {}),
                   "this is no YAML: " + e.msg + "; mend the brackets, quotes or indentation here or just before");
   }
