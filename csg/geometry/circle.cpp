@@ -2,6 +2,7 @@
 #include "csg/geometry/circle.h"
 
 #include "csg/geometry/exact_vectors.h"
+#include "kernel/base/parallel.h"
 #include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
@@ -34,19 +35,32 @@ CircleFrame::CircleFrame(const RationalPoint& axis) : axis_(primitive(axis)) {
   e2_ = primitive(cross(axis_, e1_));
 }
 
-RationalPoint CircleFrame::offset(const Rational& radius, const Rational& degrees) const {
+std::pair<RationalPoint, RationalPoint> CircleFrame::components(const Rational& radius,
+                                                                const Rational& degrees) const {
   const Rational square1 = radius * radius / dot(e1_, e1_), square2 = radius * radius / dot(e2_, e2_);
   const int grid1 = exponent_of_root(square1) - 51, grid2 = exponent_of_root(square2) - 51;
-  return round_cosine(degrees, square1, grid1) * e1_ + round_cosine(90 - degrees, square2, grid2) * e2_;
+  return {round_cosine(degrees, square1, grid1) * e1_, round_cosine(90 - degrees, square2, grid2) * e2_};
+}
+
+RationalPoint CircleFrame::offset(const Rational& radius, const Rational& degrees) const {
+  const auto [first, second] = components(radius, degrees);
+  return first + second;
 }
 
 std::vector<RationalPoint> CircleFrame::offsets(const Rational& radius, int segments) const {
-  std::vector<RationalPoint> result;
-  for (int i = 0; i < segments; ++i) {
-    Rational degrees(360L * i, segments);
-    degrees.canonicalize();
-    result.push_back(offset(radius, degrees));
-  }
+  const auto n = static_cast<std::size_t>(segments);
+  std::vector<RationalPoint> result(n);
+  // The second half mirrors the first: cosines agree, sines change sign.
+  for_each_index(
+      n / 2 + 1,
+      [&](std::size_t i) {
+        Rational degrees(360L * static_cast<long>(i), segments);
+        degrees.canonicalize();
+        const auto [first, second] = components(radius, degrees);
+        if (i < n) result[i] = first + second;
+        if (i > 0) result[n - i] = first - second;
+      },
+      64);
   return result;
 }
 

@@ -7,6 +7,7 @@
 // true circle is below 4e-16 r, opposite points are symmetric exactly, and no machine differs.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "kernel/exact/rational.h"
@@ -30,6 +31,9 @@ class CircleFrame {
   RationalPoint offset(const Rational& radius, const Rational& degrees) const;
 
  private:
+  /// The parts of an offset along e1 and e2.
+  std::pair<RationalPoint, RationalPoint> components(const Rational& radius, const Rational& degrees) const;
+
   RationalPoint axis_, e1_, e2_;
   std::size_t parallel_ = 3;
 };

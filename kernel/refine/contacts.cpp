@@ -16,7 +16,9 @@
 #include "kernel/base/parallel.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/box_pairs.h"
+#include "kernel/refine/face_boundaries.h"
 #include "kernel/refine/fans.h"
+#include "kernel/refine/large_fans.h"
 
 namespace cnrg {
 
@@ -46,7 +48,8 @@ struct Event {
 /// The pair tests of one thread, with its scratch memory and what it found.
 class PairTester {
  public:
-  explicit PairTester(const RefineInput& in) : in_(in), t_(in.points) {}
+  PairTester(const RefineInput& in, const FaceBoundaries& boundaries)
+      : in_(in), t_(in.points), boundaries_(boundaries) {}
   ContactList list;
   std::uint64_t filtered = 0;  ///< signs that the filters of planes decided
 
@@ -66,14 +69,12 @@ class PairTester {
   PointView view_of_key(const PointKey& key, const Definition& d);
   int order(Event& a, Event& b);
   const ExactPoint& exact(Event& e);
-  bool has_corner(SourceId f, VertexId v) const {
-    const auto c = in_.corners[f];
-    return std::find(c.begin(), c.end(), v) != c.end();
-  }
+  bool has_corner(SourceId f, VertexId v) const { return boundaries_.has_corner(f, v); }
   void choose_axis();
 
   const RefineInput& in_;
   const PointTable& t_;
+  const FaceBoundaries& boundaries_;
   std::vector<int> sign_f_, sign_g_;
   std::vector<Event> events_f_, events_g_;
   std::deque<ExactPoint> exact_;  // values of events that no table holds
@@ -81,11 +82,10 @@ class PairTester {
 };
 
 PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& out) {
-  const auto corners = in_.corners[f], other = in_.corners[g];
+  const auto corners = in_.corners[f];
   const PlaneFilter& plane = in_.filters[g.index()];
   const auto side = [&](VertexId v) {
-    const double* p = t_.doubles(v);
-    const int s = p != nullptr ? plane.side(p) : kUndecided;
+    const int s = plane.side(t_.lower(v), width_of(t_, v));
     if (s != kUndecided) {
       ++filtered;
       return s;
@@ -97,7 +97,7 @@ PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& 
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const VertexId v = corners[i];
     if (!v.valid()) continue;
-    if (std::find(other.begin(), other.end(), v) == other.end()) out[i] = side(v);
+    if (!has_corner(g, v)) out[i] = side(v);
     positive = positive || out[i] > 0;
     negative = negative || out[i] < 0;
     zero = zero || out[i] == 0;
@@ -109,20 +109,20 @@ PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& 
 /// True if f touches the plane of g from one side, in corners and sides that g shares: then the contact is a
 /// corner or a side of both faces already.
 bool PairTester::only_shared(SourceId f, SourceId g, const std::vector<int>& sign) const {
-  const auto corners = in_.corners[f], other = in_.corners[g];
+  const auto corners = in_.corners[f];
   bool positive = false, negative = false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (!corners[i].valid()) continue;
     if (sign[i] > 0) positive = true;
     if (sign[i] < 0) negative = true;
-    if (sign[i] == 0 && std::find(other.begin(), other.end(), corners[i]) == other.end()) return false;
+    if (sign[i] == 0 && !has_corner(g, corners[i])) return false;
   }
   if (positive && negative) return false;
-  const auto sides = in_.sides[f], other_sides = in_.sides[g];
+  const auto sides = in_.sides[f];
   bool shared = true;
   for_each_side(corners, [&](std::size_t i, std::size_t j) {
     if (sign[i] != 0 || sign[j] != 0) return;
-    shared = shared && std::find(other_sides.begin(), other_sides.end(), sides[i]) != other_sides.end();
+    shared = shared && boundaries_.has_side(g, sides[i]);
   });
   return shared;
 }
@@ -485,19 +485,19 @@ class Elements {
   bool is_face(std::uint32_t e) const { return e < faces_; }
   Box box(std::uint32_t e) const {
     Box box;
-    const auto extend = [&](VertexId v) {
-      if (!v.valid()) return;
+    for_each_corner(e, [&](VertexId v) {
       const PointView p = in_.points.view(v);
       box.extend(p.lo, p.hi);
-    };
-    if (is_face(e)) {
-      for (const VertexId v : in_.corners[SourceId(e)]) extend(v);
-    } else if (is_wire(e)) {
-      for (const VertexId v : in_.segment_ends[wire(e)]) extend(v);
-    } else {
-      extend(point(e));
-    }
+    });
     return box;
+  }
+  void describe(std::uint32_t e, const LargeFans& fans, BoxPairs::Outline& out) const {
+    std::size_t groups = 0;
+    for_each_corner(e, [&](VertexId v) {
+      const PointView p = in_.points.view(v);
+      out.corners.push_back({p.lo, p.hi});
+      if (is_face(e) && fans.at(v)) out.groups[groups++] = v.value();  // all faces of a fan are triangles
+    });
   }
   void test(std::uint32_t a, std::uint32_t b, PairTester& tester) const {
     if (a > b) std::swap(a, b);
@@ -510,6 +510,18 @@ class Elements {
 
  private:
   bool is_wire(std::uint32_t e) const { return e >= faces_ && e < faces_ + wires_; }
+  template <class Visit>
+  void for_each_corner(std::uint32_t e, const Visit& visit) const {
+    if (is_face(e)) {
+      for (const VertexId v : in_.corners[SourceId(e)]) {
+        if (v.valid()) visit(v);
+      }
+    } else if (is_wire(e)) {
+      for (const VertexId v : in_.segment_ends[wire(e)]) visit(v);
+    } else {
+      visit(point(e));
+    }
+  }
   SegmentId wire(std::uint32_t e) const { return in_.wires[e - faces_]; }
   VertexId point(std::uint32_t e) const { return in_.isolated[e - faces_ - wires_]; }
   const RefineInput& in_;
@@ -521,7 +533,7 @@ class Elements {
 /// adds 2^-24 per component. The cross product of two of them is off by less than 1e-6.
 struct Glance {
   std::uint32_t element;
-  std::array<VertexId, 3> corners;  // of a triangle in doubles
+  std::array<VertexId, 3> corners;  // of a triangle
   std::array<char, 3> fans{};       // fans.h, by corner
   bool steady = false;              // there is a normal
   std::array<float, 3> normal{};
@@ -566,18 +578,22 @@ ContactList find_contacts(const RefineInput& in) {
   std::vector<std::uint32_t> kept = elements.list();
   std::vector<Box> boxes(kept.size());
   for_each_index(kept.size(), [&](std::size_t i) { boxes[i] = elements.box(kept[i]); });
-  const BoxPairs pairs(boxes);
+  BoxPairs pairs(boxes);
+  std::vector<char> fans = embedded_fans(in);
+  const FaceBoundaries boundaries(in);
+  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in, boundaries); });
+  if (pairs.crowded()) {
+    const LargeFans large(in, fans);
+    pairs.orient(boxes, [&](std::uint32_t i, BoxPairs::Outline& out) { elements.describe(kept[i], large, out); });
+    for_each_of(large.neighbours(), [&](const auto& pair) { testers.local().faces(pair.first, pair.second); });
+  }
   boxes = {};
   std::vector<Glance> glances(pairs.place_count());
-  {
-    const std::vector<char> fans = embedded_fans(in);
-    for_each_index(glances.size(), [&](std::size_t place) {
-      const std::uint32_t e = kept[pairs.item(static_cast<std::uint32_t>(place))];
-      glances[place] = glance(in, e, elements.is_face(e), fans);
-    });
-    kept = {};
-  }
-  tbb::enumerable_thread_specific<PairTester> testers([&] { return PairTester(in); });
+  for_each_index(glances.size(), [&](std::size_t place) {
+    const std::uint32_t e = kept[pairs.item(static_cast<std::uint32_t>(place))];
+    glances[place] = glance(in, e, elements.is_face(e), fans);
+  });
+  kept = {};
   tbb::parallel_for(std::size_t{0}, pairs.part_count(), [&](std::size_t part) {
     PairTester& tester = testers.local();
     std::uint64_t candidates = 0;

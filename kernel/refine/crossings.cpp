@@ -77,7 +77,12 @@ class CrossingFinder {
     }
     // The tree sorts in parallel; isolation keeps this thread from taking up another sheet meanwhile.
     tbb::this_task_arena::isolate([&] {
-      const BoxPairs tree(boxes);
+      BoxPairs tree(boxes);
+      if (tree.crowded()) {
+        tree.orient(boxes, [&](std::uint32_t i, BoxPairs::Outline& out) {
+          for (const Place& end : lines_[i].ends) extend(out.corners.emplace_back(), end.vertex);
+        });
+      }
       for (std::size_t part = 0; part < tree.part_count(); ++part) {
         tree.find(part,
                   [&](std::uint32_t x, std::uint32_t y) { pair(lines_[tree.item(x)], lines_[tree.item(y)]); });

@@ -40,7 +40,7 @@ class Fans {
     const auto corners = in_.corners[f];
     const auto sides = in_.sides[f];
     std::uint8_t bits = kNone;
-    if (corners.size() == 3 && t_.is_double(corners[0]) && t_.is_double(corners[1]) && t_.is_double(corners[2])) {
+    if (corners.size() == 3) {
       bits = 0;
       for (int k = 0; k < 3; ++k) {
         const int s = in_.filters[f.index()].normal_sign(k);
@@ -65,6 +65,14 @@ class Fans {
     return std::countr_one(excluded);
   }
 
+  /// The sign of the difference of two coordinates by their bounds.
+  int order(VertexId v, VertexId w, std::size_t axis) const {
+    const double a = t_.lower(v)[axis], b = t_.lower(w)[axis];
+    if (t_.is_double(v) && t_.is_double(w)) return a < b ? -1 : a > b;
+    if (t_.upper(v, static_cast<int>(axis)) < b) return -1;
+    return t_.upper(w, static_cast<int>(axis)) < a ? 1 : kUndecided;
+  }
+
   void count_turns(SourceId f) {
     const auto c = in_.corners[f];
     if (c.size() != 3) return;
@@ -75,20 +83,26 @@ class Fans {
       VertexId from = c[(i + 1) % 3], to = c[(i + 2) % 3];
       if (code < 3) std::swap(from, to);
       const std::size_t axis = static_cast<std::size_t>(code % 3), x = (axis + 1) % 3, y = (axis + 2) % 3;
-      const auto above = [&](VertexId w) {  // in the half plane of directions from 0 to less than half a turn
-        const double *p = t_.lower(v), *q = t_.lower(w);
-        return q[y] > p[y] || (q[y] == p[y] && q[x] > p[x]);
+      // Is w in the half plane of directions from 0 to less than half a turn? 1, 0 or kUndecided.
+      const auto above = [&](VertexId w) -> int {
+        if (const int s = order(w, v, y); s != 0) return s == kUndecided ? s : s > 0;
+        const int s = order(w, v, x);
+        return s == kUndecided ? s : s > 0;
       };
-      if (above(from) || !above(to)) continue;
+      const int first = above(from), second = above(to);
+      const bool certain = first != kUndecided && second != kUndecided;
+      if (certain && (first == 1 || second == 0)) continue;
       const std::atomic_ref turns(turns_[v.index()]);
-      if (turns.load(std::memory_order_relaxed) < 2) turns.fetch_add(1, std::memory_order_relaxed);
+      if (turns.load(std::memory_order_relaxed) < 2) {
+        turns.fetch_add(certain ? 1 : 2, std::memory_order_relaxed);
+      }
     }
   }
 
   const RefineInput& in_;
   const PointTable& t_;
   std::vector<std::uint8_t> excluded_;
-  std::vector<std::uint16_t> turns_;  // at most 2 and one per thread
+  std::vector<std::uint16_t> turns_;  // at most 2 and two per thread; 2 or more if that is not certain
   std::vector<char> embedded_;
 };
 

@@ -14,7 +14,8 @@
 
 namespace cnrg {
 
-/// By vertex: 1 if the faces around it are such a fan of triangles in doubles.
+/// By vertex: 1 if the faces around it are such a fan of triangles, as far as filters and bounds of coordinates
+/// say.
 std::vector<char> embedded_fans(const RefineInput& input);
 
 }  // namespace cnrg

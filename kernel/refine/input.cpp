@@ -150,8 +150,8 @@ std::string face_name(const Soup& soup, SourceId f) {
 }
 
 PlaneFilter filter_of(const PointTable& t, const std::array<VertexId, 3>& plane) {
-  const double *a = t.doubles(plane[0]), *b = t.doubles(plane[1]), *c = t.doubles(plane[2]);
-  return a != nullptr && b != nullptr && c != nullptr ? PlaneFilter(a, b, c) : PlaneFilter();
+  const double width = std::max({width_of(t, plane[0]), width_of(t, plane[1]), width_of(t, plane[2])});
+  return PlaneFilter(t.lower(plane[0]), t.lower(plane[1]), t.lower(plane[2]), width);
 }
 
 /// The first corner that does not lie on the plane; corners.size() if all do.

@@ -1,6 +1,8 @@
 // The soup made ready: one vertex per distinct point, cleaned faces with their planes, one segment per edge.
 #pragma once
 
+#include <algorithm>
+
 #include "kernel/exact/plane_filter.h"
 #include "kernel/exact/points.h"
 #include "kernel/refine/report.h"
@@ -34,6 +36,13 @@ struct RefineInput {
   /// The input segment between two vertices, or none().
   SegmentId find_segment(VertexId a, VertexId b) const;
 };
+
+/// No coordinate of v is more than this above its lower bound; 0 for a point of doubles, may be infinite.
+inline double width_of(const PointTable& t, VertexId v) {
+  if (t.is_double(v)) return 0;
+  const double* lo = t.lower(v);
+  return std::max({t.upper(v, 0) - lo[0], t.upper(v, 1) - lo[1], t.upper(v, 2) - lo[2]}) * (1 + 0x1p-50);
+}
 
 /// Throws InputError for a face that is not planar. `report.zero_area` gets the faces that were dropped.
 RefineInput prepare_input(const Soup& soup, RefineReport& report);

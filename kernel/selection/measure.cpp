@@ -5,11 +5,12 @@
 // Where the corners are doubles, all are multiples of one power of two: the determinants are integers and go into
 // one accumulator. Only faces with constructed corners make fractions.
 //
-// The denominator of a term is the product of the weights w of its points (ExactPoint); of a double it is a power
-// of two, the others are the term's *poles*. Terms of the same poles are added first; then sums are joined two and
-// two, over the product of the weights of all their poles, and the only common divisor to look for is that of the
-// last sum. Poles are numbered along the terms (curves of intersection, mostly), so that what is joined shares
-// few.
+// The denominator of a term is the product of the weights w of its points (ExactPoint). Powers of two are kept
+// apart; what is odd in a weight, and not 1, is a *pole* of the term, as often as it is there. Points of one turn
+// mostly have one pole among them, points of intersections one each. Terms of the same poles are added first; then
+// sums are joined two and two, over the product of all their poles, and the only common divisor to look for is
+// that of the last sum. Poles are numbered along the terms (curves of intersection, mostly), so that what is
+// joined shares few.
 #include "kernel/selection/measure.h"
 
 #include <tbb/blocked_range.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
@@ -55,7 +57,7 @@ void add_determinant(Integer& sum, const IntegerPoint& r, const IntegerPoint& p,
 
 using Pole = std::uint32_t;
 
-// A numerator over the product of the weights of its poles, which are ascending.
+// A numerator over the product of its poles, which are ascending and may be there more than once.
 struct PoleSum {
   std::vector<Pole> poles;
   Integer numerator, denominator;
@@ -95,7 +97,7 @@ PoleSum sum_of(const std::vector<Integer>& weights, std::span<const PoleSum> ter
 class VolumeSum {
  public:
   explicit VolumeSum(const Complex& complex)
-      : complex_(complex), place_(complex.points.size()), pole_(complex.points.size()) {}
+      : complex_(complex), place_(complex.points.size()), weight_(complex.points.size()) {}
 
   // `outward`: +1 if the front normal points out of the volume.
   void add(FaceId f, int outward) {
@@ -135,11 +137,18 @@ class VolumeSum {
   }
 
  private:
-  // numerator 2^exponent over the weights of the poles (ascending).
+  // numerator 2^exponent over the product of the poles (ascending).
   struct Term {
     std::vector<Pole> poles;
     Integer numerator;
     int exponent = 0;
+  };
+
+  // 2^exponent times a pole.
+  static constexpr Pole kNoPole = 0xffffffffu;
+  struct Weight {
+    int exponent;
+    Pole pole;
   };
 
   void note(VertexId v) {
@@ -210,19 +219,28 @@ class VolumeSum {
         if (term.numerator == 0) continue;
         if (outward < 0) term.numerator = -term.numerator;
         for (VertexId v : {r, p, q}) {
-          if (!complex_.points.is_double(v)) term.poles.push_back(pole(v));
-          else term.exponent -= static_cast<int>(mpz_scan1(complex_.points.exact(v).w.get_mpz_t(), 0));
+          const Weight& weight = weight_of(v);
+          term.exponent -= weight.exponent;
+          if (weight.pole != kNoPole) term.poles.push_back(weight.pole);
         }
         terms_.push_back(std::move(term));
       }
     }
   }
-  Pole pole(VertexId v) {
-    if (pole_.get(v) == 0) {
-      weights_.push_back(complex_.points.exact(v).w);
-      pole_[v] = static_cast<Pole>(weights_.size());
+  const Weight& weight_of(VertexId v) {
+    if (weight_.get(v) == 0) {
+      Integer odd = complex_.points.exact(v).w;
+      const auto exponent = mpz_scan1(odd.get_mpz_t(), 0);
+      odd >>= exponent;
+      Pole pole = kNoPole;
+      if (odd != 1) {
+        pole = pole_.try_emplace(odd, static_cast<Pole>(weights_.size())).first->second;
+        if (pole == weights_.size()) weights_.push_back(std::move(odd));
+      }
+      known_weights_.push_back({static_cast<int>(exponent), pole});
+      weight_[v] = static_cast<std::uint32_t>(known_weights_.size());
     }
-    return pole_.get(v) - 1;
+    return known_weights_[weight_.get(v) - 1];
   }
 
   // Depth first over the poles that have a term in common.
@@ -268,7 +286,9 @@ class VolumeSum {
   std::vector<VertexId> corners_;
   std::vector<std::pair<FaceId, int>> double_faces_, other_faces_;
   std::vector<Term> terms_;
-  Scratch<VertexId, Pole> pole_;  // 1 + the pole
+  Scratch<VertexId, std::uint32_t> weight_;  // 1 + index into known_weights_
+  std::vector<Weight> known_weights_;
+  std::map<Integer, Pole> pole_;
   std::vector<Integer> weights_;  // by pole
   int scale_ = 0;                 // all corners of double_faces_ are multiples of 2^scale_
   bool scale_known_ = false;

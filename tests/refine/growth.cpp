@@ -1,0 +1,114 @@
+// What many oblique facets cost, in pairs that are looked at: a few per facet, however they are turned.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+
+#include "kernel/complex/complex.h"
+
+namespace cnrg::scenes {
+namespace {
+
+using Point = std::array<double, 3>;
+
+/// Points turned by 30 degrees about (1, 2, 3), rounded to doubles or to fractions of 3^20.
+class Turn {
+ public:
+  explicit Turn(bool fractions) : fractions_(fractions) {}
+  /// As it is, or a third of it.
+  PointId add_exactly(Soup& soup, const Point& p) const {
+    if (!fractions_) return soup.add_point(p[0], p[1], p[2]);
+    return soup.add_point({from_double(p[0]) / 3, from_double(p[1]) / 3, from_double(p[2]) / 3});
+  }
+  PointId add(Soup& soup, const Point& p) const {
+    const double a[3] = {1 / std::sqrt(14.0), 2 / std::sqrt(14.0), 3 / std::sqrt(14.0)};
+    const double c = std::cos(M_PI / 6), s = std::sin(M_PI / 6);
+    const double along = (a[0] * p[0] + a[1] * p[1] + a[2] * p[2]) * (1 - c);
+    Point q;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      q[k] = c * p[k] + s * (a[i] * p[j] - a[j] * p[i]) + along * a[k];
+    }
+    if (!fractions_) return soup.add_point(q[0], q[1], q[2]);
+    const Rational unit(1, 3486784401);
+    RationalPoint r;
+    for (std::size_t k = 0; k < 3; ++k) r[k] = unit * Rational(static_cast<long>(std::llround(q[k] * 3486784401)));
+    return soup.add_point(r);
+  }
+
+ private:
+  bool fractions_;
+};
+
+/// n long narrow triangles side by side in one plane; their corners are sums of two vectors, so that they are
+/// coplanar exactly.
+Soup strip(int n, const Turn& turn) {
+  Soup soup;
+  const LeafId leaf = soup.add_leaf(Fill::none);
+  const Point along{7, 11, -5}, step{0.0078125, -0.00390625, 0.001953125};
+  std::vector<PointId> p;
+  for (int i = 0; i <= n / 2; ++i) {
+    for (int end = 0; end < 2; ++end) {
+      Point q;
+      for (std::size_t k = 0; k < 3; ++k) q[k] = end * along[k] + i * step[k];
+      p.push_back(turn.add_exactly(soup, q));
+    }
+  }
+  for (std::uint32_t i = 0; i + 2 < p.size(); i += 2) {
+    soup.add_triangle(leaf, p[i], p[i + 2], p[i + 1], i, i);
+    soup.add_triangle(leaf, p[i + 1], p[i + 2], p[i + 3], i + 1, i + 1);
+  }
+  return soup;
+}
+
+PointId on_circle(Soup& soup, const Turn& turn, int i, int n, double radius, double height) {
+  const double angle = 2 * M_PI * i / n;
+  return turn.add(soup, {radius * std::cos(angle), radius * std::sin(angle), height});
+}
+
+/// The side of a cylinder of n rectangles, cut into triangles.
+Soup tube(int n, const Turn& turn) {
+  Soup soup;
+  const LeafId leaf = soup.add_leaf(Fill::none);
+  std::vector<PointId> p;
+  for (int i = 0; i < n; ++i) {
+    p.push_back(on_circle(soup, turn, i, n, 1, 0));
+    p.push_back(on_circle(soup, turn, i, n, 1, 4));
+  }
+  const auto m = static_cast<std::uint32_t>(p.size());
+  for (std::uint32_t i = 0; i < m; i += 2) {
+    soup.add_triangle(leaf, p[i], p[(i + 2) % m], p[i + 1], i, i);
+    soup.add_triangle(leaf, p[i + 1], p[(i + 2) % m], p[(i + 3) % m], i + 1, i + 1);
+  }
+  return soup;
+}
+
+/// n triangles around a tip, steep.
+Soup cone(int n, const Turn& turn) {
+  Soup soup;
+  const LeafId leaf = soup.add_leaf(Fill::none);
+  const PointId tip = turn.add(soup, {0, 0, 4});
+  std::vector<PointId> p;
+  for (int i = 0; i < n; ++i) p.push_back(on_circle(soup, turn, i, n, 1, 0));
+  for (std::uint32_t i = 0; i < p.size(); ++i) soup.add_triangle(leaf, p[i], p[(i + 1) % p.size()], tip, i, i);
+  return soup;
+}
+
+TEST_CASE("many oblique facets: a few pairs are looked at for each", "[refine][growth]") {
+  const std::vector<std::pair<const char*, std::function<Soup(int, const Turn&)>>> scenes{
+      {"strip", strip}, {"tube", tube}, {"cone", cone}};
+  for (const auto& [name, make] : scenes) {
+    for (const bool fractions : {false, true}) {
+      for (const int n : {1000, 4000, 16000}) {
+        CAPTURE(name, fractions, n);
+        const Soup soup = make(n, Turn(fractions));
+        RefineReport report;
+        const auto complex = build_complex(soup, {}, &report);
+        CHECK(complex->face_count() == soup.face_count());
+        CHECK(report.candidates < 20 * soup.face_count());
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cnrg::scenes
