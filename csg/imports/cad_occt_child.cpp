@@ -15,9 +15,9 @@
 #include <new>
 
 #include "csg/imports/cad_occt.h"
-#include "csg/imports/mesh_file.h"
 #include "csg/leaves/leaf.h"
 #include "csg/text/child.h"
+#include "csg/text/input_file.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -184,7 +184,7 @@ class ModelReader {
 }  // namespace
 
 CadModel read_cad(const CadShape& shape) {
-  const std::string content = read_file(shape.file);
+  const std::string content = read_file(shape.file, shape.inside);
   const MemoryFile file("OpenCASCADE");
   const ChildEnd end =
       run_in_child("OpenCASCADE", limits(content), [&] { return read_in_child(shape, content, file); });

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "csg/imports/text_cursor.h"
+#include "csg/text/number.h"
 
 namespace cnrg::result {
 namespace {
@@ -85,6 +86,7 @@ std::string Cursor::text() const {
 
 Rational Cursor::rational() const {
   const std::string_view text = value_->kind() == Kind::text ? json().written(*value_) : std::string_view();
+  if (text.size() > kMostResultDigits) fail("this number" + read_number(text, kMostResultDigits).fault);
   const std::size_t slash = std::min(text.find('/'), text.size());
   const std::string_view above = text.substr(0, slash), below = text.substr(std::min(slash + 1, text.size()));
   const std::string_view digits = above.starts_with('-') ? above.substr(1) : above;

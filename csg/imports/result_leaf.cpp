@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "csg/imports/mesh_file.h"
 #include "csg/imports/result_content.h"
 #include "csg/leaves/prepare_shapes.h"
+#include "csg/text/input_file.h"
 
 namespace cnrg {
 namespace result {
@@ -90,8 +90,9 @@ class ResultLeaf : public PreparedLeaf {
   Content content_;
 };
 
-result::JsonFile parsed(const std::string& file) {
-  std::string text = read_file(file);
+result::JsonFile parsed(const ResultShape& shape) {
+  const std::string& file = shape.file;
+  const std::string text = read_file(file, shape.inside);
   try {
     return {file, JsonDocument(text)};
   } catch (const JsonError& error) {
@@ -102,7 +103,7 @@ result::JsonFile parsed(const std::string& file) {
 }  // namespace
 
 std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
-  const result::JsonFile file = parsed(shape.file);
+  const result::JsonFile file = parsed(shape);
   const result::Cursor root(file);
   Content content = result::read_content(root);
   result::check_content(root, content);

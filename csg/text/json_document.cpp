@@ -5,28 +5,12 @@
 #include <algorithm>
 #include <charconv>
 
+#include "csg/text/escape.h"
+
 namespace cnrg {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// The number of bytes of the UTF-8 character at the begin of `text` (RFC 3629); 0 if there is none.
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  const auto follows = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xbf) {
-    return byte(i) >= low && byte(i) <= high;
-  };
-  const unsigned c = byte(0);
-  if (c < 0x80) return 1;
-  if (c >= 0xc2 && c <= 0xdf) return follows(1) ? 2 : 0;
-  if (c >= 0xe0 && c <= 0xef) {
-    return follows(1, c == 0xe0 ? 0xa0 : 0x80, c == 0xed ? 0x9f : 0xbf) && follows(2) ? 3 : 0;
-  }
-  if (c >= 0xf0 && c <= 0xf4) {
-    return follows(1, c == 0xf0 ? 0x90 : 0x80, c == 0xf4 ? 0x8f : 0xbf) && follows(2) && follows(3) ? 4 : 0;
-  }
-  return 0;
-}
 
 void append_utf8(std::string& out, unsigned code) {
   const auto add = [&](unsigned byte) { out += static_cast<char>(byte); };
@@ -230,7 +214,8 @@ class JsonParser {
         const std::size_t taken = escaped(std::string_view(text_).substr(at_ + 1, 11)).second;
         length = taken == 0 ? 0 : taken + 1;
       } else if (c >= 0x80) {
-        length = utf8_length(std::string_view(text_).substr(at_, 4));
+        const Character character = first_character(std::string_view(text_).substr(at_, 4));
+        length = character.valid ? character.length : 0;
       }
       if (length == 0) fail();
       at_ += length;
