@@ -38,8 +38,8 @@
 #include <sstream>
 
 #include "csg/imports/cad_occt.h"
-#include "csg/imports/mesh_file.h"
 #include "csg/leaves/leaf.h"
+#include "csg/text/input_file.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -269,7 +269,7 @@ CadFile read_brep(const CadShape& shape, const std::string& content) {
 
 CadModel read_cad(const CadShape& shape) {
   static std::mutex one_at_a_time;
-  const std::string content = read_file(shape.file);
+  const std::string content = read_file(shape.file, shape.inside);
   const std::lock_guard lock(one_at_a_time);
   const occt::Silence silence;
   try {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "csg/leaves/leaf.h"
+#include "csg/text/number.h"
 
 namespace cnrg::result {
 
@@ -72,7 +73,9 @@ class Cursor {
   Rational rational() const {
     if (value_->is_number_integer()) return *parse_rational(value_->dump());
     if (value_->is_string()) {
-      if (auto number = parse_rational(value_->get_ref<const std::string&>())) return *number;
+      const auto& text = value_->get_ref<const std::string&>();
+      if (auto number = read_number(text, kMostResultDigits).value) return std::move(*number);
+      if (text.size() > kMostResultDigits) fail(read_number(text, kMostResultDigits).fault);
     }
     fail("an exact number is needed here, such as \"3\", \"0.25\" or \"121/3\"");
   }

@@ -12,11 +12,11 @@
 #include <utility>
 
 #include "csg/imports/json_cursor.h"
-#include "csg/imports/mesh_file.h"
 #include "csg/imports/read_grades.h"
 #include "csg/leaves/cell_table.h"
 #include "csg/leaves/parameters.h"
 #include "csg/leaves/prepare_shapes.h"
+#include "csg/text/input_file.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -495,7 +495,7 @@ std::string position(const std::string& text, std::size_t byte) {
 }  // namespace
 
 std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
-  const std::string text = read_file(shape.file);
+  const std::string text = read_file(shape.file, shape.inside);
   Json document;
   try {
     document = Json::parse(text);

@@ -208,5 +208,5 @@ TEST_CASE("height field from a file") {
   shape.file = files.write("head.asc", "ncols 2\ncellsize 1\n1 2\n3 4\n");
   CHECK_THAT(error_of(shape), Catch::Contains("no nrows"));
   shape.file = files.path("none.asc");
-  CHECK_THAT(error_of(shape), Catch::Contains("there is no file"));
+  CHECK_THROWS_WITH(prepare(shape), Catch::Contains("there is no file"));
 }
