@@ -16,6 +16,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "kernel/base/error.h"
@@ -25,11 +26,12 @@ namespace {
 
 bool lock(int descriptor) { return flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
 
-/// True if the name still is this open file.
-bool is_at(int descriptor, const std::string& name) {
+/// Whether the name still is this open file; nothing if the system does not tell.
+std::optional<bool> is_at(int descriptor, const std::string& name) {
   struct stat open_one, named_one;
-  return fstat(descriptor, &open_one) == 0 && lstat(name.c_str(), &named_one) == 0 &&
-         open_one.st_dev == named_one.st_dev && open_one.st_ino == named_one.st_ino;
+  if (fstat(descriptor, &open_one) != 0) return std::nullopt;
+  if (lstat(name.c_str(), &named_one) != 0) return errno == ENOENT ? std::optional(false) : std::nullopt;
+  return open_one.st_dev == named_one.st_dev && open_one.st_ino == named_one.st_ino;
 }
 
 /// The digits at the front of `text`, which is advanced behind them; -1 if there are none.
@@ -68,7 +70,7 @@ Draft::Draft(const std::string& target, Kind kind) : target_(target) {
 }
 
 Draft::~Draft() {
-  if (!name_.empty() && is_at(descriptor_, name_)) unlink(name_.c_str());
+  if (!name_.empty() && is_at(descriptor_, name_).value_or(true)) unlink(name_.c_str());
   if (descriptor_ >= 0) close(descriptor_);
 }
 
@@ -103,7 +105,7 @@ void Draft::open_named() {
       fail("cannot be written", reason);
     }
     if (!lock(descriptor_) && errno != EWOULDBLOCK) return;  // a file system without locks: nobody else has one
-    if (is_at(descriptor_, name_)) return;
+    if (is_at(descriptor_, name_).value_or(true)) return;
     close(descriptor_);  // taken for abandoned before it was locked
   }
 }
@@ -123,7 +125,8 @@ void Draft::write(std::string_view content) {
 }
 
 void Draft::appear(const struct stat* old) {
-  if (old != nullptr) (void)fchmod(descriptor_, old->st_mode & 07777);
+  if (old != nullptr && fchmod(descriptor_, old->st_mode & 07777) != 0)
+    fail("cannot be given the permissions that it has", errno);
   if (fsync(descriptor_) != 0) fail("cannot be flushed to the disk", errno);
   if (name_.empty()) {
     if (old == nullptr && link_to(target_)) return;  // where nothing was the link is all
@@ -150,7 +153,7 @@ void Draft::remove_abandoned() const {
     if (descriptor < 0) continue;
     struct stat found;
     const bool ours = fstat(descriptor, &found) == 0 && S_ISREG(found.st_mode) && found.st_uid == geteuid();
-    if (ours && lock(descriptor) && is_at(descriptor, name)) unlink(name.c_str());
+    if (ours && lock(descriptor) && is_at(descriptor, name).value_or(false)) unlink(name.c_str());
     close(descriptor);
   }
 }
