@@ -4,6 +4,7 @@
 // Messages are written by the system's `write`: streams and strings may need memory.
 #include "csg/app/memory.h"
 
+#include <execinfo.h>
 #include <gmp.h>
 #include <unistd.h>
 
@@ -45,7 +46,10 @@ void release(void* memory, std::size_t) { std::free(memory); }
 /// The same as for an exception that reaches `main`, as far as it can be told.
 [[noreturn]] void end_uncaught() {
   try {
-    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+    const std::exception_ptr thrown = std::current_exception();
+    if (thrown == nullptr)
+      end_without_memory();  // functions of libraries that promise to throw nothing but lack it
+    std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
     end_without_memory();
   } catch (const std::exception& e) {
@@ -66,6 +70,10 @@ int memory_ran_out() noexcept {
 }
 
 void guard_ends() {
+  // Where an exception leaves a function of the C library (std::call_once), the C library looks for the unwinder,
+  // for which it needs memory; here it finds it while there is some.
+  void* frame;
+  backtrace(&frame, 1);
   mp_set_memory_functions(allocate, reallocate, release);
   std::set_terminate(end_uncaught);
 }

@@ -2,6 +2,7 @@
 #include "csg/app/row_table.h"
 
 #include <cstdio>
+#include <ios>
 #include <sstream>
 
 #include "csg/text/escape.h"

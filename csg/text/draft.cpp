@@ -6,6 +6,7 @@
 // alone. A writer that finds its fresh file removed between its making and its lock makes another.
 #include "csg/text/draft.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -16,6 +17,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -143,12 +145,13 @@ void Draft::appear(const struct stat* old) {
 
 void Draft::remove_abandoned() const {
   const std::string base = std::filesystem::path(target_).filename().string();
-  std::error_code ignored;
-  std::filesystem::directory_iterator entry(folder_of(target_), ignored);
-  for (; entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
-    const long process = process_of(entry->path().filename().string(), base);
+  const std::string folder = folder_of(target_);
+  // Not std::filesystem's iterator: where memory runs out in it, it ends the program.
+  const std::unique_ptr<DIR, decltype(&closedir)> entries(opendir(folder.c_str()), &closedir);
+  for (const dirent* entry; entries != nullptr && (entry = readdir(entries.get())) != nullptr;) {
+    const long process = process_of(entry->d_name, base);
     if (process < 0 || lives(process)) continue;
-    const std::string name = entry->path().string();
+    const std::string name = folder + "/" + entry->d_name;
     const int descriptor = open(name.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) continue;
     struct stat found;

@@ -12,7 +12,9 @@ import time
 SECONDS = re.compile(rb"[0-9]+\.[0-9]{3}(?= |\b s\b|$)", re.M)
 RETRIED = ("EINTR", "short")
 #: What a message may name besides files of the command: what was lacking, or what the system says.
-LACKING = re.compile(r"memory|thread|standard output|standard input|<stdin>|OpenCASCADE|TetGen|\.tmp|in/|folder|lock")
+LACKING = re.compile(r"memory|thread|process|pipe|standard output|<stdin>|OpenCASCADE|TetGen|in/|rows")
+#: Libraries in processes of their own, which may take lack of memory for a fault of what they work on, or crash.
+FOREIGN = re.compile(r"OpenCASCADE|TetGen")
 
 
 def same_words(text):
@@ -39,8 +41,10 @@ def still_alive(group):
 def fault_of_message(outcome, scenario):
     """What is wrong with what a run says that gave up; nothing if all is well."""
     lines = [line for line in outcome.err.decode(errors="replace").splitlines() if "error:" in line]
-    if len(lines) != 1:
+    if len(lines) != 1 and (scenario.same or not lines):  # a row that is lost has a line of its own
         return f"{len(lines)} error lines"
+    if outcome.status not in scenario.failures and not FOREIGN.search(lines[0]):
+        return f"exit status {outcome.status}"
     if "bug of" in outcome.err.decode(errors="replace"):
         return "the fault is called a bug"
     named = [word.split("/")[-1] for word in scenario.command[1:] if "." in word] + scenario.outputs
@@ -57,7 +61,7 @@ def judge(outcome, undisturbed, scenario, fault, before):
         return "no end"
     if outcome.status < 0:
         return f"ended by {signal.Signals(-outcome.status).name}"
-    if outcome.status != 0 and outcome.status not in scenario.failures:
+    if outcome.status not in (0, 2, *scenario.failures):
         return f"exit status {outcome.status}"
     if outcome.status != 0 and fault.answer in RETRIED:
         return f"{fault.answer} is not survived"
