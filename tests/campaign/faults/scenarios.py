@@ -82,8 +82,10 @@ def scenarios():
     for ending in ("json", "vtu", "msh", "mesh", "smesh", "poly", "obj", "off", "stl", "ply", "dot", "regions.dot"):
         found.append(Scenario(f"write .{ending}", [cnrg, "eval", "../in/solid.yaml", "--snap", "-o", f"r.{ending}"],
                               [f"r.{ending}"], old=ending in ("json", "vtu")))
+    # OpenCASCADE may take lack of memory for a fault of its file: what it returns is then refused as that.
     for name in ("solid.stl", "solid.off", "solid.obj", "solid.ply", "solid.json", "grid.asc", "part.step", "part.brep"):
         found.append(Scenario(f"read {name}", [cnrg, "eval", f"../in/read-{name}.yaml"],
+                              failures=(2, 3) if name.startswith("part") else (3,),
                               small=name in ("solid.json", "part.step")))
     # A row per run, whatever becomes of it: a run that is lost is told in its row, and the status is 1.
     found += [
