@@ -101,8 +101,11 @@ std::string command_line_fault(const CLI::App& program, const CLI::ParseError& e
     hint = did_you_mean(word.substr(0, word.find('=')), known);
     if (!hint.empty()) break;
   }
-  const std::string see = "`cnrg " + (chosen.empty() ? "" : asked.get_name() + " ") + "--help`";
-  return e.what() + (hint.empty() ? "; see " : hint + " See ") + see;
+  std::string what = e.what();
+  if (chosen.empty() && !program.remaining().empty())
+    what = "there is no command `" + program.remaining()[0] + "`";
+  return what + (hint.empty() ? ";" : hint) + " see `cnrg " + (chosen.empty() ? "" : asked.get_name() + " ") +
+         "--help`";
 }
 
 int run(int argc, char** argv) {

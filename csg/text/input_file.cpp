@@ -45,8 +45,8 @@ bool lies_inside(const std::filesystem::path& file, const std::filesystem::path&
 }
 
 [[noreturn]] void refuse_outside(const std::string& path, const std::string& inside) {
-  throw InputError("'" + path + "' lies outside of the folder '" + inside +
-                   "', and this tree may read no other files; copy it there");
+  throw InputError("'" + path + "' is no file inside of the folder '" + inside +
+                   "', and this tree may read no others; copy it there");
 }
 
 [[noreturn]] void fail(const std::string& path, const std::string& why) {
@@ -64,13 +64,10 @@ std::string folder_of_inputs(const std::string& path) {
 
 std::string read_file(const std::string& path, const std::string& inside) {
   std::error_code code;
-  if (!inside.empty()) {  // says nothing of what there is elsewhere
-    const std::filesystem::path named = std::filesystem::weakly_canonical(path, code);
-    if (code || !lies_inside(named, inside)) refuse_outside(path, inside);
-  }
   const Descriptor place(path, O_PATH);
+  if (!place.open_now() && !inside.empty()) refuse_outside(path, inside);  // tells nothing of what is elsewhere
   if (!place.open_now() && (errno == ENOENT || errno == ENOTDIR)) {
-    throw FileError("there is no file '" + path + "': check the path, it is relative to the tree file");
+    throw FileError("there is no file '" + path + "': check the path");
   }
   if (!place.open_now()) fail(path, std::strerror(errno));
   if (!inside.empty()) {

@@ -12,7 +12,7 @@ namespace cnrg {
 
 /// The whole content of a regular file. `inside`: a folder, as `folder_of_inputs` gives it, in which the file must
 /// lie; empty: anywhere. Throws FileError if there is no such file, if it cannot be read or is no regular file,
-/// InputError if it lies outside of the folder; messages have the path and no position.
+/// InputError if it is not in the folder, be it elsewhere or nowhere; messages have the path and no position.
 std::string read_file(const std::string& path, const std::string& inside = {});
 
 /// A folder without links in its path. FileError if there is none.

@@ -430,9 +430,10 @@ TEST_CASE("files that are none", "[cad]") {
     CHECK_THROWS_AS(check(tree(leaf)), InputError);
     CHECK_THROWS_WITH(check(tree(leaf)), Contains(words) && Contains(at) && !Contains("\n"));
   };
-  fails("step: {file: none.step}", at + ": error: there is no file '" + part.file("none.step"));
-  fails("brep: {file: none.brep}", "there is no file");
-  CHECK_THROWS_AS(check(tree("step: {file: .}")), FileError);
+  for (const std::string leaf : {"step: {file: none.step}", "brep: {file: none.brep}", "step: {file: .}"})
+    CHECK_THROWS_AS(check(tree(leaf)), FileError);
+  CHECK_THROWS_WITH(check(tree("step: {file: none.step}")),
+                    Contains(at + ": error: there is no file '" + part.file("none.step")));
   part.write("empty.step", "");
   fails("step: {file: empty.step}", "empty.step:1:1: error: this is no STEP file");
   fails("brep: {file: empty.step}", "empty.step:1:1: error: this is no BREP file");

@@ -423,6 +423,6 @@ TEST_CASE("broken files are refused with their place") {
   CHECK(starts(edited("/vertices/0/component", 0), ": error: /edges/"));
   CHECK(starts(edited("/vertices/1/point", 0), ": error: /vertices/1: "));
   CHECK(starts(edited("/edges/0/points", Json{0, 0}), ": error: /edges/0/points/1: "));
-  CHECK_THROWS_AS(prepare_result({dir / "none.json"}), InputError);
+  CHECK_THROWS_AS(prepare_result({dir / "none.json"}), FileError);
   CHECK_THROWS_AS(prepare_result({dir.path()}), FileError);
 }

@@ -41,7 +41,7 @@ void expect_node(const std::string& inside, int column, std::initializer_list<st
 TEST_CASE("a missing tree file is a FileError with its path", "[tree][errors]") {
   CHECK_THROWS_AS(read_tree("no/such/tree.yaml"), FileError);
   CHECK_THROWS_WITH(read_tree("no/such/tree.yaml"),
-                    Catch::StartsWith("no/such/tree.yaml:1:1: error: ") && Catch::Contains("No such file"));
+                    Catch::StartsWith("no/such/tree.yaml:1:1: error: ") && Catch::Contains("there is no file"));
   CHECK_THROWS_WITH(read_tree("."), Catch::Contains("directory"));
 }
 
@@ -141,10 +141,10 @@ TEST_CASE("operands of the wrong type or number", "[tree][errors]") {
   expect_node("complement:", 1, {"an operand of `a`", "empty"});
   expect_node("simplify: {of: p, mode: pints}", 25, {"`mode` of simplify must be one of features, points"});
   expect_node("simplify: {mode: points}", 11, {"simplify needs `of`"});
-  expect_node("material: rock", -3, {"has no operator"});
-  expect_node("regularize: true", -3, {"has no operator"});
+  expect_node("material: rock", -3, {"has no leaf and no operator"});
+  expect_node("regularize: true", -3, {"has no leaf and no operator"});
   expect_node("complement: p, union: [p, p]", 16, {"two operators, `complement` and `union`"});
-  expect_node("points: [[0, 0, 0]], plane: {}", 23, {"two leaves, `points` and `plane`"});
+  expect_node("points: [[0, 0, 0]], plane: {}", 22, {"two leaves, `points` and `plane`"});
   expect_node("complement: p, plane: {}", 16, {"an operator and a leaf, `complement` and `plane`"});
   expect_node("plane: {}, complement: p", 12, {"a leaf and an operator, `plane` and `complement`"});
   expect("cnrg: 1\nnodes:\n  a: box\nresult: a\n", 3, 6, {"the node `a` must be a map"});
