@@ -92,7 +92,8 @@ ChildResult run_child(const std::function<std::string()>& work, const Limits& li
   result.seconds = elapsed();
   result.peak_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   if (result.end == ChildResult::End::timeout) return result;
-  if (unheard != 0) throw std::runtime_error(std::string("its answer cannot be read: ") + std::strerror(unheard));
+  if (unheard != 0)
+    throw std::runtime_error(std::string("the answer of a process cannot be read: ") + std::strerror(unheard));
   if (WIFEXITED(status) && WEXITSTATUS(status) == kUnheard)
     throw std::runtime_error("a process cannot write its answer");
   if (WIFSIGNALED(status)) {

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <stdexcept>
 
 #include "csg/app/exit_status.h"
 
@@ -52,6 +53,11 @@ void release(void* memory, std::size_t) { std::free(memory); }
     std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
     end_without_memory();
+  } catch (const std::runtime_error& e) {
+    say("cnrg: error: the system refused: ");
+    say(e.what());
+    say("; free memory or use --threads 1\n");
+    std::_Exit(kNoAccess);
   } catch (const std::exception& e) {
     say("cnrg: error: nothing caught this: ");
     say(e.what());

@@ -12,7 +12,7 @@ import time
 SECONDS = re.compile(rb"[0-9]+\.[0-9]{3}(?= |\b s\b|$)", re.M)
 RETRIED = ("EINTR", "short")
 #: What a message may name besides files of the command: what was lacking, or what the system says.
-LACKING = re.compile(r"memory|thread|process|pipe|standard output|<stdin>|OpenCASCADE|TetGen|in/|rows")
+LACKING = re.compile(r"memory|thread|process|pipe|standard output|<stdin>|OpenCASCADE|TetGen|in/|rows|edge-|filesystem")
 #: Libraries in processes of their own, which may take lack of memory for a fault of what they work on, or crash.
 FOREIGN = re.compile(r"OpenCASCADE|TetGen")
 
@@ -40,6 +40,8 @@ def still_alive(group):
 
 def fault_of_message(outcome, scenario):
     """What is wrong with what a run says that gave up; nothing if all is well."""
+    if not scenario.same and outcome.status == 1 and re.search(rb": OOM|: error ", outcome.out):
+        return None  # the row of what was lost tells it
     lines = [line for line in outcome.err.decode(errors="replace").splitlines() if "error:" in line]
     if len(lines) != 1 and (scenario.same or not lines):  # a row that is lost has a line of its own
         return f"{len(lines)} error lines"

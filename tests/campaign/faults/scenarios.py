@@ -52,6 +52,7 @@ class Scenario:
     old_disk: bool = False  # a file system without files that have no name
     failures: tuple = (3,)  # exit statuses that a fault may have
     kinds: tuple = None  # of faults; all without it
+    alone: bool = False  # no thread may be started
     same: bool = True  # undisturbed runs write the same bytes
     small: bool = False  # part of `test_faults`
 
@@ -66,6 +67,8 @@ def scenarios():
         Scenario("trace", [cnrg, "eval", "../in/block.yaml", "--trace", "--topology"]),
         Scenario("threads", [cnrg, "eval", "../in/round.yaml", "--threads", "4", "-o", "r.json"], ["r.json"],
                  small=True),
+        Scenario("one thread", [cnrg, "eval", "../in/round.yaml", "--threads", "1", "-o", "r.json"], ["r.json"],
+                 alone=True, small=True),
         Scenario("all files", [cnrg, "eval", "../in/block.yaml", "-o", "r.json", "-o", "r.vtu", "-o", "r.regions.dot"],
                  ["r.json", "r.vtu", "r.regions.dot"], old=True, small=True),
         Scenario("link", [cnrg, "eval", "../in/solid.yaml", "-o", "link.json"], ["r.json", "link.json"], old=True),
