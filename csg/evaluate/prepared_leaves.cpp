@@ -93,7 +93,7 @@ PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding)
     const Instance& instance = unfolding.instances[i];
     if (!prepared_[instance.node]) prepare_node(instance.node);
     nodes_.push_back(instance.node);
-    instances_.push_back({prepared_[instance.node], instance.transform});
+    instances_.push_back({prepared_[instance.node], *instance.transform});
   }
 }
 
