@@ -1,5 +1,6 @@
 #include "bench/cases/child.h"
 
+#include <gmp.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 #include <stdexcept>
@@ -18,10 +20,24 @@ namespace {
 
 constexpr int kOutOfMemory = 77, kUnheard = 78;
 
+void* checked(void* memory) {
+  if (memory == nullptr) _exit(kOutOfMemory);
+  return memory;
+}
+
+/// GMP calls abort() without memory, and that would be taken for a crash.
+void guard_gmp() {
+  mp_set_memory_functions(
+      [](std::size_t size) { return checked(std::malloc(size)); },
+      [](void* old, std::size_t, std::size_t size) { return checked(std::realloc(old, size)); },
+      [](void* old, std::size_t) { std::free(old); });
+}
+
 [[noreturn]] void child(const std::function<std::string()>& work, const Limits& limits, int pipe, pid_t parent) {
   // Nobody measures or waits once the parent is gone.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(0);
+  guard_gmp();
   setsid();  // what it starts can be ended with it
   if (limits.bytes != 0) {
     const rlimit address{limits.bytes, limits.bytes};
