@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "csg/text/escape.h"
 
@@ -19,6 +20,8 @@ int command(CLI::App& program, int argc, char** argv, const Run& run) {
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return program.exit(e);
     std::fprintf(stderr, "%s: error: %s; see `%s --help`\n", name, shown(e.what()).c_str(), name);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "%s: error: memory ran out\n", name);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s: error: %s\n", name, shown(e.what()).c_str());
   }

@@ -107,8 +107,11 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return cnrg::bench::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("bench_robust: error: memory ran out\n", stderr);
+    return 2;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "bench_robust: %s\n", error.what());
+    std::fprintf(stderr, "bench_robust: error: %s\n", error.what());
     return 2;
   }
 }

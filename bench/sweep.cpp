@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -289,7 +290,7 @@ int run(Options& options) {
 }  // namespace
 }  // namespace cnrg::bench
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace cnrg::bench;
   Options options;
   Choice& choice = options.choice;
@@ -349,4 +350,7 @@ int main(int argc, char** argv) {
       ->expected(2)
       ->type_name("PROBLEM SYSTEM");
   return command(program, argc, argv, [&] { return run(options); });
+} catch (const std::bad_alloc&) {  // for the options
+  std::fputs("bench/run: error: memory ran out\n", stderr);
+  return 2;
 }

@@ -1,25 +1,43 @@
 #include "bench/cases/child.h"
 
+#include <gmp.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <cstring>
 #include <new>
 #include <stdexcept>
 
 namespace cnrg::bench {
 namespace {
 
-constexpr int kOutOfMemory = 77;
+constexpr int kOutOfMemory = 77, kUnheard = 78;
+
+void* checked(void* memory) {
+  if (memory == nullptr) _exit(kOutOfMemory);
+  return memory;
+}
+
+/// GMP calls abort() without memory, and that would be taken for a crash.
+void guard_gmp() {
+  mp_set_memory_functions(
+      [](std::size_t size) { return checked(std::malloc(size)); },
+      [](void* old, std::size_t, std::size_t size) { return checked(std::realloc(old, size)); },
+      [](void* old, std::size_t) { std::free(old); });
+}
 
 [[noreturn]] void child(const std::function<std::string()>& work, const Limits& limits, int pipe, pid_t parent) {
   // Nobody measures or waits once the parent is gone.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(0);
+  guard_gmp();
   setsid();  // what it starts can be ended with it
   if (limits.bytes != 0) {
     const rlimit address{limits.bytes, limits.bytes};
@@ -32,7 +50,8 @@ constexpr int kOutOfMemory = 77;
     const std::string text = work();
     for (std::size_t at = 0; at < text.size();) {
       const ssize_t n = write(pipe, text.data() + at, text.size() - at);
-      if (n <= 0) break;
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) _exit(kUnheard);
       at += static_cast<std::size_t>(n);
     }
   } catch (const std::bad_alloc&) {
@@ -46,17 +65,22 @@ constexpr int kOutOfMemory = 77;
 ChildResult run_child(const std::function<std::string()>& work, const Limits& limits) {
   using Clock = std::chrono::steady_clock;
   int ends[2];
-  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+  if (pipe(ends) != 0) throw std::runtime_error(std::string("no pipe to a process: ") + std::strerror(errno));
   const auto begin = Clock::now();
   const pid_t self = getpid();
   const pid_t pid = fork();
-  if (pid < 0) throw std::runtime_error("no process");
+  if (pid < 0) {
+    const int reason = errno;
+    close(ends[0]), close(ends[1]);
+    throw std::runtime_error(std::string("no process: ") + std::strerror(reason));
+  }
   if (pid == 0) {
     close(ends[0]);
     child(work, limits, ends[1], self);
   }
   close(ends[1]);
   ChildResult result;
+  int unheard = 0;
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
   char buffer[4096];
   for (;;) {
@@ -70,17 +94,24 @@ ChildResult run_child(const std::function<std::string()>& work, const Limits& li
       break;
     }
     const ssize_t n = read(ends[0], buffer, sizeof buffer);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) unheard = errno;
     if (n <= 0) break;
     result.text.append(buffer, static_cast<std::size_t>(n));
   }
   close(ends[0]);
   int status = 0;
   rusage usage{};
-  wait4(pid, &status, 0, &usage);
+  while (wait4(pid, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
   kill(-pid, SIGKILL);  // what it left behind
   result.seconds = elapsed();
   result.peak_bytes = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
   if (result.end == ChildResult::End::timeout) return result;
+  if (unheard != 0)
+    throw std::runtime_error(std::string("the answer of a process cannot be read: ") + std::strerror(unheard));
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kUnheard)
+    throw std::runtime_error("a process cannot write its answer");
   if (WIFSIGNALED(status)) {
     result.end = ChildResult::End::crash;
     result.signal = WTERMSIG(status);

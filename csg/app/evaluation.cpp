@@ -2,14 +2,31 @@
 // printing of its diagnostics.
 #include "csg/app/evaluation.h"
 
+#include <tbb/global_control.h>
+
 #include <set>
 
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 
 namespace cnrg::app {
+namespace {
+
+/// No more threads than asked for until the program ends, so that files are made with no more, too. It is never
+/// undone: where a limit of oneTBB goes, threads that waited for it are started, and if the system gives none the
+/// program ends in the middle of a destructor.
+void limit_threads(int threads) {
+  static const tbb::global_control* limit = nullptr;
+  if (threads > 0 && limit == nullptr) {
+    limit =
+        new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
+}
+
+}  // namespace
 
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet) {
+  limit_threads(options.threads);
   ProgressBar bar(quiet);
   options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
     bar.show(stage, done, total);

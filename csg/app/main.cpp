@@ -4,6 +4,7 @@
 // kind of exception becomes one message and its exit status.
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <csignal>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -27,10 +28,10 @@ int fail(int status, const std::string& message) {
   return status;
 }
 
-int guarded(const std::function<int()>& command) {
+int guarded(const std::function<int()>& program) {
   try {
     Output output;
-    const int status = command();
+    const int status = program();
     if (output.finish()) return status;
     if (output.unread()) return kNoAccess;
     return fail(kNoAccess, "the results could not be written to standard output; is there room?");
@@ -39,7 +40,7 @@ int guarded(const std::function<int()>& command) {
   } catch (const FileError& e) {
     return fail(kNoAccess, e.what());
   } catch (const std::bad_alloc&) {
-    return fail(kNoAccess, kMemoryRanOut);
+    return memory_ran_out();
   } catch (const std::runtime_error& e) {  // a thread or a folder that the system does not give
     return fail(kNoAccess, std::string("the system refused: ") + e.what() + "; free memory or use --threads 1");
   } catch (const std::exception& e) {
@@ -220,19 +221,21 @@ int run(int argc, char** argv) {
     if (e.get_exit_code() == 0) return program.exit(e);
     return fail(kBadInput, command_line_fault(program, e));
   }
-  return guarded(command);
+  return command();
 }
 
 }  // namespace
 }  // namespace cnrg::app
 
 int main(int argc, char** argv) {
-  cnrg::app::guard_gmp_memory();
-  std::ios::sync_with_stdio(false);
+  using namespace cnrg::app;
+  guard_ends();
+  occupy_streams();
+  std::signal(SIGCHLD, SIG_DFL);  // who starts us may have ignored it, and then no child could be waited for
   try {
-    return cnrg::app::run(argc, argv);
-  } catch (const std::exception& e) {
-    cnrg::app::tell(std::string("cnrg: error: ") + e.what());
-    return cnrg::app::kBug;
+    std::ios::sync_with_stdio(false);
+    return guarded([&] { return run(argc, argv); });
+  } catch (const std::bad_alloc&) {  // for a message, too
+    return memory_ran_out();
   }
 }

@@ -1,13 +1,15 @@
-// GMP calls abort() when memory runs out; here the program ends with a message and an exit status of its own.
+// The end of the program where no `catch` is: GMP calls abort() when memory runs out, and an exception that leaves
+// a thread or a destructor calls std::terminate. Here the program ends with a message and an exit status all the
+// same.
 #pragma once
 
 namespace cnrg::app {
 
-/// What people read when memory ran out.
-inline constexpr const char* kMemoryRanOut =
-    "memory ran out; use fewer segments or a smaller tree, or --threads 1";
+/// Says that memory ran out, for which it needs none; the exit status.
+int memory_ran_out() noexcept;
 
-/// Gives GMP allocators that end the program with a message and exit status 3. Call it first of all.
-void guard_gmp_memory();
+/// Gives GMP allocators that end the program by `memory_ran_out`, and std::terminate a line that says why. Call it
+/// first of all.
+void guard_ends();
 
 }  // namespace cnrg::app

@@ -1,10 +1,12 @@
 // A block ends with a line, so that no character is cut in two.
 #include "csg/app/output.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <iostream>
+#include <new>
 
 #include "csg/text/escape.h"
 
@@ -31,14 +33,28 @@ void tell(std::string_view message) {
   std::cerr << shown(message) << std::endl;
 }
 
+void occupy_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
+    (void)open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // the least number that is free
+  }
+}
+
 Output::Output() : before_(std::cout.rdbuf(this)) {}
 
 Output::~Output() {
-  drain(true);
+  try {
+    drain(true);
+  } catch (const std::bad_alloc&) {  // whoever did not `finish` has an error of its own to tell
+  }
   std::cout.rdbuf(before_);
 }
 
-bool Output::finish() { return drain(true); }
+bool Output::finish() {
+  // A stream keeps every exception to itself, and what was to be printed is lost.
+  if (std::cout.bad() && reason_ == 0) throw std::bad_alloc();
+  return drain(true);
+}
 
 bool Output::unread() const { return reason_ == EPIPE; }
 

@@ -14,6 +14,10 @@ namespace cnrg::app {
 /// Prints a message on standard error as one line, whatever is in it.
 void tell(std::string_view message);
 
+/// Standard streams that whoever started the program left closed are opened as such that cannot be used. Otherwise
+/// the first files that are opened would take their places, and get what is printed.
+void occupy_streams();
+
 /// `std::cout` while it lives: escaped, written in blocks.
 class Output : private std::streambuf {
  public:
@@ -22,7 +26,8 @@ class Output : private std::streambuf {
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
-  /// Writes what is left. False if something could not be written, now or before.
+  /// Writes what is left. False if something could not be written, now or before; std::bad_alloc if there was no
+  /// memory for it.
   bool finish();
   /// True if nobody reads any more (`cnrg ... | head -1`): there is nobody to complain to.
   bool unread() const;

@@ -2,6 +2,7 @@
 #include "csg/app/row_table.h"
 
 #include <cstdio>
+#include <ios>
 #include <sstream>
 
 #include "csg/text/escape.h"
@@ -60,13 +61,18 @@ std::string row_table(const std::vector<NodeRow>& rows, bool raw, bool trace) {
                    seconds_text(row.seconds), volume_text(row.volume())});
   }
   if (!trace) return table.text();
-  std::istringstream lines(table.text());
-  std::string text, line;
-  std::getline(lines, line);
-  text += line + "\n";
+  const std::string lines = table.text();
+  std::string text;
+  std::size_t at = 0;
+  const auto take_line = [&] {
+    const std::size_t end = lines.find('\n', at) + 1;
+    text.append(lines, at, end - at);
+    at = end;
+  };
+  take_line();
   for (const NodeRow& row : rows) {
-    std::getline(lines, line);
-    text += line + "\n" + details(row);
+    take_line();
+    text += details(row);
   }
   return text;
 }
@@ -77,6 +83,7 @@ std::string refinement_summary(const Evaluation& evaluation) {
   constexpr const char* kContacts[] = {"face-face", "face-edge",   "face-vertex",
                                        "edge-edge", "edge-vertex", "vertex-vertex"};
   std::ostringstream text;
+  text.exceptions(std::ios::badbit);  // without memory it would end in the middle
   text << "\nrefinement: " << complex.vertex_count() << " vertices (" << report.constructed << " constructed), "
        << complex.edge_count() << " edges, " << complex.face_count() << " faces, " << complex.region_count
        << " 3-cells; " << seconds_text(evaluation.refine_seconds) << " s\ncontacts: ";

@@ -48,6 +48,7 @@ std::string dag_dot(const Evaluation& evaluation) {
   };
   const auto whole = [](std::ostream& stream) { stream << "node [shape=box]\n"; };
   std::ostringstream text;
+  text.exceptions(std::ios::badbit);  // without memory it would end in the middle
   boost::write_graphviz(text, graph, node, edge, whole);
   return text.str();
 }

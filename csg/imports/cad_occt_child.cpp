@@ -170,8 +170,8 @@ class ModelReader {
       throw InputError(occt::subject(shape) + "OpenCASCADE did not end within " + std::to_string(end.seconds) +
                        " s of processor time" + repair + ", or give a larger `chord` or fewer `segments`");
     case Kind::memory:
-      throw InputError(occt::subject(shape) + "OpenCASCADE ran out of memory" + repair +
-                       ", or give a larger `chord` or fewer `segments`");
+      throw FileError(occt::subject(shape) + "OpenCASCADE ran out of memory: free some, " + repair.substr(2) +
+                      ", or give a larger `chord` or fewer `segments`");
     case Kind::signal:
       throw InputError(occt::subject(shape) + "OpenCASCADE crashed (signal " + std::to_string(end.number) + ")" +
                        repair);

@@ -15,10 +15,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <fstream>
 #include <new>
-#include <sstream>
 
 #include "kernel/base/error.h"
 
@@ -74,6 +75,17 @@ void obey(const ChildLimits& limits, std::size_t had) {
   }
 }
 
+/// For an exception that a library lets out where there is no catch. The caller's handler is not for its children.
+[[noreturn]] void end_uncaught() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    _exit(kNoMemory);
+  } catch (...) {
+  }
+  std::abort();
+}
+
 [[noreturn]] void be_child(const ChildLimits& limits, std::size_t had, const MemoryFile& said,
                            const std::function<int()>& work) {
   int status = kStrange;
@@ -81,6 +93,7 @@ void obey(const ChildLimits& limits, std::size_t had) {
     obey(limits, had);
     dup2(said.descriptor(), STDOUT_FILENO);
     dup2(said.descriptor(), STDERR_FILENO);
+    std::set_terminate(end_uncaught);
     status = kDone + std::min(work(), kMostNumber);
   } catch (const std::bad_alloc&) {
     status = kNoMemory;
@@ -92,11 +105,11 @@ void obey(const ChildLimits& limits, std::size_t had) {
 
 /// The last line, without the program's name in front of a failed assertion.
 std::string last_line(const std::string& text) {
-  std::istringstream lines(text);
-  std::string line, last;
-  while (std::getline(lines, line)) {
-    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
-  }
+  const std::size_t last_letter = text.find_last_not_of(" \t\r\n");
+  if (last_letter == std::string::npos) return {};
+  const std::size_t begin = text.rfind('\n', last_letter) + 1,
+                    end = text.find('\n', last_letter);  // npos + 1 is 0
+  const std::string last = text.substr(begin, end - begin);
   const auto assertion = last.find("Assertion");
   return assertion == std::string::npos ? last : last.substr(assertion);
 }
@@ -121,7 +134,13 @@ MemoryFile::MemoryFile(std::string owner)
 }
 MemoryFile::~MemoryFile() { close(descriptor_); }
 
-void MemoryFile::rewind() const { lseek(descriptor_, 0, SEEK_SET); }
+std::size_t MemoryFile::seek(std::ptrdiff_t at, int whence) const {
+  const off_t found = lseek(descriptor_, at, whence);
+  if (found < 0) fail_by_system();
+  return std::size_t(found);
+}
+
+void MemoryFile::rewind() const { seek(0, SEEK_SET); }
 
 void MemoryFile::write(const void* data, std::size_t size) const {
   for (const char* at = static_cast<const char*>(data); size > 0;) {
@@ -137,16 +156,17 @@ void MemoryFile::read(void* data, std::size_t size) const {
   for (char* at = static_cast<char*>(data); size > 0;) {
     const ssize_t n = ::read(descriptor_, at, size);
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) fail();
+    if (n < 0) fail_by_system();
+    if (n == 0) fail();
     at += n;
     size -= std::size_t(n);
   }
 }
 
 std::size_t MemoryFile::rest() const {
-  const off_t at = lseek(descriptor_, 0, SEEK_CUR), end = lseek(descriptor_, 0, SEEK_END);
-  lseek(descriptor_, at, SEEK_SET);
-  return std::size_t(end - at);
+  const std::size_t at = seek(0, SEEK_CUR), end = seek(0, SEEK_END);
+  seek(std::ptrdiff_t(at), SEEK_SET);
+  return end - at;
 }
 
 std::string MemoryFile::text() const {
@@ -156,6 +176,9 @@ std::string MemoryFile::text() const {
   return result;
 }
 
+void MemoryFile::fail_by_system() const {
+  throw FileError("the result of " + owner_ + " cannot be read: " + std::strerror(errno));
+}
 void MemoryFile::fail() const { throw InputError(owner_ + " returned a result that is damaged"); }
 
 ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const std::function<int()>& work) {

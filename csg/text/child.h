@@ -31,7 +31,8 @@ class MemoryFile {
   void rewind() const;
   /// std::bad_alloc when there is no room.
   void write(const void* data, std::size_t size) const;
-  /// InputError at the end of the file: a child that lost its memory may have written anything.
+  /// InputError at the end of the file: a child that lost its memory may have written anything. FileError if the
+  /// system refuses, here and below.
   void read(void* data, std::size_t size) const;
   /// How many bytes follow.
   std::size_t rest() const;
@@ -70,6 +71,8 @@ class MemoryFile {
   std::string owner_;
   int descriptor_;
   [[noreturn]] void fail() const;
+  [[noreturn]] void fail_by_system() const;
+  std::size_t seek(std::ptrdiff_t at, int whence) const;
 };
 
 /// What a child may use; 0: no bound of ours. Bounds that the process has already are never raised.

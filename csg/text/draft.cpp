@@ -6,6 +6,7 @@
 // alone. A writer that finds its fresh file removed between its making and its lock makes another.
 #include "csg/text/draft.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -16,6 +17,8 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "kernel/base/error.h"
@@ -25,11 +28,12 @@ namespace {
 
 bool lock(int descriptor) { return flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
 
-/// True if the name still is this open file.
-bool is_at(int descriptor, const std::string& name) {
+/// Whether the name still is this open file; nothing if the system does not tell.
+std::optional<bool> is_at(int descriptor, const std::string& name) {
   struct stat open_one, named_one;
-  return fstat(descriptor, &open_one) == 0 && lstat(name.c_str(), &named_one) == 0 &&
-         open_one.st_dev == named_one.st_dev && open_one.st_ino == named_one.st_ino;
+  if (fstat(descriptor, &open_one) != 0) return std::nullopt;
+  if (lstat(name.c_str(), &named_one) != 0) return errno == ENOENT ? std::optional(false) : std::nullopt;
+  return open_one.st_dev == named_one.st_dev && open_one.st_ino == named_one.st_ino;
 }
 
 /// The digits at the front of `text`, which is advanced behind them; -1 if there are none.
@@ -68,7 +72,7 @@ Draft::Draft(const std::string& target, Kind kind) : target_(target) {
 }
 
 Draft::~Draft() {
-  if (!name_.empty() && is_at(descriptor_, name_)) unlink(name_.c_str());
+  if (!name_.empty() && is_at(descriptor_, name_).value_or(true)) unlink(name_.c_str());
   if (descriptor_ >= 0) close(descriptor_);
 }
 
@@ -103,7 +107,7 @@ void Draft::open_named() {
       fail("cannot be written", reason);
     }
     if (!lock(descriptor_) && errno != EWOULDBLOCK) return;  // a file system without locks: nobody else has one
-    if (is_at(descriptor_, name_)) return;
+    if (is_at(descriptor_, name_).value_or(true)) return;
     close(descriptor_);  // taken for abandoned before it was locked
   }
 }
@@ -123,7 +127,8 @@ void Draft::write(std::string_view content) {
 }
 
 void Draft::appear(const struct stat* old) {
-  if (old != nullptr) (void)fchmod(descriptor_, old->st_mode & 07777);
+  if (old != nullptr && fchmod(descriptor_, old->st_mode & 07777) != 0)
+    fail("cannot be given the permissions that it has", errno);
   if (fsync(descriptor_) != 0) fail("cannot be flushed to the disk", errno);
   if (name_.empty()) {
     if (old == nullptr && link_to(target_)) return;  // where nothing was the link is all
@@ -140,17 +145,18 @@ void Draft::appear(const struct stat* old) {
 
 void Draft::remove_abandoned() const {
   const std::string base = std::filesystem::path(target_).filename().string();
-  std::error_code ignored;
-  std::filesystem::directory_iterator entry(folder_of(target_), ignored);
-  for (; entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
-    const long process = process_of(entry->path().filename().string(), base);
+  const std::string folder = folder_of(target_);
+  // Not std::filesystem's iterator: where memory runs out in it, it ends the program.
+  const std::unique_ptr<DIR, decltype(&closedir)> entries(opendir(folder.c_str()), &closedir);
+  for (const dirent* entry; entries != nullptr && (entry = readdir(entries.get())) != nullptr;) {
+    const long process = process_of(entry->d_name, base);
     if (process < 0 || lives(process)) continue;
-    const std::string name = entry->path().string();
+    const std::string name = folder + "/" + entry->d_name;
     const int descriptor = open(name.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) continue;
     struct stat found;
     const bool ours = fstat(descriptor, &found) == 0 && S_ISREG(found.st_mode) && found.st_uid == geteuid();
-    if (ours && lock(descriptor) && is_at(descriptor, name)) unlink(name.c_str());
+    if (ours && lock(descriptor) && is_at(descriptor, name).value_or(false)) unlink(name.c_str());
     close(descriptor);
   }
 }

@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 
 #include <cctype>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include "csg/text/draft.h"
@@ -18,15 +20,21 @@ void require_no_directory(const std::string& path) {
 }
 
 void replace_file(const std::string& path, std::string_view content) {
-  std::string target = path;
-  std::error_code ignored;
-  if (std::filesystem::is_symlink(path, ignored)) {
-    const auto followed = std::filesystem::weakly_canonical(path, ignored);
-    if (!followed.empty()) target = followed.string();
-  }
-  struct stat old;
-  const bool exists = stat(target.c_str(), &old) == 0;
   require_no_directory(path);
+  std::string target = path;
+  struct stat old;
+  const auto fail = [&](const std::string& reason) { throw FileError(path + ": cannot be written: " + reason); };
+  const auto look_up = [&](auto* question, const std::string& name) {
+    if (question(name.c_str(), &old) == 0) return true;
+    if (errno != ENOENT && errno != ENOTDIR) fail(std::strerror(errno));  // an old file that is overlooked is lost
+    return false;
+  };
+  if (look_up(lstat, path) && S_ISLNK(old.st_mode)) {
+    std::error_code code;
+    target = std::filesystem::weakly_canonical(path, code).string();
+    if (code) fail(code.message());
+  }
+  const bool exists = look_up(stat, target);
   if (exists && !S_ISREG(old.st_mode)) throw FileError(path + ": cannot be replaced: it is no regular file");
   Draft draft(target);
   draft.write(content);

@@ -83,6 +83,7 @@ std::string RegionGraph::dot() const {
     stream << "graph [layout=neato, overlap=false]\nnode [shape=box]\n";
   };
   std::ostringstream text;
+  text.exceptions(std::ios::badbit);  // without memory it would end in the middle
   boost::write_graphviz(text, graph, node, edge, whole);
   return text.str();
 }

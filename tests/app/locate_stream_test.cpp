@@ -22,7 +22,8 @@ TEST_CASE("locate answers while it reads", "[app][locate]") {
   CHECK(endless.err.empty());
   // The first line is answered although the second one does not come.
   const Outcome typed = w.shell(
-      "mkfifo points && { { echo 1 1 1; n=0; while [ ! -s .out ] && [ $n -lt 100 ]; do sleep 0.1; n=$((n+1)); "
+      "rm .out; mkfifo points && { { echo 1 1 1; n=0; while [ ! -s .out ] && [ $n -lt 100 ]; do sleep 0.1; "
+      "n=$((n+1)); "
       "done; "
       "cp .out early; echo 3 3 3; } >points & } && " +
       kLocate + " <points >.out 2>.err; wait");

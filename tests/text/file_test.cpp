@@ -227,3 +227,12 @@ TEST_CASE("what is no regular file is not replaced", "[file]") {
   mkfifo((folder / "pipe").c_str(), 0600);
   CHECK_THROWS_WITH(replace_file(folder / "pipe", ""), Catch::Contains("no regular file"));
 }
+
+TEST_CASE("a link whose end the system does not tell stays a link", "[file]") {
+  const Folder folder;
+  fs::create_symlink("b", folder / "a");
+  fs::create_symlink("a", folder / "b");
+  CHECK_THROWS_WITH(replace_file(folder / "a", "text"), Catch::Contains("cannot be written: "));
+  CHECK(fs::is_symlink(folder / "a"));
+  CHECK(folder.names() == std::set<std::string>{"a", "b"});
+}
