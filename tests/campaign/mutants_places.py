@@ -99,14 +99,9 @@ class Parser:
             self.precompiled[key] = output
         return ["-include-pch", str(self.precompiled[key])]
 
-    def parse(self, name, root=None):
+    def parse(self, name):
         arguments = self.arguments[name]
-        path = self.root / name
-        extra = self.precompile(arguments)
-        if root is not None:
-            arguments = [a.replace(str(self.root), str(root)) if a.startswith("-I") else a for a in arguments]
-            path = Path(root) / name
-        return self.index.parse(str(path), arguments + extra)
+        return self.index.parse(str(self.root / name), arguments + self.precompile(arguments))
 
 
 def errors_of(unit, root):
@@ -144,9 +139,8 @@ class Finder:
 
     def walk(self, cursor, name, parent):
         kind = cursor.kind
-        if kind in (cindex.CursorKind.CXX_THROW_EXPR, cindex.CursorKind.STATIC_ASSERT,
-                    cindex.CursorKind.ENUM_DECL, cindex.CursorKind.TYPE_ALIAS_DECL,
-                    cindex.CursorKind.CASE_STMT) and kind != cindex.CursorKind.CASE_STMT:
+        if kind in (cindex.CursorKind.CXX_THROW_EXPR, cindex.CursorKind.STATIC_ASSERT, cindex.CursorKind.ENUM_DECL,
+                    cindex.CursorKind.TYPE_ALIAS_DECL):
             return
         if kind.is_declaration() and kind not in (cindex.CursorKind.NAMESPACE, cindex.CursorKind.CLASS_DECL,
                                                   cindex.CursorKind.STRUCT_DECL):
@@ -172,9 +166,6 @@ class Finder:
             self.constant(cursor, text, start, end, name, parent)
         elif kind == cindex.CursorKind.UNARY_OPERATOR:
             if text[start:start + 1] == b"-" and text[start + 1:start + 2] != b"-":
-                kinds = (cindex.CursorKind.INTEGER_LITERAL, cindex.CursorKind.FLOATING_LITERAL)
-                if children and children[0].kind in kinds:
-                    self.covered.add(children[0].extent.start.offset)
                 self.add(cursor, name, start, end, "-", "", "sign", (), (start + 1, end))
         elif len(children) >= 2:
             first, last = children[0].extent, children[-1].extent
@@ -185,8 +176,6 @@ class Finder:
                     draw = random.Random(f"{self.seed} {name} {start} {end}")
                     self.add(cursor, name, start, end, old, draw.choice(choices), "binary",
                              (start, first.end.offset), (last.start.offset, end))
-
-    covered = set()
 
     def constant(self, cursor, text, start, end, name, parent):
         old = text[start:end].decode()

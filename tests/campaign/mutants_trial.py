@@ -47,7 +47,7 @@ class Programs:
 
         def limit():
             os.setsid()
-            os.nice(10)
+            os.setpriority(os.PRIO_PROCESS, 0, 10)
             resource.setrlimit(resource.RLIMIT_CPU, (int(cpu) + 1, int(cpu) + 3))
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
@@ -91,7 +91,8 @@ class Programs:
 
     def list_file(self, names):
         path = self.folder / "cases.txt"
-        path.write_text("".join(name + "\n" for name in names))
+        # A comma would begin another name.
+        path.write_text("".join(name.replace(",", "\\,") + "\n" for name in names))
         return str(path)
 
     def record(self, room, name, size):
