@@ -42,6 +42,7 @@ class Case:
     few: float = 0  # seconds with few seeds; 0 if that is no saving, or not enough for the case to pass
     passed: bool = True
     reached: list = field(default_factory=list)
+    number: int = 0
 
 
 @dataclass
