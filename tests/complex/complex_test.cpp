@@ -132,7 +132,8 @@ TEST_CASE("a soup numbers points and faces as they come, and takes finite coordi
   CHECK(c == PointId(2));
   CHECK(s.add_triangle(leaf, a, b, c, 0, 0) == SourceId(0));
   CHECK(s.add_triangle(leaf, a, c, b, 1, 1) == SourceId(1));
-  CHECK(s.add_face(leaf, {{a, b, c}}, 2, 2) == SourceId(2));
+  const std::vector<std::vector<PointId>> loops{{a, b, c}};
+  CHECK(s.add_face(leaf, loops, 2, 2) == SourceId(2));
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     CHECK_THROWS_AS(s.add_point(bad, 0, 0), InputError);
     CHECK_THROWS_AS(s.add_point(0, bad, 0), InputError);
