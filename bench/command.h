@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <exception>
 
+#include "csg/text/escape.h"
+
 namespace cnrg::bench {
 
 /// Reads the options and calls `run()` for the exit status; 2 for bad options and for what `run` throws.
@@ -16,9 +18,9 @@ int command(CLI::App& program, int argc, char** argv, const Run& run) {
     return run();
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return program.exit(e);
-    std::fprintf(stderr, "%s: error: %s; see `%s --help`\n", name, e.what(), name);
+    std::fprintf(stderr, "%s: error: %s; see `%s --help`\n", name, shown(e.what()).c_str(), name);
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s: error: %s\n", name, e.what());
+    std::fprintf(stderr, "%s: error: %s\n", name, shown(e.what()).c_str());
   }
   return 2;
 }

@@ -14,6 +14,7 @@
 #include "bench/sweep/schedule.h"
 #include "bench/sweep/store.h"
 #include "csg/app/progress_bar.h"
+#include "csg/text/escape.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg::bench {
@@ -27,6 +28,9 @@ struct Options {
   int jobs = 1;
   bool list = false, units = false, describe = false, quiet = false;
 };
+
+/// A message on one line, whatever is in the names of files and in the words of other programs.
+void say(const std::string& message) { std::fprintf(stderr, "bench/run: %s\n", shown(message).c_str()); }
 
 /// Names of files and columns are made of it.
 void check_name(const std::string& name) {
@@ -89,8 +93,7 @@ std::vector<std::string> chosen_systems(const Setup& setup, const Options& optio
   for (const System& system : setup.systems) {
     if (!options.systems.empty() && system.executable.empty()) continue;
     if (system.absent.empty()) add(system.name);
-    else
-      std::fprintf(stderr, "bench/run: notice: %s is left out: %s\n", system.name.c_str(), system.absent.c_str());
+    else say("notice: " + system.name + " is left out: " + system.absent);
   }
   return names;
 }
@@ -108,8 +111,8 @@ void list_all(const Setup& setup) {
   std::printf("Systems:\n");
   for (const System& s : setup.systems)
     std::printf("  %-14s %s, %s: %s\n", s.name.c_str(), s.title.c_str(),
-                s.absent.empty() ? s.version().c_str() : "absent",
-                s.absent.empty() ? s.guarantee.c_str() : s.absent.c_str());
+                s.absent.empty() ? shown(s.version()).c_str() : "absent",
+                s.absent.empty() ? s.guarantee.c_str() : shown(s.absent).c_str());
 }
 
 /// One unit: its record goes to the folder of the sweep, or is shown.
@@ -125,13 +128,13 @@ int run_one(const Options& options, Setup& setup) {
   if (system == kTruth) {
     const Truth truth = establish_truth(setup, problem);
     if (store) store->write_truth(problem, truth);
-    else std::cout << to_json(truth) << '\n';
+    else std::cout << shown_json(to_json(truth)) << '\n';
     return 0;
   }
   const std::optional<Truth> known = store ? store->truth(problem) : std::nullopt;
   const SweepRow row = run_unit(setup, problem, system, known ? *known : establish_truth(setup, problem));
   if (store) store->write_row(row);
-  else std::cout << to_json(row) << '\n';
+  else std::cout << shown_json(to_json(row)) << '\n';
   return 0;
 }
 
@@ -177,8 +180,8 @@ bool say_failed(const std::vector<FailedUnit>& failed) {
   for (const FailedUnit& f : failed) {
     if (f.waited) continue;
     ++broken;
-    std::fprintf(stderr, "bench/run: error: %s of %s ended with status %d and has no row; run it again by --one\n",
-                 f.unit.system.c_str(), f.unit.problem.c_str(), f.status);
+    say("error: " + f.unit.system + " of " + f.unit.problem + " ended with status " + std::to_string(f.status) +
+        " and has no row; run it again by --one");
   }
   return broken != 0;
 }
@@ -202,7 +205,7 @@ Store::LeftOut check_problems(const Setup& setup, Plan& plan) {
     throw std::runtime_error(setup.folder + ": reading its files ended without a result");
   left_out = nlohmann::json::parse(child.text).get<Store::LeftOut>();
   for (const auto& [problem, reason] : left_out) {
-    std::fprintf(stderr, "bench/run: left out: %s: %s\n", problem.c_str(), reason.c_str());
+    say("left out: " + problem + ": " + reason);
     plan.problems.erase(std::find(plan.problems.begin(), plan.problems.end(), problem));
   }
   if (plan.problems.empty()) throw std::runtime_error(setup.folder + ": has no file that makes a problem");
@@ -216,7 +219,8 @@ int sweep(const Options& options, Setup& setup) {
   const Store::LeftOut left_out = check_problems(setup, plan);
   if (options.units) {
     for (const std::string& problem : plan.problems)
-      for (const std::string& system : names) std::printf("%s\t%s\n", problem.c_str(), system.c_str());
+      for (const std::string& system : names)
+        std::printf("%s\t%s\n", shown(problem).c_str(), shown(system).c_str());
     return 0;
   }
   Store store(options.out);

@@ -15,7 +15,7 @@ import xml.etree.ElementTree as ET
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-from words import decade_text, exponent_text, percent, power_of_ten
+from words import HOSTILE, decade_text, exponent_text, percent, power_of_ten, shown
 
 # Colours as (light, dark): the page's variables --page, --ink, --muted, --rule, --s0, ...
 GROUND = ("#ffffff", "#14171b")
@@ -50,8 +50,8 @@ def label(experiment, system):
 
 
 def clean(text):
-    """With a mark instead of characters that XML has not."""
-    return re.sub("[^\t\n\x20-\x7e\x80-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", "\ufffd", text)
+    """With a mark instead of characters that XML has not or that nobody should meet on a page."""
+    return re.sub(f"(?![\t\n])[{HOSTILE}]", "\ufffd", text)
 
 
 @dataclass
@@ -67,7 +67,8 @@ class Figure:
         out = io.StringIO()
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(self.columns)
-        writer.writerows(self.records)
+        for record in self.records:
+            writer.writerow([shown(cell) if isinstance(cell, str) else cell for cell in record])
         return out.getvalue()
 
 

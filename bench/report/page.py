@@ -64,7 +64,8 @@ def runs_json(experiment):
              words.megabytes(row["peak_bytes"]), row["message"], row["command"]] for row in experiment.rows]
     text = json.dumps({"rows": rows, "systems": [label(experiment, system) for system in experiment.system],
                        "verdicts": VERDICTS}, ensure_ascii=False, separators=(",", ":"))
-    return re.sub("[<>&\x7f\ufffe\uffff]", lambda c: f"\\u{ord(c[0]):04x}", text)
+    units = lambda c: "".join(f"\\u{u}" for u in c[0].encode("utf-16-be", "surrogatepass").hex(" ", 2).split())
+    return re.sub(f"[<>&{words.HOSTILE}]", units, text)
 
 
 def page_html(experiment, summary, title, figures, svgs, folder=""):

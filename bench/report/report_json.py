@@ -1,15 +1,18 @@
 """The report as JSON: schema version, title, machine, systems, families, main facts, all aggregates, the exact
 results by problem, all rows."""
 import json
+import re
 
 from facts import main_facts
 from rows import VERDICTS
+from words import HOSTILE
 
 SCHEMA = 1
 
 
 def json_text(value):
-    return json.dumps(value, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    text = json.dumps(value, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    return re.sub(f"[{HOSTILE}]", lambda c: json.dumps(c[0])[1:-1], text)
 
 
 def _tally(tally):

@@ -1,8 +1,21 @@
-"""Numbers for people: three digits, commas between thousands, powers of ten, plurals."""
+"""Words for people: numbers with three digits, commas between thousands, powers of ten, plurals; names that hide
+nothing."""
 import math
+import re
 
 NONE = "–"
+# Controls, marks that turn a line around or end it, characters that nobody sees: those of csg/text/escape.cpp.
+HOSTILE = ("\x00-\x1f\x7f-\x9f\u061c\u180e\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f\ud800-\udfff\ufeff"
+           "\ufff9-\ufffb\ufffe\uffff\U000e0000-\U000e007f")
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def shown(text):
+    """A text on one line, hostile characters as escapes: `\\n`, `\\x1b`, `\\u202e`."""
+    def escape(found):
+        c = found[0]
+        return f"\\u{ord(c):04x}" if "\x80" <= c < "\u0100" else ascii(c)[1:-1]
+    return re.sub(f"[{HOSTILE}]", escape, text)
 
 
 def three_digits(value):

@@ -2,7 +2,7 @@
 
 Each tree is evaluated by both, in folders of their own: rows with --trace, topology and exact files of every node,
 unsimplified cells, every format, parameters, snapping, locate, explain, check, meshes of tetrahedra, with one and
-with two threads (runs.py). Streams, exit statuses and files must be the same bytes; times in the rows do not count.
+with two threads (runs.py). Streams, exit statuses and files must be the same bytes; times, candidates and stages of predicates do not count.
 One line says so; else differences are printed and the smallest tree among the differing ones is kept, with both
 answers. Exit status 0 if all is the same, 1 if not, 2 if nothing could be compared.
 

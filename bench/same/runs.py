@@ -120,7 +120,9 @@ def command_runs(tree):
 
 
 def without_times(text):
-    """Rows and the summary of `eval` without their seconds."""
+    """Rows and the summary of `eval` without what tells how and not what: seconds, candidates, stages of predicates."""
+    text = re.sub(rb"(?m)(; of )\d+( candidates)$", rb"\1-\2", text)
+    text = re.sub(rb"(?m)^predicates: .*$", b"predicates: -", text)
     text = re.sub(rb"(?m)  +\d+\.\d{3}(?=  \S)", b"  -.---", text)
     return re.sub(rb"(?m)(3-cells; )\d+\.\d{3} s$", rb"\1-.--- s", text)
 

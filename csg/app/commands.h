@@ -8,10 +8,11 @@
 
 namespace cnrg::app {
 
-// `finer`: every curved leaf is that many times finer than the tree says.
+// What all commands have that read a tree: `finer`, every curved leaf is that many times finer than the tree says;
+// `inside`, the folder that the tree may read files from (empty: any).
 
 struct EvalArguments {
-  std::string tree;
+  std::string tree, inside;
   std::vector<std::string> nodes;
   std::vector<std::string> files;
   bool trace = false, raw = false, topology = false, snap = false, quiet = false;
@@ -21,11 +22,15 @@ struct EvalArguments {
 /// `cnrg eval`: a row per node, a file per `-o`.
 int run_eval(const EvalArguments& arguments);
 
+struct CheckArguments {
+  std::string tree, inside;
+  int finer = 1;
+};
 /// `cnrg check`: reads and validates only.
-int run_check(const std::string& tree, int finer);
+int run_check(const CheckArguments& arguments);
 
 struct LocateArguments {
-  std::string tree, node;
+  std::string tree, inside, node;
   bool parameters = false, material = false;
   int threads = 0, finer = 1;
 };
@@ -34,14 +39,14 @@ struct LocateArguments {
 int run_locate(const LocateArguments& arguments);
 
 struct ExplainArguments {
-  std::string tree, node, cell, point;  ///< one of cell and point is empty
+  std::string tree, inside, node, cell, point;  ///< one of cell and point is empty
   int threads = 0, finer = 1;
 };
 /// `cnrg explain`: the way of a cell, or of what holds a point, through the tree.
 int run_explain(const ExplainArguments& arguments);
 
 struct MeshArguments {
-  std::string tree, node;
+  std::string tree, inside, node;
   std::vector<std::string> files;
   TetrahedraOptions options;
   bool snap = false, quiet = false;

@@ -6,11 +6,13 @@
 #include "csg/app/commands.h"
 #include "csg/app/evaluation.h"
 #include "csg/app/exit_status.h"
+#include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 #include "csg/app/row_table.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
 #include "csg/operators/node_value.h"
+#include "csg/text/escape.h"
 #include "csg/topology/topology.h"
 
 namespace cnrg::app {
@@ -55,15 +57,15 @@ class FileWriter {
       }
     }
     if (!rounding.embedded) {
-      std::cerr << path << ": warning: rounding moved " << rounding.moved
-                << " vertices and facets cross in this file; use --snap, or write .json for the exact result\n";
+      tell(path + ": warning: rounding moved " + std::to_string(rounding.moved) +
+           " vertices and facets cross in this file; use --snap, or write .json for the exact result");
     } else if (!arguments_.quiet && rounding.moved > 0) {
-      std::cerr << path << ": notice: rounding moved " << rounding.moved
-                << " vertices; the facets still meet as they should\n";
+      tell(path + ": notice: rounding moved " + std::to_string(rounding.moved) +
+           " vertices; the facets still meet as they should");
     } else if (!arguments_.quiet && snaps && snapped->report.rounds > 0) {
-      std::cerr << path << ": notice: " << snapped->report.text() << '\n';
+      tell(path + ": notice: " + snapped->report.text());
     } else if (!arguments_.quiet && arguments_.snap && !snaps) {
-      std::cerr << path << ": notice: this format is exact; --snap changes nothing in it\n";
+      tell(path + ": notice: this format is exact; --snap changes nothing in it");
     }
   }
 
@@ -92,8 +94,8 @@ std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vec
   std::string text;
   for (const NodeId node : nodes) {
     const KeptValue& kept = evaluation.value(node);
-    text += "\ntopology of " + tree.nodes[node].name + "\n" +
-            topology_text(*evaluation.complex, selection_of(*evaluation.complex, *kept.value), *kept.simplified,
+    append_line(text += "\n", "topology of " + tree.nodes[node].name);
+    text += topology_text(*evaluation.complex, selection_of(*evaluation.complex, *kept.value), *kept.simplified,
                           kept.value->attributes());
   }
   return text;
@@ -104,7 +106,7 @@ std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vec
 int run_eval(const EvalArguments& arguments) {
   require_distinct(arguments.files);
   for (const std::string& path : arguments.files) check_file_name(path);  // before the work, not after it
-  const Tree tree = read_tree(arguments.tree, arguments.finer);
+  const Tree tree = tree_of(arguments);
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.raw = arguments.raw;
@@ -127,13 +129,14 @@ int run_eval(const EvalArguments& arguments) {
   return kDone;
 }
 
-int run_check(const std::string& path, int finer) {
-  const Tree tree = read_tree(path, finer);
+int run_check(const CheckArguments& arguments) {
+  const Tree tree = tree_of(arguments);
   print(unused_nodes(tree, {tree.result}), false);
   print(check(tree), false);
   const auto leaves =
       std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const Node& n) { return n.op == Operator::leaf; });
-  std::cout << path << ": " << tree.nodes.size() << " nodes, " << leaves << " of them leaves; no faults\n";
+  std::cout << shown(arguments.tree) << ": " << tree.nodes.size() << " nodes, " << leaves
+            << " of them leaves; no faults\n";
   return kDone;
 }
 

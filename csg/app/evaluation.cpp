@@ -2,18 +2,12 @@
 // printing of its diagnostics.
 #include "csg/app/evaluation.h"
 
-#include <iostream>
 #include <set>
 
+#include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 
 namespace cnrg::app {
-
-Tree read_tree(const std::string& path, int finer) {
-  Tree tree = cnrg::read_tree(path);
-  make_finer(tree, finer);
-  return tree;
-}
 
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet) {
   ProgressBar bar(quiet);
@@ -36,7 +30,7 @@ void require_distinct(const std::vector<std::string>& files) {
 
 void print(const std::vector<Diagnostic>& diagnostics, bool quiet) {
   for (const Diagnostic& d : diagnostics) {
-    if (!quiet || d.level == Diagnostic::Level::warning) std::cerr << d.text() << "\n";
+    if (!quiet || d.level == Diagnostic::Level::warning) tell(d.text());
   }
 }
 

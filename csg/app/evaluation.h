@@ -10,8 +10,13 @@
 
 namespace cnrg::app {
 
-/// Reads a tree file and makes its curved leaves `finer` times finer.
-Tree read_tree(const std::string& path, int finer);
+/// Reads the tree file of a command, and makes its curved leaves as fine as asked for.
+template <class Arguments>
+Tree tree_of(const Arguments& arguments) {
+  Tree tree = read_tree(arguments.tree, {.inside = arguments.inside});
+  make_finer(tree, arguments.finer);
+  return tree;
+}
 
 /// Evaluates behind a progress bar and prints the diagnostics; `quiet`: no bar, warnings only.
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet);

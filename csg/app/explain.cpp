@@ -6,6 +6,8 @@
 #include "csg/app/commands.h"
 #include "csg/app/evaluation.h"
 #include "csg/app/exit_status.h"
+#include "csg/text/escape.h"
+#include "csg/text/number.h"
 
 namespace cnrg::app {
 namespace {
@@ -16,11 +18,9 @@ RationalPoint parse_point(const std::string& text) {
   for (; k < 3 && begin <= text.size(); ++k) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
-    const std::optional<Rational> value = parse_rational(word);
-    if (!value)
-      throw InputError("--point: `" + word +
-                       "` is no number; write x,y,z with decimals or fractions, such as 1/3,0.5,2");
-    point[k] = *value;
+    NumberText number = read_number(word);
+    if (!number.value) throw InputError("--point: `" + excerpt(word) + "`" + number.fault + "; write x,y,z");
+    point[k] = std::move(*number.value);
     begin = end + 1;
   }
   if (k < 3 || begin <= text.size()) {
@@ -37,7 +37,7 @@ int run_explain(const ExplainArguments& arguments) {
   }
   RationalPoint point;
   if (!arguments.point.empty()) point = parse_point(arguments.point);
-  const Tree tree = read_tree(arguments.tree, arguments.finer);
+  const Tree tree = tree_of(arguments);
   const NodeId node = arguments.node.empty() ? tree.result : tree.find(arguments.node);
   EvaluateOptions options;
   options.threads = arguments.threads;

@@ -7,35 +7,39 @@
 // With parameters, a point on a patch or curve of a leaf that its cell came from has more fields, each behind a
 // tabulator (a name has none): `leaf: patch: u v`, `leaf: curve: t`, exactly; one for each patch and curve.
 #include <algorithm>
-#include <cctype>
 #include <iostream>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "csg/app/commands.h"
 #include "csg/app/evaluation.h"
 #include "csg/app/exit_status.h"
+#include "csg/app/line_reader.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/explain/lives.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
+#include "csg/text/escape.h"
+#include "csg/text/number.h"
 
 namespace cnrg::app {
 namespace {
 
 /// The words of a line and the columns at which they begin, from 1.
 struct Word {
-  std::string text;
+  std::string_view text;
   int column;
 };
-std::vector<Word> words_of(const std::string& line) {
+std::vector<Word> words_of(std::string_view line) {
   std::vector<Word> words;
   const char* const kBlank = " \t\r";
-  for (std::size_t begin = line.find_first_not_of(kBlank); begin != std::string::npos;) {
+  for (std::size_t begin = line.find_first_not_of(kBlank); begin != std::string_view::npos;) {
     const std::size_t end = std::min(line.find_first_of(kBlank, begin), line.size());
     words.push_back({line.substr(begin, end - begin), static_cast<int>(begin) + 1});
+    if (words.size() > 3) break;
     begin = line.find_first_not_of(kBlank, end);
   }
   return words;
@@ -49,13 +53,10 @@ RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
           "<stdin>", {line, line_end},
           "a point has three numbers and this line only " + std::to_string(words.size()) + "; write `x y z`");
     }
-    const std::optional<Rational> value = parse_rational(words[k].text);
-    if (!value) {
-      throw TreeError(
-          "<stdin>", {line, words[k].column},
-          "`" + words[k].text + "` is no number; write a decimal such as 0.1 or a fraction such as 1/3");
-    }
-    point[k] = *value;
+    NumberText number = read_number(words[k].text);
+    if (!number.value)
+      throw TreeError("<stdin>", {line, words[k].column}, "`" + excerpt(words[k].text) + "`" + number.fault);
+    point[k] = std::move(*number.value);
   }
   if (words.size() > 3) {
     throw TreeError("<stdin>", {line, words[3].column},
@@ -64,32 +65,13 @@ RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
   return point;
 }
 
-/// The point of each line of standard input; nothing for an empty line.
-std::vector<std::optional<RationalPoint>> read_points() {
-  std::vector<std::optional<RationalPoint>> points;
-  std::string line;
-  for (int number = 1; std::getline(std::cin, line); ++number) {
-    const std::vector<Word> words = words_of(line);
-    points.emplace_back();
-    if (!words.empty()) points.back() = point_of(words, number, static_cast<int>(line.size()) + 1);
-  }
-  return points;
-}
-
-/// On one line and in one field: breaks in a name become blanks.
-std::string one_line(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-  return name;
-}
-
-std::string describe(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place,
-                     const NodeValue& value) {
+std::string cell_words(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place,
+                       const NodeValue& value) {
   const Component component = component_of(simplified, place);
   const std::string text = std::to_string(place.dimension) + " " + cell_name(place.dimension, place.index) + " " +
                            std::to_string(component);
   if (component == 0) return text;
-  const std::string name = one_line(value.attributes(component).name);
+  const std::string name = shown(value.attributes(component).name);
   return name.empty() ? text : text + " " + name;
 }
 
@@ -100,7 +82,7 @@ std::string describe_parameters(const Evaluation& evaluation, const NodeValue& v
   const std::vector<LeafId> leaves = origins_in(*evaluation.complex, value, cell);
   std::string text;
   const auto add = [&](LeafId leaf, const std::string& surface, const std::string& at) {
-    text += "\t" + one_line(evaluation.leaf_names[leaf.index()]) + ": " + one_line(surface) + ": " + at;
+    text += "\t" + shown(evaluation.leaf_names[leaf.index()]) + ": " + shown(surface) + ": " + at;
   };
   for (const PatchPoint& q : first_of_each(parameters.on_patches(cell, p, leaves))) {
     add(q.leaf, parameters.patch_name(q.leaf, q.patch), to_string(q.at[0]) + " " + to_string(q.at[1]));
@@ -119,7 +101,7 @@ class Materials {
     if (component == 0) return {};
     const auto [it, fresh] = samplers_.try_emplace(component, value_.attributes(component).material);
     const Mixture mixture = it->second.at(p);
-    return mixture.empty() ? "" : "\tmaterial: " + one_line(to_text(mixture));
+    return mixture.empty() ? "" : "\tmaterial: " + shown(to_text(mixture));
   }
 
  private:
@@ -127,34 +109,97 @@ class Materials {
   std::map<Component, MaterialSampler> samplers_;
 };
 
+/// A node evaluated once, and once more for a point beyond the frame that stands for infinity.
+///
+/// All points at once would say how large the frame must be; but then no point could be answered before the last
+/// one is read. A frame that is too small is left behind far, so that the next points are inside: each time it
+/// grows by a larger factor.
+class Places {
+ public:
+  Places(const Tree& tree, const LocateArguments& arguments)
+      : tree_(tree),
+        arguments_(arguments),
+        node_(arguments.node.empty() ? tree.result : tree.find(arguments.node)) {
+    evaluate_with(false);
+  }
+
+  /// What is printed for the point of a line.
+  std::string describe(const RationalPoint& p, int line) {
+    Location cell = locator_->locate(p);
+    if (beyond_frame(cell)) {
+      evaluate_beyond(p, line);
+      cell = locator_->locate(p);
+    }
+    const KeptValue& value = evaluation_->value(node_);
+    const SimplifiedComplex::Place place = value.simplified->place(*evaluation_->complex, cell);
+    std::string text = cell_words(*value.simplified, place, *value.value);
+    if (arguments_.parameters) text += describe_parameters(*evaluation_, *value.value, cell, p);
+    if (arguments_.material) text += materials_->describe(component_of(*value.simplified, place), p);
+    return text;
+  }
+
+ private:
+  void evaluate_with(bool again) {
+    EvaluateOptions options;
+    options.threads = arguments_.threads;
+    options.rows = false;
+    options.nodes = {node_};
+    options.reach = reach_;
+    materials_.reset(), locator_.reset();  // they refer to the evaluation
+    evaluation_.emplace(again ? evaluate(tree_, options) : evaluate_in_view(tree_, options, false));
+    locator_.emplace(*evaluation_->complex);
+    materials_.emplace(*evaluation_->value(node_).value);
+  }
+
+  void evaluate_beyond(const RationalPoint& p, int line) {
+    const Rational limit(Integer(1) << 1000);  // the frame is some times as large, and of doubles
+    const auto is_far = [&](const Rational& x) { return abs(x) > limit; };
+    if (std::any_of(p.begin(), p.end(), is_far)) {
+      throw TreeError(
+          "<stdin>", {line, 1},
+          "this point is too far away for a tree with planes or half-spaces; its coordinates may be up to "
+          "2^1000, about 1e301");
+    }
+    RationalPoint far = p;
+    const Rational factor(Integer(1) << (32 * ++grown_));
+    for (Rational& x : far) x *= factor;
+    if (std::any_of(far.begin(), far.end(), is_far)) far = p;
+    reach_.insert(reach_.end(), {p, far});
+    evaluate_with(true);
+  }
+
+  bool beyond_frame(const Location& cell) const {
+    const Complex& complex = *evaluation_->complex;
+    switch (cell.dimension) {
+      case 0: return complex.on_frame(cell.vertex);
+      case 1: return complex.on_frame(cell.edge);
+      case 2: return complex.on_frame(cell.face);
+      default: return complex.outside_frame(cell.region);
+    }
+  }
+
+  const Tree& tree_;
+  const LocateArguments& arguments_;
+  NodeId node_;
+  std::optional<Evaluation> evaluation_;
+  std::optional<Locator> locator_;
+  std::optional<Materials> materials_;
+  std::vector<RationalPoint> reach_;
+  unsigned grown_ = 0;
+};
+
 }  // namespace
 
 int run_locate(const LocateArguments& arguments) {
-  const Tree tree = read_tree(arguments.tree, arguments.finer);
-  const NodeId node = arguments.node.empty() ? tree.result : tree.find(arguments.node);
-  const std::vector<std::optional<RationalPoint>> points = read_points();
-  EvaluateOptions options;
-  options.threads = arguments.threads;
-  options.rows = false;
-  options.nodes = {node};
-  for (const auto& point : points) {
-    if (point) options.reach.push_back(*point);
-  }
-  const Evaluation evaluation = evaluate_in_view(tree, options, false);
-  const KeptValue& value = evaluation.value(node);
-  const Locator locator(*evaluation.complex);
-  Materials materials(*value.value);
-  for (const auto& point : points) {
-    if (!point) {
-      std::cout << "\n";
-      continue;
-    }
-    const Location cell = locator.locate(*point);
-    const SimplifiedComplex::Place place = value.simplified->place(*evaluation.complex, cell);
-    std::cout << describe(*value.simplified, place, *value.value);
-    if (arguments.parameters) std::cout << describe_parameters(evaluation, *value.value, cell, *point);
-    if (arguments.material) std::cout << materials.describe(component_of(*value.simplified, place), *point);
-    std::cout << "\n";
+  const Tree tree = tree_of(arguments);
+  Places places(tree, arguments);
+  LineReader lines([] { std::cout << std::flush; });
+  std::string_view line;
+  while (std::cout && lines.next(line)) {
+    const std::vector<Word> words = words_of(line);
+    const int end = static_cast<int>(line.size()) + 1;
+    if (!words.empty()) std::cout << places.describe(point_of(words, lines.number(), end), lines.number());
+    std::cout << '\n';
   }
   return kDone;
 }

@@ -13,6 +13,8 @@
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
 #include "csg/app/memory.h"
+#include "csg/app/output.h"
+#include "csg/tree/suggest.h"
 #include "kernel/base/error.h"
 
 namespace cnrg::app {
@@ -21,16 +23,17 @@ namespace {
 /// Messages about files have their place in front; others are told in the program's name.
 int fail(int status, const std::string& message) {
   const bool placed = message.find(": error: ") != std::string::npos;
-  std::cerr << (placed ? "" : "cnrg: error: ") << message << std::endl;
+  tell((placed ? "" : "cnrg: error: ") + message);
   return status;
 }
 
 int guarded(const std::function<int()>& command) {
   try {
+    Output output;
     const int status = command();
-    std::cout.flush();
-    if (!std::cout) return fail(kNoAccess, "the results could not be written to standard output; is there room?");
-    return status;
+    if (output.finish()) return status;
+    if (output.unread()) return kNoAccess;
+    return fail(kNoAccess, "the results could not be written to standard output; is there room?");
   } catch (const InputError& e) {
     return fail(kBadInput, e.what());
   } catch (const FileError& e) {
@@ -40,19 +43,33 @@ int guarded(const std::function<int()>& command) {
   } catch (const std::runtime_error& e) {  // a thread or a folder that the system does not give
     return fail(kNoAccess, std::string("the system refused: ") + e.what() + "; free memory or use --threads 1");
   } catch (const std::exception& e) {
-    return fail(kBug,
-                std::string("broken invariant: ") + e.what() +
-                    "\nThis is a bug of cnrg: please send this message, the tree file with the files that it "
-                    "names, and the output of `cnrg --version`.");
+    fail(kBug, std::string("broken invariant: ") + e.what());
+    tell(
+        "This is a bug of cnrg: please send this message, the tree file with the files that it names, and the "
+        "output of `cnrg --version`.");
+    return kBug;
   }
 }
 
-/// What several commands have.
-void add_finer(CLI::App* sub, int& finer) {
-  sub->add_option("--finer", finer,
+/// What all commands have that read a tree.
+template <class Arguments>
+void add_tree(CLI::App* sub, Arguments& arguments) {
+  sub->add_option("TREE", arguments.tree, "Tree file (YAML or JSON)")->required();
+  sub->add_option("--finer", arguments.finer,
                   "Curved leaves are K times finer than the tree says: segments times K, chord by K squared")
       ->type_name("K")
       ->check(CLI::Range(1, 1000));
+  sub->add_option("--inside", arguments.inside,
+                  "For a tree that is not trusted: refuse every file that it names outside of this folder")
+      ->type_name("FOLDER")
+      ->check([](const std::string& folder) {
+        return folder.empty() ? std::string("the folder has no name") : std::string();
+      });
+}
+
+/// What all commands have that evaluate.
+void add_threads(CLI::App* sub, int& threads) {
+  sub->add_option("--threads", threads, "Threads; 0 is one per core")->type_name("K")->check(CLI::Range(0, 4096));
 }
 
 /// A finite number between two bounds.
@@ -66,6 +83,30 @@ CLI::Validator number_check(double above, double below, const std::string& wante
       "");
 }
 
+/// What is wrong with the command line, what was probably meant, and where to look.
+std::string command_line_fault(const CLI::App& program, const CLI::ParseError& e) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  const CLI::App& asked = chosen.empty() ? program : *chosen.front();
+  std::vector<std::string> names;
+  if (chosen.empty())
+    for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  for (const CLI::Option* option : asked.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  std::string hint;
+  for (const std::string& word : program.remaining(true)) {  // what no option took
+    hint = did_you_mean(word.substr(0, word.find('=')), known);
+    if (!hint.empty()) break;
+  }
+  std::string what = e.what();
+  if (chosen.empty() && !program.remaining().empty())
+    what = "there is no command `" + program.remaining()[0] + "`";
+  return what + (hint.empty() ? ";" : hint) + " see `cnrg " + (chosen.empty() ? "" : asked.get_name() + " ") +
+         "--help`";
+}
+
 int run(int argc, char** argv) {
   CLI::App program{"Exact Booleans of non-manifold solids, surfaces, wires and points, by tree files.", "cnrg"};
   program.set_version_flag("--version", version_text(), "Versions of cnrg and of the libraries in it");
@@ -77,7 +118,7 @@ int run(int argc, char** argv) {
 
   EvalArguments eval;
   CLI::App* sub = program.add_subcommand("eval", "Evaluates a tree: one row per node, files of the result");
-  sub->add_option("TREE", eval.tree, "Tree file (YAML or JSON)")->required();
+  add_tree(sub, eval);
   sub->add_option("--node", eval.nodes,
                   "Evaluate this node too; files show it instead of the result: one node for all, or one for each "
                   "-o")
@@ -101,51 +142,40 @@ int run(int argc, char** argv) {
   sub->add_flag("--parameters", eval.parameters,
                 "In .json and .vtu: the parameters u, v of faces on curved patches")
       ->excludes(snap);
-  sub->add_option("--threads", eval.threads, "Threads; 0 is one per core")
-      ->type_name("K")
-      ->check(CLI::Range(0, 4096));
-  add_finer(sub, eval.finer);
+  add_threads(sub, eval.threads);
   sub->add_flag("--quiet", eval.quiet, "No rows and no notices");
   sub->footer("Example:\n  cnrg eval model.yaml --node split -o split.vtu --trace");
   sub->callback([&] { command = [&] { return run_eval(eval); }; });
 
-  std::string tree;
-  int finer = 1;
+  CheckArguments check;
   sub = program.add_subcommand("check", "Reads and validates a tree file without evaluating it");
-  sub->add_option("TREE", tree, "Tree file (YAML or JSON)")->required();
-  add_finer(sub, finer);
+  add_tree(sub, check);
   sub->footer("Example:\n  cnrg check model.yaml");
-  sub->callback([&] { command = [&] { return run_check(tree, finer); }; });
+  sub->callback([&] { command = [&] { return run_check(check); }; });
 
   LocateArguments locate;
   sub = program.add_subcommand("locate", "Reads points `x y z` and prints `dim cell component name` for each");
-  sub->add_option("TREE", locate.tree, "Tree file (YAML or JSON)")->required();
+  add_tree(sub, locate);
   sub->add_option("--node", locate.node, "Node to look into; the result without it")->type_name("N");
-  sub->add_option("--threads", locate.threads, "Threads; 0 is one per core")
-      ->type_name("K")
-      ->check(CLI::Range(0, 4096));
+  add_threads(sub, locate.threads);
   sub->add_flag("--parameters", locate.parameters,
                 "Also the place on patches and curves of leaves: `leaf: patch: u v`, `leaf: curve: t`, each "
                 "behind a tabulator");
   sub->add_flag("--material", locate.material,
                 "Also what a graded material is there: `material: steel 3/4, ceramic 1/4`, behind a tabulator");
-  add_finer(sub, locate.finer);
   sub->footer("Example:\n  echo \"1/3 0.5 2\" | cnrg locate model.yaml --node split");
   sub->callback([&] { command = [&] { return run_locate(locate); }; });
 
   ExplainArguments explain;
   sub = program.add_subcommand("explain",
                                "Tells the way of a cell through the tree: what kept or removed it, and why");
-  sub->add_option("TREE", explain.tree, "Tree file (YAML or JSON)")->required();
+  add_tree(sub, explain);
   sub->add_option("--node", explain.node, "Node to look into; the result without it")->type_name("N");
   sub->add_option("--cell", explain.cell, "Cell of the node, as `cnrg locate` names it: v3, e0, f12, r1")
       ->type_name("NAME");
   sub->add_option("--point", explain.point, "Instead of a cell: what holds this point, active or not")
       ->type_name("X,Y,Z");
-  sub->add_option("--threads", explain.threads, "Threads; 0 is one per core")
-      ->type_name("K")
-      ->check(CLI::Range(0, 4096));
-  add_finer(sub, explain.finer);
+  add_threads(sub, explain.threads);
   sub->footer(
       "Example:\n  cnrg explain model.yaml --node split --cell f12\n  cnrg explain model.yaml --point 1/3,0.5,2");
   sub->callback([&] { command = [&] { return run_explain(explain); }; });
@@ -153,7 +183,7 @@ int run(int argc, char** argv) {
   MeshArguments mesh;
   sub = program.add_subcommand("mesh",
                                "Fills the regions with tetrahedra that conform to every face, wire and point");
-  sub->add_option("TREE", mesh.tree, "Tree file (YAML or JSON)")->required();
+  add_tree(sub, mesh);
   sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N");
   sub->add_option("-o", mesh.files, "Write this file, in the format of its extension: .msh .mesh .vtu")
       ->type_name("FILE")
@@ -175,10 +205,7 @@ int run(int argc, char** argv) {
   sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
                 "No new points on faces and edges, so that the meshes of neighbours fit");
   sub->add_flag("--snap", mesh.snap, "Move vertices until the facets, rounded to doubles, meet as they should");
-  sub->add_option("--threads", mesh.threads, "Threads; 0 is one per core")
-      ->type_name("K")
-      ->check(CLI::Range(0, 4096));
-  add_finer(sub, mesh.finer);
+  add_threads(sub, mesh.threads);
   sub->add_flag("--quiet", mesh.quiet, "No table and no notices");
   sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");
   sub->callback([&] { command = [&] { return run_mesh(mesh); }; });
@@ -191,7 +218,7 @@ int run(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return program.exit(e);
-    return fail(kBadInput, std::string(e.what()) + "; see `cnrg --help`");
+    return fail(kBadInput, command_line_fault(program, e));
   }
   return guarded(command);
 }
@@ -205,7 +232,7 @@ int main(int argc, char** argv) {
   try {
     return cnrg::app::run(argc, argv);
   } catch (const std::exception& e) {
-    std::cerr << "cnrg: error: " << e.what() << std::endl;
+    cnrg::app::tell(std::string("cnrg: error: ") + e.what());
     return cnrg::app::kBug;
   }
 }

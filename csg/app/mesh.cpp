@@ -4,6 +4,7 @@
 #include "csg/app/commands.h"
 #include "csg/app/evaluation.h"
 #include "csg/app/exit_status.h"
+#include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
@@ -37,7 +38,7 @@ std::string table_of(const TetrahedralMesh& made) {
 int run_mesh(const MeshArguments& arguments) {
   require_distinct(arguments.files);
   for (const std::string& path : arguments.files) check_mesh_file_name(path);  // before the work, not after it
-  const Tree tree = read_tree(arguments.tree, arguments.finer);
+  const Tree tree = tree_of(arguments);
   const NodeId node = arguments.node.empty() ? tree.result : tree.find(arguments.node);
   print(unused_nodes(tree, {tree.result, node}), arguments.quiet);
   EvaluateOptions options;
@@ -61,10 +62,10 @@ int run_mesh(const MeshArguments& arguments) {
   for (const std::string& path : arguments.files) {
     write(path, result, made.mesh);
     if (arguments.quiet) continue;
-    if (snapped.rounds > 0) std::cerr << path << ": notice: " << snapped.text() << '\n';
+    if (snapped.rounds > 0) tell(path + ": notice: " + snapped.text());
     if (made.rounding.moved == 0) continue;
-    std::cerr << path << ": notice: rounding moved " << made.rounding.moved
-              << " vertices; the facets still meet as they should\n";
+    tell(path + ": notice: rounding moved " + std::to_string(made.rounding.moved) +
+         " vertices; the facets still meet as they should");
   }
   return kDone;
 }

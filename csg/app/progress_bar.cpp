@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "csg/text/escape.h"
+
 namespace cnrg::app {
 namespace {
 
@@ -27,7 +29,7 @@ void ProgressBar::show(std::string_view stage, std::size_t done, std::size_t tot
   stage_ = stage;
   last_ = now;
   constexpr std::size_t kWidth = 30;
-  std::cerr << "\r\x1b[K" << stage_;
+  std::cerr << "\r\x1b[K" << shown(stage_);
   if (total > 0) {
     const std::size_t full = kWidth * done / total;
     std::cerr << " [" << std::string(full, '#') << std::string(kWidth - full, '.') << "] " << done << "/" << total;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "csg/text/escape.h"
 #include "csg/text/table.h"
 
 namespace cnrg::app {
@@ -35,7 +36,7 @@ std::string details(const NodeRow& row) {
   for (std::size_t i = 0; i < row.volumes.size(); ++i) {
     const auto& [component, name] = row.named[i];
     text += "    " + std::string(row.is_group ? "region " : "component ") + std::to_string(component) +
-            (name.empty() ? "" : " `" + name + "`") + ": volume " + volume_text(row.volumes[i]) + "\n";
+            (name.empty() ? "" : " `" + shown(name) + "`") + ": volume " + volume_text(row.volumes[i]) + "\n";
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #include <CGAL/version.h>
 #include <gmp.h>
 #include <mpfr.h>
+#include <tbb/version.h>
 
 #include <algorithm>
 #include <boost/version.hpp>
@@ -25,7 +26,8 @@ std::string version_text() {
   std::replace(boost.begin(), boost.end(), '_', '.');
   const std::string cad = cad_library();
   return std::string("cnrg ") + CNRG_VERSION + "\nCGAL " + CGAL_VERSION_STR + "\nGMP " + gmp_version + "\nMPFR " +
-         mpfr_get_version() + "\nBoost " + boost + (cad.empty() ? "" : "\n" + cad);
+         mpfr_get_version() + "\nBoost " + boost + "\noneTBB " + TBB_runtime_version() + "\nyaml-cpp " +
+         CNRG_YAML_VERSION + "\nTetGen " + CNRG_TETGEN_VERSION + (cad.empty() ? "" : "\n" + cad);
 }
 
 }  // namespace cnrg::app

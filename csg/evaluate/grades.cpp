@@ -115,12 +115,12 @@ RegionMaterial Grades::on(const Instance& instance, const std::string& name) {
   const auto it = grades_.find(name);
   if (it == grades_.end()) return name;
   const std::optional<Transform>& own = tree_.nodes[instance.node].transform;
-  return placed(name, it->second, own ? instance.transform * own->inverse() : instance.transform);
+  return placed(name, it->second, own ? *instance.transform * own->inverse() : *instance.transform);
 }
 
 RegionMaterial Grades::moved(const Instance& instance, const RegionMaterial& own) {
   if (own.grade() == nullptr) return own;
-  return placed(own.name(), own.grade()->grade, instance.transform * own.grade()->placement);
+  return placed(own.name(), own.grade()->grade, *instance.transform * own.grade()->placement);
 }
 
 }  // namespace cnrg

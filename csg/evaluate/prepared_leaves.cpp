@@ -16,7 +16,7 @@ std::optional<std::size_t> index_in(const std::string& text) {
 }
 
 /// What the reader of `file` said, apart: `file:line:column: error: rest`, `file:line: error: rest` or
-/// `file: rest`, where the fault has no line.
+/// `file: rest`, where the fault has no line; of `file: byte N: error: rest` the byte is in the rest.
 struct FileFault {
   Position at;
   std::string rest;
@@ -28,6 +28,8 @@ std::optional<FileFault> split(const std::string& message, const std::string& fi
   std::smatch match;
   if (!std::regex_match(tail, match, kForm)) return std::nullopt;
   FileFault fault{{}, match[3]};
+  static const std::regex kByte(R"(^(byte \d+): error: )");
+  fault.rest = std::regex_replace(fault.rest, kByte, "$1: ");
   if (const auto line = match[1].matched ? index_in(match[1]) : std::nullopt)
     fault.at.line = static_cast<int>(*line);
   if (const auto column = match[2].matched ? index_in(match[2]) : std::nullopt)
@@ -91,7 +93,7 @@ PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding)
     const Instance& instance = unfolding.instances[i];
     if (!prepared_[instance.node]) prepare_node(instance.node);
     nodes_.push_back(instance.node);
-    instances_.push_back({prepared_[instance.node], instance.transform});
+    instances_.push_back({prepared_[instance.node], *instance.transform});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "csg/explain/explain.h"
+#include "csg/text/escape.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -381,18 +382,18 @@ void add_life(const Tree& tree, const Life& life, int dimension, std::string& ou
     return "line " + std::to_string(tree.nodes[s.node].operator_at.line);
   };
   for (const LifeStep& step : life) {
-    names = std::max(names, step.name.size());
+    names = std::max(names, shown(step.name).size());
     operators = std::max(operators, operator_words(tree.nodes[step.node], step).size());
     places = std::max(places, place(step).size());
   }
   for (const LifeStep& step : life) {
     const Node& node = tree.nodes[step.node];
-    out += padded(step.name, names) + "  " + padded(operator_words(node, step), operators) + "  " +
-           padded(place(step), places) + "  " + outcome(node, step, dimension) + "\n";
+    append_line(out, padded(shown(step.name), names) + "  " + padded(operator_words(node, step), operators) +
+                         "  " + padded(place(step), places) + "  " + outcome(node, step, dimension));
     const std::vector<Line> lines = details(node, step, dimension);
     std::size_t labels = 0;
-    for (const Line& line : lines) labels = std::max(labels, line.label.size());
-    for (const Line& line : lines) out += "    " + padded(line.label, labels) + "  " + line.text + "\n";
+    for (const Line& line : lines) labels = std::max(labels, shown(line.label).size());
+    for (const Line& line : lines) append_line(out, "    " + padded(shown(line.label), labels) + "  " + line.text);
   }
 }
 
@@ -422,7 +423,7 @@ std::string places_words(const Evaluation& evaluation, const LifeClass& c) {
   const SurfaceParameters& parameters = *evaluation.parameters;
   std::string out;
   const auto add = [&](LeafId leaf, const std::string& surface, const std::string& at) {
-    out += "on      " + evaluation.leaf_names[leaf.index()] + ": " + surface + " at " + at + "\n";
+    append_line(out, "on      " + evaluation.leaf_names[leaf.index()] + ": " + surface + " at " + at);
   };
   for (const PatchPoint& p : c.patches) {
     add(p.leaf, parameters.patch_name(p.leaf, p.patch),
@@ -450,8 +451,8 @@ void add_class(const Tree& tree, const Evaluation& evaluation, const Explanation
         "at      " + (exact.size() > kShort ? decimal_words(c.point) + ", rounded; exactly " : "") + exact + "\n";
   }
   if (c.normal) out += "normal  n = " + normal_words(*c.normal) + "\n";
-  if (!c.origins.empty()) out += "from    " + origins_words(evaluation, c.origins) + "\n";
-  if (!c.mixture.empty()) out += "made of " + to_text(c.mixture) + "\n";
+  if (!c.origins.empty()) append_line(out, "from    " + origins_words(evaluation, c.origins));
+  if (!c.mixture.empty()) append_line(out, "made of " + to_text(c.mixture));
   out += places_words(evaluation, c);
   if (!asked || c.normal || !c.origins.empty() || !c.mixture.empty()) out += "\n";
   add_life(tree, c.life, dimension, out);
@@ -475,12 +476,13 @@ std::string explanation_text(const Tree& tree, const Evaluation& evaluation, con
   if (e.asked) {
     const int dimension = e.classes.front().example.dimension;
     const std::string part = e.cell == "-" ? "" : "part of " + e.cell + " of ";
-    out += point_words(*e.asked) + ": " + kArticles[dimension] + " of the refinement; " + part + "`" +
-           e.node_name + "`: " + state_words(e.state, dimension) + "\n";
+    append_line(out, point_words(*e.asked) + ": " + kArticles[dimension] + " of the refinement; " + part + "`" +
+                         e.node_name + "`: " + state_words(e.state, dimension));
   } else {
-    out += e.cell + " of `" + e.node_name + "`: " + (e.dimension == 3 ? "region" : kKinds[e.dimension]) + ", " +
-           state_words(e.state, e.dimension);
-    out += (e.pieces > 1 ? "; unites " + counted(e.pieces, e.dimension) + " of the refinement" : "") + "\n";
+    append_line(
+        out, e.cell + " of `" + e.node_name + "`: " + (e.dimension == 3 ? "region" : kKinds[e.dimension]) + ", " +
+                 state_words(e.state, e.dimension) +
+                 (e.pieces > 1 ? "; unites " + counted(e.pieces, e.dimension) + " of the refinement" : ""));
   }
   for (const LifeClass& c : e.classes) add_class(tree, evaluation, e, c, out);
   if (e.classes_left_out > 0) {

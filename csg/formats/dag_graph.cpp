@@ -18,13 +18,13 @@ using Uses = boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectiona
 
 std::string label_of(const NodeRow& row) {
   const auto& [v, e, f, r] = row.cells;
-  std::string text = row.name + "\n" + row.operator_name + "\n" + std::to_string(v) + " v  " + std::to_string(e) +
-                     " e  " + std::to_string(f) + " f  " + std::to_string(r) + " r";
+  std::string text = graphviz_text(row.name) + "\\n" + row.operator_name + "\\n" + std::to_string(v) + " v  " +
+                     std::to_string(e) + " e  " + std::to_string(f) + " f  " + std::to_string(r) + " r";
   if (!row.is_group)
-    text += "\n" + std::to_string(row.components) + (row.components == 1 ? " component" : " components");
+    text += "\\n" + std::to_string(row.components) + (row.components == 1 ? " component" : " components");
   if (row.regions == 0) return text;
   const std::optional<Rational>& volume = row.volume();
-  return text + "\nvolume " + (volume ? to_decimal(*volume) : "unbounded");
+  return text + "\\nvolume " + (volume ? to_decimal(*volume) : "unbounded");
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ std::string dag_dot(const Evaluation& evaluation) {
   }
   const auto node = [&](std::ostream& stream, std::size_t i) {
     const NodeRow& row = evaluation.rows[i];
-    stream << "[label=\"" << graphviz_text(label_of(row)) << "\""
+    stream << "[label=\"" << label_of(row) << "\""
            << (evaluation.instances[InstanceId(i)].operands.empty() ? ", style=rounded]" : "]");
   };
   const auto edge = [&](std::ostream& stream, const auto& e) {

@@ -41,6 +41,7 @@
 #include <span>
 
 #include "csg/formats/formats.h"
+#include "csg/text/escape.h"
 #include "csg/text/json_text.h"
 #include "kernel/selection/measure.h"
 
@@ -50,7 +51,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Index = FlatComplex::Index;
 
-std::string line_of(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string line_of(const Json& value) {
+  return shown_json(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
 
 void append_quoted(std::string& text, const Rational& value) { (((text += '"') += to_string(value)) += '"'); }
 

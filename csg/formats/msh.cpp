@@ -12,6 +12,7 @@
 #include "csg/formats/formats.h"
 #include "csg/mesh/mesh.h"
 #include "csg/result/vectors.h"
+#include "csg/text/escape.h"
 
 namespace cnrg {
 namespace {
@@ -29,10 +30,8 @@ class MshWriter {
   explicit MshWriter(const Mesh& mesh) : mesh_(mesh) {}
 
   std::string run() {
-    std::string comment = mesh_.node;
-    for (char& c : comment) {
-      if (static_cast<unsigned char>(c) < ' ' || c == '$') c = ' ';
-    }
+    std::string comment = shown(mesh_.node);
+    std::replace(comment.begin(), comment.end(), '$', ' ');  // it begins a section
     text_ =
         "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\nnode " + comment + ", written by cnrg\n$EndComments\n";
     add_names();
@@ -202,7 +201,7 @@ class MshWriter {
   void add_fields() {
     const std::size_t before = mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size();
     for (const Mesh::Field& field : mesh_.fields) {
-      text_ += "$ElementNodeData\n1\n\"" + field.name + "\"\n1\n0\n3\n0\n1\n" +
+      text_ += "$ElementNodeData\n1\n\"" + shown_in_quotes(field.name) + "\"\n1\n0\n3\n0\n1\n" +
                std::to_string(mesh_.tetrahedra.size()) + "\n";
       for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
         text_ += std::to_string(before + t + 1) + " 4";

@@ -1,22 +1,23 @@
 // OBJ: every face as a group of triangles, wires as `l`, isolated points as `p`. The group of a face is named
 // after its number and after the regions behind and in front of it (`none` outside), so that walls keep both.
-#include <cctype>
-
 #include "csg/formats/formats.h"
 #include "csg/result/rounding.h"
 #include "csg/result/solid.h"
+#include "csg/text/escape.h"
 
 namespace cnrg {
 namespace {
 
-/// A region as one word: its name, or `region` and its number.
+/// A region as one word: its name, or `region` and its number. A backslash would go on with the next line, and `#`
+/// begin a comment.
 std::string word_of(const ResultView& view, const FlatComplex& flat, FlatComplex::Index region) {
   if (!flat.active(region)) return "none";
   const Component component = flat.regions[region].component;
   std::string word = attributes_of(view, component).name;
   if (word.empty()) word = "region" + std::to_string(component);
+  word = shown(word);
   for (char& c : word) {
-    if (std::isspace(static_cast<unsigned char>(c)) || std::iscntrl(static_cast<unsigned char>(c))) c = '_';
+    if (c == ' ' || c == '\\' || c == '#') c = '_';
   }
   return word;
 }

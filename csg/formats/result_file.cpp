@@ -26,6 +26,7 @@ bool shows_regions(const std::string& path) {
 bool shows_dag(const std::string& path) { return extension_of(path) == ".dot" && !shows_regions(path); }
 
 void check_file_name(const std::string& path) {
+  require_no_directory(path);
   if (extension_of(path) == ".dot") return;
   try {
     check_extension(path);
@@ -72,6 +73,7 @@ Result read_result(const std::string& path) {
 }
 
 void check_mesh_file_name(const std::string& path) {
+  require_no_directory(path);
   const std::string extension = extension_of(path);
   if (extension == ".msh" || extension == ".mesh" || extension == ".vtu") return;
   const bool surface = extension == ".smesh" || extension == ".poly";

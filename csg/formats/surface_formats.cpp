@@ -7,6 +7,7 @@
 #include "csg/formats/formats.h"
 #include "csg/result/rounding.h"
 #include "csg/result/solid.h"
+#include "csg/text/escape.h"
 
 namespace cnrg {
 namespace {
@@ -79,8 +80,7 @@ FileText ply_text(const ResultView& view) {
 
 FileText stl_text(const ResultView& view) {
   const RoundedSolid solid = rounded_solid(view, "STL");
-  std::string name;
-  for (const char c : view.node) name += static_cast<unsigned char>(c) < ' ' ? '_' : c;
+  const std::string name = shown(view.node);
   std::string text = "solid " + name + "\n";
   for (const auto& t : solid.triangles) {
     text += "facet normal ";

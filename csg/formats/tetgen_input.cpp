@@ -14,19 +14,13 @@
 #include "csg/mesh/mesh.h"
 #include "csg/mesh/plc.h"
 #include "csg/result/solid.h"
+#include "csg/text/escape.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Plc::Index;
-
-std::string one_line(std::string name) {
-  for (char& c : name) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  }
-  return name;
-}
 
 void append_point(std::string& text, std::size_t number, const std::array<double, 3>& point) {
   text += std::to_string(number) + " ";
@@ -48,7 +42,7 @@ FileText tetgen_text(const ResultView& view, const std::string& format, bool pol
   };
   const std::size_t faces = groups.names[2].size() - groups.sources;  // no groups by leaf, which are never first
 
-  std::string text = "# node " + one_line(view.node) + ", written by cnrg; tetgen -pA reads it\n";
+  std::string text = "# node " + shown(view.node) + ", written by cnrg; tetgen -pA reads it\n";
   const auto name = [&](const char* kind, std::size_t dimension, std::size_t shift) {
     const std::size_t count = dimension == 2 ? faces : groups.names[dimension].size();
     for (std::size_t g = 0; g < count; ++g) {

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "csg/mesh/material_field.h"
+#include "csg/text/escape.h"
 #include "kernel/base/parallel.h"
 
 namespace cnrg {
@@ -38,12 +39,14 @@ std::string little_endian(const std::vector<T>& values) {
   return bytes;
 }
 
-std::string escaped(const std::string& text) {
+/// A name in XML, which has no way to write control characters.
+std::string escaped(const std::string& name) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : shown(name)) {
     switch (c) {
       case '&': result += "&amp;"; break;
       case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
       case '"': result += "&quot;"; break;
       default: result += c;
     }
@@ -67,12 +70,12 @@ void append_array(std::string& text, const char* name, const char* type, const s
   text += "\n</DataArray>\n";
 }
 
-/// Strings are lists of character codes, each ended by a zero.
+/// Strings are lists of character codes, each ended by a zero; as they are shown, for programs print them.
 void append_names(std::string& text, const char* name, const std::vector<std::string>& values) {
   text += "<DataArray type=\"String\" Name=\"" + std::string(name) + "\" NumberOfTuples=\"" +
           std::to_string(values.size()) + "\" format=\"ascii\">\n";
   for (const std::string& value : values) {
-    for (const char c : value) text += std::to_string(static_cast<unsigned char>(c)) + " ";
+    for (const char c : shown(value)) text += std::to_string(static_cast<unsigned char>(c)) + " ";
     text += "0\n";
   }
   text += "</DataArray>\n";

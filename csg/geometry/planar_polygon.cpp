@@ -7,6 +7,8 @@
 
 #include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/refine/box_pairs.h"
+#include "kernel/refine/box_tree.h"
 
 namespace cnrg {
 namespace {
@@ -17,11 +19,16 @@ using Point2 = std::array<Rational, 2>;
 struct PolygonEdge {
   std::size_t loop, from, to;
   const Point2 *a, *b;
-  double low[2], high[2];  // rounded outward
+  Box box;
 };
 
 double below(const Rational& x) { return std::nextafter(to_double(x), -std::numeric_limits<double>::infinity()); }
 double above(const Rational& x) { return std::nextafter(to_double(x), std::numeric_limits<double>::infinity()); }
+
+/// By a point, rounded outward.
+void extend(Box& box, const Point2& p) {
+  box.extend({below(p[0]), below(p[1]), 0}, {above(p[0]), above(p[1]), 0});
+}
 
 int turn(const Point2& a, const Point2& b, const Point2& c) {
   return sgn(Rational((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])));
@@ -47,16 +54,39 @@ bool fold_back(const Point2& shared, const Point2& p, const Point2& q) {
   return along > 0;
 }
 
-/// True if p, which is on none of the loop's edges, is inside of it.
-bool inside(const std::vector<Point2>& loop, const Point2& p) {
-  bool odd = false;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-    if ((a[1] > p[1]) == (b[1] > p[1])) continue;
-    if ((turn(a, b, p) > 0) == (b[1] > a[1])) odd = !odd;
+/// A loop that is asked about many points. A point is inside if a ray to the right passes an odd number of edges;
+/// a tree of boxes finds those that it may pass.
+class LoopOfEdges {
+ public:
+  explicit LoopOfEdges(const std::vector<Point2>& loop) : loop_(loop), edges_(boxes_of(loop)) {}
+  /// p is on none of the edges.
+  bool holds(const Point2& p) const {
+    Box from;
+    extend(from, p);
+    bool odd = false;
+    edges_.query(
+        [&](const Box& box) {
+          return box.lo[1] <= from.hi[1] && box.hi[1] >= from.lo[1] && box.hi[0] >= from.lo[0];
+        },
+        [&](std::uint32_t i) {
+          const Point2 &a = loop_[i], &b = loop_[(i + 1) % loop_.size()];
+          if ((a[1] > p[1]) == (b[1] > p[1])) return;
+          if ((turn(a, b, p) > 0) == (b[1] > a[1])) odd = !odd;
+        });
+    return odd;
   }
-  return odd;
-}
+
+ private:
+  static std::vector<Box> boxes_of(const std::vector<Point2>& loop) {
+    std::vector<Box> boxes(loop.size());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      extend(boxes[i], loop[i]), extend(boxes[i], loop[(i + 1) % loop.size()]);
+    }
+    return boxes;
+  }
+  const std::vector<Point2>& loop_;
+  BoxTree edges_;
+};
 
 class Checker {
  public:
@@ -141,30 +171,21 @@ class Checker {
     for (std::size_t l = 0; l < flat_.size(); ++l) {
       for (std::size_t i = 0; i < flat_[l].size(); ++i) {
         const std::size_t next = (i + 1) % flat_[l].size();
-        PolygonEdge e{l, i, next, &flat_[l][i], &flat_[l][next], {}, {}};
-        for (int k = 0; k < 2; ++k) {
-          e.low[k] = below(std::min((*e.a)[k], (*e.b)[k]));
-          e.high[k] = above(std::max((*e.a)[k], (*e.b)[k]));
-        }
+        PolygonEdge e{l, i, next, &flat_[l][i], &flat_[l][next], {}};
+        extend(e.box, *e.a), extend(e.box, *e.b);
         edges.push_back(e);
       }
     }
-    // Sweep along the first coordinate; the first pair at fault in the order of the polygon is reported.
-    std::vector<std::size_t> order(edges.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](auto a, auto b) { return edges[a].low[0] < edges[b].low[0]; });
-    std::vector<std::size_t> open;
+    // Of all pairs whose boxes meet the first one at fault in the order of the polygon is reported.
+    std::vector<Box> boxes;
+    for (const PolygonEdge& e : edges) boxes.push_back(e.box);
+    const BoxPairs pairs(boxes);
     std::pair<std::size_t, std::size_t> fault{edges.size(), edges.size()};
-    for (std::size_t i : order) {
-      const PolygonEdge& e = edges[i];
-      std::erase_if(open, [&](std::size_t j) { return edges[j].high[0] < e.low[0]; });
-      for (std::size_t j : open) {
-        const PolygonEdge& f = edges[j];
-        if (f.high[1] < e.low[1] || f.low[1] > e.high[1]) continue;
-        if (at_fault(e, f)) fault = std::min(fault, {std::min(i, j), std::max(i, j)});
-      }
-      open.push_back(i);
+    for (std::size_t part = 0; part < pairs.part_count(); ++part) {
+      pairs.find(part, [&](std::uint32_t x, std::uint32_t y) {
+        const std::pair<std::size_t, std::size_t> pair = std::minmax(pairs.item(x), pairs.item(y));
+        if (pair < fault && at_fault(edges[pair.first], edges[pair.second])) fault = pair;
+      });
     }
     if (fault.first == edges.size()) return;
     const PolygonEdge &e = edges[fault.first], &f = edges[fault.second];
@@ -183,18 +204,35 @@ class Checker {
   }
 
   void check_holes() const {
+    if (flat_.size() == 1) return;
+    const LoopOfEdges outer(flat_[0]);
+    std::vector<LoopOfEdges> holes;
+    std::vector<Box> boxes;
     for (std::size_t l = 1; l < flat_.size(); ++l) {
-      if (!inside(flat_[0], flat_[l][0])) {
+      holes.emplace_back(flat_[l]);
+      Box& box = boxes.emplace_back();
+      for (const Point2& p : flat_[l]) extend(box, p);
+    }
+    const BoxTree tree(boxes);
+    for (std::size_t l = 1; l < flat_.size(); ++l) {
+      const Point2& p = flat_[l][0];
+      if (!outer.holds(p)) {
         throw InputError("hole " + std::to_string(l) + " of " + names_.polygon +
                          " is outside of the outer loop (" + point_name(l, 0) + " " + describe(loops_[l][0]) +
                          "): move it inside or leave it out");
       }
-      for (std::size_t m = 1; m < flat_.size(); ++m) {
-        if (m != l && inside(flat_[m], flat_[l][0])) {
-          throw InputError("hole " + std::to_string(l) + " of " + names_.polygon + " is inside hole " +
-                           std::to_string(m) + ": holes must be disjoint; give an island as a polygon of its own");
-        }
-      }
+      Box around;
+      extend(around, p);
+      std::size_t within = flat_.size();
+      tree.query([&](const Box& box) { return box.meets(around); },
+                 [&](std::uint32_t i) {
+                   const std::size_t m = i + 1;
+                   if (m != l && m < within && holes[i].holds(p)) within = m;
+                 });
+      if (within == flat_.size()) continue;
+      throw InputError("hole " + std::to_string(l) + " of " + names_.polygon + " is inside hole " +
+                       std::to_string(within) +
+                       ": holes must be disjoint; give an island as a polygon of its own");
     }
   }
 

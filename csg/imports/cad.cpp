@@ -12,6 +12,7 @@
 // A face whose points lie on one plane exactly is one polygon with holes, which is its border; any other is its
 // triangles. Triangles of zero area have no border in space and are left out.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <span>
@@ -36,6 +37,7 @@ class CadLeaf {
   explicit CadLeaf(const CadShape& shape) : shape_(shape), model_(read_cad(shape)) {}
 
   std::unique_ptr<PreparedLeaf> prepare() {
+    require_finite();
     merge_points();
     for (Index f = 0; f < model_.faces.size(); ++f) check_border(f);
     choose();
@@ -90,6 +92,27 @@ class CadLeaf {
   std::string solid_name(Index s) const {
     const std::string& name = model_.solids[s];
     return "solid " + std::to_string(s + 1) + (name.empty() ? "" : " `" + name + "`");
+  }
+
+  /// A model with huge numbers in it may overflow where OpenCASCADE computes its facets.
+  void require_finite() const {
+    const auto require = [this](const auto& numbers, const std::string& where) {
+      for (const double x : numbers) {
+        if (!std::isfinite(x)) {
+          throw InputError(what() + "OpenCASCADE computes no finite numbers for " + where +
+                           ": repair the part where it was made");
+        }
+      }
+    };
+    for (const auto& p : model_.points) require(p, "its points");
+    for (Index f = 0; f < model_.faces.size(); ++f) {
+      for (const CadModel::Place& place : model_.faces[f].places) {
+        for (const auto& uv : place.at) require(uv, face_name(f));
+      }
+    }
+    for (Index e = 0; e < model_.edges.size(); ++e) {
+      require(model_.edges[e].parameters, "edge " + std::to_string(e));
+    }
   }
 
   /// Equal coordinates get one number, here and in all of the model.

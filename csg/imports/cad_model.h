@@ -52,7 +52,9 @@ struct CadModel {
 
 /// Reads and tessellates. Throws InputError without a position where the file does not exist, holds no shape, or
 /// cannot be transferred or tessellated; LeafFileError `file: error: ...` where the file is of another format;
-/// FileError if it cannot be read. Without OpenCASCADE always InputError, which says how to get it.
+/// FileError if it cannot be read. What OpenCASCADE does to the process that reads is an InputError, too: a crash,
+/// no end in its time, memory that runs out (cad_occt_child.cpp). Without OpenCASCADE always InputError, which
+/// says how to get it.
 CadModel read_cad(const CadShape& shape);
 
 /// `OpenCASCADE 7.6.3`, or empty without it.

@@ -27,4 +27,8 @@ CadFile read_brep(const CadShape& shape, const std::string& content);
 /// Meshes the faces and edges of a file, on one thread.
 CadModel tessellate(const CadShape& shape, const CadFile& file);
 
+/// All of it: from the content of a file to its facets. To be called in a child: OpenCASCADE prints, may crash or
+/// not end, and leaves its settings changed.
+CadModel read(const CadShape& shape, const std::string& content);
+
 }  // namespace cnrg::occt

@@ -1,7 +1,7 @@
 // STEP and BREP files through OpenCASCADE.
 //
 // OpenCASCADE keeps settings for all of a process, reports to its default messenger, which prints, and throws its
-// own exceptions. Reading sets what it needs and puts it back; one file is read at a time.
+// own exceptions. The process is a child that reads one file (cad_occt_child.cpp), so nothing has to be put back.
 //
 // STEP: lengths are converted to a unit that OpenCASCADE is told before the transfer: that of the file, so that
 // coordinates stay as they are written, or the one that the tree asks for. Names of solids are found by what the
@@ -13,10 +13,9 @@
 #include <Interface_CheckIterator.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
 #include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
 #include <Standard_Version.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
@@ -31,59 +30,18 @@
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <cstdlib>
-#include <iostream>
 #include <map>
-#include <mutex>
+#include <new>
 #include <set>
 #include <sstream>
 
 #include "csg/imports/cad_occt.h"
-#include "csg/imports/mesh_file.h"
 #include "csg/leaves/leaf.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
 namespace occt {
 namespace {
-
-/// Silences OpenCASCADE until the end of the scope: the printers of its default messenger, and standard output,
-/// where the reader of BREP files complains without the messenger.
-class Silence {
- public:
-  Silence()
-      : output_(std::cout.rdbuf(unheard_.rdbuf())),
-        messenger_(Message::DefaultMessenger()),
-        printers_(messenger_->Printers()) {
-    messenger_->ChangePrinters().Clear();
-  }
-  ~Silence() {
-    messenger_->ChangePrinters() = printers_;
-    std::cout.rdbuf(output_);
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  std::ostringstream unheard_;
-  std::streambuf* output_;
-  Handle(Message_Messenger) messenger_;
-  Message_SequenceOfPrinters printers_;
-};
-
-/// A setting of the process, until the end of the scope.
-class Setting {
- public:
-  Setting(const char* name, const std::string& value) : name_(name), before_(Interface_Static::CVal(name)) {
-    require(Interface_Static::SetCVal(name, value.c_str()), std::string("OpenCASCADE does not know ") + name);
-  }
-  ~Setting() { Interface_Static::SetCVal(name_, before_.c_str()); }
-  Setting(const Setting&) = delete;
-  Setting& operator=(const Setting&) = delete;
-
- private:
-  const char* name_;
-  std::string before_;
-};
 
 /// A unit as OpenCASCADE's setting calls it, and as STEP files do.
 struct Unit {
@@ -230,7 +188,8 @@ CadFile read_step(const CadShape& shape, const std::string& content) {
                         ": error: OpenCASCADE cannot read this STEP file; is it cut short? Write it "
                         "again");
   }
-  const Setting unit("xstep.cascade.unit", unit_of(shape, reader));
+  require(Interface_Static::SetCVal("xstep.cascade.unit", unit_of(shape, reader).c_str()),
+          "OpenCASCADE does not know its own unit of length");
   reader.TransferRoots();
   CadFile file;
   file.shape = reader.OneShape();
@@ -265,24 +224,22 @@ CadFile read_brep(const CadShape& shape, const std::string& content) {
   return file;
 }
 
-}  // namespace occt
-
-CadModel read_cad(const CadShape& shape) {
-  static std::mutex one_at_a_time;
-  const std::string content = read_file(shape.file);
-  const std::lock_guard lock(one_at_a_time);
-  const occt::Silence silence;
+CadModel read(const CadShape& shape, const std::string& content) {
   try {
     const bool step = shape.format == CadShape::Format::step;
-    return tessellate(shape, step ? occt::read_step(shape, content) : occt::read_brep(shape, content));
+    return tessellate(shape, step ? read_step(shape, content) : read_brep(shape, content));
+  } catch (const Standard_OutOfMemory&) {
+    throw std::bad_alloc();
   } catch (const Standard_Failure& failure) {
     const std::string words = failure.GetMessageString() != nullptr ? failure.GetMessageString() : "";
-    throw InputError(occt::subject(shape) + "OpenCASCADE fails with " + failure.DynamicType()->Name() +
+    throw InputError(subject(shape) + "OpenCASCADE fails with " + failure.DynamicType()->Name() +
                      (words.empty() ? "" : ", " + words) +
                      ": write the file again, or repair the part where it was "
                      "made");
   }
 }
+
+}  // namespace occt
 
 std::string cad_library() { return std::string("OpenCASCADE ") + OCC_VERSION_COMPLETE; }
 

@@ -4,14 +4,14 @@
 #include <cctype>
 #include <map>
 
-#include "csg/imports/mesh_file.h"
 #include "csg/imports/text_cursor.h"
 #include "csg/leaves/leaf.h"
+#include "csg/text/input_file.h"
 
 namespace cnrg {
 
-HeightGrid read_height_grid(const std::string& path) {
-  const std::string text = read_file(path);
+HeightGrid read_height_grid(const std::string& path, const std::string& inside) {
+  const std::string text = read_file(path, inside);
   TextCursor cursor(path, text, 0);
   if (!cursor.more()) cursor.fail("the file is empty: give an ESRI ASCII grid");
   std::map<std::string, Rational> header;
@@ -64,8 +64,8 @@ HeightGrid read_height_grid(const std::string& path) {
   for (std::size_t row = grid.rows; row-- > 0;) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       if (!cursor.more()) {
-        cursor.fail("the file ends within row " + std::to_string(grid.rows - row) + " of " +
-                    std::to_string(grid.rows) + ": it is truncated, or ncols or nrows is wrong");
+        cursor.fail_at_end("the file ends within row " + std::to_string(grid.rows - row) + " of " +
+                           std::to_string(grid.rows));
       }
       const double height = cursor.number("a height");
       const std::size_t at = row * grid.columns + column;
@@ -75,7 +75,7 @@ HeightGrid read_height_grid(const std::string& path) {
       }
       grid.heights[at] = height;
       if (missing && height == no_data) {
-        grid.missing.resize(grid.columns * grid.rows, false);
+        grid.missing.resize(grid.heights.size(), false);  // all of them, or the file is too short
         grid.missing[at] = true;
       }
     }

@@ -20,6 +20,6 @@ struct HeightGrid {
 /// Reads an ESRI ASCII grid: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx and
 /// dy), NODATA_value, in any order and case, then the rows from north to south. A value belongs to the centre of
 /// its cell: with xllcorner the first point lies half a cell inside. Throws as `read_mesh` does.
-HeightGrid read_height_grid(const std::string& path);
+HeightGrid read_height_grid(const std::string& path, const std::string& inside = {});
 
 }  // namespace cnrg

@@ -1,86 +1,84 @@
-// A cursor on a JSON document that knows its path, so that each fault names its place.
+// A place in a result file: its value, checked as it is read, and errors with line, column and path.
+//
+// The page of the format (csg/FORMATS.md, formats/result.schema.json) says which members there are and how numbers
+// are written; what it does not allow is refused, since a member that nobody reads says something that nobody
+// checks.
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <initializer_list>
+#include <memory>
 #include <string>
 
 #include "csg/leaves/leaf.h"
+#include "csg/text/json_document.h"
 
 namespace cnrg::result {
 
-using Json = nlohmann::json;
 using Index = std::uint32_t;
 
-[[noreturn]] inline void refuse(const std::string& file, const std::string& path, const std::string& what) {
-  throw LeafFileError(file + ": error: " + (path.empty() ? "" : path + ": ") + what);
-}
 inline constexpr const char* kAgain = "; write the file again with `cnrg eval -o`";
 
-/// A value of the document and the way to it.
+/// A JSON file and its name.
+struct JsonFile {
+  std::string name;
+  JsonDocument document;
+};
+
+/// A value of the file.
 class Cursor {
  public:
-  Cursor(const std::string& file, const Json& value, std::string path = "")
-      : file_(&file), value_(&value), path_(std::move(path)) {}
+  using Kind = JsonDocument::Kind;
+  using Value = JsonDocument::Value;
 
-  [[noreturn]] void fail(const std::string& what) const { refuse(*file_, path_, what); }
-  const std::string& path() const { return path_; }
-  bool is_null() const { return value_->is_null(); }
-  std::size_t size() const { return value_->size(); }
+  explicit Cursor(const JsonFile& file) : file_(&file), value_(&file.document.root()) {}
 
-  Cursor member(const char* key) const {
-    if (!value_->is_object()) fail(std::string("an object is needed here") + kAgain);
-    const auto found = value_->find(key);
-    if (found == value_->end()) fail("`" + std::string(key) + "` is missing" + kAgain);
-    return {*file_, *found, path_ + "/" + key};
-  }
-  bool has(const char* key) const { return value_->is_object() && value_->contains(key); }
-  Cursor at(std::size_t i) const { return {*file_, (*value_)[i], path_ + "/" + std::to_string(i)}; }
-  /// The value must be an array.
-  const Cursor& array() const {
-    if (!value_->is_array()) fail(std::string("a list is needed here") + kAgain);
-    return *this;
-  }
+  /// LeafFileError: `file:line:column: error: path: what`.
+  [[noreturn]] void fail(const std::string& what) const;
+  /// The same with how to mend it: by writing the file again.
+  [[noreturn]] void refuse(const std::string& what) const { fail(what + kAgain); }
+
+  bool is_null() const { return value_->kind() == Kind::null; }
+  /// Of a list.
+  std::size_t size() const { return value_->count; }
+  /// An object with no other members than these.
+  const Cursor& only(std::initializer_list<const char*> keys) const;
+  /// A member that must be there.
+  Cursor member(const char* key) const;
+  bool has(const char* key) const { return find(key) != nullptr; }
+  Cursor at(std::size_t i) const { return {*file_, json().at(*value_, i)}; }
+  /// The value must be a list.
+  const Cursor& array() const;
+  /// A list of so many items; `what` says so in messages.
+  const Cursor& array_of(std::size_t count, const char* what) const;
+
   /// The number of a thing, below `limit`; `what` is the thing's name in messages.
-  Index number(std::size_t limit, const char* what) const {
-    if (!value_->is_number_unsigned()) fail(std::string("the number of a ") + what + " is needed here" + kAgain);
-    const auto n = value_->get<std::uint64_t>();
-    if (n >= limit) {
-      fail(std::string(what) + " " + std::to_string(n) + " does not exist: there are " + std::to_string(limit) +
-           kAgain);
-    }
-    return Index(n);
-  }
-  bool boolean() const {
-    if (!value_->is_boolean()) fail(std::string("true or false is needed here") + kAgain);
-    return value_->get<bool>();
-  }
-  std::string text() const {
-    if (!value_->is_string()) fail(std::string("a text is needed here") + kAgain);
-    return value_->get<std::string>();
-  }
-  RationalPoint point() const {
-    if (array().size() != 3) fail(std::string("a point has three coordinates") + kAgain);
-    return {at(0).rational(), at(1).rational(), at(2).rational()};
-  }
-  /// Calls `see` with each member of an object and its key, in the order of the keys.
+  Index number(std::size_t limit, const char* what) const;
+  bool boolean() const;
+  std::string text() const;
+  /// Written as `p` or `p/q` in lowest terms.
+  Rational rational() const;
+  /// Coordinates in the range of doubles.
+  RationalPoint point() const;
+  /// Calls `see` with each member of an object and its key, in the order of the file.
   template <class See>
   void each_member(See see) const {
-    if (!value_->is_object()) fail(std::string("an object is needed here") + kAgain);
-    for (const auto& [key, value] : value_->items()) see(key, Cursor(*file_, value, path_ + "/" + key));
-  }
-  Rational rational() const {
-    if (value_->is_number_integer()) return *parse_rational(value_->dump());
-    if (value_->is_string()) {
-      if (auto number = parse_rational(value_->get_ref<const std::string&>())) return *number;
+    object();
+    for (std::size_t i = 0; i < value_->count; ++i) {
+      see(json().decoded(json().key(*value_, i)), Cursor(*file_, json().value(*value_, i)));
     }
-    fail("an exact number is needed here, such as \"3\", \"0.25\" or \"121/3\"");
   }
 
  private:
-  const std::string* file_;
-  const Json* value_;
-  std::string path_;
+  Cursor(const JsonFile& file, const Value& value) : file_(&file), value_(&value) {}
+  const JsonDocument& json() const { return file_->document; }
+  const Cursor& object() const;
+  const Value* find(const char* key) const {
+    return value_->kind() == Kind::object ? json().member(*value_, key) : nullptr;
+  }
+
+  const JsonFile* file_;
+  const Value* value_;
 };
 
 }  // namespace cnrg::result

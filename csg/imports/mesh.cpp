@@ -32,7 +32,7 @@ struct Frame3 {
 class MeshLeaf {
  public:
   explicit MeshLeaf(const MeshShape& shape)
-      : shape_(shape), data_(read_mesh(shape.file, shape.decimal)), points_(data_) {}
+      : shape_(shape), data_(read_mesh(shape.file, shape.decimal, shape.inside)), points_(data_) {}
 
   std::unique_ptr<PreparedLeaf> prepare() {
     if (data_.face_count() == 0 && data_.wires.empty() && data_.points.empty()) {

@@ -28,11 +28,8 @@ struct MeshData {
 /// Reads a mesh by the extension of `path` (.off .obj .stl .ply, in any case). Coordinates are the doubles that
 /// the text rounds to; with `decimal` exactly the decimals of a text file.
 /// Throws LeafFileError (`path:line: error: ...`, for binary data `path: byte N: error: ...`) for a fault in the
-/// file, InputError if there is no such file or the extension is unknown, FileError if it cannot be read.
-MeshData read_mesh(const std::string& path, bool decimal);
-
-/// The whole file. InputError if it does not exist (the message has no position), FileError if reading fails.
-std::string read_file(const std::string& path);
+/// file, InputError if the extension is unknown; else as `read_file` (csg/text/input_file.h).
+MeshData read_mesh(const std::string& path, bool decimal, const std::string& inside = {});
 
 // One reader each. `text` is the file's content, `path` is for messages.
 MeshData read_off(const std::string& path, const std::string& text, bool decimal);

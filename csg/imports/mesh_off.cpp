@@ -66,16 +66,14 @@ MeshData read_off(const std::string& path, const std::string& text, bool decimal
   const std::string vertex_end = std::to_string(vertices) + " vertices";
   for (std::uint32_t i = 0; i < vertices; ++i) {
     if (!cursor.more()) {
-      cursor.fail("the file ends after " + std::to_string(i) + " of " + vertex_end +
-                  ": it is truncated, or the count is wrong");
+      cursor.fail_at_end("the file ends after " + std::to_string(i) + " of " + vertex_end);
     }
     cursor.coordinates(mesh, decimal);
     cursor.next_line();
   }
   for (std::uint32_t i = 0; i < faces; ++i) {
     if (!cursor.more()) {
-      cursor.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(faces) +
-                  " faces: it is truncated, or the count is wrong");
+      cursor.fail_at_end("the file ends after " + std::to_string(i) + " of " + std::to_string(faces) + " faces");
     }
     const long long corners = cursor.integer("the number of corners of a face");
     if (corners < 1)

@@ -1,6 +1,7 @@
 // Graded materials of a result in .json (the format is that of csg/formats/json.cpp).
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -10,7 +11,8 @@
 namespace cnrg::result {
 
 /// The entries of `grades` in their order; none where the file has no such member. Throws LeafFileError
-/// for what is wrong in them.
-std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root);
+/// for what is wrong in them. `material` is called with each text that names one.
+std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root,
+                                                            const std::function<void(const Cursor&)>& material);
 
 }  // namespace cnrg::result

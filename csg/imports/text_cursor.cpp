@@ -1,10 +1,13 @@
 // Tokens and numbers of text files, one pass, without copies.
 #include "csg/imports/text_cursor.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "csg/leaves/leaf.h"
+#include "csg/text/escape.h"
+#include "csg/text/number.h"
 
 namespace cnrg {
 namespace {
@@ -55,10 +58,7 @@ std::string_view TextCursor::token_in_line() {
 }
 
 std::string_view TextCursor::token(const char* wanted) {
-  const int line = line_;
-  if (!more())
-    fail_at(line,
-            std::string("the file ends where ") + wanted + " is expected: it is truncated, or a count is wrong");
+  if (!more()) fail_at_end(std::string("the file ends where ") + wanted + " is expected");
   return token_in_line();
 }
 
@@ -89,12 +89,12 @@ double TextCursor::parse(std::string_view text, const char* wanted, Rational* ex
   if (whole && error == std::errc() && !exact) return value;
   if (!whole && !exact) fail(quoted(text) + " is no number, " + wanted + " is expected");
   // Exact decimals, and numbers beyond the range of double (tiny ones are 0).
-  const std::optional<Rational> rational = parse_rational(text);
-  if (!rational) fail(quoted(text) + " is no number, " + wanted + " is expected");
-  value = to_double(*rational);
+  NumberText number = read_number(text);
+  if (!number.value) fail(quoted(text) + number.fault + ": " + wanted + " is expected");
+  value = to_double(*number.value);
   if (!std::isfinite(value))
     fail(quoted(text) + " is beyond the largest double (1.8e308): use a larger unit of length");
-  if (exact) *exact = *rational;
+  if (exact) *exact = std::move(*number.value);
   return value;
 }
 
@@ -113,14 +113,17 @@ void TextCursor::coordinates(MeshData& mesh, bool decimals) {
   if (!doubles) mesh.exact.emplace_back(static_cast<std::uint32_t>(mesh.point_count() - 1), std::move(p));
 }
 
+void TextCursor::fail_at_end(const std::string& text) const {
+  const std::string_view all(begin_, static_cast<std::size_t>(end_ - begin_));
+  const std::string_view content = all.substr(0, all.find_last_not_of(" \t\r\n") + 1);
+  const auto line = 1 + std::count(content.begin(), content.end(), '\n');
+  fail_at(static_cast<int>(line), text + ": it is truncated, or a count is wrong; write the file again");
+}
+
 void TextCursor::fail_at(int line, const std::string& text) const {
   throw LeafFileError(path_ + ":" + std::to_string(line) + ": error: " + text);
 }
 
-std::string quoted(std::string_view token) {
-  std::string text = "'";
-  for (char c : token.substr(0, 40)) text += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
-  return text + (token.size() > 40 ? "...'" : "'");
-}
+std::string quoted(std::string_view token) { return "'" + excerpt(token) + "'"; }
 
 }  // namespace cnrg

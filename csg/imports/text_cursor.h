@@ -38,6 +38,8 @@ class TextCursor {
   /// Throws LeafFileError: `path:line: error: text`.
   [[noreturn]] void fail(const std::string& text) const { fail_at(line_, text); }
   [[noreturn]] void fail_at(int line, const std::string& text) const;
+  /// Fails at the last line that is not empty: the file ends too early, as `text` says.
+  [[noreturn]] void fail_at_end(const std::string& text) const;
 
  private:
   double parse(std::string_view token, const char* wanted, Rational* exact) const;
@@ -48,7 +50,7 @@ class TextCursor {
   char comment_;
 };
 
-/// The token in quotes for messages, cut to a readable length, control characters replaced.
+/// The token in quotes for messages, cut to a readable length.
 std::string quoted(std::string_view token);
 
 }  // namespace cnrg

@@ -90,12 +90,14 @@ struct HeightfieldShape {
   std::vector<std::vector<Rational>> heights;
   std::string file;
   std::optional<Rational> base;
+  std::string inside{};  ///< the folder that `file` must lie in (csg/text/input_file.h); empty: any
 };
 /// `{mesh: {file: part.off, fill: winding, coordinates: decimal}}`: OFF, OBJ, STL, PLY; path already resolved.
 struct MeshShape {
   std::string file;
   std::optional<Fill> fill;
   bool decimal = false;
+  std::string inside{};  ///< as of a heightfield
 };
 /// `{group: {vertices, faces, edges, points, regions, fill}}` (csg/FORMATS.md#groups).
 struct GroupShape {
@@ -206,11 +208,13 @@ struct CadShape {
   std::string unit;                 ///< um mm cm m km in ft; empty: the file's own
   std::vector<std::string> solids;  ///< empty: everything
   bool seams = false;
+  std::string inside{};  ///< as of a heightfield
   const char* name() const { return format == Format::step ? "step" : "brep"; }
 };
 /// `{cnrg: file.json}`: a result read back.
 struct ResultShape {
   std::string file;
+  std::string inside{};  ///< as of a heightfield
 };
 
 using Shape = std::variant<BoxShape, PrismShape, PyramidShape, TetrahedronShape, PolygonShape, PolylineShape,

@@ -1,24 +1,15 @@
 // Names of groups. Two components may have one name (the parts of a block that a fault has split): then each has
 // its number behind it.
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "csg/mesh/mesh.h"
+#include "csg/text/escape.h"
 
 namespace cnrg {
 namespace {
 
 using Index = Mesh::Index;
-
-/// On one line and without quotation marks, which formats put around names.
-std::string plain(std::string name) {
-  for (char& c : name) {
-    if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
-    if (c == '"') c = '\'';
-  }
-  return name;
-}
 
 /// The components with active regions, by name; distinct.
 std::map<Component, std::string> region_names(const ResultView& view, const FlatComplex& flat) {
@@ -26,7 +17,7 @@ std::map<Component, std::string> region_names(const ResultView& view, const Flat
   std::map<std::string, int> uses;
   for (const auto& region : flat.regions) {
     if (region.component == 0 || names.count(region.component) != 0) continue;
-    std::string name = plain(attributes_of(view, region.component).name);
+    std::string name = shown_in_quotes(attributes_of(view, region.component).name);
     if (name.empty()) name = "region";
     ++uses[name];
     names.emplace(region.component, name);
@@ -96,7 +87,7 @@ class Grouper {
         return attributes_of(view_, r.first).material.name() == m.name;
       });
       if (!used || m.name.empty()) continue;
-      std::string name = "material " + plain(m.name);
+      std::string name = "material " + shown_in_quotes(m.name);
       while (std::find(names.begin(), names.end(), name) != names.end()) name += "'";
       names.push_back(name);
       materials[m.name] = Index(names.size());
@@ -133,7 +124,7 @@ class Grouper {
     }
     auto& names = groups_.names[2];
     for (auto& [leaf, number] : numbers) {
-      std::string name = "from " + plain((*view_.leaves)[leaf.index()].name);
+      std::string name = "from " + shown_in_quotes((*view_.leaves)[leaf.index()].name);
       // Two instances of a leaf, or a region that is called so.
       const std::string first = name;
       for (int n = 2; std::find(names.begin(), names.end(), name) != names.end(); ++n) {
@@ -183,7 +174,7 @@ class Grouper {
       break;
     }
     if (leaf == nullptr || view_.leaves == nullptr || leaf->index() >= view_.leaves->size()) return "";
-    return " of " + plain((*view_.leaves)[leaf->index()].name);
+    return " of " + shown_in_quotes((*view_.leaves)[leaf->index()].name);
   }
 };
 

@@ -1,92 +1,23 @@
 // The child gets the complex by the fork and writes what TetGen returns to a file in memory that the parent reads.
-// It never returns to the caller's code: it ends by _exit, whatever happens.
 //
 // TetGen is given a box around the complex and fills all of it, cavities too. So nothing has to be carved away
 // before the mesh is refined, which its version 1.5 often fails at, and faces, wires and points outside of all
 // regions are as good as others.
 #include "csg/mesh/tetgen_run.h"
 
-#include <signal.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <new>
-#include <sstream>
 
 #define TETLIBRARY
 #include <tetgen.h>
 
+#include "csg/text/child.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {
 
 using Index = TetgenResult::Index;
-
-// How the child ends, besides the numbers that TetGen throws.
-constexpr int kDone = 0, kNoMemory = 1, kUnknown = 99;
-
-/// A nameless file in memory.
-class MemoryFile {
- public:
-  MemoryFile() : descriptor_(memfd_create("cnrg", MFD_CLOEXEC)) {
-    if (descriptor_ < 0) throw FileError(std::string("no file in memory: ") + std::strerror(errno));
-  }
-  ~MemoryFile() { close(descriptor_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  int descriptor() const { return descriptor_; }
-
-  void write(const void* data, std::size_t size) const {
-    for (const char* at = static_cast<const char*>(data); size > 0;) {
-      const ssize_t n = ::write(descriptor_, at, size);
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) throw std::bad_alloc();
-      at += n;
-      size -= std::size_t(n);
-    }
-  }
-  void rewind() const { lseek(descriptor_, 0, SEEK_SET); }
-  void read(void* data, std::size_t size) const {
-    for (char* at = static_cast<char*>(data); size > 0;) {
-      const ssize_t n = ::read(descriptor_, at, size);
-      if (n < 0 && errno == EINTR) continue;
-      require(n > 0, "TetGen's result is cut short");
-      at += n;
-      size -= std::size_t(n);
-    }
-  }
-  std::string text() const {
-    std::string result(std::size_t(lseek(descriptor_, 0, SEEK_END)), ' ');
-    rewind();
-    read(result.data(), result.size());
-    return result;
-  }
-
- private:
-  int descriptor_;
-};
-
-template <class T>
-void write_list(const MemoryFile& file, const T* data, std::size_t n) {
-  const std::uint64_t count = n;
-  file.write(&count, sizeof count);
-  if (n > 0) file.write(data, n * sizeof(T));
-}
-template <class T>
-void read_list(const MemoryFile& file, std::vector<T>& list) {
-  std::uint64_t count;
-  file.read(&count, sizeof count);
-  list.resize(count);
-  file.read(list.data(), count * sizeof(T));
-}
 
 void set_polygon(tetgenio::polygon& polygon, const auto& points) {
   polygon.numberofvertices = int(points.size());
@@ -160,80 +91,59 @@ void fill(const Plc& plc, TetgenFrame frame, tetgenio& in) {
 }
 
 void write_result(const MemoryFile& file, const tetgenio& out) {
-  write_list(file, out.pointlist, 3 * std::size_t(out.numberofpoints));
-  write_list(file, out.tetrahedronlist, 4 * std::size_t(out.numberoftetrahedra));
-  write_list(file, out.tetrahedronattributelist, std::size_t(out.numberoftetrahedra));
-  write_list(file, out.trifacelist, 3 * std::size_t(out.numberoftrifaces));
-  write_list(file, out.trifacemarkerlist, std::size_t(out.numberoftrifaces));
-  write_list(file, out.edgelist, 2 * std::size_t(out.numberofedges));
-  write_list(file, out.edgemarkerlist, std::size_t(out.numberofedges));
+  file.write_list(out.pointlist, 3 * std::size_t(out.numberofpoints));
+  file.write_list(out.tetrahedronlist, 4 * std::size_t(out.numberoftetrahedra));
+  file.write_list(out.tetrahedronattributelist, std::size_t(out.numberoftetrahedra));
+  file.write_list(out.trifacelist, 3 * std::size_t(out.numberoftrifaces));
+  file.write_list(out.trifacemarkerlist, std::size_t(out.numberoftrifaces));
+  file.write_list(out.edgelist, 2 * std::size_t(out.numberofedges));
+  file.write_list(out.edgemarkerlist, std::size_t(out.numberofedges));
 }
 
-[[noreturn]] void run_child(const Plc& plc, std::string switches, TetgenFrame frame, int seconds,
-                            const MemoryFile& result, const MemoryFile& said) {
-  int status = kUnknown;
+/// In the child: 0, or the number that TetGen throws.
+int mesh(const Plc& plc, std::string switches, TetgenFrame frame, const MemoryFile& result) {
   try {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (seconds > 0) {
-      const rlimit limit{static_cast<rlim_t>(seconds), static_cast<rlim_t>(seconds) + 1};
-      setrlimit(RLIMIT_CPU, &limit);
-    }
-    dup2(said.descriptor(), STDOUT_FILENO);
-    dup2(said.descriptor(), STDERR_FILENO);
     tetgenio in, out;
     fill(plc, frame, in);
     tetrahedralize(switches.data(), &in, &out);
     write_result(result, out);
-    status = kDone;
-  } catch (const std::bad_alloc&) {
-    status = kNoMemory;
+    return 0;
   } catch (const int number) {
-    status = number;
-  } catch (...) {
+    return number;
   }
-  std::fflush(stdout);
-  _exit(status);
 }
 
-/// The last line, without the program's name in front of a failed assertion.
-std::string last_line(const std::string& text) {
-  std::istringstream lines(text);
-  std::string line, last;
-  while (std::getline(lines, line)) {
-    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
-  }
-  const auto assertion = last.find("Assertion");
-  return assertion == std::string::npos ? last : last.substr(assertion);
-}
-
-[[noreturn]] void fail(int status, const std::string& said) {
+void require_done(const ChildEnd& end) {
+  using Kind = ChildEnd::Kind;
+  constexpr int kNoMemory = 1;  // TetGen's own number for it
   constexpr const char* kCoarser =
       "; features of the model are too small beside its size: remove slivers, move nearly touching parts apart or "
       "together, or try --keep-boundary";
-  const std::string words = said.empty() ? "" : ": `" + said + "`";
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
+  const std::string words = end.said.empty() ? "" : ": `" + end.said + "`";
+  if (end.kind == Kind::done && end.number == 0) return;
+  if (end.kind == Kind::memory || (end.kind == Kind::done && end.number == kNoMemory)) throw std::bad_alloc();
+  if (end.kind == Kind::time) {
     throw InputError(
         "TetGen did not end in its time; give it more by --seconds, or a larger --quality or --max-volume, try "
         "--keep-boundary, or remove slivers and move nearly touching parts apart or together");
   }
-  if (!WIFEXITED(status)) {
-    throw InputError("TetGen was stopped by a fault of its own (signal " + std::to_string(WTERMSIG(status)) + ")" +
+  if (end.kind == Kind::signal) {
+    throw InputError("TetGen was stopped by a fault of its own (signal " + std::to_string(end.number) + ")" +
                      words + kCoarser + ", or other --quality and --max-volume");
   }
-  switch (WEXITSTATUS(status)) {
-    case kNoMemory: throw std::bad_alloc();
+  switch (end.number) {
     case 2: throw InputError("TetGen met an error of its own (2)" + words + kCoarser);
     case 3: throw InputError("TetGen finds that facets cross (3)" + words + kCoarser);
     case 4: throw InputError("TetGen finds a feature too small for doubles (4)" + words + kCoarser);
     case 5: throw InputError("TetGen finds two facets too close to each other (5)" + words + kCoarser);
-    default: throw InputError("TetGen gave up (" + std::to_string(WEXITSTATUS(status)) + ")" + words + kCoarser);
+    default: throw InputError("TetGen gave up (" + std::to_string(end.number) + ")" + words + kCoarser);
   }
 }
 
 template <std::size_t N>
 void read_tuples(const MemoryFile& file, std::vector<std::array<Index, N>>& tuples) {
   std::vector<std::int32_t> numbers;
-  read_list(file, numbers);
+  file.read_list(numbers);
   tuples.resize(numbers.size() / N);
   for (std::size_t i = 0; i < numbers.size(); ++i) tuples[i / N][i % N] = Index(numbers[i]);
 }
@@ -242,17 +152,17 @@ TetgenResult read_result(const MemoryFile& file) {
   file.rewind();
   TetgenResult result;
   std::vector<double> coordinates, attributes;
-  read_list(file, coordinates);
+  file.read_list(coordinates);
   result.points.resize(coordinates.size() / 3);
   for (std::size_t i = 0; i < coordinates.size(); ++i) result.points[i / 3][i % 3] = coordinates[i];
   read_tuples(file, result.tetrahedra);
-  read_list(file, attributes);
+  file.read_list(attributes);
   for (const double a : attributes) result.attribute.push_back(std::int32_t(a));
   read_tuples(file, result.triangles);
-  read_list(file, result.facet);
+  file.read_list(result.facet);
   for (std::int32_t& marker : result.facet) marker -= 1;
   read_tuples(file, result.segments);
-  read_list(file, result.edge);
+  file.read_list(result.edge);
   for (std::int32_t& marker : result.edge) marker -= 2;
   return result;
 }
@@ -260,16 +170,9 @@ TetgenResult read_result(const MemoryFile& file) {
 }  // namespace
 
 TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds) {
-  const MemoryFile result, said;
-  std::fflush(stdout);  // so that the child has nothing of the caller's to print
-  const pid_t child = fork();
-  if (child < 0) throw FileError(std::string("TetGen could not be started: ") + std::strerror(errno));
-  if (child == 0) run_child(plc, "pAQMJ" + switches, frame, seconds, result, said);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw FileError(std::string("TetGen was lost: ") + std::strerror(errno));
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != kDone) fail(status, last_line(said.text()));
+  const MemoryFile result("TetGen");
+  const ChildLimits limits{.seconds = std::size_t(std::max(seconds, 0))};
+  require_done(run_in_child("TetGen", limits, [&] { return mesh(plc, "pAQMJ" + switches, frame, result); }));
   return read_result(result);
 }
 

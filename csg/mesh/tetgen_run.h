@@ -1,5 +1,5 @@
-// TetGen (si2015) in a process of its own: its library throws numbers, prints, and ends the process where an
-// assertion of its own fails; none of that reaches the caller.
+// TetGen (si2015) in a process of its own (csg/text/child.h): its library throws numbers, prints, and ends the
+// process where an assertion of its own fails; none of that reaches the caller.
 #pragma once
 
 #include <string>

@@ -58,7 +58,7 @@ class Atoms {
   Cells<FaceId> faces_;
   Cells<RegionId> regions_;
   std::vector<Atom> atoms_;
-  LeafSets sets_;
+  LeafUnions sets_;
   Features features_;  // of all operands, in no order
   std::vector<MaterialConflict> conflicts_;
 };

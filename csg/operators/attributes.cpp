@@ -5,25 +5,21 @@
 #include <algorithm>
 
 namespace cnrg {
-namespace {
-
-// The union of two ascending lists, in place.
 void add_leaves(std::vector<LeafId>& leaves, const std::vector<LeafId>& more) {
   const auto middle = static_cast<std::ptrdiff_t>(leaves.size());
+  const bool after = leaves.empty() || more.empty() || leaves.back() < more.front();
   leaves.insert(leaves.end(), more.begin(), more.end());
+  if (after) return;
   std::inplace_merge(leaves.begin(), leaves.begin() + middle, leaves.end());
   leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
 }
 
-}  // namespace
-
 RegionAttributes combined(std::span<const RegionAttributes* const> sources, bool strict,
                           std::vector<RegionMaterial>& others) {
   others.clear();
-  RegionAttributes out = *sources.front();
+  RegionAttributes out{sources.front()->name, sources.front()->material, {}};
   for (const RegionAttributes* source : sources.subspan(1)) {
-    add_leaves(out.leaves, source->leaves);
-    if (strict) continue;
+    if (strict) break;
     if (out.name.empty()) out.name = source->name;
     if (out.material.empty()) {
       out.material = source->material;

@@ -163,7 +163,7 @@ class Overlay {
   const Components &x_, &y_;
   std::array<bool, 3> wanted_;
   ComponentsResult out_;
-  LeafSetMap from_x_, from_y_;
+  LeafSetMap<LeafSets, LeafSets> from_x_, from_y_;
   Numbering<PairKey> numbering_;
   Pairs<VertexId> vertices_;
   Pairs<EdgeId> edges_;
@@ -263,7 +263,7 @@ class NearbyOrigins {
   const Components& x_;
   std::span<const LeafId> below_;
   LeafSets& sets_;
-  LeafSetMap map_;
+  LeafSetMap<LeafSets, LeafSets> map_;
   LeafSetId out_;
   std::vector<FaceId> faces_;
   std::vector<RegionId> regions_;

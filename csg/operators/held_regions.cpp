@@ -31,12 +31,12 @@ HeldRegions::HeldRegions(const Complex& complex, BooleanOp op, const EntityMarks
 
 void HeldRegions::load(std::span<const Group* const> parts) {
   for (const Group* part : parts) {
-    std::vector<RegionId> first, last;
-    for (const auto& [cell, region] : part->cells) {  // regions come in the order of their first cells
+    std::vector<RegionId> first(part->regions.size()), last(part->regions.size());
+    for (const auto& [cell, region] : part->cells) {
       inside_[cell] = 1;
       held_cells_.push_back(cell);
-      if (region > first.size()) {
-        first.push_back(cell), last.push_back(cell);
+      if (!first[region - 1].valid()) {
+        first[region - 1] = last[region - 1] = cell;
         set_attributes(cell, part->regions[region - 1]);
         continue;
       }
@@ -55,9 +55,11 @@ void HeldRegions::take_in(std::span<const Group* const> parts) {
   for (const Group* part : parts) {
     const auto base = static_cast<std::uint32_t>(next_attributes_.size());
     for (const RegionAttributes& region : part->regions) next_attributes_.push_back(&region);
+    next_first_.resize(next_attributes_.size());
     for (const auto& [cell, region] : part->cells) {
       next_region_[cell] = base + region;
-      if (base + region > next_first_.size()) next_first_.push_back(cell);
+      RegionId& first = next_first_[base + region - 1];
+      if (!first.valid()) first = cell;
       next_cells_.push_back(cell);
     }
   }
@@ -193,6 +195,7 @@ void HeldRegions::combine(Roles roles, const std::vector<RegionId>& next_cells, 
     of_region.clear();
     for (auto it = begin; it != end; ++it) of_region.push_back(&attributes_of(*it));
     made.emplace_back(result, combined(of_region, roles.dominant, others));
+    made.back().second.leaves = leaves_of(std::span(begin, end));
     for (const RegionMaterial& other : others) {
       MaterialConflict conflict{made.back().second.material, other, {}};
       conflict.cells.regions = cells_of(std::span(begin, end), other, next_cells);
@@ -204,6 +207,21 @@ void HeldRegions::combine(Roles roles, const std::vector<RegionId>& next_cells, 
     if (source.held) drop_attributes(source.first);
   }
   for (auto& [region, attributes] : made) set_attributes(region, std::move(attributes));
+}
+
+// The leaves of one region of the result. A region of held that is one whole is of this result alone and goes when
+// it is made, so its list is taken: a region that grows in n steps would be copied n times.
+std::vector<LeafId> HeldRegions::leaves_of(std::span<const Source> sources) {
+  const auto longest = std::max_element(sources.begin(), sources.end(), [&](const Source& a, const Source& b) {
+    return attributes_of(a).leaves.size() < attributes_of(b).leaves.size();
+  });
+  const bool whole = longest->held && !std::binary_search(split_.begin(), split_.end(), longest->first);
+  std::vector<LeafId> leaves =
+      whole ? std::move(pool_[longest->attributes]->leaves) : attributes_of(*longest).leaves;
+  for (auto source = sources.begin(); source != sources.end(); ++source) {
+    if (source != longest) add_leaves(leaves, attributes_of(*source).leaves);
+  }
+  return leaves;
 }
 
 // The 3-cells of one region of the result, that of `sources`, where an operand has the material.

@@ -56,6 +56,7 @@ class HeldRegions {
   void combine(Roles roles, const std::vector<RegionId>& next_cells, Conflicts& conflicts);
   std::vector<RegionId> cells_of(std::span<const Source> sources, const RegionMaterial& material,
                                  const std::vector<RegionId>& next_cells);
+  std::vector<LeafId> leaves_of(std::span<const Source> sources);
   const RegionAttributes& attributes_of(const Source& source) const;
   std::vector<RegionId> cells() const;
 

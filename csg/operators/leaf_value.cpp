@@ -215,6 +215,21 @@ class LeafValue {
   Components out_;
 };
 
+/// `group_of` numbers regions as they come in the complex; in the file region i is component i.
+void keep_numbers(const Components& components, Group& group) {
+  std::vector<RegionAttributes> regions(components.attributes.size() - 1);
+  std::vector<Component> number(group.regions.size() + 1, 0);
+  for (std::size_t i = 0; i < group.cells.size(); ++i) {
+    const Component stated = components.selection.regions[i].second;
+    Component& made = number[group.cells[i].second];
+    require((made == 0 || made == stated) && stated <= regions.size(), "leaf_value: a component is no region");
+    made = group.cells[i].second = stated;
+  }
+  require(group.regions.size() == regions.size(), "leaf_value: a component is in several pieces");
+  for (std::size_t i = 1; i < number.size(); ++i) regions[number[i] - 1] = std::move(group.regions[i - 1]);
+  group.regions = std::move(regions);
+}
+
 }  // namespace
 
 NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, const CellTable& table,
@@ -229,6 +244,7 @@ NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, co
                      " cells of its boundary are missing" + kAgain);
   }
   Group group = group_of(complex, components);
+  keep_numbers(components, group);
   group.dominance = table.dominances[0];
   return {complex, std::move(group)};
 }

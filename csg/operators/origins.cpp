@@ -61,6 +61,48 @@ LeafSetId LeafSets::unite(LeafSetId a, LeafSetId b) {
   return it->second;
 }
 
+LeafUnions::LeafUnions() { intern(std::span<const LeafId>()); }
+
+LeafSetId LeafUnions::intern(std::span<const LeafId> leaves) {
+  const LeafSetId set = sets_.intern(leaves);
+  if (set.index() >= of_set_.size()) of_set_.resize(sets_.size(), LeafSetId::none());
+  LeafSetId& id = of_set_[set.index()];
+  if (!id.valid()) {
+    id = LeafSetId(made_of_.size());
+    made_of_.emplace_back(LeafSetId::none(), set);
+  }
+  return id;
+}
+
+LeafSetId LeafUnions::unite(LeafSetId a, LeafSetId b) {
+  if (a == b || b == LeafSetId(0)) return a;
+  if (a == LeafSetId(0)) return b;
+  const auto& [before, last] = made_of_[a.index()];
+  if (before.valid() && last == b) return a;
+  const auto [it, fresh] = united_.try_emplace(std::pair(a, b));
+  if (fresh) {
+    it->second = LeafSetId(made_of_.size());
+    made_of_.emplace_back(a, b);
+  }
+  return it->second;
+}
+
+std::vector<LeafId> LeafUnions::operator[](LeafSetId set) const {
+  std::vector<LeafId> leaves;
+  std::vector<LeafSetId> open{set};
+  while (!open.empty()) {
+    const auto [a, b] = made_of_[open.back().index()];
+    open.pop_back();
+    if (a.valid()) {
+      open.push_back(a), open.push_back(b);
+    } else {
+      leaves.insert(leaves.end(), sets_[b].begin(), sets_[b].end());
+    }
+  }
+  sort_unique(leaves);
+  return leaves;
+}
+
 std::vector<LeafCell> leaf_cells(const Complex& complex, VertexId v, std::span<const LeafId> leaves) {
   std::vector<LeafCell> out;
   for (const EdgeId e : complex.vertex_edges[v]) {

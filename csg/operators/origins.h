@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kernel/complex/complex.h"
@@ -35,10 +36,32 @@ class LeafSets {
   std::map<std::pair<LeafSetId, LeafSetId>, LeafSetId> united_;
 };
 
+/// Sets of leaves that grow from operand to operand of a fold. A cell that n operands share has n sets on its way,
+/// of n^2 / 2 leaves together; so a union is kept as the two sets that it is of, and its leaves are listed when
+/// somebody asks. LeafSetId(0) is the empty set.
+class LeafUnions {
+ public:
+  LeafUnions();
+  LeafSetId intern(std::span<const LeafId> leaves);
+  /// Sets with the same leaves that were united in other orders may have several ids.
+  LeafSetId unite(LeafSetId a, LeafSetId b);
+  /// Ascending, unique.
+  std::vector<LeafId> operator[](LeafSetId set) const;
+  std::size_t size() const { return made_of_.size(); }
+
+ private:
+  LeafSets sets_;
+  std::vector<LeafSetId> of_set_;  // by id in sets_
+  // Two unions; or none() and an id in sets_.
+  std::vector<std::pair<LeafSetId, LeafSetId>> made_of_;
+  std::map<std::pair<LeafSetId, LeafSetId>, LeafSetId> united_;
+};
+
 /// Brings sets of one table into another, each when it is first met: tables hold no more than their values need.
+template <class From, class To>
 class LeafSetMap {
  public:
-  LeafSetMap(const LeafSets& from, LeafSets& to) : from_(from), to_(to), known_(from.size(), LeafSetId::none()) {}
+  LeafSetMap(const From& from, To& to) : from_(from), to_(to), known_(from.size(), LeafSetId::none()) {}
   LeafSetId operator()(LeafSetId set) {
     LeafSetId& id = known_[set.index()];
     if (!id.valid()) id = to_.intern(from_[set]);
@@ -46,8 +69,8 @@ class LeafSetMap {
   }
 
  private:
-  const LeafSets& from_;
-  LeafSets& to_;
+  const From& from_;
+  To& to_;
   std::vector<LeafSetId> known_;
 };
 

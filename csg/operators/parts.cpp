@@ -16,6 +16,7 @@ namespace cnrg {
 namespace {
 
 using Parts = std::vector<PartRef>;
+using SetMap = LeafSetMap<LeafSets, LeafSets>;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // A plane has no vertex but those on the frame, which are no entities.
@@ -69,7 +70,8 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> order_regions(const std::ve
     std::uint32_t number = 0;
     for (RegionId cell : parts[i]->first_cells()) regions.emplace_back(cell, i, ++number);
   }
-  if (!std::is_sorted(regions.begin(), regions.end())) std::sort(regions.begin(), regions.end());
+  if (parts.size() > 1 && !std::is_sorted(regions.begin(), regions.end()))
+    std::sort(regions.begin(), regions.end());
   std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
   out.reserve(regions.size());
   for (const auto& [cell, part, number] : regions) out.emplace_back(part, number);
@@ -128,7 +130,7 @@ auto merged(const std::vector<const Part*>& parts, List list) {
 
 // One kind of entities with their origins, whose sets are each part's own.
 template <class List, class OriginList, class IdT>
-void merge_entities(const std::vector<const Part*>& parts, std::vector<LeafSetMap>& sets, List list,
+void merge_entities(const std::vector<const Part*>& parts, std::vector<SetMap>& sets, List list,
                     OriginList origins, std::vector<IdT>& out, std::vector<LeafSetId>& out_origins) {
   const MergeOrder order(parts, list);
   out = order.gather(list);
@@ -152,7 +154,7 @@ Group merge(const std::vector<const Part*>& parts) {
     std::uint32_t& region = out.cells[i].second;
     region = number[cell_order.part(i)][region - 1];
   }
-  std::vector<LeafSetMap> sets;
+  std::vector<SetMap> sets;
   sets.reserve(parts.size());
   for (const Part* part : parts) sets.emplace_back(part->group().origins.sets, out.origins.sets);
   merge_entities(
@@ -184,17 +186,20 @@ bool before(const PartRef& a, const PartRef& b) {
   const auto first = []<class IdT>(const std::vector<IdT>& list) { return list.empty() ? IdT() : list.front(); };
   const auto key = [&](const Part& part) {
     const Group& g = part.group();
-    return std::tuple(first(part.first_cells()), first(g.vertices), first(g.edges), first(g.faces));
+    const RegionId cell = g.cells.empty() ? RegionId() : g.cells.front().first;
+    return std::tuple(cell, first(g.vertices), first(g.edges), first(g.faces));
   };
   return key(*a.get()) < key(*b.get());
 }
 
 Part::Part(const Complex& complex, Group group) : group_(std::move(group)), box_(box_of(complex, group_)) {
-  first_cells_.reserve(group_.regions.size());
+  first_cells_.resize(group_.regions.size());
   for (const auto& [cell, region] : group_.cells) {
-    if (region > first_cells_.size()) first_cells_.push_back(cell);
+    RegionId& first = first_cells_.at(region - 1);
+    if (!first.valid()) first = cell;
   }
-  require(first_cells_.size() == group_.regions.size(), "parts: regions are not in the order of their cells");
+  require(std::all_of(first_cells_.begin(), first_cells_.end(), [](RegionId cell) { return cell.valid(); }),
+          "parts: a region without cells");
 }
 
 const CellCounts& Part::counts(const Complex& complex) const {

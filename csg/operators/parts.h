@@ -42,7 +42,8 @@ class Part {
   const Group& group() const { return group_; }
   /// Holds the part; infinite if that is unbounded or reaches the frame.
   const PartBox& box() const { return box_; }
-  /// The smallest 3-cell of each region, ascending.
+  /// The smallest 3-cell of each region: ascending, but for regions of a result read back, which keep the numbers
+  /// of their file.
   const std::vector<RegionId>& first_cells() const { return first_cells_; }
   /// Both are computed when they are first asked for; `complex` is that of the constructor. Thread-safe.
   const CellCounts& counts(const Complex& complex) const;
@@ -119,7 +120,8 @@ PartedGroup changed(const Complex& complex, const PartedGroup& value, Change cha
   return out;
 }
 
-/// The group of all parts: lists sorted, regions in the order of their smallest 3-cells.
+/// The group of all parts: lists sorted, regions of several parts in the order of their smallest 3-cells, of one
+/// part as it has them.
 Group whole(const PartedGroup& value);
 
 /// Region i + 1 of `whole(value)` as (index of the part, region of its group).

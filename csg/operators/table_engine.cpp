@@ -32,6 +32,9 @@ namespace {
 
 using Parts = std::span<const Group* const>;
 
+using IntoUnions = LeafSetMap<LeafSets, LeafUnions>;
+using FromUnions = LeafSetMap<LeafUnions, LeafSets>;
+
 // An operand of a step; the value is the flag of its entities.
 enum class Who : std::uint8_t { held = kHeld, next = kNext };
 
@@ -96,7 +99,7 @@ class TableEngine::State {
 
   template <class IdT>
   static void load(EntityMarks<IdT>& marks, const std::vector<IdT>& cells, const std::vector<LeafSetId>& origins,
-                   LeafSetMap& sets) {
+                   IntoUnions& sets) {
     marks.listed.insert(marks.listed.end(), cells.begin(), cells.end());
     for (std::size_t i = 0; i < cells.size(); ++i) {
       marks.flags[cells[i]] = kHeld | kListed;
@@ -303,7 +306,7 @@ class TableEngine::State {
 
   template <class IdT>
   void commit(EntityMarks<IdT>& marks, const std::vector<IdT>& cells, const std::vector<LeafSetId>& origins,
-              LeafSetMap& sets) {
+              IntoUnions& sets) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       std::uint8_t& flags = marks.flags[cells[i]];
       if (flags & kRemoved) {
@@ -337,7 +340,7 @@ class TableEngine::State {
   // --- the result
 
   template <class IdT>
-  static void write(const EntityMarks<IdT>& marks, LeafSetMap& sets, std::vector<IdT>& list,
+  static void write(const EntityMarks<IdT>& marks, FromUnions& sets, std::vector<IdT>& list,
                     std::vector<LeafSetId>& origins) {
     list.reserve(marks.listed.size());
     for (const IdT cell : marks.listed) {
@@ -361,7 +364,7 @@ class TableEngine::State {
   EntityMarks<EdgeId> edges_;
   EntityMarks<VertexId> vertices_;
   HeldRegions regions_;
-  LeafSets sets_;  // of the origins of held
+  LeafUnions sets_;  // of the origins of held
 
   // The step.
   Roles roles_{};

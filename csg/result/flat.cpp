@@ -8,6 +8,7 @@
 #include <numeric>
 #include <span>
 
+#include "csg/geometry/canonical_loop.h"
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
@@ -21,33 +22,6 @@ namespace {
 using Index = FlatComplex::Index;
 using Loop = FlatComplex::Loop;
 constexpr Index kNone = FlatComplex::kNone;
-
-/// Rotates a cyclic list to its lexicographically least form.
-void rotate_to_least(Loop& loop) {
-  if (loop.empty()) return;
-  const Index least = *std::min_element(loop.begin(), loop.end());
-  std::size_t best = loop.size();
-  const auto at = [&](std::size_t start, std::size_t i) { return loop[(start + i) % loop.size()]; };
-  for (std::size_t s = 0; s < loop.size(); ++s) {
-    if (loop[s] != least) continue;
-    if (best == loop.size()) {
-      best = s;
-      continue;
-    }
-    for (std::size_t i = 1; i < loop.size(); ++i) {
-      if (at(s, i) == at(best, i)) continue;
-      if (at(s, i) < at(best, i)) best = s;
-      break;
-    }
-  }
-  std::rotate(loop.begin(), loop.begin() + std::ptrdiff_t(best), loop.end());
-}
-
-/// Outer loop first (of a planar face it is the one with the least point), then the others in order.
-void put_in_order(std::vector<Loop>& loops) {
-  for (Loop& loop : loops) rotate_to_least(loop);
-  std::sort(loops.begin(), loops.end());
-}
 
 class Flattener {
  public:
@@ -113,26 +87,36 @@ class Flattener {
 
   void make_regions() {
     for (const auto& region : simple_.regions) {
-      FlatComplex::Provenance origin;
-      for (const RegionId r : region.cells) {
-        add_origin(value_.selection.regions, value_.origins.regions, r, origin);
-      }
-      flat_.regions.push_back(
-          {region.component, region.bounded, region.shells, region.cells, unique(std::move(origin))});
+      flat_.regions.push_back({region.component, region.bounded, region.shells, region.cells,
+                               origin_of(value_.selection.regions, value_.origins.regions, region.cells)});
     }
   }
 
-  template <class IdT>
-  void add_origin(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& sets, IdT cell,
-                  FlatComplex::Provenance& origin) const {
-    const std::size_t k = place_in(list, cell);
-    if (k == list.size()) return;
-    const auto leaves = value_.origins.sets[sets[k]];
-    const std::vector<LeafCell> cells = leaf_cells(complex_, cell, leaves);
-    origin.leaves.insert(origin.leaves.end(), leaves.begin(), leaves.end());
-    origin.cells.insert(origin.cells.end(), cells.begin(), cells.end());
-  }
-  static FlatComplex::Provenance unique(FlatComplex::Provenance origin) {
+  static RegionId id_of(RegionId r) { return r; }
+  static FaceId id_of(HalfFace h) { return h.face(); }
+  static EdgeId id_of(HalfEdge h) { return h.edge(); }
+  static VertexId id_of(VertexId v) { return v; }
+
+  /// Of a cell of the result that unites `cells` of the complex. The cells of a region share one set of all its
+  /// leaves, which may be as many as the cells: so each set is taken once, not once for each cell.
+  template <class IdT, class Cells>
+  FlatComplex::Provenance origin_of(const std::vector<std::pair<IdT, Component>>& list,
+                                    const std::vector<LeafSetId>& sets, const Cells& cells) const {
+    FlatComplex::Provenance origin;
+    std::vector<LeafSetId> from;
+    for (const auto& cell : cells) {
+      const IdT id = id_of(cell);
+      const std::size_t k = place_in(list, id);
+      if (k == list.size()) continue;
+      if (from.empty() || from.back() != sets[k]) from.push_back(sets[k]);
+      const std::vector<LeafCell> on = leaf_cells(complex_, id, value_.origins.sets[sets[k]]);
+      origin.cells.insert(origin.cells.end(), on.begin(), on.end());
+    }
+    sort_unique(from);
+    for (const LeafSetId set : from) {
+      const auto leaves = value_.origins.sets[set];
+      origin.leaves.insert(origin.leaves.end(), leaves.begin(), leaves.end());
+    }
     sort_unique(origin.leaves);
     sort_unique(origin.cells);
     return origin;
@@ -247,10 +231,7 @@ class Flattener {
         face.facet_ends.push_back(Index(face.triangles.size()));
       }
       face.entity = from.component != 0 && !inside_component(from.component, from.regions);
-      for (const HalfFace cell : from.cells) {
-        add_origin(value_.selection.faces, value_.origins.faces, cell.face(), face.origin);
-      }
-      face.origin = unique(std::move(face.origin));
+      face.origin = origin_of(value_.selection.faces, value_.origins.faces, from.cells);
       face.patch = patch_of(from, face.origin.leaves);
       if (view_.parameters != nullptr) add_cells(face, facets, from);
     });
@@ -372,10 +353,7 @@ class Flattener {
       edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
         return std::binary_search(features.begin(), features.end(), h.edge());
       });
-      for (const HalfEdge h : from.chain) {
-        add_origin(value_.selection.edges, value_.origins.edges, h.edge(), edge.origin);
-      }
-      edge.origin = unique(std::move(edge.origin));
+      edge.origin = origin_of(value_.selection.edges, value_.origins.edges, from.chain);
     });
   }
 
@@ -400,7 +378,7 @@ class Flattener {
       if (vertex.free && !in_face[vertex.point]) vertex.region = region_index(complex_.some_region(from.cell));
       const auto& features = value_.features.vertices;
       vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);
-      add_origin(value_.selection.vertices, value_.origins.vertices, from.cell, vertex.origin);
+      vertex.origin = origin_of(value_.selection.vertices, value_.origins.vertices, std::span(&from.cell, 1));
     });
   }
 

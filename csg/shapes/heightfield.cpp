@@ -55,7 +55,7 @@ GridPoints points_of_tree(LeafBuilder& builder, const HeightfieldShape& shape) {
 }
 
 GridPoints points_of_file(LeafBuilder& builder, const HeightfieldShape& shape, std::vector<std::string>& notices) {
-  const HeightGrid file = read_height_grid(shape.file);
+  const HeightGrid file = read_height_grid(shape.file, shape.inside);
   GridPoints grid{file.columns, file.rows, {}};
   if (!file.missing.empty()) {
     const auto missing = std::count(file.missing.begin(), file.missing.end(), true);

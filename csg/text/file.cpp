@@ -1,69 +1,21 @@
-// The content goes to a new file in the same directory, which is flushed and then renamed. Within a directory a
-// rename is atomic; without the flush a crash might leave the new name with no content.
+// The target is what a symbolic link leads to; all else is a draft's (draft.h).
 #include "csg/text/file.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 
+#include "csg/text/draft.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
-namespace {
 
-[[noreturn]] void fail(const std::string& path, const char* what, int reason) {
-  throw FileError(path + ": " + what + ": " + std::strerror(reason));
+void require_no_directory(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored) && !path.ends_with('/')) return;
+  throw FileError(path + ": cannot be written: it is a directory; give the name of a file in it");
 }
-
-/// A file open for writing; closed and removed again unless it was kept.
-class Draft {
- public:
-  explicit Draft(const std::string& path) : path_(path) {
-    static std::atomic<unsigned> counter{0};
-    do {
-      name_ = path + "." + std::to_string(getpid()) + "." + std::to_string(counter++) + ".tmp";
-      descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    } while (descriptor_ < 0 && errno == EEXIST);
-    if (descriptor_ < 0) fail(path_, "cannot be written", errno);
-  }
-  ~Draft() {
-    if (descriptor_ >= 0) close(descriptor_);
-    if (!kept_) unlink(name_.c_str());
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  void write(std::string_view content) {
-    while (!content.empty()) {
-      const ssize_t n = ::write(descriptor_, content.data(), content.size());
-      if (n < 0 && errno == EINTR) continue;
-      if (n < 0) fail(path_, "cannot be written", errno);
-      content.remove_prefix(std::size_t(n));
-    }
-  }
-  void keep(const struct stat* old) {
-    if (old != nullptr) (void)fchmod(descriptor_, old->st_mode & 07777);
-    if (fsync(descriptor_) != 0) fail(path_, "cannot be flushed to the disk", errno);
-    const int closed = close(descriptor_);
-    descriptor_ = -1;
-    if (closed != 0) fail(path_, "cannot be written", errno);
-    if (rename(name_.c_str(), path_.c_str()) != 0) fail(path_, "cannot be replaced", errno);
-    kept_ = true;
-  }
-
- private:
-  std::string path_, name_;
-  int descriptor_ = -1;
-  bool kept_ = false;
-};
-
-}  // namespace
 
 void replace_file(const std::string& path, std::string_view content) {
   std::string target = path;
@@ -74,11 +26,11 @@ void replace_file(const std::string& path, std::string_view content) {
   }
   struct stat old;
   const bool exists = stat(target.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) fail(path, "cannot be written", EISDIR);
+  require_no_directory(path);
   if (exists && !S_ISREG(old.st_mode)) throw FileError(path + ": cannot be replaced: it is no regular file");
   Draft draft(target);
   draft.write(content);
-  draft.keep(exists ? &old : nullptr);
+  draft.appear(exists ? &old : nullptr);
 }
 
 std::string extension_of(const std::string& path) {

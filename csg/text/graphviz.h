@@ -3,18 +3,18 @@
 
 #include <string>
 
+#include "csg/text/escape.h"
+
 namespace cnrg {
 
-/// Quotes and backslashes escaped; line breaks as Graphviz writes them.
-inline std::string graphviz_text(const std::string& text) {
+/// A name as it is shown, with what Graphviz would read as the end of the quotes, an escape or an entity escaped.
+/// A line break in a label is `\n` between two names.
+inline std::string graphviz_text(const std::string& name) {
   std::string out;
-  for (const char c : text) {
-    if (c == '\n') {
-      out += "\\n";
-      continue;
-    }
+  for (const char c : shown(name)) {
     if (c == '"' || c == '\\') out += '\\';
     out += c;
+    if (c == '&') out += "amp;";
   }
   return out;
 }

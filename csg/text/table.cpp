@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "csg/text/escape.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -19,6 +20,7 @@ void Table::add_column(std::string title, Align align) { columns_.push_back({std
 
 void Table::add_row(std::vector<std::string> cells) {
   require(cells.size() <= columns_.size(), "Table: a row has more cells than there are columns");
+  for (std::string& cell : cells) cell = shown(cell);
   rows_.push_back(std::move(cells));
 }
 

@@ -11,7 +11,8 @@ class Table {
   enum class Align { left, right };
   /// Adds a column; rows that were added before are empty there.
   void add_column(std::string title, Align align = Align::right);
-  /// Adds a row of UTF-8 cells, at most as many as there are columns; missing ones are empty.
+  /// Adds a row of texts, as they are shown (escape.h), at most as many as there are columns; missing ones are
+  /// empty.
   void add_row(std::vector<std::string> cells);
   std::size_t columns() const { return columns_.size(); }
   std::size_t rows() const { return rows_.size(); }

@@ -1,6 +1,7 @@
 // Faces that simplification merged away are passed over: the regions on both sides of them are one.
 #include "csg/topology/around.h"
 
+#include "csg/text/escape.h"
 #include "csg/text/table.h"
 #include "csg/topology/region_graph.h"
 #include "kernel/selection/incidence.h"
@@ -17,7 +18,8 @@ template <class Items, class Line>
 std::string lines(const char* title, const Items& items, std::size_t most, Line line) {
   if (items.empty()) return "";
   std::string out = std::string(title) + "\n";
-  for (std::size_t i = 0; i < std::min<std::size_t>(items.size(), most); ++i) out += "  " + line(items[i]) + "\n";
+  for (std::size_t i = 0; i < std::min<std::size_t>(items.size(), most); ++i)
+    append_line(out, "  " + line(items[i]));
   if (items.size() > most) out += "  and " + grouped(items.size() - most) + " more\n";
   return out;
 }

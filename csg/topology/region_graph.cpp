@@ -73,8 +73,8 @@ std::string RegionGraph::dot() const {
   const Adjacency graph = adjacency(*this, false);
   const auto node = [&](std::ostream& stream, std::size_t i) {
     const Node& n = nodes[i];
-    stream << "[label=\"" << graphviz_text(n.material.empty() ? n.name : n.name + "\n" + n.material) << "\""
-           << (n.component == 0 ? ", style=dashed]" : "]");
+    stream << "[label=\"" << graphviz_text(n.name) << (n.material.empty() ? "" : "\\n" + graphviz_text(n.material))
+           << "\"" << (n.component == 0 ? ", style=dashed]" : "]");
   };
   const auto edge = [&](std::ostream& stream, const auto& e) {
     stream << "[label=\"" << graph[e].faces << (graph[e].faces == 1 ? " face" : " faces") << "\"]";

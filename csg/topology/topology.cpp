@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/text/escape.h"
 #include "csg/text/table.h"
 #include "csg/topology/around.h"
 #include "csg/topology/region_graph.h"
@@ -202,8 +203,8 @@ std::string adjacency_text(const RegionGraph& graph) {
   if (graph.edges.empty()) return "";
   std::string out = "adjacent regions\n";
   for (const RegionGraph::Edge& e : graph.edges) {
-    out += "  " + graph.nodes[e.nodes[0]].name + " - " + graph.nodes[e.nodes[1]].name + ": " + grouped(e.faces) +
-           (e.faces == 1 ? " face\n" : " faces\n");
+    append_line(out, "  " + graph.nodes[e.nodes[0]].name + " - " + graph.nodes[e.nodes[1]].name + ": " +
+                         grouped(e.faces) + (e.faces == 1 ? " face" : " faces"));
   }
   return out;
 }

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 
 #include "kernel/base/error.h"
 #include "kernel/base/ids.h"
@@ -20,18 +19,12 @@ struct Position {
 };
 
 /// `file:line:column`.
-inline std::string to_string(const std::string& file, Position at) {
-  return file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column);
-}
+std::string to_string(const std::string& file, Position at);
 
-/// A fault of a tree file at its position; `what()` is the whole line that people read.
+/// A fault of a tree file at its position; `what()` is the whole line that people read, names escaped.
 class TreeError : public InputError {
  public:
-  TreeError(std::string file, Position at, std::string message)
-      : InputError(to_string(file, at) + ": error: " + message),
-        file_(std::move(file)),
-        at_(at),
-        message_(std::move(message)) {}
+  TreeError(std::string file, Position at, std::string message);
   const std::string& file() const { return file_; }
   int line() const { return at_.line; }
   int column() const { return at_.column; }
@@ -52,9 +45,7 @@ struct Diagnostic {
   Level level = Level::warning;
   std::string message;
   /// `file:line:column: warning: message`, or `notice`.
-  std::string text() const {
-    return to_string(file, at) + (level == Level::warning ? ": warning: " : ": notice: ") + message;
-  }
+  std::string text() const;
 };
 
 }  // namespace cnrg

@@ -219,7 +219,12 @@ Profile read_profile(const Value& value, const Fields& f, const std::string& nam
     profile.lines.push_back(read_line(curve->value, f.name("curve"), plane, false));
     return profile;
   }
-  const Value& lines = f.at("profile", plane ? "[[r, z], ...]" : kPoints);
+  const std::string form = plane ? "[[r, z], ...]" : kPoints;
+  if (!area) {
+    value.fail(name + " needs `profile` or `curve`; add `profile: " + form + "` for a solid, or `curve: " + form +
+               "` for a surface");
+  }
+  const Value& lines = area->value;
   if (!lines.is_map()) {
     profile.lines.push_back(read_line(lines, f.name("profile"), plane, true));
     return profile;

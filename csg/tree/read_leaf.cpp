@@ -5,6 +5,8 @@
 #include <array>
 #include <filesystem>
 
+#include "csg/text/escape.h"
+#include "csg/text/number.h"
 #include "csg/tree/read_curved.h"
 
 namespace cnrg {
@@ -137,6 +139,7 @@ Shape read_heightfield(const Value& value, const LeafContext& context) {
       }
     }
     shape.file = resolve(file->text(f.name("file")), context);
+    shape.inside = context.inside;
     return shape;
   }
   if (const Value* origin = f.find("origin")) {
@@ -165,6 +168,7 @@ Shape read_mesh(const Value& value, const LeafContext& context) {
   const Fields f(value, "mesh", {"file", "fill", "coordinates"});
   MeshShape shape;
   shape.file = resolve(f.at("file", "part.off").text(f.name("file")), context);
+  shape.inside = context.inside;
   if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
   if (const Value* coordinates = f.find("coordinates")) {
     const std::string name = coordinates->text(f.name("coordinates"));
@@ -180,6 +184,7 @@ CadShape read_cad(const Fields& f, CadShape::Format format, const LeafContext& c
   CadShape shape;
   shape.format = format;
   shape.file = resolve(f.at("file", "part.step").text(f.name("file")), context);
+  shape.inside = context.inside;
   shape.tessellation = read_tessellation(f);
   if (const Value* fill = f.find("fill")) {
     const std::string name = fill->text(f.name("fill"));
@@ -275,10 +280,10 @@ Shape read_group(const Value& value, const LeafContext& context) {
   }
   if (const Value* regions = f.find("regions")) {
     for (const Value::Entry& e : regions->entries(f.name("regions"))) {
-      const std::optional<Rational> number = parse_rational(e.key);
+      const std::optional<Rational> number = read_number(e.key).value;
       if (!number || number->get_den() != 1 || *number < 1 || *number > 1'000'000'000) {
-        value.document().fail(e.key_at,
-                              "a key of `regions` must be the number of a region, from 1, not `" + e.key + "`");
+        value.document().fail(
+            e.key_at, "a key of `regions` must be the number of a region, from 1, not `" + excerpt(e.key) + "`");
       }
       const Fields attributes(e.value, "a region of group", {"material", "name"});
       GroupShape::Region& region = shape.regions[static_cast<std::uint32_t>(number->get_num().get_ui())];
@@ -293,7 +298,7 @@ Shape read_group(const Value& value, const LeafContext& context) {
 }
 
 Shape read_result(const Value& value, const LeafContext& context) {
-  return ResultShape{resolve(value.text("`cnrg`, the file of a result,"), context)};
+  return ResultShape{resolve(value.text("`cnrg`, the file of a result,"), context), context.inside};
 }
 
 struct Reader {

@@ -13,6 +13,7 @@ namespace cnrg {
 
 struct LeafContext {
   std::string folder;                                ///< paths in the file are relative to it
+  std::string inside;                                ///< files must lie in it; empty: anywhere
   std::function<void(const Value&)> check_material;  ///< fails when the material is not declared
 };
 

@@ -8,13 +8,12 @@
 // without limit.
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <unordered_map>
 
+#include "csg/text/input_file.h"
+#include "csg/text/number.h"
+#include "csg/text/table.h"
 #include "csg/tree/dag.h"
 #include "csg/tree/read_leaf.h"
 #include "csg/tree/read_material.h"
@@ -77,7 +76,8 @@ bool is_zero(const RationalPoint& p) { return p[0] == 0 && p[1] == 0 && p[2] == 
 
 class TreeReader {
  public:
-  TreeReader(Document& document, Tree& tree) : document_(document), tree_(tree) {
+  TreeReader(Document& document, Tree& tree, const ReadOptions& options) : document_(document), tree_(tree) {
+    if (!options.inside.empty()) context_.inside = folder_of_inputs(options.inside);
     context_.folder = std::filesystem::path(document.file).parent_path().string();
     context_.check_material = [this](const Value& value) { check_material(value); };
   }
@@ -199,13 +199,18 @@ class TreeReader {
       if (is_attribute(e, has_operator)) continue;
       check_operator_name(e, what);
       if (operation) {
-        document_.fail(e.key_at, what + " has two operators, `" + operation->key + "` and `" + e.key +
-                                     "`; make one of them a node of its own");
+        const bool first = find_operator(operation->key) != nullptr, second = find_operator(e.key) != nullptr;
+        const char* const kinds = first && second ? " has two operators, `"
+                                  : first         ? " has an operator and a leaf, `"
+                                  : second        ? " has a leaf and an operator, `"
+                                                  : " has two leaves, `";
+        document_.fail(
+            e.key_at, what + kinds + operation->key + "` and `" + e.key + "`; make one of them a node of its own");
       }
       operation = &e;
     }
     if (!operation) {
-      document_.fail(tree_.nodes[id].at, what + " has no operator; add one, such as `box` or `union`");
+      document_.fail(tree_.nodes[id].at, what + " has no leaf and no operator; add one, such as `box` or `union`");
     }
     tree_.nodes[id].operator_at = operation->key_at;
     tree_.nodes[id].operator_name = operation->key;
@@ -296,7 +301,7 @@ class TreeReader {
                      node.operator_name + "` a number, such as `dominance: 2`");
       }
       node.dominant = side->second;
-    } else if (parse_rational(text)) {
+    } else if (read_number(text).value || text.find_first_not_of("0123456789+-.eE/") == std::string::npos) {
       node.dominance = e.value.number("`dominance`");
     } else {
       e.value.fail_type("`dominance`", has_sides(node.op) ? "left, right, equal or a number" : "a number");
@@ -429,26 +434,28 @@ std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>
   return result;
 }
 
-Tree parse_tree(const std::string& text, const std::string& file) {
-  constexpr std::size_t kHonestAliases = 1'000'000;
+Tree parse_tree(const std::string& text, const std::string& file, const ReadOptions& options) {
+  constexpr std::size_t kHonestAliases = 1'000'000, kMostBytes = 100'000'000;
+  if (text.size() > kMostBytes) {
+    throw TreeError(file, {},
+                    "this file has " + grouped(text.size()) + " bytes, and a tree has at most " +
+                        grouped(kMostBytes) + "; give large shapes as files that the tree names");
+  }
   Document document{file, text.size() + kHonestAliases};
   Tree tree;
   tree.file = file;
-  TreeReader(document, tree).read(load_yaml(document, text));
+  TreeReader(document, tree, options).read(load_yaml(document, text));
   return tree;
 }
 
-Tree read_tree(const std::string& path) {
-  const auto fail = [&](const std::string& why) {
-    throw FileError(to_string(path, {}) + ": error: the tree file cannot be read: " + why + "; check the path");
-  };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) fail("it is a directory");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) fail(std::strerror(errno));
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) fail(std::strerror(errno));
-  return parse_tree(text, path);
+Tree read_tree(const std::string& path, const ReadOptions& options) {
+  std::string text;
+  try {
+    text = read_file(path);
+  } catch (const FileError& e) {
+    throw FileError(to_string(path, {}) + ": error: the tree file: " + e.what());
+  }
+  return parse_tree(text, path, options);
 }
 
 }  // namespace cnrg

@@ -100,7 +100,9 @@ using InstanceId = Id<struct InstanceTag>;
 /// A node under one accumulated transform: a node that two users place differently is two instances.
 struct Instance {
   NodeId node;
-  Transform transform;               ///< all transforms from a root down to the node, its own included
+  /// All transforms from a root down to the node, its own included. Of leaves and of nodes with a material: others
+  /// have none, since nobody asks, and a product of many transforms is long.
+  std::shared_ptr<const Transform> transform;
   std::vector<InstanceId> operands;  ///< in the order of the node's operands
   std::uint32_t number = 1;          ///< from 1 among the instances of the node
 };
@@ -111,13 +113,19 @@ std::vector<std::string> materials_of(const Node& node);
 /// A warning for each node of `nodes` that none of the roots uses, nor a distance in a material of a used one.
 std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>& roots);
 
+struct ReadOptions {
+  /// A folder. If it is given, every file that the tree names must lie in it after links are resolved, or the leaf
+  /// is an error (of `check` and `evaluate`): for trees that are not trusted.
+  std::string inside{};
+};
+
 /// Reads a tree file (YAML 1.2 or JSON). Throws TreeError for the first fault, FileError when the file cannot be
-/// read. The geometry of leaves and the files that they name are not looked at: `check` (csg/evaluate/evaluate.h)
-/// does that.
-Tree read_tree(const std::string& path);
+/// read or the folder is not there. The geometry of leaves and the files that they name are not looked at: `check`
+/// (csg/evaluate/evaluate.h) does that.
+Tree read_tree(const std::string& path, const ReadOptions& options = {});
 
 /// The same for a text; `file` is for messages, and paths in the text are relative to its folder.
-Tree parse_tree(const std::string& text, const std::string& file);
+Tree parse_tree(const std::string& text, const std::string& file, const ReadOptions& options = {});
 
 /// Makes every curved leaf of the tree `times` as fine (1 or more): `segments` and `rings` are multiplied by it,
 /// given or not, and `chord` is divided by its square, as the distance of a chord from its curve goes with the

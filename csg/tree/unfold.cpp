@@ -1,44 +1,41 @@
-// A depth-first walk with its own stack; transforms are interned so that instances compare by number.
+// A depth-first walk with its own stack. Accumulated transforms, *places*, are interned so that instances compare
+// by number; they become fractions for the instances that need them alone.
 #include "csg/tree/unfold.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
+
+#include "csg/geometry/placement.h"
+#include "csg/tree/count_instances.h"
 
 namespace cnrg {
 namespace {
 
-using Coefficients = std::array<Rational, 12>;
-
-Coefficients coefficients(const Transform& t) {
-  Coefficients result;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) result[4 * i + j] = t.linear[i][j];
-    result[4 * i + 3] = t.offset[i];
-  }
-  return result;
-}
-
-/// Numbers for equal transforms.
-class TransformTable {
+/// Numbers for equal places.
+class PlaceTable {
  public:
-  std::size_t intern(const Transform& t) {
-    const auto [it, added] = numbers_.emplace(coefficients(t), transforms_.size());
-    if (added) transforms_.push_back(t);
+  std::size_t intern(Placement place) {
+    const auto [it, added] = numbers_.emplace(std::move(place), places_.size());
+    if (added) places_.push_back({&it->first, nullptr});
     return it->second;
   }
-  const Transform& operator[](std::size_t i) const { return transforms_[i]; }
+  const Placement& operator[](std::size_t i) const { return *places_[i].first; }
+  const std::shared_ptr<const Transform>& transform(std::size_t i) {
+    auto& [place, made] = places_[i];
+    if (!made) made = std::make_shared<const Transform>(place->transform());
+    return made;
+  }
 
  private:
-  std::map<Coefficients, std::size_t> numbers_;
-  std::vector<Transform> transforms_;
+  std::map<Placement, std::size_t> numbers_;
+  std::vector<std::pair<const Placement*, std::shared_ptr<const Transform>>> places_;
 };
 
 class Walk {
  public:
   Walk(const Tree& tree, std::size_t most) : tree_(tree), most_(most) {
     result_.count.assign(tree.nodes.size(), 0);
-    identity_ = transforms_.intern(Transform());
+    identity_ = places_.intern(Placement());
   }
 
   InstanceId visit(NodeId root) {
@@ -69,31 +66,46 @@ class Walk {
   /// The instance when it is known; otherwise a frame for it is on the stack.
   InstanceId enter(NodeId id, std::size_t above) {
     const Node& node = tree_.nodes[id];
-    const std::size_t place = node.transform ? transforms_.intern(transforms_[above] * *node.transform) : above;
+    const std::size_t place = node.transform ? place_below(above, node) : above;
     const auto it = known_.find({id, place});
     if (it != known_.end()) return it->second;
     stack_.push_back({id, place, tree_.operands(id), {}});
     return {};
   }
 
+  std::size_t place_below(std::size_t above, const Node& node) {
+    Placement place = places_[above] * Placement(*node.transform);
+    if (const std::size_t bits = place.bits(); above != identity_ && bits > kMostBits) {
+      throw TreeError(
+          tree_.file, node.at,
+          "the transforms from the result down to `" + node.name + "` have a product with numbers of " +
+              std::to_string(bits) + " bits, and " + std::to_string(kMostBits) +
+              " (30,000 digits) are the limit; nest fewer of them, or transforms with shorter numbers, "
+              "such as one rotation in place of many");
+    }
+    return places_.intern(std::move(place));
+  }
+
   InstanceId leave() {
     Frame frame = std::move(stack_.back());
     stack_.pop_back();
     if (result_.instances.size() == most_) {
-      const Node& node = tree_.nodes[frame.node];
-      throw TreeError(tree_.file, node.at,
+      throw TreeError(tree_.file, tree_.nodes[frame.node].at,
                       "the tree unfolds to more than " + std::to_string(most_) + " instances, many of `" +
-                          node.name + "`; share nodes under one transform or use fewer copies");
+                          tree_.nodes[frame.node].name + "`; share nodes under one transform or use fewer copies");
     }
-    const InstanceId id = result_.instances.push_back(
-        {frame.node, transforms_[frame.place], std::move(frame.done), ++result_.count[frame.node]});
+    const Node& node = tree_.nodes[frame.node];
+    const bool placed = node.op == Operator::leaf || !node.material.empty();
+    const InstanceId id =
+        result_.instances.push_back({frame.node, placed ? places_.transform(frame.place) : nullptr,
+                                     std::move(frame.done), ++result_.count[frame.node]});
     known_.emplace(std::pair(frame.node, frame.place), id);
     return id;
   }
 
   const Tree& tree_;
   std::size_t most_;
-  TransformTable transforms_;
+  PlaceTable places_;
   std::size_t identity_ = 0;
   std::map<std::pair<NodeId, std::size_t>, InstanceId> known_;
   std::vector<Frame> stack_;
@@ -103,6 +115,7 @@ class Walk {
 }  // namespace
 
 Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t most) {
+  refuse_too_many_instances(tree, roots, most);
   Walk walk(tree, most);
   std::vector<InstanceId> root_instances;
   for (const NodeId root : roots) root_instances.push_back(walk.visit(root));

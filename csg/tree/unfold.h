@@ -16,8 +16,13 @@ struct Unfolding {
   IdVector<NodeId, std::uint32_t> count;     ///< instances of each node
 };
 
+/// The longest number, in bits, that a product of two transforms or more may have: 30,000 digits, as of 2,000
+/// rotations. One transform may have longer ones.
+inline constexpr std::size_t kMostBits = 100'000;
+
 /// The instances below `roots`, each root placed by its own transform alone. Iterative: depth costs memory, not
-/// stack. Throws TreeError when there are more than `most`.
+/// stack. Throws TreeError when there are more than `most`, mostly before any is made, and when a product of
+/// transforms has numbers of more than kMostBits bits.
 Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t most = 1'000'000);
 
 /// The numbers of the leaf instances: 0, 1, ... in the order of the instances; none() for an inner node.

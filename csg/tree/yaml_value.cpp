@@ -10,6 +10,8 @@
 #include <sstream>
 #include <unordered_set>
 
+#include "csg/text/escape.h"
+#include "csg/text/number.h"
 #include "csg/tree/suggest.h"
 
 namespace cnrg {
@@ -19,19 +21,12 @@ Position position_of(const YAML::Mark& mark, Position otherwise) {
   return mark.is_null() ? otherwise : Position{mark.line + 1, mark.column + 1};
 }
 
-/// A text cut to a length that fits in a message, control characters replaced.
-std::string excerpt(const std::string& text) {
-  constexpr std::size_t kLongest = 40;
-  std::string cut = text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
-  for (char& c : cut) {
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  }
-  return "`" + cut + "`";
-}
+/// The beginning of a text in quotes.
+std::string quoted(const std::string& text) { return "`" + excerpt(text) + "`"; }
 
 std::string describe(const YAML::Node& node) {
   switch (node.Type()) {
-    case YAML::NodeType::Scalar: return "the text " + excerpt(node.Scalar());
+    case YAML::NodeType::Scalar: return "the text " + quoted(node.Scalar());
     case YAML::NodeType::Sequence:
       return node.size() == 1 ? "a list of one" : "a list of " + std::to_string(node.size());
     case YAML::NodeType::Map: return "a map";
@@ -66,6 +61,21 @@ class Beginning : public YAML::EventHandler {
   }
   std::optional<YAML::Mark> mark_;
 };
+
+/// yaml-cpp takes any bytes for UTF-8, unless the text begins as one of UTF-16 or UTF-32, which it converts.
+void check_encoding(const Document& document, const std::string& text) {
+  const auto begins = [&](std::string_view bytes) { return std::string_view(text).starts_with(bytes); };
+  if (begins("\xfe\xff") || begins("\xff\xfe") || text.find('\0') < 4) return;
+  const std::size_t at = first_invalid(text);
+  if (at == text.size()) return;
+  const std::string_view before = std::string_view(text).substr(0, at);
+  const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 is 0
+  const auto is_first = [](char c) { return (c & 0xc0) != 0x80; };
+  const Position position{
+      1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
+      1 + static_cast<int>(std::count_if(before.begin() + static_cast<long>(line_begin), before.end(), is_first))};
+  document.fail(position, "the byte " + shown(text.substr(at, 1)) + " is no UTF-8; save the file as UTF-8");
+}
 
 /// The text must hold one document and nothing else. `YAML::Load` stops silently after the first one, and
 /// `YAML::LoadAll` never ends where a bracket or comma belongs to nothing, so documents are counted to two here.
@@ -120,20 +130,16 @@ bool Value::boolean(const std::string& what) const {
 
 Rational Value::number(const std::string& what) const {
   if (!is_text()) fail_type(what, "a number");
-  const std::optional<Rational> value = parse_rational(raw());
-  if (!value) {
-    fail(what + ": " + excerpt(raw()) +
-         " is no number; write a decimal such as 0.1 or 1.5e-3, or a fraction such as "
-         "\"1/3\"");
-  }
-  return *value;
+  NumberText number = read_number(raw());
+  if (!number.value) fail(what + ": " + quoted(raw()) + number.fault);
+  return std::move(*number.value);
 }
 
 long Value::integer(const std::string& what, long low, long high) const {
   const Rational value = number(what);
   if (value.get_den() != 1 || value < low || value > high) {
     fail(what + " must be a whole number from " + std::to_string(low) + " to " + std::to_string(high) + ", not " +
-         excerpt(raw()));
+         quoted(raw()));
   }
   return value.get_num().get_si();
 }
@@ -190,7 +196,7 @@ std::vector<Value::Entry> Value::entries(const std::string& what) const {
       document_->fail(key_at, "a key of " + what + " must be a text, not " + describe(item.first));
     const std::string& key = item.first.Scalar();
     if (!seen.insert(key).second) {
-      document_->fail(key_at, "the key " + excerpt(key) + " is there twice in " + what + "; remove or rename one");
+      document_->fail(key_at, "the key " + quoted(key) + " is there twice in " + what + "; remove or rename one");
     }
     result.push_back({key, key_at, Value(*document_, item.second, key_at)});
   }
@@ -204,7 +210,7 @@ Fields::Fields(const Value& map, std::string what, std::initializer_list<std::st
     std::string known;
     for (const std::string_view key : allowed) known += (known.empty() ? "" : ", ") + std::string(key);
     const std::string hint = did_you_mean(e.key, std::span(allowed.begin(), allowed.size()));
-    map.document().fail(e.key_at, "unknown key " + excerpt(e.key) + " in " + what_ +
+    map.document().fail(e.key_at, "unknown key " + quoted(e.key) + " in " + what_ +
                                       (hint.empty() ? "; known are: " + known : hint));
   }
 }
@@ -229,7 +235,28 @@ const Value& Fields::at(std::string_view key, std::string_view hint) const {
   return *value;
 }
 
+namespace {
+
+/// A tabulator among the blanks before a word: the reason why a text is no YAML, which yaml-cpp tells elsewhere.
+void check_indentation(const Document& document, std::string_view text, int last_line) {
+  int line = 1;
+  for (std::size_t begin = 0; begin < text.size() && line <= last_line + 1; ++line) {
+    const std::size_t word = std::min(text.find_first_not_of(" \t", begin), text.size());
+    const std::size_t tab = std::min(text.find('\t', begin), text.size());
+    if (tab < word && word < text.size() && text[word] != '\n' && text[word] != '\r' && text[word] != '#') {
+      document.fail({line, static_cast<int>(tab - begin) + 1},
+                    "a tabulator indents this line, which YAML does not allow; replace it by blanks");
+    }
+    const std::size_t end = text.find('\n', begin);
+    if (end == std::string_view::npos) return;
+    begin = end + 1;
+  }
+}
+
+}  // namespace
+
 YAML::Node load_yaml(const Document& document, const std::string& text) {
+  check_encoding(document, text);
   try {
     check_one_document(document, text);
     return YAML::Load(text);
@@ -238,6 +265,7 @@ YAML::Node load_yaml(const Document& document, const std::string& text) {
                   "lists and maps are nested too deep here; give the inner nodes names in "
                   "`nodes` and use these as operands");
   } catch (const YAML::Exception& e) {
+    check_indentation(document, text, position_of(e.mark, {}).line);
     document.fail(position_of(e.mark, {}),
                   "this is no YAML: " + e.msg + "; mend the brackets, quotes or indentation here or just before");
   }

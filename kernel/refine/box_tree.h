@@ -31,7 +31,8 @@ class BoxTree {
     stack[depth++] = 1;
     while (depth > 0) {
       const std::uint32_t node = stack[--depth];
-      if (!test(nodes_[node])) continue;
+      // Nodes without items are passed over here: few tests are made for the infinities of an empty box.
+      if (!(nodes_[node].lo[0] <= nodes_[node].hi[0]) || !test(nodes_[node])) continue;
       if (node < leaves_) {
         stack[depth++] = 2 * node + 1;
         stack[depth++] = 2 * node;

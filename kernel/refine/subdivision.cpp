@@ -6,7 +6,10 @@
 //   soup faces toggle across the edges that lie on their boundary, from the unbounded face (nothing) inward.
 #include "kernel/refine/subdivision.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "kernel/base/error.h"
@@ -147,41 +150,72 @@ void Subdivider::find_outer_loops() {
   for (std::uint32_t& face : loop_face_) face = face == 0 ? kNone : static_cast<std::uint32_t>(face_count_++);
 }
 
+/// Where many holes and points are to be placed among many edges: else each of them looks at each edge.
+void Subdivider::index_edges() {
+  edge_tree_.reset();
+  constexpr std::size_t kFewQuestions = 16, kFewEdges = 64;
+  if (component_count_ + isolated_.size() < kFewQuestions || edges_.size() < kFewEdges) return;
+  const PointTable& t = x_.input.points;
+  std::vector<Box> boxes(edges_.size());
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    for (const std::uint32_t end : edges_[i].end) {
+      const PointView p = t.view(vertices_[end]);
+      boxes[i].extend({-p.hi[axes_.u], p.lo[axes_.v], 0}, {-p.lo[axes_.u], p.hi[axes_.v], 0});
+    }
+  }
+  // Isolated: while it waits, this thread must not begin another sheet in the same memory.
+  tbb::this_task_arena::isolate([&] { edge_tree_.emplace(std::move(boxes)); });
+}
+
 /// The loop whose face holds v, among loops of other components than `component`: that of the first edge to the
 /// west of v. kNone if there is no edge.
 std::uint32_t Subdivider::containing_face(VertexId v, std::uint32_t component) {
   const PointTable& t = x_.input.points;
   const PointView p = t.view(v);
   const int cu = axes_.u, cv = axes_.v;
-  std::uint32_t best = kNone;  // half-edge that runs upward
-  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-    if (component_[edges_[i].end[0]] == component) continue;
+  std::uint32_t best = kNone;                              // half-edge that runs upward
+  double west = -std::numeric_limits<double>::infinity();  // no part of it lies further west
+  const auto look = [&](std::uint32_t i) {
+    if (component_[edges_[i].end[0]] == component) return;
     const VertexId ends[2] = {vertices_[edges_[i].end[0]], vertices_[edges_[i].end[1]]};
     const PointView a = t.view(ends[0]), b = t.view(ends[1]);
-    if (std::min(a.lo[cu], b.lo[cu]) > p.hi[cu]) continue;
+    if (std::min(a.lo[cu], b.lo[cu]) > p.hi[cu]) return;
     const int ca = compare(cv, a, p), cb = compare(cv, b, p);
-    if ((ca <= 0) == (cb <= 0)) continue;
+    if ((ca <= 0) == (cb <= 0)) return;
     const std::uint32_t up = 2 * i + (ca <= 0 ? 0 : 1);
-    if (orient2d(t, axes_, origin(up), origin(up ^ 1), v) >= 0) continue;
-    if (best == kNone) {
+    if (orient2d(t, axes_, origin(up), origin(up ^ 1), v) >= 0) return;
+    if (best == kNone || is_nearer(up, best)) {
       best = up;
-      continue;
+      west = std::min(a.lo[cu], b.lo[cu]);
     }
-    // Which of two edges that do not cross is nearer, on the level of v.
-    const VertexId a1 = origin(best), b1 = origin(best ^ 1), a2 = origin(up), b2 = origin(up ^ 1);
-    int nearer;  // > 0: the new one lies to the left of the best
-    if (a1 == a2) {
-      nearer = orient2d(t, axes_, a1, b1, b2);
-    } else if (compare(t, cv, a1, a2) >= 0) {
-      nearer = -orient2d(t, axes_, a2, b2, a1);
-      if (nearer == 0) nearer = -orient2d(t, axes_, a2, b2, b1);
-    } else {
-      nearer = orient2d(t, axes_, a1, b1, a2);
-      if (nearer == 0) nearer = orient2d(t, axes_, a1, b1, b2);
-    }
-    if (nearer < 0) best = up;
+  };
+  if (edge_tree_) {
+    const auto may_be_nearer = [&](const Box& box) {
+      return box.hi[0] >= -p.hi[cu] && -box.lo[0] >= west && box.lo[1] <= p.hi[cv] && box.hi[1] >= p.lo[cv];
+    };
+    edge_tree_->query(may_be_nearer, look);
+  } else {
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) look(i);
   }
   return best == kNone ? kNone : loop_of_[best ^ 1];  // v is to the east, so to the left of the downward half-edge
+}
+
+/// Of two edges that do not cross and have a level in common, as half-edges that run upward: does the first one
+/// lie to the east of the second on that level?
+bool Subdivider::is_nearer(std::uint32_t h, std::uint32_t g) const {
+  const PointTable& t = x_.input.points;
+  const VertexId a1 = origin(g), b1 = origin(g ^ 1), a2 = origin(h), b2 = origin(h ^ 1);
+  int left;  // > 0: h lies to the left of g
+  if (a1 == a2) {
+    left = orient2d(t, axes_, a1, b1, b2);
+  } else if (compare(t, axes_.v, a1, a2) >= 0) {
+    left = -orient2d(t, axes_, a2, b2, a1);
+    if (left == 0) left = -orient2d(t, axes_, a2, b2, b1);
+  } else {
+    left = orient2d(t, axes_, a1, b1, a2);
+    if (left == 0) left = orient2d(t, axes_, a1, b1, b2);
+  }
+  return left < 0;
 }
 
 void Subdivider::nest(const SheetContent&) {
@@ -192,7 +226,8 @@ void Subdivider::nest(const SheetContent&) {
   }
   // Components from left to right by their leftmost vertices: a ray to the west can only meet one that begins
   // further left, and the face around that one is known by then.
-  std::vector<std::uint32_t> order(component_count_), hit(component_count_, kNone);
+  index_edges();
+  std::vector<std::uint32_t> order(component_count_);
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return a != b && left_of(vertices_[component_min_[a]], vertices_[component_min_[b]]);

@@ -1,8 +1,10 @@
 // One sheet, subdivided: the planar map of its edges, its faces with the soup faces that cover each.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "kernel/refine/box_tree.h"
 #include "kernel/refine/segments.h"
 
 namespace cnrg {
@@ -58,7 +60,9 @@ class Subdivider {
   void nest(const SheetContent& content);
   void cover(const SheetContent& content);
   SheetFaces emit(const SheetContent& content);
+  void index_edges();
   std::uint32_t containing_face(VertexId v, std::uint32_t component);
+  bool is_nearer(std::uint32_t h, std::uint32_t g) const;
   bool before(std::uint32_t h, std::uint32_t g) const;
   bool left_of(VertexId v, VertexId w) const;  ///< order (u, v) in the projection
   VertexId origin(std::uint32_t h) const { return vertices_[edges_[h >> 1].end[h & 1]]; }
@@ -77,6 +81,7 @@ class Subdivider {
   std::vector<std::uint32_t> isolated_face_;
   std::vector<std::vector<SourceId>> face_cover_;
   std::size_t face_count_ = 0, component_count_ = 0;
+  std::optional<BoxTree> edge_tree_;  // of (-u, v): the first of its order are those in the east
 };
 
 }  // namespace cnrg

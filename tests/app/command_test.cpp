@@ -99,7 +99,7 @@ TEST_CASE("faults of the tree: one line, exit status 2; no file: 3", "[app][erro
     CHECK(lines_in(flat.err) == 1);
     const Outcome none = w.run(command + " none.yaml");
     CHECK(none.status == 3);
-    CHECK_THAT(none.err, StartsWith("none.yaml:1:1: error: ") && Contains("No such file"));
+    CHECK_THAT(none.err, StartsWith("none.yaml:1:1: error: ") && Contains("there is no file"));
     CHECK(lines_in(none.err) == 1);
   }
 }

@@ -388,6 +388,37 @@ TEST_CASE("coordinates are in the file's unit unless another one is asked for", 
   CHECK_THROWS_WITH(volume(""), Contains("its unit of length is ") && Contains("unit: mm"));
 }
 
+TEST_CASE("what OpenCASCADE does to its process is one error", "[cad]") {
+  const Folder folder;
+  const auto tree = [&](const std::string& leaf) {
+    return parse_tree("cnrg: 1\nnodes:\n  part: {" + leaf + "}\nresult: part\n", folder.file("t.yaml"));
+  };
+  // Found by fuzzing; fuzzers and this test share them.
+  const auto corpus = [](const std::string& file) {
+    return std::filesystem::absolute("tests/campaign/fuzz/corpus/" + file).string();
+  };
+  const std::string at = folder.file("t.yaml") + ":3:10: error: ";
+  const std::string crash = corpus("step/crash"), endless = corpus("brep/endless");
+  CHECK_THROWS_WITH(
+      check(tree("step: {file: " + crash + "}")),
+      at + "step: '" + crash +
+          "': OpenCASCADE crashed (signal 11): write the file again, or repair the part where it was "
+          "made");
+  CHECK_THROWS_WITH(check(tree("brep: {file: " + corpus("brep/infinite") + "}")),
+                    Contains(at + "brep: '") &&
+                        Contains("OpenCASCADE computes no finite numbers for its points: repair the part"));
+  // The bound of the shell is lower than the library's, and stays.
+  folder.write("t.yaml", "cnrg: 1\nnodes:\n  part: {brep: {file: " + endless + "}}\nresult: part\n");
+  const int status = std::system(
+      ("ulimit -St 1; '" CNRG_PROGRAM "' check '" + folder.file("t.yaml") + "' 2>'" + folder.file("err") + "'")
+          .c_str());
+  CHECK(WEXITSTATUS(status) == 2);
+  CHECK(folder.read("err") ==
+        at + "brep: '" + endless +
+            "': OpenCASCADE did not end within 1 s of processor time: write the file again, or "
+            "repair the part where it was made, or give a larger `chord` or fewer `segments`\n");
+}
+
 TEST_CASE("files that are none", "[cad]") {
   const Part part(bored_box());
   const auto tree = [&](const std::string& leaf) {
@@ -399,9 +430,10 @@ TEST_CASE("files that are none", "[cad]") {
     CHECK_THROWS_AS(check(tree(leaf)), InputError);
     CHECK_THROWS_WITH(check(tree(leaf)), Contains(words) && Contains(at) && !Contains("\n"));
   };
-  fails("step: {file: none.step}", at + ": error: there is no file '" + part.file("none.step"));
-  fails("brep: {file: none.brep}", "there is no file");
-  CHECK_THROWS_AS(check(tree("step: {file: .}")), FileError);
+  for (const std::string leaf : {"step: {file: none.step}", "brep: {file: none.brep}", "step: {file: .}"})
+    CHECK_THROWS_AS(check(tree(leaf)), FileError);
+  CHECK_THROWS_WITH(check(tree("step: {file: none.step}")),
+                    Contains(at + ": error: there is no file '" + part.file("none.step")));
   part.write("empty.step", "");
   fails("step: {file: empty.step}", "empty.step:1:1: error: this is no STEP file");
   fails("brep: {file: empty.step}", "empty.step:1:1: error: this is no BREP file");

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -127,6 +128,12 @@ struct Case {
     v.simplified = &simplified;
     v.leaves = &infos;
     v.materials = materials;
+    for (Component i = 1; i <= value.component_count(); ++i) {  // as Result::Data::name
+      const std::string& name = value.attributes(i).material.name();
+      const auto same = [&](const ResultView::Material& m) { return m.name == name; };
+      if (!name.empty() && std::none_of(v.materials.begin(), v.materials.end(), same))
+        v.materials.push_back({name, ""});
+    }
     return v;
   }
 };

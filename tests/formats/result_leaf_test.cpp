@@ -1,6 +1,8 @@
 // Results read back: the same complex, the same file; and every broken file named with its place.
 #include <catch2/catch.hpp>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/prepare_shapes.h"
@@ -17,30 +19,17 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// A result file without what tells where it came from; also without `more` of each cell. Regions of groups are
-/// numbered as they come.
+/// A result file without what tells where it came from; also without `more` of each cell.
 Json comparable(const std::string& path, const std::vector<std::string>& more = {}) {
   Json json = Json::parse(text_of(path));
   json.erase("leaves");
   for (auto& component : json["components"]) component.erase("leaves");
-  std::vector<std::size_t> number(json["components"].size() + 2, 0);
-  Json components = Json::array();
-  const auto renumber = [&](std::size_t component) {
-    if (component == 0 || component == number.size() - 1 || !json["group"]) return component;
-    if (number[component] == 0) {
-      components.push_back(json["components"][component - 1]);
-      number[component] = components.size();
-    }
-    return number[component];
-  };
   for (const char* kind : {"regions", "faces", "edges", "vertices"}) {
     for (auto& cell : json[kind]) {
       cell.erase("origin");
-      cell["component"] = renumber(cell["component"]);
       for (const std::string& key : more) cell.erase(key);
     }
   }
-  if (json["group"]) json["components"] = components;
   return json;
 }
 
@@ -394,13 +383,22 @@ TEST_CASE("broken files are refused with their place") {
     json[Json::json_pointer(pointer)].erase(key);
     return refused(json.dump());
   };
+  const auto inactive = [&](const std::string& pointer) {
+    Json cell = Json::parse(good)[Json::json_pointer(pointer)];
+    cell.erase("origin");
+    cell["component"] = 0;
+    return cell;
+  };
+  /// Has a line and a column, and then begins so.
   const auto starts = [](const std::string& text, const std::string& head) {
     CAPTURE(text);
-    return text.rfind(head, 0) == 0;
+    static const std::regex kPlace("^:[0-9]+:[0-9]+(: error: [^]*)$");
+    std::smatch match;
+    return std::regex_match(text, match, kPlace) && match[1].str().starts_with(head);
   };
   CHECK(refused(good) == "accepted");
   CHECK(refused(good.substr(0, good.size() / 2)).find(": error: this is no JSON") != std::string::npos);
-  CHECK(starts(refused(""), ":1:1: error: "));
+  CHECK(refused("").starts_with(":1:1: error: "));
   CHECK(starts(refused("[]"), ": error: "));
   CHECK(starts(edited("/format", "other"), ": error: "));
   CHECK(starts(edited("/version", 2), ": error: /version: "));
@@ -419,10 +417,114 @@ TEST_CASE("broken files are refused with their place") {
   CHECK(starts(edited("/points/7/0", "10/9"), ": error: /faces/"));     // no longer planar
   CHECK(starts(edited("/vertices/8/point", 7), ": error: /vertices/8: "));
   CHECK(starts(edited("/regions/0/component", 7), ": error: /regions/0/component: component 7 does not exist"));
-  CHECK(starts(edited("/edges/4/component", 0), ": error: /faces/"));  // not closed
-  CHECK(starts(edited("/vertices/0/component", 0), ": error: /edges/"));
+  CHECK(starts(edited("/edges/4/component", 0), ": error: /edges/4/origin: "));
+  CHECK(starts(edited("/edges/4", inactive("/edges/4")), ": error: /faces/"));  // not closed
+  CHECK(starts(edited("/vertices/0", inactive("/vertices/0")), ": error: /edges/"));
   CHECK(starts(edited("/vertices/1/point", 0), ": error: /vertices/1: "));
   CHECK(starts(edited("/edges/0/points", Json{0, 0}), ": error: /edges/0/points/1: "));
-  CHECK_THROWS_AS(prepare_result({dir / "none.json"}), InputError);
+  CHECK_THROWS_AS(prepare_result({dir / "none.json"}), FileError);
   CHECK_THROWS_AS(prepare_result({dir.path()}), FileError);
+}
+
+TEST_CASE("what a file says and its cells do not is refused at the first cell") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {4, 4, 4});
+  add_wire(soup, {2, 2, 5}, {2, 2, 9});
+  add_sheet(soup, {{0, 0, 6}, {1, 0, 6}, {1, 1, 6}, {0, 1, 6}});
+  Case c(soup, {{{"stone", "rock", {}}}});
+  c.show(c.unite());
+  const Scratch dir;
+  write(dir / "good.json", c.view());
+  const Json good = Json::parse(text_of(dir / "good.json"));
+  const auto fault = [&](const std::function<void(Json&)>& change) -> std::string {
+    Json json = good;
+    change(json);
+    replace_file(dir / "bad.json", json.dump(1));
+    try {
+      prepare_result({dir / "bad.json"});
+    } catch (const LeafFileError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  const auto put = [&](const char* pointer, const Json& value) {
+    return fault([&](Json& json) { json[Json::json_pointer(pointer)] = value; });
+  };
+  const std::string place = "bad.json:";
+  using Catch::Contains;
+  CHECK(fault([](Json&) {}) == "accepted");
+  // Regions without faces.
+  CHECK_THAT(fault([](Json& json) {
+               json["faces"] = Json::array();
+               for (auto& edge : json["edges"]) edge["wire"] = true, edge["region"] = 0;
+               for (auto& region : json["regions"]) region["shells"] = Json::array();
+             }),
+             Contains("/regions/1: no side of a face looks into this region"));
+  CHECK_THAT(put("/faces", Json::array()), Contains("error: "));
+  // The ends of the wire are points 8 and 9: through the box, onto a face, through the sheet.
+  REQUIRE(good["points"][8] == Json{"2", "2", "5"});
+  CHECK_THAT(put("/points/8/2", "-1"), Contains("error: "));
+  const auto wire = [&](const char* x, const char* y, const char* z) {
+    return fault([&](Json& json) { json["points"][8] = {x, y, z}; });
+  };
+  CHECK_THAT(wire("2", "2", "3"), Contains("/edges/") && Contains(" meets face ") &&
+                                      Contains(" in (2, 2, 4), where the file has no point"));
+  CHECK_THAT(wire("2", "2", "4"), Contains("/faces/") && Contains("isolated"));
+  // Numbers of things that do not exist.
+  CHECK_THAT(put("/vertices/0/origin/0/leaf", 99), Contains("/vertices/0/origin/0/leaf: leaf 99 does not exist"));
+  CHECK_THAT(put("/faces/0/regions/0", 99), Contains("/faces/0/regions/0: region 99 does not exist"));
+  CHECK_THAT(put("/regions/1/shells/0/0/face", 99), Contains("face 99 does not exist"));
+  CHECK_THAT(put("/faces/0/triangles/0/1", 99), Contains("/faces/0/triangles/0/1: point 99 does not exist"));
+  CHECK_THAT(put("/components/0/material", "gold"), Contains("/components/0/material: `materials` has none"));
+  CHECK_THAT(put("/components/0/leaves/0", 7), Contains("/components/0/leaves/0: leaf 7 does not exist"));
+  // Things that exist and are others.
+  CHECK_THAT(put("/regions/1/volume", "65"), Contains("/regions/1/volume: ") && Contains("64"));
+  CHECK_THAT(put("/regions/1/bounded", false), Contains("error: "));
+  CHECK_THAT(put("/regions/1/name", "clay"), Contains("/regions/1/name: its component says \"stone\""));
+  CHECK_THAT(put("/regions/1/shells/0/0/side", "front"), Contains("/regions/1/shells/0/0: here in this shell is"));
+  CHECK_THAT(put("/faces/0/triangles/0/1", 3), Contains("/faces/0/triangles"));
+  CHECK_THAT(put("/faces/0/entity", false), Contains("/faces/0/entity: "));
+  CHECK_THAT(put("/faces/0/patch", 5),
+             Contains("/faces/0/patch: patches are numbered as faces name them; 0 is next"));
+  CHECK_THAT(put("/edges/0/wire", true), Contains("/edges/0/wire: a face has this edge on its boundary"));
+  CHECK_THAT(put("/faces/0/colour", 1), Contains("no member of results is called 'colour' here"));
+  CHECK_THAT(put("/points/0/0", "0/1"), Contains("error: "));
+  CHECK_THAT(put("/points/9/0", "4/2"), Contains("/points/9/0: fractions are in lowest terms; this one is '2'"));
+  // The line is that of the value.
+  const std::string text = good.dump(1);
+  const std::string volume = put("/regions/1/volume", "65");
+  const auto at = text.find("\"volume\": \"64\"");
+  REQUIRE(at != std::string::npos);
+  const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
+  CHECK_THAT(volume, Contains(place + std::to_string(line) + ":14: error: "));
+}
+
+TEST_CASE("components have the numbers of their file, also beside leaves that cut them") {
+  Soup soup;
+  add_box(soup, {5, 0, 0}, {6, 1, 1});
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  Case c(soup, {{{"far", "", {}}}, {{"near", "", {}}}});
+  c.show(c.unite());
+  const Scratch dir;
+  write(dir / "a.json", c.view());
+  const Json json = Json::parse(text_of(dir / "a.json"));
+  REQUIRE(json["components"][0]["name"] == "far");
+  REQUIRE(json["regions"][0]["component"] == 2);
+  const auto leaf = prepare_result({dir / "a.json"});
+  Soup second;
+  leaf->add_to(second, {});
+  add_box(second, {Rational(1, 2), Rational(1, 2), Rational(1, 2)}, {9, 9, 9});
+  Case cut(second);
+  cut.show(value_of(cut, 0, *leaf, {}));
+  CHECK(cut.group.regions.at(0).name == "far");
+  CHECK(cut.group.regions.at(1).name == "near");
+  write(dir / "b.json", cut.view());
+  const bool same = comparable(dir / "a.json") == comparable(dir / "b.json");
+  CHECK(same);
+  // Operators take such a group as any other.
+  const Group all = cut.unite(Dominance::left);
+  CHECK(all.regions.size() == 3);
+  const Group rest =
+      boolean_operation(*cut.complex, BooleanOp::subtract, Dominance::equal, cut.group, cut.leaves[1]).group;
+  CHECK(rest.regions.size() == 2);
 }

@@ -450,8 +450,8 @@ TEST_CASE("a file that cannot be written: the old one stays, nothing is left beh
     chmod(dir.path().c_str(), 0700);
     CHECK(text_of(dir / "m.off") == "old");
   }
-  // A name so long that the file beside it cannot be made.
-  const std::string longest(251, 'x');
+  // A name that is too long.
+  const std::string longest(252, 'x');
   replace_file(dir / "short.off", "old");
   CHECK_THROWS_AS(write(dir / (longest + ".off"), c.view()), FileError);
   // A result that the format cannot hold leaves the old file alone.

@@ -127,7 +127,8 @@ TEST_CASE("OFF that is broken") {
 
 TEST_CASE("files that are not there or not known") {
   const Files files;
-  CHECK_THAT(error_of(MeshShape{files.path("none.off"), {}, false}), Contains("there is no file"));
+  CHECK_THROWS_AS(prepare(MeshShape{files.path("none.off"), {}, false}), FileError);
+  CHECK_THROWS_WITH(prepare(MeshShape{files.path("none.off"), {}, false}), Contains("there is no file"));
   CHECK_THAT(error_of(MeshShape{files.write("a.step", "x"), {}, false}),
              Contains("unknown format") && Contains(".ply"));
   std::filesystem::create_directories(files.path("folder.off"));

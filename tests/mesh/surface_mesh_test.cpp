@@ -129,8 +129,8 @@ TEST_CASE(".msh: parts with one name are told apart by their numbers", "[mesh]")
   Case c(soup, {{{"a \"good\"\nrock", "", {}}}, {}});
   c.show(c.unite(Dominance::right));
   const MeshFile mesh = read_msh(written(c.view(), ".msh"));
-  CHECK(mesh.names_of(3) == std::set<std::string>{"a 'good' rock 1", "a 'good' rock 2"});
-  CHECK(mesh.names_of(2).count("wall a 'good' rock 1 | a 'good' rock 2") == 1);
+  CHECK(mesh.names_of(3) == std::set<std::string>{"a 'good'\\nrock 1", "a 'good'\\nrock 2"});
+  CHECK(mesh.names_of(2).count("wall a 'good'\\nrock 1 | a 'good'\\nrock 2") == 1);
 }
 
 TEST_CASE(".msh: what walks over itself or has a point inside is an entity per triangle", "[mesh]") {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "tests/properties/cubical_pair.h"
+#include "tests/oracles/cubical_pair.h"
 
 namespace {
 
@@ -23,16 +23,14 @@ std::string run(std::uint64_t pairs, bool tilted, bool thorough) {
   const std::uint64_t count = from_environment("CNRG_SEEDS", pairs);
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     cubical::Pair pair = cubical::random_pair(grid, seed);
-    pair.presentation.tilted = tilted;
+    if (tilted) pair.presentation.place = cubical::tilt();
     pair.presentation.thorough = thorough;
     const std::string wrong = cubical::compare_pair(grid, pair.a, pair.b, pair.presentation);
     if (wrong.empty()) continue;
     const cubical::Pair small = cubical::shrink(grid, pair);
     return "seed " + std::to_string(seed) + ": " + wrong +
-           "\nshrunk: " + cubical::compare_pair(grid, small.a, small.b, small.presentation) +
-           "\nlarge rectangles: " + (small.presentation.large_a ? "a " : "") +
-           (small.presentation.large_b ? "b" : "") + "\nnodes:\n" + cubical::fixture(grid, small.a, "a") +
-           cubical::fixture(grid, small.b, "b");
+           "\nshrunk: " + cubical::compare_pair(grid, small.a, small.b, small.presentation) + "\n" +
+           cubical::tree_file(grid, small);
   }
   return "";
 }

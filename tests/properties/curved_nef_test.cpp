@@ -1,50 +1,13 @@
 // Booleans of curved leaves against Nef polyhedra made from the leaves' own facets (coarse: Nef is slow).
-#include <catch2/catch.hpp>
+#include "tests/oracles/curved_nef.h"
 
-#include "csg/leaves/leaf.h"
-#include "tests/properties/evaluation.h"
+#include <catch2/catch.hpp>
 
 namespace cnrg::properties {
 namespace {
 
-scenes::Solid facets_of(const Soup& soup, LeafId leaf) {
-  scenes::Solid solid;
-  for (SourceId f : IdRange<SourceId>(soup.face_count())) {
-    if (soup.face(f).leaf != leaf) continue;
-    auto& facet = solid.emplace_back();
-    for (PointId p : soup.corners(f)) {
-      REQUIRE(p.valid());  // no holes in these leaves
-      const RationalPoint* value = soup.rational(p);
-      const double* x = soup.xyz(p);
-      facet.push_back(value ? *value : RationalPoint{from_double(x[0]), from_double(x[1]), from_double(x[2])});
-    }
-  }
-  return solid;
-}
-
-/// Volumes and canonical forms of both leaves and of their three Booleans are Nef's.
 void check_pair(const Shape& a, const Transform& to_a, const Shape& b, const Transform& to_b) {
-  const auto first = prepare(a), second = prepare(b);
-  const Soup soup = make_soup({{first, to_a}, {second, to_b}});
-  const auto built_complex = build_complex(soup);
-  const Complex& complex = *built_complex;
-  REQUIRE(cnrg::validate(complex) == "");
-  const std::vector<Group> groups = leaf_groups(complex);
-  const NefSet nef_a = NefSet::solid(facets_of(soup, LeafId(0))),
-               nef_b = NefSet::solid(facets_of(soup, LeafId(1)));
-  const auto check = [&](const Group& ours, const NefSet& nef) {
-    CHECK(validate(complex, ours) == "");
-    CHECK(volume(complex, ours) == nef.volume());
-    CHECK(difference(skeleton(complex, ours), nef.skeleton()) == "");
-  };
-  check(groups[0], nef_a);
-  check(groups[1], nef_b);
-  const auto boolean = [&](BooleanOp op) {
-    return boolean_operation(complex, op, Dominance::equal, groups[0], groups[1]).group;
-  };
-  check(boolean(BooleanOp::unite), nef_a.unite(nef_b));
-  check(boolean(BooleanOp::intersect), nef_a.intersect(nef_b));
-  check(boolean(BooleanOp::subtract), nef_a.subtract(nef_b));
+  CHECK(compare_with_nef({prepare(a), to_a}, {prepare(b), to_b}) == "");
 }
 
 CurveNet line(const RationalPoint& a, const RationalPoint& b) { return {{a, b}, {}, 0, {}}; }

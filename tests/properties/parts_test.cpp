@@ -7,7 +7,7 @@
 #include "csg/operators/cnrg.h"
 #include "csg/operators/fold.h"
 #include "kernel/selection/measure.h"
-#include "tests/properties/evaluation.h"
+#include "tests/oracles/evaluation.h"
 #include "tests/scenes/seeds.h"
 
 namespace cnrg::properties {

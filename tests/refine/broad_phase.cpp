@@ -9,6 +9,7 @@
 #include "kernel/exact/plane_filter.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/box_pairs.h"
+#include "kernel/refine/box_tree.h"
 #include "kernel/refine/fans.h"
 #include "kernel/refine/large_fans.h"
 #include "tests/scenes/seeds.h"
@@ -47,6 +48,28 @@ std::vector<Box> random_boxes(Random& random) {
     }
   }
   return boxes;
+}
+
+TEST_CASE("a tree of boxes asks about no box that is empty, and about few that are far", "[boxes]") {
+  const auto asked = [](std::size_t n) {
+    std::vector<Box> boxes(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      boxes[i].extend({2.0 * static_cast<double>(i), 0, 0}, {2.0 * static_cast<double>(i) + 1, 1, 1});
+    }
+    const BoxTree tree(boxes);
+    const Box last = boxes.back();
+    std::size_t tests = 0, found = 0;
+    tree.query(
+        [&](const Box& box) {
+          CHECK(box.lo[0] <= box.hi[0]);
+          ++tests;
+          return box.meets(last);
+        },
+        [&](std::uint32_t) { ++found; });
+    CHECK(found == 1);
+    return tests;
+  };
+  for (const std::size_t n : {1, 5, 96, 97, 129, 3 * 256}) CHECK(asked(n) <= 2 * 10 + BoxTree::kBlock);
 }
 
 TEST_CASE("pairs of boxes: every pair that meets, each once", "[boxes][random]") {

@@ -166,6 +166,7 @@ TEST_CASE("Coordinates from 1e-300 to 1e300", "[contacts]") {
   }
   const Rational edge = from_double(0x1p996) - from_double(0x1p-996);
   CHECK((volumes(*valid_complex(binary)) == std::vector<Rational>{edge * edge * edge}));
+  CHECK_NOTHROW(valid_complex("leaf none\nwire 0 0 0, 1.797e308 0 0"));
   CHECK_THROWS_AS(valid_complex("leaf none\nwire 0 0 0, 1e309 0 0"), InputError);
 }
 

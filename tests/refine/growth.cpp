@@ -1,9 +1,12 @@
-// What many oblique facets cost, in pairs that are looked at: a few per facet, however they are turned.
+// What many facets cost. Oblique ones in pairs that are looked at: a few per facet, however they are turned. Holes
+// of one face in predicates.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 
 #include "kernel/complex/complex.h"
+#include "kernel/exact/predicates.h"
+#include "tests/scenes/fixture.h"
 
 namespace cnrg::scenes {
 namespace {
@@ -108,6 +111,27 @@ TEST_CASE("many oblique facets: a few pairs are looked at for each", "[refine][g
       }
     }
   }
+}
+
+TEST_CASE("the holes of a face cost by their number", "[sheets][growth]") {
+  const auto signs = [](int n) {
+    const auto at = [](int x, int y) { return std::to_string(x) + " " + std::to_string(y) + " 0"; };
+    std::string text =
+        "leaf none\nface -1 -1 0, " + at(4 * n, -1) + ", " + at(4 * n, 4 * n) + ", " + at(-1, 4 * n);
+    for (int i = 0; i < n * n; ++i) {
+      const int x = 4 * (i % n), y = 4 * (i / n);
+      text += " | " + at(x, y) + ", " + at(x + 2, y) + ", " + at(x, y + 2);
+    }
+    const Soup soup = make_soup(parse_fixture(text));
+    reset_stage_counts();
+    const auto complex = build_complex(soup);
+    const StageCounts counts = stage_counts();
+    CHECK(complex->face_count() == 1);
+    return counts.filter + counts.interval + counts.exact;
+  };
+  const auto few = signs(20), many = signs(40);  // 400 and 1,600 holes
+  CHECK(few > 400);
+  CHECK(double(many) < 2.5 * 2.5 * double(few));
 }
 
 }  // namespace

@@ -200,7 +200,7 @@ TEST_CASE("height field from a file") {
   CHECK(soup_of(shape).face_count() == 2);
   CHECK(prepare(shape)->notices().size() == 1);
   shape.file = files.write("short.asc", "ncols 3\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 1\n1 2 3\n4 5\n");
-  CHECK_THAT(error_of(shape), Catch::Contains("short.asc:8: error: the file ends within row 2 of 2"));
+  CHECK_THAT(error_of(shape), Catch::Contains("short.asc:7: error: the file ends within row 2 of 2"));
   shape.file = files.write("long.asc", "ncols 2\nnrows 2\ncellsize 1\n1 2\n3 4\n5 6\n");
   CHECK_THAT(error_of(shape), Catch::Contains("long.asc:6: error: more heights"));
   shape.file = files.write("word.asc", "ncols 2\nnrows 2\ncellsize 1\n1 2\n3 x\n");
@@ -208,5 +208,5 @@ TEST_CASE("height field from a file") {
   shape.file = files.write("head.asc", "ncols 2\ncellsize 1\n1 2\n3 4\n");
   CHECK_THAT(error_of(shape), Catch::Contains("no nrows"));
   shape.file = files.path("none.asc");
-  CHECK_THAT(error_of(shape), Catch::Contains("there is no file"));
+  CHECK_THROWS_WITH(prepare(shape), Catch::Contains("there is no file"));
 }

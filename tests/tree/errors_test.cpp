@@ -41,7 +41,7 @@ void expect_node(const std::string& inside, int column, std::initializer_list<st
 TEST_CASE("a missing tree file is a FileError with its path", "[tree][errors]") {
   CHECK_THROWS_AS(read_tree("no/such/tree.yaml"), FileError);
   CHECK_THROWS_WITH(read_tree("no/such/tree.yaml"),
-                    Catch::StartsWith("no/such/tree.yaml:1:1: error: ") && Catch::Contains("No such file"));
+                    Catch::StartsWith("no/such/tree.yaml:1:1: error: ") && Catch::Contains("there is no file"));
   CHECK_THROWS_WITH(read_tree("."), Catch::Contains("directory"));
 }
 
@@ -54,6 +54,10 @@ TEST_CASE("faults of the file as a whole", "[tree][errors]") {
   expect(", \"x: 1\n", 1, 1, {"belongs to nothing"});
   expect("{cnrg: 1, nodes: {a: {points: [[0, 0, 0]]}}, result: a} }\n", 1, 57, {"no YAML"});
   expect("{cnrg: 1, nodes: {a: {points: [[0, 0, 0]]}}, result: a} more\n", 1, 57, {"belongs to nothing"});
+  expect("cnrg: 1\nnodes:\n\ta: {points: [[0, 0, 0]]}\nresult: a\n", 3, 1, {"tabulator", "replace it by blanks"});
+  expect("cnrg: 1\nnodes:\n  a: {points: [[0, 0, 0]]}\n  b:\n  \tpoints: [[0, 0, 0]]\nresult: a\n", 5, 3,
+         {"tabulator"});
+  expect("cnrg: 1\nnodes:\n  a:\n    union:\n\t- b\n\t- c\nresult: a\n", 5, 1, {"tabulator"});
   expect("nodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 1, 1, {"`cnrg`", "add `cnrg: 1`"});
   expect("cnrg: 2\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n", 1, 7, {"version 1"});
   expect("cnrg: 1\nresult: a\n", 1, 1, {"needs `nodes`"});
@@ -137,9 +141,12 @@ TEST_CASE("operands of the wrong type or number", "[tree][errors]") {
   expect_node("complement:", 1, {"an operand of `a`", "empty"});
   expect_node("simplify: {of: p, mode: pints}", 25, {"`mode` of simplify must be one of features, points"});
   expect_node("simplify: {mode: points}", 11, {"simplify needs `of`"});
-  expect_node("material: rock", -3, {"has no operator"});
-  expect_node("regularize: true", -3, {"has no operator"});
+  expect_node("material: rock", -3, {"has no leaf and no operator"});
+  expect_node("regularize: true", -3, {"has no leaf and no operator"});
   expect_node("complement: p, union: [p, p]", 16, {"two operators, `complement` and `union`"});
+  expect_node("points: [[0, 0, 0]], plane: {}", 22, {"two leaves, `points` and `plane`"});
+  expect_node("complement: p, plane: {}", 16, {"an operator and a leaf, `complement` and `plane`"});
+  expect_node("plane: {}, complement: p", 12, {"a leaf and an operator, `plane` and `complement`"});
   expect("cnrg: 1\nnodes:\n  a: box\nresult: a\n", 3, 6, {"the node `a` must be a map"});
   expect("cnrg: 1\nnodes:\n  a:\nresult: a\n", 3, 3, {"the node `a` must be a map", "empty"});
 }
@@ -162,10 +169,13 @@ TEST_CASE("values of the wrong type", "[tree][errors]") {
 }
 
 TEST_CASE("what is no number", "[tree][errors]") {
-  for (const std::string bad :
-       {"nan", ".inf", "-.inf", "abc", "1/0", "0x10", "1e999999999", "1_000", "''", "--1"}) {
+  for (const std::string bad : {"nan", ".inf", "-.inf", "abc", "1/0", "0x10", "1_000", "''", "--1"}) {
     expect_node("points: [[0, 0, " + bad + "]]", 17, {"is no number", "1/3"});
   }
+  expect_node("points: [[0, 0, 1e100001]]", 17, {"`1e100001` has the exponent 100001", "-100000 to 100000"});
+  expect_node("points: [[0, 0, 1/1e-999999999]]", 17, {"has the exponent -999999999"});
+  expect_node("points: [[0, 0, " + std::string(100'001, '7') + "]]", 17,
+              {"777...` has 100,001 characters", "at most 100,000"});
   expect_node("points: [[0, 0, ]]", 10, {"a list of 2"});
   expect_node("points: [[0, 0, ~]]", 17, {"must be a number, not empty"});
 }

@@ -1,0 +1,43 @@
+// What leaves the program: everything on standard output and standard error goes through here.
+//
+// Names are escaped where they enter a line (csg/text/escape.h). A name that somebody forgot there is escaped
+// here, but for line ends, which a whole text must have: so no control character passes whoever writes to
+// `std::cout`.
+#pragma once
+
+#include <streambuf>
+#include <string>
+#include <string_view>
+
+namespace cnrg::app {
+
+/// Prints a message on standard error as one line, whatever is in it.
+void tell(std::string_view message);
+
+/// `std::cout` while it lives: escaped, written in blocks.
+class Output : private std::streambuf {
+ public:
+  Output();
+  ~Output() override;
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  /// Writes what is left. False if something could not be written, now or before.
+  bool finish();
+  /// True if nobody reads any more (`cnrg ... | head -1`): there is nobody to complain to.
+  bool unread() const;
+
+ private:
+  int overflow(int c) override;
+  std::streamsize xsputn(const char* text, std::streamsize n) override;
+  int sync() override;
+  /// Writes whole lines, or all that there is.
+  bool drain(bool all);
+
+  std::streambuf* before_;
+  std::string waiting_;
+  std::size_t lines_ = 0;  ///< bytes of `waiting_` up to its last line end
+  int reason_ = 0;         ///< of the system, why nothing more is written
+};
+
+}  // namespace cnrg::app

@@ -1,0 +1,204 @@
+// OpenCASCADE in a process of its own (csg/text/child.h). On a file that is damaged its readers follow null
+// pointers, walk in circles, or ask for all memory; and its algorithms do so on shapes that its readers let
+// through.
+//
+// The child reads and tessellates with the functions that a process without a child would call, so facets are the
+// same to the last bit: doubles come back as their bytes. What comes back is checked as far as this process relies
+// on it, for a child that has overwritten its memory may end well: numbers are in range, lists of one length. All
+// else is checked by cad.cpp, as for any file.
+//
+// The bounds are there to end what does not end. A child may work for ten minutes and longer on a large file, and
+// take as much memory as the machine has.
+#include <unistd.h>
+
+#include <algorithm>
+#include <new>
+
+#include "csg/imports/cad_occt.h"
+#include "csg/leaves/leaf.h"
+#include "csg/text/child.h"
+#include "csg/text/input_file.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+using Index = std::uint32_t;
+
+/// What the child writes first: a model follows, or the text of an error.
+enum class Answer : std::uint8_t { model, input_error, leaf_file_error, broken_invariant };
+
+ChildLimits limits(const std::string& content) {
+  constexpr std::size_t kSeconds = 600, kBytesPerSecond = 100'000;
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  return {.seconds = kSeconds + content.size() / kBytesPerSecond,
+          .bytes = pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size) : 0};
+}
+
+// --- in the child
+
+template <class T, class Write>
+void write_each(const MemoryFile& file, const std::vector<T>& list, const Write& write) {
+  file.write_value(std::uint64_t(list.size()));
+  for (const T& item : list) write(item);
+}
+
+void write_model(const MemoryFile& file, const CadModel& model) {
+  file.write_list(model.points);
+  write_each(file, model.faces, [&](const CadModel::Face& face) {
+    file.write_list(face.triangles);
+    file.write_list(face.places);
+    write_each(file, face.border, [&](const auto& step) {
+      file.write_value(step.first);
+      file.write_value(step.second);
+    });
+    file.write_list(face.behind);
+    file.write_list(face.before);
+    file.write_value(face.outside);
+  });
+  write_each(file, model.edges, [&](const CadModel::Edge& edge) {
+    file.write_list(edge.points);
+    file.write_list(edge.parameters);
+    file.write_value(edge.seam);
+  });
+  write_each(file, model.vertices, [&](const CadModel::Vertex& vertex) {
+    file.write_value(vertex.point);
+    file.write_value(vertex.seam);
+  });
+  for (const auto* texts : {&model.solids, &model.notices})
+    write_each(file, *texts, [&](const std::string& text) { file.write_list(text); });
+}
+
+void write_error(const MemoryFile& file, Answer kind, const std::exception& error) {
+  file.write_value(kind);
+  file.write_list(std::string(error.what()));
+}
+
+int read_in_child(const CadShape& shape, const std::string& content, const MemoryFile& file) {
+  try {
+    const CadModel model = occt::read(shape, content);
+    file.write_value(Answer::model);
+    write_model(file, model);
+  } catch (const LeafFileError& error) {
+    write_error(file, Answer::leaf_file_error, error);
+  } catch (const InputError& error) {
+    write_error(file, Answer::input_error, error);
+  } catch (const InvariantError& error) {
+    write_error(file, Answer::broken_invariant, error);
+  }
+  return 0;
+}
+
+// --- in the parent
+
+class ModelReader {
+ public:
+  explicit ModelReader(const MemoryFile& file) : file_(file) {}
+
+  CadModel read() {
+    file_.read_list(model_.points);
+    read_each(model_.faces, [&](CadModel::Face& face) {
+      file_.read_list(face.triangles);
+      file_.read_list(face.places);
+      read_each(face.border, [&](auto& step) {
+        step.first = file_.read_value<Index>();
+        step.second = read_bool();
+      });
+      file_.read_list(face.behind);
+      file_.read_list(face.before);
+      face.outside = read_bool();
+    });
+    read_each(model_.edges, [&](CadModel::Edge& edge) {
+      file_.read_list(edge.points);
+      file_.read_list(edge.parameters);
+      edge.seam = read_bool();
+    });
+    read_each(model_.vertices, [&](CadModel::Vertex& vertex) {
+      vertex.point = file_.read_value<Index>();
+      vertex.seam = read_bool();
+    });
+    for (auto* texts : {&model_.solids, &model_.notices})
+      read_each(*texts, [&](std::string& text) { file_.read_list(text); });
+    check();
+    return std::move(model_);
+  }
+
+ private:
+  const MemoryFile& file_;
+  CadModel model_;
+
+  bool read_bool() const { return file_.read_value<std::uint8_t>() != 0; }
+
+  template <class T, class Read>
+  void read_each(std::vector<T>& list, const Read& read) const {
+    const auto n = file_.read_value<std::uint64_t>();
+    for (std::uint64_t i = 0; i < n; ++i) read(list.emplace_back());  // ends with the file, if n is wrong
+  }
+
+  static void require_below(std::size_t limit, const std::vector<Index>& numbers) {
+    for (const Index n : numbers) require_below(limit, n);
+  }
+  static void require_below(std::size_t limit, Index n) { require_sound(n < limit); }
+  static void require_sound(bool sound) {
+    if (!sound) throw InputError("OpenCASCADE returned a result that is damaged");
+  }
+
+  void check() const {
+    for (const CadModel::Face& face : model_.faces) {
+      require_sound(face.places.size() == face.triangles.size());
+      for (const auto& triangle : face.triangles) {
+        for (const Index p : triangle) require_below(model_.points.size(), p);
+      }
+      for (const auto& [edge, forward] : face.border) require_below(model_.edges.size(), edge);
+      require_below(model_.solids.size(), face.behind);
+      require_below(model_.solids.size(), face.before);
+    }
+    for (const CadModel::Edge& edge : model_.edges) {
+      require_sound(!edge.points.empty() && edge.parameters.size() == edge.points.size());
+      require_below(model_.points.size(), edge.points);
+    }
+    for (const CadModel::Vertex& vertex : model_.vertices) require_below(model_.points.size(), vertex.point);
+  }
+};
+
+/// What became of a child that has no answer.
+[[noreturn]] void fail(const CadShape& shape, const ChildEnd& end) {
+  using Kind = ChildEnd::Kind;
+  const std::string repair = ": write the file again, or repair the part where it was made";
+  switch (end.kind) {
+    case Kind::time:
+      throw InputError(occt::subject(shape) + "OpenCASCADE did not end within " + std::to_string(end.seconds) +
+                       " s of processor time" + repair + ", or give a larger `chord` or fewer `segments`");
+    case Kind::memory:
+      throw InputError(occt::subject(shape) + "OpenCASCADE ran out of memory" + repair +
+                       ", or give a larger `chord` or fewer `segments`");
+    case Kind::signal:
+      throw InputError(occt::subject(shape) + "OpenCASCADE crashed (signal " + std::to_string(end.number) + ")" +
+                       repair);
+    default:
+      throw InputError(occt::subject(shape) + "OpenCASCADE ended its process (" + std::to_string(end.number) +
+                       ")" + repair);
+  }
+}
+
+}  // namespace
+
+CadModel read_cad(const CadShape& shape) {
+  const std::string content = read_file(shape.file, shape.inside);
+  const MemoryFile file("OpenCASCADE");
+  const ChildEnd end =
+      run_in_child("OpenCASCADE", limits(content), [&] { return read_in_child(shape, content, file); });
+  if (end.kind != ChildEnd::Kind::done || end.number != 0) fail(shape, end);
+  file.rewind();
+  const auto answer = file.read_value<Answer>();
+  if (answer == Answer::model) return ModelReader(file).read();
+  std::string words;
+  file.read_list(words);
+  switch (answer) {
+    case Answer::leaf_file_error: throw LeafFileError(words);
+    case Answer::broken_invariant: throw InvariantError(words);
+    default: throw InputError(words);
+  }
+}
+
+}  // namespace cnrg

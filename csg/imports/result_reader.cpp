@@ -1,0 +1,560 @@
+// The tables of a result file. What can be said without geometry is checked here: types, ranges, members that no
+// result has, things that are named and do not exist, things that exist and are not named. What the cells are is
+// known only once they are made (result_check.cpp).
+#include <algorithm>
+#include <set>
+
+#include "csg/geometry/exact_vectors.h"
+#include "csg/imports/read_grades.h"
+#include "csg/imports/result_content.h"
+
+namespace cnrg::result {
+namespace {
+
+/// Twice the vector area of a loop: along the normal of the side from which it is counter-clockwise.
+RationalPoint area(const std::vector<RationalPoint>& points, const Loop& loop) {
+  RationalPoint sum{0, 0, 0};
+  const RationalPoint& o = points[loop[0]];
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    sum = sum + cross(points[loop[i]] - o, points[loop[i + 1]] - o);
+  }
+  return sum;
+}
+
+bool has_slit(const Loop& walk) {
+  std::vector<std::pair<Index, Index>> steps;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    steps.push_back(std::minmax(walk[i], walk[i + 1 < walk.size() ? i + 1 : 0]));
+  }
+  std::sort(steps.begin(), steps.end());
+  return std::adjacent_find(steps.begin(), steps.end()) != steps.end();
+}
+
+/// Splits a walk at edges that it walks in both directions: they nest like parentheses, since the face is
+/// planar, and each closed part between them is a loop of its own.
+void split_at_slits(const Loop& walk, std::vector<Loop>& loops) {
+  using Step = std::pair<Index, Index>;
+  const std::size_t n = walk.size();
+  std::set<Step> steps;
+  for (std::size_t i = 0; i < n; ++i) steps.insert({walk[i], walk[(i + 1) % n]});
+  std::vector<std::pair<Step, Loop>> open{{Step{}, {}}};
+  for (std::size_t i = 0; i < n; ++i) {
+    const Step step{walk[i], walk[(i + 1) % n]};
+    if (!steps.contains({step.second, step.first})) {
+      open.back().second.push_back(step.first);
+    } else if (open.size() > 1 && open.back().first == Step{step.second, step.first}) {
+      if (open.back().second.size() >= 3) loops.push_back(std::move(open.back().second));
+      open.pop_back();
+    } else {
+      open.push_back({step, {}});
+    }
+  }
+  for (auto& [step, loop] : open) {
+    if (loop.size() >= 3) loops.push_back(std::move(loop));
+  }
+}
+
+/// Things that are listed and have to be named somewhere.
+class Named {
+ public:
+  void resize(std::size_t count) { named_.assign(count, 0); }
+  std::size_t size() const { return named_.size(); }
+  Index name(Index number) { return named_[number] = 1, number; }
+  void require_all(const Cursor& list, const std::string& what) const {
+    const auto idle = std::find(named_.begin(), named_.end(), 0);
+    if (idle != named_.end()) list.at(std::size_t(idle - named_.begin())).refuse(what);
+  }
+
+ private:
+  std::vector<char> named_;
+};
+
+class Reader {
+ public:
+  explicit Reader(const Cursor& root) : root_(root) {}
+
+  Content read() {
+    if (!root_.has("format") || root_.member("format").text() != "cnrg result") {
+      root_.refuse("this is no result of cnrg: `\"format\": \"cnrg result\"` is missing");
+    }
+    if (root_.member("version").number(1u << 30, "version") != 1) {
+      root_.member("version").fail("only version 1 can be read; use a newer cnrg");
+    }
+    root_.only({"format", "version", "node", "group", "dominance", "leaves", "materials", "grades", "components",
+                "points", "frame", "vertices", "edges", "patches", "cells", "faces", "regions"});
+    root_.member("node").text();
+    table_.group = root_.member("group").boolean();
+    read_leaves();
+    read_materials();
+    read_components();
+    read_points();
+    read_regions();
+    read_vertices();
+    read_edges();
+    read_patches();
+    read_faces();
+    choose_wires();
+    require_all();
+    return std::move(content_);
+  }
+
+ private:
+  const Cursor root_;
+  Content content_;
+  CellTable& table_ = content_.table;
+  std::vector<Edge>& edges_ = content_.edges;
+  std::vector<char> frame_;  // by point
+  std::set<std::string> materials_;
+  Named points_, leaves_, components_, grades_, cells_, patches_;
+  std::vector<Index> patch_numbers_;      // of those with parameters
+  Index next_patch_ = 0, next_cell_ = 0;  // patches and cells are numbered as faces name them
+
+  template <class F>
+  void each(const char* key, F f) {
+    const Cursor list = root_.member(key).array();
+    for (std::size_t i = 0; i < list.size(); ++i) f(list.at(i));
+  }
+
+  [[noreturn]] static void not_closed(const Cursor& at, const std::string& what) {
+    at.refuse(what + ", but the file says that it is a group, which is closed");
+  }
+  [[noreturn]] static void not_bounded(const Cursor& at, const std::string& what) {
+    at.fail(what +
+            " has no bounds, and those of a leaf must have some; cut the node with a box before it is "
+            "written (`intersection`, or `product` where it is not closed), or read its operands back and apply "
+            "the operator in the tree");
+  }
+
+  /// Numbers that are strictly ascending.
+  template <class See>
+  void ascending(const Cursor& list, std::size_t limit, const char* what, See see) const {
+    Index last = 0;
+    for (std::size_t i = 0; i < list.array().size(); ++i) {
+      const Index number = list.at(i).number(limit, what);
+      if (i > 0 && number <= last) list.at(i).refuse("numbers are ascending here, and each stands once");
+      see(last = number);
+    }
+  }
+
+  void read_leaves() {
+    each("leaves", [&](const Cursor& leaf) { leaf.only({"name"}).member("name").text(); });
+    leaves_.resize(root_.member("leaves").size());
+  }
+
+  void read_materials() {
+    each("materials", [&](const Cursor& m) {
+      m.only({"name", "color"});
+      const std::string name = m.member("name").text(), color = m.member("color").text();
+      if (name.empty()) m.refuse("a material has a name");
+      if (!materials_.insert(name).second) m.refuse("two materials have this name");
+      const bool hex = color.size() == 7 && color[0] == '#' &&
+                       color.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+      if (!color.empty() && !hex) m.member("color").refuse("a color is \"#rrggbb\" or empty");
+    });
+  }
+
+  std::string material(const Cursor& at) const {
+    std::string name = at.text();
+    if (!name.empty() && !materials_.contains(name)) at.refuse("`materials` has none of this name");
+    return name;
+  }
+
+  /// A dominance is that of a group or, in other values, of each component.
+  Rational dominance(const Cursor& of, bool wanted) const {
+    if (!wanted && of.has("dominance")) {
+      of.member("dominance")
+          .refuse(table_.group ? "a group has one dominance, and its components have none"
+                               : "only a group has one dominance; here each component has one");
+    }
+    return wanted ? of.member("dominance").rational() : Rational(0);
+  }
+
+  void read_components() {
+    const Rational of_group = dominance(root_, table_.group);
+    if (table_.group) table_.dominances.push_back(of_group);
+    const auto grades = read_grades(root_, [&](const Cursor& at) { material(at); });
+    grades_.resize(grades.size());
+    each("components", [&](const Cursor& c) {
+      c.only({"name", "material", "leaves", "dominance", "grade"});
+      RegionMaterial made(material(c.member("material")));
+      if (c.has("grade")) {
+        const Index grade = grades_.name(c.member("grade").number(grades.size(), "grade"));
+        const std::string of_grade = root_.member("grades").at(grade).member("material").text();
+        if (of_grade != made.name())
+          c.member("grade").refuse("this grade is of another material, `" + of_grade + "`");
+        made = {made.name(), grades[grade]};
+      }
+      content_.components.push_back({c.member("name").text(), std::move(made)});
+      const Rational own = dominance(c, !table_.group);
+      if (!table_.group) table_.dominances.push_back(own);
+      ascending(c.member("leaves"), leaves_.size(), "leaf", [&](Index leaf) { leaves_.name(leaf); });
+    });
+    components_.resize(content_.components.size());
+  }
+
+  void read_points() {
+    auto& points = table_.points;
+    each("points", [&](const Cursor& p) {
+      points.push_back(p.point());
+      if (points.size() > 1 && !(points[points.size() - 2] < points.back())) {
+        p.refuse("points are sorted by their coordinates, and no two are equal");
+      }
+    });
+    frame_.assign(points.size(), 0);
+    points_.resize(points.size());
+    ascending(root_.member("frame"), points.size(), "point", [&](Index p) { frame_[p] = 1; });
+  }
+
+  /// The entities of a group have the number after its last component.
+  Index component_of(const Cursor& cell, bool is_region = false) {
+    const std::size_t count = content_.components.size() + 1;
+    const Index c = cell.member("component").number(count + (table_.group && !is_region), "component");
+    if (c != 0 && c < count) components_.name(c - 1);
+    read_origin(cell, c, is_region);
+    return c;
+  }
+
+  void read_origin(const Cursor& cell, Index component, bool is_region) {
+    if (!cell.has("origin")) return;
+    const Cursor list = cell.member("origin").array();
+    if (component == 0) list.refuse("a cell that is no part of the result came from no leaf");
+    const bool is_vertex = cell.has("point"), is_edge = cell.has("closed");
+    for (std::size_t i = 0, last = 0; i < list.size(); ++i) {
+      const Cursor one = list.at(i).only({"leaf", "point", "edges", "faces", "regions"});
+      const Index leaf = leaves_.name(one.member("leaf").number(leaves_.size(), "leaf"));
+      if (i > 0 && leaf <= last) one.refuse("leaves are ascending here, and each stands once");
+      last = leaf;
+      const auto numbers = [&](const char* key, bool may_be, Index least) {
+        if (!one.has(key)) return;
+        const Cursor of = one.member(key).array();
+        if (!may_be) of.refuse("what holds a cell is not of less dimension than it");
+        if (of.size() == 0) of.refuse("what is empty is left out");
+        ascending(of, kNone, "cell", [&](Index number) {
+          if (number < least) of.refuse("regions of leaves count from 1");
+        });
+      };
+      if (one.has("point") && (!one.member("point").boolean() || !is_vertex)) {
+        one.member("point").refuse("only a vertex came from a point, and then it is true");
+      }
+      numbers("edges", is_vertex || is_edge, 0);
+      numbers("faces", !is_region, 0);
+      numbers("regions", true, 1);
+    }
+  }
+
+  void read_regions() {
+    table_.regions.assign(1, 0);
+    bool unbounded = false;
+    each("regions", [&](const Cursor& r) {
+      r.only({"component", "name", "material", "bounded", "volume", "shells", "origin"});
+      const Index component = component_of(r, true);
+      const LeafRegion none, &own = component == 0 ? none : content_.components[component - 1];
+      const auto same = [&](const char* key, const std::string& wanted) {
+        if (r.member(key).text() != wanted) r.member(key).refuse("its component says \"" + wanted + "\"");
+      };
+      same("name", own.name);
+      same("material", own.material.name());
+      table_.regions.push_back(component);
+      if (r.member("bounded").boolean()) {
+        content_.regions.push_back({Index(table_.regions.size() - 1), component});
+        return;
+      }
+      if (unbounded) not_bounded(r, "what parts this region from another one");
+      unbounded = true;
+      content_.regions.push_back({0, component});
+      table_.regions[0] = component;
+    });
+  }
+
+  void use(Index point, const Cursor& at, const char* what) {
+    if (frame_[point]) not_bounded(at, what);
+    points_.name(point);
+  }
+
+  Loop read_loop(const Cursor& list, std::size_t least) const {
+    Loop loop;
+    if (list.array().size() < least) {
+      list.refuse("at least " + std::to_string(least) + " points are needed here");
+    }
+    loop.reserve(list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      loop.push_back(list.at(i).number(table_.points.size(), "point"));
+      if (i > 0 && loop[i] == loop[i - 1]) list.at(i).refuse("the same point twice in a row");
+    }
+    return loop;
+  }
+
+  void read_vertices() {
+    each("vertices", [&](const Cursor& v) {
+      v.only({"point", "component", "entity", "feature", "region", "origin"});
+      const Index point = v.member("point").number(table_.points.size(), "point");
+      use(point, v, "this vertex");
+      const CellTable::Cell cell{component_of(v), v.member("feature").boolean()};
+      if (!table_.vertices.empty() && table_.vertices.rbegin()->first >= point) {
+        v.refuse("vertices are in the order of their points, and no two have the same");
+      }
+      table_.vertices.emplace_hint(table_.vertices.end(), point, cell);
+    });
+  }
+
+  void read_edges() {
+    each("edges", [&](const Cursor& e) {
+      e.only({"points", "closed", "component", "entity", "feature", "wire", "region", "origin"});
+      Edge edge;
+      edge.closed = e.member("closed").boolean();
+      edge.points = read_loop(e.member("points"), edge.closed ? 3 : 2);
+      const CellTable::Cell cell{component_of(e), e.member("feature").boolean()};
+      for (const Index p : edge.points) use(p, e, "this edge");
+      if (edge.closed) {
+        edge.points.push_back(edge.points[0]);
+      } else {
+        for (const Index p : {edge.points.front(), edge.points.back()}) {
+          const auto vertex = table_.vertices.find(p);
+          if (vertex == table_.vertices.end()) e.refuse("no vertex at its end, point " + std::to_string(p));
+          if (!table_.group || cell.component == 0 || vertex->second.component != 0) continue;
+          not_closed(e, "its end, point " + std::to_string(p) + ", is missing");
+        }
+      }
+      for (std::size_t i = 1; i < edge.points.size(); ++i) {
+        const auto segment = std::minmax(edge.points[i - 1], edge.points[i]);
+        if (!table_.segments.try_emplace(segment, Index(edges_.size())).second) {
+          e.refuse("two edges between the same points");
+        }
+      }
+      table_.edges.push_back(cell);
+      edges_.push_back(std::move(edge));
+    });
+  }
+
+  void read_faces() {
+    each("faces", [&](const Cursor& f) {
+      f.only({"loops", "isolated", "component", "entity", "regions", "patch", "facets", "triangles", "cells",
+              "origin"});
+      const Index component = component_of(f);
+      const Cursor sides = f.member("regions").array_of(2, "two regions are needed here: in front and behind");
+      Face face;
+      for (std::size_t i = 0; i < 2; ++i) {
+        if (sides.at(i).is_null()) not_bounded(f, "this face");
+        face.regions[i] = sides.at(i).number(content_.regions.size(), "region");
+        if (table_.group && component == 0 && content_.regions[face.regions[i]].component != 0) {
+          not_closed(f, "this face of a region is missing");
+        }
+      }
+      face.patch = f.member("patch").number(kNone, "patch");
+      if (face.patch > next_patch_) {
+        f.member("patch").refuse("patches are numbered as faces name them; " + std::to_string(next_patch_) +
+                                 " is next");
+      }
+      next_patch_ = std::max(next_patch_, face.patch + 1);
+      face.flat = !f.has("facets");
+      face.first = content_.facets.size();
+      const Index number = Index(content_.faces.size());
+      table_.faces.push_back(component);
+      std::vector<Loop> walks = read_walks(f, face.flat);
+      walk_boundary(f, walks, component, face.flat);
+      if (face.flat) {
+        add_facet(f, std::move(walks), number);
+      } else {
+        face.walks = std::move(walks);
+        const Cursor facets = f.member("facets").array();
+        if (facets.size() == 0) facets.refuse("a face that is not flat has facets");
+        for (std::size_t i = 0; i < facets.size(); ++i) add_curved(facets.at(i), number);
+      }
+      face.facets = content_.facets.size() - face.first;
+      content_.faces.push_back(std::move(face));
+      if (f.has("cells")) choose_cells(f.member("cells"), component);
+    });
+  }
+
+  void read_patches() {
+    if (root_.has("cells") != root_.has("patches")) {
+      root_.refuse("`patches` and `cells` come together");
+    }
+    if (!root_.has("cells")) return;
+    each("patches", [&](const Cursor& p) {
+      p.only({"patch", "leaf", "name"});
+      const Index patch = p.member("patch").number(kNone, "patch");
+      if (!patch_numbers_.empty() && patch <= patch_numbers_.back()) p.refuse("patches are ascending");
+      patch_numbers_.push_back(patch);
+      leaves_.name(p.member("leaf").number(leaves_.size(), "leaf"));
+      content_.patches[patch] = p.member("name").text();
+    });
+    each("cells", [&](const Cursor& c) {
+      if (c.array().size() != 3 && c.size() != 4) c.refuse("a cell has three corners or four");
+      auto& cell = content_.cells.emplace_back();
+      for (std::size_t i = 0; i < c.size(); ++i) {
+        const Cursor corner = c.at(i).array_of(5, "x, y, z, u and v are needed here");
+        const auto number = [&](std::size_t k) { return corner.at(k).rational(); };
+        cell.push_back({{number(0), number(1), number(2)}, {number(3), number(4)}});
+      }
+      if (!is_cell(cell)) c.refuse("the corners of a cell lie in a plane and not on a line");
+    });
+    require_distinct_cells();
+    cells_.resize(content_.cells.size());
+    patches_.resize(patch_numbers_.size());
+  }
+
+  void require_distinct_cells() const {
+    std::vector<std::size_t> order(content_.cells.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return content_.cells[a] != content_.cells[b] ? content_.cells[a] < content_.cells[b] : a < b;
+    });
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      if (content_.cells[order[i]] != content_.cells[order[i - 1]]) continue;
+      root_.member("cells").at(order[i]).refuse("this cell stands twice, at " + std::to_string(order[i - 1]) +
+                                                ", too");
+    }
+  }
+
+  /// The cells of patches for the facets of the last face.
+  void choose_cells(const Cursor& lists, Index component) {
+    const Face& face = content_.faces.back();
+    if (component == 0) lists.refuse("a face that is no part of the result has no parameters");
+    const auto patch = std::lower_bound(patch_numbers_.begin(), patch_numbers_.end(), face.patch);
+    if (patch == patch_numbers_.end() || *patch != face.patch) lists.refuse("its patch is not among `patches`");
+    patches_.name(Index(patch - patch_numbers_.begin()));
+    lists.array_of(face.facets, "one list for each facet is needed here");
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      const Cursor list = lists.at(i).array();
+      if (list.size() == 0) list.refuse("a facet of a patch with parameters lies in a cell");
+      std::vector<Index>& cells = content_.facets[face.first + i].cells;
+      for (std::size_t k = 0; k < list.size(); ++k) {
+        cells.push_back(cells_.name(list.at(k).number(cells_.size(), "cell")));
+        if (cells[k] > next_cell_)
+          list.at(k).refuse("cells are numbered as faces name them; cell " + std::to_string(next_cell_) +
+                            " is next");
+        next_cell_ = std::max(next_cell_, cells[k] + 1);
+        if (k > 0 && !(content_.cells[cells[k - 1]] < content_.cells[cells[k]])) {
+          list.at(k).refuse("cells are in the order of their corners, and each stands once");
+        }
+      }
+    }
+  }
+
+  void add_curved(const Cursor& at, Index face) {
+    at.only({"loops", "isolated"});
+    std::vector<Loop> walks = read_walks(at, true);
+    for (const Loop& walk : walks) {
+      for (const Index p : walk) use(p, at, "this face");
+    }
+    add_facet(at, std::move(walks), face);
+  }
+
+  std::vector<Loop> read_walks(const Cursor& face, bool needed) const {
+    const Cursor loops = face.member("loops").array();
+    if (loops.size() == 0 && needed) loops.refuse("a face needs a loop");
+    std::vector<Loop> walks;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      walks.push_back(read_loop(loops.at(i), 2));
+      if (walks.back().front() == walks.back().back())
+        loops.at(i).refuse("a loop does not repeat its first point");
+    }
+    return walks;
+  }
+
+  /// Checks that each step of a face is along an edge of the file (an active one if the face is active in a
+  /// group), and counts how often faces use each edge.
+  void walk_boundary(const Cursor& face, const std::vector<Loop>& walks, Index component, bool flat) {
+    std::map<Index, std::pair<Index, Index>> first;  // edge -> the segment where the face walks it first
+    for (const Loop& walk : walks) {
+      for (std::size_t i = 0; i < walk.size(); ++i) {
+        const Index a = walk[i], b = walk[(i + 1) % walk.size()];
+        if (frame_[a]) not_bounded(face, "this face");
+        const auto found = table_.segments.find(std::minmax(a, b));
+        const auto between = [&] { return " points " + std::to_string(a) + " and " + std::to_string(b); };
+        if (found == table_.segments.end()) face.refuse("no edge joins" + between());
+        Edge& edge = edges_[found->second];
+        if (table_.group && component != 0 && table_.edges[found->second].component == 0) {
+          not_closed(face, "its edge between" + between() + " is missing");
+        }
+        const auto [entry, fresh] = first.try_emplace(found->second, a, b);
+        const auto& segment = entry->second;
+        if (!fresh && std::minmax(a, b) == std::minmax(segment.first, segment.second)) edge.slit = true;
+        if (fresh || edge.slit) ++edge.uses;
+        edge.curved = edge.curved || !flat;
+      }
+    }
+  }
+
+  void add_facet(const Cursor& at, std::vector<Loop> walks, Index face) {
+    Facet facet;
+    facet.face = face;
+    facet.walks = std::move(walks);
+    if (at.has("isolated")) {
+      const Cursor list = at.member("isolated").array();
+      if (list.size() == 0) list.refuse("what is empty is left out");
+      ascending(list, table_.points.size(), "point", [&](Index p) { facet.isolated.push_back(p); });
+    }
+    if (std::any_of(facet.walks.begin(), facet.walks.end(), has_slit)) take_slits_out(at, facet);
+    content_.facets.push_back(std::move(facet));
+  }
+
+  void take_slits_out(const Cursor& at, Facet& facet) const {
+    RationalPoint normal{0, 0, 0};
+    for (const Loop& walk : facet.walks) {
+      normal = normal + area(table_.points, walk);
+      split_at_slits(walk, facet.loops);
+    }
+    if (facet.loops.empty()) at.refuse("a face without area");
+    std::size_t outer = 0;
+    Rational most = 0;
+    for (std::size_t i = 0; i < facet.loops.size(); ++i) {
+      const Rational extent = dot(normal, area(table_.points, facet.loops[i]));
+      if (extent > most) {
+        most = extent;
+        outer = i;
+      }
+    }
+    std::swap(facet.loops[0], facet.loops[outer]);
+  }
+
+  bool straight(Index a, Index b, Index c) const {
+    return collinear(table_.points[a], table_.points[b], table_.points[c]);
+  }
+  bool bent(const Edge& edge) const {
+    const Loop& p = edge.points;
+    for (std::size_t i = 1; i + 1 < p.size(); ++i) {
+      if (!straight(p[i - 1], p[i], p[i + 1])) return true;
+    }
+    return edge.closed;
+  }
+
+  void choose_wires() {
+    std::map<Index, std::vector<std::pair<Index, Index>>> ends;  // point -> edges that end there, next point
+    std::vector<char> on_edge(table_.points.size(), 0);
+    for (Index i = 0; i < edges_.size(); ++i) {
+      Edge& edge = edges_[i];
+      const Loop& p = edge.points;
+      for (const Index point : p) on_edge[point] = 1;
+      edge.wire = edge.uses == 0 || edge.slit || bent(edge);
+      if (edge.closed) continue;
+      ends[p.front()].emplace_back(i, p[1]);
+      ends[p.back()].emplace_back(i, p[p.size() - 2]);
+    }
+    for (const auto& [point, list] : ends) {
+      if (list.size() != 2 || straight(list[0].second, point, list[1].second)) continue;
+      Edge &a = edges_[list[0].first], &b = edges_[list[1].first];
+      a.wire = a.wire || (a.curved && b.curved);
+    }
+    for (const auto& [point, vertex] : table_.vertices) {
+      if (!on_edge[point]) content_.isolated.push_back(point);
+    }
+  }
+
+  void require_all() const {
+    points_.require_all(root_.member("points"), "no cell has this point");
+    components_.require_all(root_.member("components"), "no cell is of this component");
+    leaves_.require_all(root_.member("leaves"), "nothing came from this leaf");
+    if (grades_.size() > 0) grades_.require_all(root_.member("grades"), "no component has this grade");
+    if (!root_.has("cells")) return;
+    cells_.require_all(root_.member("cells"), "no face lies in this cell");
+    patches_.require_all(root_.member("patches"), "no face of this patch has parameters");
+  }
+};
+
+}  // namespace
+
+Content read_content(const Cursor& root) { return Reader(root).read(); }
+
+}  // namespace cnrg::result

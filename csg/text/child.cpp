@@ -1,0 +1,179 @@
+// The child gets its input by the fork. It prints into a file in memory, and it never returns to the caller's
+// code: it ends by _exit, whatever happens, without the caller's exit handlers and unwritten output.
+//
+// Handlers of signals are the caller's, too, and might write its reports or wait for its threads; the child has
+// none. What the work returns is added to a status that no library is known to end a process with.
+#include "csg/text/child.h"
+
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <new>
+#include <sstream>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+constexpr int kNoMemory = 98, kStrange = 99, kDone = 100;  // and up: what the work returned
+constexpr int kMostNumber = 150;
+
+/// Lowers a limit of this process, never raises it.
+void lower(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
+  rlimit limit;
+  if (getrlimit(resource, &limit) != 0) return;
+  limit.rlim_cur = std::min(limit.rlim_cur, soft);
+  limit.rlim_max = std::min(limit.rlim_max, hard);
+  setrlimit(resource, &limit);
+}
+
+/// Bytes of memory of its own that this process has, as RLIMIT_DATA counts them.
+std::size_t own_memory() {
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  std::size_t kilobytes = 0;
+  while (status >> word) {
+    if (word == "VmData:" && status >> kilobytes) break;
+  }
+  return kilobytes * 1024;
+}
+
+/// Of processor time that a child has: ours, or those of the process, if these are fewer.
+std::size_t seconds_of(const ChildLimits& limits) {
+  rlimit limit;
+  if (getrlimit(RLIMIT_CPU, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return limits.seconds;
+  return limits.seconds == 0 ? limit.rlim_cur : std::min<std::size_t>(limits.seconds, limit.rlim_cur);
+}
+
+void obey(const ChildLimits& limits, std::size_t had) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (int number = 1; number < NSIG; ++number) signal(number, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  lower(RLIMIT_CORE, 0, 0);
+  if (limits.seconds > 0) {
+    lower(RLIMIT_CPU, limits.seconds, limits.seconds + 1);
+    alarm(static_cast<unsigned>(10 * limits.seconds));
+  }
+  if (limits.bytes > 0) {
+    lower(RLIMIT_DATA, had + limits.bytes, RLIM_INFINITY);
+    lower(RLIMIT_FSIZE, limits.bytes, RLIM_INFINITY);
+    // Where the system runs out of memory all the same, it is the child that goes.
+    std::ofstream("/proc/self/oom_score_adj") << 1000;
+  }
+}
+
+[[noreturn]] void be_child(const ChildLimits& limits, std::size_t had, const MemoryFile& said,
+                           const std::function<int()>& work) {
+  int status = kStrange;
+  try {
+    obey(limits, had);
+    dup2(said.descriptor(), STDOUT_FILENO);
+    dup2(said.descriptor(), STDERR_FILENO);
+    status = kDone + std::min(work(), kMostNumber);
+  } catch (const std::bad_alloc&) {
+    status = kNoMemory;
+  } catch (...) {
+  }
+  std::fflush(stdout);
+  _exit(status);
+}
+
+/// The last line, without the program's name in front of a failed assertion.
+std::string last_line(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line, last;
+  while (std::getline(lines, line)) {
+    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+  }
+  const auto assertion = last.find("Assertion");
+  return assertion == std::string::npos ? last : last.substr(assertion);
+}
+
+ChildEnd end_of(int status) {
+  using Kind = ChildEnd::Kind;
+  if (WIFSIGNALED(status)) {
+    const int number = WTERMSIG(status);
+    return {.kind = number == SIGXCPU || number == SIGALRM ? Kind::time : Kind::signal, .number = number};
+  }
+  const int number = WEXITSTATUS(status);
+  if (number == kNoMemory) return {.kind = Kind::memory};
+  if (number < kDone) return {.kind = Kind::strange, .number = number};
+  return {.number = number - kDone};
+}
+
+}  // namespace
+
+MemoryFile::MemoryFile(std::string owner)
+    : owner_(std::move(owner)), descriptor_(memfd_create("cnrg", MFD_CLOEXEC)) {
+  if (descriptor_ < 0) throw FileError(std::string("no file in memory: ") + std::strerror(errno));
+}
+MemoryFile::~MemoryFile() { close(descriptor_); }
+
+void MemoryFile::rewind() const { lseek(descriptor_, 0, SEEK_SET); }
+
+void MemoryFile::write(const void* data, std::size_t size) const {
+  for (const char* at = static_cast<const char*>(data); size > 0;) {
+    const ssize_t n = ::write(descriptor_, at, size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw std::bad_alloc();
+    at += n;
+    size -= std::size_t(n);
+  }
+}
+
+void MemoryFile::read(void* data, std::size_t size) const {
+  for (char* at = static_cast<char*>(data); size > 0;) {
+    const ssize_t n = ::read(descriptor_, at, size);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) fail();
+    at += n;
+    size -= std::size_t(n);
+  }
+}
+
+std::size_t MemoryFile::rest() const {
+  const off_t at = lseek(descriptor_, 0, SEEK_CUR), end = lseek(descriptor_, 0, SEEK_END);
+  lseek(descriptor_, at, SEEK_SET);
+  return std::size_t(end - at);
+}
+
+std::string MemoryFile::text() const {
+  rewind();
+  std::string result(rest(), ' ');
+  read(result.data(), result.size());
+  return result;
+}
+
+void MemoryFile::fail() const { throw InputError(owner_ + " returned a result that is damaged"); }
+
+ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const std::function<int()>& work) {
+  const MemoryFile said(owner);
+  const std::size_t seconds = seconds_of(limits);
+  const std::size_t had = limits.bytes > 0 ? own_memory() : 0;
+  std::fflush(stdout);  // so that the child has nothing of the caller's to print
+  const pid_t child = fork();
+  if (child < 0) throw FileError(owner + " could not be started: " + std::strerror(errno));
+  if (child == 0) be_child(limits, had, said, work);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) throw FileError(owner + " was lost: " + std::strerror(errno));
+  }
+  ChildEnd end = end_of(status);
+  end.seconds = seconds;
+  end.said = last_line(said.text());
+  return end;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,100 @@
+// A file is opened twice: first as a place only (O_PATH), which does nothing to it and blocks nowhere; that place
+// has a kind and, in /proc, a path without links; then by its place in /proc for reading.
+#include "csg/text/input_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+class Descriptor {
+ public:
+  Descriptor(const std::string& path, int flags) : number_(open(path.c_str(), flags | O_CLOEXEC)) {}
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+  bool open_now() const { return number_ >= 0; }
+  std::string place() const { return "/proc/self/fd/" + std::to_string(number_); }
+
+ private:
+  int number_;
+};
+
+const char* kind_of(mode_t mode) {
+  if (S_ISDIR(mode)) return "a directory";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return "a device";
+}
+
+/// Both without links.
+bool lies_inside(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  const std::string text = file.string(), head = folder == "/" ? "/" : folder.string() + "/";
+  return text.starts_with(head);
+}
+
+[[noreturn]] void refuse_outside(const std::string& path, const std::string& inside) {
+  throw InputError("'" + path + "' is no file inside of the folder '" + inside +
+                   "', and this tree may read no others; copy it there");
+}
+
+[[noreturn]] void fail(const std::string& path, const std::string& why) {
+  throw FileError("'" + path + "' cannot be read: " + why);
+}
+
+}  // namespace
+
+std::string folder_of_inputs(const std::string& path) {
+  std::error_code code;
+  const std::filesystem::path folder = std::filesystem::canonical(path, code);
+  if (code || !std::filesystem::is_directory(folder, code)) throw FileError("there is no folder '" + path + "'");
+  return folder.string();
+}
+
+std::string read_file(const std::string& path, const std::string& inside) {
+  std::error_code code;
+  const Descriptor place(path, O_PATH);
+  if (!place.open_now() && !inside.empty()) refuse_outside(path, inside);  // tells nothing of what is elsewhere
+  if (!place.open_now() && (errno == ENOENT || errno == ENOTDIR)) {
+    throw FileError("there is no file '" + path + "': check the path");
+  }
+  if (!place.open_now()) fail(path, std::strerror(errno));
+  if (!inside.empty()) {
+    const std::filesystem::path found = std::filesystem::read_symlink(place.place(), code);
+    if (code || !lies_inside(found, inside)) refuse_outside(path, inside);
+  }
+  struct stat status;
+  if (fstat(place.number(), &status) != 0) fail(path, std::strerror(errno));
+  if (!S_ISREG(status.st_mode))
+    fail(path, std::string("it is ") + kind_of(status.st_mode) + ", give a regular file");
+
+  const bool proc = access("/proc/self/fd", X_OK) == 0;
+  const Descriptor file(proc ? place.place() : path, O_RDONLY | O_NONBLOCK);
+  if (!file.open_now()) fail(path, std::strerror(errno));
+  std::string content(static_cast<std::size_t>(status.st_size), '\0');
+  std::size_t filled = 0;
+  for (;;) {
+    if (filled == content.size())
+      content.resize(content.size() + 4096);  // it may have grown, or /proc tells no size
+    const ssize_t n = ::read(file.number(), content.data() + filled, content.size() - filled);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail(path, std::strerror(errno));
+    if (n == 0) break;
+    filled += static_cast<std::size_t>(n);
+  }
+  content.resize(filled);
+  return content;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,21 @@
+// The files that the program reads.
+//
+// Only regular files are read: a pipe may never end, a device may never end or do something when it is opened, and
+// a directory is none. An untrusted tree may be kept in a folder: what a name leads to is looked at after links
+// and
+// `..` are resolved, and what was looked at is what is read, whatever happens to the name in between.
+#pragma once
+
+#include <string>
+
+namespace cnrg {
+
+/// The whole content of a regular file. `inside`: a folder, as `folder_of_inputs` gives it, in which the file must
+/// lie; empty: anywhere. Throws FileError if there is no such file, if it cannot be read or is no regular file,
+/// InputError if it is not in the folder, be it elsewhere or nowhere; messages have the path and no position.
+std::string read_file(const std::string& path, const std::string& inside = {});
+
+/// A folder without links in its path. FileError if there is none.
+std::string folder_of_inputs(const std::string& path);
+
+}  // namespace cnrg

@@ -1,0 +1,54 @@
+// `parse_rational` says no more than that a text is no number. Which part is at fault is found by asking again
+// with that part replaced, so that the grammar stands in one place.
+#include "csg/text/number.h"
+
+#include "csg/text/table.h"
+
+namespace cnrg {
+namespace {
+
+constexpr std::size_t kMostExponentDigits = 40;  // that are told
+
+/// The text with a zero for each exponent; the first of them that is far from zero.
+std::string without_exponents(std::string_view text, std::string_view& large) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    out += text[i++];
+    if (out.back() != 'e' && out.back() != 'E') continue;
+    std::size_t end =
+        text.find_first_not_of("0123456789", i + (i < text.size() && (text[i] == '+' || text[i] == '-')));
+    end = std::min(end, text.size());
+    if (end - i > 5 && large.empty()) large = text.substr(i, end - i);
+    if (end > i) out += '0';
+    i = end;
+  }
+  return out;
+}
+
+std::string fault_of(std::string_view text) {
+  std::string_view large;
+  if (parse_rational(without_exponents(text, large)) && !large.empty()) {
+    const bool long_one = large.size() > kMostExponentDigits;
+    return " has the exponent " + std::string(large.substr(0, kMostExponentDigits)) + (long_one ? "..." : "") +
+           "; exponents are from -100000 to 100000";
+  }
+  const std::size_t slash = text.find('/');
+  if (slash != std::string_view::npos && parse_rational(text.substr(0, slash)) &&
+      parse_rational(text.substr(slash + 1)) && text.find_first_of("+-", slash) != slash + 1) {
+    return " is no number, since its denominator is 0; write a decimal such as 0.1 or a fraction such as 1/3";
+  }
+  return " is no number; write a decimal such as 0.1 or 1.5e-3, or a fraction such as 1/3";
+}
+
+}  // namespace
+
+NumberText read_number(std::string_view text, std::size_t most) {
+  if (text.size() > most) {
+    return {{}, " has " + grouped(text.size()) + " characters; a number here has at most " + grouped(most)};
+  }
+  std::optional<Rational> value = parse_rational(text);
+  if (value) return {std::move(value), {}};
+  return {{}, fault_of(text)};
+}
+
+}  // namespace cnrg

@@ -1,0 +1,33 @@
+// Random trees with every operator on cubical groups, by brute force (csg/SEMANTICS.md), against the whole
+// program.
+//
+// Each value is an array over all cells of the grid: a group of cubical.h, or the component of each cell. Nothing
+// of the kernel is used until the answers are compared, cell by cell.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/oracles/cubical.h"
+#include "tests/oracles/dag.h"
+
+namespace cubical {
+
+struct CubicalDag {
+  cnrg::properties::RandomDag dag;  ///< leaves are rectangles, wires and points on the grid
+  cnrg::scenes::Motion place;       ///< where the program gets them
+};
+
+/// Two to four leaves. `moved`: turned, sheared, scaled or reflected.
+CubicalDag random_cubical_dag(const Grid& grid, std::uint64_t seed, bool moved);
+/// A regular map: a rational rotation, a shear, a scaling by powers of ten, a reflection, one after another.
+cnrg::scenes::Motion random_place(std::uint64_t seed);
+
+/// The first difference in words, or an empty string.
+std::string compare_by_brute_force(const Grid& grid, const CubicalDag& dag);
+
+std::string tree_file(const CubicalDag& dag);
+std::vector<CubicalDag> smaller(const Grid& grid, const CubicalDag& dag);
+
+}  // namespace cubical

@@ -1,0 +1,48 @@
+// Our side of the comparison: an expression evaluated on one complex, and results in forms that oracles know.
+#pragma once
+
+#include <vector>
+
+#include "csg/operators/boolean.h"
+#include "csg/operators/group.h"
+#include "csg/operators/node_value.h"
+#include "kernel/selection/simplify.h"
+#include "tests/oracles/nef_oracle.h"
+#include "tests/oracles/skeleton.h"
+#include "tests/scenes/scene.h"
+
+namespace cnrg::properties {
+
+BooleanOp boolean_op(scenes::Op op);
+Dominance dominance(scenes::Ranking ranking);
+
+/// The group of an expression; `groups` are those of the leaves.
+Group evaluate(const Complex& complex, const std::vector<Group>& groups, const scenes::Expression& expression);
+
+/// |G| as one component.
+Selection point_set(const Complex& complex, const Group& group);
+
+/// All components of a selection as one: |X|.
+Selection joined(Selection selection);
+
+/// The canonical form of |X| as `simplify` makes it in mode `points`, with unmarked cells where X is not closed.
+Skeleton skeleton(const Complex& complex, const Selection& set);
+
+/// |X| as a Nef polyhedron, open, unbounded or neither: the regions filled, then the cells of each lower
+/// dimension of the simplified form taken off or put back.
+NefSet to_nef(const Complex& complex, const Selection& set);
+
+/// The canonical form of |G| as `simplify` makes it in mode `points`.
+Skeleton skeleton(const Complex& complex, const Group& group);
+
+/// |G| as a Nef polyhedron: the closed faces, wires and points of its simplified form, and its regions filled.
+NefSet to_nef(const Complex& complex, const Group& group);
+
+/// The sum of the volumes of the regions of a bounded group.
+Rational volume(const Complex& complex, const Group& group);
+
+/// What is wrong with a group (csg/SEMANTICS.md#groups) in words; empty when nothing is: closed under boundary,
+/// walls complete, regions as detection finds them, features among the entities.
+std::string validate(const Complex& complex, const Group& group);
+
+}  // namespace cnrg::properties

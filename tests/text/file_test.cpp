@@ -1,0 +1,229 @@
+#include "csg/text/file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "csg/text/draft.h"
+#include "kernel/base/error.h"
+
+using namespace cnrg;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that goes at the end.
+struct Folder {
+  fs::path path;
+  Folder() {
+    std::string pattern = (fs::temp_directory_path() / "cnrg_file_XXXXXX").string();
+    path = mkdtemp(pattern.data());
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  std::string operator/(const std::string& name) const { return (path / name).string(); }
+  std::set<std::string> names() const {
+    std::set<std::string> result;
+    for (const auto& entry : fs::directory_iterator(path)) result.insert(entry.path().filename().string());
+    return result;
+  }
+};
+
+void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+
+std::string read(const std::string& path) {
+  std::ifstream stream(path);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+unsigned mode_of(const std::string& path) {
+  struct stat status;
+  return stat(path.c_str(), &status) == 0 ? status.st_mode & 07777 : 0;
+}
+
+/// A number of a process that has ended.
+pid_t gone() {
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  waitpid(child, nullptr, 0);
+  return child;
+}
+
+}  // namespace
+
+TEST_CASE("a file appears whole, in place of an old one or anew", "[file]") {
+  const Folder folder;
+  const std::string path = folder / "x.json";
+  const mode_t before = umask(027);
+  replace_file(path, "first");
+  CHECK(read(path) == "first");
+  CHECK(mode_of(path) == 0640);
+  umask(before);
+  chmod(path.c_str(), 0604);
+  replace_file(path, "second");
+  CHECK(read(path) == "second");
+  CHECK(mode_of(path) == 0604);
+  fs::create_symlink("x.json", folder / "link");
+  replace_file(folder / "link", "third");
+  CHECK(read(path) == "third");
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(folder.names() == std::set<std::string>{"x.json", "link"});
+}
+
+TEST_CASE("a draft that does not appear leaves nothing, of either kind", "[file]") {
+  for (const Draft::Kind kind : {Draft::Kind::unnamed_if_possible, Draft::Kind::named}) {
+    const Folder folder;
+    const std::string path = folder / "x.json";
+    {
+      Draft draft(path, kind);
+      draft.write("half");
+    }
+    CHECK(folder.names().empty());
+    {
+      Draft draft(path, kind);
+      draft.write("whole");
+      draft.appear(nullptr);
+    }
+    CHECK(read(path) == "whole");
+    struct stat old;
+    REQUIRE(stat(path.c_str(), &old) == 0);
+    {
+      Draft draft(path, kind);
+      draft.write("again");
+      draft.appear(&old);
+    }
+    CHECK(read(path) == "again");
+    CHECK(folder.names() == std::set<std::string>{"x.json"});
+  }
+}
+
+TEST_CASE("what a killed process leaves is removed by the next", "[file]") {
+  for (const Draft::Kind kind : {Draft::Kind::unnamed_if_possible, Draft::Kind::named}) {
+    const Folder folder;
+    const std::string path = folder / "x.json";
+    write(path, "old");
+    const pid_t child = fork();
+    if (child == 0) {
+      Draft draft(path, kind);
+      draft.write("half");
+      kill(getpid(), SIGKILL);
+    }
+    waitpid(child, nullptr, 0);
+    if (kind == Draft::Kind::named) CHECK(folder.names().size() == 2);
+    CHECK(read(path) == "old");
+    replace_file(path, "new");
+    CHECK(read(path) == "new");
+    CHECK(folder.names() == std::set<std::string>{"x.json"});
+  }
+}
+
+TEST_CASE("a process that is killed at any moment leaves an old file or a new one", "[file]") {
+  const Folder folder;
+  const std::string path = folder / "x.json";
+  const std::string a(300'000, 'a'), b(300'000, 'b');
+  replace_file(path, a);
+  for (int i = 0; i < 40; ++i) {
+    const pid_t child = fork();
+    if (child == 0) {
+      for (;;) replace_file(path, b), replace_file(path, a);
+    }
+    usleep(useconds_t(300 * i));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    const std::string content = read(path);
+    CHECK((content == a || content == b));
+    CHECK(folder.names().size() <= 2);  // between link and rename
+  }
+  replace_file(path, a);
+  CHECK(folder.names() == std::set<std::string>{"x.json"});
+}
+
+TEST_CASE("nothing that another process may need is touched", "[file]") {
+  const Folder folder;
+  const std::string path = folder / "x.json", dead = std::to_string(gone());
+  const std::string locked = path + "." + dead + ".7.tmp";
+  write(locked, "of a process elsewhere");
+  const int lock = open(locked.c_str(), O_RDONLY);
+  REQUIRE(flock(lock, LOCK_EX | LOCK_NB) == 0);
+  std::set<std::string> kept{"x.json", "x.json." + dead + ".7.tmp", "x.json." + dead + ".8.tmp",
+                             "x.json." + dead + ".9.tmp"};
+  fs::create_directory(path + "." + dead + ".8.tmp");
+  write(folder / "precious", "precious");
+  fs::create_symlink("precious", path + "." + dead + ".9.tmp");
+  kept.insert("precious");
+  for (const std::string& name :
+       {"x.json." + std::to_string(getppid()) + ".0.tmp", "y.json." + dead + ".0.tmp", "x.json." + dead + ".tmp",
+        "x.json." + dead + ".0.tmp2", "x.json." + dead + ".-1.tmp", "x.json.-" + dead + ".0.tmp",
+        "x.json." + dead + ".0.1.tmp", "x.jso." + dead + ".0.tmp", "x.json." + dead + "a.0.tmp"}) {
+    write(folder / name, "theirs");
+    kept.insert(name);
+  }
+  mkfifo((path + "." + dead + ".10.tmp").c_str(), 0600);
+  kept.insert("x.json." + dead + ".10.tmp");
+  write(path + "." + dead + ".11.tmp", "abandoned");
+  replace_file(path, "new");
+  CHECK(folder.names() == kept);
+  CHECK(read(locked) == "of a process elsewhere");
+  close(lock);
+  replace_file(path, "new");
+  kept.erase("x.json." + dead + ".7.tmp");
+  CHECK(folder.names() == kept);
+}
+
+TEST_CASE("writers of one file at the same time each write it whole", "[file]") {
+  const Folder folder;
+  const std::string path = folder / "x.json";
+  std::vector<pid_t> children;
+  for (const char letter : {'a', 'b', 'c', 'd'}) {
+    const pid_t child = fork();
+    if (child == 0) {
+      try {
+        for (int i = 0; i < 50; ++i) {
+          const std::string text(20'000, letter);
+          replace_file(path, text);
+          struct stat old;
+          if (stat(path.c_str(), &old) != 0) _exit(2);
+          Draft draft(path, Draft::Kind::named);
+          draft.write(text);
+          draft.appear(&old);
+        }
+      } catch (const std::exception&) {
+        _exit(1);
+      }
+      _exit(0);
+    }
+    children.push_back(child);
+  }
+  for (const pid_t child : children) {
+    int status = -1;
+    waitpid(child, &status, 0);
+    CHECK(status == 0);
+  }
+  const std::string content = read(path);
+  CHECK(content == std::string(20'000, content.at(0)));
+  CHECK(folder.names() == std::set<std::string>{"x.json"});
+}
+
+TEST_CASE("what is no regular file is not replaced", "[file]") {
+  const Folder folder;
+  CHECK_THROWS_WITH(replace_file(folder.path.string(), ""), Catch::Contains("it is a directory; give the name"));
+  CHECK_THROWS_WITH(replace_file(folder / "gone/", ""), Catch::Contains("it is a directory"));
+  CHECK_THROWS_AS(replace_file(folder / "gone/x", ""), FileError);
+  mkfifo((folder / "pipe").c_str(), 0600);
+  CHECK_THROWS_WITH(replace_file(folder / "pipe", ""), Catch::Contains("no regular file"));
+}

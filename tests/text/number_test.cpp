@@ -1,0 +1,22 @@
+#include "csg/text/number.h"
+
+#include <catch2/catch.hpp>
+
+using namespace cnrg;
+using Catch::Contains;
+
+TEST_CASE("a number is read, or its fault is told") {
+  CHECK(read_number("-0.5/3").value == Rational(-1, 6));
+  CHECK(read_number("1e100000").value);
+  CHECK(read_number("7", 1).value == 7);
+  CHECK(read_number("77", 1).fault == " has 2 characters; a number here has at most 1");
+  CHECK(read_number("1e100001").fault == " has the exponent 100001; exponents are from -100000 to 100000");
+  CHECK_THAT(read_number("2/1e-100001").fault, Contains("the exponent -100001;"));
+  CHECK_THAT(read_number("1e" + std::string(5000, '9')).fault, Contains("999...; exponents"));
+  for (const char* zero : {"1/0", "0/0.0", "-3/0e5"})
+    CHECK_THAT(read_number(zero).fault, Contains("denominator is 0"));
+  for (const char* none : {"", "x", "1e", "e5", "1e1000000x", "1/-2", "1/+2", "--1", "1 ", "1e+", "nan", "0x10"}) {
+    INFO(none);
+    CHECK_THAT(read_number(none).fault, Catch::StartsWith(" is no number; write"));
+  }
+}
