@@ -125,6 +125,22 @@ void add_band(Soup& s, unsigned n, unsigned half_turns) {
 
 }  // namespace
 
+TEST_CASE("a soup numbers points and faces as they come, and takes finite coordinates only") {
+  Soup s;
+  const LeafId leaf = s.add_leaf(Fill::none);
+  const PointId a = s.add_point(0, 0, 0), b = s.add_point(1, 0, 0), c = s.add_point(0, 1, 0);
+  CHECK(c == PointId(2));
+  CHECK(s.add_triangle(leaf, a, b, c, 0, 0) == SourceId(0));
+  CHECK(s.add_triangle(leaf, a, c, b, 1, 1) == SourceId(1));
+  const std::vector<std::vector<PointId>> loops{{a, b, c}};
+  CHECK(s.add_face(leaf, loops, 2, 2) == SourceId(2));
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    CHECK_THROWS_AS(s.add_point(bad, 0, 0), InputError);
+    CHECK_THROWS_AS(s.add_point(0, bad, 0), InputError);
+    CHECK_THROWS_AS(s.add_point(0, 0, bad), InputError);
+  }
+}
+
 TEST_CASE("cells of boxes in contact") {
   SECTION("one box") {
     Soup s;

@@ -70,6 +70,7 @@ TEST_CASE("what is no number is nothing") {
 TEST_CASE("decimal expansions round to nearest") {
   CHECK(to_decimal(Rational(1, 3), 6) == "0.333333");
   CHECK(to_decimal(Rational(2, 3), 3) == "0.667");
+  CHECK(to_decimal(Rational(2, 3), 1) == "0.7");
   CHECK(to_decimal(Rational(-1, 8)) == "-0.125");
   CHECK(to_decimal(0) == "0");
   CHECK(to_decimal(1200) == "1200");

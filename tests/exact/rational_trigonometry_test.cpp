@@ -51,6 +51,7 @@ TEST_CASE("sines of rational degrees are correctly rounded") {
 TEST_CASE("rounded multiples of a grid") {
   CHECK(round_cosine(0, 2, 0) == 1);
   CHECK(round_cosine(0, 9, -3) == 3);
+  CHECK(round_cosine(0, 3, 0) == 2);
   CHECK(round_cosine(60, 9, -1) == Rational(3, 2));
   CHECK(round_cosine(60, 9, 0) == 2);  // 1.5: tie to even
   CHECK(round_cosine(45, 2, -10) == 1);

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "csg/operators/component_attributes.h"
 #include "csg/operators/component_lists.h"
 #include "csg/operators/group.h"
 #include "csg/operators/identities.h"
@@ -58,8 +59,12 @@ TEST_CASE("a group is its regions and its entities", "[cnrg]") {
 TEST_CASE("sum, product and subtract part two solids into three", "[cnrg]") {
   const Scene s({box({0, 0, 0}, {2, 2, 2}), box({1, 0, 0}, {3, 2, 2})}, kTwo);
   const Components x = s.one(0), y = s.one(1);
-  const Components all = sum(s.complex, x, y).value;
+  Components all = sum(s.complex, x, y).value;
   CHECK(names(all) == std::vector<std::string>{"a", "a & b", "b"});
+  collect_leaves(all);
+  CHECK(all.attributes[0].leaves == std::vector{LeafId(0)});
+  CHECK(all.attributes[1].leaves == std::vector{LeafId(0), LeafId(1)});
+  CHECK(all.attributes[2].leaves == std::vector{LeafId(1)});
   CHECK(check_overlay(OverlayLaw::sum, s.complex, x, y, all) == "");
   // The middle box is closed: both outer ones are half open.
   const std::vector<CellSet> parts = supports(all);
@@ -87,6 +92,10 @@ TEST_CASE("dominance gives the common part its name and material", "[cnrg]") {
   CHECK(right.value.attributes.at(0).dominance == 2);
   const ComponentsResult left = product(s.complex, x, y, Dominance::left);
   CHECK(left.value.attributes.at(0).material == "rock");
+  y.attributes.at(0).dominance = x.attributes.at(0).dominance;
+  const ComponentsResult told = product(s.complex, x, y, Dominance::right);
+  CHECK(told.conflicts.empty());
+  CHECK(told.value.attributes.at(0).material == "ore");
 }
 
 TEST_CASE("materials of solids that only touch are no conflict", "[cnrg]") {
@@ -109,6 +118,21 @@ TEST_CASE("aggregate keeps components apart and names an overlap", "[cnrg]") {
   using Catch::Contains;
   CHECK_THROWS_WITH(aggregate(s.complex, over, called),
                     Contains("`rest` and `z` overlap") && Contains("with `subtract`"));
+  const std::vector<const Components*> one{&x};
+  CHECK(aggregate(s.complex, one, {called.data(), 1}).value.attributes.size() == 1);
+}
+
+TEST_CASE("aggregate sees overlaps of points, of wires and of sheets", "[cnrg]") {
+  using Catch::Contains;
+  const std::vector<std::string> called{"x", "y"};
+  for (const auto& leaves : {std::vector{point({1, 0, 0}), point({1, 0, 0})},
+                             std::vector{wire({0, 0, 0}, {2, 0, 0}), wire({0, 0, 0}, {2, 0, 0})},
+                             std::vector{sheet({0, 0, 0}, {2, 2, 0}), sheet({0, 0, 0}, {2, 2, 0})}}) {
+    const Scene s(leaves);
+    const Components x = s.one(0), y = s.one(1);
+    const std::vector<const Components*> operands{&x, &y};
+    CHECK_THROWS_WITH(aggregate(s.complex, operands, called), Contains("`x` and `y` overlap"));
+  }
 }
 
 TEST_CASE("interior, closure, boundary and regularize of a solid with a fin and a crack", "[cnrg]") {

@@ -135,6 +135,7 @@ TEST_CASE("a verdict names the row, or the boundary that kept an entity", "[tabl
       for (FaceId f : IdRange<FaceId>(complex.face_count())) {
         const Verdict v = verdict(complex, op, d, leaves[0], leaves[1], result, f);
         REQUIRE(v.entity);
+        CHECK_FALSE(v.bounds_kept);
         if (v.row->condition == Condition::always) CHECK(v.removed);
         if (v.row->condition == Condition::never) CHECK(!v.removed);
       }

@@ -99,6 +99,23 @@ TEST_CASE("Wires cross in a face", "[contacts]") {
          {9, 8, 1, 1});
 }
 
+TEST_CASE("Wires of which one ends before it reaches the other do not meet", "[contacts]") {
+  // In one plane; the line of the second crosses the first at 3 3 0, beyond its end, and the other way round.
+  expect("leaf none\nwire 0 0 0, 4 4 0\nleaf none\nwire 3 0 0, 3 2 0", {4, 2, 0, 1});
+  expect("leaf none\nwire 3 0 0, 3 2 0\nleaf none\nwire 0 0 0, 4 4 0", {4, 2, 0, 1});
+}
+
+TEST_CASE("Triangles around a tip that go around more than once meet each other", "[contacts]") {
+  // Nine eighths of a turn, all facing up: the first and the last cross each other along a line from the tip.
+  const char* rim[] = {"1 0 1",   "1 1 0",  "0 1 0",  "-1 1 0", "-1 0 0",
+                       "-1 -1 0", "0 -1 0", "1 -1 0", "1 0 0",  "1 1 1"};
+  std::string fan = "leaf none\n";
+  for (std::size_t i = 0; i + 1 < std::size(rim); ++i) {
+    fan += std::string("face 0 0 0, ") + rim[i] + ", " + rim[i + 1] + "\n";
+  }
+  expect(fan, {11 + 1, 19 + 2 + 1, 9 + 2, 1});
+}
+
 TEST_CASE("A closed wire in a face parts it", "[contacts]") {
   expect("leaf none\nface 0 0 0, 4 0 0, 4 4 0, 0 4 0\nleaf none\nwire 1 1 0, 3 1 0, 2 3 0, 1 1 0", {7, 7, 2, 1});
 }

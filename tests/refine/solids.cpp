@@ -68,6 +68,22 @@ Leaf cube_leaf(const std::set<std::array<int, 3>>& cubes, Fill fill) {
 
 TEST_CASE("A box", "[solids]") { expect("leaf winding\n" + kUnit, {8, 12, 6, 2, {1}}); }
 
+TEST_CASE("Which way round a base is that doubles cannot tell", "[solids]") {
+  // The corners are nearly on one line: products of doubles say that the area is zero, it is 1.
+  for (const char* base : {"0 0 0, 2147483649 2147483647 0, 2147483650 2147483648 0, 1073741825 1073741824 0",
+                           "0 0 0, 1073741825 1073741824 0, 2147483650 2147483648 0, 2147483649 2147483647 0"}) {
+    expect(std::string("leaf winding\nprism 0 0 1 | ") + base, {8, 12, 6, 2, {1}});
+  }
+  // A dart whose products are below the smallest double: their sum has the other sign, 3/32 2^-1074 is right.
+  const std::string unit = "p-537 ";
+  const auto corner = [&](const char* x, const char* y) { return x + unit + y + unit + "0"; };
+  const std::string dart = corner("0x0", "0x0") + ", " + corner("0x0.7", "0x0") + ", " + corner("0x1", "0x1") +
+                           ", " + corner("0x0.88", "0x0.78");
+  const auto built = valid_complex("leaf winding\nprism 0 0 1 | " + dart);
+  REQUIRE(built->region_count == 2);
+  CHECK(volume(*built, RegionId(1)) == Rational(3, 16) / Rational(Integer(1) << 1074));
+}
+
 TEST_CASE("Equal boxes are one region with the labels of all", "[solids]") {
   const std::string three = "leaf winding\n" + kUnit + "leaf parity\n" + kUnit + "leaf sides\n" + kUnit;
   expect(three, {8, 12, 6, 2, {1}});

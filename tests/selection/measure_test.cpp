@@ -67,6 +67,12 @@ TEST_CASE("volumes of cells with constructed corners add up exactly", "[measure]
   CHECK(!volume(complex, RegionId(0)));
 }
 
+TEST_CASE("the volume of a cell with thousands of faces is exact", "[measure]") {
+  const auto complex = complex_of({box({0, 0, 0}, {40, 40, 40}, 1, 0, 40)});
+  REQUIRE(complex->face_count() == 2 * 40 * 40 + 4);
+  CHECK(*volume(*complex, RegionId(1)) == 40 * 40 * 40);
+}
+
 TEST_CASE("lengths and areas", "[measure]") {
   const auto built_complex = complex_of({sheet({0, 0, 5}, {3, 4, 5}), wire({1, 1, 5}, {2, 1, 5})});
   const Complex& complex = *built_complex;

@@ -167,6 +167,26 @@ TEST_CASE("reflex corners, slit tips and full circles", "[neighbourhood]") {
   check(plate, lone);
   CHECK(lone.germs.size() == 2);
   CHECK(lone.arcs[0].full_circle());
+  // Triangles that stand on a face with one corner: a full circle and other arcs, whichever comes first.
+  for (const bool face_first : {true, false}) {
+    Soup standing;
+    const LeafId none = standing.add_leaf(Fill::none);
+    const auto add = [&](const std::vector<std::array<int, 3>>& corners, std::uint32_t face) {
+      std::vector<std::vector<PointId>> loops(1);
+      for (const auto& [x, y, z] : corners) loops[0].push_back(standing.add_point(x, y, z));
+      standing.add_face(none, loops, face, face);
+    };
+    if (face_first) add({{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}}, 0);
+    add({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}}, 1);
+    add({{0, 0, 0}, {0, 1, 1}, {-1, -1, 1}}, 2);
+    if (!face_first) add({{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}}, 0);
+    const auto built = build_complex(standing);
+    Neighbourhoods both(*built);
+    const Neighbourhood n = both.at(vertex_at(*built, {0, 0, 0}));
+    check(*built, n);
+    CHECK(n.arcs.size() == 3);
+    CHECK(n.parts == 2);
+  }
 }
 
 }  // namespace
