@@ -4,6 +4,7 @@
 
 #include <tbb/global_control.h>
 
+#include <filesystem>
 #include <set>
 
 #include "csg/app/output.h"
@@ -23,6 +24,17 @@ void limit_threads(int threads) {
   }
 }
 
+/// The file that a leaf reads; nullptr if it reads none.
+const std::string* file_of(const Node& node) {
+  if (!node.shape) return nullptr;
+  return std::visit(
+      [](const auto& shape) -> const std::string* {
+        if constexpr (requires { shape.file; }) return &shape.file;
+        else return nullptr;
+      },
+      *node.shape);
+}
+
 }  // namespace
 
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet) {
@@ -38,10 +50,27 @@ Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quie
 }
 
 void require_distinct(const std::vector<std::string>& files) {
-  std::set<std::string> seen;
+  std::set<std::filesystem::path> seen;
   for (const std::string& file : files) {
-    if (seen.insert(file).second) continue;
+    std::error_code code;
+    const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(file), code);
+    if (seen.insert(code ? std::filesystem::path(file) : place).second) continue;
     throw InputError("cnrg: error: the file " + file + " is given by two -o; give each its own name");
+  }
+}
+
+void require_no_input(const std::vector<std::string>& files, const Tree& tree) {
+  const auto require = [&](const std::string& input, const std::string& what) {
+    for (const std::string& file : files) {
+      std::error_code code;  // of what is not there
+      if (!std::filesystem::equivalent(file, input, code)) continue;
+      throw InputError("cnrg: error: -o " + file + " would replace " + what + "; give another name");
+    }
+  };
+  if (files.empty()) return;
+  require(tree.file, "the tree itself");
+  for (const Node& node : tree.nodes) {
+    if (const std::string* file = file_of(node)) require(*file, "a file that the node " + node.name + " reads");
   }
 }
 

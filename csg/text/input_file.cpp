@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "csg/text/table.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -62,7 +63,7 @@ std::string folder_of_inputs(const std::string& path) {
   return folder.string();
 }
 
-std::string read_file(const std::string& path, const std::string& inside) {
+std::string read_file(const std::string& path, const std::string& inside, std::size_t most) {
   std::error_code code;
   const Descriptor place(path, O_PATH);
   if (!place.open_now() && !inside.empty()) refuse_outside(path, inside);  // tells nothing of what is elsewhere
@@ -82,7 +83,16 @@ std::string read_file(const std::string& path, const std::string& inside) {
   const bool proc = access("/proc/self/fd", X_OK) == 0;
   const Descriptor file(proc ? place.place() : path, O_RDONLY | O_NONBLOCK);
   if (!file.open_now()) fail(path, std::strerror(errno));
-  std::string content(static_cast<std::size_t>(status.st_size), '\0');
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size > most) {
+    throw InputError("this file has " + grouped(size) + " bytes, and at most " + grouped(most) + " are read");
+  }
+  std::string content;
+  try {
+    content.resize(size);
+  } catch (const std::exception&) {  // no memory, or more than a string can hold
+    fail(path, "it has " + grouped(size) + " bytes, more than there is memory for");
+  }
   std::size_t filled = 0;
   for (;;) {
     if (filled == content.size())

@@ -6,14 +6,18 @@
 // `..` are resolved, and what was looked at is what is read, whatever happens to the name in between.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <string>
 
 namespace cnrg {
 
 /// The whole content of a regular file. `inside`: a folder, as `folder_of_inputs` gives it, in which the file must
 /// lie; empty: anywhere. Throws FileError if there is no such file, if it cannot be read or is no regular file,
-/// InputError if it is not in the folder, be it elsewhere or nowhere; messages have the path and no position.
-std::string read_file(const std::string& path, const std::string& inside = {});
+/// InputError if it is not in the folder, be it elsewhere or nowhere, or has more than `most` bytes; messages have
+/// no position.
+std::string read_file(const std::string& path, const std::string& inside = {},
+                      std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// A folder without links in its path. FileError if there is none.
 std::string folder_of_inputs(const std::string& path);

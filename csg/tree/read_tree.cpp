@@ -434,12 +434,21 @@ std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>
   return result;
 }
 
+namespace {
+
+constexpr std::size_t kMostBytes = 100'000'000;
+
+[[noreturn]] void refuse_size(const std::string& file, const std::string& what) {
+  throw TreeError(file, {}, what + "; give large shapes as files that the tree names");
+}
+
+}  // namespace
+
 Tree parse_tree(const std::string& text, const std::string& file, const ReadOptions& options) {
-  constexpr std::size_t kHonestAliases = 1'000'000, kMostBytes = 100'000'000;
+  constexpr std::size_t kHonestAliases = 1'000'000;
   if (text.size() > kMostBytes) {
-    throw TreeError(file, {},
-                    "this file has " + grouped(text.size()) + " bytes, and a tree has at most " +
-                        grouped(kMostBytes) + "; give large shapes as files that the tree names");
+    refuse_size(file, "this text has " + grouped(text.size()) + " bytes, and at most " + grouped(kMostBytes) +
+                          " are read");
   }
   Document document{file, text.size() + kHonestAliases};
   Tree tree;
@@ -451,7 +460,9 @@ Tree parse_tree(const std::string& text, const std::string& file, const ReadOpti
 Tree read_tree(const std::string& path, const ReadOptions& options) {
   std::string text;
   try {
-    text = read_file(path);
+    text = read_file(path, {}, kMostBytes);
+  } catch (const InputError& e) {
+    refuse_size(path, e.what());
   } catch (const FileError& e) {
     throw FileError(to_string(path, {}) + ": error: the tree file: " + e.what());
   }

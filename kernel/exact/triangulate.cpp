@@ -122,7 +122,9 @@ bool certainly_in_circle(const Plane2& plane, const Triangle& t, VertexId d) {
   return det.inf() > 0;
 }
 
-/// Lawson's flips over the edges that are not in `walked`.
+/// Lawson's flips over the edges that are not in `walked`. Corners of a circle that are rounded lie on no circle,
+/// and may ask for the square of their number of flips, each of which improves nothing that can be seen: so there
+/// is a bound, far above what other shapes need.
 void make_delaunay(const Plane2& plane, const std::map<Edge, unsigned>& walked, std::vector<Triangle>& triangles) {
   struct Sides {
     std::uint32_t side[2] = {UINT32_MAX, UINT32_MAX};
@@ -156,7 +158,8 @@ void make_delaunay(const Plane2& plane, const std::map<Edge, unsigned>& walked, 
     Sides& s = sides[edge_of(a, b)];
     s.side[s.side[0] == from ? 0 : 1] = to;
   };
-  while (!stack.empty()) {
+  constexpr std::size_t kFlipsPerTriangle = 16;
+  for (std::size_t flips = 0; !stack.empty() && flips < kFlipsPerTriangle * triangles.size();) {
     const Edge e = stack.back();
     stack.pop_back();
     const auto found = sides.find(e);
@@ -164,6 +167,7 @@ void make_delaunay(const Plane2& plane, const std::map<Edge, unsigned>& walked, 
     const auto [i, j] = found->second.side;
     const VertexId p = apex(i, e), q = apex(j, e);
     if (!certainly_in_circle(plane, triangles[i], q)) continue;
+    ++flips;
     // Triangle i is (p, a, b), triangle j is (q, b, a), both counter-clockwise.
     const int k = int(std::find(triangles[i].begin(), triangles[i].end(), p) - triangles[i].begin());
     const VertexId a = triangles[i][(k + 1) % 3], b = triangles[i][(k + 2) % 3];

@@ -473,5 +473,28 @@ TEST_CASE("one file for two results is refused before any work", "[app]") {
   }
 }
 
+TEST_CASE("no file that a run reads is replaced by what it writes", "[app][errors]") {
+  const Workshop w;
+  w.write("a.json",
+          R"({"cnrg": 1, "nodes": {"a": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}}, "result": "a"})");
+  const std::string tree = w.read("a.json");
+  REQUIRE(w.run("eval a.json --quiet -o b.json").status == 0);
+  const std::string result = w.read("b.json");
+  w.write("t.yaml", "cnrg: 1\nnodes: {a: {cnrg: b.json}}\nresult: a\n");
+  w.shell("ln -s a.json link.json; mkdir f");
+  for (const std::string name : {"a.json", "./a.json", "f/../a.json", "link.json"}) {
+    const Outcome o = w.run("eval a.json -o " + name);
+    CHECK(o.status == 2);
+    CHECK(o.err == "cnrg: error: -o " + name + " would replace the tree itself; give another name\n");
+  }
+  const Outcome o = w.run("eval t.yaml -o b.json");
+  CHECK(o.status == 2);
+  CHECK(o.err == "cnrg: error: -o b.json would replace a file that the node a reads; give another name\n");
+  CHECK(w.read("a.json") == tree);
+  CHECK(w.read("b.json") == result);
+  CHECK(w.run("eval a.json -o c.json -o ./c.json").err ==
+        "cnrg: error: the file ./c.json is given by two -o; give each its own name\n");
+}
+
 }  // namespace
 }  // namespace cnrg

@@ -66,7 +66,7 @@ TEST_CASE("a number of very many digits is refused early, wherever it stands", "
   o = w.shell("truncate -s 100000001 large.yaml && ulimit -v 4000000 && '" CNRG_PROGRAM
               "' check large.yaml 2>.err");
   CHECK(o.status == 2);
-  CHECK_THAT(o.err, Contains("this file has 100,000,001 bytes, and a tree has at most 100,000,000"));
+  CHECK_THAT(o.err, Contains("this file has 100,000,001 bytes, and at most 100,000,000 are read"));
 }
 
 TEST_CASE("YAML that explodes is refused", "[app][inputs]") {
