@@ -2,6 +2,7 @@
 #include "csg/imports/read_grades.h"
 
 #include <algorithm>
+#include <set>
 
 #include "csg/geometry/exact_vectors.h"
 
@@ -59,15 +60,20 @@ Mixture read_mixture(const Cursor& object) {
 
 }  // namespace
 
-std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root,
-                                                            const std::function<void(const Cursor&)>& material) {
+std::vector<std::shared_ptr<const PlacedGrade>> read_grades(
+    const Cursor& root, const std::function<void(const std::string&, const Cursor&)>& material) {
   std::vector<std::shared_ptr<const PlacedGrade>> grades;
   if (!root.has("grades")) return grades;
   const Cursor list = root.member("grades");
+  std::set<std::string> graded;
+  for (std::size_t i = 0; i < list.array().size(); ++i) {
+    const Cursor name = list.at(i).member("material");
+    material(name.text(), name);
+    graded.insert(name.text());
+  }
   for (std::size_t i = 0; i < list.array().size(); ++i) {
     const Cursor one = list.at(i).only({"material", "placement", "linear", "distance", "stops"});
     if (one.has("linear") == one.has("distance")) one.refuse("a grade has `linear` or `distance`");
-    material(one.member("material"));
     PlacedGrade placed;
     placed.placement = read_placement(one.member("placement"));
     if (one.has("linear")) {
@@ -83,7 +89,12 @@ std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root,
     for (std::size_t k = 0; k < stops.size(); ++k) {
       const Rational at = stops.at(k).only({"at", "mixture"}).member("at").rational();
       if (k > 0 && at <= placed.grade.stops.back().at) stops.refuse("stops are ascending");
-      placed.grade.stops.push_back({at, read_mixture(stops.at(k).member("mixture"))});
+      const Cursor mixture = stops.at(k).member("mixture");
+      mixture.each_member([&](const std::string& name, const Cursor& part) {
+        material(name, part);
+        if (graded.contains(name)) part.refuse("the material of a stop is not graded itself");
+      });
+      placed.grade.stops.push_back({at, read_mixture(mixture)});
     }
     grades.push_back(std::make_shared<const PlacedGrade>(std::move(placed)));
   }

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "csg/imports/json_cursor.h"
@@ -11,8 +12,8 @@
 namespace cnrg::result {
 
 /// The entries of `grades` in their order; none where the file has no such member. Throws LeafFileError
-/// for what is wrong in them. `material` is called with each text that names one.
-std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root,
-                                                            const std::function<void(const Cursor&)>& material);
+/// for what is wrong in them. `material` is called with each name of one and its place.
+std::vector<std::shared_ptr<const PlacedGrade>> read_grades(
+    const Cursor& root, const std::function<void(const std::string&, const Cursor&)>& material);
 
 }  // namespace cnrg::result

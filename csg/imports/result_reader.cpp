@@ -155,8 +155,11 @@ class Reader {
 
   std::string material(const Cursor& at) const {
     std::string name = at.text();
-    if (!name.empty() && !materials_.contains(name)) at.refuse("`materials` has none of this name");
+    if (!name.empty()) require_material(name, at);
     return name;
+  }
+  void require_material(const std::string& name, const Cursor& at) const {
+    if (!materials_.contains(name)) at.refuse("`materials` has none of this name");
   }
 
   /// A dominance is that of a group or, in other values, of each component.
@@ -172,7 +175,8 @@ class Reader {
   void read_components() {
     const Rational of_group = dominance(root_, table_.group);
     if (table_.group) table_.dominances.push_back(of_group);
-    const auto grades = read_grades(root_, [&](const Cursor& at) { material(at); });
+    const auto grades =
+        read_grades(root_, [&](const std::string& name, const Cursor& at) { require_material(name, at); });
     grades_.resize(grades.size());
     each("components", [&](const Cursor& c) {
       c.only({"name", "material", "leaves", "dominance", "grade"});

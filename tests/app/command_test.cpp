@@ -275,6 +275,31 @@ TEST_CASE("components are read back with their value, their names and their domi
   CHECK_THAT(refused.err, Contains("closure"));
 }
 
+TEST_CASE("materials of a mixture are read back, and none that there is not", "[app][errors]") {
+  const Workshop w;
+  w.write("t.yaml",
+          "cnrg: 1\nmaterials:\n  steel: {}\n  ceramic: {}\n"
+          "  graded: {linear: {from: [0, 0, 0], to: [0, 0, 1], stops: [[0, steel], [1, ceramic]]}}\n"
+          "nodes: {a: {box: {min: [0, 0, 0], max: [1, 1, 1]}, material: graded}}\nresult: a\n");
+  w.write("back.yaml", "cnrg: 1\nnodes: {a: {cnrg: a.json}}\nresult: a\n");
+  REQUIRE(w.run("eval t.yaml --quiet -o a.json").status == 0);
+  REQUIRE(w.run("eval back.yaml --quiet -o b.json").status == 0);
+  for (const char* name : {"steel", "ceramic", "graded"}) {
+    CHECK_THAT(w.read("b.json"), Contains("{\"name\":\"" + std::string(name) + "\",\"color\":\"\"}"));
+  }
+  const std::string written = w.read("a.json");
+  const std::string mixture = "\"mixture\":{\"steel\":";
+  const auto with = [&](const std::string& name) {
+    std::string text = written;
+    text.replace(text.find(mixture), mixture.size(), "\"mixture\":{\"" + name + "\":");
+    w.write("a.json", text);
+    return w.run("check back.yaml");
+  };
+  REQUIRE(written.find(mixture) != std::string::npos);
+  CHECK_THAT(with("brass").err, Contains("/grades/0/stops/0/mixture/brass: `materials` has none of this name"));
+  CHECK_THAT(with("graded").err, Contains("mixture/graded: the material of a stop is not graded itself"));
+}
+
 TEST_CASE("files of doubles are snapped on request", "[app][snap]") {
   const Workshop w;
   w.write("gap.yaml", R"(cnrg: 1
