@@ -59,9 +59,6 @@ class FaceCheck {
   /// facets it goes on in the other one.
   void check_curved(const Cursor& at, const Face& face) const {
     std::map<Step, Index> next;
-    const auto on_edge = [&](const Step& step) {
-      return table_.segments.contains(std::minmax(step.first, step.second));
-    };
     std::vector<Index> isolated, boundary;
     for (std::size_t k = face.first; k < face.first + face.facets; ++k) {
       const Facet& facet = content_.facets[k];

@@ -216,8 +216,9 @@ std::vector<LeafId> HeldRegions::leaves_of(std::span<const Source> sources) {
     return attributes_of(a).leaves.size() < attributes_of(b).leaves.size();
   });
   const bool whole = longest->held && !std::binary_search(split_.begin(), split_.end(), longest->first);
-  std::vector<LeafId> leaves =
-      whole ? std::move(pool_[longest->attributes]->leaves) : attributes_of(*longest).leaves;
+  std::vector<LeafId> leaves;
+  if (whole) leaves = std::move(pool_[longest->attributes]->leaves);
+  else leaves = attributes_of(*longest).leaves;
   for (auto source = sources.begin(); source != sources.end(); ++source) {
     if (source != longest) add_leaves(leaves, attributes_of(*source).leaves);
   }

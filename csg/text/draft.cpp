@@ -147,7 +147,10 @@ void Draft::remove_abandoned() const {
   const std::string base = std::filesystem::path(target_).filename().string();
   const std::string folder = folder_of(target_);
   // Not std::filesystem's iterator: where memory runs out in it, it ends the program.
-  const std::unique_ptr<DIR, decltype(&closedir)> entries(opendir(folder.c_str()), &closedir);
+  struct Close {
+    void operator()(DIR* directory) const { closedir(directory); }
+  };
+  const std::unique_ptr<DIR, Close> entries(opendir(folder.c_str()));
   for (const dirent* entry; entries != nullptr && (entry = readdir(entries.get())) != nullptr;) {
     const long process = process_of(entry->d_name, base);
     if (process < 0 || lives(process)) continue;
