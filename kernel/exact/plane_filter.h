@@ -13,14 +13,16 @@
 //   less than twice 1.8e-9.
 //   Normal along d, |d_k| <= 1: three errors of 8.1 u W, and 4.01 u of three products below 2.01 W.
 //   We use 20 u W L and 10 u W, and 20 u W for each of these three; what is over covers the roundings of the
-//   bounds themselves. Width: each exact coordinate lies between the double taken and w above it (w = 0 for points
-//   of doubles). The exact differences are off by at most w; that moves a product of two by at most 2 w m + w^2, m
-//   the largest m_k, and N by less than B = 4.1 w m + 2.1 w^2. With w also the width of p, d is off by w, so s by
-//   less than B (L + 3 w) + 2.01 W 3 w. Level planes: if a, b, c are doubles and agree in a coordinate
-//   (differences of doubles are zero only if they are exactly), the plane is all points with that value, and its
-//   normal looks along that axis: comparisons alone decide. Underflow adds at most 2^-1074 per product; W >=
-//   1e-150 makes it negligible in N', and an absolute 1e-300 in the bound of s' covers the products there.
-//   Overflow: W <= 1e200, and an s' that is not finite decides nothing.
+//   bounds themselves.
+//   Width: each exact coordinate lies between the double taken and w above it (w = 0 for points of doubles). The
+//   exact differences are off by at most w; that moves a product of two by at most 2 w m + w^2, m the largest m_k,
+//   and N by less than B = 4.1 w m + 2.1 w^2. With w also the width of p, d is off by w, so s by less than
+//   B (L + 3 w) + 2.01 W 3 w.
+//   Level planes: if a, b, c are doubles and agree in a coordinate (differences of doubles are zero only if they
+//   are exactly), the plane is all points with that value, and its normal looks along that axis: comparisons alone
+//   decide.
+//   Underflow adds at most 2^-1074 per product; W >= 1e-150 makes it negligible in N', and an absolute 1e-300 in
+//   the bound of s' covers the products there. Overflow: W <= 1e200, and an s' that is not finite decides nothing.
 #pragma once
 
 #include <algorithm>
