@@ -22,15 +22,15 @@ Fineness::Fineness(const char* shape, const Tessellation& tessellation) : shape_
     if (chord_ == 0) fail_too_fine();
   }
   if (tessellation.segments) segments_ = *tessellation.segments;
-  if (segments_ < 1 || segments_ > kMostSteps) {
+  if (segments_ < 1 || segments_ > kMostSegments) {
     throw InputError(shape_ + ": segments is " + std::to_string(segments_) + ": give 1 to " +
-                     std::to_string(kMostSteps));
+                     std::to_string(kMostSegments));
   }
 }
 
 void Fineness::fail_too_fine() const {
   throw InputError(shape_ + ": the chord is too small for this shape, a curve would have more than " +
-                   std::to_string(kMostSteps) + " steps: give a larger one");
+                   std::to_string(kMostSegments) + " steps: give a larger one");
 }
 
 void Fineness::check_facets(double count) const {
@@ -46,7 +46,7 @@ int Fineness::steps_of_turn(double radius, double degrees) const {
   int n = 8;  // of a full turn; M = radius (2 pi)^2, and half of the chord is for the profile
   for (double bound = radius * 39.4784176044 / 8 / 64 * (1 + 1e-9); bound > chord_ / 2; bound /= 4) {
     n *= 2;
-    if (n > kMostSteps) fail_too_fine();
+    if (n > kMostSegments) fail_too_fine();
   }
   return static_cast<int>(std::ceil(n * turns));
 }
@@ -65,7 +65,7 @@ int BoundaryCurves::steps(const BezierCurve& curve) {
              fineness_.chord() / 2;
     }
     if (!fine) n *= 2;
-    if (n > Fineness::kMostSteps) fineness_.fail_too_fine();
+    if (n > Fineness::kMostSegments) fineness_.fail_too_fine();
   }
   return n;
 }

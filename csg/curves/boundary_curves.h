@@ -19,7 +19,8 @@ namespace cnrg {
 /// The fineness that a shape asks for, checked; `shape` names it in messages.
 class Fineness {
  public:
-  static constexpr int kMostSteps = 1 << 20;
+  /// Of any circle or curve: of a million, oblique, the exact points alone take half a minute and gigabytes.
+  static constexpr int kMostSegments = 500'000;
   static constexpr int kUsualSegments = 16;  ///< where nothing is asked for
   Fineness(const char* shape, const Tessellation& tessellation);
   bool by_chord() const { return chord_ > 0; }

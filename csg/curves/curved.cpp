@@ -10,6 +10,7 @@
 // its outermost circle up. Caps are planes and have none.
 #include <algorithm>
 
+#include "csg/curves/boundary_curves.h"
 #include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
@@ -23,9 +24,9 @@ namespace {
 using Ring = std::vector<PointId>;
 
 void check_count(const char* shape, const char* what, int count, int least) {
-  if (count >= least && count <= 1000000) return;
+  if (count >= least && count <= Fineness::kMostSegments) return;
   throw InputError(std::string(shape) + ": " + what + " is " + std::to_string(count) + ": give " +
-                   (count < least ? "at least " + std::to_string(least) : std::string("at most 1000000")));
+                   (count < least ? "at least " + std::to_string(least) : "at most " + std::to_string(Fineness::kMostSegments)));
 }
 
 /// A grid of facets that no machine of today holds is refused before it is begun.

@@ -120,7 +120,7 @@ class Extrusion {
     // Not more than 45 degrees from one to the next, whatever the size.
     double bound = radius_ * (2 * growth * a + most * a * a) / 8 * (1 + 1e-12), turn = a;
     for (sections_ = 1; bound > fineness_.chord() / 4 || turn > 0.7854; sections_ *= 2) {
-      if (sections_ >= Fineness::kMostSteps) fineness_.fail_too_fine();
+      if (sections_ >= Fineness::kMostSegments) fineness_.fail_too_fine();
       bound /= 4;
       turn /= 2;
     }
@@ -150,7 +150,7 @@ class Extrusion {
         fine = length(curve.at(high) - curve.at(low)) <= longest_;
       }
       if (!fine) n *= 2;
-      if (n > Fineness::kMostSteps) fineness_.fail_too_fine();
+      if (n > Fineness::kMostSegments) fineness_.fail_too_fine();
     }
     return n;
   }

@@ -125,7 +125,7 @@ class Mesher {
     };
     grid_ = {direction(patch_.degree_u(), 0, 2), direction(patch_.degree_v(), 1, 3)};
     do {
-      if (grid_[0] > Fineness::kMostSteps || grid_[1] > Fineness::kMostSteps) fineness_.fail_too_fine();
+      if (grid_[0] > Fineness::kMostSegments || grid_[1] > Fineness::kMostSegments) fineness_.fail_too_fine();
       fineness_.check_facets(2.0 * grid_[0] * grid_[1]);
     } while (fineness_.by_chord() && !grid_is_fine());
     // A side that is one point has the steps of the grid: its triangles vanish.

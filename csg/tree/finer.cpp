@@ -7,8 +7,6 @@
 namespace cnrg {
 namespace {
 
-constexpr long kMostSegments = 1'000'000;  // as in a tree file
-
 class Finer {
  public:
   Finer(const std::string& file, const Node& node, int times) : file_(file), node_(node), times_(times) {}
@@ -19,16 +17,16 @@ class Finer {
       if constexpr (std::is_same_v<S, SphereShape>) {
         if (shape.rings == 0) shape.rings = std::max(2, shape.segments / 2);
       }
-      multiply(shape.rings, "rings", kMostSegments);
+      multiply(shape.rings, "rings", Fineness::kMostSegments);
     }
-    if constexpr (requires { shape.segments; }) multiply(shape.segments, "segments", kMostSegments);
+    if constexpr (requires { shape.segments; }) multiply(shape.segments, "segments", Fineness::kMostSegments);
     if constexpr (requires { shape.tessellation; }) {
       Tessellation& t = shape.tessellation;
       if (t.chord) {
         *t.chord /= Rational(times_) * times_;
       } else {
         if (!t.segments) t.segments = Fineness::kUsualSegments;
-        multiply(*t.segments, "segments", Fineness::kMostSteps);
+        multiply(*t.segments, "segments", Fineness::kMostSegments);
       }
     }
   }

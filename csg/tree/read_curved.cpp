@@ -252,7 +252,7 @@ Tessellation read_tessellation(const Fields& f) {
       segments->value.document().fail(segments->key_at,
                                       "this leaf has `chord` and `segments`; remove one of them");
     }
-    result.segments = static_cast<int>(segments->value.integer(f.name("segments"), 1, Fineness::kMostSteps));
+    result.segments = static_cast<int>(segments->value.integer(f.name("segments"), 1, Fineness::kMostSegments));
   }
   return result;
 }

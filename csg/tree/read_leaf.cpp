@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 
+#include "csg/curves/boundary_curves.h"
 #include "csg/text/escape.h"
 #include "csg/text/number.h"
 #include "csg/tree/read_curved.h"
@@ -12,7 +13,6 @@
 namespace cnrg {
 namespace {
 
-constexpr long kMostSegments = 1'000'000;
 constexpr const char* kPoint = "[x, y, z]";
 constexpr const char* kPoints = "[[x, y, z], ...]";
 
@@ -22,7 +22,7 @@ std::string resolve(const std::string& path, const LeafContext& context) {
 
 int segments(const Fields& fields, const char* key, int otherwise) {
   const Value* value = fields.find(key);
-  return value ? static_cast<int>(value->integer(fields.name(key), 3, kMostSegments)) : otherwise;
+  return value ? static_cast<int>(value->integer(fields.name(key), 3, Fineness::kMostSegments)) : otherwise;
 }
 
 Rational number(const Fields& fields, const char* key) {
@@ -99,7 +99,7 @@ Shape read_sphere(const Value& value, const LeafContext&) {
   SphereShape shape{point(f, "center"), number(f, "radius")};
   shape.segments = segments(f, "segments", shape.segments);
   if (const Value* rings = f.find("rings")) {
-    shape.rings = static_cast<int>(rings->integer(f.name("rings"), 2, kMostSegments));
+    shape.rings = static_cast<int>(rings->integer(f.name("rings"), 2, Fineness::kMostSegments));
   }
   return shape;
 }

@@ -1,11 +1,11 @@
 // Points and planes: arrays of enclosures and definitions, and exact values that are computed on first use.
 //
-// Exact values live in shards with a lock each, so that threads can ask for them at any time; a value never
-// moves once made. All exact work is on homogeneous integers: no fraction is ever reduced but at the end.
+// All exact work is on homogeneous integers: no fraction is ever reduced but at the end.
 #include "kernel/exact/points.h"
 
-#include <mutex>
-#include <unordered_map>
+#include <atomic>
+#include <bit>
+#include <cstdlib>
 
 #include "kernel/base/error.h"
 #include "kernel/exact/enclosure.h"
@@ -132,35 +132,59 @@ ExactPlane plane_along_axis(const ExactPoint& c, const ExactPoint& d, int k) {
   return e;
 }
 
-/// Exact values by key, made once.
+/// Values by key, each made on first use and never moved; threads may ask at any time.
+///
+/// A map behind locks spends more on its nodes and locks than most values cost to look at. Here the slots of keys
+/// stand in blocks, each as long as all before it, which are made when first touched and never grow: a slot that
+/// was filled is read without a lock. Slots that nobody asks for stay pages of zeros, which take no memory.
 template <class Value>
 class Cache {
  public:
-  template <class Make>
-  const Value& get(std::uint32_t key, Make&& make) {
-    Shard& shard = shards_[key % kShards];
-    {
-      std::lock_guard lock(shard.mutex);
-      const auto it = shard.values.find(key);
-      if (it != shard.values.end()) return *it->second;
+  Cache() = default;
+  Cache(const Cache&) = delete;
+  Cache& operator=(const Cache&) = delete;
+  ~Cache() {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      Value** const slots = blocks_[b].load();
+      if (slots == nullptr) continue;
+      for (std::size_t i = 0; i < length(b); ++i) delete slots[i];
+      std::free(slots);
     }
-    auto value = std::make_unique<Value>(make());
-    std::lock_guard lock(shard.mutex);
-    return *shard.values.try_emplace(key, std::move(value)).first->second;
-  }
-  std::size_t size() const {
-    std::size_t n = 0;
-    for (const Shard& s : shards_) n += s.values.size();
-    return n;
   }
 
+  template <class Make>
+  const Value& get(std::uint32_t key, Make&& make) {
+    const std::atomic_ref<Value*> slot(slot_of(key));
+    if (const Value* known = slot.load(std::memory_order_acquire)) return *known;
+    auto made = std::make_unique<Value>(make());
+    Value* other = nullptr;
+    if (!slot.compare_exchange_strong(other, made.get(), std::memory_order_acq_rel)) return *other;
+    size_.fetch_add(1, std::memory_order_relaxed);
+    return *made.release();
+  }
+  std::size_t size() const { return size_.load(); }
+
  private:
-  static constexpr std::size_t kShards = 64;
-  struct Shard {
-    std::mutex mutex;
-    std::unordered_map<std::uint32_t, std::unique_ptr<Value>> values;
-  };
-  std::array<Shard, kShards> shards_;
+  static constexpr int kFirst = 10;  // the first block has 2^10 slots, and so has the second
+  static std::size_t length(std::size_t b) { return std::size_t{1} << (b == 0 ? kFirst : kFirst + b - 1); }
+
+  Value*& slot_of(std::uint32_t key) {
+    const auto b = static_cast<std::size_t>(std::bit_width(key >> kFirst));
+    Value** slots = blocks_[b].load(std::memory_order_acquire);
+    if (slots == nullptr) {
+      auto* const made = static_cast<Value**>(std::calloc(length(b), sizeof(Value*)));
+      if (made == nullptr) throw std::bad_alloc();
+      if (blocks_[b].compare_exchange_strong(slots, made, std::memory_order_acq_rel)) {
+        slots = made;
+      } else {
+        std::free(made);
+      }
+    }
+    return slots[b == 0 ? key : key - length(b)];
+  }
+
+  std::array<std::atomic<Value**>, 33 - kFirst> blocks_{};
+  std::atomic<std::size_t> size_ = 0;
 };
 
 }  // namespace

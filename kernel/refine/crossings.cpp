@@ -79,9 +79,17 @@ class CrossingFinder {
     tbb::this_task_arena::isolate([&] {
       BoxPairs tree(boxes);
       if (tree.crowded()) {
+        const std::vector<std::pair<VertexId, std::uint32_t>> spokes = find_spokes();
         tree.orient(boxes, [&](std::uint32_t i, BoxPairs::Outline& out) {
-          for (const Place& end : lines_[i].ends) extend(out.corners.emplace_back(), end.vertex);
+          std::size_t groups = 0;
+          for (const Place& end : lines_[i].ends) {
+            extend(out.corners.emplace_back(), end.vertex);
+            if (std::binary_search(spokes.begin(), spokes.end(), std::pair(end.vertex, i))) {
+              out.groups[groups++] = end.vertex.value();
+            }
+          }
         });
+        pairs_of_wheels(spokes);
       }
       for (std::size_t part = 0; part < tree.part_count(); ++part) {
         tree.find(part,
@@ -93,6 +101,47 @@ class CrossingFinder {
         tree.query(own, [&](std::uint32_t i) { point(place(v), lines_[i]); });
       }
     });
+  }
+
+  /// Segments by an end that they share with many others. All of a thousand segments at one end meet there, and no
+  /// box parts them.
+  std::vector<std::pair<VertexId, std::uint32_t>> find_spokes() const {
+    constexpr std::ptrdiff_t kMany = 64;
+    std::vector<std::pair<VertexId, std::uint32_t>> spokes;
+    for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+      for (const Place& end : lines_[i].ends) spokes.push_back({end.vertex, i});
+    }
+    std::sort(spokes.begin(), spokes.end());
+    auto kept = spokes.begin();
+    for (auto first = spokes.begin(); first != spokes.end();) {
+      const auto last = std::find_if(first, spokes.end(), [&](const auto& x) { return x.first != first->first; });
+      if (last - first > kMany) kept = std::move(first, last, kept);
+      first = last;
+    }
+    spokes.erase(kept, spokes.end());
+    return spokes;
+  }
+
+  /// The pairs with an end in common: two such segments meet elsewhere only if they look the same way.
+  void pairs_of_wheels(std::vector<std::pair<VertexId, std::uint32_t>> spokes) {
+    // The order of a segment's ends says in which half plane it looks; there the side tells the order of
+    // directions.
+    const auto outward = [&](const auto& spoke) { return lines_[spoke.second].ends[0].vertex == spoke.first; };
+    const auto side_of = [&](const auto& x, const auto& y) {
+      return side(lines_[x.second], lines_[y.second].ends[outward(y) ? 1 : 0]);
+    };
+    std::sort(spokes.begin(), spokes.end(), [&](const auto& x, const auto& y) {
+      if (x.first != y.first) return x.first < y.first;
+      if (outward(x) != outward(y)) return outward(x) < outward(y);
+      return side_of(x, y) > 0;
+    });
+    for (std::size_t i = 0; i < spokes.size(); ++i) {
+      for (std::size_t j = i + 1; j < spokes.size() && spokes[j].first == spokes[i].first &&
+                                  outward(spokes[j]) == outward(spokes[i]) && side_of(spokes[i], spokes[j]) == 0;
+           ++j) {
+        pair(lines_[spokes[i].second], lines_[spokes[j].second]);
+      }
+    }
   }
 
   /// Side of the line on which p lies, up to a sign that depends on the line only.

@@ -122,14 +122,14 @@ TEST_CASE("a leaf that cannot be made so fine is named with its place", "[evalua
   Tree tree = parse_tree(R"(cnrg: 1
 nodes:
   a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}
-  b: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 600000}}
+  b: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 300000}}
   u: {union: [a, b]}
 result: u
 )",
                          "t.yaml");
   CHECK_THROWS_WITH(make_finer(tree, 2),
-                    "t.yaml:4:7: error: made 2 times finer, `cylinder` would have 1200000 segments, more than "
-                    "1000000; make it less fine, or give it fewer segments");
+                    "t.yaml:4:7: error: made 2 times finer, `cylinder` would have 600000 segments, more than "
+                    "500000; make it less fine, or give it fewer segments");
   CHECK_THROWS_WITH(make_finer(tree, 0), "finer: give 1 or more, not 0");
 }
 

@@ -113,6 +113,14 @@ TEST_CASE("many oblique facets: a few pairs are looked at for each", "[refine][g
   }
 }
 
+std::uint64_t signs_of(const Soup& soup, std::size_t faces) {
+  reset_stage_counts();
+  const auto complex = build_complex(soup);
+  const StageCounts counts = stage_counts();
+  CHECK(complex->face_count() == faces);
+  return counts.filter + counts.interval + counts.exact;
+}
+
 TEST_CASE("the holes of a face cost by their number", "[sheets][growth]") {
   const auto signs = [](int n) {
     const auto at = [](int x, int y) { return std::to_string(x) + " " + std::to_string(y) + " 0"; };
@@ -122,16 +130,61 @@ TEST_CASE("the holes of a face cost by their number", "[sheets][growth]") {
       const int x = 4 * (i % n), y = 4 * (i / n);
       text += " | " + at(x, y) + ", " + at(x + 2, y) + ", " + at(x, y + 2);
     }
-    const Soup soup = make_soup(parse_fixture(text));
-    reset_stage_counts();
-    const auto complex = build_complex(soup);
-    const StageCounts counts = stage_counts();
-    CHECK(complex->face_count() == 1);
-    return counts.filter + counts.interval + counts.exact;
+    return signs_of(make_soup(parse_fixture(text)), 1);
   };
   const auto few = signs(20), many = signs(40);  // 400 and 1,600 holes
   CHECK(few > 400);
   CHECK(double(many) < 2.5 * 2.5 * double(few));
+}
+
+/// A disc of n coplanar triangles, in a plane that is turned where `fractions` is.
+Soup disc(int n, bool fractions) {
+  Soup soup;
+  const LeafId leaf = soup.add_leaf(Fill::none);
+  const auto add = [&](double x, double y) {
+    if (!fractions) return soup.add_point(x, y, 0.0);
+    const Rational u = from_double(x) / 3, v = from_double(y) / 3;
+    return soup.add_point({u + 2 * v, u - v, -u + v / 2});
+  };
+  const PointId middle = add(0, 0);
+  std::vector<PointId> p;
+  for (int i = 0; i < n; ++i) p.push_back(add(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n)));
+  for (std::uint32_t i = 0; i < p.size(); ++i) soup.add_triangle(leaf, middle, p[i], p[(i + 1) % p.size()], i, i);
+  return soup;
+}
+
+TEST_CASE("the triangles of a disc around its middle cost by their number", "[sheets][growth]") {
+  for (const bool fractions : {false, true}) {
+    CAPTURE(fractions);
+    const auto few = signs_of(disc(1000, fractions), 1000), many = signs_of(disc(4000, fractions), 4000);
+    CHECK(few > 1000);
+    CHECK(double(many) < 6 * double(few));
+  }
+}
+
+TEST_CASE("many segments with an end in common, some on top of each other", "[sheets]") {
+  // Ways from the middle to the border of a square, in 400 directions; on every fifth a wire ends half way and
+  // another goes on behind it, and a third starts where the second ends, outside.
+  const auto at = [](int x, int y) { return std::to_string(x) + " " + std::to_string(y) + " 0"; };
+  std::string text = "leaf none\nface -1000 -1000 0, 1000 -1000 0, 1000 1000 0, -1000 1000 0\nleaf none\n";
+  int directions = 0;
+  for (int x = -50; x <= 50; ++x) {
+    for (const int y : {-50, 50}) {
+      for (const bool swapped : {false, true}) {
+        if (swapped && (x == 50 || x == -50)) continue;
+        const int a = swapped ? y : x, b = swapped ? x : y;
+        text += "wire 0 0 0, " + at(4 * a, 4 * b) + "\n";
+        if (++directions % 5 != 0) continue;
+        text += "wire " + at(2 * a, 2 * b) + ", 0 0 0\n";
+        text += "wire 0 0 0, " + at(8 * a, 8 * b) + "\n";
+      }
+    }
+  }
+  REQUIRE(directions == 400);
+  const auto complex = build_complex(make_soup(parse_fixture(text)));
+  CHECK(complex->face_count() == 1);
+  CHECK(complex->vertex_count() == 4 + 1 + 400 + 2 * 80);
+  CHECK(complex->edge_count() == 4 + 400 + 2 * 80);
 }
 
 }  // namespace

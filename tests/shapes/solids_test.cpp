@@ -155,8 +155,8 @@ TEST_CASE("sphere and torus") {
   CHECK_THAT(error_of(TorusShape{{0, 0, 0}, {0, 0, 1}, 1, 1, 8, 8}), Catch::Contains("smaller tube"));
   CHECK_THAT(error_of(TorusShape{{0, 0, 0}, {0, 0, 0}, 2, 1, 8, 8}), Catch::Contains("axis"));
   CHECK_THAT(error_of(TorusShape{{0, 0, 0}, {0, 0, 1}, 2, 1, 8, 2}), Catch::Contains("rings"));
-  CHECK_THAT(error_of(SphereShape{{0, 0, 0}, 1, 1000000, 0}), Catch::Contains("500000000000 facets"));
-  CHECK_THAT(error_of(TorusShape{{0, 0, 0}, {0, 0, 1}, 2, 1, 1000000, 11}), Catch::Contains("facets"));
+  CHECK_THAT(error_of(SphereShape{{0, 0, 0}, 1, 500000, 0}), Catch::Contains("125000000000 facets"));
+  CHECK_THAT(error_of(TorusShape{{0, 0, 0}, {0, 0, 1}, 2, 1, 500000, 21}), Catch::Contains("facets"));
 }
 
 TEST_CASE("height field") {

@@ -38,24 +38,24 @@ std::string sphere(const std::string& segments, const std::string& rings) {
 }
 
 TEST_CASE("segments and rings at their limits", "[tree][limits]") {
-  expect_limit(cylinder("1000000"), cylinder("1000001"), "from 3 to 1000000, not `1000001`");
-  expect_limit(cylinder("3"), cylinder("2"), "from 3 to 1000000, not `2`");
-  expect_limit(sphere("3", "1000000"), sphere("3", "1000001"), "from 2 to 1000000, not `1000001`");
+  expect_limit(cylinder("500000"), cylinder("500001"), "from 3 to 500000, not `500001`");
+  expect_limit(cylinder("3"), cylinder("2"), "from 3 to 500000, not `2`");
+  expect_limit(sphere("3", "500000"), sphere("3", "500001"), "from 2 to 500000, not `500001`");
   const auto curve = [](const std::string& segments) {
     return "{bezier: {curve: [[0, 0, 0], [1, 1, 0], [2, 0, 0]], segments: " + segments + "}}";
   };
-  expect_limit(curve("1048576"), curve("1048577"), "from 1 to 1048576, not `1048577`");
+  expect_limit(curve("500000"), curve("500001"), "from 1 to 500000, not `500001`");
 }
 
 TEST_CASE("ten million facets", "[.limits]") {
-  expect_limit_of_shape(sphere("1000000", "10"), sphere("1000000", "11"),
-                        "11000000 facets: give at most 10000000");
+  expect_limit_of_shape(sphere("500000", "20"), sphere("500000", "21"),
+                        "10500000 facets: give at most 10000000");
 }
 
 TEST_CASE("one facet of a round leaf too many", "[tree][limits]") {
-  const Tree tree = tree_of(sphere("999999", "11"));
+  const Tree tree = tree_of(sphere("499999", "22"));
   CHECK_THROWS_WITH(prepare(*tree.nodes[tree.result].shape),
-                    Catch::Contains("10999989 facets: give at most 10000000"));
+                    Catch::Contains("10999978 facets: give at most 10000000"));
 }
 
 TEST_CASE("degrees of curves at their limit", "[tree][limits]") {
