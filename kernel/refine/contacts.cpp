@@ -14,6 +14,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
+#include "kernel/base/union_find.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/box_pairs.h"
 #include "kernel/refine/face_boundaries.h"
@@ -71,10 +72,20 @@ class PairTester {
   const ExactPoint& exact(Event& e);
   bool has_corner(SourceId f, VertexId v) const { return boundaries_.has_corner(f, v); }
   void choose_axis();
+  /// True if chains of pairs found so far say that two faces are coplanar. Zeros cost most: they are never
+  /// filtered.
+  bool known_coplanar(SourceId f, SourceId g) {
+    return planes_.size() != 0 && planes_.find(f.value()) == planes_.find(g.value());
+  }
+  void note_coplanar(SourceId f, SourceId g) {
+    if (planes_.size() == 0) planes_ = UnionFind(in_.corners.size());
+    if (planes_.unite(f.value(), g.value())) list.coplanar.push_back(std::minmax(f, g));
+  }
 
   const RefineInput& in_;
   const PointTable& t_;
   const FaceBoundaries& boundaries_;
+  UnionFind planes_;  // faces found coplanar with each other; empty until there are such
   std::vector<int> sign_f_, sign_g_;
   std::vector<Event> events_f_, events_g_;
   std::deque<ExactPoint> exact_;  // values of events that no table holds
@@ -84,20 +95,17 @@ class PairTester {
 PairTester::Contact PairTester::signs(SourceId f, SourceId g, std::vector<int>& out) {
   const auto corners = in_.corners[f];
   const PlaneFilter& plane = in_.filters[g.index()];
-  const auto side = [&](VertexId v) {
-    const int s = plane.side(t_.lower(v), width_of(t_, v));
-    if (s != kUndecided) {
-      ++filtered;
-      return s;
-    }
-    return side_of_plane(t_, RefineInput::plane(g), v);
-  };
   out.assign(corners.size(), 0);
   bool positive = false, negative = false, zero = false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const VertexId v = corners[i];
     if (!v.valid()) continue;
-    if (!has_corner(g, v)) out[i] = side(v);
+    if (!has_corner(g, v)) {
+      out[i] = plane.side(t_.lower(v), width_of(t_, v));
+      if (out[i] != kUndecided) ++filtered;
+      else if (known_coplanar(f, g)) return Contact::coplanar;
+      else out[i] = side_of_plane(t_, RefineInput::plane(g), v);
+    }
     positive = positive || out[i] > 0;
     negative = negative || out[i] < 0;
     zero = zero || out[i] == 0;
@@ -233,7 +241,7 @@ void PairTester::faces(SourceId f, SourceId g) {
   const Contact cf = signs(f, g, sign_f_);
   if (cf == Contact::none) return;
   if (cf == Contact::coplanar) {
-    list.coplanar.push_back(std::minmax(f, g));
+    note_coplanar(f, g);
     return;
   }
   if (only_shared(f, g, sign_f_)) return;

@@ -35,6 +35,7 @@ struct ContactList {
   std::vector<OnFace> on_face;
   std::vector<OnWire> on_wire;
   std::vector<WireInPlane> wires_in_plane;
+  /// Coplanar faces that meet, in pairs: who meets whom by chains of them is told, not every pair.
   std::vector<std::pair<SourceId, SourceId>> coplanar;
   std::uint64_t candidates = 0;
   std::array<std::uint64_t, 6> kinds{};
