@@ -1,8 +1,10 @@
 #include "tests/oracles/scene_nef.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "tests/oracles/evaluation.h"
+#include "tests/oracles/point_sets.h"
 #include "tests/scenes/measure.h"
 
 namespace cnrg::properties {
@@ -65,6 +67,19 @@ class Comparison {
     return {};
   }
 
+  /// Whether p is in the set, as far as the point alone tells: cl(A - B) may hold points of B.
+  std::optional<bool> by_definition(const Expression& e, const RationalPoint& p) const {
+    if (e.op == Op::leaf) return contains(scene_.leaves[e.leaf], p);
+    const std::optional<bool> a = by_definition(*e.left, p), b = by_definition(*e.right, p);
+    switch (e.op) {
+      case Op::unite: return a == true || b == true ? true : (a == false ? b : std::nullopt);
+      case Op::intersect: return a == false || b == false ? false : (a == true ? b : std::nullopt);
+      default:
+        if (a == false) return false;
+        return a == true && b == false ? a : std::nullopt;
+    }
+  }
+
   /// A point in every cell of the unsimplified complex is in both sets or in none, and is located in its cell.
   Failure cells(const Value& root) {
     const Selection set = point_set(complex_, root.ours);
@@ -74,14 +89,18 @@ class Comparison {
       const auto at = std::lower_bound(list.begin(), list.end(), cell,
                                        [](const auto& entry, auto id) { return entry.first < id; });
       const bool active = at != list.end() && at->first == cell;
-      const std::string name =
-          "cell " + std::to_string(cell.value()) + " of dimension " + std::to_string(dimension);
-      if (active != root.nef.contains(p))
+      const std::string name = "cell " + std::to_string(cell.value()) + " of dimension " +
+                               std::to_string(dimension) + " with its point (" + to_string(p[0]) + ", " +
+                               to_string(p[1]) + ", " + to_string(p[2]) + ")";
+      if (active != root.nef.contains(p)) {
+        // CGAL 5.5.1 finds (1, 3, 4) in a set that ends at z = 3 but for one wire.
+        if (by_definition(*scene_.root, p) == active)
+          throw OracleFailure("Nef locates a point elsewhere than the definition of the set");
         return name + (active ? " is" : " is not") + " in the result, Nef disagrees";
+      }
       const Location location = locator.locate(p);
       if (location.dimension != dimension || located(location) != cell)
-        return name + ": its point (" + to_string(p[0]) + ", " + to_string(p[1]) + ", " + to_string(p[2]) +
-               ") is located in dimension " + std::to_string(location.dimension);
+        return name + " is located in dimension " + std::to_string(location.dimension);
       return {};
     };
     for (const VertexId v : complex_.vertices)
