@@ -113,7 +113,7 @@ int run_eval(const EvalArguments& arguments) {
   options.raw = arguments.raw;
   options.rows = !arguments.quiet || std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
   options.region_volumes = arguments.trace;
-  for (const std::string& name : arguments.nodes) options.nodes.push_back(tree.find(name));
+  for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));
   const std::vector<NodeId> shown = nodes_of_files(tree, arguments, options.nodes);
   std::vector<NodeId> roots = options.nodes;
   roots.push_back(tree.result);

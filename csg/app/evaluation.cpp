@@ -37,6 +37,14 @@ const std::string* file_of(const Node& node) {
 
 }  // namespace
 
+NodeId node_of(const Tree& tree, const std::string& name) {
+  try {
+    return name.empty() ? tree.result : tree.find(name);
+  } catch (const InputError& e) {
+    throw InputError(std::string("--node: ") + e.what());
+  }
+}
+
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet) {
   limit_threads(options.threads);
   ProgressBar bar(quiet);

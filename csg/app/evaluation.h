@@ -18,6 +18,9 @@ Tree tree_of(const Arguments& arguments) {
   return tree;
 }
 
+/// The node that `--node` names; the result where it is not given.
+NodeId node_of(const Tree& tree, const std::string& name);
+
 /// Evaluates behind a progress bar and prints the diagnostics; `quiet`: no bar, warnings only.
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet);
 

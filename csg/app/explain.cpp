@@ -38,7 +38,7 @@ int run_explain(const ExplainArguments& arguments) {
   RationalPoint point;
   if (!arguments.point.empty()) point = parse_point(arguments.point);
   const Tree tree = tree_of(arguments);
-  const NodeId node = arguments.node.empty() ? tree.result : tree.find(arguments.node);
+  const NodeId node = node_of(tree, arguments.node);
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.rows = false;

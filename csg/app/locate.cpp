@@ -117,9 +117,7 @@ class Materials {
 class Places {
  public:
   Places(const Tree& tree, const LocateArguments& arguments)
-      : tree_(tree),
-        arguments_(arguments),
-        node_(arguments.node.empty() ? tree.result : tree.find(arguments.node)) {
+      : tree_(tree), arguments_(arguments), node_(node_of(tree, arguments.node)) {
     evaluate_with(false);
   }
 

@@ -52,10 +52,13 @@ int guarded(const std::function<int()>& program) {
   }
 }
 
+/// What is wrong with the name of a file, a folder or a node.
+std::string name_fault(const std::string& name) { return name.empty() ? "the name is empty" : ""; }
+
 /// What all commands have that read a tree.
 template <class Arguments>
 void add_tree(CLI::App* sub, Arguments& arguments) {
-  sub->add_option("TREE", arguments.tree, "Tree file (YAML or JSON)")->required();
+  sub->add_option("TREE", arguments.tree, "Tree file (YAML or JSON)")->required()->check(name_fault);
   sub->add_option("--finer", arguments.finer,
                   "Curved leaves are K times finer than the tree says: segments times K, chord by K squared")
       ->type_name("K")
@@ -63,9 +66,7 @@ void add_tree(CLI::App* sub, Arguments& arguments) {
   sub->add_option("--inside", arguments.inside,
                   "For a tree that is not trusted: refuse every file that it names outside of this folder")
       ->type_name("FOLDER")
-      ->check([](const std::string& folder) {
-        return folder.empty() ? std::string("the folder has no name") : std::string();
-      });
+      ->check(name_fault);
 }
 
 /// What all commands have that evaluate.
@@ -124,12 +125,14 @@ int run(int argc, char** argv) {
                   "Evaluate this node too; files show it instead of the result: one node for all, or one for each "
                   "-o")
       ->type_name("N")
+      ->check(name_fault)
       ->expected(1)
       ->take_all();
   sub->add_option("-o", eval.files,
                   "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off "
                   ".stl .ply .dot .regions.dot")
       ->type_name("FILE")
+      ->check(name_fault)
       ->expected(1)
       ->take_all();
   sub->add_flag("--trace", eval.trace, "Under each row: what each table row removed, volumes of regions");
@@ -157,7 +160,9 @@ int run(int argc, char** argv) {
   LocateArguments locate;
   sub = program.add_subcommand("locate", "Reads points `x y z` and prints `dim cell component name` for each");
   add_tree(sub, locate);
-  sub->add_option("--node", locate.node, "Node to look into; the result without it")->type_name("N");
+  sub->add_option("--node", locate.node, "Node to look into; the result without it")
+      ->type_name("N")
+      ->check(name_fault);
   add_threads(sub, locate.threads);
   sub->add_flag("--parameters", locate.parameters,
                 "Also the place on patches and curves of leaves: `leaf: patch: u v`, `leaf: curve: t`, each "
@@ -171,7 +176,9 @@ int run(int argc, char** argv) {
   sub = program.add_subcommand("explain",
                                "Tells the way of a cell through the tree: what kept or removed it, and why");
   add_tree(sub, explain);
-  sub->add_option("--node", explain.node, "Node to look into; the result without it")->type_name("N");
+  sub->add_option("--node", explain.node, "Node to look into; the result without it")
+      ->type_name("N")
+      ->check(name_fault);
   sub->add_option("--cell", explain.cell, "Cell of the node, as `cnrg locate` names it: v3, e0, f12, r1")
       ->type_name("NAME");
   sub->add_option("--point", explain.point, "Instead of a cell: what holds this point, active or not")
@@ -185,9 +192,10 @@ int run(int argc, char** argv) {
   sub = program.add_subcommand("mesh",
                                "Fills the regions with tetrahedra that conform to every face, wire and point");
   add_tree(sub, mesh);
-  sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N");
+  sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N")->check(name_fault);
   sub->add_option("-o", mesh.files, "Write this file, in the format of its extension: .msh .mesh .vtu")
       ->type_name("FILE")
+      ->check(name_fault)
       ->expected(1)
       ->take_all()
       ->required();

@@ -36,4 +36,4 @@ int main() {
 // split (union): 12 20 11 2, removed 0, volume 64
 // shaft (box): 8 12 6 1, removed 0, volume 2
 // model (difference): 20 32 15 2, removed 36, volume 188/3
-// faulty.yaml:2:21: error: there is no node called `b`; did you mean `a`?
+// faulty.yaml:2:21: error: there is no node called `b`; add it to `nodes` or use another name

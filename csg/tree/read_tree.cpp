@@ -134,7 +134,11 @@ class TreeReader {
       tree_.names.emplace(e.key, id);
       remember(e.value, id);
     }
-    for (std::size_t i = 0; i < entries.size(); ++i) read_node(NodeId(i), entries[i].value);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      top_ = entries[i].key;
+      read_node(NodeId(i), entries[i].value);
+    }
+    top_.clear();
   }
 
   /// The node that a text names.
@@ -143,7 +147,9 @@ class TreeReader {
     const auto it = tree_.names.find(name);
     if (it != tree_.names.end()) return it->second;
     std::vector<std::string_view> names;
-    for (const auto& [known, id] : tree_.names) names.push_back(known);
+    for (const auto& [known, id] : tree_.names) {
+      if (known != top_) names.push_back(known);  // it cannot use itself
+    }
     const std::string hint = did_you_mean(name, names);
     value.fail("there is no node called `" + name + "`" +
                (hint.empty() ? "; add it to `nodes` or use another name" : hint));
@@ -370,6 +376,7 @@ class TreeReader {
   Tree& tree_;
   Dag dag_;
   LeafContext context_;
+  std::string top_;  ///< of `nodes`, what is being read, inline nodes in it included
   std::unordered_multimap<std::size_t, std::pair<YAML::Node, NodeId>> by_place_;
 };
 
@@ -378,15 +385,19 @@ class TreeReader {
 NodeId Tree::find(const std::string& name) const {
   const auto it = names.find(name);
   if (it != names.end()) return it->second;
-  std::vector<std::string_view> known;
-  for (const auto& [key, id] : names) known.push_back(key);
   for (const NodeId id : IdRange<NodeId>(nodes.size())) {
     if (nodes[id].is_inline && nodes[id].name == name) return id;
   }
-  const std::string hint = did_you_mean(name, known);
-  throw TreeError(
-      file, nodes_at,
-      "there is no node called `" + name + "`" + (hint.empty() ? "; use one of the names in `nodes`" : hint));
+  std::vector<std::string_view> known;
+  for (const auto& [key, id] : names) known.push_back(key);
+  std::string hint = did_you_mean(name, known);
+  if (hint.empty()) {
+    constexpr std::size_t kListed = 10;
+    for (std::size_t i = 0; i < std::min(known.size(), kListed); ++i)
+      hint += (i == 0 ? "; it has `" : ", `") + std::string(known[i]) + "`";
+    if (known.size() > kListed) hint += " and " + std::to_string(known.size() - kListed) + " more";
+  }
+  throw InputError(file + " has no node called `" + name + "`" + hint);
 }
 
 std::vector<NodeId> Tree::operands(NodeId node) const { return dag->operands(node); }

@@ -86,8 +86,8 @@ struct Tree {
   Position nodes_at;                ///< of the key `nodes`, for what concerns all of them
   std::vector<Material> materials;  ///< in the order of the file
 
-  /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws TreeError at `nodes`
-  /// with the nearest name when there is none.
+  /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws InputError, without a
+  /// place in the file, with the nearest name or some of all names when there is none.
   NodeId find(const std::string& name) const;
   /// The operands of a node in the order of the file; one that is used twice is there twice.
   std::vector<NodeId> operands(NodeId node) const;

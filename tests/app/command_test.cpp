@@ -161,7 +161,14 @@ TEST_CASE("files show the result or the nodes asked for", "[app]") {
   CHECK_THAT(uneven.err, Contains("2 times --node and 1 times -o"));
   const Outcome unknown = w.run("eval t.yaml --node wier");
   CHECK(unknown.status == 2);
-  CHECK_THAT(unknown.err, StartsWith("t.yaml:3:1: error: there is no node called `wier`; did you mean `wire`?"));
+  CHECK(unknown.err == "cnrg: error: --node: t.yaml has no node called `wier`; did you mean `wire`?\n");
+  for (const std::string command :
+       {"eval t.yaml", "locate t.yaml", "mesh t.yaml -o m.msh", "explain t.yaml --point 0,0,0"}) {
+    const Outcome strange = w.run(command + " --node nosuch");
+    CHECK(strange.status == 2);
+    CHECK_THAT(strange.err, StartsWith("cnrg: error: --node: t.yaml has no node called `nosuch`; it has `") &&
+                                Contains("`wire`"));
+  }
   const Outcome extension = w.run("eval t.yaml -o r.doc");
   CHECK(extension.status == 2);
   CHECK_THAT(extension.err, StartsWith("cnrg: error: r.doc: "));
@@ -370,7 +377,7 @@ result: a
   CHECK_THAT(row(mesh.out, "all").back(), StartsWith("3.139525976"));
   CHECK(w.run("check t.yaml --finer 3").status == 0);
   w.write("many.yaml",
-          "cnrg: 1\nnodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 999999}}\nresult: a\n");
+          "cnrg: 1\nnodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 499999}}\nresult: a\n");
   for (const std::string command : {"eval", "check"}) {
     const Outcome o = w.run(command + " many.yaml --finer 2");
     CHECK(o.status == 2);
