@@ -6,6 +6,7 @@
 
 #include "csg/explain/explain.h"
 #include "csg/text/escape.h"
+#include "csg/text/table.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -371,20 +372,15 @@ std::string operator_words(const Node& node, const LifeStep& step) {
   return out;
 }
 
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(width, text.size()), ' ');
-  return text;
-}
-
 void add_life(const Tree& tree, const Life& life, int dimension, std::string& out) {
   std::size_t names = 0, operators = 0, places = 0;
   const auto place = [&](const LifeStep& s) {
     return "line " + std::to_string(tree.nodes[s.node].operator_at.line);
   };
   for (const LifeStep& step : life) {
-    names = std::max(names, shown(step.name).size());
-    operators = std::max(operators, operator_words(tree.nodes[step.node], step).size());
-    places = std::max(places, place(step).size());
+    names = std::max(names, width_of(shown(step.name)));
+    operators = std::max(operators, width_of(operator_words(tree.nodes[step.node], step)));
+    places = std::max(places, width_of(place(step)));
   }
   for (const LifeStep& step : life) {
     const Node& node = tree.nodes[step.node];
@@ -392,7 +388,7 @@ void add_life(const Tree& tree, const Life& life, int dimension, std::string& ou
                          "  " + padded(place(step), places) + "  " + outcome(node, step, dimension));
     const std::vector<Line> lines = details(node, step, dimension);
     std::size_t labels = 0;
-    for (const Line& line : lines) labels = std::max(labels, shown(line.label).size());
+    for (const Line& line : lines) labels = std::max(labels, width_of(shown(line.label)));
     for (const Line& line : lines) append_line(out, "    " + padded(shown(line.label), labels) + "  " + line.text);
   }
 }

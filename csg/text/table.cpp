@@ -7,14 +7,6 @@
 #include "kernel/base/error.h"
 
 namespace cnrg {
-namespace {
-
-/// Characters of a UTF-8 text: bytes that start one.
-std::size_t length(const std::string& text) {
-  return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
-
-}  // namespace
 
 void Table::add_column(std::string title, Align align) { columns_.push_back({std::move(title), align}); }
 
@@ -27,10 +19,10 @@ void Table::add_row(std::vector<std::string> cells) {
 std::vector<std::size_t> Table::widths() const {
   std::vector<std::size_t> result(columns_.size(), 0);
   for (const auto& row : rows_) {
-    for (std::size_t i = 0; i < row.size(); ++i) result[i] = std::max(result[i], length(row[i]));
+    for (std::size_t i = 0; i < row.size(); ++i) result[i] = std::max(result[i], width_of(row[i]));
   }
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (result[i] > 0 || rows_.empty()) result[i] = std::max(result[i], length(columns_[i].title));
+    if (result[i] > 0 || rows_.empty()) result[i] = std::max(result[i], width_of(columns_[i].title));
   }
   return result;
 }
@@ -43,8 +35,8 @@ std::string Table::format(const std::vector<std::string>& cells, const std::vect
     if (!first) result += "  ";
     first = false;
     const std::string cell = i < cells.size() ? cells[i] : std::string();
-    const std::string space(widths[i] - std::min(widths[i], length(cell)), ' ');
-    result += columns_[i].align == Align::left ? cell + space : space + cell;
+    if (columns_[i].align == Align::left) result += padded(cell, widths[i]);
+    else result += std::string(widths[i] - std::min(widths[i], width_of(cell)), ' ') + cell;
   }
   result.erase(result.find_last_not_of(' ') + 1);
   return result + "\n";
@@ -59,6 +51,15 @@ std::string Table::text() const {
   std::string result = format(titles, width);
   for (const auto& row : rows_) result += format(row, width);
   return result;
+}
+
+std::size_t width_of(std::string_view text) {
+  const auto begins_one = [](char c) { return (c & 0xc0) != 0x80; };
+  return std::size_t(std::count_if(text.begin(), text.end(), begins_one));
+}
+
+std::string padded(std::string text, std::size_t width) {
+  return text.append(width - std::min(width, width_of(text)), ' ');
 }
 
 std::string grouped(std::size_t number) {

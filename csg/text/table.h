@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cnrg {
@@ -34,6 +35,12 @@ class Table {
   std::vector<std::size_t> widths() const;
   std::string format(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) const;
 };
+
+/// Columns that a text takes on a terminal: one for each character of UTF-8, not for each byte.
+std::size_t width_of(std::string_view text);
+
+/// The text and blanks behind it, `width` columns in all; as it is if it takes more.
+std::string padded(std::string text, std::size_t width);
 
 /// An integer in groups of three digits, for people: 1234567 -> `1,234,567`.
 std::string grouped(std::size_t number);

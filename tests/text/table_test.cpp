@@ -19,6 +19,14 @@ TEST_CASE("a table aligns its columns and leaves out empty ones") {
   CHECK(table.line(1) == "größer  1,234\n");
 }
 
+TEST_CASE("a text is as wide as it has characters") {
+  CHECK(width_of("größer") == 6);
+  CHECK(width_of("漢字") == 2);
+  CHECK(padded("größer", 8) == "größer  ");
+  CHECK(padded("größer", 3) == "größer");
+  CHECK(padded("", 2) == "  ");
+}
+
 TEST_CASE("groups of digits") {
   CHECK(grouped(0) == "0");
   CHECK(grouped(999) == "999");
