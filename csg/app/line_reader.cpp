@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "csg/text/input_file.h"
 #include "csg/text/number.h"
 #include "csg/text/table.h"
 #include "csg/tree/position.h"
@@ -38,7 +39,7 @@ bool LineReader::next(std::string_view& line) {
       line = std::string_view(waiting_).substr(at_, length);
       at_ += length + (whole ? 1 : 0);
       searched_ = at_;
-      ++number_;
+      if (number_++ == 0) line = without_mark(line);
       return true;
     }
     if (ended_) return false;

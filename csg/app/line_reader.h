@@ -16,8 +16,9 @@ class LineReader {
   /// `before_waiting` is called before a read that would wait.
   explicit LineReader(std::function<void()> before_waiting) : before_waiting_(std::move(before_waiting)) {}
 
-  /// The next line without its end; false when there is none. Throws FileError if the system cannot read,
-  /// TreeError with the place `<stdin>:line:1` for a line that is longer than any line of points.
+  /// The next line without its end, the first one without a byte order mark; false when there is none. Throws
+  /// FileError if the system cannot read, TreeError with the place `<stdin>:line:1` for a line that is longer than
+  /// any line of points.
   bool next(std::string_view& line);
   /// Of the line that was read last, from 1.
   int number() const { return number_; }

@@ -9,12 +9,11 @@
 //
 // The bounds are there to end what does not end. A child may work for ten minutes and longer on a large file, and
 // take as much memory as the machine has.
-#include <unistd.h>
-
 #include <algorithm>
 #include <new>
 
 #include "csg/imports/cad_occt.h"
+#include "csg/imports/leaf_file.h"
 #include "csg/leaves/leaf.h"
 #include "csg/text/child.h"
 #include "csg/text/input_file.h"
@@ -30,9 +29,7 @@ enum class Answer : std::uint8_t { model, input_error, leaf_file_error, broken_i
 
 ChildLimits limits(const std::string& content) {
   constexpr std::size_t kSeconds = 600, kBytesPerSecond = 100'000;
-  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
-  return {.seconds = kSeconds + content.size() / kBytesPerSecond,
-          .bytes = pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size) : 0};
+  return {.seconds = kSeconds + content.size() / kBytesPerSecond, .bytes = memory_of_machine()};
 }
 
 // --- in the child
@@ -184,7 +181,7 @@ class ModelReader {
 }  // namespace
 
 CadModel read_cad(const CadShape& shape) {
-  const std::string content = read_file(shape.file, shape.inside);
+  const std::string content = read_leaf_file(shape.file, shape.inside, "write the part again");
   const MemoryFile file("OpenCASCADE");
   const ChildEnd end =
       run_in_child("OpenCASCADE", limits(content), [&] { return read_in_child(shape, content, file); });

@@ -185,7 +185,7 @@ CadFile read_step(const CadShape& shape, const std::string& content) {
   std::istringstream stream(content);
   if (reader.ReadStream(shape.file.c_str(), stream) != IFSelect_RetDone) {
     throw LeafFileError(shape.file +
-                        ": error: OpenCASCADE cannot read this STEP file; is it cut short? Write it "
+                        ": error: OpenCASCADE cannot read this STEP file: it may be cut short; write it "
                         "again");
   }
   require(Interface_Static::SetCVal("xstep.cascade.unit", unit_of(shape, reader).c_str()),
@@ -217,7 +217,7 @@ CadFile read_brep(const CadShape& shape, const std::string& content) {
   if (is_whole(content)) BRepTools::Read(file.shape, stream, BRep_Builder());
   if (file.shape.IsNull()) {
     throw LeafFileError(shape.file +
-                        ": error: OpenCASCADE cannot read this BREP file; is it cut short? Write it "
+                        ": error: OpenCASCADE cannot read this BREP file: it may be cut short; write it "
                         "again");
   }
   if (is_empty(file.shape)) throw InputError(subject(shape) + "there are no shapes in it: write the part again");

@@ -4,42 +4,57 @@
 #include <cctype>
 #include <map>
 
+#include "csg/imports/leaf_file.h"
 #include "csg/imports/text_cursor.h"
 #include "csg/leaves/leaf.h"
-#include "csg/text/input_file.h"
+#include "csg/text/escape.h"
 
 namespace cnrg {
+namespace {
+
+/// What the header gives for a key.
+struct Entry {
+  Rational value;
+  std::string_view written;
+  int line = 0;
+};
+
+}  // namespace
 
 HeightGrid read_height_grid(const std::string& path, const std::string& inside) {
-  const std::string text = read_file(path, inside);
+  const std::string text = read_leaf_file(path, inside, "give an ESRI ASCII grid");
   TextCursor cursor(path, text, 0);
-  if (!cursor.more()) cursor.fail("the file is empty: give an ESRI ASCII grid");
-  std::map<std::string, Rational> header;
+  std::map<std::string, Entry> header;
   for (;;) {
     TextCursor ahead = cursor;
     std::string key(ahead.token("a height"));
     for (char& c : key) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     if (std::isalpha(static_cast<unsigned char>(key[0])) == 0 || key == "nan" || key == "inf") break;
     cursor = ahead;
-    Rational value;
-    cursor.decimal("a number of the header", value);
-    if (!header.emplace(key, value).second) cursor.fail("the header gives " + key + " twice: leave one out");
+    Entry entry;
+    entry.written = ahead.token("a number of the header");
+    entry.line = ahead.line();
+    cursor.decimal("a number of the header", entry.value);
+    if (!header.emplace(key, entry).second) cursor.fail("the header gives " + key + " twice: leave one out");
   }
+  const auto take_entry = [&](const char* key) -> std::optional<Entry> {
+    const auto found = header.extract(key);
+    return found ? std::optional(found.mapped()) : std::nullopt;
+  };
   const auto take = [&](const char* key) -> std::optional<Rational> {
-    const auto found = header.find(key);
-    if (found == header.end()) return std::nullopt;
-    const Rational value = found->second;
-    header.erase(found);
-    return value;
+    const std::optional<Entry> entry = take_entry(key);
+    return entry ? std::optional(entry->value) : std::nullopt;
   };
   const auto count = [&](const char* key) {
-    const std::optional<Rational> value = take(key);
-    if (!value)
+    const std::optional<Entry> entry = take_entry(key);
+    if (!entry)
       cursor.fail(std::string("the header has no ") + key + ": an ESRI ASCII grid starts with ncols and nrows");
-    if (value->get_den() != 1 || *value < 2 || *value > 100000) {
-      cursor.fail(std::string(key) + " is " + to_decimal(*value) + ": it must be a whole number from 2 to 100000");
+    const Rational& value = entry->value;
+    if (value.get_den() != 1 || value < 2 || value > 100000) {
+      cursor.fail_at(entry->line, std::string(key) + " is " + excerpt(entry->written) +
+                                      ": it must be a whole number from 2 to 100000");
     }
-    return static_cast<std::size_t>(value->get_num().get_ui());
+    return static_cast<std::size_t>(value.get_num().get_ui());
   };
   HeightGrid grid;
   grid.columns = count("ncols");

@@ -68,8 +68,10 @@ Index Cursor::number(std::size_t limit, const char* what) const {
   std::uint64_t n = 0;
   const bool fits = std::from_chars(text.data(), text.data() + text.size(), n).ec == std::errc();
   if (!fits || n >= limit) {
-    refuse(std::string(what) + " " + std::string(text.substr(0, 20)) + " does not exist: there are " +
-           std::to_string(limit));
+    const std::string known = limit == 0   ? "there are none"
+                              : limit == 1 ? "the only number is 0"
+                                           : "numbers are 0 to " + std::to_string(limit - 1);
+    refuse(std::string(what) + " " + std::string(text.substr(0, 20)) + " does not exist: " + known);
   }
   return Index(n);
 }

@@ -17,7 +17,7 @@ namespace cnrg::result {
 
 using Index = std::uint32_t;
 
-inline constexpr const char* kAgain = "; write the file again with `cnrg eval -o`";
+inline constexpr const char* kWriteAgain = "write the file again with `cnrg eval -o`";
 
 /// A JSON file and its name.
 struct JsonFile {
@@ -36,7 +36,7 @@ class Cursor {
   /// LeafFileError: `file:line:column: error: path: what`.
   [[noreturn]] void fail(const std::string& what) const;
   /// The same with how to mend it: by writing the file again.
-  [[noreturn]] void refuse(const std::string& what) const { fail(what + kAgain); }
+  [[noreturn]] void refuse(const std::string& what) const { fail(what + "; " + kWriteAgain); }
 
   bool is_null() const { return value_->kind() == Kind::null; }
   /// Of a list.

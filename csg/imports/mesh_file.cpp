@@ -5,8 +5,8 @@
 #include <cctype>
 #include <filesystem>
 
-#include "csg/leaves/leaf.h"
-#include "csg/text/input_file.h"
+#include "csg/imports/leaf_file.h"
+#include "kernel/base/error.h"
 
 namespace cnrg {
 
@@ -19,11 +19,7 @@ MeshData read_mesh(const std::string& path, bool decimal, const std::string& ins
       {".off", &read_off}, {".obj", &read_obj}, {".stl", &read_stl}, {".ply", &read_ply}};
   for (const auto& [name, reader] : readers) {
     if (extension != name) continue;
-    const std::string text = read_file(path, inside);
-    if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-      throw LeafFileError(path + ":1: error: the file is empty: write the mesh again");
-    }
-    return reader(path, text, decimal);
+    return reader(path, read_leaf_file(path, inside, "write the mesh again"), decimal);
   }
   throw InputError("mesh: '" + path +
                    "' has an unknown format: give a file with the extension .off, .obj, .stl or .ply");

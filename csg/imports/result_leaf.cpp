@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "csg/imports/leaf_file.h"
 #include "csg/imports/result_content.h"
 #include "csg/leaves/prepare_shapes.h"
-#include "csg/text/input_file.h"
 
 namespace cnrg {
 namespace result {
@@ -92,11 +92,12 @@ class ResultLeaf : public PreparedLeaf {
 
 result::JsonFile parsed(const ResultShape& shape) {
   const std::string& file = shape.file;
-  const std::string text = read_file(file, shape.inside);
+  const std::string text = read_leaf_file(file, shape.inside, result::kWriteAgain);
   try {
     return {file, JsonDocument(text)};
   } catch (const JsonError& error) {
-    throw LeafFileError(file + ":" + position_in(text, error.at()) + ": error: " + error.what() + result::kAgain);
+    throw LeafFileError(file + ":" + position_in(text, error.at()) + ": error: " + error.what() + "; " +
+                        result::kWriteAgain);
   }
 }
 

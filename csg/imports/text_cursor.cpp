@@ -7,6 +7,7 @@
 
 #include "csg/leaves/leaf.h"
 #include "csg/text/escape.h"
+#include "csg/text/input_file.h"
 #include "csg/text/number.h"
 
 namespace cnrg {
@@ -19,11 +20,9 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' |
 TextCursor::TextCursor(std::string path, std::string_view text, char comment)
     : path_(std::move(path)),
       begin_(text.data()),
-      at_(text.data()),
+      at_(without_mark(text).data()),
       end_(text.data() + text.size()),
-      comment_(comment) {
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") at_ += 3;  // byte order mark
-}
+      comment_(comment) {}
 
 bool TextCursor::more_in_line() {
   while (at_ != end_ && is_blank(*at_)) ++at_;

@@ -87,11 +87,14 @@ std::string read_file(const std::string& path, const std::string& inside, std::s
   if (size > most) {
     throw InputError("this file has " + grouped(size) + " bytes, and at most " + grouped(most) + " are read");
   }
+  const std::string bytes = "it has " + grouped(size) + " bytes, ";
+  if (const std::size_t memory = memory_of_machine(); memory > 0 && size > memory)
+    fail(path, bytes + "more than the memory of this machine; give a smaller file");
   std::string content;
   try {
     content.resize(size);
   } catch (const std::exception&) {  // no memory, or more than a string can hold
-    fail(path, "it has " + grouped(size) + " bytes, more than there is memory for");
+    fail(path, bytes + "more than there is memory for");
   }
   std::size_t filled = 0;
   for (;;) {
@@ -105,6 +108,17 @@ std::string read_file(const std::string& path, const std::string& inside, std::s
   }
   content.resize(filled);
   return content;
+}
+
+std::string_view without_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  return text;
+}
+
+std::size_t memory_of_machine() {
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  return pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size) : 0;
 }
 
 }  // namespace cnrg

@@ -9,17 +9,24 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace cnrg {
 
 /// The whole content of a regular file. `inside`: a folder, as `folder_of_inputs` gives it, in which the file must
 /// lie; empty: anywhere. Throws FileError if there is no such file, if it cannot be read or is no regular file,
-/// InputError if it is not in the folder, be it elsewhere or nowhere, or has more than `most` bytes; messages have
-/// no position.
+/// or has more bytes than the machine has memory, InputError if it is not in the folder, be it elsewhere or
+/// nowhere, or has more than `most` bytes; messages have no position.
 std::string read_file(const std::string& path, const std::string& inside = {},
                       std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// A folder without links in its path. FileError if there is none.
 std::string folder_of_inputs(const std::string& path);
+
+/// A text without the byte order mark that some editors write before UTF-8.
+std::string_view without_mark(std::string_view text);
+
+/// Bytes of memory that the machine has; 0 if the system does not tell.
+std::size_t memory_of_machine();
 
 }  // namespace cnrg

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "csg/text/escape.h"
+#include "csg/text/input_file.h"
 
 namespace cnrg {
 namespace {
@@ -54,7 +55,7 @@ class JsonParser {
   explicit JsonParser(JsonDocument& document) : document_(document), text_(document.text_) {}
 
   void run() {
-    if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;  // a byte order mark
+    at_ = text_.size() - without_mark(text_).size();
     blanks();
     while (step()) blanks();
     blanks();
@@ -74,7 +75,7 @@ class JsonParser {
   };
 
   [[noreturn]] void fail() const {
-    throw JsonError(at_, "this is no JSON text from here on; is the file cut short?");
+    throw JsonError(at_, "this is no JSON text from here on: the file may be cut short");
   }
 
   char here() const { return at_ < text_.size() ? text_[at_] : '\0'; }

@@ -69,6 +69,23 @@ TEST_CASE("a number of very many digits is refused early, wherever it stands", "
   CHECK_THAT(o.err, Contains("this file has 100,000,001 bytes, and at most 100,000,000 are read"));
 }
 
+TEST_CASE("a file larger than the memory of the machine is refused before it is read", "[app][inputs]") {
+  const Workshop w;
+  for (const std::string leaf :
+       {"mesh: {file: a.stl}", "mesh: {file: a.off}", "mesh: {file: a.obj}", "mesh: {file: a.ply}", "cnrg: a.json",
+        "heightfield: {file: a.asc}", "step: {file: a.step}", "brep: {file: a.brep}"}) {
+    w.write("t.yaml", tree_with(leaf));
+    const std::string file = leaf.substr(leaf.find("a."), leaf.find_last_not_of('}') + 1 - leaf.find("a."));
+    // It has no content on the disk.
+    const Outcome o = w.shell("truncate -s 8T " + file + " && '" CNRG_PROGRAM "' check t.yaml 2>.err");
+    if (o.err.find("without OpenCASCADE") != std::string::npos) continue;
+    CHECK(o.status == 3);
+    CHECK(o.err == "t.yaml:3:7: error: '" + file +
+                       "' cannot be read: it has 8,796,093,022,208 bytes, more than the memory of this machine; "
+                       "give a smaller file\n");
+  }
+}
+
 TEST_CASE("YAML that explodes is refused", "[app][inputs]") {
   const Workshop w;
   std::string laughs = "cnrg: 1\nnodes:\n  a: {points: &a0 [[0, 0, 0], [1, 0, 0]]}\n";

@@ -80,6 +80,26 @@ TEST_CASE("answers before a fault are given, and the last line needs no end", "[
   CHECK(w.run("locate t.yaml", std::string(99999, '1') + " 1 1\n").out == "3 r1 0\n");
 }
 
+TEST_CASE("a byte order mark before the points is no part of them", "[app][locate]") {
+  const Workshop w;
+  w.write("t.yaml", kTree);
+  const Outcome o = w.run("locate t.yaml",
+                          "\xef\xbb\xbf"
+                          "1 1 1\n3 3 3\n");
+  CHECK(o.err.empty());
+  CHECK(o.out == "3 r0 1 a\n3 r1 0\n");
+  CHECK_THAT(w.run("locate t.yaml",
+                   "\xef\xbb\xbf"
+                   "one 1 1\n")
+                 .err,
+             StartsWith("<stdin>:1:1: error: `one`"));
+  CHECK_THAT(w.run("locate t.yaml",
+                   "1 1 1\n\xef\xbb\xbf"
+                   "1 1 1\n")
+                 .err,
+             StartsWith("<stdin>:2:1: error: "));
+}
+
 TEST_CASE("each point beyond the frame is located like one that was known before", "[app][locate]") {
   const Workshop w;
   w.write("t.yaml",

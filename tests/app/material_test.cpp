@@ -148,7 +148,7 @@ TEST_CASE("broken grades in a result are refused at their place", "[app][materia
     CHECK(o.status == 2);
     return o.err;
   };
-  CHECK_THAT(broken("\"grade\":1", "\"grade\":2"), Contains("grade 2 does not exist: there are 2"));
+  CHECK_THAT(broken("\"grade\":1", "\"grade\":2"), Contains("grade 2 does not exist: numbers are 0 to 1"));
   CHECK_THAT(broken("\"steel\":\"1/4\"", "\"steel\":\"1/3\""), Contains("fractions add up to 1"));
   CHECK_THAT(broken("\"segments\":[[0,1]]", "\"segments\":[[0,2]]"), Contains("point 2 does not exist"));
   CHECK_THAT(broken("\"segments\":[[0,1]]", "\"segments\":[]"), Contains("nothing to measure a distance to"));

@@ -43,6 +43,22 @@ TEST_CASE("a directory given to -o is told before any work", "[app][messages]") 
   }
 }
 
+TEST_CASE("an empty name on the command line is told as such", "[app][messages]") {
+  const Workshop w;
+  w.write("t.yaml", "cnrg: 1\nnodes: {a: {points: [[0, 0, 0]]}}\nresult: a\n");
+  for (const std::string command :
+       {"eval t.yaml -o ''", "eval t.yaml -o a.json -o ''", "eval ''", "eval t.yaml --node ''",
+        "eval t.yaml --inside ''", "mesh t.yaml -o ''", "mesh t.yaml -o m.msh --node ''",
+        "locate t.yaml --node ''", "explain t.yaml --cell v0 --node ''", "check ''"}) {
+    const Outcome o = w.run(command);
+    INFO(command);
+    CHECK(o.status == 2);
+    CHECK_THAT(o.err, StartsWith("cnrg: error: ") && Contains(": the name is empty; see `cnrg "));
+  }
+  CHECK(w.run("eval t.yaml -o ''").err == "cnrg: error: -o: the name is empty; see `cnrg eval --help`\n");
+  CHECK_FALSE(std::filesystem::exists(w.path("a.json")));
+}
+
 TEST_CASE("the version names every library", "[app][messages]") {
   const std::string text = Workshop().run("--version").out;
   for (const char* name : {"\noneTBB 2", "\nyaml-cpp 0.", "\nTetGen 1."}) CHECK_THAT(text, Contains(name));
@@ -64,6 +80,55 @@ TEST_CASE("a file that ends too early is told at its last line", "[app][messages
   const std::string binary = w.run("check t.yaml").err;
   CHECK_THAT(binary, StartsWith("a.stl:1:1: error: byte 60: the file ends within the header"));
   CHECK(binary.find("error:") == binary.rfind("error:"));
+}
+
+TEST_CASE("an empty file is told as such, whatever it should hold", "[app][messages]") {
+  const Workshop w;
+  const auto leaf_of = [](const std::string& kind, const std::string& file) {
+    return kind == "json" ? "cnrg: " + file
+                          : (kind == "asc" ? "heightfield: {file: " : kind + ": {file: ") + file + "}";
+  };
+  for (const std::string content : {"", " \n\n", "\xef\xbb\xbf"}) {
+    for (const std::string kind : {"off", "obj", "stl", "ply", "json", "asc", "step", "brep"}) {
+      const std::string file = "empty." + kind;
+      w.write(file, content);
+      const bool mesh = kind == "off" || kind == "obj" || kind == "stl" || kind == "ply";
+      w.write("t.yaml", "cnrg: 1\nnodes: {a: {" + leaf_of(mesh ? "mesh" : kind, file) + "}}\nresult: a\n");
+      const Outcome o = w.run("check t.yaml");
+      if (o.err.find("without OpenCASCADE") != std::string::npos) continue;
+      CHECK(o.status == 2);
+      CHECK_THAT(o.err, StartsWith(file + ":1:1: error: the file is empty: "));
+    }
+    w.write("t.yaml", content);
+    CHECK_THAT(w.run("check t.yaml").err, StartsWith("t.yaml:1:1: error: the file is empty; "));
+  }
+}
+
+TEST_CASE("faults of a result that is read back say what to do", "[app][messages]") {
+  const Workshop w;
+  w.write("back.yaml", "cnrg: 1\nnodes: {a: {cnrg: r.json}}\nresult: a\n");
+  w.write("t.yaml",
+          "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
+          "  b: {box: {min: [3, 0, 0], max: [4, 1, 1]}}\n  m: {aggregate: [a, b]}\nresult: m\n");
+  REQUIRE(w.run("eval t.yaml --quiet -o r.json").status == 0);
+  const std::string good = w.read("r.json");
+  const auto broken = [&](const std::string& what, const std::string& by) {
+    std::string text = good;
+    const std::size_t at = text.find(what);
+    REQUIRE(at != std::string::npos);
+    w.write("r.json", text.replace(at, what.size(), by));
+    const Outcome o = w.run("check back.yaml");
+    CHECK(o.status == 2);
+    return o.err;
+  };
+  const std::string again = "; write the file again with `cnrg eval -o` (read for the node `a`, back.yaml:2:";
+  CHECK_THAT(broken("\"component\":2", "\"component\":5"),
+             Contains("/component: component 5 does not exist: numbers are 0 to 4" + again));
+  CHECK_THAT(broken("\"leaves\":[0]", "\"leaves\":[2]"),
+             Contains("/leaves/0: leaf 2 does not exist: numbers are 0 to 1" + again));
+  w.write("r.json", good.substr(0, good.size() / 2));
+  CHECK_THAT(w.run("check back.yaml").err,
+             Contains("this is no JSON text from here on: the file may be cut short" + again));
 }
 
 }  // namespace

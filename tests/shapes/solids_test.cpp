@@ -207,6 +207,13 @@ TEST_CASE("height field from a file") {
   CHECK_THAT(error_of(shape), Catch::Contains("word.asc:5: error: 'x' is no number"));
   shape.file = files.write("head.asc", "ncols 2\ncellsize 1\n1 2\n3 4\n");
   CHECK_THAT(error_of(shape), Catch::Contains("no nrows"));
+  for (const std::string columns : {"99999999999999999999", "1", "2.5", "1e300"}) {
+    shape.file = files.write("wide.asc", "nrows 2\nncols " + columns + "\ncellsize 1\n1 2\n3 4\n");
+    CHECK_THAT(error_of(shape),
+               Catch::Contains("wide.asc:2: error: ncols is " + columns + ": it must be a whole"));
+  }
+  shape.file = files.write("empty.asc", "\xef\xbb\xbf\n");
+  CHECK_THAT(error_of(shape), Catch::Contains("empty.asc:1: error: the file is empty: give an ESRI ASCII grid"));
   shape.file = files.path("none.asc");
   CHECK_THROWS_WITH(prepare(shape), Catch::Contains("there is no file"));
 }

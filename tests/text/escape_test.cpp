@@ -34,8 +34,8 @@ TEST_CASE("bytes that are no UTF-8 are shown one by one") {
 
 TEST_CASE("an excerpt ends with a whole character") {
   CHECK(excerpt("short") == "short");
-  const std::string text = excerpt(std::string(39, 'a') + "漢字");
-  CHECK(text == std::string(39, 'a') + "漢...");
+  const std::string many(39, 'a');
+  CHECK(excerpt(many + "漢字") == many + "漢...");
   CHECK(excerpt(std::string(1000, '\n')).size() == 83);
 }
 

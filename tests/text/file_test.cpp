@@ -228,6 +228,15 @@ TEST_CASE("what is no regular file is not replaced", "[file]") {
   CHECK_THROWS_WITH(replace_file(folder / "pipe", ""), Catch::Contains("no regular file"));
 }
 
+TEST_CASE("a link to nothing is replaced, and what it names stays nothing", "[file]") {
+  const Folder folder;
+  fs::create_symlink("nowhere.json", folder / "x.json");
+  replace_file(folder / "x.json", "whole");
+  CHECK_FALSE(fs::is_symlink(folder / "x.json"));
+  CHECK(read(folder / "x.json") == "whole");
+  CHECK(folder.names() == std::set<std::string>{"x.json"});
+}
+
 TEST_CASE("a link whose end the system does not tell stays a link", "[file]") {
   const Folder folder;
   fs::create_symlink("b", folder / "a");
