@@ -435,8 +435,9 @@ TEST_CASE("files that are none", "[cad]") {
   CHECK_THROWS_WITH(check(tree("step: {file: none.step}")),
                     Contains(at + ": error: there is no file '" + part.file("none.step")));
   part.write("empty.step", "");
-  fails("step: {file: empty.step}", "empty.step:1:1: error: this is no STEP file");
-  fails("brep: {file: empty.step}", "empty.step:1:1: error: this is no BREP file");
+  fails("step: {file: empty.step}", "empty.step:1:1: error: the file is empty: write the part again");
+  fails("brep: {file: empty.step}", "empty.step:1:1: error: the file is empty: write the part again");
+  fails("step: {file: part.brep}", "part.brep:1:1: error: this is no STEP file");
   fails("brep: {file: part.step}", "part.step:1:1: error: this is no BREP file");
   const std::string step = part.read("part.step"), brep = part.read("part.brep");
   for (const double portion : {0.02, 0.3, 0.6, 0.9}) {

@@ -89,7 +89,7 @@ TEST_CASE("names of nodes", "[tree][errors]") {
   expect("cnrg: 1\nnodes:\n  ground: {points: [[0, 0, 0]]}\n  b: {union: [ground, grund]}\nresult: b\n", 4, 23,
          {"no node called `grund`", "did you mean `ground`?"});
   // A node is not suggested to itself, nor to what stands inline in it.
-  expect("cnrg: 1\nnodes: {m: {union: [abc, b]}, abc: {points: [[0, 0, 0]]}}\nresult: m\n", 2, 27,
+  expect("cnrg: 1\nnodes: {m: {union: [abc, b]}, abc: {points: [[0, 0, 0]]}}\nresult: m\n", 2, 26,
          {"no node called `b`; add it to `nodes` or use another name"});
   expect("cnrg: 1\nnodes: {m: {complement: {complement: n}}}\nresult: m\n", 2, 38,
          {"no node called `n`; add it to `nodes` or use another name"});
