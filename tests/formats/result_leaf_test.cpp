@@ -398,7 +398,7 @@ TEST_CASE("broken files are refused with their place") {
   };
   CHECK(refused(good) == "accepted");
   CHECK(refused(good.substr(0, good.size() / 2)).find(": error: this is no JSON") != std::string::npos);
-  CHECK(refused("").starts_with(":1:1: error: "));
+  CHECK(refused("").starts_with(":1:1: error: the file is empty: write the file again with "));
   CHECK(starts(refused("[]"), ": error: "));
   CHECK(starts(edited("/format", "other"), ": error: "));
   CHECK(starts(edited("/version", 2), ": error: /version: "));

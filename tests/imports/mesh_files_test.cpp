@@ -94,7 +94,7 @@ TEST_CASE("OFF that is broken") {
   const auto error = [&](const std::string& text) {
     return error_of(MeshShape{files.write("bad.off", text), {}, false});
   };
-  CHECK_THAT(error(""), Contains("bad.off:1: error: the file is empty"));
+  CHECK_THAT(error(""), Contains("bad.off:1:1: error: the file is empty"));
   CHECK_THAT(error("\n \n"), Contains("the file is empty"));
   CHECK_THAT(error("PLY\n"), Contains("bad.off:1: error: 'PLY' is no OFF header"));
   CHECK_THAT(error("4OFF\n1 1 1\n"), Contains("another dimension"));

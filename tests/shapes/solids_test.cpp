@@ -213,7 +213,7 @@ TEST_CASE("height field from a file") {
                Catch::Contains("wide.asc:2: error: ncols is " + columns + ": it must be a whole"));
   }
   shape.file = files.write("empty.asc", "\xef\xbb\xbf\n");
-  CHECK_THAT(error_of(shape), Catch::Contains("empty.asc:1: error: the file is empty: give an ESRI ASCII grid"));
+  CHECK_THAT(error_of(shape), Catch::Contains("empty.asc:1:1: error: the file is empty: give an ESRI ASCII grid"));
   shape.file = files.path("none.asc");
   CHECK_THROWS_WITH(prepare(shape), Catch::Contains("there is no file"));
 }
