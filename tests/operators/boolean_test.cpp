@@ -51,6 +51,28 @@ TEST_CASE("a face cut by its leaf keeps the cut, in the point set it goes", "[le
   CHECK(counts(complex, leaves[0], SimplifyMode::points) == Counts{8, 12, 6, 1});
 }
 
+// Two squares side by side, the second one rising by `rise`: two faces of their leaf, one patch.
+std::shared_ptr<const Complex> two_faces_of_a_patch(int rise) {
+  Soup soup;
+  const LeafId leaf = soup.add_leaf(Fill::none);
+  PointId p[2][3];
+  for (int y : {0, 1}) {
+    for (int x : {0, 1, 2}) p[y][x] = soup.add_point(x, y, x == 2 ? rise : 0);
+  }
+  for (std::uint32_t i : {0u, 1u}) {
+    const std::vector<std::vector<PointId>> loops{{p[0][i], p[0][i + 1], p[1][i + 1], p[1][i]}};
+    soup.add_face(leaf, loops, i, 0);
+  }
+  return build_complex(soup, {});
+}
+
+TEST_CASE("faces of one patch part where it is planar, and are one where it is curved", "[leaf_group]") {
+  const auto planar = two_faces_of_a_patch(0), curved = two_faces_of_a_patch(1);
+  CHECK(leaf_groups(*planar)[0].features.edges.size() == 7);
+  CHECK(leaf_groups(*curved)[0].features.edges.size() == 6);
+  CHECK(counts(*planar, leaf_groups(*planar)[0]) == Counts{6, 7, 2, 0});
+}
+
 TEST_CASE("one label in two places is two regions with one set of attributes", "[leaf_group]") {
   const auto built_complex = complex_of({box({0, 0, 0}, {1, 1, 1}) + box({2, 0, 0}, {3, 1, 1})});
   const Complex& complex = *built_complex;
