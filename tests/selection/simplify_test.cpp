@@ -189,6 +189,25 @@ TEST_CASE("a closed curve and the region around it are listed without a vertex",
   CHECK(s.place(complex, outside).index == 0);
 }
 
+TEST_CASE("a closed surface of one patch is a face without a border between two regions", "[simplify]") {
+  Soup soup;
+  const LeafId leaf = soup.add_leaf(Fill::none);
+  const PointId p[4] = {soup.add_point(0, 0, 0), soup.add_point(1, 0, 0), soup.add_point(0, 1, 0),
+                        soup.add_point(0, 0, 1)};
+  for (int i = 0; i < 4; ++i) soup.add_triangle(leaf, p[i], p[(i + 1) % 4], p[(i + 2) % 4], 0, 0);
+  const auto built_complex = built(soup);
+  const Complex& complex = *built_complex;
+  Selection surface = everything(complex);
+  surface.regions.clear();
+  const auto s = simplify(complex, surface, {});
+  CHECK(active_counts(s) == Counts{0, 0, 1, 0});
+  REQUIRE(s.faces.size() == 1);
+  CHECK(s.faces[0].loops.size() == 0);
+  REQUIRE(s.regions.size() == 2);
+  CHECK(s.faces[0].regions[0] + s.faces[0].regions[1] == 1);
+  for (const auto& region : s.regions) CHECK(region.shells.size() == 1);
+}
+
 TEST_CASE("what is not listed is of no component", "[simplify]") {
   const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4})});
   const Complex& complex = *built_complex;
