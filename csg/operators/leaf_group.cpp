@@ -277,7 +277,8 @@ class LeafGroups {
     sort_unique(features);
   }
 
-  // False if the faces of the leaf around the edge are two pieces of one and the same face or curved patch.
+  // False if the faces of the leaf around the edge are two pieces of one and the same face or curved patch, or
+  // none: a face without area borders edges and covers nothing.
   bool parts_faces(EdgeId e, LeafId leaf, std::vector<Piece>& pieces) const {
     pieces.clear();
     for (const FaceUse& use : complex_.edge_uses[e]) {
@@ -285,6 +286,7 @@ class LeafGroups {
         if (complex_.sources[c.source].leaf == leaf) pieces.push_back({use, c.source});
       }
     }
+    if (pieces.empty()) return false;
     if (pieces.size() < 2 || pieces.front().use == pieces.back().use) return true;
     // There are two uses at least. A third one makes a feature; of two, each may be covered by several faces.
     const auto first_of_back =

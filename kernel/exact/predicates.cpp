@@ -93,16 +93,56 @@ double width(const PointView& p, int u, int v) { return std::max(p.hi[u] - p.lo[
 /// x[k] of a point in homogeneous form.
 const Integer& coordinate(const ExactPoint& p, int k) { return k == 0 ? p.x : (k == 1 ? p.y : p.z); }
 
-Integer difference(const ExactPoint& a, const ExactPoint& b, int k) {
-  return coordinate(b, k) * a.w - coordinate(a, k) * b.w;
+/// The integers of one exact sign. They keep their memory from call to call: of most signs, which are of numbers
+/// of two words or three, making and freeing integers is the dearest part.
+struct Workspace {
+  std::array<std::array<Integer, 3>, 3> differences;
+  Integer minor, product, sum;
+  static Workspace& of_thread() {
+    thread_local Workspace own;
+    return own;
+  }
+};
+
+/// A positive multiple of b - a in coordinate k; the factor does not depend on k.
+void difference(Integer& out, const ExactPoint& a, const ExactPoint& b, int k) {
+  if (a.w == b.w) {
+    mpz_sub(out.get_mpz_t(), coordinate(b, k).get_mpz_t(), coordinate(a, k).get_mpz_t());
+    return;
+  }
+  mpz_mul(out.get_mpz_t(), coordinate(b, k).get_mpz_t(), a.w.get_mpz_t());
+  mpz_submul(out.get_mpz_t(), coordinate(a, k).get_mpz_t(), b.w.get_mpz_t());
 }
 
 int exact_orient3d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
-  const Integer bx = difference(a, b, 0), by = difference(a, b, 1), bz = difference(a, b, 2);
-  const Integer cx = difference(a, c, 0), cy = difference(a, c, 1), cz = difference(a, c, 2);
-  const Integer dx = difference(a, d, 0), dy = difference(a, d, 1), dz = difference(a, d, 2);
-  const Integer determinant = dx * (by * cz - bz * cy) + dy * (bz * cx - bx * cz) + dz * (bx * cy - by * cx);
-  return sgn(determinant);
+  Workspace& x = Workspace::of_thread();
+  const std::array<const ExactPoint*, 3> ends{&b, &c, &d};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) difference(x.differences[i][static_cast<std::size_t>(k)], a, *ends[i], k);
+  }
+  const auto& [u, v, w] = x.differences;
+  x.sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    mpz_mul(x.minor.get_mpz_t(), u[i].get_mpz_t(), v[j].get_mpz_t());
+    mpz_submul(x.minor.get_mpz_t(), u[j].get_mpz_t(), v[i].get_mpz_t());
+    mpz_addmul(x.sum.get_mpz_t(), w[k].get_mpz_t(), x.minor.get_mpz_t());
+  }
+  return sgn(x.sum);
+}
+
+/// The sign of (b - a) x (d - c) along the axes.
+int exact_cross(Projection axes, const ExactPoint& a, const ExactPoint& b, const ExactPoint& c,
+                const ExactPoint& d) {
+  Workspace& x = Workspace::of_thread();
+  auto& [u, v, unused] = x.differences;
+  difference(u[0], a, b, axes.u);
+  difference(u[1], a, b, axes.v);
+  difference(v[0], c, d, axes.u);
+  difference(v[1], c, d, axes.v);
+  mpz_mul(x.sum.get_mpz_t(), u[0].get_mpz_t(), v[1].get_mpz_t());
+  mpz_mul(x.product.get_mpz_t(), u[1].get_mpz_t(), v[0].get_mpz_t());
+  return cmp(x.sum, x.product);
 }
 
 }  // namespace
@@ -165,10 +205,7 @@ int orient2d(Projection axes, const PointView& a, const PointView& b, const Poin
     }
   }
   ++counts().exact;
-  const ExactPoint &ea = a.exact(), &eb = b.exact(), &ec = c.exact();
-  const Integer determinant =
-      difference(ea, eb, u) * difference(ea, ec, v) - difference(ea, eb, v) * difference(ea, ec, u);
-  return sgn(determinant);
+  return exact_cross(axes, a.exact(), b.exact(), a.exact(), c.exact());
 }
 
 int orient2d(const PointTable& t, Projection axes, VertexId a, VertexId b, VertexId c) {
@@ -210,10 +247,7 @@ int orient2d_vectors(const PointTable& t, Projection axes, VertexId a, VertexId 
     }
   }
   ++counts().exact;
-  const ExactPoint &ea = pa.exact(), &eb = pb.exact(), &ec = pc.exact(), &ed = pd.exact();
-  const Integer determinant =
-      difference(ea, eb, u) * difference(ec, ed, v) - difference(ea, eb, v) * difference(ec, ed, u);
-  return sgn(determinant);
+  return exact_cross(axes, pa.exact(), pb.exact(), pc.exact(), pd.exact());
 }
 
 int compare(int axis, const PointView& a, const PointView& b) {
@@ -231,7 +265,10 @@ int compare(int axis, const PointView& a, const PointView& b) {
   }
   if (a.table != nullptr && a.table == b.table && a.id == b.id) return 0;
   ++counts().exact;
-  return sgn(difference(b.exact(), a.exact(), axis));
+  const ExactPoint &ea = a.exact(), &eb = b.exact();
+  Integer& d = Workspace::of_thread().sum;
+  difference(d, eb, ea, axis);
+  return sgn(d);
 }
 
 int compare(const PointTable& t, int axis, VertexId a, VertexId b) {

@@ -46,7 +46,4 @@ struct ContactList {
 /// All contacts of the input, in parallel. The lists are sets: their order is by chance, entries may be repeated.
 ContactList find_contacts(const RefineInput& input);
 
-/// Where a point of the plane of a face lies: 0 outside, 1 on the boundary, 2 inside.
-int locate_in_face(const RefineInput& input, SourceId face, Projection axes, const PointView& p);
-
 }  // namespace cnrg

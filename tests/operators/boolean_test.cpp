@@ -74,6 +74,30 @@ TEST_CASE("faces of one patch part where it is planar, and are one where it is c
   CHECK(leaves[2].features.edges.size() == 6);
 }
 
+TEST_CASE("a face without area, or a part of one, has no edges", "[leaf_group]") {
+  // On a side of a square: a quad that goes to and fro, and a triangle with a thorn.
+  Soup soup;
+  std::uint32_t number = 0;
+  const auto add = [&](LeafId leaf, const std::vector<Point>& corners) {
+    std::vector<std::vector<PointId>> loops(1);
+    for (const auto& [x, y, z] : corners) loops[0].push_back(soup.add_point(x, y, z));
+    soup.add_face(leaf, loops, number, number, 0, 0);
+    ++number;
+  };
+  const LeafId square = soup.add_leaf(Fill::none), other = soup.add_leaf(Fill::none);
+  add(square, {{0, 0, 0}, {2, 0, 0}, {2, 0, 2}, {0, 0, 2}});
+  add(other, {{0, 0, 2}, {0, 0, 0}, {0, 0, 2}, {0, 1, 0}});
+  add(other, {{0, 0, 0}, {0, 0, 1}, {0, 0, 0}, {0, -1, 0}, {0, -1, -1}});
+  const auto built_complex = build_complex(soup);
+  const Complex& complex = *built_complex;
+  const auto leaves = leaf_groups(complex);
+  for (const Group& g : leaves) CHECK(check_group(complex, g) == "");
+  CHECK(counts(complex, leaves[0]) == Counts{4, 4, 1, 0});
+  CHECK(counts(complex, leaves[1]) == Counts{3, 3, 1, 0});
+  const Group both = boolean_operation(complex, BooleanOp::unite, Dominance::left, leaves[0], leaves[1]).group;
+  CHECK(counts(complex, both) == Counts{4 + 2, 4 + 3, 2, 0});
+}
+
 TEST_CASE("one label in two places is two regions with one set of attributes", "[leaf_group]") {
   const auto built_complex = complex_of({box({0, 0, 0}, {1, 1, 1}) + box({2, 0, 0}, {3, 1, 1})});
   const Complex& complex = *built_complex;

@@ -1,5 +1,7 @@
 // What many facets cost. Oblique ones in pairs that are looked at: a few per facet, however they are turned. Holes
 // of one face in predicates.
+#include <tbb/global_control.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
@@ -160,6 +162,40 @@ TEST_CASE("the triangles of a disc around its middle cost by their number", "[sh
     CHECK(few > 1000);
     CHECK(double(many) < 6 * double(few));
   }
+}
+
+/// Two grids of n x n squares in one turned plane, one half a square aside.
+Soup grids(int n) {
+  Soup soup;
+  for (int leaf = 0; leaf < 2; ++leaf) {
+    const LeafId id = soup.add_leaf(Fill::none);
+    std::vector<PointId> p;
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; j <= n; ++j) {
+        const Rational u = (i + Rational(leaf, 2)) / 3, v = (j + Rational(leaf, 2)) / 3;
+        p.push_back(soup.add_point({u + 2 * v, u - v, -u + v / 2}));
+      }
+    }
+    const auto m = static_cast<std::uint32_t>(n + 1);
+    for (std::uint32_t i = 0; i + 1 < m; ++i) {
+      for (std::uint32_t j = 0; j + 1 < m; ++j) {
+        const std::uint32_t a = i * m + j;
+        soup.add_triangle(id, p[a], p[a + m], p[a + m + 1], a, a);
+        soup.add_triangle(id, p[a], p[a + m + 1], p[a + 1], a, a);
+      }
+    }
+  }
+  return soup;
+}
+
+TEST_CASE("faces are not compared where others show that they are coplanar", "[sheets][growth]") {
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);  // each finds out alone
+  reset_stage_counts();
+  RefineReport report;
+  const Soup soup = grids(20);
+  build_complex(soup, {}, &report);
+  CHECK(report.candidates > 8 * soup.face_count());
+  CHECK(stage_counts().exact < report.candidates);
 }
 
 TEST_CASE("many segments with an end in common, some on top of each other", "[sheets]") {

@@ -1,0 +1,69 @@
+// Decides for two inputs, by exact signs, where they meet; notes it as symbols (contacts.h).
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <vector>
+
+#include "kernel/base/union_find.h"
+#include "kernel/refine/contacts.h"
+#include "kernel/refine/face_boundaries.h"
+
+namespace cnrg {
+
+/// The pair tests of one thread, with its scratch memory and what it found.
+class PairTester {
+ public:
+  PairTester(const RefineInput& in, const FaceBoundaries& boundaries)
+      : in_(in), t_(in.points), boundaries_(boundaries) {}
+  ContactList list;
+  std::uint64_t filtered = 0;  ///< signs that the filters of planes decided
+
+  void faces(SourceId f, SourceId g);
+  void wire_face(SegmentId s, SourceId f);
+  void point_face(VertexId p, SourceId f);
+  void wires(SegmentId s, SegmentId t);
+  void point_wire(VertexId p, SegmentId s);
+
+ private:
+  /// A point of a face on the common line of two planes.
+  struct Event {
+    PointKey key;
+    PointView view;
+    bool covered_after = false;  ///< the open interval to the next event belongs to the face
+    int toggles = 0, depth = 0;  ///< see `cut`
+  };
+  enum class Contact { none, coplanar, possible };
+  /// Signs of the corners of f against the plane of g; corners shared with g count as on it.
+  Contact signs(SourceId f, SourceId g, std::vector<int>& out);
+  bool only_shared(SourceId f, SourceId g, const std::vector<int>& sign) const;
+  bool apart(SourceId f, SourceId g) const;
+  void cut(SourceId f, SourceId g, const std::vector<int>& sign, std::vector<Event>& events);
+  PointView view_of_key(const PointKey& key, const Definition& d);
+  int order(Event& a, Event& b);
+  const ExactPoint& exact(Event& e);
+  bool has_corner(SourceId f, VertexId v) const { return boundaries_.has_corner(f, v); }
+  void choose_axis();
+  /// Do chains of pairs found so far say that two faces are coplanar? No filter does, and exact zeros cost most.
+  bool known_coplanar(SourceId f, SourceId g) {
+    return planes_.size() != 0 && planes_.find(f.value()) == planes_.find(g.value());
+  }
+  void note_coplanar(SourceId f, SourceId g) {
+    if (planes_.size() == 0) planes_ = UnionFind(in_.corners.size());
+    if (planes_.unite(f.value(), g.value())) list.coplanar.push_back(std::minmax(f, g));
+  }
+
+  const RefineInput& in_;
+  const PointTable& t_;
+  const FaceBoundaries& boundaries_;
+  UnionFind planes_;  // faces found coplanar with each other; empty until there are such
+  std::vector<int> sign_f_, sign_g_;
+  std::vector<Event> events_f_, events_g_;
+  std::deque<ExactPoint> exact_;  // values of events that no table holds
+  int axis_ = -1;                 // coordinate that orders the common line; -1: lexicographic order
+};
+
+/// Where a point of the plane of a face lies: 0 outside, 1 on the boundary, 2 inside.
+int locate_in_face(const RefineInput& input, SourceId face, Projection axes, const PointView& p);
+
+}  // namespace cnrg
