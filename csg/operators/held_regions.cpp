@@ -77,7 +77,7 @@ bool HeldRegions::same_in_held(RegionId a, RegionId b) {
     told_apart_ = detect_regions(complex_, cells(), walls);
   }
   const auto number = [&](RegionId cell) {
-    return std::lower_bound(told_apart_.begin(), told_apart_.end(), std::pair(cell, 0u))->second;
+    return std::ranges::lower_bound(told_apart_, cell, {}, &std::pair<RegionId, std::uint32_t>::first)->second;
   };
   return number(a) == number(b);
 }
@@ -156,16 +156,15 @@ void HeldRegions::intersect(Roles roles, Conflicts& conflicts) {
   for (const RegionId c : held_cells_) {
     if (attributes_[c] != 0 && !std::binary_search(split_.begin(), split_.end(), c)) drop_attributes(c);
   }
-  for (const RegionId c : held_cells_) inside_[c] = 0, ring_[c] = 0, sets_.reset(c);
+  for (const RegionId c : held_cells_) inside_[c] = 0, sets_.reset(c);
   for (const RegionId c : both) inside_[c] = 1;
   held_cells_ = both;
   for (const RegionId c : both) {
     for_each_neighbour(c, [&](RegionId other) {
-      if (in_held(other)) join(c, other);
+      if (in_held(other)) sets_.unite(c, other);
     });
   }
   combine(roles, both, conflicts);
-  link_joined();
 }
 
 // Gives the regions that came of a step their attributes; `next_cells` are those of next in the result.

@@ -1,8 +1,9 @@
 // The regions of a fold: those of *held*, the value so far, changed in place, beside those of the *next* operand.
 //
-// Regions of held are disjoint sets of 3-cells, named by their smallest cell, their members linked in rings.
+// Regions of held are disjoint sets of 3-cells, named by their smallest cell.
 //   union         joins them at the 3-cells of next only. Where a wall of next comes to stand inside of a region,
-//                 this may fall into several: then its cells are joined anew.
+//                 this may fall into several: then its cells are joined anew. Rings link the members of a region,
+//                 so that they are found at their own cost; only unions ask for them.
 //   intersection  keeps the 3-cells of both and joins them anew; it costs what both have anyway.
 //   difference    takes 3-cells away and never joins regions: each piece has the attributes of the region of the
 //                 first operand that it is of. A set holds all pieces of that region; they are told apart at the
@@ -78,7 +79,7 @@ class HeldRegions {
   // Held.
   Marks<RegionId> inside_;
   SparseSets<RegionId> sets_;
-  Scratch<RegionId, std::uint32_t> ring_;        // 1 + the next cell of its set; 0: itself
+  Scratch<RegionId, std::uint32_t> ring_;        // of unions: 1 + the next cell of its set; 0: itself
   Scratch<RegionId, std::uint32_t> attributes_;  // of a set's smallest cell: 1 + index into the pool
   std::vector<std::unique_ptr<RegionAttributes>> pool_;
   std::vector<RegionId> held_cells_;                            // all of held, and some that were taken away

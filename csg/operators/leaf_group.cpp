@@ -242,7 +242,7 @@ class LeafGroups {
     for (SegmentId s : complex_.edge_segments[e]) {
       if (!complex_.segment_wires[s].empty()) return false;
       for (SourceId f : complex_.segment_faces[s]) {
-        if (f != front && f != back && complex_.sources[f].leaf != a.leaf) return false;
+        if (complex_.sources[f].leaf != a.leaf) return false;
         borders = true;
       }
     }

@@ -70,7 +70,7 @@ class BoxPairs {
   void query(const Box& box, const Visit& visit) const {
     if (nodes_.empty()) return;
     const GridBox own = on_grid(box);
-    const OrientedBox query = upright(box);
+    const OrientedBox query = oriented() ? upright(box) : OrientedBox{};
     std::array<std::uint32_t, 64> stack;
     std::size_t depth = 0;
     stack[depth++] = 1;

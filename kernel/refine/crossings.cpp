@@ -163,11 +163,9 @@ class CrossingFinder {
   bool between(SegmentId s, VertexId v) const {
     const auto& [a, b] = segments_.ends[s];
     if (v == a || v == b) return false;
-    // Along a line points are in lexicographic order. A coordinate in which the ends certainly differ is enough.
+    // Along a line points are in lexicographic order, a first. A coordinate that certainly grows is enough.
     for (int k = 0; k < 3; ++k) {
-      const bool up = t_.upper(a, k)<t_.lower(b)[k], down = t_.lower(a)[k]> t_.upper(b, k);
-      if (up) return compare(t_, k, a, v) < 0 && compare(t_, k, v, b) < 0;
-      if (down) return compare(t_, k, a, v) > 0 && compare(t_, k, v, b) > 0;
+      if (t_.upper(a, k) < t_.lower(b)[k]) return compare(t_, k, a, v) < 0 && compare(t_, k, v, b) < 0;
     }
     return compare_lex(t_, a, v) < 0 && compare_lex(t_, v, b) < 0;
   }

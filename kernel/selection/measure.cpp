@@ -263,9 +263,8 @@ class VolumeSum {
         known[p] = 1;
         number[p] = static_cast<Pole>(weights.size());
         weights.push_back(weights_[p]);
-        for (auto link = std::lower_bound(links.begin(), links.end(), std::pair(p, Pole{0}));
-             link != links.end() && link->first == p; ++link) {
-          open.push_back(link->second);
+        for (const auto& link : std::ranges::equal_range(links, p, {}, &std::pair<Pole, Pole>::first)) {
+          open.push_back(link.second);
         }
       }
     }

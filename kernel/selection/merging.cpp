@@ -298,9 +298,9 @@ Merging::Fate Merging::decide(VertexId v) {
   return Fate::in_face;
 }
 
-// True if two kept edges become one: all faces run along both, and both are pieces of one line or curve.
+// True if two kept edges become one: all faces run along both, and both are pieces of one line or curve. As v is
+// not on the frame, neither are they.
 bool Merging::continues(VertexId v, EdgeId a, EdgeId b) {
-  if (fate(a) == Fate::hidden || fate(b) == Fate::hidden) return false;
   std::size_t at_a = 0, at_b = 0;
   for (Use u = first_use(b); u != end_use(b); ++u) at_b += remains(u);
   for (Use u = first_use(a); u != end_use(a); ++u) {

@@ -6,6 +6,7 @@
 #include "csg/operators/group.h"
 #include "csg/operators/identities.h"
 #include "csg/operators/paper_classification.h"
+#include "csg/operators/table_engine.h"
 #include "kernel/selection/measure.h"
 #include "kernel/selection/simplify.h"
 #include "tests/operators/pieces.h"
@@ -49,6 +50,28 @@ TEST_CASE("a face cut by its leaf keeps the cut, in the point set it goes", "[le
   const auto leaves = leaf_groups(complex);
   CHECK(counts(complex, leaves[0]) == Counts{8 + 10, 12 + 8 + 8, 6 + 6, 1});
   CHECK(counts(complex, leaves[0], SimplifyMode::points) == Counts{8, 12, 6, 1});
+}
+
+TEST_CASE("faces of one patch part where it is planar, and are one where it is curved", "[leaf_group]") {
+  // Three leaves of two squares side by side, the second square rising by 0, 1 and 2: two faces of one patch.
+  Soup soup;
+  for (int rise : {0, 1, 2}) {
+    const LeafId leaf = soup.add_leaf(Fill::none);
+    PointId p[2][3];
+    for (int y : {0, 1}) {
+      for (int x : {0, 1, 2}) p[y][x] = soup.add_point(x, y + 2 * rise, x == 2 ? rise : 0);
+    }
+    for (std::uint32_t i : {0u, 1u}) {
+      const std::vector<std::vector<PointId>> loops{{p[0][i], p[0][i + 1], p[1][i + 1], p[1][i]}};
+      soup.add_face(leaf, loops, i, 0);
+    }
+  }
+  const auto complex = build_complex(soup, {});
+  const auto leaves = leaf_groups(*complex);
+  CHECK(counts(*complex, leaves[0]) == Counts{6, 7, 2, 0});
+  CHECK(leaves[0].features.edges.size() == 7);
+  CHECK(leaves[1].features.edges.size() == 6);
+  CHECK(leaves[2].features.edges.size() == 6);
 }
 
 TEST_CASE("a face without area, or a part of one, has no edges", "[leaf_group]") {
@@ -187,6 +210,39 @@ TEST_CASE("complement twice, De Morgan, regularize", "[complement]") {
   CHECK(regularize(complex, complement(complex, rest)).faces == regularize(complex, both).faces);
   CHECK(boolean_operation(complex, BooleanOp::subtract, Dominance::equal, a, b).group.cells ==
         boolean_operation(complex, BooleanOp::intersect, Dominance::equal, a, not_b).group.cells);
+}
+
+TEST_CASE("a step of a fold asks what the steps before it have left", "[boolean]") {
+  const auto fold = [](const Complex& complex, BooleanOp op, const std::vector<Group>& groups) {
+    const Group* first = &groups[0];
+    TableEngine engine(complex, op, std::span(&first, 1));
+    FoldStep step;
+    for (std::size_t i = 1; i < groups.size(); ++i) {
+      const Group* next = &groups[i];
+      engine.step(Dominance::left, std::span(&next, 1), step);
+    }
+    return engine.group();
+  };
+  // A sheet hangs in a box, up to half of its height; what is above it goes, and then it parts two regions.
+  const Point low{2, 0, 0}, high{2, 4, 2};
+  const auto built_complex =
+      complex_of({box({0, 0, 0}, {4, 4, 4}) + sheet(low, high, 1), box({1, -1, 2}, {3, 5, 5}), sheet(low, high)});
+  const Complex& complex = *built_complex;
+  const auto leaves = leaf_groups(complex);
+  const Group alone = fold(complex, BooleanOp::subtract, {leaves[0], leaves[2]});
+  CHECK(alone.regions.size() == 1);
+  CHECK(counts(complex, alone) == Counts{8 + 4, 12 + 3 + 2, 6 + 1, 1});  // its rim on the box stays as features
+  const Group parted = fold(complex, BooleanOp::subtract, leaves);
+  CHECK(parted.regions.size() == 2);
+  CHECK(counts(complex, parted) == Counts{16 + 4, 24 + 4 + 4, 10 + 4 + 1, 2});
+  // Of the third box, a part is in the first one alone.
+  const auto built_boxes =
+      complex_of({box({0, 0, 0}, {4, 4, 4}), box({2, 0, 0}, {6, 4, 4}), box({0, 1, 1}, {6, 3, 3})});
+  const Group common = fold(*built_boxes, BooleanOp::intersect, leaf_groups(*built_boxes));
+  std::vector<RegionId> cells;
+  for (const auto& cell : common.cells) cells.push_back(cell.first);
+  CHECK(*volume(*built_boxes, cells) == 2 * 2 * 2);
+  CHECK(common.regions.size() == 1);
 }
 
 TEST_CASE("idempotence and order of equal unions", "[boolean]") {

@@ -105,6 +105,21 @@ TEST_CASE("Wires of which one ends before it reaches the other do not meet", "[c
   expect("leaf none\nwire 3 0 0, 3 2 0\nleaf none\nwire 0 0 0, 4 4 0", {4, 2, 0, 1});
 }
 
+TEST_CASE("Along a line that doubles take for upright points are in order", "[contacts]") {
+  // In the plane z = 0 a face leaves the trace from y = 1 down to y = -1; x grows by one in 10^30. A triangle ends
+  // on its middle, and a wire runs from there beyond its lower end.
+  const char* flat = "leaf none\nface -3 -3 0, 3 -3 0, 3 3 0, -3 3 0\n";
+  for (const Rational& growth : {Rational("1"), Rational("1/1000000000000000000000000000000")}) {
+    const auto at = [&](int y, int z) {
+      const Rational x = Rational(1, 3) + growth * (1 - y) / 2;
+      return x.get_str() + ' ' + std::to_string(y) + ' ' + std::to_string(z);
+    };
+    expect(flat + ("leaf none\nface " + at(1, -1) + ", " + at(-1, -1) + ", " + at(-1, 1) + ", " + at(1, 1)) +
+               "\nleaf none\nface " + at(0, 0) + ", 2 0 0, 2 0 1\nleaf none\nwire " + at(0, 0) + ", " + at(-2, 0),
+           {4 + 6 + 3 + 1, 4 + 6 + 2 + 3 + 1, 1 + 2 + 1, 1});
+  }
+}
+
 TEST_CASE("Triangles around a tip that go around more than once meet each other", "[contacts]") {
   // Nine eighths of a turn, all facing up: the first and the last cross each other along a line from the tip.
   const char* rim[] = {"1 0 1",   "1 1 0",  "0 1 0",  "-1 1 0", "-1 0 0",

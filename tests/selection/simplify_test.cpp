@@ -170,6 +170,63 @@ TEST_CASE("wires: straight pieces are one edge, pieces of one curve too", "[simp
   CHECK(active_counts(simplify(complex, everything(complex), {}, SimplifyMode::points)) == Counts{9, 7, 0, 0});
 }
 
+TEST_CASE("a closed curve and the region around it are listed without a vertex", "[simplify]") {
+  Soup soup;
+  const LeafId leaf = soup.add_leaf(Fill::none);
+  std::vector<PointId> p;
+  for (int i = 0; i < 7; ++i)
+    p.push_back(soup.add_point(std::cos(2 * M_PI * i / 7), std::sin(2 * M_PI * i / 7), 0));
+  for (int i = 0; i < 7; ++i) soup.add_wire(leaf, p[i], p[(i + 1) % 7], 0);
+  const auto built_complex = built(soup);
+  const Complex& complex = *built_complex;
+  const auto s = simplify(complex, everything(complex), {});
+  CHECK(active_counts(s) == Counts{0, 1, 0, 0});
+  CHECK(s.vertices.empty());
+  REQUIRE(s.regions.size() == 1);
+  CHECK(s.regions[0].cells == std::vector<RegionId>{RegionId(0)});
+  Location outside;
+  outside.region = RegionId(0);
+  CHECK(s.place(complex, outside).index == 0);
+}
+
+TEST_CASE("a closed surface of one patch is a face without a border between two regions", "[simplify]") {
+  Soup soup;
+  const LeafId leaf = soup.add_leaf(Fill::none);
+  const PointId p[4] = {soup.add_point(0, 0, 0), soup.add_point(1, 0, 0), soup.add_point(0, 1, 0),
+                        soup.add_point(0, 0, 1)};
+  for (int i = 0; i < 4; ++i) soup.add_triangle(leaf, p[i], p[(i + 1) % 4], p[(i + 2) % 4], 0, 0);
+  const auto built_complex = built(soup);
+  const Complex& complex = *built_complex;
+  Selection surface = everything(complex);
+  surface.regions.clear();
+  const auto s = simplify(complex, surface, {});
+  CHECK(active_counts(s) == Counts{0, 0, 1, 0});
+  REQUIRE(s.faces.size() == 1);
+  CHECK(s.faces[0].loops.size() == 0);
+  REQUIRE(s.regions.size() == 2);
+  CHECK(s.faces[0].regions[0] + s.faces[0].regions[1] == 1);
+  for (const auto& region : s.regions) CHECK(region.shells.size() == 1);
+}
+
+TEST_CASE("what is not listed is of no component", "[simplify]") {
+  const auto built_complex = complex_of({box({0, 0, 0}, {4, 4, 4})});
+  const Complex& complex = *built_complex;
+  const auto nothing = simplify(complex, {}, {});
+  CHECK(nothing.regions.empty());
+  Location inside;
+  inside.region = RegionId(1);
+  const auto place = nothing.place(complex, inside);
+  CHECK(cell_name(place.dimension, place.index) == "-");
+  CHECK(component_of(nothing, place) == 0);
+  // As soon as something is active, what lies around is listed and inactive.
+  Selection corner;
+  corner.vertices.emplace_back(complex.vertices[0], 2);
+  const auto some = simplify(complex, corner, {});
+  REQUIRE(some.regions.size() == 1);
+  CHECK(component_of(some, some.place(complex, inside)) == 0);
+  CHECK(component_of(some, some.vertex_place[complex.vertices[0].index()]) == 2);
+}
+
 TEST_CASE("open sets: missing cells remain as inactive ones", "[simplify]") {
   // A box without its walls, and without one inner point and one inner wire.
   const auto built_complex = complex_of(
