@@ -107,7 +107,7 @@ int run_eval(const EvalArguments& arguments) {
   require_distinct(arguments.files);
   for (const std::string& path : arguments.files) check_file_name(path);  // before the work, not after it
   const Tree tree = tree_of(arguments);
-  require_no_input(arguments.files, tree);
+  require_writable(arguments.files, tree);
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.raw = arguments.raw;

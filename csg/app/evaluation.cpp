@@ -67,7 +67,7 @@ void require_distinct(const std::vector<std::string>& files) {
   }
 }
 
-void require_no_input(const std::vector<std::string>& files, const Tree& tree) {
+void require_writable(const std::vector<std::string>& files, const Tree& tree) {
   const auto require = [&](const std::string& input, const std::string& what) {
     for (const std::string& file : files) {
       std::error_code code;  // of what is not there
@@ -76,6 +76,12 @@ void require_no_input(const std::vector<std::string>& files, const Tree& tree) {
     }
   };
   if (files.empty()) return;
+  for (const std::string& file : files) {
+    std::error_code code;  // of what is not there
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    if (folder.empty() || std::filesystem::is_directory(folder, code)) continue;
+    throw FileError(file + ": cannot be written: there is no folder '" + folder.string() + "'; make it first");
+  }
   require(tree.file, "the tree itself");
   for (const Node& node : tree.nodes) {
     if (const std::string* file = file_of(node)) require(*file, "a file that the node " + node.name + " reads");

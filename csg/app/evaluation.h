@@ -38,8 +38,9 @@ auto at_node(const Tree& tree, NodeId node, Work work) {
 /// InputError when a file to be written is given twice, by whatever names: only one of the two could stay.
 void require_distinct(const std::vector<std::string>& files);
 
-/// InputError when a file to be written is the tree or one that the tree reads: a slip that would destroy it.
-void require_no_input(const std::vector<std::string>& files, const Tree& tree);
+/// Before the work: FileError when a file is to be written into a folder that is not there, InputError when it is
+/// the tree or one that the tree reads, a slip that would destroy it.
+void require_writable(const std::vector<std::string>& files, const Tree& tree);
 
 /// Diagnostics on standard error; `quiet`: warnings only.
 void print(const std::vector<Diagnostic>& diagnostics, bool quiet);

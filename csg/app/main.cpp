@@ -239,6 +239,7 @@ int main(int argc, char** argv) {
   using namespace cnrg::app;
   guard_ends();
   occupy_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond `ulimit -f` is an error of its write
   std::signal(SIGCHLD, SIG_DFL);  // who starts us may have ignored it, and then no child could be waited for
   try {
     std::ios::sync_with_stdio(false);

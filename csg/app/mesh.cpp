@@ -39,7 +39,7 @@ int run_mesh(const MeshArguments& arguments) {
   require_distinct(arguments.files);
   for (const std::string& path : arguments.files) check_mesh_file_name(path);  // before the work, not after it
   const Tree tree = tree_of(arguments);
-  require_no_input(arguments.files, tree);
+  require_writable(arguments.files, tree);
   const NodeId node = node_of(tree, arguments.node);
   print(unused_nodes(tree, {tree.result, node}), arguments.quiet);
   EvaluateOptions options;

@@ -81,8 +81,28 @@ void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& optio
   result.refine_seconds = stopwatch.seconds();
 }
 
+/// The leaves below operands, one instance after the other. Along a chain of nodes with one operand each they are
+/// the same: to list them anew at each node would cost the square of its length.
+class LeavesBelow {
+ public:
+  LeavesBelow(const PreparedLeaves& leaves, const Unfolding& unfolding) : leaves_(leaves), unfolding_(unfolding) {}
+  std::shared_ptr<const std::vector<LeafId>> of(InstanceId id) {
+    const std::vector<InstanceId>& operands = unfolding_.instances[id].operands;
+    if (!known_ || (last_ != id && (operands.size() != 1 || operands[0] != last_)))
+      known_ = std::make_shared<const std::vector<LeafId>>(leaves_.below(unfolding_, id));
+    last_ = id;
+    return known_;
+  }
+
+ private:
+  const PreparedLeaves& leaves_;
+  const Unfolding& unfolding_;
+  InstanceId last_;
+  std::shared_ptr<const std::vector<LeafId>> known_;  // those below `last_`
+};
+
 /// The operator of an inner instance on its operands' values; faults of the input come at the operator's place.
-Outcome run_operator(const Tree& tree, const Unfolding& unfolding, InstanceId id, const PreparedLeaves& leaves,
+Outcome run_operator(const Tree& tree, const Unfolding& unfolding, InstanceId id, LeavesBelow& below,
                      Grades& grades, const Complex& complex, ValueStore& values, bool validate) {
   const Instance& instance = unfolding.instances[id];
   const Node& node = tree.nodes[instance.node];
@@ -93,7 +113,7 @@ Outcome run_operator(const Tree& tree, const Unfolding& unfolding, InstanceId id
                         tree.nodes[unfolding.instances[operand].node].name,
                         values.expendable(operand) ? value : nullptr,
                         {}});
-    if (is_topological(node.op)) operands.back().below = leaves.below(unfolding, operand);
+    if (is_topological(node.op)) operands.back().below = below.of(operand);
   }
   try {
     return operate(complex, node, grades.on(instance, node.material), operands, validate);
@@ -134,6 +154,7 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
   put_leaf_values(tree, unfolding, leaves, grades, complex, values);
   if (options.rows) prepare_totals(complex, unfolding, values);
 
+  LeavesBelow below(leaves, unfolding);
   std::optional<SimplifiedComplex> of_result;
   for (const InstanceId id : IdRange<InstanceId>(unfolding.instances.size())) {
     progress("nodes", id.index(), unfolding.instances.size());
@@ -142,7 +163,7 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
     std::vector<MaterialConflict> conflicts;
     if (!values.has(id)) {
       const Stopwatch stopwatch;
-      Outcome outcome = run_operator(tree, unfolding, id, leaves, grades, complex, values, options.validate);
+      Outcome outcome = run_operator(tree, unfolding, id, below, grades, complex, values, options.validate);
       row.seconds = stopwatch.seconds();
       row.removals = std::move(outcome.removals);
       conflicts = std::move(outcome.conflicts);

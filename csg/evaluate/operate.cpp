@@ -194,8 +194,8 @@ Outcome topology_of(const Complex& complex, const Node& node, const Operand& of,
     if (op == Topological::regularize) return {regularized(complex, operand.parts()), {}, {}};
   }
   const Components x = components_of(complex, operand);
-  ComponentsResult result = node.each ? topological_operation_of_each(complex, op, x, of.below)
-                                      : topological_operation(complex, op, x, of.below);
+  ComponentsResult result = node.each ? topological_operation_of_each(complex, op, x, *of.below)
+                                      : topological_operation(complex, op, x, *of.below);
   if (validate) require_identity(node, check_topological(complex, op, node.each, x, result.value));
   return of_components(std::move(result));
 }

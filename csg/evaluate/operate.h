@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -25,7 +26,7 @@ struct Operand {
   const NodeValue* value = nullptr;
   std::string name;            ///< of its node, for messages
   NodeValue* spent = nullptr;  ///< the same value where nobody needs it any more: it may be moved from
-  std::vector<LeafId> below;   ///< for topological operators: the leaves below it, ascending
+  std::shared_ptr<const std::vector<LeafId>> below;  ///< for topological operators: the leaves below it, ascending
 };
 
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes; `material`

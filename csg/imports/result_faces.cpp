@@ -56,34 +56,39 @@ class FaceCheck {
   }
 
   /// The loops of a face that is not flat, from those of its facets: where a walk comes to a side between two
-  /// facets it goes on in the other one.
+  /// facets it goes on in the other one. A face that meets itself may pass an edge several times the same way.
   void check_curved(const Cursor& at, const Face& face) const {
-    std::map<Step, Index> next;
+    std::vector<Step> steps;         // of all walks of all facets
+    std::vector<std::size_t> after;  // by step: the next one in its walk
+    std::map<Step, std::size_t> between;
     std::vector<Index> isolated, boundary;
     for (std::size_t k = face.first; k < face.first + face.facets; ++k) {
       const Facet& facet = content_.facets[k];
       for (const Loop& walk : facet.walks) {
+        const std::size_t first = steps.size();
         for (std::size_t i = 0; i < walk.size(); ++i) {
           const Step step(walk[i], walk[(i + 1) % walk.size()]);
-          if (!next.try_emplace(step, walk[(i + 2) % walk.size()]).second) {
+          if (!placed_.on_edge(step) && !between.try_emplace(step, steps.size()).second) {
             at.member("facets").at(k - face.first).refuse("the facets of a face agree which side is the front");
           }
           if (table_.vertices.contains(step.first)) isolated.push_back(step.first);
           if (placed_.on_edge(step)) boundary.insert(boundary.end(), {step.first, step.second});
+          after.push_back(first + (i + 1) % walk.size());
+          steps.push_back(step);
         }
       }
       isolated.insert(isolated.end(), facet.isolated.begin(), facet.isolated.end());
     }
     std::vector<Loop> loops;
-    std::map<Step, char> walked;
-    for (const auto& [start, after] : next) {
-      if (!placed_.on_edge(start) || walked.contains(start)) continue;
+    std::vector<char> walked(steps.size(), 0);
+    for (std::size_t start = 0; start < steps.size(); ++start) {
+      if (!placed_.on_edge(steps[start]) || walked[start]) continue;
       Loop& loop = loops.emplace_back();
-      for (Step step = start; walked.try_emplace(step, 1).second;) {
-        loop.push_back(step.first);
-        Step follow(step.second, next.at(step));
-        while (!placed_.on_edge(follow)) follow = {follow.first, next.at({follow.second, follow.first})};
-        step = follow;
+      for (std::size_t i = start; !walked[i];) {
+        walked[i] = 1;
+        loop.push_back(steps[i].first);
+        i = after[i];
+        while (!placed_.on_edge(steps[i])) i = after[between.at({steps[i].second, steps[i].first})];
       }
     }
     put_in_order(loops);

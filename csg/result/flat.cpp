@@ -300,7 +300,8 @@ class Flattener {
     return place.dimension == 3 && place.index < simple_.regions.size() ? place.index : kNone;
   }
 
-  /// The first patch that covers all cells of the face, one of `leaves` if there is any.
+  /// The first patch of `leaves` that covers all cells of the face. Patches of other leaves made no face one, so a
+  /// reader must not make one of them.
   std::optional<FlatComplex::Patch> patch_of(const SimplifiedComplex::Face& face,
                                              const std::vector<LeafId>& leaves) const {
     std::vector<FlatComplex::Patch> common, here, both;
@@ -322,7 +323,7 @@ class Flattener {
     const auto own = std::find_if(common.begin(), common.end(), [&](const FlatComplex::Patch& patch) {
       return std::binary_search(leaves.begin(), leaves.end(), patch.first);
     });
-    return own == common.end() ? common[0] : *own;
+    return own == common.end() ? std::nullopt : std::optional(*own);
   }
 
   void make_edges() {

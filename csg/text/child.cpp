@@ -58,7 +58,7 @@ std::size_t seconds_of(const ChildLimits& limits) {
 
 void obey(const ChildLimits& limits, std::size_t had) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  for (int number = 1; number < NSIG; ++number) signal(number, SIG_DFL);
+  for (int number = 1; number < NSIG; ++number) signal(number, number == SIGXFSZ ? SIG_IGN : SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);

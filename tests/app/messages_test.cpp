@@ -59,6 +59,23 @@ TEST_CASE("an empty name on the command line is told as such", "[app][messages]"
   CHECK_FALSE(std::filesystem::exists(w.path("a.json")));
 }
 
+TEST_CASE("a folder that is not there is told before the work, a file that may not grow after it",
+          "[app][messages]") {
+  const Workshop w;
+  w.write("t.yaml", "cnrg: 1\nnodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 60}}\nresult: a\n");
+  for (const std::string command : {"eval", "mesh"}) {
+    CAPTURE(command);
+    const std::string name = command == "eval" ? "no/x.json" : "no/x.msh";
+    const Outcome o = w.run(command + " t.yaml -o " + name);
+    CHECK(o.status == 3);
+    CHECK(o.err == "cnrg: error: " + name + ": cannot be written: there is no folder 'no'; make it first\n");
+    CHECK(o.out.empty());
+  }
+  const Outcome o = w.shell("ulimit -f 1; '" CNRG_PROGRAM "' eval --quiet t.yaml -o x.json >.out 2>.err");
+  CHECK(o.status == 3);
+  CHECK(o.err == "cnrg: error: x.json: cannot be written: File too large\n");
+}
+
 TEST_CASE("the version names every library", "[app][messages]") {
   const std::string text = Workshop().run("--version").out;
   for (const char* name : {"\noneTBB 2", "\nyaml-cpp 0.", "\nTetGen 1."}) CHECK_THAT(text, Contains(name));

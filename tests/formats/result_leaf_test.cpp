@@ -9,6 +9,7 @@
 #include "csg/operators/cnrg.h"
 #include "csg/operators/leaf_value.h"
 #include "csg/text/file.h"
+#include "csg/tree/tree.h"
 #include "kernel/base/error.h"
 #include "tests/formats/cases.h"
 #include "tests/scenes/scene.h"
@@ -159,6 +160,36 @@ TEST_CASE("round trip: a flat face whose rim is a curve") {
   check_round_trip(c);
   c.show(boolean_operation(*c.complex, BooleanOp::subtract, Dominance::equal, c.leaves[1], c.leaves[0]).group);
   CHECK(active_counts(c.simplified) == std::array<std::size_t, 4>{4, 5, 1, 0});
+  check_round_trip(c);
+}
+
+TEST_CASE("round trip: what a curved component leaves open, or bounds as another") {
+  Soup soup;
+  add_box(soup, {-9, -9, -9}, {9, 9, 9});
+  add_drum(soup, 12, -4, 4);
+  Case c(soup);
+  const Components box = components_of(*c.complex, c.leaves[0]), drum = components_of(*c.complex, c.leaves[1]);
+  c.show(subtract(*c.complex, box, drum).value);
+  check_round_trip(c);
+  c.show(subtract(*c.complex, drum, box).value);
+  check_round_trip(c);
+  const Components open = topological_operation(*c.complex, Topological::interior, drum).value;
+  c.show(subtract(*c.complex, box, open).value);
+  check_round_trip(c);
+  c.show(sum(*c.complex, box, open).value);
+  check_round_trip(c);
+}
+
+TEST_CASE("round trip: a curved face that meets itself in an edge") {
+  const Tree tree = parse_tree(R"(cnrg: 1
+nodes:
+  s: {bezier: {patch: [[[0, 1, 2], [2, 2, 0]], [[1, 2, 0], [1, 2, 0]], [[1, 0, 0], [2, 2, 2]]], segments: 2}}
+result: s
+)",
+                               "t.yaml");
+  Soup soup;
+  prepare(*tree.nodes[tree.result].shape)->add_to(soup, {});
+  Case c(soup);
   check_round_trip(c);
 }
 
