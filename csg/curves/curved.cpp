@@ -26,7 +26,8 @@ using Ring = std::vector<PointId>;
 void check_count(const char* shape, const char* what, int count, int least) {
   if (count >= least && count <= Fineness::kMostSegments) return;
   throw InputError(std::string(shape) + ": " + what + " is " + std::to_string(count) + ": give " +
-                   (count < least ? "at least " + std::to_string(least) : "at most " + std::to_string(Fineness::kMostSegments)));
+                   (count < least ? "at least " + std::to_string(least)
+                                  : "at most " + std::to_string(Fineness::kMostSegments)));
 }
 
 /// A grid of facets that no machine of today holds is refused before it is begun.

@@ -252,6 +252,7 @@ class VolumeSum {
       }
     }
     sort_unique(links);
+    const auto by_first = [](const auto& a, const auto& b) { return a.first < b.first; };
     std::vector<Pole> number(weights_.size()), open;
     std::vector<char> known(weights_.size(), 0);
     std::vector<Integer> weights;
@@ -263,9 +264,8 @@ class VolumeSum {
         known[p] = 1;
         number[p] = static_cast<Pole>(weights.size());
         weights.push_back(weights_[p]);
-        for (const auto& link : std::ranges::equal_range(links, p, {}, &std::pair<Pole, Pole>::first)) {
-          open.push_back(link.second);
-        }
+        const auto [first, last] = std::equal_range(links.begin(), links.end(), std::pair(p, Pole{0}), by_first);
+        std::transform(first, last, std::back_inserter(open), [](const auto& link) { return link.second; });
       }
     }
     weights_ = std::move(weights);

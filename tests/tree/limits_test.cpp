@@ -48,8 +48,7 @@ TEST_CASE("segments and rings at their limits", "[tree][limits]") {
 }
 
 TEST_CASE("ten million facets", "[.limits]") {
-  expect_limit_of_shape(sphere("500000", "20"), sphere("500000", "21"),
-                        "10500000 facets: give at most 10000000");
+  expect_limit_of_shape(sphere("500000", "20"), sphere("500000", "21"), "10500000 facets: give at most 10000000");
 }
 
 TEST_CASE("one facet of a round leaf too many", "[tree][limits]") {
