@@ -181,6 +181,7 @@ class FaceCheck {
     std::vector<Step> inner;
     std::set_difference(sides.begin(), sides.end(), wanted.begin(), wanted.end(), std::back_inserter(inner));
     std::vector<Step> opposite;
+    opposite.reserve(inner.size());
     for (const auto& [a, b] : inner) opposite.emplace_back(b, a);
     std::sort(opposite.begin(), opposite.end());
     if (!std::includes(sides.begin(), sides.end(), wanted.begin(), wanted.end()) || opposite != inner ||
