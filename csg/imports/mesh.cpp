@@ -9,6 +9,7 @@
 // (they sew T-junctions), and are left out afterwards.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/mesh_boundary.h"
@@ -81,7 +82,19 @@ class MeshLeaf {
     return static_cast<std::size_t>(std::unique(polygon.begin(), polygon.end()) - polygon.begin());
   }
 
+  /// True for a walk that goes back all the way that it came: a thread, which encloses nothing.
+  static bool is_thread(const Polygon& polygon) {
+    if (distinct(polygon) == polygon.size()) return false;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> passes;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const std::uint32_t a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+      passes[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+    return std::all_of(passes.begin(), passes.end(), [](const auto& side) { return side.second == 0; });
+  }
+
   Frame3 frame_of(const Polygon& polygon) const {
+    if (polygon.size() > 3 && is_thread(polygon)) return {};
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       if (!points_.collinear(polygon[0], polygon[1], polygon[i]))
         return {polygon[0], polygon[1], polygon[i], false};

@@ -96,6 +96,15 @@ TEST_CASE("T-junctions are closed in space") {
   CHECK(volume(soup) == 1);
 }
 
+TEST_CASE("a face that goes back all the way that it came is left out, with a notice") {
+  const Files files;
+  const auto leaf = prepare(mesh(
+      files.write("thread.off", "OFF\n6 2 0\n2 2 2\n2 2 0\n2 1 0\n4 4 4\n5 4 4\n4 5 4\n4 0 1 0 2\n3 3 4 5\n")));
+  REQUIRE(leaf->notices().size() == 2);
+  CHECK_THAT(leaf->notices()[0] + leaf->notices()[1], Catch::Contains("1 face has zero area: left out"));
+  CHECK(make_soup({{leaf}}).face_count() == 1);
+}
+
 TEST_CASE("corners that repeat and faces that collapse") {
   const Files files;
   std::string text = replaced(kCube, "8 12 0", "9 15 0");
