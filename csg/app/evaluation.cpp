@@ -9,6 +9,7 @@
 
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
+#include "csg/evaluate/prepared_leaves.h"
 
 namespace cnrg::app {
 namespace {
@@ -22,17 +23,6 @@ void limit_threads(int threads) {
     limit =
         new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   }
-}
-
-/// The file that a leaf reads; nullptr if it reads none.
-const std::string* file_of(const Node& node) {
-  if (!node.shape) return nullptr;
-  return std::visit(
-      [](const auto& shape) -> const std::string* {
-        if constexpr (requires { shape.file; }) return &shape.file;
-        else return nullptr;
-      },
-      *node.shape);
 }
 
 }  // namespace
@@ -84,7 +74,8 @@ void require_writable(const std::vector<std::string>& files, const Tree& tree) {
   }
   require(tree.file, "the tree itself");
   for (const Node& node : tree.nodes) {
-    if (const std::string* file = file_of(node)) require(*file, "a file that the node " + node.name + " reads");
+    const std::string* const file = node.shape ? file_of(*node.shape) : nullptr;
+    if (file != nullptr) require(*file, "a file that the node " + node.name + " reads");
   }
 }
 

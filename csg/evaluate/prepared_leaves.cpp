@@ -37,15 +37,6 @@ std::optional<FileFault> split(const std::string& message, const std::string& fi
   return fault;
 }
 
-/// The file that a shape reads; empty when it reads none.
-std::string file_of(const Shape& shape) {
-  if (const auto* mesh = std::get_if<MeshShape>(&shape)) return mesh->file;
-  if (const auto* field = std::get_if<HeightfieldShape>(&shape)) return field->file;
-  if (const auto* model = std::get_if<CadShape>(&shape)) return model->file;
-  if (const auto* result = std::get_if<ResultShape>(&shape)) return result->file;
-  return {};
-}
-
 /// Where the tree file has a face of a leaf: the face of a group, else the leaf itself.
 Position position_of(const Node& node, std::optional<std::size_t> face) {
   const auto* group = node.shape ? std::get_if<GroupShape>(&*node.shape) : nullptr;
@@ -86,6 +77,15 @@ std::string solids_in(const std::string& solids, const std::vector<LeafRegion>& 
 
 }  // namespace
 
+const std::string* file_of(const Shape& shape) {
+  return std::visit(
+      [](const auto& leaf) -> const std::string* {
+        if constexpr (requires { leaf.file; }) return &leaf.file;
+        else return nullptr;
+      },
+      shape);
+}
+
 PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding)
     : tree_(&tree), prepared_(tree.nodes.size()), leaf_of_(number_leaves(tree, unfolding.instances)) {
   for (const InstanceId i : IdRange<InstanceId>(unfolding.instances.size())) {
@@ -116,7 +116,8 @@ void PreparedLeaves::prepare_node(NodeId id) {
   try {
     prepared_[id] = prepare(*node.shape);
   } catch (const InputError& e) {
-    const std::string file = file_of(*node.shape);
+    const std::string* const reads = file_of(*node.shape);
+    const std::string file = reads == nullptr ? std::string() : *reads;
     if (const std::optional<FileFault> fault = split(e.what(), file)) {
       throw TreeError(file, fault->at,
                       fault->rest + " (read for the node `" + node.name + "`, " +

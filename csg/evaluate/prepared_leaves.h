@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "csg/evaluate/grades.h"
@@ -15,6 +16,9 @@
 #include "csg/tree/unfold.h"
 
 namespace cnrg {
+
+/// The file that a shape reads; nullptr if it reads none.
+const std::string* file_of(const Shape& shape);
 
 /// The leaf instances of an unfolded tree, by LeafId as `number_leaves` has it. The tree must outlive this; the
 /// unfolding need not.

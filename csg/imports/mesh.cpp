@@ -62,12 +62,14 @@ class MeshLeaf {
       }
       while (polygon.size() > 1 && polygon.back() == polygon.front()) polygon.pop_back();
       if (polygon.size() != data_.offsets[f + 1] - data_.offsets[f]) ++repeated_;
-      if (polygon.size() < 3 || (polygon.size() > 3 && distinct(polygon) < 3)) {
+      const std::size_t corners = polygon.size() > 3 ? distinct(polygon) : polygon.size();
+      if (corners < 3) {
         ++collapsed_;
         continue;
       }
       const std::uint32_t group = data_.groups.empty() ? 0 : data_.groups[f];
-      const Frame3 frame = frame_of(polygon);
+      const bool thread = corners < polygon.size() && is_thread(polygon);
+      const Frame3 frame = thread ? Frame3() : frame_of(polygon);
       if (frame.flat || polygon.size() == 3 || planar(polygon, frame)) {
         add_face(polygon, frame, group);
         continue;
@@ -84,7 +86,6 @@ class MeshLeaf {
 
   /// True for a walk that goes back all the way that it came: a thread, which encloses nothing.
   static bool is_thread(const Polygon& polygon) {
-    if (distinct(polygon) == polygon.size()) return false;
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> passes;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const std::uint32_t a = polygon[i], b = polygon[(i + 1) % polygon.size()];
@@ -94,7 +95,6 @@ class MeshLeaf {
   }
 
   Frame3 frame_of(const Polygon& polygon) const {
-    if (polygon.size() > 3 && is_thread(polygon)) return {};
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       if (!points_.collinear(polygon[0], polygon[1], polygon[i]))
         return {polygon[0], polygon[1], polygon[i], false};
