@@ -22,6 +22,13 @@ namespace cnrg {
 class LeafParameters;
 struct CellTable;
 
+/// The surfaces that carry the curved patches of a leaf, before its transform. csg/carriers compares those of all
+/// leaves; what is derived from this says which kinds there are.
+class CurvedForm {
+ public:
+  virtual ~CurvedForm() = default;
+};
+
 /// A fault inside a file that a leaf reads. The message already has its position, `file:line: error: ...` (for
 /// binary data `file: byte N: error: ...`): who knows the tree's position may add where the file is used.
 class LeafFileError : public InputError {
@@ -60,8 +67,13 @@ class PreparedLeaf {
   const ParameterSource& parameters() const { return parameters_; }
   void set_parameters(ParameterSource source) { parameters_ = std::move(source); }
 
+  /// Of a curved leaf: what its patches lie on. Null for others.
+  const std::shared_ptr<const CurvedForm>& form() const { return form_; }
+  void set_form(std::shared_ptr<const CurvedForm> form) { form_ = std::move(form); }
+
  private:
   ParameterSource parameters_;
+  std::shared_ptr<const CurvedForm> form_;
 };
 
 /// Reads files and checks everything that can be checked for the leaf alone. Throws InputError: the message
