@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/imports/cad_surfaces.h"
 #include "csg/leaves/shapes.h"
 
 namespace cnrg {
@@ -32,11 +33,13 @@ struct CadModel {
     std::vector<std::pair<std::uint32_t, bool>> border;
     std::vector<std::uint32_t> behind, before;  ///< solids that lie on its back, on its front
     bool outside = false;                       ///< (also) used outside of all solids: by a shell, or alone
+    CadSurface surface;                         ///< what carries it
   };
   struct Edge {
     std::vector<std::uint32_t> points;  ///< along the curve, equal ends where it closes; one point: no length
     std::vector<double> parameters;     ///< of these
     bool seam = false;                  ///< where one face meets itself, and no other
+    CadCurve curve;                     ///< what carries it; points go from its first to its last parameter
   };
   struct Vertex {
     std::uint32_t point = 0;

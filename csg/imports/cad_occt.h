@@ -1,6 +1,8 @@
 // OpenCASCADE's part of CAD leaves: files to shapes, shapes to facets. The only header that knows its types.
 #pragma once
 
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <string>
 #include <utility>
@@ -26,6 +28,10 @@ CadFile read_brep(const CadShape& shape, const std::string& content);
 
 /// Meshes the faces and edges of a file, on one thread.
 CadModel tessellate(const CadShape& shape, const CadFile& file);
+
+/// What carries a face, an edge: with its location. `turned` is the face's own orientation.
+CadSurface surface_of(const TopoDS_Face& face);
+CadCurve curve_of(const TopoDS_Edge& edge);
 
 /// All of it: from the content of a file to its facets. To be called in a child: OpenCASCADE prints, may crash or
 /// not end, and leaves its settings changed.

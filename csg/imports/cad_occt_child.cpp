@@ -40,6 +40,36 @@ void write_each(const MemoryFile& file, const std::vector<T>& list, const Write&
   for (const T& item : list) write(item);
 }
 
+void write_knots(const MemoryFile& file, const CadKnots& knots) {
+  file.write_value(knots.degree);
+  file.write_value(knots.periodic);
+  file.write_list(knots.values);
+  file.write_list(knots.counts);
+}
+
+void write_curve(const MemoryFile& file, const CadCurve& curve) {
+  file.write_value(curve.kind);
+  for (const double x : {curve.first, curve.last, curve.radius, curve.minor_radius}) file.write_value(x);
+  file.write_value(curve.axes);
+  file.write_list(curve.points);
+  file.write_list(curve.weights);
+  write_knots(file, curve.knots);
+  file.write_list(curve.name);
+}
+
+void write_surface(const MemoryFile& file, const CadSurface& surface) {
+  file.write_value(surface.kind);
+  file.write_value(surface.turned);
+  file.write_value(surface.axes);
+  for (const double x : {surface.radius, surface.minor_radius, surface.half_angle}) file.write_value(x);
+  file.write_value(surface.rows);
+  file.write_list(surface.points);
+  file.write_list(surface.weights);
+  for (const CadKnots& knots : surface.knots) write_knots(file, knots);
+  write_curve(file, surface.profile);
+  file.write_list(surface.name);
+}
+
 void write_model(const MemoryFile& file, const CadModel& model) {
   file.write_list(model.points);
   write_each(file, model.faces, [&](const CadModel::Face& face) {
@@ -52,11 +82,13 @@ void write_model(const MemoryFile& file, const CadModel& model) {
     file.write_list(face.behind);
     file.write_list(face.before);
     file.write_value(face.outside);
+    write_surface(file, face.surface);
   });
   write_each(file, model.edges, [&](const CadModel::Edge& edge) {
     file.write_list(edge.points);
     file.write_list(edge.parameters);
     file.write_value(edge.seam);
+    write_curve(file, edge.curve);
   });
   write_each(file, model.vertices, [&](const CadModel::Vertex& vertex) {
     file.write_value(vertex.point);
@@ -104,11 +136,13 @@ class ModelReader {
       file_.read_list(face.behind);
       file_.read_list(face.before);
       face.outside = read_bool();
+      read_surface(face.surface);
     });
     read_each(model_.edges, [&](CadModel::Edge& edge) {
       file_.read_list(edge.points);
       file_.read_list(edge.parameters);
       edge.seam = read_bool();
+      read_curve(edge.curve);
     });
     read_each(model_.vertices, [&](CadModel::Vertex& vertex) {
       vertex.point = file_.read_value<Index>();
@@ -126,6 +160,43 @@ class ModelReader {
 
   bool read_bool() const { return file_.read_value<std::uint8_t>() != 0; }
 
+  void read_knots(CadKnots& knots) const {
+    knots.degree = file_.read_value<int>();
+    knots.periodic = read_bool();
+    file_.read_list(knots.values);
+    file_.read_list(knots.counts);
+  }
+  void read_curve(CadCurve& curve) const {
+    curve.kind = read_kind(CadCurve::Kind::other);
+    for (double* x : {&curve.first, &curve.last, &curve.radius, &curve.minor_radius})
+      *x = file_.read_value<double>();
+    curve.axes = file_.read_value<CadAxes>();
+    file_.read_list(curve.points);
+    file_.read_list(curve.weights);
+    read_knots(curve.knots);
+    file_.read_list(curve.name);
+  }
+  void read_surface(CadSurface& surface) const {
+    surface.kind = read_kind(CadSurface::Kind::other);
+    surface.turned = read_bool();
+    surface.axes = file_.read_value<CadAxes>();
+    for (double* x : {&surface.radius, &surface.minor_radius, &surface.half_angle})
+      *x = file_.read_value<double>();
+    surface.rows = file_.read_value<std::array<std::uint32_t, 2>>();
+    file_.read_list(surface.points);
+    file_.read_list(surface.weights);
+    for (CadKnots& knots : surface.knots) read_knots(knots);
+    read_curve(surface.profile);
+    file_.read_list(surface.name);
+  }
+  /// A kind up to `last`.
+  template <class Kind>
+  Kind read_kind(Kind last) const {
+    const auto number = file_.read_value<std::uint8_t>();
+    require_sound(number <= static_cast<std::uint8_t>(last));
+    return static_cast<Kind>(number);
+  }
+
   template <class T, class Read>
   void read_each(std::vector<T>& list, const Read& read) const {
     const auto n = file_.read_value<std::uint64_t>();
@@ -140,9 +211,22 @@ class ModelReader {
     if (!sound) throw InputError("OpenCASCADE returned a result that is damaged");
   }
 
+  static void check_knots(const CadKnots& knots) { require_sound(knots.values.size() == knots.counts.size()); }
+  static void check_spline(const CadCurve& curve) {
+    check_knots(curve.knots);
+    require_sound(curve.weights.empty() || curve.weights.size() == curve.points.size());
+  }
+  static void check_splines(const CadSurface& surface) {
+    for (const CadKnots& knots : surface.knots) check_knots(knots);
+    require_sound(surface.points.size() == std::uint64_t{surface.rows[0]} * surface.rows[1]);
+    require_sound(surface.weights.empty() || surface.weights.size() == surface.points.size());
+    check_spline(surface.profile);
+  }
+
   void check() const {
     for (const CadModel::Face& face : model_.faces) {
       require_sound(face.places.size() == face.triangles.size());
+      check_splines(face.surface);
       for (const auto& triangle : face.triangles) {
         for (const Index p : triangle) require_below(model_.points.size(), p);
       }
@@ -153,6 +237,7 @@ class ModelReader {
     for (const CadModel::Edge& edge : model_.edges) {
       require_sound(!edge.points.empty() && edge.parameters.size() == edge.points.size());
       require_below(model_.points.size(), edge.points);
+      check_spline(edge.curve);
     }
     for (const CadModel::Vertex& vertex : model_.vertices) require_below(model_.points.size(), vertex.point);
   }

@@ -62,7 +62,10 @@ class Tessellator {
     add_vertices();
     model_.edges.resize(static_cast<std::size_t>(edges_.Extent()));
     for (int f = 1; f <= faces_.Extent(); ++f) add_face(f);
-    for (int e = 1; e <= edges_.Extent(); ++e) complete_edge(e);
+    for (int e = 1; e <= edges_.Extent(); ++e) {
+      complete_edge(e);
+      model_.edges[static_cast<std::size_t>(e) - 1].curve = curve_of(TopoDS::Edge(edges_(e)));
+    }
     mark_seams();
     add_solids();
     model_.notices = file_.notices;
@@ -232,6 +235,7 @@ class Tessellator {
 
   void add_face(int f) {
     CadModel::Face& result = model_.faces.emplace_back();
+    result.surface = surface_of(TopoDS::Face(faces_(f)));
     TopLoc_Location location;
     const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face(f), location);
     if (mesh.IsNull() || mesh->NbTriangles() == 0 || !mesh->HasUVNodes()) {
