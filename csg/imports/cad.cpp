@@ -21,6 +21,7 @@
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/mesh_boundary.h"
 #include "csg/imports/cad_model.h"
+#include "csg/imports/cad_weld.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
@@ -41,6 +42,7 @@ class CadLeaf {
     merge_points();
     for (Index f = 0; f < model_.faces.size(); ++f) check_border(f);
     choose();
+    if (shape_.weld) weld();
     fill_ = decide_fill();
     if (fill_ == Fill::solids) {
       for (Index s = 0; s < model_.solids.size(); ++s) check_solid(s);
@@ -117,12 +119,29 @@ class CadLeaf {
 
   /// Equal coordinates get one number, here and in all of the model.
   void merge_points() {
-    std::map<std::array<double, 3>, Index> first;
-    std::vector<Index> number;
     for (auto& p : model_.points) {
       for (double& x : p) x += 0.0;  // turns -0 into 0
-      number.push_back(first.try_emplace(p, static_cast<Index>(number.size())).first->second);
     }
+    number_anew(model_.points);
+  }
+
+  /// Near points and planes become one, before anything is judged but what the file itself says.
+  void weld() {
+    Weld made = weld_cad(
+        model_, *shape_.weld, [this](Index f) { return face_name(f); }, [this](Index s) { return solid_name(s); });
+    if (const std::string words = made.notice(*shape_.weld); !words.empty()) model_.notices.push_back(words);
+    if (!made.changed()) return;
+    exact_ = std::move(made.points);
+    number_anew(exact_);
+  }
+
+  /// Equal points get one number.
+  template <class Point>
+  void number_anew(const std::vector<Point>& points) {
+    std::map<Point, Index> first;
+    std::vector<Index> number;
+    for (const Point& p : points)
+      number.push_back(first.try_emplace(p, static_cast<Index>(number.size())).first->second);
     for (CadModel::Face& face : model_.faces) {
       std::size_t kept = 0;
       for (std::size_t i = 0; i < face.triangles.size(); ++i) {
@@ -195,6 +214,7 @@ class CadLeaf {
   }
 
   RationalPoint value(Index p) const {
+    if (!exact_.empty()) return exact_[p];
     const auto& x = model_.points[p];
     return {from_double(x[0]), from_double(x[1]), from_double(x[2])};
   }
@@ -338,7 +358,8 @@ class CadLeaf {
 
   PointId id(Index p) {
     const auto& x = model_.points[p];
-    if (!ids_[p].valid()) ids_[p] = soup_.add_point(x[0], x[1], x[2]);
+    if (!ids_[p].valid())
+      ids_[p] = exact_.empty() ? soup_.add_point(x[0], x[1], x[2]) : soup_.add_point(exact_[p]);
     return ids_[p];
   }
 
@@ -364,7 +385,14 @@ class CadLeaf {
     }
   }
 
-  bool flat(const Triangle& t) const { return cnrg::collinear(xyz(t[0]), xyz(t[1]), xyz(t[2])); }
+  bool flat(const Triangle& t) const {
+    if (exact_.empty()) return cnrg::collinear(xyz(t[0]), xyz(t[1]), xyz(t[2]));
+    return cnrg::collinear(exact_[t[0]], exact_[t[1]], exact_[t[2]]);
+  }
+  bool in_plane(const Triangle& t, Index p) const {
+    if (exact_.empty()) return coplanar(xyz(t[0]), xyz(t[1]), xyz(t[2]), xyz(p));
+    return volume6(exact_[t[0]], exact_[t[1]], exact_[t[2]], exact_[p]) == 0;
+  }
   const double* xyz(Index p) const { return model_.points[p].data(); }
 
   /// The border of a face whose points lie on one plane exactly, as loops, the outer one first and
@@ -376,7 +404,7 @@ class CadLeaf {
     for (const Triangle& t : face.triangles) {
       for (const Index p : t) {
         if (p == (*first)[0] || p == (*first)[1] || p == (*first)[2]) continue;
-        if (!coplanar(xyz((*first)[0]), xyz((*first)[1]), xyz((*first)[2]), xyz(p))) return {};
+        if (!in_plane(*first, p)) return {};
       }
     }
     const RationalPoint a = value((*first)[0]);
@@ -459,6 +487,7 @@ class CadLeaf {
 
   CadShape shape_;
   CadModel model_;
+  std::vector<RationalPoint> exact_;  // the points, where they were welded
   Fill fill_ = Fill::none;
   Soup soup_;
   LeafId leaf_;

@@ -92,12 +92,14 @@ struct HeightfieldShape {
   std::optional<Rational> base;
   std::string inside{};  ///< the folder that `file` must lie in (csg/text/input_file.h); empty: any
 };
-/// `{mesh: {file: part.off, fill: winding, coordinates: decimal}}`: OFF, OBJ, STL, PLY; path already resolved.
+/// `{mesh: {file: part.off, fill: winding, coordinates: decimal, weld: 1e-6}}`: OFF, OBJ, STL, PLY; path already
+/// resolved. `weld`: what is that near is made to coincide (csg/imports/weld.h).
 struct MeshShape {
   std::string file;
   std::optional<Fill> fill;
   bool decimal = false;
-  std::string inside{};  ///< as of a heightfield
+  std::string inside{};            ///< as of a heightfield
+  std::optional<Rational> weld{};  ///< a length above 0
 };
 /// `{group: {vertices, faces, edges, points, regions, fill}}` (csg/FORMATS.md#groups).
 struct GroupShape {
@@ -192,13 +194,14 @@ struct RevolveShape {
   Rational degrees = 360;
   Tessellation tessellation;
 };
-/// `{step: {file: part.step, chord: e, unit: mm, solids: [2, bolt], fill: solids, seams: false}}`, `{brep: {file:
-/// part.brep, ...}}`: a boundary representation, read by OpenCASCADE; path already resolved. Each face of the
+/// `{step: {file: part.step, chord: e, unit: mm, solids: [2, bolt], fill: solids, seams: false, weld: d}}`, `{brep:
+/// {file: part.brep, ...}}`: a boundary representation, read by OpenCASCADE; path already resolved. Each face of the
 /// model is one face, each edge an edge, each solid a region. `unit` (STEP only) is that of the model; default:
 /// the file's own. `solids`: only those, by number (from 1) or by name, which several may have. Without `fill`:
 /// Fill::solids if there are any. `seams`: edges where a face meets itself, such as the generator at which a
 /// cylinder's parameters start, are edges too, with their ends and the poles of spheres. Facets are as far from
-/// the faces as `chord` at most where it is measured, at four points of each (cad_occt_mesh.cpp).
+/// the faces as `chord` at most where it is measured, at four points of each (cad_occt_mesh.cpp). `weld` as of a
+/// mesh.
 struct CadShape {
   enum class Format { step, brep };
   Format format = Format::step;
@@ -208,7 +211,8 @@ struct CadShape {
   std::string unit;                 ///< um mm cm m km in ft; empty: the file's own
   std::vector<std::string> solids;  ///< empty: everything
   bool seams = false;
-  std::string inside{};  ///< as of a heightfield
+  std::string inside{};            ///< as of a heightfield
+  std::optional<Rational> weld{};  ///< a length above 0
   const char* name() const { return format == Format::step ? "step" : "brep"; }
 };
 /// `{cnrg: file.json}`: a result read back.

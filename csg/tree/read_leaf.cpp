@@ -33,6 +33,16 @@ RationalPoint point(const Fields& fields, const char* key) {
   return fields.at(key, kPoint).point(fields.name(key));
 }
 
+}  // namespace
+
+Rational read_weld(const Value& value, const std::string& what) {
+  Rational d = value.number(what);
+  if (d <= 0) value.fail(what + " must be above 0: give the length below which things are meant to coincide");
+  return d;
+}
+
+namespace {
+
 Shape read_box(const Value& value, const LeafContext&) {
   const Fields f(value, "box", {"min", "max"});
   return BoxShape{point(f, "min"), point(f, "max")};
@@ -165,7 +175,7 @@ Shape read_heightfield(const Value& value, const LeafContext& context) {
 }
 
 Shape read_mesh(const Value& value, const LeafContext& context) {
-  const Fields f(value, "mesh", {"file", "fill", "coordinates"});
+  const Fields f(value, "mesh", {"file", "fill", "coordinates", "weld"});
   MeshShape shape;
   shape.file = resolve(f.at("file", "part.off").text(f.name("file")), context);
   shape.inside = context.inside;
@@ -176,6 +186,7 @@ Shape read_mesh(const Value& value, const LeafContext& context) {
       coordinates->fail_type(f.name("coordinates"), "one of double, decimal");
     shape.decimal = name == "decimal";
   }
+  if (const Value* weld = f.find("weld")) shape.weld = read_weld(*weld, f.name("weld"));
   return shape;
 }
 
@@ -201,11 +212,12 @@ CadShape read_cad(const Fields& f, CadShape::Format format, const LeafContext& c
     if (shape.solids.empty()) solids->fail(f.name("solids") + " is empty; name a solid, or leave it out for all");
   }
   if (const Value* seams = f.find("seams")) shape.seams = seams->boolean(f.name("seams"));
+  if (const Value* weld = f.find("weld")) shape.weld = read_weld(*weld, f.name("weld"));
   return shape;
 }
 
 Shape read_step(const Value& value, const LeafContext& context) {
-  const Fields f(value, "step", {"file", "chord", "segments", "unit", "fill", "solids", "seams"});
+  const Fields f(value, "step", {"file", "chord", "segments", "unit", "fill", "solids", "seams", "weld"});
   CadShape shape = read_cad(f, CadShape::Format::step, context);
   if (const Value* unit = f.find("unit")) {
     shape.unit = unit->text(f.name("unit"));
@@ -217,7 +229,7 @@ Shape read_step(const Value& value, const LeafContext& context) {
 }
 
 Shape read_brep(const Value& value, const LeafContext& context) {
-  const Fields f(value, "brep", {"file", "chord", "segments", "fill", "solids", "seams"});
+  const Fields f(value, "brep", {"file", "chord", "segments", "fill", "solids", "seams", "weld"});
   return read_cad(f, CadShape::Format::brep, context);
 }
 

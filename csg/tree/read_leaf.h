@@ -20,6 +20,9 @@ struct LeafContext {
 /// The names of all leaves that can be read.
 std::span<const std::string_view> leaf_names();
 
+/// A length for `weld`, of a leaf or of the tree.
+Rational read_weld(const Value& value, const std::string& what);
+
 /// The shape of a leaf called `name`, one of `leaf_names()`.
 Shape read_leaf(std::string_view name, const Value& value, const LeafContext& context);
 

@@ -84,7 +84,7 @@ class TreeReader {
 
   void read(const YAML::Node& root) {
     const Value top(document_, root, {});
-    const Fields fields(top, "a tree file", {"cnrg", "materials", "nodes", "result"});
+    const Fields fields(top, "a tree file", {"cnrg", "materials", "nodes", "result", "weld"});
     const Value& version = fields.at("cnrg", "1");
     if (version.number("`cnrg`") != 1) version.fail("this program reads version 1 of tree files; write `cnrg: 1`");
     if (const Value* materials = fields.find("materials")) tree_.materials = read_materials(*materials);
@@ -97,6 +97,10 @@ class TreeReader {
                nodes.entries("`nodes`").back().key + "`");
     }
     tree_.result = named(*result, "`result`");
+    if (const Value* weld = fields.find("weld")) {
+      tree_.weld = read_weld(*weld, fields.name("weld"));
+      tree_.weld_at = weld->at();
+    }
     check_graph();
     check_distances();
     tree_.dag = std::make_shared<const Dag>(std::move(dag_));

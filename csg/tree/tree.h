@@ -85,6 +85,8 @@ struct Tree {
   NodeId result;
   Position nodes_at;                ///< of the key `nodes`, for what concerns all of them
   std::vector<Material> materials;  ///< in the order of the file
+  std::optional<Rational> weld{};   ///< what is that near is made to coincide; above 0
+  Position weld_at{};               ///< of its value
 
   /// The node of that name; inline nodes answer to their place, such as `model/2`. Throws InputError, without a
   /// place in the file, with the nearest name or some of all names when there is none.

@@ -1,0 +1,13 @@
+// The faces, edges and solids of a CAD model as what is welded (csg/weld/weld.h).
+#pragma once
+
+#include "csg/imports/cad_model.h"
+#include "csg/weld/weld.h"
+
+namespace cnrg {
+
+/// Faces on planes are flat, all others are curved. `face_name` and `solid_name` are for messages.
+Weld weld_cad(const CadModel& model, const Rational& d, const std::function<std::string(std::uint32_t)>& face_name,
+              const std::function<std::string(std::uint32_t)>& solid_name);
+
+}  // namespace cnrg

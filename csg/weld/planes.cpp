@@ -1,0 +1,381 @@
+#include "csg/weld/planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "csg/geometry/exact_vectors.h"
+#include "kernel/base/union_find.h"
+#include "kernel/refine/box_tree.h"
+
+namespace cnrg::welding {
+namespace {
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double largest(const Vector& a) { return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])}); }
+
+/// Twice the area vector of a loop, seen from its first corner.
+Vector area_of(const std::vector<Vector>& near, const std::vector<Index>& loop) {
+  Vector sum{0, 0, 0};
+  const auto side = [&](std::size_t i, int k) { return near[loop[i]][k] - near[loop[0]][k]; };
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    for (int k = 0; k < 3; ++k)
+      sum[k] += side(i, (k + 1) % 3) * side(i + 1, (k + 2) % 3) - side(i, (k + 2) % 3) * side(i + 1, (k + 1) % 3);
+  }
+  return sum;
+}
+
+/// How wide corners are along a normal whose largest component is 1, and the middle of them.
+struct Slab {
+  Rational width, low, high;
+  Rational middle() const { return (low + high) / 2; }
+};
+
+class PlaneFinder {
+ public:
+  PlaneFinder(const WeldModel& model, const std::vector<Index>& number, const std::vector<RationalPoint>& points,
+              const std::vector<Vector>& near, const Rational& d)
+      : model_(model), number_(number), points_(points), near_(near), d_(d), d_up_(rounded_up(d)) {
+    for (const Vector& p : near_) scale_ = std::max(scale_, largest(p));
+  }
+
+  Planes run() {
+    make_parts();
+    join();
+    make_carriers();
+    return std::move(found_);
+  }
+
+ private:
+  struct Cluster {
+    std::vector<Index> parts;
+    Index largest = 0;  ///< part
+    Vector normal{0, 0, 0};
+    Slab slab;
+  };
+
+  // --- parts
+
+  void make_parts() {
+    std::vector<std::vector<Index>> of_face(model_.faces.size());
+    for (Index f = 0; f < model_.facets.size(); ++f) of_face[model_.facets[f].face].push_back(f);
+    for (Index face = 0; face < of_face.size(); ++face) {
+      if (!model_.faces[face].curved && add_part(face, of_face[face])) continue;
+      for (const Index facet : of_face[face]) add_part(face, {facet});
+    }
+    const auto key = [](const Part& p) { return std::tie(p.box.lo, p.box.hi, p.area, p.corners); };
+    std::sort(found_.parts.begin(), found_.parts.end(),
+              [&](const Part& a, const Part& b) { return key(a) < key(b); });
+  }
+
+  /// False if the facets are not flat together.
+  bool add_part(Index face, const std::vector<Index>& facets) {
+    Part part;
+    part.face = face;
+    part.facets = facets;
+    for (const Index facet : facets) {
+      const WeldModel::Loops& loops = model_.facets[facet].loops;
+      Vector outer{0, 0, 0};
+      for (std::size_t i = 0; i < loops.size(); ++i) {
+        std::vector<Index> loop;
+        for (const Index p : loops[i]) loop.push_back(number_[p]);
+        Vector area = area_of(near_, loop);
+        if (i == 0) outer = area;
+        const double sign = i > 0 && dot(area, outer) > 0 ? -1 : 1;
+        for (int k = 0; k < 3; ++k) part.area[k] += sign * area[k];
+        part.corners.insert(part.corners.end(), loop.begin(), loop.end());
+      }
+    }
+    std::sort(part.corners.begin(), part.corners.end());
+    part.corners.erase(std::unique(part.corners.begin(), part.corners.end()), part.corners.end());
+    for (const Index p : part.corners) part.box.extend(near_[p], near_[p]);
+    if (part.corners.size() < 3 || largest(part.area) == 0) return false;
+    if (slab(part.area, part.corners).width > d_ * length(part.area)) return false;
+    found_.parts.push_back(std::move(part));
+    return true;
+  }
+
+  // --- slabs
+
+  /// Of a vector with the largest component 1: its length, not less than 1 and never too large.
+  static Rational length(const Vector& v) {
+    const double m = largest(v);
+    const double l = std::sqrt(dot(v, v)) / m * (1 - 1e-15);
+    return from_double(std::max(1.0, l));
+  }
+  static RationalPoint unit(const Vector& v) {
+    const double m = largest(v);
+    return {from_double(v[0] / m), from_double(v[1] / m), from_double(v[2] / m)};
+  }
+
+  Slab slab(const RationalPoint& normal, const std::vector<Index>& corners) const {
+    Slab s;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Rational at = cnrg::dot(normal, points_[corners[i]]);
+      if (i == 0 || at < s.low) s.low = at;
+      if (i == 0 || at > s.high) s.high = at;
+    }
+    s.width = s.high - s.low;
+    return s;
+  }
+  Slab slab(const Vector& v, const std::vector<Index>& corners) const { return slab(unit(v), corners); }
+
+  /// A lower bound of the width of a slab, as a distance: cheap, to leave out what is far from flat.
+  double least_width(const Vector& v, const Part& a, const Part& b) const {
+    const double m = std::sqrt(dot(v, v));
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    const Vector& from = near_[a.corners[0]];
+    for (const Part* part : {&a, &b}) {
+      for (const Index p : part->corners) {
+        const double at = dot(v, {near_[p][0] - from[0], near_[p][1] - from[1], near_[p][2] - from[2]}) / m;
+        low = std::min(low, at);
+        high = std::max(high, at);
+      }
+    }
+    return high - low - 1e-14 * scale_;
+  }
+
+  static Vector added(const Vector& a, const Vector& b) {
+    const double sign = dot(a, b) < 0 ? -1 : 1;
+    return {a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2]};
+  }
+
+  // --- joining
+
+  bool may_join(const Part& a, const Part& b) const { return a.face != b.face || !model_.faces[a.face].curved; }
+
+  void join() {
+    const std::vector<Part>& parts = found_.parts;
+    std::vector<Box> boxes;
+    for (const Part& part : parts) boxes.push_back(part.box);
+    const BoxTree tree(boxes);
+    std::vector<std::tuple<double, Index, Index>> pairs;
+    for (Index a = 0; a < parts.size(); ++a) {
+      const Box around = grown(parts[a].box, d_up_);
+      tree.query([&](const Box& box) { return box.meets(around); },
+                 [&](Index b) {
+                   if (b <= a || !may_join(parts[a], parts[b])) return;
+                   const double width = width_of_pair(parts[a], parts[b]);
+                   if (width >= 0) pairs.emplace_back(width, a, b);
+                 });
+    }
+    std::sort(pairs.begin(), pairs.end());
+    clusters_.resize(parts.size());
+    for (Index i = 0; i < parts.size(); ++i) {
+      clusters_[i] = {{i}, i, parts[i].area, slab(parts[i].area, parts[i].corners)};
+    }
+    sets_ = UnionFind(parts.size());
+    for (const auto& [width, a, b] : pairs) unite(sets_.find(a), sets_.find(b));
+    for (const auto& [width, a, b] : pairs) {
+      if (sets_.find(a) != sets_.find(b)) found_.left.emplace_back(a, b);
+    }
+  }
+
+  /// The width of the slab that holds two parts, rounded; below 0 if it is wider than d.
+  double width_of_pair(const Part& a, const Part& b) const {
+    double best = -1;
+    const Vector both = added(a.area, b.area);
+    const Vector& larger = dot(a.area, a.area) < dot(b.area, b.area) ? b.area : a.area;
+    for (const Vector& v : {both, larger}) {
+      if (largest(v) == 0 || least_width(v, a, b) > d_up_) continue;
+      const RationalPoint n = unit(v);
+      const Slab s = slab(n, a.corners), t = slab(n, b.corners);
+      const Rational width = (std::max(s.high, t.high) - std::min(s.low, t.low)) / length(v);
+      if (width > d_) continue;
+      const double rounded = to_double(width);
+      if (best < 0 || rounded < best) best = rounded;
+    }
+    return best;
+  }
+
+  /// Joins two clusters if a slab holds them. The normal of the larger one is tried first, which leaves its own
+  /// corners alone: many small parts on one plane cost no more than their number.
+  void unite(Index i, Index j) {
+    if (i == j) return;
+    const bool swap = clusters_[i].parts.size() < clusters_[j].parts.size();
+    Cluster &large = clusters_[swap ? j : i], &small = clusters_[swap ? i : j];
+    std::vector<Index> corners;
+    for (const Index p : small.parts) append(corners, found_.parts[p].corners);
+    const auto bigger = [&](Index a, Index b) {
+      const double x = dot(found_.parts[a].area, found_.parts[a].area);
+      const double y = dot(found_.parts[b].area, found_.parts[b].area);
+      return x < y ? b : y < x ? a : std::min(a, b);
+    };
+    Cluster both;
+    both.largest = bigger(large.largest, small.largest);
+    Slab s = slab(large.normal, corners);
+    s.low = std::min(s.low, large.slab.low);
+    s.high = std::max(s.high, large.slab.high);
+    s.width = s.high - s.low;
+    both.normal = large.normal;
+    both.slab = s;
+    if (s.width > d_ * length(large.normal)) {
+      for (const Index p : large.parts) append(corners, found_.parts[p].corners);
+      bool held = false;
+      for (const Vector& v : {total_area(large, small), found_.parts[both.largest].area}) {
+        if (held || largest(v) == 0) continue;
+        both.normal = v;
+        both.slab = slab(v, corners);
+        held = both.slab.width <= d_ * length(v);
+      }
+      if (!held) return;
+    }
+    append(large.parts, small.parts);
+    both.parts = std::move(large.parts);
+    small = Cluster();
+    sets_.unite(i, j);
+    clusters_[sets_.find(i)] = std::move(both);
+  }
+
+  template <class List>
+  static void append(List& list, const List& more) {
+    list.insert(list.end(), more.begin(), more.end());
+  }
+
+  /// The sum of areas, turned alike, in the order of the parts.
+  Vector total_area(const Cluster& a, const Cluster& b) const {
+    std::vector<Index> parts = a.parts;
+    append(parts, b.parts);
+    return total_area(std::move(parts));
+  }
+  Vector total_area(std::vector<Index> parts) const {
+    std::sort(parts.begin(), parts.end());
+    Vector sum = found_.parts[parts[0]].area;
+    for (std::size_t i = 1; i < parts.size(); ++i) sum = added(sum, found_.parts[parts[i]].area);
+    return sum;
+  }
+
+  // --- carriers
+
+  void make_carriers() {
+    found_.carrier_of.resize(found_.parts.size());
+    for (Index i = 0; i < found_.parts.size(); ++i) {
+      if (sets_.find(i) != i) continue;
+      Carrier carrier;
+      carrier.parts = clusters_[i].parts;
+      std::sort(carrier.parts.begin(), carrier.parts.end());
+      for (const Index p : carrier.parts) {
+        append(carrier.corners, found_.parts[p].corners);
+        found_.carrier_of[p] = static_cast<Index>(found_.carriers.size());
+      }
+      std::sort(carrier.corners.begin(), carrier.corners.end());
+      carrier.corners.erase(std::unique(carrier.corners.begin(), carrier.corners.end()), carrier.corners.end());
+      place(carrier, clusters_[i]);
+      found_.carriers.push_back(std::move(carrier));
+    }
+  }
+
+  /// The plane of a carrier: the exact one if there is one, else the one with the shortest numbers among those
+  /// that are about as near to the corners as any.
+  void place(Carrier& carrier, const Cluster& cluster) const {
+    const Vector total = total_area(cluster.parts);
+    if (exact_plane(carrier)) return;
+    Vector best = cluster.normal;
+    Slab at = cluster.slab;
+    if (largest(total) > 0) {
+      const Slab s = slab(total, carrier.corners);
+      if (s.width / length(total) < at.width / length(best)) best = total, at = s;
+    }
+    const RationalPoint n = unit(best);
+    const Rational most = std::min(d_, Rational(at.width / length(best) + d_ / 8));
+    carrier.plane = {n, rounded(at.middle())};
+    constexpr int kSteps[] = {0, 4, 8, 16, 24, 32, 40};
+    for (const int bits : kSteps) {
+      RationalPoint shorter;
+      for (std::size_t k = 0; k < 3; ++k)
+        shorter[k] = from_double(std::ldexp(std::nearbyint(std::ldexp(to_double(n[k]), bits)), -bits));
+      const Slab s = slab(shorter, carrier.corners);
+      if (s.width > most) continue;  // the length of the normal is at least 1: this is on the safe side
+      carrier.plane = {shorter, rounded(s.middle())};
+      return;
+    }
+  }
+
+  static Rational scaled(const Rational& x, int exponent) {
+    Rational result;
+    const auto by = static_cast<unsigned>(std::abs(exponent));
+    if (exponent < 0) mpq_div_2exp(result.get_mpq_t(), x.get_mpq_t(), by);
+    else mpq_mul_2exp(result.get_mpq_t(), x.get_mpq_t(), by);
+    return result;
+  }
+
+  /// The nearest multiple of a power of two that is at most d / 32.
+  Rational rounded(const Rational& x) const {
+    const int exponent = std::ilogb(d_up_) - 6;
+    const Rational at = scaled(x, -exponent) + Rational(1, 2);
+    Integer whole;
+    mpz_fdiv_q(whole.get_mpz_t(), at.get_num_mpz_t(), at.get_den_mpz_t());
+    return scaled(Rational(whole), exponent);
+  }
+
+  bool exact_plane(Carrier& carrier) const {
+    // Three corners that span most: the first, the farthest from it, the farthest from their line.
+    const std::vector<Index>& c = carrier.corners;
+    const auto farthest = [&](const auto& measure) {
+      Index best = c[0];
+      double most = -1;
+      for (const Index p : c) {
+        const double at = measure(near_[p]);
+        if (at > most) most = at, best = p;
+      }
+      return best;
+    };
+    const Vector& o = near_[c[0]];
+    const auto from = [&](const Vector& p) { return Vector{p[0] - o[0], p[1] - o[1], p[2] - o[2]}; };
+    const Index b = farthest([&](const Vector& p) { return dot(from(p), from(p)); });
+    const Vector along = from(near_[b]);
+    const Index e = farthest([&](const Vector& p) {
+      const Vector w = from(p);
+      const Vector x{w[1] * along[2] - w[2] * along[1], w[2] * along[0] - w[0] * along[2],
+                     w[0] * along[1] - w[1] * along[0]};
+      return dot(x, x);
+    });
+    RationalPoint n = cross(points_[b] - points_[c[0]], points_[e] - points_[c[0]]);
+    if (is_zero(n)) return false;
+    Rational most = 0;
+    for (const Rational& x : n) most = std::max(most, Rational(abs(x)));
+    n = Rational(1 / most) * n;
+    const Rational offset = cnrg::dot(n, points_[c[0]]);
+    for (const Index p : c) {
+      if (cnrg::dot(n, points_[p]) != offset) return false;
+    }
+    carrier.plane = {n, offset};
+    carrier.exact = true;
+    return true;
+  }
+
+  const WeldModel& model_;
+  const std::vector<Index>& number_;
+  const std::vector<RationalPoint>& points_;
+  const std::vector<Vector>& near_;
+  const Rational& d_;
+  double d_up_, scale_ = 0;
+  Planes found_;
+  std::vector<Cluster> clusters_;
+  UnionFind sets_;
+};
+
+}  // namespace
+
+Box grown(const Box& box, double by) {
+  Box result = box;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    result.lo[k] = std::nextafter(std::nextafter(box.lo[k], -kInfinity) - by, -kInfinity);
+    result.hi[k] = std::nextafter(std::nextafter(box.hi[k], kInfinity) + by, kInfinity);
+  }
+  return result;
+}
+
+double rounded_up(const Rational& d) {
+  return std::nextafter(to_double(d), std::numeric_limits<double>::infinity());
+}
+
+Planes find_planes(const WeldModel& model, const std::vector<Index>& number,
+                   const std::vector<RationalPoint>& points, const std::vector<Vector>& near, const Rational& d) {
+  return PlaneFinder(model, number, points, near, d).run();
+}
+
+}  // namespace cnrg::welding

@@ -1,0 +1,61 @@
+// Flat parts of a model, and which of them share a plane.
+//
+// A *part* is a flat face, or a facet of one that is not flat. Parts are numbered by what they look like (their
+// boxes, their areas), so that nothing depends on the order of the input. A *carrier* is the plane of one part or
+// of several that were joined.
+//
+// Whether a slab holds corners is decided exactly, for a normal in doubles: the area vector of all parts
+// concerned, or that of the largest. Another normal might make the slab a little narrower; a rule needs one, not
+// the best.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "csg/weld/weld.h"
+#include "kernel/refine/box.h"
+
+namespace cnrg::welding {
+
+using Index = WeldModel::Index;
+using Vector = std::array<double, 3>;
+
+/// normal . p = offset
+struct Plane {
+  RationalPoint normal{0, 0, 0};
+  Rational offset = 0;
+};
+
+struct Part {
+  Index face = 0;
+  std::vector<Index> facets;   ///< of the model
+  std::vector<Index> corners;  ///< numbers of different points, each once, ascending
+  Vector area{0, 0, 0};        ///< twice its area, along its normal
+  Box box;                     ///< of its corners
+};
+
+struct Carrier {
+  Plane plane;
+  std::vector<Index> parts;    ///< ascending
+  std::vector<Index> corners;  ///< of these parts, each once, ascending
+  bool exact = false;          ///< all corners are on it already
+};
+
+struct Planes {
+  std::vector<Part> parts;
+  std::vector<Carrier> carriers;
+  std::vector<Index> carrier_of;              ///< of each part
+  std::vector<std::pair<Index, Index>> left;  ///< near parts that were not joined
+};
+
+/// `points` are different and in lexicographic order, `near` holds the same in doubles; corners of the model's
+/// facets are looked up in `number`.
+Planes find_planes(const WeldModel& model, const std::vector<Index>& number,
+                   const std::vector<RationalPoint>& points, const std::vector<Vector>& near, const Rational& d);
+
+/// A box with some length more on each side, rounded outward.
+Box grown(const Box& box, double by);
+/// Not less than d.
+double rounded_up(const Rational& d);
+
+}  // namespace cnrg::welding
