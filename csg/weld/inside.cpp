@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cnrg::welding {
 namespace {
@@ -21,15 +22,48 @@ double square_distance_to_segment(const Vector& a, const Vector& b, const Vector
   return square;
 }
 
-}  // namespace
-
-bool is_in(const WeldModel::Loops& loops, const std::vector<Vector>& points, const Vector& normal, const Vector& p,
-           double d) {
+/// The two coordinates that a projection along the largest component of the normal keeps.
+std::array<int, 2> kept(const Vector& normal) {
   int axis = 0;
   for (int k = 1; k < 3; ++k) {
     if (std::abs(normal[k]) > std::abs(normal[axis])) axis = k;
   }
-  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  return {(axis + 1) % 3, (axis + 2) % 3};
+}
+
+/// True if a side of the first loop parts the two, but for a strip.
+bool parts(const std::vector<Index>& a, const std::vector<Index>& b, const std::vector<Vector>& points, int u,
+           int v, double d) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vector &from = points[a[i]], &to = points[a[i + 1 < a.size() ? i + 1 : 0]];
+    const double x = to[v] - from[v], y = from[u] - to[u], length = std::hypot(x, y);
+    if (length == 0) continue;
+    const auto range = [&](const std::vector<Index>& loop) {
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for (const Index p : loop) {
+        const double at = (x * (points[p][u] - from[u]) + y * (points[p][v] - from[v])) / length;
+        low = std::min(low, at);
+        high = std::max(high, at);
+      }
+      return std::array{low, high};
+    };
+    const auto of_a = range(a), of_b = range(b);
+    if (std::max(of_b[0] - of_a[1], of_a[0] - of_b[1]) > -d) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool overlap(const WeldModel::Loops& a, const WeldModel::Loops& b, const std::vector<Vector>& points,
+             const Vector& normal, double d) {
+  const auto [u, v] = kept(normal);
+  return !parts(a[0], b[0], points, u, v, d) && !parts(b[0], a[0], points, u, v, d);
+}
+
+bool is_in(const WeldModel::Loops& loops, const std::vector<Vector>& points, const Vector& normal, const Vector& p,
+           double d) {
+  const auto [u, v] = kept(normal);
   bool inside = false;
   for (const auto& loop : loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "csg/geometry/exact_vectors.h"
+#include "csg/weld/inside.h"
 #include "kernel/base/union_find.h"
 #include "kernel/refine/box_tree.h"
 
@@ -77,10 +78,12 @@ class PlaneFinder {
     part.facets = facets;
     for (const Index facet : facets) {
       const WeldModel::Loops& loops = model_.facets[facet].loops;
+      Box& box = part.boxes.emplace_back();
       Vector outer{0, 0, 0};
       for (std::size_t i = 0; i < loops.size(); ++i) {
         std::vector<Index> loop;
         for (const Index p : loops[i]) loop.push_back(number_[p]);
+        for (const Index p : loop) box.extend(near_[p], near_[p]);
         Vector area = area_of(near_, loop);
         if (i == 0) outer = area;
         const double sign = i > 0 && dot(area, outer) > 0 ? -1 : 1;
@@ -90,7 +93,7 @@ class PlaneFinder {
     }
     std::sort(part.corners.begin(), part.corners.end());
     part.corners.erase(std::unique(part.corners.begin(), part.corners.end()), part.corners.end());
-    for (const Index p : part.corners) part.box.extend(near_[p], near_[p]);
+    for (const Box& box : part.boxes) part.box.extend(box);
     if (part.corners.size() < 3 || largest(part.area) == 0) return false;
     if (slab(part.area, part.corners).width > d_ * length(part.area)) return false;
     found_.parts.push_back(std::move(part));
@@ -144,7 +147,45 @@ class PlaneFinder {
 
   // --- joining
 
-  bool may_join(const Part& a, const Part& b) const { return a.face != b.face || !model_.faces[a.face].curved; }
+  /// Facets of curved faces that only touch, as neighbours do, need no common plane.
+  bool may_join(const Part& a, const Part& b, bool on_each_other) const {
+    if (a.face == b.face) return !model_.faces[a.face].curved;
+    return on_each_other || !(model_.faces[a.face].curved || model_.faces[b.face].curved);
+  }
+
+  /// True if two facets overlap, or a corner of one part is on the other and no corner of it.
+  bool on_each_other(const Part& a, const Part& b) const {
+    for (std::size_t i = 0; i < a.facets.size(); ++i) {
+      const WeldModel::Loops first = loops_of(a.facets[i]);
+      for (std::size_t j = 0; j < b.facets.size(); ++j) {
+        if (a.boxes[i].meets(grown(b.boxes[j], d_up_)) &&
+            overlap(first, loops_of(b.facets[j]), near_, a.area, d_up_))
+          return true;
+      }
+    }
+    return has_corner_on(a, b) || has_corner_on(b, a);
+  }
+
+  bool has_corner_on(const Part& a, const Part& b) const {
+    return std::any_of(a.corners.begin(), a.corners.end(), [&](Index p) {
+      if (std::binary_search(b.corners.begin(), b.corners.end(), p)) return false;
+      Box at;
+      at.extend(near_[p], near_[p]);
+      at = grown(at, d_up_);
+      for (std::size_t i = 0; i < b.facets.size(); ++i) {
+        if (b.boxes[i].meets(at) && is_in(loops_of(b.facets[i]), near_, b.area, near_[p], d_up_)) return true;
+      }
+      return false;
+    });
+  }
+
+  WeldModel::Loops loops_of(Index facet) const {
+    WeldModel::Loops loops = model_.facets[facet].loops;
+    for (auto& loop : loops) {
+      for (Index& p : loop) p = number_[p];
+    }
+    return loops;
+  }
 
   void join() {
     const std::vector<Part>& parts = found_.parts;
@@ -152,13 +193,17 @@ class PlaneFinder {
     for (const Part& part : parts) boxes.push_back(part.box);
     const BoxTree tree(boxes);
     std::vector<std::tuple<double, Index, Index>> pairs;
+    std::vector<std::pair<Index, Index>> overlaps;
     for (Index a = 0; a < parts.size(); ++a) {
       const Box around = grown(parts[a].box, d_up_);
       tree.query([&](const Box& box) { return box.meets(around); },
                  [&](Index b) {
-                   if (b <= a || !may_join(parts[a], parts[b])) return;
+                   if (b <= a) return;
                    const double width = width_of_pair(parts[a], parts[b]);
-                   if (width >= 0) pairs.emplace_back(width, a, b);
+                   if (width < 0) return;
+                   const bool overlap = on_each_other(parts[a], parts[b]);
+                   if (overlap) overlaps.emplace_back(a, b);
+                   if (may_join(parts[a], parts[b], overlap)) pairs.emplace_back(width, a, b);
                  });
     }
     std::sort(pairs.begin(), pairs.end());
@@ -170,6 +215,10 @@ class PlaneFinder {
     for (const auto& [width, a, b] : pairs) unite(sets_.find(a), sets_.find(b));
     for (const auto& [width, a, b] : pairs) {
       if (sets_.find(a) != sets_.find(b)) found_.left.emplace_back(a, b);
+    }
+    overlap_.assign(parts.size(), false);
+    for (const auto& [a, b] : overlaps) {
+      if (sets_.find(a) == sets_.find(b)) overlap_[sets_.find(a)] = true;
     }
   }
 
@@ -262,6 +311,7 @@ class PlaneFinder {
       }
       std::sort(carrier.corners.begin(), carrier.corners.end());
       carrier.corners.erase(std::unique(carrier.corners.begin(), carrier.corners.end()), carrier.corners.end());
+      carrier.overlap = overlap_[i];
       place(carrier, clusters_[i]);
       found_.carriers.push_back(std::move(carrier));
     }
@@ -355,6 +405,7 @@ class PlaneFinder {
   Planes found_;
   std::vector<Cluster> clusters_;
   UnionFind sets_;
+  std::vector<bool> overlap_;  // of clusters: some of its parts lie on each other
 };
 
 }  // namespace

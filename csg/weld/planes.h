@@ -32,6 +32,7 @@ struct Part {
   std::vector<Index> corners;  ///< numbers of different points, each once, ascending
   Vector area{0, 0, 0};        ///< twice its area, along its normal
   Box box;                     ///< of its corners
+  std::vector<Box> boxes;      ///< of its facets
 };
 
 struct Carrier {
@@ -39,6 +40,7 @@ struct Carrier {
   std::vector<Index> parts;    ///< ascending
   std::vector<Index> corners;  ///< of these parts, each once, ascending
   bool exact = false;          ///< all corners are on it already
+  bool overlap = false;        ///< some of its parts lie on each other
 };
 
 struct Planes {

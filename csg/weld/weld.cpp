@@ -203,7 +203,7 @@ class Welder {
     }
     for (Index c = 0; c < planes_.carriers.size(); ++c) {
       const Carrier& carrier = planes_.carriers[c];
-      if (carrier.parts.size() > 1 && !carrier.exact) active[sets.find(static_cast<Index>(spots + c))] = true;
+      if (carrier.overlap && !carrier.exact) active[sets.find(static_cast<Index>(spots + c))] = true;
     }
     for (Index s = 0; s < spots; ++s) is_active_.push_back(active[sets.find(s)]);
     for (Index c = 0; c < planes_.carriers.size(); ++c)

@@ -18,7 +18,9 @@
 //      at most three to obey (order.h).
 //   5. What cannot be obeyed without moving a point farther than d is not: that point stays off that plane, and
 //      facets there are cut into triangles. It is counted.
-//   6. What is near nothing stays as it is, to the last bit. No point moves farther than d: that is decided
+//   6. What is near nothing stays as it is, to the last bit; faces that only touch, as neighbours on a surface do,
+//   are
+//      near nothing for that. No point moves farther than d: that is decided
 //   exactly.
 //
 // Ties are decided by coordinates, never by numbers, so the order of leaves and faces does not matter.
