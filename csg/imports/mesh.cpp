@@ -14,6 +14,7 @@
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/mesh_boundary.h"
 #include "csg/imports/mesh_points.h"
+#include "csg/imports/mesh_weld.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
@@ -33,7 +34,10 @@ struct Frame3 {
 class MeshLeaf {
  public:
   explicit MeshLeaf(const MeshShape& shape)
-      : shape_(shape), data_(read_mesh(shape.file, shape.decimal, shape.inside)), points_(data_) {}
+      : shape_(shape),
+        data_(read_mesh(shape.file, shape.decimal, shape.inside)),
+        weld_(shape.weld ? weld_mesh(data_, *shape.weld) : MeshWeld()),
+        points_(data_) {}
 
   std::unique_ptr<PreparedLeaf> prepare() {
     if (data_.face_count() == 0 && data_.wires.empty() && data_.points.empty()) {
@@ -44,6 +48,7 @@ class MeshLeaf {
     collect_faces();
     const SideTable sides = side_table();
     const Fill fill = decide_fill(sides);
+    if (weld_.made.changed() && fill == Fill::winding) check_volume(weld_, shape_.file, *shape_.weld);
     const std::vector<std::uint32_t> leaf_faces = join_coplanar(sides);
     note_changes();
     return build(fill, leaf_faces);
@@ -237,6 +242,10 @@ class MeshLeaf {
   }
 
   void note_changes() {
+    if (shape_.weld) {
+      const std::string words = weld_.made.notice(*shape_.weld);
+      if (!words.empty()) notices_.push_back("mesh '" + shape_.file + "': " + words);
+    }
     note(repeated_ - std::min(repeated_, collapsed_), " face repeats", " faces repeat",
          " a corner: the repetition was left out");
     note(collapsed_, " face has", " faces have", " fewer than 3 distinct corners: left out");
@@ -289,6 +298,7 @@ class MeshLeaf {
 
   const MeshShape& shape_;
   MeshData data_;
+  MeshWeld weld_;
   MeshPoints points_;
   std::vector<std::uint32_t> corners_, offsets_{0}, groups_;  // cleaned faces
   std::vector<Frame3> frames_;

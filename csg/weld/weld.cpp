@@ -22,6 +22,42 @@ Rational square_distance(const RationalPoint& a, const RationalPoint& b) {
   return dot(by, by);
 }
 
+/// Twice the area vector of a facet: of its outer loop less those of its holes, whatever their direction.
+RationalPoint area(const WeldModel::Facet& facet, const std::vector<RationalPoint>& points) {
+  RationalPoint total{0, 0, 0}, outer{0, 0, 0};
+  for (std::size_t i = 0; i < facet.loops.size(); ++i) {
+    const auto& loop = facet.loops[i];
+    RationalPoint sum{0, 0, 0};
+    for (std::size_t k = 1; k + 1 < loop.size(); ++k)
+      sum = sum + cross(points[loop[k]] - points[loop[0]], points[loop[k + 1]] - points[loop[0]]);
+    if (i == 0) outer = sum;
+    total = i > 0 && dot(sum, outer) > 0 ? total - sum : total + sum;
+  }
+  return total;
+}
+
+std::vector<RationalPoint> areas(const WeldModel& model, const std::vector<RationalPoint>& points) {
+  std::vector<RationalPoint> list;
+  for (const WeldModel::Facet& facet : model.facets) list.push_back(area(facet, points));
+  return list;
+}
+
+int sign_of_volume(const WeldModel& model, const WeldModel::Solid& solid,
+                   const std::vector<RationalPoint>& points) {
+  std::vector<Rational> parts;
+  for (const auto& [f, outward] : solid.facets) {
+    const WeldModel::Facet& facet = model.facets[f];
+    const Rational part = dot(area(facet, points), points[facet.loops[0][0]]);
+    parts.push_back(outward ? part : Rational(-part));
+  }
+  return sgn(sum(std::move(parts)));
+}
+
+[[noreturn]] void refuse(const std::string& what, const Rational& d) {
+  throw InputError("weld: " + what + " if all that is within " + to_decimal(d, 6) +
+                   " of each other were joined: give a smaller length");
+}
+
 class Welder {
  public:
   Welder(const WeldModel& model, const Rational& d) : model_(model), d_(d), square_(d * d), d_up_(rounded_up(d)) {}
@@ -267,26 +303,8 @@ class Welder {
 
   // --- what is refused
 
-  /// Twice the area vector of a facet: of its outer loop less those of its holes, whatever their direction.
-  static RationalPoint area(const WeldModel::Facet& facet, const std::vector<RationalPoint>& points) {
-    RationalPoint total{0, 0, 0}, outer{0, 0, 0};
-    for (std::size_t i = 0; i < facet.loops.size(); ++i) {
-      const auto& loop = facet.loops[i];
-      RationalPoint sum{0, 0, 0};
-      for (std::size_t k = 1; k + 1 < loop.size(); ++k)
-        sum = sum + cross(points[loop[k]] - points[loop[0]], points[loop[k + 1]] - points[loop[0]]);
-      if (i == 0) outer = sum;
-      total = i > 0 && dot(sum, outer) > 0 ? total - sum : total + sum;
-    }
-    return total;
-  }
-
   void check() const {
-    std::vector<RationalPoint> before, after;
-    for (const WeldModel::Facet& facet : model_.facets) {
-      before.push_back(area(facet, model_.points));
-      after.push_back(area(facet, result_.points));
-    }
+    const std::vector<RationalPoint> before = areas(model_, model_.points), after = areas(model_, result_.points);
     std::vector<char> had(model_.faces.size(), 0), has(model_.faces.size(), 0);
     for (std::size_t f = 0; f < before.size(); ++f) {
       const Index face = model_.facets[f].face;
@@ -295,28 +313,10 @@ class Welder {
       if (model_.faces[face].curved ? !is_zero(after[f]) : dot(before[f], after[f]) > 0) has[face] = 1;
     }
     for (Index face = 0; face < had.size(); ++face) {
-      if (had[face] != 0 && has[face] == 0 && !model_.faces[face].may_vanish) refuse(model_.face_name(face));
+      if (had[face] != 0 && has[face] == 0 && !model_.faces[face].may_vanish)
+        refuse(model_.face_name(face) + " would vanish", d_);
     }
-    for (const WeldModel::Solid& solid : model_.solids) {
-      const int was = sgn(volume(solid, before, model_.points)), is = sgn(volume(solid, after, result_.points));
-      if (was != 0 && was != is)
-        refuse(solid.name, is == 0 ? " would have no volume" : " would be turned inside out");
-    }
-  }
-
-  Rational volume(const WeldModel::Solid& solid, const std::vector<RationalPoint>& areas,
-                  const std::vector<RationalPoint>& points) const {
-    std::vector<Rational> parts;
-    for (const auto& [facet, outward] : solid.facets) {
-      const Rational part = dot(areas[facet], points[model_.facets[facet].loops[0][0]]);
-      parts.push_back(outward ? part : Rational(-part));
-    }
-    return sum(std::move(parts));
-  }
-
-  [[noreturn]] void refuse(const std::string& what, const std::string& would = " would vanish") const {
-    throw InputError("weld: " + what + would + " if what is within " + to_decimal(d_, 6) +
-                     " of each other were joined: give a smaller length");
+    for (const WeldModel::Solid& solid : model_.solids) check_solid(model_, solid, result_.points, d_);
   }
 
   const WeldModel& model_;
@@ -338,6 +338,14 @@ class Welder {
 
 }  // namespace
 }  // namespace welding
+
+void check_solid(const WeldModel& model, const WeldModel::Solid& solid, const std::vector<RationalPoint>& after,
+                 const Rational& d) {
+  const int was = welding::sign_of_volume(model, solid, model.points);
+  const int is = was == 0 ? 0 : welding::sign_of_volume(model, solid, after);
+  if (was != is)
+    welding::refuse(solid.name + (is == 0 ? " would have no volume" : " would be turned inside out"), d);
+}
 
 Weld weld(const WeldModel& model, const Rational& d) { return welding::Welder(model, d).run(); }
 

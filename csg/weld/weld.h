@@ -74,6 +74,11 @@ struct Weld {
   std::string notice(const Rational& d) const;
 };
 
+/// Throws InputError if the solid would have no volume, or one of the other sign, with its points where they are
+/// `after`. `weld` does so for all solids of the model.
+void check_solid(const WeldModel& model, const WeldModel::Solid& solid, const std::vector<RationalPoint>& after,
+                 const Rational& d);
+
 /// Throws InputError, which names a face or solid, if it would vanish or be turned inside out. d > 0.
 Weld weld(const WeldModel& model, const Rational& d);
 

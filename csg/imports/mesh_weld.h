@@ -1,0 +1,20 @@
+// The polygons of a mesh file as what is welded (csg/weld/weld.h).
+#pragma once
+
+#include "csg/imports/mesh_file.h"
+#include "csg/weld/weld.h"
+
+namespace cnrg {
+
+struct MeshWeld {
+  WeldModel model;  ///< before it
+  Weld made;
+};
+
+/// Moves the points of the mesh. Polygons may lose corners, or all of their area.
+MeshWeld weld_mesh(MeshData& data, const Rational& d);
+
+/// Throws InputError if polygons that are closed now have other signs of volume than before.
+void check_volume(const MeshWeld& weld, const std::string& file, const Rational& d);
+
+}  // namespace cnrg
