@@ -2,6 +2,7 @@
 //
 //   tree -> instances            csg/tree/unfold.h: a node under each of its transforms; operands before users
 //        -> prepared leaves      prepared_leaves.h: files are read, everything that can be checked is checked
+//        -> welded leaves        csg/weld/weld_leaves.h: where the tree has `weld`
 //        -> soup -> complex      make_soup.cpp, then the kernel: all leaves are refined together, once
 //        -> leaf values          leaf_values.h
 //        -> node values          operate.h: a node selects cells and makes none; it costs what its operands touch
@@ -31,6 +32,7 @@
 #include "csg/evaluate/simplified_value.h"
 #include "csg/evaluate/value_store.h"
 #include "csg/leaves/surface_parameters.h"
+#include "csg/weld/weld_leaves.h"
 
 namespace cnrg {
 namespace {
@@ -59,12 +61,22 @@ void append(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
 }
 
 /// Soup and complex of all leaves, and what the complex does not know of them: names, parameters.
-void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& options, Evaluation& result) {
+void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const EvaluateOptions& options,
+                      Evaluation& result) {
   const Stopwatch stopwatch;
   RefineOptions refine_options;
   refine_options.threads = options.threads;
+  std::vector<LeafInstance> instances = leaves.instances();
   leaves.locate_errors([&] {
-    const Soup soup = make_soup(leaves.instances(), options.reach);
+    if (tree.weld) {
+      WeldedLeaves welded = weld_leaves(instances, *tree.weld);
+      instances = std::move(welded.instances);
+      if (!welded.notice.empty()) {
+        result.diagnostics.push_back(
+            {tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(welded.notice)});
+      }
+    }
+    const Soup soup = make_soup(instances, options.reach);
     result.complex = build_complex(soup, refine_options, &result.refine);
   });
   if (options.validate) {
@@ -73,9 +85,9 @@ void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& optio
   }
   result.leaf_names.resize(result.complex->leaf_count);
   std::vector<PlacedParameters> placed;
-  for (std::size_t i = 0; i < leaves.instances().size(); ++i) {
+  for (std::size_t i = 0; i < instances.size(); ++i) {
     result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
-    placed.push_back({leaves.instances()[i].leaf->parameters(), leaves.instances()[i].transform});
+    placed.push_back({instances[i].leaf->parameters(), instances[i].transform});
   }
   result.parameters = std::make_shared<const SurfaceParameters>(*result.complex, std::move(placed));
   result.refine_seconds = stopwatch.seconds();
@@ -140,7 +152,7 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
   append(result.diagnostics, leaves.notices());
 
   progress("refine", 0, 0);
-  build_complex_of(leaves, options, result);
+  build_complex_of(tree, leaves, options, result);
   const Complex& complex = *result.complex;
   append(result.diagnostics, dropped_faces(tree, leaves, complex, result.refine));
 

@@ -160,24 +160,30 @@ void PreparedLeaves::locate_errors(const std::function<void()>& work) const {
   } catch (const TreeError&) {
     throw;
   } catch (const InputError& e) {
-    static const std::regex kPlace(R"(\bleaf (\d+)((?:, face \d+)*)((?:, solid \d+)*))");
-    const std::string message = e.what();
-    std::optional<Position> first;
-    std::string translated;
-    auto last = message.cbegin();
-    for (std::sregex_iterator it(message.begin(), message.end(), kPlace), end; it != end; ++it) {
-      const std::smatch& match = *it;
-      const auto leaf = index_in(match[1]);
-      if (!leaf || *leaf >= nodes_.size()) continue;
-      Mention mention = mention_of(node_of(LeafId(*leaf)), match[2]);
-      mention.words.insert(0, solids_in(match[3], instances_[*leaf].leaf->regions()));
-      if (!first) first = mention.at;
-      translated.append(last, match[0].first).append(mention.words);
-      last = match[0].second;
-    }
-    translated.append(last, message.cend());
-    throw TreeError(tree_->file, first.value_or(tree_->nodes_at), translated);
+    Position first = tree_->nodes_at;
+    const std::string message = in_words(e.what(), &first);
+    throw TreeError(tree_->file, first, message);
   }
+}
+
+std::string PreparedLeaves::in_words(const std::string& message, Position* first) const {
+  static const std::regex kPlace(R"(\bleaf (\d+)((?:, face \d+)*)((?:, solid \d+)*))");
+  bool any = false;
+  std::string translated;
+  auto last = message.cbegin();
+  for (std::sregex_iterator it(message.begin(), message.end(), kPlace), end; it != end; ++it) {
+    const std::smatch& match = *it;
+    const auto leaf = index_in(match[1]);
+    if (!leaf || *leaf >= nodes_.size()) continue;
+    Mention mention = mention_of(node_of(LeafId(*leaf)), match[2]);
+    mention.words.insert(0, solids_in(match[3], instances_[*leaf].leaf->regions()));
+    if (first != nullptr && !any) *first = mention.at;
+    any = true;
+    translated.append(last, match[0].first).append(mention.words);
+    last = match[0].second;
+  }
+  translated.append(last, message.cend());
+  return translated;
 }
 
 std::vector<Diagnostic> PreparedLeaves::notices() const {

@@ -44,6 +44,9 @@ class PreparedLeaves {
   /// Runs `work`; an InputError that it throws comes out as TreeError with the place of the leaf or face that its
   /// message names as `leaf i, face j`, and with the names of nodes in the place of these numbers.
   void locate_errors(const std::function<void()>& work) const;
+  /// A message with the names of nodes in the place of `leaf i, face j`; `first` becomes the place of the first
+  /// one.
+  std::string in_words(const std::string& message, Position* first = nullptr) const;
 
   /// What the shapes have to say, one diagnostic per notice.
   std::vector<Diagnostic> notices() const;

@@ -1,0 +1,23 @@
+// The leaves of a tree as what is welded, where the tree puts them, all together.
+//
+// A leaf whose points move is replaced by one that is placed already. Facets that are not planar any more become
+// triangles; the parameters of patches and curves move with their corners.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csg/leaves/leaf.h"
+
+namespace cnrg {
+
+struct WeldedLeaves {
+  std::vector<LeafInstance> instances;
+  std::string notice;  ///< empty: nothing is near; names leaves as `leaf 3, face 2`
+};
+
+/// Planes, half-spaces and results read back stay as they are. Throws InputError as `weld`, which names leaves and
+/// faces as `leaf 3, face 2`.
+WeldedLeaves weld_leaves(const std::vector<LeafInstance>& instances, const Rational& d);
+
+}  // namespace cnrg
