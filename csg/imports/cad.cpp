@@ -128,7 +128,8 @@ class CadLeaf {
   /// Near points and planes become one, before anything is judged but what the file itself says.
   void weld() {
     Weld made = weld_cad(
-        model_, *shape_.weld, [this](Index f) { return face_name(f); }, [this](Index s) { return solid_name(s); });
+        model_, *shape_.weld, what(), [this](Index f) { return face_name(f); },
+        [this](Index s) { return solid_name(s); });
     if (const std::string words = made.notice(*shape_.weld); !words.empty()) model_.notices.push_back(words);
     if (!made.changed()) return;
     exact_ = std::move(made.points);

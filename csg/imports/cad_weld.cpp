@@ -2,7 +2,8 @@
 
 namespace cnrg {
 
-Weld weld_cad(const CadModel& model, const Rational& d, const std::function<std::string(std::uint32_t)>& face_name,
+Weld weld_cad(const CadModel& model, const Rational& d, const std::string& subject,
+              const std::function<std::string(std::uint32_t)>& face_name,
               const std::function<std::string(std::uint32_t)>& solid_name) {
   WeldModel all;
   for (const auto& p : model.points)
@@ -18,6 +19,7 @@ Weld weld_cad(const CadModel& model, const Rational& d, const std::function<std:
       for (const std::uint32_t s : face.before) all.solids[s].facets.emplace_back(facet, false);
     }
   }
+  all.subject = subject;
   all.face_name = face_name;
   return weld(all, d);
 }

@@ -36,7 +36,7 @@ class MeshLeaf {
   explicit MeshLeaf(const MeshShape& shape)
       : shape_(shape),
         data_(read_mesh(shape.file, shape.decimal, shape.inside)),
-        weld_(shape.weld ? weld_mesh(data_, *shape.weld) : MeshWeld()),
+        weld_(shape.weld ? weld_mesh(data_, shape.file, *shape.weld) : MeshWeld()),
         points_(data_) {}
 
   std::unique_ptr<PreparedLeaf> prepare() {
@@ -48,7 +48,7 @@ class MeshLeaf {
     collect_faces();
     const SideTable sides = side_table();
     const Fill fill = decide_fill(sides);
-    if (weld_.made.changed() && fill == Fill::winding) check_volume(weld_, shape_.file, *shape_.weld);
+    if (weld_.made.changed() && fill == Fill::winding) check_volume(weld_, *shape_.weld);
     const std::vector<std::uint32_t> leaf_faces = join_coplanar(sides);
     note_changes();
     return build(fill, leaf_faces);

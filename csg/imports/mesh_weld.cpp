@@ -4,7 +4,7 @@
 
 namespace cnrg {
 
-MeshWeld weld_mesh(MeshData& data, const Rational& d) {
+MeshWeld weld_mesh(MeshData& data, const std::string& file, const Rational& d) {
   MeshWeld result;
   WeldModel& model = result.model;
   auto next_exact = data.exact.begin();
@@ -18,6 +18,7 @@ MeshWeld weld_mesh(MeshData& data, const Rational& d) {
     model.facets.push_back(
         {f, {{data.corners.begin() + data.offsets[f], data.corners.begin() + data.offsets[f + 1]}}});
   }
+  model.subject = "mesh '" + file + "': ";
   model.face_name = [](std::uint32_t f) { return "face " + std::to_string(f); };
   result.made = weld(model, d);
   if (!result.made.changed()) return result;
@@ -31,8 +32,8 @@ MeshWeld weld_mesh(MeshData& data, const Rational& d) {
   return result;
 }
 
-void check_volume(const MeshWeld& weld, const std::string& file, const Rational& d) {
-  WeldModel::Solid solid{"mesh '" + file + "'", {}};
+void check_volume(const MeshWeld& weld, const Rational& d) {
+  WeldModel::Solid solid{"the solid", {}};
   for (std::uint32_t f = 0; f < weld.model.facets.size(); ++f) solid.facets.emplace_back(f, true);
   check_solid(weld.model, solid, weld.made.points, d);
 }

@@ -12,9 +12,9 @@ struct MeshWeld {
 };
 
 /// Moves the points of the mesh. Polygons may lose corners, or all of their area.
-MeshWeld weld_mesh(MeshData& data, const Rational& d);
+MeshWeld weld_mesh(MeshData& data, const std::string& file, const Rational& d);
 
 /// Throws InputError if polygons that are closed now have other signs of volume than before.
-void check_volume(const MeshWeld& weld, const std::string& file, const Rational& d);
+void check_volume(const MeshWeld& weld, const Rational& d);
 
 }  // namespace cnrg

@@ -63,7 +63,8 @@ class PlaneFinder {
     std::vector<std::vector<Index>> of_face(model_.faces.size());
     for (Index f = 0; f < model_.facets.size(); ++f) of_face[model_.facets[f].face].push_back(f);
     for (Index face = 0; face < of_face.size(); ++face) {
-      if (!model_.faces[face].curved && add_part(face, of_face[face])) continue;
+      curved_.push_back(model_.faces[face].curved || !add_part(face, of_face[face]));
+      if (!curved_.back()) continue;
       for (const Index facet : of_face[face]) add_part(face, {facet});
     }
     const auto key = [](const Part& p) { return std::tie(p.box.lo, p.box.hi, p.area, p.corners); };
@@ -149,8 +150,7 @@ class PlaneFinder {
 
   /// Facets of curved faces that only touch, as neighbours do, need no common plane.
   bool may_join(const Part& a, const Part& b, bool on_each_other) const {
-    if (a.face == b.face) return !model_.faces[a.face].curved;
-    return on_each_other || !(model_.faces[a.face].curved || model_.faces[b.face].curved);
+    return a.face != b.face && (on_each_other || !(curved_[a.face] || curved_[b.face]));
   }
 
   /// True if two facets overlap, or a corner of one part is on the other and no corner of it.
@@ -403,6 +403,7 @@ class PlaneFinder {
   const Rational& d_;
   double d_up_, scale_ = 0;
   Planes found_;
+  std::vector<bool> curved_;  // of faces
   std::vector<Cluster> clusters_;
   UnionFind sets_;
   std::vector<bool> overlap_;  // of clusters: some of its parts lie on each other

@@ -53,8 +53,8 @@ int sign_of_volume(const WeldModel& model, const WeldModel::Solid& solid,
   return sgn(sum(std::move(parts)));
 }
 
-[[noreturn]] void refuse(const std::string& what, const Rational& d) {
-  throw InputError("weld: " + what + " if all that is within " + to_decimal(d, 6) +
+[[noreturn]] void refuse(const WeldModel& model, const std::string& what, const Rational& d) {
+  throw InputError(model.subject + "weld: " + what + " if all that is within " + to_decimal(d, 6) +
                    " of each other were joined: give a smaller length");
 }
 
@@ -314,7 +314,7 @@ class Welder {
     }
     for (Index face = 0; face < had.size(); ++face) {
       if (had[face] != 0 && has[face] == 0 && !model_.faces[face].may_vanish)
-        refuse(model_.face_name(face) + " would vanish", d_);
+        refuse(model_, model_.face_name(face) + " would vanish", d_);
     }
     for (const WeldModel::Solid& solid : model_.solids) check_solid(model_, solid, result_.points, d_);
   }
@@ -344,7 +344,7 @@ void check_solid(const WeldModel& model, const WeldModel::Solid& solid, const st
   const int was = welding::sign_of_volume(model, solid, model.points);
   const int is = was == 0 ? 0 : welding::sign_of_volume(model, solid, after);
   if (was != is)
-    welding::refuse(solid.name + (is == 0 ? " would have no volume" : " would be turned inside out"), d);
+    welding::refuse(model, solid.name + (is == 0 ? " would have no volume" : " would be turned inside out"), d);
 }
 
 Weld weld(const WeldModel& model, const Rational& d) { return welding::Welder(model, d).run(); }

@@ -57,7 +57,9 @@ struct WeldModel {
   std::vector<Face> faces;
   std::vector<Solid> solids;
   std::vector<std::array<Index, 2>> wires;
-  std::function<std::string(Index)> face_name;  ///< for messages
+  // For messages.
+  std::string subject;  ///< before all else: `mesh: 'part.off': `
+  std::function<std::string(Index)> face_name;
 };
 
 struct Weld {

@@ -1,0 +1,108 @@
+// Models whose faces are meant to coincide and differ by what doubles make of them: welded, they have the
+// vertices, edges, faces and solids of OpenCASCADE's own fragments, which work with a tolerance throughout.
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <gp_Ax2.hxx>
+#include <gp_Trsf.hxx>
+#include <random>
+
+#include "csg/evaluate/evaluate.h"
+#include "tests/cad/models.h"
+
+namespace cnrg {
+namespace {
+
+using namespace cad;
+using Catch::Contains;
+using Cells = std::array<std::size_t, 4>;
+
+Cells cells_of(const TopoDS_Shape& shape) {
+  Cells cells;
+  constexpr TopAbs_ShapeEnum kinds[] = {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_FACE, TopAbs_SOLID};
+  for (std::size_t k = 0; k < 4; ++k) {
+    TopTools_IndexedMapOfShape found;
+    TopExp::MapShapes(shape, kinds[k], found);
+    cells[k] = static_cast<std::size_t>(found.Extent());
+  }
+  return cells;
+}
+
+TopoDS_Shape turned(const TopoDS_Shape& shape, double angle) {
+  gp_Trsf by;
+  by.SetRotation(gp_Ax1({0.3, 0.2, 0.1}, {1, 2, 3}), angle);
+  return shape.Moved(TopLoc_Location(by));
+}
+
+/// A model in a file that goes afterwards.
+class File {
+ public:
+  explicit File(const TopoDS_Shape& shape) {
+    std::string pattern = (std::filesystem::temp_directory_path() / "cnrg_cad_weld_XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    write_step(shape, folder_ + "/part.step");
+  }
+  ~File() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  Evaluation evaluate(const std::string& tree) const {
+    EvaluateOptions options;
+    options.validate = true;
+    return cnrg::evaluate(parse_tree("cnrg: 1\n" + tree + "\n", folder_ + "/t.yaml"), options);
+  }
+  Evaluation leaf(const std::string& options) const {
+    return evaluate("nodes: {part: {step: {file: part.step" + options + "}}}\nresult: part");
+  }
+
+ private:
+  std::string folder_;
+};
+
+TEST_CASE("solids that are turned in doubles have the walls of OpenCASCADE's fragments", "[weld]") {
+  const char* const seeds = std::getenv("CNRG_SEEDS");
+  const std::uint64_t count = seeds != nullptr ? std::strtoull(seeds, nullptr, 10) : 10;
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
+    std::vector<TopoDS_Shape> boxes;
+    for (int i = 0; i < 5; ++i) {
+      const double x = below(4), y = below(4), z = below(4);
+      const double a = 1 + below(3), b = 1 + below(3), c = 1 + below(3);
+      boxes.push_back(turned(box({x * 0.7, y * 0.7, z * 0.7}, {(x + a) * 0.7, (y + b) * 0.7, (z + c) * 0.7}),
+                             0.1 + 0.3 * static_cast<double>(seed)));
+    }
+    const Evaluation welded = File(compound(boxes)).leaf(", fill: winding, weld: 1e-6");
+    CHECK(welded.rows[0].cells == cells_of(glued(boxes)));
+  }
+}
+
+TEST_CASE("solids of one file that are leaves of their own are welded by the tree", "[weld]") {
+  const TopoDS_Shape floor = box({-2, -2, -1}, {2, 2, 0});
+  const TopoDS_Shape pillar = BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, 1e-9}, {0, 0, 1}), 1, 1).Shape();
+  const File file(compound({turned(floor, 0.4), turned(pillar, 0.4)}));
+  const std::string leaves =
+      "nodes:\n  floor: {step: {file: part.step, solids: [1]}}\n"
+      "  pillar: {step: {file: part.step, solids: [2]}}\n"
+      "  foot: {intersection: [floor, pillar]}\nresult: foot";
+  CHECK(file.evaluate(leaves).rows.back().cells == Cells{0, 0, 0, 0});
+  const Evaluation welded = file.evaluate("weld: 1e-7\n" + leaves);
+  CHECK(welded.rows.back().cells == Cells{1, 1, 1, 0});
+  REQUIRE(welded.diagnostics.size() == 1);
+  CHECK_THAT(welded.diagnostics[0].message, Contains("weld 0.0000001: moved ") && Contains("1 plane and 0 points"));
+}
+
+TEST_CASE("a solid as thin as the length is refused by the names of its faces", "[weld]") {
+  CHECK_THROWS_WITH(File(box({0, 0, 0}, {1, 1, 1e-4})).leaf(", weld: 0.001"),
+                    Contains("step: '") && Contains("weld: face ") && Contains("would vanish"));
+}
+
+}  // namespace
+}  // namespace cnrg
