@@ -288,12 +288,17 @@ class LeafGroups {
     }
     if (pieces.empty()) return false;
     if (pieces.size() < 2 || pieces.front().use == pieces.back().use) return true;
-    // There are two uses at least. A third one makes a feature; of two, each may be covered by several faces.
+    // There are two uses at least. A third one makes a feature; of two, each may be covered by several faces,
+    // which all go on beyond the edge or do not.
+    const FaceUse one = pieces.front().use;
     const auto first_of_back =
-        std::find_if(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.use != pieces.front().use; });
-    return std::any_of(std::next(pieces.begin()), pieces.end(), [&](const Piece& p) {
-      const bool third = p.use != pieces.front().use && p.use != first_of_back->use;
-      return third || parts(complex_.sources[pieces.front().source], complex_.sources[p.source]);
+        std::find_if(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.use != one; });
+    const FaceUse other = first_of_back->use;
+    return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) {
+      if (p.use != one && p.use != other) return true;
+      return std::none_of(pieces.begin(), pieces.end(), [&](const Piece& q) {
+        return q.use != p.use && !parts(complex_.sources[p.source], complex_.sources[q.source]);
+      });
     });
   }
 

@@ -96,7 +96,16 @@ TEST_CASE("solids of one file that are leaves of their own are welded by the tre
   const Evaluation welded = file.evaluate("weld: 1e-7\n" + leaves);
   CHECK(welded.rows.back().cells == Cells{1, 1, 1, 0});
   REQUIRE(welded.diagnostics.size() == 1);
-  CHECK_THAT(welded.diagnostics[0].message, Contains("weld 0.0000001: moved ") && Contains("1 plane and 0 points"));
+  CHECK_THAT(welded.diagnostics[0].message,
+             Contains("weld 0.0000001: moved ") && Contains("1 plane and 0 points"));
+}
+
+TEST_CASE("a bolt in its hole has one face with it where their facets are the same", "[weld]") {
+  const TopoDS_Shape bolt = BRepPrimAPI_MakeCylinder(gp_Ax2({2, 2, 0.5}, {0, 0, 1}), 1, 1).Shape();
+  const Evaluation evaluation = File(compound({bored_box(), bolt})).leaf(", weld: 1e-9");
+  // Six sides of the box, the bore below, beside and above the bolt, its ends.
+  CHECK(evaluation.rows[0].cells[2] == 11);
+  CHECK(evaluation.rows[0].regions == 2);
 }
 
 TEST_CASE("a solid as thin as the length is refused by the names of its faces", "[weld]") {
