@@ -2,7 +2,8 @@
 //
 //   tree -> instances            csg/tree/unfold.h: a node under each of its transforms; operands before users
 //        -> prepared leaves      prepared_leaves.h: files are read, everything that can be checked is checked
-//        -> welded leaves        csg/weld/weld_leaves.h: where the tree has `weld`
+//        -> common lines         csg/carriers/common_lines.h: of leaves that share a curved surface
+//        -> welded leaves        csg/weld/weld_leaves.h: what is near coincides, where the tree has `weld`
 //        -> soup -> complex      make_soup.cpp, then the kernel: all leaves are refined together, once
 //        -> leaf values          leaf_values.h
 //        -> node values          operate.h: a node selects cells and makes none; it costs what its operands touch
@@ -23,6 +24,7 @@
 #include <optional>
 #include <utility>
 
+#include "csg/carriers/common_lines.h"
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/leaf_values.h"
@@ -66,8 +68,9 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
   const Stopwatch stopwatch;
   RefineOptions refine_options;
   refine_options.threads = options.threads;
-  std::vector<LeafInstance> instances = leaves.instances();
+  std::vector<LeafInstance> instances;
   leaves.locate_errors([&] {
+    instances = with_common_lines(leaves.instances());
     if (tree.weld) {
       WeldedLeaves welded = weld_leaves(instances, *tree.weld);
       instances = std::move(welded.instances);
