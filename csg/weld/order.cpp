@@ -11,6 +11,16 @@ namespace {
 
 /// Sines of angles and ratios of lengths below this are too near to zero to build on.
 constexpr double kFlat = 1.0 / 1024;
+/// What a few steps make of numbers is this much longer than the longest that was given. In a long row of steps
+/// they would grow without bound.
+constexpr std::size_t kLonger = 32;
+
+std::size_t bits(const Rational& x) {
+  return mpz_sizeinbase(x.get_num_mpz_t(), 2) + mpz_sizeinbase(x.get_den_mpz_t(), 2);
+}
+/// Of the longest of three fractions.
+std::size_t bits(const RationalPoint& p) { return std::max({bits(p[0]), bits(p[1]), bits(p[2])}); }
+std::size_t bits(const Plane& plane) { return std::max(bits(plane.normal), bits(plane.offset)); }
 
 Vector in_doubles(const RationalPoint& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -62,8 +72,12 @@ Plane like(const Plane& plane, const std::vector<const RationalPoint*>& points) 
 class Placer {
  public:
   Placer(Incidence& incidence, const Rational& d) : all_(incidence), square_(d * d) {
-    for (const auto& p : all_.points) at_.push_back(in_doubles(p.at));
+    for (const auto& p : all_.points) {
+      at_.push_back(in_doubles(p.at));
+      most_bits_ = std::max(most_bits_, kLonger * bits(p.at));
+    }
     for (const auto& plane : all_.planes) {
+      most_bits_ = std::max(most_bits_, kLonger * bits(plane.plane));
       Vector n = in_doubles(plane.plane.normal);
       const double length = size(n);
       for (double& x : n) x /= length;
@@ -174,7 +188,7 @@ class Placer {
       if (obeyed.size() < 3 && independent(obeyed, plane.normal)) {
         obeyed.push_back(&plane);
         const RationalPoint there = nearest_on(obeyed, point.at);
-        if (is_near(point, there)) {
+        if (bits(there) <= most_bits_ && is_near(point, there)) {
           at = there;
           continue;
         }
@@ -209,7 +223,7 @@ class Placer {
       if (obeyed.size() < 3 && widens(obeyed, at)) {
         obeyed.push_back(&at);
         const Plane there = like(through.plane, obeyed);
-        if (!is_zero(there.normal) && is_near(through, there)) {
+        if (!is_zero(there.normal) && bits(there) <= most_bits_ && is_near(through, there)) {
           plane = there;
           continue;
         }
@@ -237,6 +251,7 @@ class Placer {
 
   Incidence& all_;
   Rational square_;
+  std::size_t most_bits_ = 0;
   std::vector<Vector> at_, normal_;                     // of points, of planes
   std::vector<double> extent_;                          // of planes
   std::vector<std::size_t> planes_left_, points_left_;  // of points, of planes

@@ -7,6 +7,9 @@
 // rational numbers. Where many solids meet, there may be none with three; then one with few is taken away all the
 // same, and what it cannot obey when its turn comes is broken.
 //
+// Each step makes numbers longer. A row of many steps, as over the quadrilaterals of a fine mesh, is broken where
+// they get too long: a point is placed in doubles again, and what follows is short.
+//
 // Three planes that nearly have a line in common make no point that is worth having: they count as too many. So
 // the ends of an edge at which many faces meet are placed before these faces.
 #pragma once
