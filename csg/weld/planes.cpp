@@ -37,8 +37,14 @@ struct Slab {
 class PlaneFinder {
  public:
   PlaneFinder(const WeldModel& model, const std::vector<Index>& number, const std::vector<RationalPoint>& points,
-              const std::vector<Vector>& near, const Rational& d)
-      : model_(model), number_(number), points_(points), near_(near), d_(d), d_up_(rounded_up(d)) {
+              const std::vector<Vector>& near, const std::vector<Index>& spot_of, const Rational& d)
+      : model_(model),
+        number_(number),
+        points_(points),
+        near_(near),
+        spot_of_(spot_of),
+        d_(d),
+        d_up_(rounded_up(d)) {
     for (const Vector& p : near_) scale_ = std::max(scale_, largest(p));
   }
 
@@ -166,9 +172,22 @@ class PlaneFinder {
     return has_corner_on(a, b) || has_corner_on(b, a);
   }
 
+  std::vector<Index> spots(const Part& part) const {
+    std::vector<Index> list;
+    for (const Index p : part.corners) list.push_back(spot_of_[p]);
+    std::sort(list.begin(), list.end());
+    return list;
+  }
+
+  /// Whatever becomes of their corners, these stay the same.
+  bool same_triangle(const Part& a, const Part& b) const {
+    return a.corners.size() == 3 && b.corners.size() == 3 && spots(a) == spots(b);
+  }
+
   bool has_corner_on(const Part& a, const Part& b) const {
+    const std::vector<Index> corners = spots(b);
     return std::any_of(a.corners.begin(), a.corners.end(), [&](Index p) {
-      if (std::binary_search(b.corners.begin(), b.corners.end(), p)) return false;
+      if (std::binary_search(corners.begin(), corners.end(), spot_of_[p])) return false;
       Box at;
       at.extend(near_[p], near_[p]);
       at = grown(at, d_up_);
@@ -202,7 +221,7 @@ class PlaneFinder {
                    const double width = width_of_pair(parts[a], parts[b]);
                    if (width < 0) return;
                    const bool overlap = on_each_other(parts[a], parts[b]);
-                   if (overlap) overlaps.emplace_back(a, b);
+                   if (overlap && !same_triangle(parts[a], parts[b])) overlaps.emplace_back(a, b);
                    if (may_join(parts[a], parts[b], overlap)) pairs.emplace_back(width, a, b);
                  });
     }
@@ -400,6 +419,7 @@ class PlaneFinder {
   const std::vector<Index>& number_;
   const std::vector<RationalPoint>& points_;
   const std::vector<Vector>& near_;
+  const std::vector<Index>& spot_of_;
   const Rational& d_;
   double d_up_, scale_ = 0;
   Planes found_;
@@ -426,8 +446,9 @@ double rounded_up(const Rational& d) {
 }
 
 Planes find_planes(const WeldModel& model, const std::vector<Index>& number,
-                   const std::vector<RationalPoint>& points, const std::vector<Vector>& near, const Rational& d) {
-  return PlaneFinder(model, number, points, near, d).run();
+                   const std::vector<RationalPoint>& points, const std::vector<Vector>& near,
+                   const std::vector<Index>& spot_of, const Rational& d) {
+  return PlaneFinder(model, number, points, near, spot_of, d).run();
 }
 
 }  // namespace cnrg::welding

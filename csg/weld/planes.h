@@ -40,7 +40,7 @@ struct Carrier {
   std::vector<Index> parts;    ///< ascending
   std::vector<Index> corners;  ///< of these parts, each once, ascending
   bool exact = false;          ///< all corners are on it already
-  bool overlap = false;        ///< some of its parts lie on each other
+  bool overlap = false;        ///< some of its parts lie on each other, and are not triangles of the same points
 };
 
 struct Planes {
@@ -51,9 +51,10 @@ struct Planes {
 };
 
 /// `points` are different and in lexicographic order, `near` holds the same in doubles; corners of the model's
-/// facets are looked up in `number`.
+/// facets are looked up in `number`. Points that will be one have one number in `spot_of`.
 Planes find_planes(const WeldModel& model, const std::vector<Index>& number,
-                   const std::vector<RationalPoint>& points, const std::vector<Vector>& near, const Rational& d);
+                   const std::vector<RationalPoint>& points, const std::vector<Vector>& near,
+                   const std::vector<Index>& spot_of, const Rational& d);
 
 /// A box with some length more on each side, rounded outward.
 Box grown(const Box& box, double by);

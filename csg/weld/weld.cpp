@@ -66,7 +66,7 @@ class Welder {
     require(d_ > 0, "weld: the length is not above 0");
     number_points();
     join_points();
-    planes_ = find_planes(model_, number_, points_, near_, d_);
+    planes_ = find_planes(model_, number_, points_, near_, spot_of_, d_);
     find_incidences();
     find_active();
     solve();
@@ -228,7 +228,8 @@ class Welder {
       std::erase_if(on_[s], [&](Index c) { return !matters(c); });
       for (const Index c : on_[s]) sets.unite(s, static_cast<Index>(spots + c));
     }
-    std::vector<bool> active(spots + planes_.carriers.size(), false);
+    // Where triangles alone change their points, these points say all.
+    std::vector<bool> active(spots + planes_.carriers.size(), false), on_planes = active;
     for (Index s = 0; s < spots; ++s) {
       bool near = spots_[s].size() > 1;
       for (const Index c : foreign_[s]) {
@@ -236,14 +237,24 @@ class Welder {
         near = near || !planes_.carriers[c].exact || dot(plane.normal, points_[spots_[s][0]]) != plane.offset;
       }
       if (near) active[sets.find(s)] = true;
+      if (!foreign_[s].empty()) on_planes[sets.find(s)] = true;
     }
     for (Index c = 0; c < planes_.carriers.size(); ++c) {
       const Carrier& carrier = planes_.carriers[c];
-      if (carrier.overlap && !carrier.exact) active[sets.find(static_cast<Index>(spots + c))] = true;
+      const Index set = sets.find(static_cast<Index>(spots + c));
+      if (carrier.overlap && !carrier.exact) active[set] = true;
+      const bool polygons = std::any_of(carrier.parts.begin(), carrier.parts.end(),
+                                        [&](Index p) { return planes_.parts[p].corners.size() > 3; });
+      if (matters(c) && (carrier.overlap || polygons)) on_planes[set] = true;
     }
-    for (Index s = 0; s < spots; ++s) is_active_.push_back(active[sets.find(s)]);
-    for (Index c = 0; c < planes_.carriers.size(); ++c)
-      carrier_active_.push_back(matters(c) && active[sets.find(static_cast<Index>(spots + c))]);
+    for (Index s = 0; s < spots; ++s) {
+      is_active_.push_back(active[sets.find(s)]);
+      if (!on_planes[sets.find(s)]) on_[s].clear();
+    }
+    for (Index c = 0; c < planes_.carriers.size(); ++c) {
+      const Index set = sets.find(static_cast<Index>(spots + c));
+      carrier_active_.push_back(matters(c) && active[set] && on_planes[set]);
+    }
   }
   std::size_t points_on(Index carrier) const { return points_on_[carrier]; }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -248,6 +249,53 @@ result: u
     }
   }
   CHECK(found == 12);
+}
+
+TEST_CASE("a mesh less its copy with errors is nothing", "[weld]") {
+  const std::string file =
+      (std::filesystem::temp_directory_path() / ("cnrg_weld_" + std::to_string(getpid()))).string();
+  const auto write_ball = [&](const std::string& name, double noise) {
+    constexpr int kRows = 12, kColumns = 24;
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> error(-noise, noise);
+    std::string points, faces;
+    const auto add_point = [&](double up, double round) {
+      char text[100];
+      std::snprintf(text, sizeof text, "%.17g %.17g %.17g\n", std::sin(up) * std::cos(round) + error(random),
+                    std::sin(up) * std::sin(round) + error(random), std::cos(up) + error(random));
+      points += text;
+    };
+    const auto add_face = [&](int a, int b, int c) {
+      faces += "3 " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+    };
+    const auto number = [&](int i, int j) { return 1 + (i - 1) * kColumns + j % kColumns; };
+    const int last = number(kRows, 0);
+    add_point(0, 0);
+    for (int i = 1; i < kRows; ++i) {
+      for (int j = 0; j < kColumns; ++j) add_point(i * 3.14159265358979 / kRows, j * 6.28318530717959 / kColumns);
+    }
+    add_point(3.14159265358979, 0);
+    for (int j = 0; j < kColumns; ++j) {
+      add_face(0, number(1, j), number(1, j + 1));
+      add_face(last, number(kRows - 1, j + 1), number(kRows - 1, j));
+      for (int i = 1; i + 1 < kRows; ++i) {
+        add_face(number(i, j), number(i + 1, j), number(i + 1, j + 1));
+        add_face(number(i, j), number(i + 1, j + 1), number(i, j + 1));
+      }
+    }
+    std::ofstream(name) << "OFF\n" << last + 1 << " " << kColumns * (2 * kRows - 2) << " 0\n" << points << faces;
+  };
+  write_ball(file + "1.off", 0);
+  write_ball(file + "2.off", 1e-10);
+  const std::string tree = "nodes:\n  a: {mesh: {file: " + file + "1.off}}\n  b: {mesh: {file: " + file +
+                           "2.off}}\n  none: {difference: [a, b]}\nresult: none\n";
+  CHECK(counts(tree).raw[3] > 0);
+  const Evaluation welded = run("weld: 1e-8\n" + tree);
+  CHECK(welded.rows.back().raw_cells == Cells{0, 0, 0, 0});
+  CHECK_THAT(welded.diagnostics.back().message,
+             Contains("0 planes and 266 points joined") && !Contains("off a plane"));
+  std::filesystem::remove(file + "1.off");
+  std::filesystem::remove(file + "2.off");
 }
 
 TEST_CASE("a sheet and a wire near a solid lie on it", "[weld]") {
