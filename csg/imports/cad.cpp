@@ -21,6 +21,7 @@
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/mesh_boundary.h"
 #include "csg/imports/cad_model.h"
+#include "csg/imports/cad_near.h"
 #include "csg/imports/cad_weld.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
@@ -43,6 +44,8 @@ class CadLeaf {
     for (Index f = 0; f < model_.faces.size(); ++f) check_border(f);
     choose();
     if (shape_.weld) weld();
+    else if (const std::string near = notice_of_near_surfaces(model_); !near.empty())
+      model_.notices.push_back(near);
     fill_ = decide_fill();
     if (fill_ == Fill::solids) {
       for (Index s = 0; s < model_.solids.size(); ++s) check_solid(s);

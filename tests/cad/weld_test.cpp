@@ -108,6 +108,22 @@ TEST_CASE("a bolt in its hole has one face with it where their facets are the sa
   CHECK(evaluation.rows[0].regions == 2);
 }
 
+TEST_CASE("radii that differ by 1e-12 are two cylinders, and a notice says so", "[weld]") {
+  const auto bolt = [](double radius) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2({2, 2, 0.5}, {0, 0, 1}), radius, 1).Shape();
+  };
+  const File file(compound({bored_box(), bolt(1 - 1e-12)}));
+  const Evaluation apart = file.leaf("");
+  CHECK(apart.rows[0].cells[2] == 7 + 3);
+  REQUIRE(apart.diagnostics.size() == 1);
+  CHECK_THAT(apart.diagnostics[0].message, Contains("1 pair of faces of different solids nearly coincide") &&
+                                               Contains("on cylinders that are 1.0e-12 apart") &&
+                                               Contains("to join them, give `weld`"));
+  CHECK(file.leaf(", weld: 1e-9").rows[0].cells[2] == 11);
+  CHECK(File(compound({bored_box(), bolt(0.9)})).leaf("").diagnostics.empty());
+  CHECK(File(compound({bored_box(), bolt(1)})).leaf("").diagnostics.empty());
+}
+
 TEST_CASE("a solid as thin as the length is refused by the names of its faces", "[weld]") {
   CHECK_THROWS_WITH(File(box({0, 0, 0}, {1, 1, 1e-4})).leaf(", weld: 0.001"),
                     Contains("step: '") && Contains("weld: face ") && Contains("would vanish"));

@@ -220,6 +220,10 @@ TEST_CASE("what is no length is refused with its place", "[weld]") {
   const std::string tree = std::string("nodes:\n") + kCubes + "result: a\n";
   CHECK_THAT(failure("weld: 0\n" + tree), Contains("t.yaml:2:7: error: `weld` of a tree file must be above 0"));
   CHECK_THAT(failure("weld: -1\n" + tree), Contains("must be above 0"));
+  for (const char* leaf : {"mesh: {file: a.off", "step: {file: a.step", "brep: {file: a.brep"}) {
+    CHECK_THAT(failure(std::string("nodes: {a: {") + leaf + ", weld: 0}}}\nresult: a\n"),
+               Contains("error: `weld` of ") && Contains("must be above 0: give the length"));
+  }
   CHECK_THAT(failure("weld: near\n" + tree),
              Contains("t.yaml:2:7: error: `weld` of a tree file: `near` is no number"));
 }

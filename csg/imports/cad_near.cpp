@@ -1,0 +1,137 @@
+// Radii of 1 and 1 + 1e-12 are those of different cylinders, with a gap between them, and that is what comes out.
+// But hardly anybody means it. Whether two surfaces are the same is decided exactly, by the file's numbers;
+// whether they are near is a question for a notice, and doubles answer it: each face's points are near the other's
+// surface.
+#include "csg/imports/cad_near.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "csg/geometry/exact_vectors.h"
+#include "kernel/refine/box_tree.h"
+
+namespace cnrg {
+namespace {
+
+using Kind = CadSurface::Kind;
+using Point = std::array<double, 3>;
+
+/// In parts of the model's extent: nearer than people make gaps.
+constexpr double kNear = 1e-9;
+
+bool is_compared(const CadSurface& surface) { return surface.kind <= Kind::torus; }
+
+RationalPoint exact(const Point& p) { return {from_double(p[0]), from_double(p[1]), from_double(p[2])}; }
+
+/// How far a point is from a surface.
+double distance(const CadSurface& surface, const Point& p) {
+  Point to;
+  double along = 0, square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    to[k] = p[k] - surface.axes.origin[k];
+    along += to[k] * surface.axes.z[k];
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double off = to[k] - along * surface.axes.z[k];
+    square += off * off;
+  }
+  const double around = std::sqrt(square);
+  switch (surface.kind) {
+    case Kind::plane: return std::abs(along);
+    case Kind::cylinder: return std::abs(around - surface.radius);
+    case Kind::cone:
+      return std::abs((around - surface.radius) * std::cos(surface.half_angle) -
+                      along * std::sin(surface.half_angle));
+    case Kind::sphere: return std::abs(std::hypot(around, along) - surface.radius);
+    default: return std::abs(std::hypot(around - surface.radius, along) - surface.minor_radius);
+  }
+}
+
+/// Exactly the same set of points. Cones with different origins on one axis count as the same: their radii there
+/// hang together by a tangent, which no file can hold.
+bool same(const CadSurface& a, const CadSurface& b) {
+  const RationalPoint z = exact(a.axes.z), by = exact(b.axes.origin) - exact(a.axes.origin);
+  if (a.kind == Kind::sphere) return is_zero(by) && a.radius == b.radius;
+  if (!is_zero(cross(z, exact(b.axes.z)))) return false;
+  switch (a.kind) {
+    case Kind::plane: return dot(by, z) == 0;
+    case Kind::cylinder: return a.radius == b.radius && is_zero(cross(by, z));
+    case Kind::cone:
+      return std::abs(a.half_angle) == std::abs(b.half_angle) && is_zero(cross(by, z)) &&
+             (!is_zero(by) || a.radius == b.radius);
+    default: return is_zero(by) && a.radius == b.radius && a.minor_radius == b.minor_radius;
+  }
+}
+
+const char* name_of(Kind kind) {
+  constexpr const char* kNames[] = {"planes", "cylinders", "cones", "spheres", "tori"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+bool share_a_solid(const CadModel::Face& a, const CadModel::Face& b) {
+  for (const auto* solids : {&a.behind, &a.before}) {
+    for (const std::uint32_t s : *solids) {
+      if (std::find(b.behind.begin(), b.behind.end(), s) != b.behind.end() ||
+          std::find(b.before.begin(), b.before.end(), s) != b.before.end())
+        return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string notice_of_near_surfaces(const CadModel& model) {
+  std::vector<Box> boxes;
+  for (const CadModel::Face& face : model.faces) {
+    Box& box = boxes.emplace_back();
+    if (!is_compared(face.surface)) continue;
+    for (const auto& triangle : face.triangles) {
+      for (const std::uint32_t p : triangle) box.extend(model.points[p], model.points[p]);
+    }
+  }
+  const Box all = bounds(boxes);
+  double extent = 0;
+  for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, all.hi[k] - all.lo[k]);
+  if (!(extent > 0)) return {};
+  const double most = kNear * extent;
+  const auto farthest = [&](const CadModel::Face& face, const CadSurface& surface) {
+    double far = 0;
+    for (const auto& triangle : face.triangles) {
+      for (const std::uint32_t p : triangle) far = std::max(far, distance(surface, model.points[p]));
+    }
+    return far;
+  };
+  std::size_t count = 0;
+  std::string example;
+  const BoxTree tree(boxes);
+  for (std::uint32_t a = 0; a < boxes.size(); ++a) {
+    if (!(boxes[a].lo[0] <= boxes[a].hi[0])) continue;
+    Box around = boxes[a];
+    for (std::size_t k = 0; k < 3; ++k) around.lo[k] -= most, around.hi[k] += most;
+    std::vector<std::uint32_t> others;
+    tree.query([&](const Box& box) { return box.meets(around); },
+               [&](std::uint32_t b) {
+                 if (b > a) others.push_back(b);
+               });
+    std::sort(others.begin(), others.end());
+    for (const std::uint32_t b : others) {
+      const CadModel::Face &one = model.faces[a], &other = model.faces[b];
+      if (one.surface.kind != other.surface.kind || share_a_solid(one, other)) continue;
+      if (same(one.surface, other.surface)) continue;
+      const double apart = std::max(farthest(one, other.surface), farthest(other, one.surface));
+      if (apart > most || count++ > 0) continue;
+      char text[32];
+      std::snprintf(text, sizeof text, "%.1e", apart);
+      example = "face " + std::to_string(a) + " and face " + std::to_string(b) + " on " +
+                name_of(one.surface.kind) + " that are " + text + " apart";
+    }
+  }
+  if (count == 0) return {};
+  return std::to_string(count) + (count == 1 ? " pair of faces" : " pairs of faces") +
+         " of different solids nearly coincide, " + (count == 1 ? "" : "such as ") + example +
+         ": they are taken as different; to join them, give `weld`";
+}
+
+}  // namespace cnrg
