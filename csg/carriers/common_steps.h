@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/carriers/classes.h"
 #include "csg/curves/boundary_curves.h"
 
 namespace cnrg {
@@ -18,10 +19,10 @@ class CommonSteps {
  public:
   /// A leaf has the curve and asks for a fineness. Returns its number.
   std::size_t ask(const BezierCurve& curve, const Fineness& fineness);
-  /// A number for what is no curve of a leaf, such as one that has been projected along `kind`.
-  std::size_t number(const BezierCurve& curve, const RationalPoint& kind);
+  /// A number for what is no curve of a leaf: a projected one; those of different `kind`, from 1, are different.
+  std::size_t number(const BezierCurve& curve, std::size_t kind);
   /// Both get the same steps.
-  void tie(std::size_t a, std::size_t b);
+  void tie(std::size_t a, std::size_t b) { classes_.join(a, b); }
   /// Steps of all curves that were asked for.
   AgreedSteps agree();
 
@@ -29,11 +30,10 @@ class CommonSteps {
   struct Asked {
     BezierCurve curve;  // canonical
     std::optional<Fineness> fineness;
-    std::size_t up;  // to the first of its class, which is its own
   };
-  std::size_t first_of(std::size_t a);
-  std::map<std::pair<RationalPoint, ControlRow>, std::size_t> numbers_;
+  std::map<std::pair<std::size_t, ControlRow>, std::size_t> numbers_;
   std::vector<Asked> asked_;
+  Classes classes_;
 };
 
 }  // namespace cnrg

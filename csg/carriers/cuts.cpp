@@ -44,10 +44,11 @@ void Cuts::spread() {
       Rational image = link.scale * t + link.shift;
       if (image <= 0 || image >= 1 || !to.cuts.insert(image).second) continue;
       if (to.cuts.size() > kMostCuts) {
-        throw InputError("leaf " + std::to_string(to.owner) +
-                         ": curves that it shares with other leaves cut each other into more than " +
-                         std::to_string(kMostCuts) +
-                         " pieces: a side of a patch is a part of another side of it; cut the patch there");
+        throw InputError(
+            "leaf " + std::to_string(to.owner) +
+            ": curves that it shares with other leaves cut each other into more than " +
+            std::to_string(kMostCuts) +
+            " pieces: a side of a patch of theirs is a part of another side of it; cut that patch there");
       }
       open.emplace_back(link.to, std::move(image));
     }

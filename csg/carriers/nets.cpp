@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "csg/carriers/classes.h"
 #include "csg/carriers/common_steps.h"
 #include "csg/carriers/cuts.h"
 #include "csg/carriers/net_carriers.h"
@@ -34,6 +35,12 @@ void each_overlap(const std::vector<std::array<Rational, 2>>& intervals, Visit v
 struct Run {
   std::size_t strand;
   std::array<Rational, 2> at;
+};
+/// A curve swept along a vector, on its carrier by its projection.
+struct Wall {
+  Run run;
+  std::array<Rational, 2> heights;
+  std::size_t number;  // of `walls_alike_`
 };
 /// A piece of a patch on its carrier: by the carrier's parameters.
 struct Sheet {
@@ -112,12 +119,12 @@ class CommonNetsOfLeaves {
       for (std::size_t k = 0; k < 4; ++k) {
         ControlRow side = piece.patch.side(k).net;
         if (k >= 2) std::reverse(side.begin(), side.end());  // as the parameter grows
-        run_on(side, {0, 0, 0}, piece.strand[k % 2]);
+        run_on(side, piece.strand[k % 2]);
       }
-      if (const std::optional<Sweep> sweep = sweep_of(piece.patch))
-        run_on(sweep->projected(piece.patch.net[0]), sweep->direction, piece.strand[0]);
-      if (const std::optional<Sweep> sweep = sweep_of(transposed(piece.patch)))
-        run_on(sweep->projected(piece.patch.side(1).net), sweep->direction, piece.strand[1]);
+      for (std::size_t d = 0; d < 2; ++d) {
+        const BezierPatch way = d == 0 ? piece.patch : transposed(piece.patch);
+        if (const std::optional<Sweep> sweep = sweep_of(way)) add_wall(way.net[0], *sweep, piece.strand[d]);
+      }
       const std::optional<OnSurface> on = surfaces_.place(piece.patch);
       if (!on) continue;
       sheets_.resize(std::max(sheets_.size(), on->carrier + 1));
@@ -127,18 +134,27 @@ class CommonNetsOfLeaves {
     }
     for (PlacedCurve& curve : leaf.curves) {
       curve.strand = cuts_.add_strand(leaf.owner);
-      run_on(curve.net, {0, 0, 0}, curve.strand);
+      run_on(curve.net, curve.strand);
       if (!leaf.sweep()) continue;
-      run_on(leaf.sweep()->far_rim(curve.net), {0, 0, 0}, curve.strand);
-      run_on(leaf.sweep()->projected(curve.net), leaf.sweep()->direction, curve.strand);
+      run_on(leaf.sweep()->far_rim(curve.net), curve.strand);
+      add_wall(curve.net, *leaf.sweep(), curve.strand);
     }
   }
 
-  void run_on(const ControlRow& net, const RationalPoint& kind, std::size_t strand) {
-    const std::optional<OnCurve> on = curves_.place(reduced(net), kind);
+  void run_on(const ControlRow& net, std::size_t strand) {
+    const std::optional<OnCurve> on = curves_.place(reduced(net));
     if (!on) return;
     runs_.resize(std::max(runs_.size(), on->carrier + 1));
     runs_[on->carrier].push_back({strand, on->at});
+  }
+
+  /// Each strand has one wall at most.
+  void add_wall(const ControlRow& net, const Sweep& sweep, std::size_t strand) {
+    const std::optional<OnCurve> on = curves_.place(reduced(sweep.projected(net)), sweep.direction);
+    if (!on) return;
+    walls_.resize(std::max(walls_.size(), on->carrier + 1));
+    walls_[on->carrier].push_back({{strand, on->at}, sweep.heights(net), walls_alike_.add()});
+    wall_of_[strand] = walls_[on->carrier].back().number;
   }
 
   void link() {
@@ -147,6 +163,17 @@ class CommonNetsOfLeaves {
       for (const Run& run : runs) intervals.push_back(run.at);
       each_overlap(intervals, [&](std::size_t i, std::size_t j) {
         cuts_.link(runs[i].strand, runs[i].at, runs[j].strand, runs[j].at);
+      });
+    }
+    // Walls need the same rulings where they overlap or stand on each other.
+    for (const std::vector<Wall>& walls : walls_) {
+      std::vector<std::array<Rational, 2>> intervals;
+      for (const Wall& wall : walls) intervals.push_back(wall.run.at);
+      each_overlap(intervals, [&](std::size_t i, std::size_t j) {
+        const Wall &a = walls[i], &b = walls[j];
+        if (a.heights[1] < b.heights[0] || b.heights[1] < a.heights[0]) return;
+        cuts_.link(a.run.strand, a.run.at, b.run.strand, b.run.at);
+        walls_alike_.join(a.number, b.number);
       });
     }
     for (const std::vector<Sheet>& sheets : sheets_) {
@@ -167,24 +194,29 @@ class CommonNetsOfLeaves {
         const auto [it, is_new] = finest_.try_emplace(canonical(part.patch).patch.net, leaf.fineness());
         if (!is_new) it->second.join(leaf.fineness());
         for (std::size_t k = 0; k < 4; ++k) common_steps_.ask(part.patch.side(k), leaf.fineness());
-        for (const BezierPatch& way : {part.patch, transposed(part.patch)}) {
-          if (const std::optional<Sweep> sweep = sweep_of(way)) tie({way.net[0]}, *sweep, leaf.fineness());
+        for (std::size_t d = 0; d < 2; ++d) {
+          const BezierPatch way = d == 0 ? part.patch : transposed(part.patch);
+          if (const std::optional<Sweep> sweep = sweep_of(way))
+            tie({way.net[0]}, *sweep, piece.strand[d], leaf.fineness());
         }
       }
     }
     for (const PlacedCurve& curve : leaf.curves) {
       for (const CurvePiece& part : curve.parts(cuts_)) {
-        if (leaf.sweep()) tie(part.curve, *leaf.sweep(), leaf.fineness());
+        if (leaf.sweep()) tie(part.curve, *leaf.sweep(), curve.strand, leaf.fineness());
         else common_steps_.ask(part.curve, leaf.fineness());
       }
     }
   }
 
   /// The rims of a wall have the steps of all walls on the same surface.
-  void tie(const BezierCurve& rim, const Sweep& sweep, const Fineness& fineness) {
+  void tie(const BezierCurve& rim, const Sweep& sweep, std::size_t strand, const Fineness& fineness) {
     const std::size_t near = common_steps_.ask(rim, fineness);
     common_steps_.tie(near, common_steps_.ask({sweep.far_rim(rim.net)}, fineness));
-    common_steps_.tie(near, common_steps_.number({sweep.projected(rim.net)}, sweep.direction));
+    const auto wall = wall_of_.find(strand);
+    if (wall == wall_of_.end()) return;  // flat
+    const std::size_t kind = 1 + walls_alike_.first_of(wall->second);
+    common_steps_.tie(near, common_steps_.number({sweep.projected(rim.net)}, kind));
   }
 
   std::shared_ptr<const PreparedLeaf> tessellate_anew(const PlacedNets& leaf) const {
@@ -199,8 +231,11 @@ class CommonNetsOfLeaves {
   std::vector<PlacedNets> leaves_;
   CurveCarriers curves_;
   SurfaceCarriers surfaces_;
-  std::vector<std::vector<Run>> runs_;      // by carrier
-  std::vector<std::vector<Sheet>> sheets_;  // by carrier
+  std::vector<std::vector<Run>> runs_;          // by carrier
+  std::vector<std::vector<Wall>> walls_;        // by carrier
+  std::vector<std::vector<Sheet>> sheets_;      // by carrier
+  Classes walls_alike_;                         // walls that need the same rulings
+  std::map<std::size_t, std::size_t> wall_of_;  // by strand
   Cuts cuts_;
   FinestPatches finest_;
   CommonSteps common_steps_;

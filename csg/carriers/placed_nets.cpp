@@ -87,15 +87,26 @@ Sweep::Sweep(const RationalPoint& along) : vector(along), direction(along) {
   for (Rational& x : direction) x /= first;
 }
 
+std::size_t Sweep::pivot() const {
+  return static_cast<std::size_t>(std::find(direction.begin(), direction.end(), 1) - direction.begin());
+}
+
 ControlRow Sweep::projected(ControlRow net) const {
-  const auto pivot = static_cast<std::size_t>(
-      std::find_if(direction.begin(), direction.end(), [](const Rational& x) { return x != 0; }) -
-      direction.begin());
   for (Homogeneous& h : net) {
-    const Rational height = h[pivot];
+    const Rational height = h[pivot()];
     for (std::size_t k = 0; k < 3; ++k) h[k] -= height * direction[k];
   }
   return net;
+}
+
+std::array<Rational, 2> Sweep::heights(const ControlRow& net) const {
+  std::vector<Rational> all;
+  for (const Homogeneous& h : net) {
+    all.push_back(project(h)[pivot()]);
+    all.push_back(all.back() + vector[pivot()]);
+  }
+  const auto [low, high] = std::minmax_element(all.begin(), all.end());
+  return {*low, *high};
 }
 
 ControlRow Sweep::far_rim(ControlRow net) const {

@@ -41,6 +41,11 @@ struct Sweep {
   explicit Sweep(const RationalPoint& along);
   ControlRow projected(ControlRow net) const;
   ControlRow far_rim(ControlRow net) const;  ///< the net moved by the vector
+  /// Between which heights the swept net lies, in units of the direction.
+  std::array<Rational, 2> heights(const ControlRow& net) const;
+
+ private:
+  std::size_t pivot() const;
 };
 /// If the patch is a curve that moves along a vector, S(u, v) = p(u) + v t, without weights.
 std::optional<Sweep> sweep_of(const BezierPatch& patch);
