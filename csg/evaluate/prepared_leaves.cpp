@@ -6,6 +6,7 @@
 #include <regex>
 #include <string>
 
+
 namespace cnrg {
 namespace {
 
