@@ -80,7 +80,7 @@ Box box_of(const ExtrudeForm& form, const Transform& transform) {
 
 }  // namespace
 
-std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances) {
+std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near) {
   instances = with_common_nets(instances);
   std::vector<RevolvedInstance> revolved;
   std::vector<Index> round;
@@ -106,7 +106,9 @@ std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances)
                  if (b < a) pairs.push_back({round[b], round[a]});
                });
   }
-  share_axes(instances, pairs, contacts(instances, revolved, pairs));
+  const std::vector<std::array<Index, 2>> about_one_axis = near_axes(instances, pairs);
+  if (near != nullptr) *near = near_surfaces(instances, about_one_axis);
+  share_axes(instances, about_one_axis, contacts(instances, revolved, pairs));
   return instances;
 }
 

@@ -659,8 +659,8 @@ std::array<Rational, 6> metric_of(const Transform& transform) {
 
 }  // namespace
 
-void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<Index, 2>>& pairs,
-                const std::map<Index, Marks>& marks) {
+std::vector<std::array<Index, 2>> near_axes(const std::vector<LeafInstance>& instances,
+                                            const std::vector<std::array<Index, 2>>& pairs) {
   std::map<Index, std::vector<RoughAxis>> rough;
   const auto rough_of = [&](Index i) -> const std::vector<RoughAxis>& {
     const auto [it, fresh] = rough.try_emplace(i);
@@ -683,12 +683,16 @@ void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::arr
     return false;
   };
   std::vector<std::array<Index, 2>> near;
-  std::set<Index> concerned;
   for (const auto& [i, j] : pairs) {
-    if (!any_near(i, j)) continue;
-    near.push_back({i, j});
-    concerned.insert({i, j});
+    if (any_near(i, j)) near.push_back({i, j});
   }
+  return near;
+}
+
+void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<Index, 2>>& near,
+                const std::map<Index, Marks>& marks) {
+  std::set<Index> concerned;
+  for (const auto& pair : near) concerned.insert(pair.begin(), pair.end());
   for (const auto& [i, of] : marks) concerned.insert(i);
   if (concerned.empty()) return;
   std::map<std::array<Rational, 6>, std::vector<Index>> spaces;

@@ -16,9 +16,13 @@ struct Marks {
   bool needed = false;                    ///< some are no vertices of the leaf as it is
 };
 
-/// Replaces the instances concerned. `pairs`: instances whose boxes meet, each once; `marks`: by instance, in the
+/// Of pairs of instances those that may have an axis in common, by doubles.
+std::vector<std::array<std::uint32_t, 2>> near_axes(const std::vector<LeafInstance>& instances,
+                                                    const std::vector<std::array<std::uint32_t, 2>>& pairs);
+
+/// Replaces the instances concerned. `near`: pairs of `near_axes`; `marks`: by instance, in the
 /// space of the tree.
-void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<std::uint32_t, 2>>& pairs,
+void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<std::uint32_t, 2>>& near,
                 const std::map<std::uint32_t, Marks>& marks);
 
 }  // namespace cnrg
