@@ -248,8 +248,12 @@ class Family {
 /// Families of one space: `base` takes its points to those of the tree.
 class Space {
  public:
-  Space(std::vector<LeafInstance>& instances, Transform base, const std::map<Index, Marks>& marks)
-      : instances_(instances), base_(std::move(base)), to_space_(base_.inverse()), marks_(marks) {}
+  Space(std::vector<LeafInstance>& instances, Transform base, const Contacts& contacts)
+      : instances_(instances),
+        base_(std::move(base)),
+        to_space_(base_.inverse()),
+        marks_(contacts.marks),
+        nested_(contacts.nested) {}
 
   void add(Index i) {
     const Transform relative = base_.identity() ? instances_[i].transform : to_space_ * instances_[i].transform;
@@ -274,6 +278,7 @@ class Space {
   void run(const std::vector<std::array<Index, 2>>& pairs) {
     touch_leaves(pairs);
     touch_balls(pairs);
+    touch_nested();
     build();
   }
 
@@ -293,6 +298,19 @@ class Space {
       }
     }
     return false;
+  }
+
+  /// Balls that touch from inside, in the space of the tree.
+  void touch_nested() {
+    if (!base_.identity()) return;
+    for (const auto& [i, j] : nested_) {
+      if (!forms_.contains(i) || !forms_.contains(j)) continue;
+      const Ball a = ball_of(i), b = ball_of(j);
+      const AxisLine axis = axis_line(a.center, b.center - a.center);
+      const Index first = ball_node(a, axis, ball_on(a, axis)), second = ball_node(b, axis, ball_on(b, axis));
+      edges_.push_back({first, second});
+      on_axes_.insert({a, b});
+    }
   }
 
   void add_node(Index i, Member member) {
@@ -349,10 +367,9 @@ class Space {
       const Ball ball = ball_of(first ? j : i);
       for (const Index leaf : of_leaf_.at(first ? i : j)) {
         const AxisLine axis = nodes_[leaf].placed.axis;
+        // Whether they touch or not: two balls may cross in a plane of the leaf.
         if (!axis.holds(ball.center)) continue;
-        Member member = ball_on(ball, axis);
-        if (!touch(nodes_[leaf].placed, member.placed)) continue;
-        edges_.push_back({leaf, ball_node(ball, axis, std::move(member))});
+        edges_.push_back({leaf, ball_node(ball, axis, ball_on(ball, axis))});
         on_axes_.insert(ball);
       }
     }
@@ -632,6 +649,7 @@ class Space {
   std::vector<LeafInstance>& instances_;
   Transform base_, to_space_;
   const std::map<Index, Marks>& marks_;
+  const std::vector<std::array<Index, 2>>& nested_;
   std::map<Index, std::shared_ptr<const RevolvedForm>> forms_;  // as the leaves were
   std::map<Index, Transform> relative_;
   std::map<Index, std::vector<Index>> of_leaf_;  // nodes of an instance that is no sphere
@@ -690,10 +708,11 @@ std::vector<std::array<Index, 2>> near_axes(const std::vector<LeafInstance>& ins
 }
 
 void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<Index, 2>>& near,
-                const std::map<Index, Marks>& marks) {
+                const Contacts& contacts) {
   std::set<Index> concerned;
   for (const auto& pair : near) concerned.insert(pair.begin(), pair.end());
-  for (const auto& [i, of] : marks) concerned.insert(i);
+  for (const auto& pair : contacts.nested) concerned.insert(pair.begin(), pair.end());
+  for (const auto& [i, of] : contacts.marks) concerned.insert(i);
   if (concerned.empty()) return;
   std::map<std::array<Rational, 6>, std::vector<Index>> spaces;
   for (const Index i : concerned) spaces[metric_of(instances[i].transform)].push_back(i);
@@ -707,7 +726,7 @@ void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::arr
       });
       base = instances[*least].transform;
     }
-    Space space(instances, base, marks);
+    Space space(instances, base, contacts);
     for (const Index i : of) space.add(i);
     space.run(near);
   }

@@ -134,7 +134,7 @@ class Finder {
     }
   }
 
-  std::map<Index, Marks> take() { return std::move(marks_); }
+  Contacts take() { return {std::move(marks_), std::move(nested_)}; }
 
  private:
   static Point3 image(const Transform& transform, const Point3& p) {
@@ -293,9 +293,17 @@ class Finder {
     if (!may_be(apart, p.radius, q.radius)) return;
     const auto sum = gauge(cnrg::dot(apart, apart), p.radius, q.radius);
     if (!sum) return;
+    if (*sum != p.radius + q.radius && is_sphere(a) && is_sphere(b)) {
+      nested_.push_back({a.instance, b.instance});
+      return;
+    }
     const RationalPoint at = p.center + Rational(p.radius / *sum) * apart;
     mark_point(a.instance, at);
     mark_point(b.instance, at);
+  }
+
+  bool is_sphere(const Round& round) const {
+    return dynamic_cast<const RevolvedForm&>(*instances_[round.instance].leaf->form()).is_sphere();
   }
 
   void ball_and_tube(const Round& a, const Ball3& ball, const Round& b, const Tube& tube) {
@@ -363,13 +371,13 @@ class Finder {
   std::vector<Round> rounds_;
   std::map<Index, std::size_t> place_;
   std::map<Index, Marks> marks_;
+  std::vector<std::array<Index, 2>> nested_;
 };
 
 }  // namespace
 
-std::map<Index, Marks> contacts(const std::vector<LeafInstance>& instances,
-                                const std::vector<RevolvedInstance>& revolved,
-                                const std::vector<std::array<Index, 2>>& pairs) {
+Contacts contacts(const std::vector<LeafInstance>& instances, const std::vector<RevolvedInstance>& revolved,
+                  const std::vector<std::array<Index, 2>>& pairs) {
   Finder finder(instances);
   for (const RevolvedInstance& of : revolved) finder.add(of);
   finder.pairs(pairs);
