@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "csg/carriers/axes.h"
 #include "csg/geometry/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 
@@ -21,9 +22,9 @@ Point operator*(const Rational& s, const Point& a) { return {s * a.r, s * a.t}; 
 Rational cross(const Point& a, const Point& b) { return a.r * b.t - a.t * b.r; }
 Rational dot(const Point& a, const Point& b, const Rational& square) { return a.r * b.r + square * a.t * b.t; }
 
-/// The square root to 60 bits, exact where it has no more.
+/// The square root, exact where it is rational, else to 60 bits.
 Rational root_of(const Rational& value) {
-  if (value == 0) return 0;
+  if (const std::optional<Rational> root = rational_root(value)) return *root;
   return round_cosine(0, value, exponent_of_root(value) - 60);
 }
 
@@ -186,6 +187,23 @@ std::size_t MeridianPlane::add(const MeridianPiece& piece) {
     int& steps = nets_[canonical(piece.net).curve.net];
     steps = std::max(steps, piece.steps);
   }
+  std::vector<Point> points{piece.from, piece.to};
+  double up = 0, out = 0;
+  if (piece.kind == Kind::arc) {
+    points = {piece.middle};
+    out = to_double(piece.radius);
+    up = out / std::sqrt(to_double(square_));
+  }
+  for (const Homogeneous& h : piece.net.net) points.push_back({h[0] / h[3], h[2] / h[3]});
+  Bounds bounds{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
+  for (const Point& p : points) {
+    const double r = to_double(p.r), t = to_double(p.t), margin = 1e-9;
+    bounds.low_r = std::min(bounds.low_r, r - out - margin * (std::abs(r) + out));
+    bounds.high_r = std::max(bounds.high_r, r + out + margin * (std::abs(r) + out));
+    bounds.low_t = std::min(bounds.low_t, t - up - margin * (std::abs(t) + up));
+    bounds.high_t = std::max(bounds.high_t, t + up + margin * (std::abs(t) + up));
+  }
+  bounds_.push_back(bounds);
   pieces_.push_back(piece);
   return pieces_.size() - 1;
 }
@@ -203,6 +221,7 @@ void MeridianPlane::solve() {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (pieces_[i].kind != Kind::arc && pieces_[j].kind != Kind::arc) continue;
+      if (!bounds_[i].meets(bounds_[j])) continue;
       const MeridianContact found = contact(pieces_[i], pieces_[j], square_);
       for (const Point& at : found.points) {
         add_vertex(i, at);
@@ -224,9 +243,9 @@ double MeridianPlane::angle_of(const Arc& arc, const MeridianPoint& p) const {
 }
 
 MeridianPoint MeridianPlane::on_arc(const Arc& arc, const Rational& degrees) const {
-  const Rational out2 = arc.radius * arc.radius, up2 = out2 / square_;
-  return round_({arc.middle.r + round_cosine(degrees, out2, exponent_of_root(out2) - 51),
-                 arc.middle.t + round_cosine(90 - degrees, up2, exponent_of_root(up2) - 51)});
+  const Rational out2 = arc.radius * arc.radius;
+  return round_(
+      {arc.middle.r + scaled_cosine(degrees, out2), arc.middle.t + scaled_cosine(90 - degrees, out2 / square_)});
 }
 
 void MeridianPlane::sample(Arc& arc) const {
@@ -294,6 +313,7 @@ bool MeridianPlane::separate_chords() {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const MeridianPiece &p = pieces_[i], &q = pieces_[j];
+      if (!bounds_[i].meets(bounds_[j])) continue;
       if ((p.kind != Kind::arc && q.kind != Kind::arc) || p.flat() || q.flat()) continue;
       if (p.kind == Kind::arc && q.kind == Kind::arc && same_circle(p, q)) continue;
       // Of two arcs the larger one is drawn finer.

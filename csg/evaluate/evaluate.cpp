@@ -70,7 +70,8 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
   refine_options.threads = options.threads;
   std::vector<LeafInstance> instances;
   leaves.locate_errors([&] {
-    instances = with_common_lines(leaves.instances());
+    std::vector<NearSurfaces> near;
+    instances = with_common_lines(leaves.instances(), &near);
     if (tree.weld) {
       WeldedLeaves welded = weld_leaves(instances, *tree.weld);
       instances = std::move(welded.instances);
@@ -78,7 +79,9 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
         result.diagnostics.push_back(
             {tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(welded.notice)});
       }
+      std::erase_if(near, [&](const NearSurfaces& pair) { return pair.apart <= to_double(*tree.weld); });
     }
+    append(result.diagnostics, leaves.near_notices(near));
     const Soup soup = make_soup(instances, options.reach);
     result.complex = build_complex(soup, refine_options, &result.refine);
   });

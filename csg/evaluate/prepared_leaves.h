@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/carriers/near_surfaces.h"
 #include "csg/evaluate/grades.h"
 #include "csg/leaves/leaf.h"
 #include "csg/operators/group.h"
@@ -47,6 +48,9 @@ class PreparedLeaves {
   /// A message with the names of nodes in the place of `leaf i, face j`; `first` becomes the place of the first
   /// one.
   std::string in_words(const std::string& message, Position* first = nullptr) const;
+
+  /// Surfaces that are nearly one, as notices: the first few, and how many there are.
+  std::vector<Diagnostic> near_notices(const std::vector<NearSurfaces>& near) const;
 
   /// What the shapes have to say, one diagnostic per notice.
   std::vector<Diagnostic> notices() const;
