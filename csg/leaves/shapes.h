@@ -194,12 +194,12 @@ struct RevolveShape {
   Rational degrees = 360;
   Tessellation tessellation;
 };
-/// `{step: {file: part.step, chord: e, unit: mm, solids: [2, bolt], fill: solids, seams: false, weld: d}}`, `{brep:
-/// {file: part.brep, ...}}`: a boundary representation, read by OpenCASCADE; path already resolved. Each face of the
-/// model is one face, each edge an edge, each solid a region. `unit` (STEP only) is that of the model; default:
-/// the file's own. `solids`: only those, by number (from 1) or by name, which several may have. Without `fill`:
-/// Fill::solids if there are any. `seams`: edges where a face meets itself, such as the generator at which a
-/// cylinder's parameters start, are edges too, with their ends and the poles of spheres. Facets are as far from
+/// `{step: {file: part.step, chord: e, unit: mm, solids: [2, bolt], fill: solids, seams: false, weld: d}}`,
+/// `{brep: {file: part.brep, ...}}`: a boundary representation, read by OpenCASCADE; path already resolved. Each
+/// face of the model is one face, each edge an edge, each solid a region. `unit` (STEP only) is that of the model;
+/// default: the file's own. `solids`: only those, by number (from 1) or by name, which several may have. Without
+/// `fill`: Fill::solids if there are any. `seams`: edges where a face meets itself, such as the generator at which
+/// a cylinder's parameters start, are edges too, with their ends and the poles of spheres. Facets are as far from
 /// the faces as `chord` at most where it is measured, at four points of each (cad_occt_mesh.cpp). `weld` as of a
 /// mesh.
 struct CadShape {

@@ -209,6 +209,7 @@ class PlaneFinder {
   void join() {
     const std::vector<Part>& parts = found_.parts;
     std::vector<Box> boxes;
+    boxes.reserve(parts.size());
     for (const Part& part : parts) boxes.push_back(part.box);
     const BoxTree tree(boxes);
     std::vector<std::tuple<double, Index, Index>> pairs;

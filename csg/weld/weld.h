@@ -16,8 +16,10 @@
 //   4. Points and planes are placed one after the other: a plane through those of its points that have a place, a
 //      point where those of its planes meet that have one. An element with few partners comes late, so that it has
 //      at most three to obey (order.h).
-//   5. What cannot be obeyed without moving a point farther than d is not: that point stays off that plane, and
-//      facets there are cut into triangles. It is counted.
+//   5. What cannot be obeyed without moving a point farther than d, or with numbers of a reasonable length, is
+//   not:
+//      that point stays off that plane, and facets there are cut into triangles. It is counted. Triangles whose
+//      points alone are joined need no planes, and none are asked for.
 //   6. What is near nothing stays as it is, to the last bit; faces that only touch, as neighbours on a surface do,
 //   are
 //      near nothing for that. No point moves farther than d: that is decided

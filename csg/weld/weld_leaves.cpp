@@ -206,6 +206,7 @@ class LeafWelder {
     Polygon polygon;
     for (const auto& loop : loops) {
       std::vector<RationalPoint> ring;
+      ring.reserve(loop.size());
       for (const PointId p : loop) ring.push_back(moved(i, p));
       drop_repeated(ring);
       if (ring.size() < 3 || is_zero(area_vector(ring))) {
@@ -253,6 +254,7 @@ class LeafWelder {
     std::vector<Polygon> result;
     for (const auto& triangle : triangulate(table, axes, walks)) {
       std::vector<RationalPoint> ring;
+      ring.reserve(3);
       for (const VertexId v : triangle) ring.push_back(moved(i, point[v.index()]));
       if (!collinear(ring[0], ring[1], ring[2])) result.push_back({ring});
     }
