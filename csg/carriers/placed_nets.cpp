@@ -33,7 +33,7 @@ BezierPatch image(const Transform& t, BezierPatch patch) {
   return patch;
 }
 
-RationalPoint apply_linear(const Transform& t, const RationalPoint& v) { return t.apply(v) - t.offset; }
+RationalPoint moved_vector(const Transform& t, const RationalPoint& v) { return t.apply(v) - t.offset; }
 
 /// A box that grows; nothing is in it at first.
 class Box {
@@ -133,6 +133,7 @@ std::optional<Sweep> sweep_of(const BezierPatch& patch) {
 std::vector<NetPiece> PlacedPiece::parts(const Cuts& cuts) const {
   std::vector<NetPiece> result;
   const auto &in_u = cuts.of(strand[0]), &in_v = cuts.of(strand[1]);
+  if (in_u.size() == 2 && in_v.size() == 2) return {{patch, span}};
   for (auto v = in_v.begin(); std::next(v) != in_v.end(); ++v) {
     for (auto u = in_u.begin(); std::next(u) != in_u.end(); ++u) {
       const Rational &u0 = *u, &u1 = *std::next(u), &v0 = *v, &v1 = *std::next(v);
@@ -177,7 +178,7 @@ PlacedNets::PlacedNets(const LeafInstance& instance, std::size_t owner)
     }
   } else {
     const ExtrudeShape& shape = extrusion_->shape;
-    sweep_ = Sweep(apply_linear(transform_, shape.vector));
+    sweep_ = Sweep(moved_vector(transform_, shape.vector));
     for (const ProfileLine& line : shape.profile.lines) {
       for (const CurveNet& net : line.segments) {
         for (const RationalPoint& p : net.points) {
