@@ -142,6 +142,7 @@ class CommonNetsOfLeaves {
   }
 
   void run_on(const ControlRow& net, std::size_t strand) {
+    if (BezierCurve{net}.is_point()) return;  // a pole, where anything may end
     const std::optional<OnCurve> on = curves_.place(reduced(net));
     if (!on) return;
     runs_.resize(std::max(runs_.size(), on->carrier + 1));

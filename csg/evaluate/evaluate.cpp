@@ -22,6 +22,8 @@
 #include <optional>
 #include <utility>
 
+#include "csg/carriers/common_lines.h"
+#include "csg/carriers/nets.h"
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/leaf_values.h"
@@ -63,8 +65,10 @@ void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& optio
   const Stopwatch stopwatch;
   RefineOptions refine_options;
   refine_options.threads = options.threads;
+  std::vector<LeafInstance> instances;
   leaves.locate_errors([&] {
-    const Soup soup = make_soup(leaves.instances(), options.reach);
+    instances = with_common_nets(with_common_lines(leaves.instances()));
+    const Soup soup = make_soup(instances, options.reach);
     result.complex = build_complex(soup, refine_options, &result.refine);
   });
   if (options.validate) {
@@ -73,9 +77,9 @@ void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& optio
   }
   result.leaf_names.resize(result.complex->leaf_count);
   std::vector<PlacedParameters> placed;
-  for (std::size_t i = 0; i < leaves.instances().size(); ++i) {
+  for (std::size_t i = 0; i < instances.size(); ++i) {
     result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
-    placed.push_back({leaves.instances()[i].leaf->parameters(), leaves.instances()[i].transform});
+    placed.push_back({instances[i].leaf->parameters(), instances[i].transform});
   }
   result.parameters = std::make_shared<const SurfaceParameters>(*result.complex, std::move(placed));
   result.refine_seconds = stopwatch.seconds();

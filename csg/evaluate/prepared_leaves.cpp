@@ -6,8 +6,6 @@
 #include <regex>
 #include <string>
 
-#include "csg/carriers/nets.h"
-
 namespace cnrg {
 namespace {
 
@@ -97,7 +95,6 @@ PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding)
     nodes_.push_back(instance.node);
     instances_.push_back({prepared_[instance.node], *instance.transform});
   }
-  locate_errors([&] { instances_ = with_common_nets(instances_); });
 }
 
 PreparedLeaves::PreparedLeaves(const Tree& tree) : tree_(&tree), prepared_(tree.nodes.size()) {
