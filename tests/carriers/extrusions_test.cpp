@@ -172,6 +172,13 @@ TEST_CASE("walls over parts of one curve have common rulings where they overlap"
     Rational length = 0;
     for (const auto& chord : a) length += chord[1][0] - chord[0][0];
     CHECK(length == std::max(Rational(high - low), Rational(0)));
+    // The front stays where it was: along y all facets look one way.
+    const auto looks_along_y = [](const LeafInstance& wall) {
+      const Soup soup = make_soup({wall});
+      const std::vector<RationalPoint> corners = loops(soup, SourceId(0))[0];
+      return cross(corners[1] - corners[0], corners[2] - corners[0])[1] > 0;
+    };
+    for (std::size_t i = 0; i < 2; ++i) CHECK(looks_along_y(both[i]) == looks_along_y(walls[i]));
     // Parameters: S(u, v) = p(u) + v t.
     for (std::size_t i = 0; i < 2; ++i) {
       const auto form = std::dynamic_pointer_cast<const ExtrudeForm>(walls[i].leaf->form());

@@ -391,3 +391,22 @@ TEST_CASE("a Coons patch is the Bézier patch that it is") {
     CHECK(contains(facets(both[0]), facets(both[1])));
   }
 }
+
+TEST_CASE("numbers of segments that go into no common grid are refused") {
+  const Net4 net{{{0, 0, 0, 1}, {1, 0, 1, 1}, {2, 0, 0, 1}},
+                 {{0, 1, 1, 1}, {1, 1, 2, 1}, {2, 1, 1, 1}},
+                 {{0, 2, 0, 1}, {1, 2, 3, 1}, {2, 2, 0, 1}}};
+  const Net4 across = turned(net);
+  const std::vector<LeafInstance> unlike{
+      sheet(net, {std::nullopt, 11}), wire(net[0], {std::nullopt, 20'011}), wire(net[2], {std::nullopt, 20'021}),
+      wire(across[0], {std::nullopt, 211}), wire(across[2], {std::nullopt, 199})};
+  CHECK_THROWS_WITH(with_common_nets(unlike),
+                    Catch::Contains("leaf 0: bezier: leaves that share its curves ask for numbers of segments"));
+  const std::vector<LeafInstance> powers = with_common_nets(
+      {sheet(net, {std::nullopt, 64}), wire(net[0], {std::nullopt, 96}), wire(net[2], {std::nullopt, 80})});
+  const Segments side = border(powers[0]), lower = wires(powers[1]), upper = wires(powers[2]);
+  CHECK(lower.size() == 96);
+  CHECK(upper.size() == 80);
+  CHECK(std::includes(side.begin(), side.end(), lower.begin(), lower.end()));
+  CHECK(std::includes(side.begin(), side.end(), upper.begin(), upper.end()));
+}
