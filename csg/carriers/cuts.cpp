@@ -43,7 +43,7 @@ void Cuts::spread() {
     for (const Link& link : strands_[from].links) {
       Strand& to = strands_[link.to];
       Rational image = link.scale * t + link.shift;
-      if (image <= 0 || image >= 1 || !to.cuts.insert(image).second) continue;
+      if (sgn(image) <= 0 || image >= 1 || !to.cuts.insert(image).second) continue;
       if (to.cuts.size() > kMostCuts) {
         throw InputError(
             "leaf " + std::to_string(to.owner) +

@@ -23,8 +23,10 @@ namespace {
 
 using Interval = std::array<Rational, 2>;  // in either order
 
+using Intervals = std::array<Interval, 3>;
+
 /// A box that holds the product of intervals, whatever doubles round.
-Box box_of(const std::array<Interval, 3>& intervals) {
+Box box_of(const Intervals& intervals) {
   Box box;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [low, high] = std::minmax(intervals[k][0], intervals[k][1]);
@@ -32,6 +34,14 @@ Box box_of(const std::array<Interval, 3>& intervals) {
     box.hi[k] = std::nextafter(to_double(high), std::numeric_limits<double>::infinity());
   }
   return box;
+}
+
+template <class Item, class IntervalsOf>
+std::vector<Box> boxes_of(const std::vector<Item>& items, IntervalsOf intervals_of) {
+  std::vector<Box> boxes;
+  boxes.reserve(items.size());
+  for (const Item& item : items) boxes.push_back(box_of(intervals_of(item)));
+  return boxes;
 }
 
 /// Calls `visit(i, j)`, i < j, for all boxes that meet.
@@ -106,8 +116,7 @@ class CommonNetsOfLeaves {
       }
       all[it->second].instances.push_back(i);
     }
-    std::vector<Box> boxes;
-    for (const PlacedNets& leaf : all) boxes.push_back(box_of(leaf.extent));
+    const std::vector<Box> boxes = boxes_of(all, [](const PlacedNets& leaf) { return leaf.extent; });
     std::vector<bool> touches(all.size(), false);
     each_meeting(boxes, [&](std::size_t i, std::size_t j) { touches[i] = touches[j] = true; });
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -164,16 +173,14 @@ class CommonNetsOfLeaves {
 
   void link() {
     for (const std::vector<Run>& runs : runs_) {
-      std::vector<Box> boxes;
-      for (const Run& run : runs) boxes.push_back(box_of({run.at}));
+      const auto boxes = boxes_of(runs, [](const Run& run) { return Intervals{run.at}; });
       each_meeting(boxes, [&](std::size_t i, std::size_t j) {
         cuts_.link(runs[i].strand, runs[i].at, runs[j].strand, runs[j].at);
       });
     }
     // Walls need the same rulings where they overlap or stand on each other.
     for (const std::vector<Wall>& walls : walls_) {
-      std::vector<Box> boxes;
-      for (const Wall& wall : walls) boxes.push_back(box_of({wall.run.at, wall.heights}));
+      const auto boxes = boxes_of(walls, [](const Wall& wall) { return Intervals{wall.run.at, wall.heights}; });
       each_meeting(boxes, [&](std::size_t i, std::size_t j) {
         const Wall &a = walls[i], &b = walls[j];
         if (a.heights[1] < b.heights[0] || b.heights[1] < a.heights[0]) return;
@@ -182,8 +189,9 @@ class CommonNetsOfLeaves {
       });
     }
     for (const std::vector<Sheet>& sheets : sheets_) {
-      std::vector<Box> boxes;
-      for (const Sheet& sheet : sheets) boxes.push_back(box_of({sheet.along[0].at, sheet.along[1].at}));
+      const auto boxes = boxes_of(sheets, [](const Sheet& sheet) {
+        return Intervals{sheet.along[0].at, sheet.along[1].at};
+      });
       each_meeting(boxes, [&](std::size_t i, std::size_t j) {
         const auto &a = sheets[i].along, &b = sheets[j].along;
         if (!Cuts::overlap(a[0].at, b[0].at) || !Cuts::overlap(a[1].at, b[1].at)) return;
