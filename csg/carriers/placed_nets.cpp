@@ -274,7 +274,10 @@ std::shared_ptr<const PreparedLeaf> PlacedNets::extrusion_anew(const Cuts& cuts,
     }
   }
   std::shared_ptr<PreparedLeaf> leaf = tessellate(*sweep, nullptr);
-  leaf->set_form(std::make_shared<ExtrudeForm>(sweep->shape));
+  const auto form = std::make_shared<ExtrudeForm>(sweep->shape);
+  form->mirrored = sweep->mirrored;
+  form->steps = sweep->steps;
+  leaf->set_form(form);
   leaf->set_parameters([sweep] {
     auto parameters = std::make_shared<LeafParameters>();
     tessellate(*sweep, parameters.get());

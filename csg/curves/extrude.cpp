@@ -40,6 +40,7 @@ class Extrusion {
       : shape_(shape),
         record_(record),
         mirrored_(common != nullptr && common->mirrored),
+        fixed_(common == nullptr ? FixedSamples() : common->fixed),
         fineness_("extrude", shape.tessellation),
         boundary_(fineness_, common == nullptr ? nullptr : common->steps.get()) {
     if (is_zero(shape.vector)) throw InputError("extrude: the vector is zero: give the way to go");
@@ -59,8 +60,8 @@ class Extrusion {
   }
 
   std::unique_ptr<PreparedLeaf> prepare() {
-    std::vector<SampledLine> lines =
-        sample(shape_.profile, "extrude", [&](const BezierCurve& c) { return steps(c); });
+    std::vector<SampledLine> lines = sample(
+        shape_.profile, "extrude", [&](const BezierCurve& c) { return steps(c); }, fixed_);
     double points = 0;
     for (const SampledLine& line : lines) points += static_cast<double>(line.points.size());
     fineness_.check_facets(2 * points * sections_);
@@ -214,6 +215,7 @@ class Extrusion {
   const ExtrudeShape& shape_;
   LeafParameters* record_;
   bool mirrored_;
+  FixedSamples fixed_;
   Fineness fineness_;
   BoundaryCurves boundary_;
   RationalPoint center_;

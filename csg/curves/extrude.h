@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "csg/curves/boundary_curves.h"
+#include "csg/curves/profile.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/parameters.h"
 #include "csg/leaves/shapes.h"
@@ -20,6 +21,9 @@ class ExtrudeForm final : public CurvedForm {
   explicit ExtrudeForm(ExtrudeShape given) : shape(std::move(given)), fineness("extrude", shape.tessellation) {}
   ExtrudeShape shape;
   Fineness fineness;
+  // Of a leaf that has been tessellated together with others already; as of a CommonSweep.
+  bool mirrored = false;
+  std::shared_ptr<const AgreedSteps> steps;
 };
 
 /// How an extrusion is tessellated together with other leaves.
@@ -27,6 +31,7 @@ struct CommonSweep {
   ExtrudeShape shape;     ///< transformed, its curves cut: segments are B-splines with a knot at each cut
   bool mirrored = false;  ///< the front of a surface is then its back
   std::shared_ptr<const AgreedSteps> steps;
+  FixedSamples fixed{};  ///< of pieces of its profile that are arcs of cylinders which other leaves share
 };
 std::unique_ptr<PreparedLeaf> tessellate(const CommonSweep& sweep, LeafParameters* record);
 

@@ -23,7 +23,6 @@
 #include <utility>
 
 #include "csg/carriers/common_lines.h"
-#include "csg/carriers/nets.h"
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/leaf_values.h"
@@ -67,7 +66,9 @@ void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& optio
   refine_options.threads = options.threads;
   std::vector<LeafInstance> instances;
   leaves.locate_errors([&] {
-    instances = with_common_nets(with_common_lines(leaves.instances()));
+    std::vector<NearSurfaces> near;
+    instances = with_common_lines(leaves.instances(), &near);
+    append(result.diagnostics, leaves.near_notices(near));
     const Soup soup = make_soup(instances, options.reach);
     result.complex = build_complex(soup, refine_options, &result.refine);
   });

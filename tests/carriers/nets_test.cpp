@@ -52,7 +52,7 @@ Facets facets_in(const LeafInstance& instance, const Net4& net, const Rectangle&
 }  // namespace
 
 TEST_CASE("a patch and its sub-patch have the same facets where they overlap, however both are written") {
-  const auto [first, last] = scenes::seeds(200);
+  const auto [first, last] = scenes::seeds(120);
   for (std::uint64_t seed = first; seed < last; ++seed) {
     CAPTURE(seed);
     std::mt19937 random(static_cast<unsigned>(seed));
