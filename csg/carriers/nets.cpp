@@ -29,30 +29,38 @@ using Intervals = std::array<Interval, 3>;
 Box box_of(const Intervals& intervals) {
   Box box;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto [low, high] = std::minmax(intervals[k][0], intervals[k][1]);
-    box.lo[k] = std::nextafter(to_double(low), -std::numeric_limits<double>::infinity());
-    box.hi[k] = std::nextafter(to_double(high), std::numeric_limits<double>::infinity());
+    box.lo[k] = std::nextafter(to_double(intervals[k][0]), -std::numeric_limits<double>::infinity());
+    box.hi[k] = std::nextafter(to_double(intervals[k][1]), std::numeric_limits<double>::infinity());
   }
   return box;
 }
 
-template <class Item, class IntervalsOf>
-std::vector<Box> boxes_of(const std::vector<Item>& items, IntervalsOf intervals_of) {
+/// Calls `visit(a, b)` for items whose intervals meet: for all pairs but that, of items with equal intervals, one
+/// stands for all. It is visited with each of the others, so that they all hang together.
+template <class Item, class IntervalsOf, class Visit>
+void each_meeting(const std::vector<Item>& items, IntervalsOf intervals_of, Visit visit) {
+  std::map<Intervals, std::size_t> first;
+  std::vector<std::size_t> different;
   std::vector<Box> boxes;
-  boxes.reserve(items.size());
-  for (const Item& item : items) boxes.push_back(box_of(intervals_of(item)));
-  return boxes;
-}
-
-/// Calls `visit(i, j)`, i < j, for all boxes that meet.
-template <class Visit>
-void each_meeting(const std::vector<Box>& boxes, Visit visit) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    Intervals intervals = intervals_of(items[i]);
+    for (Interval& along : intervals) {
+      if (along[1] < along[0]) std::swap(along[0], along[1]);
+    }
+    const auto [it, is_new] = first.try_emplace(std::move(intervals), i);
+    if (!is_new) {
+      visit(items[it->second], items[i]);
+      continue;
+    }
+    different.push_back(i);
+    boxes.push_back(box_of(it->first));
+  }
   if (boxes.size() < 2) return;
   const BoxTree tree(boxes);
   for (std::size_t j = 0; j < boxes.size(); ++j) {
     tree.query([&](const Box& box) { return box.meets(boxes[j]); },
                [&](std::uint32_t i) {
-                 if (i < j) visit(i, j);
+                 if (i < j) visit(items[different[i]], items[different[j]]);
                });
   }
 }
@@ -116,11 +124,14 @@ class CommonNetsOfLeaves {
       }
       all[it->second].instances.push_back(i);
     }
-    const std::vector<Box> boxes = boxes_of(all, [](const PlacedNets& leaf) { return leaf.extent; });
-    std::vector<bool> touches(all.size(), false);
-    each_meeting(boxes, [&](std::size_t i, std::size_t j) { touches[i] = touches[j] = true; });
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (touches[i]) leaves_.push_back(std::move(all[i]));
+    std::set<std::size_t> touching;  // by owner
+    each_meeting(
+        all, [](const PlacedNets& leaf) { return leaf.extent; },
+        [&](const PlacedNets& a, const PlacedNets& b) {
+          touching.insert({a.owner, b.owner});
+        });
+    for (PlacedNets& leaf : all) {
+      if (touching.contains(leaf.owner)) leaves_.push_back(std::move(leaf));
     }
   }
 
@@ -173,30 +184,36 @@ class CommonNetsOfLeaves {
 
   void link() {
     for (const std::vector<Run>& runs : runs_) {
-      const auto boxes = boxes_of(runs, [](const Run& run) { return Intervals{run.at}; });
-      each_meeting(boxes, [&](std::size_t i, std::size_t j) {
-        cuts_.link(runs[i].strand, runs[i].at, runs[j].strand, runs[j].at);
-      });
+      each_meeting(
+          runs, [](const Run& run) { return Intervals{run.at}; },
+          [&](const Run& a, const Run& b) { cuts_.link(a.strand, a.at, b.strand, b.at); });
     }
     // Walls need the same rulings where they overlap or stand on each other.
     for (const std::vector<Wall>& walls : walls_) {
-      const auto boxes = boxes_of(walls, [](const Wall& wall) { return Intervals{wall.run.at, wall.heights}; });
-      each_meeting(boxes, [&](std::size_t i, std::size_t j) {
-        const Wall &a = walls[i], &b = walls[j];
-        if (a.heights[1] < b.heights[0] || b.heights[1] < a.heights[0]) return;
-        cuts_.link(a.run.strand, a.run.at, b.run.strand, b.run.at);
-        walls_alike_.join(a.number, b.number);
-      });
+      each_meeting(
+          walls,
+          [](const Wall& wall) {
+            return Intervals{wall.run.at, wall.heights};
+          },
+          [&](const Wall& a, const Wall& b) {
+            if (a.heights[1] < b.heights[0] || b.heights[1] < a.heights[0]) return;
+            cuts_.link(a.run.strand, a.run.at, b.run.strand, b.run.at);
+            walls_alike_.join(a.number, b.number);
+          });
     }
     for (const std::vector<Sheet>& sheets : sheets_) {
-      const auto boxes = boxes_of(sheets, [](const Sheet& sheet) {
-        return Intervals{sheet.along[0].at, sheet.along[1].at};
-      });
-      each_meeting(boxes, [&](std::size_t i, std::size_t j) {
-        const auto &a = sheets[i].along, &b = sheets[j].along;
-        if (!Cuts::overlap(a[0].at, b[0].at) || !Cuts::overlap(a[1].at, b[1].at)) return;
-        for (std::size_t d = 0; d < 2; ++d) cuts_.link(a[d].strand, a[d].at, b[d].strand, b[d].at);
-      });
+      each_meeting(
+          sheets,
+          [](const Sheet& sheet) {
+            return Intervals{sheet.along[0].at, sheet.along[1].at};
+          },
+          [&](const Sheet& a, const Sheet& b) {
+            for (std::size_t d = 0; d < 2; ++d) {
+              if (!Cuts::overlap(a.along[d].at, b.along[d].at)) return;
+            }
+            for (std::size_t d = 0; d < 2; ++d)
+              cuts_.link(a.along[d].strand, a.along[d].at, b.along[d].strand, b.along[d].at);
+          });
     }
   }
 
