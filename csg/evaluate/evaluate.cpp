@@ -75,7 +75,8 @@ void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& optio
   std::vector<PlacedParameters> placed;
   for (std::size_t i = 0; i < leaves.instances().size(); ++i) {
     result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
-    placed.push_back({leaves.instances()[i].leaf->parameters(), leaves.instances()[i].transform});
+    const LeafInstance& instance = leaves.instances()[i];
+    placed.push_back({instance.leaf->parameters(), instance.transform, instance.leaf->surfaces()});
   }
   result.parameters = std::make_shared<const SurfaceParameters>(*result.complex, std::move(placed));
   result.refine_seconds = stopwatch.seconds();

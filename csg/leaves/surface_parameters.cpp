@@ -13,8 +13,9 @@ struct SurfaceParameters::Leaf {
   PlacedParameters placed;
   std::size_t first_face = 0, first_wire = 0;  // those of a leaf follow each other in the soup
   std::size_t faces = 0, wires = 0;
-  std::once_flag once;
+  std::once_flag once, once_surfaces;
   std::shared_ptr<const LeafParameters> made;
+  std::shared_ptr<const LeafSurfaces> made_surfaces;
 };
 
 namespace {
@@ -113,6 +114,18 @@ std::string SurfaceParameters::patch_name(LeafId leaf, std::uint32_t patch) cons
 }
 std::string SurfaceParameters::curve_name(LeafId leaf, std::uint32_t curve) const {
   return has(leaf) ? parameters(leaf).curve_name(curve) : "";
+}
+
+std::shared_ptr<const LeafSurfaces> SurfaceParameters::surfaces(LeafId leaf) const {
+  if (leaf.index() >= leaves_.size() || !leaves_[leaf.index()]->placed.surfaces) return nullptr;
+  Leaf& of = *leaves_[leaf.index()];
+  std::call_once(of.once_surfaces, [&] { of.made_surfaces = of.placed.surfaces(); });
+  return of.made_surfaces;
+}
+
+const Transform& SurfaceParameters::transform(LeafId leaf) const {
+  static const Transform kIdentity;
+  return leaf.index() < leaves_.size() ? leaves_[leaf.index()]->placed.transform : kIdentity;
 }
 
 std::vector<PlacedCell> SurfaceParameters::cells(FaceId f, std::span<const LeafId> leaves) const {

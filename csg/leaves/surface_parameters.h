@@ -15,10 +15,12 @@
 
 namespace cnrg {
 
-/// A leaf of the complex: where its parameters come from (empty: nowhere) and how it was placed.
+/// A leaf of the complex: where its parameters come from (empty: nowhere), how it was placed, and its true
+/// surfaces.
 struct PlacedParameters {
   ParameterSource source;
   Transform transform;
+  SurfaceSource surfaces{};
 };
 
 /// S(at) is near the point asked for, and equal to it where that is a vertex of the tessellation.
@@ -53,6 +55,11 @@ class SurfaceParameters {
   /// "" for what has none.
   std::string patch_name(LeafId leaf, std::uint32_t patch) const;
   std::string curve_name(LeafId leaf, std::uint32_t curve) const;
+
+  /// The true surfaces and curves of the leaf, before its transform; null where its facets are what is meant.
+  std::shared_ptr<const LeafSurfaces> surfaces(LeafId leaf) const;
+  /// The identity for the frame.
+  const Transform& transform(LeafId leaf) const;
 
   /// The cells of patches of the given leaves (ascending) in which a face of the complex lies.
   std::vector<PlacedCell> cells(FaceId f, std::span<const LeafId> leaves) const;
