@@ -102,12 +102,16 @@ std::shared_ptr<const LeafSurfaces> revolve_surfaces(const RevolveShape& shape) 
   for (const ProfileLine& line : shape.profile.lines) {
     for (const CurveNet& net : line.segments) {
       const std::vector<BezierCurve> pieces = curve_pieces(net, "revolve");
-      surfaces->add_patch(number++, turned({.center = shape.center,
-                                            .frame = CircleFrame(shape.axis),
-                                            .degrees = shape.degrees,
-                                            .angle_first = false,
-                                            .smooth_on_axis = smooth_on_axis(pieces)},
-                                           ProfileSegment{{pieces, curve_spans(net)}}));
+      const std::uint32_t patch = number++;
+      const bool disk = std::all_of(net.points.begin(), net.points.end(),
+                                    [&](const RationalPoint& p) { return p[2] == net.points[0][2]; });
+      if (disk) continue;  // flat
+      surfaces->add_patch(patch, turned({.center = shape.center,
+                                         .frame = CircleFrame(shape.axis),
+                                         .degrees = shape.degrees,
+                                         .angle_first = false,
+                                         .smooth_on_axis = smooth_on_axis(pieces)},
+                                        ProfileSegment{{pieces, curve_spans(net)}}));
     }
   }
   return surfaces;

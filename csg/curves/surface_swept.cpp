@@ -58,14 +58,49 @@ class SweptSurface final : public Surface {
   bool twisted_, scaled_;
 };
 
+/// Points that span no more than a plane with the given vector.
+bool in_plane_with(const std::vector<RationalPoint>& points, RationalPoint along) {
+  RationalPoint normal{0, 0, 0};
+  for (const RationalPoint& p : points) {
+    const RationalPoint way = p - points[0];
+    if (is_zero(along)) along = way;
+    if (is_zero(normal)) normal = cnrg::cross(along, way);
+    if (cnrg::dot(normal, way) != 0) return false;
+  }
+  return true;
+}
+
+bool on_line(const std::vector<RationalPoint>& points) {
+  return std::all_of(points.begin(), points.end(),
+                     [&](const RationalPoint& p) { return collinear(points.front(), points.back(), p); });
+}
+
+/// True for what is sure to be a part of a plane, so that its facets are all that there is to know.
+bool sweeps_plane(const ExtrudeShape& shape, const CurveNet& net) {
+  if (shape.twist != 0) return false;
+  return on_line(net.points) || (shape.scale == 1 && in_plane_with(net.points, shape.vector));
+}
+
+void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<BezierPatch>& pieces,
+             const std::vector<std::array<Span, 2>>& spans) {
+  std::vector<RationalPoint> points;
+  for (const BezierPatch& piece : pieces) {
+    for (const ControlRow& row : piece.net) {
+      for (const Homogeneous& h : row) points.push_back(project(h));
+    }
+  }
+  if (!in_plane_with(points, {0, 0, 0})) {
+    surfaces.add_patch(number, std::make_shared<const SplinePatch>(pieces, spans));
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const LeafSurfaces> bezier_surfaces(const BezierShape& shape) {
   auto surfaces = std::make_shared<LeafSurfaces>();
   std::uint32_t number = 0;
   for (const PatchNet& net : shape.patches) {
-    surfaces->add_patch(number++,
-                        std::make_shared<const SplinePatch>(patch_pieces(net, "bezier"), patch_spans(net)));
+    add_net(*surfaces, number++, patch_pieces(net, "bezier"), patch_spans(net));
   }
   number = 0;
   for (const CurveNet& net : shape.curves) {
@@ -81,9 +116,7 @@ std::shared_ptr<const LeafSurfaces> coons_surfaces(const CoonsShape& shape) {
   for (const auto& round : shape.patches) {
     std::array<BezierCurve, 4> curves;
     for (std::size_t k = 0; k < 4; ++k) curves[k] = curve_pieces(round[k], "coons")[0];
-    surfaces->add_patch(number++,
-                        std::make_shared<const SplinePatch>(std::vector<BezierPatch>{coons_patch(curves)},
-                                                            std::vector<std::array<Span, 2>>{{{{0, 1}, {0, 1}}}}));
+    add_net(*surfaces, number++, {coons_patch(curves)}, {{{{0, 1}, {0, 1}}}});
   }
   return surfaces;
 }
@@ -93,8 +126,12 @@ std::shared_ptr<const LeafSurfaces> extrude_surfaces(const ExtrudeShape& shape) 
   std::uint32_t number = shape.profile.closed ? 2 : 0;
   const RationalPoint center = axis_point(shape);
   for (const ProfileLine& line : shape.profile.lines) {
-    for (const CurveNet& net : line.segments)
-      surfaces->add_patch(number++, std::make_shared<const SweptSurface>(shape, center, net));
+    for (const CurveNet& net : line.segments) {
+      const std::uint32_t patch = number++;
+      if (!sweeps_plane(shape, net)) {
+        surfaces->add_patch(patch, std::make_shared<const SweptSurface>(shape, center, net));
+      }
+    }
   }
   return surfaces;
 }
