@@ -77,6 +77,27 @@ bool apart(const SurfacePart& a, const SurfacePart& b, int halvings) {
 
 }  // namespace
 
+std::vector<SurfacePart> quarters(const SurfacePart& part) {
+  if (part.surface == nullptr) return {part};
+  const double u = middle_of(part.u), v = middle_of(part.v);
+  std::vector<SurfacePart> result;
+  for (const Interval& in_u : {Interval(part.u.inf(), u), Interval(u, part.u.sup())}) {
+    for (const Interval& in_v : {Interval(part.v.inf(), v), Interval(v, part.v.sup())})
+      result.push_back(SurfacePart::of(*part.surface, in_u, in_v));
+  }
+  return result;
+}
+
+bool may_meet(const SurfacePart& a, const SurfacePart& b) {
+  const enclosure::RoundOutward outward;
+  const Vector<Interval> way = difference(a.point, b.point);
+  if (a.surface == nullptr || b.surface == nullptr) {
+    const Interval height = dot(a.surface == nullptr ? a.normal : b.normal, way);
+    return height.inf() <= 0 && height.sup() >= 0;
+  }
+  return std::all_of(way.begin(), way.end(), [](const Interval& x) { return x.inf() <= 0 && x.sup() >= 0; });
+}
+
 bool nowhere_parallel(const SurfacePart& a, const SurfacePart& b, int halvings) {
   const enclosure::RoundOutward outward;
   return apart(a, b, halvings);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "csg/curves/surface_math.h"
 #include "csg/geometry/transform.h"
@@ -38,12 +39,18 @@ class PlacedSurface {
 struct SurfacePart {
   const PlacedSurface* surface = nullptr;
   Interval u = 0, v = 0;
-  Vector<Interval> normal{};  ///< over the part
+  Vector<Interval> point{}, normal{};  ///< over the part; of a plane one of its points
 
   static SurfacePart of(const PlacedSurface& surface, const Interval& u, const Interval& v) {
-    return {&surface, u, v, surface.over(u, v).normal};
+    const SurfaceJet<Interval> jet = surface.over(u, v);
+    return {&surface, u, v, jet.point, jet.normal};
   }
 };
+
+/// Four parts, halved along both parameters; a plane stays whole.
+std::vector<SurfacePart> quarters(const SurfacePart& part);
+/// False if the parts have no point in common, proven.
+bool may_meet(const SurfacePart& a, const SurfacePart& b);
 
 /// True if no normal of one is parallel to one of the other, proven; parts are halved up to `halvings` times.
 bool nowhere_parallel(const SurfacePart& a, const SurfacePart& b, int halvings);

@@ -128,16 +128,22 @@ const Transform& SurfaceParameters::transform(LeafId leaf) const {
   return leaf.index() < leaves_.size() ? leaves_[leaf.index()]->placed.transform : kIdentity;
 }
 
+std::vector<std::vector<PatchCorner>> SurfaceParameters::cells(SourceId source) const {
+  const LeafId leaf = complex_.sources[source].leaf;
+  if (!has(leaf)) return {};
+  return parameters(leaf).cells(source.index() - leaves_[leaf.index()]->first_face);
+}
+
 std::vector<PlacedCell> SurfaceParameters::cells(FaceId f, std::span<const LeafId> leaves) const {
   std::vector<PlacedCell> result;
   for (const Cover& cover : complex_.cover(f)) {
     const Soup::Face& face = complex_.sources[cover.source];
     if (!has(face.leaf) || !among(leaves, face.leaf)) continue;
-    const Leaf& leaf = *leaves_[face.leaf.index()];
-    const bool moved = !leaf.placed.transform.identity();
-    for (auto& corners : parameters(face.leaf).cells(cover.source.index() - leaf.first_face)) {
+    const Transform& placed = leaves_[face.leaf.index()]->placed.transform;
+    const bool moved = !placed.identity();
+    for (auto& corners : cells(cover.source)) {
       if (moved) {
-        for (PatchCorner& corner : corners) corner.point = leaf.placed.transform.apply(corner.point);
+        for (PatchCorner& corner : corners) corner.point = placed.apply(corner.point);
       }
       result.push_back({face.leaf, face.patch, std::move(corners)});
     }

@@ -61,6 +61,8 @@ class SurfaceParameters {
   /// The identity for the frame.
   const Transform& transform(LeafId leaf) const;
 
+  /// The cells in which a face of the soup lies, before the leaf's transform; none for a leaf without parameters.
+  std::vector<std::vector<PatchCorner>> cells(SourceId source) const;
   /// The cells of patches of the given leaves (ascending) in which a face of the complex lies.
   std::vector<PlacedCell> cells(FaceId f, std::span<const LeafId> leaves) const;
   /// Places on the patches of the given leaves (ascending) of a point of a face, an edge or a vertex of the

@@ -1,0 +1,131 @@
+// Which crossings of curved patches are proven to be those of the surfaces, and what is said of the others.
+#include "csg/evaluate/transversality.h"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "csg/evaluate/certify.h"
+
+namespace cnrg {
+namespace {
+
+using Catch::Contains;
+
+struct Examined {
+  Tree tree;
+  Evaluation evaluation;
+  Transversality found;
+  /// `leaves`: lines of a map of nodes a, b and perhaps c.
+  explicit Examined(const std::string& leaves, int finer = 1, const std::string& operands = "a, b")
+      : tree(
+            parse_tree("cnrg: 1\nnodes:\n" + leaves + "  r: {union: [" + operands + "]}\nresult: r\n", "t.yaml")) {
+    make_finer(tree, finer);
+    evaluation = evaluate(tree);
+    found = transversality(*evaluation.complex, *evaluation.parameters, 10);
+  }
+};
+
+std::string pipe_over_slab(const std::string& height, const std::string& segments = "32") {
+  return "  a: {cylinder: {from: [-4, 0, " + height + "], to: [4, 0, " + height +
+         "], radius: 1, segments: " + segments + "}}\n  b: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n";
+}
+
+TEST_CASE("surfaces that cross at a good angle are proven to", "[evaluate][certify]") {
+  // A drill through a shaft; balls and a ring, oblique; a pipe half in a slab.
+  for (const std::string& leaves :
+       {std::string("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 2}}\n"
+                    "  b: {cylinder: {from: [-5, 0.3, 2], to: [5, 0.3, 2], radius: 0.7}}\n"),
+        std::string("  a: {sphere: {center: [0, 0, 0], radius: 1}}\n"
+                    "  b: {sphere: {center: [1.5, 0.1, 0.05], radius: 1}}\n"),
+        std::string(
+            "  a: {sphere: {center: [0, 0, 0], radius: 1}}\n"
+            "  b: {torus: {center: [1, 0, 0], axis: [1, 2, 3], radius: 1, tube: 0.3}, scale: [1, 1.2, 1]}\n"),
+        pipe_over_slab("0.3", "31")}) {
+    INFO(leaves);
+    const Examined e(leaves);
+    CHECK(e.found.edges > 0);
+    CHECK(e.found.places.empty());
+    const Certificate certificate = certify(e.tree, e.evaluation);
+    CHECK(certificate.places == 0);
+    CHECK(certificate.notices.empty());
+    CHECK(certificate.edges == e.found.edges);
+  }
+}
+
+TEST_CASE("an uncertain crossing is told with the fineness that decides it, and decided there",
+          "[evaluate][certify]") {
+  const Examined coarse(pipe_over_slab("0.999"));
+  REQUIRE(coarse.found.places.size() == 2);
+  for (const UncertainPlace& place : coarse.found.places) {
+    CHECK(place.edges.size() == 1);
+    CHECK(place.patches[0] == 2);
+    CHECK(std::abs(place.at[1]) < 0.1);
+    CHECK(std::abs(place.at[2]) < 0.01);
+    REQUIRE(place.finer == 8);
+  }
+  CHECK(Examined(pipe_over_slab("0.999"), 4).found.places.size() == 2);
+  CHECK(Examined(pipe_over_slab("0.999"), 8).found.places.empty());
+
+  const Certificate certificate = certify(coarse.tree, coarse.evaluation);
+  CHECK(certificate.places == 2);
+  REQUIRE(certificate.notices.size() == 2);
+  const std::string text = certificate.notices[0].text();
+  CHECK_THAT(text, Catch::StartsWith("t.yaml:3:7: notice: `a` (cylinder side) and `b` meet near ["));
+  CHECK_THAT(text, Contains("--finer 8 would"));
+  CHECK(certify(coarse.tree, coarse.evaluation, 1).notices.size() == 1);
+  CHECK(certify(coarse.tree, coarse.evaluation, 1).places == 2);
+}
+
+TEST_CASE("where surfaces touch, no fineness decides", "[evaluate][certify]") {
+  // Equal pipes at right angles touch in two points, in each of which their curves of crossing cross.
+  const Examined pipes(
+      "  a: {cylinder: {from: [0, 0, -4], to: [0, 0, 4], radius: 2}}\n"
+      "  b: {cylinder: {from: [-5, 0, 0], to: [5, 0, 0], radius: 2}}\n");
+  REQUIRE(pipes.found.places.size() == 2);
+  for (const UncertainPlace& place : pipes.found.places) {
+    CHECK(place.finer == 0);
+    CHECK(std::abs(std::abs(place.at[1]) - 2) < 1e-3);
+    CHECK(std::abs(place.at[0]) < 0.05);
+    CHECK(std::abs(place.at[2]) < 0.05);
+  }
+  CHECK_THAT(certify(pipes.tree, pipes.evaluation).notices[0].message,
+             Contains("they touch, or cross at an angle"));
+}
+
+TEST_CASE("transforms move normals as they move surfaces", "[evaluate][certify]") {
+  // A ball scaled to a thin lens, cut by a slab near its rim and near its flat middle.
+  const auto lens = [](const char* low, const char* more) {
+    return std::string("  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 48}, scale: [1, 1, 0.01]") + more +
+           "}\n  b: {box: {min: [-5, -5, " + low + "], max: [5, 5, 5]}" + more + "}\n";
+  };
+  const char* const turned = ", rotate: {axis: [1, 2, 3], degrees: 20}";
+  for (const char* more : {"", turned}) {
+    CHECK(Examined(lens("1/300", more)).found.places.empty());
+    const Examined flat(lens("0.00999", more));
+    CHECK(!flat.found.places.empty());
+  }
+}
+
+TEST_CASE("contacts that both tessellations contain are certain", "[evaluate][certify]") {
+  // The same shaft twice, one longer: they share facets. A patch that is a plane. Two boxes have nothing curved.
+  CHECK(Examined("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 2}}\n"
+                 "  b: {cylinder: {from: [0, 0, 1], to: [0, 0, 5], radius: 2}}\n")
+            .found.places.empty());
+  const Examined flat(
+      "  a: {extrude: {profile: [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], vector: [0, 0, 1]}}\n"
+      "  b: {box: {min: [0, 0, 0], max: [2, 2, 1]}}\n");
+  CHECK(flat.found.edges == 0);
+  CHECK(Examined("  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  b: {box: {min: [0, 0, 0], max: [2, 2, 1]}}\n")
+            .found.edges == 0);
+  // A pipe on a slab: the line of contact is an edge of its facets.
+  CHECK(Examined(pipe_over_slab("1")).found.places.empty());
+  // But a facet that happens to lie in a face is none of the surface.
+  const Examined inscribed(
+      "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 5, segments: 4}}\n"
+      "  b: {polygon: [[10, -5, 0], [-5, 10, 0], [-5, 10, 1], [10, -5, 1]]}\n");
+  REQUIRE(inscribed.found.places.size() == 1);
+  CHECK(inscribed.found.places[0].finer == 4);
+}
+
+}  // namespace
+}  // namespace cnrg
