@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "csg/curves/boundary_curves.h"
+#include "csg/curves/revolved.h"
 #include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
@@ -82,6 +83,36 @@ void add_band(LeafBuilder& builder, const Ring& lower, const Ring& upper, std::u
   }
 }
 
+MeridianPiece arc(std::uint32_t patch, const Rational& out, const Rational& radius, const Rational& start,
+                  const Rational& sweep, int steps) {
+  MeridianPiece piece{.kind = MeridianPiece::Kind::arc, .patch = patch, .steps = steps};
+  piece.middle = {out, 0};
+  piece.radius = radius;
+  piece.start = start;
+  piece.sweep = sweep;
+  return piece;
+}
+
+/// What carries the side of a cylinder or cone.
+std::shared_ptr<const CurvedForm> capped_form(const RationalPoint& from, const RationalPoint& along,
+                                              const Rational& radius, const Rational& top, int segments,
+                                              const std::array<const char*, 3>& names) {
+  auto form = std::make_shared<RevolvedForm>();
+  form->center = from;
+  form->axis = along;
+  MeridianPiece side{.patch = 2};
+  side.from = {radius, 0};
+  side.to = {top, 1};
+  form->lines = {{side}};
+  form->discs = form->turn_is_u = true;
+  form->segments = segments;
+  for (std::uint32_t i = 0; i < 3; ++i) form->names.emplace_back(i, names[i]);
+  return form;
+}
+
+constexpr std::array<const char*, 3> kCylinderNames{"cylinder bottom", "cylinder top", "cylinder side"};
+constexpr std::array<const char*, 3> kConeNames{"cone bottom", "cone top", "cone side"};
+
 /// A cylinder or cone between two rings: the cap at `from` is face 0, the cap at `to` 1 (no cap where the
 /// ring is one point), the side 2.
 void add_capped(LeafBuilder& builder, const Ring& bottom, const Ring& top,
@@ -103,8 +134,10 @@ std::unique_ptr<PreparedLeaf> prepare_cylinder(const CylinderShape& shape, LeafP
   LeafBuilder builder(Fill::winding, record);
   const Ring bottom = add_ring(builder, points);
   for (RationalPoint& p : points) p = p + along;
-  add_capped(builder, bottom, add_ring(builder, points), {"cylinder bottom", "cylinder top", "cylinder side"});
-  return builder.finish();
+  add_capped(builder, bottom, add_ring(builder, points), kCylinderNames);
+  auto leaf = builder.finish();
+  leaf->set_form(capped_form(shape.from, along, shape.radius, shape.radius, shape.segments, kCylinderNames));
+  return leaf;
 }
 
 std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape, LeafParameters* record) {
@@ -125,8 +158,10 @@ std::unique_ptr<PreparedLeaf> prepare_cone(const ConeShape& shape, LeafParameter
     return add_ring(builder, circle(frame, center, radius, shape.segments));
   };
   const Ring bottom = ring(shape.from, shape.radius);
-  add_capped(builder, bottom, ring(shape.to, shape.top), {"cone bottom", "cone top", "cone side"});
-  return builder.finish();
+  add_capped(builder, bottom, ring(shape.to, shape.top), kConeNames);
+  auto leaf = builder.finish();
+  leaf->set_form(capped_form(shape.from, along, shape.radius, shape.top, shape.segments, kConeNames));
+  return leaf;
 }
 
 std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParameters* record) {
@@ -162,7 +197,19 @@ std::unique_ptr<PreparedLeaf> prepare_sphere(const SphereShape& shape, LeafParam
     add_band(builder, lower, upper, 0, u, v[static_cast<std::size_t>(j) - 1], v[static_cast<std::size_t>(j)]);
     lower = std::move(upper);
   }
-  return builder.finish();
+  auto form = std::make_shared<RevolvedForm>();
+  form->center = c;
+  form->axis = {0, 0, 1};
+  MeridianPiece meridian = arc(0, 0, shape.radius, -90, 180, rings);
+  meridian.from = {0, -shape.radius};
+  meridian.to = {0, shape.radius};
+  form->lines = {{meridian}};
+  form->turn_is_u = true;
+  form->segments = shape.segments;
+  form->names = {{0, "sphere"}};
+  auto leaf = builder.finish();
+  leaf->set_form(std::move(form));
+  return leaf;
 }
 
 std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape, LeafParameters* record) {
@@ -201,7 +248,18 @@ std::unique_ptr<PreparedLeaf> prepare_torus(const TorusShape& shape, LeafParamet
   for (std::size_t j = 0; j < rows.size(); ++j) {
     add_band(builder, rows[j], rows[(j + 1) % rows.size()], 0, u, v[j], v[j + 1]);
   }
-  return builder.finish();
+  auto form = std::make_shared<RevolvedForm>();
+  form->center = shape.center;
+  form->axis = shape.axis;
+  MeridianPiece circle = arc(0, shape.radius, shape.tube, 0, 360, shape.rings);
+  circle.from = circle.to = {shape.radius + shape.tube, 0};
+  form->lines = {{circle}};
+  form->closed_lines = form->turn_is_u = true;
+  form->segments = shape.segments;
+  form->names = {{0, "torus"}};
+  auto leaf = builder.finish();
+  leaf->set_form(std::move(form));
+  return leaf;
 }
 
 }  // namespace cnrg

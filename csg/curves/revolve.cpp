@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "csg/curves/profile.h"
+#include "csg/curves/revolved.h"
 #include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/planar_polygon.h"
@@ -63,6 +64,34 @@ RationalPoint unit(const CircleFrame& frame) {
   return round_cosine(0, square, exponent_of_root(square) - 51) * frame.axis();
 }
 
+/// What carries the patches: the profile's pieces in its order, or against it where a line was turned round.
+std::shared_ptr<RevolvedForm> form_of(const RevolveShape& shape, const RationalPoint& up, std::uint32_t first,
+                                      const std::vector<bool>& turned, BoundaryCurves& boundary) {
+  auto form = std::make_shared<RevolvedForm>();
+  form->center = shape.center;
+  form->axis = up;
+  form->degrees = shape.degrees;
+  form->closed_lines = form->solid = shape.profile.closed;
+  std::uint32_t patch = first;
+  for (std::size_t l = 0; l < shape.profile.lines.size(); ++l) {
+    std::vector<MeridianPiece>& line = form->lines.emplace_back();
+    for (const CurveNet& net : shape.profile.lines[l].segments) {
+      const std::vector<Span> spans = curve_spans(net);
+      const std::vector<BezierCurve> pieces = curve_pieces(net, "revolve");
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        line.push_back(meridian_piece(pieces[k], spans[k], dot(up, up)));
+        line.back().patch = patch;
+        line.back().steps = boundary.steps(pieces[k]);
+      }
+      ++patch;
+    }
+    if (!turned[l]) continue;
+    std::reverse(line.begin(), line.end());
+    for (MeridianPiece& piece : line) piece = reversed(std::move(piece));
+  }
+  return form;
+}
+
 }  // namespace
 
 std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafParameters* record) {
@@ -77,12 +106,14 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafPar
   for (const SampledLine& line : lines) points += static_cast<double>(line.points.size());
   fineness.check_facets(points * turns);
   const bool closed = shape.profile.closed, full = shape.degrees == 360;
+  std::vector<bool> turned(lines.size(), false);
   if (closed) {
     check_area(lines, "revolve");
     // The outer line counter-clockwise with r to the right and z up, holes clockwise.
     for (std::size_t l = 0; l < lines.size(); ++l) {
       if ((area_vector(lines[l].points)[1] < 0) == (l == 0)) continue;
       reverse(lines[l]);
+      turned[l] = true;
     }
   }
   const CircleFrame frame(shape.axis);
@@ -136,7 +167,20 @@ std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafPar
     for (auto& loop : last) std::reverse(loop.begin(), loop.end());
     builder.face(last, 1);
   }
-  return builder.finish();
+  const auto form = form_of(shape, up, number, turned, boundary);
+  form->segments = fineness.steps_of_turn(to_double(radius) * (1 + 1e-12), 360);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const std::uint32_t segment : lines[i].segment) {
+      form->names.emplace_back(number + segment, "revolve segment " + std::to_string(segment + 1));
+    }
+  }
+  if (closed && !full) {
+    form->names.emplace_back(0, "revolve start");
+    form->names.emplace_back(1, "revolve end");
+  }
+  auto leaf = builder.finish();
+  leaf->set_form(form);
+  return leaf;
 }
 
 }  // namespace cnrg

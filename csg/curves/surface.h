@@ -63,6 +63,7 @@ class LeafSurfaces {
     patches_[patch] = std::move(surface);
   }
   void add_curve(std::uint32_t curve, std::shared_ptr<const Curve> line) { curves_[curve] = std::move(line); }
+  const std::map<std::uint32_t, std::shared_ptr<const Surface>>& patches() const { return patches_; }
   /// By Soup::Face::patch; null for one that is flat.
   const Surface* patch(std::uint32_t patch) const {
     const auto it = patches_.find(patch);

@@ -36,6 +36,15 @@ SurfaceJet<Interval> PlacedSurface::over(const Interval& u, const Interval& v) c
   return moved(surface_->over(u, v));
 }
 
+std::shared_ptr<const LeafSurfaces> moved(const std::shared_ptr<const LeafSurfaces>& leaf,
+                                          const Transform& transform) {
+  auto result = std::make_shared<LeafSurfaces>();
+  for (const auto& [number, surface] : leaf->patches()) {
+    result->add_patch(number, std::make_shared<const PlacedSurface>(leaf, number, transform));
+  }
+  return result;
+}
+
 namespace {
 
 double middle_of(const Interval& x) { return x.inf() / 2 + x.sup() / 2; }

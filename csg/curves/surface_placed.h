@@ -17,13 +17,13 @@
 
 namespace cnrg {
 
-class PlacedSurface {
+class PlacedSurface final : public Surface {
  public:
   PlacedSurface(std::shared_ptr<const LeafSurfaces> leaf, std::uint32_t patch, const Transform& transform);
   /// True if the patch is flat: then nothing else may be asked.
   bool flat() const { return surface_ == nullptr; }
-  SurfaceJet<double> at(double u, double v) const;
-  SurfaceJet<Interval> over(const Interval& u, const Interval& v) const;
+  SurfaceJet<double> at(double u, double v) const override;
+  SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override;
 
  private:
   template <class N>
@@ -34,6 +34,10 @@ class PlacedSurface {
   std::array<Vector<surface_math::Constant>, 3> linear_, cofactors_;  // rows
   Vector<surface_math::Constant> offset_;
 };
+
+/// The patches of a leaf where a transform put them.
+std::shared_ptr<const LeafSurfaces> moved(const std::shared_ptr<const LeafSurfaces>& leaf,
+                                          const Transform& transform);
 
 /// A part of a surface, or of a plane where `surface` is null.
 struct SurfacePart {

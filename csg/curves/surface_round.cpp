@@ -84,10 +84,15 @@ std::shared_ptr<const LeafSurfaces> cylinder_surfaces(const CylinderShape& shape
   return cone_surfaces({shape.from, shape.to, shape.radius, shape.radius, shape.segments});
 }
 
+std::shared_ptr<const LeafSurfaces> sphere_surfaces(const RationalPoint& center, const Rational& radius,
+                                                    const RationalPoint& axis) {
+  return one_patch(
+      0, {.center = center, .frame = CircleFrame(axis), .smooth_on_axis = true},
+      RoundLine{constant(radius), constant(Rational(0)), constant(Rational(-1, 4)), constant(Rational(1, 2))});
+}
+
 std::shared_ptr<const LeafSurfaces> sphere_surfaces(const SphereShape& shape) {
-  return one_patch(0, {.center = shape.center, .frame = CircleFrame({0, 0, 1}), .smooth_on_axis = true},
-                   RoundLine{constant(shape.radius), constant(Rational(0)), constant(Rational(-1, 4)),
-                             constant(Rational(1, 2))});
+  return sphere_surfaces(shape.center, shape.radius, {0, 0, 1});
 }
 
 std::shared_ptr<const LeafSurfaces> torus_surfaces(const TorusShape& shape) {

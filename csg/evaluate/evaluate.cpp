@@ -22,6 +22,7 @@
 #include <optional>
 #include <utility>
 
+#include "csg/carriers/common_lines.h"
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/leaf_values.h"
@@ -63,8 +64,10 @@ void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& optio
   const Stopwatch stopwatch;
   RefineOptions refine_options;
   refine_options.threads = options.threads;
+  std::vector<LeafInstance> instances;
   leaves.locate_errors([&] {
-    const Soup soup = make_soup(leaves.instances(), options.reach);
+    instances = with_common_lines(leaves.instances());
+    const Soup soup = make_soup(instances, options.reach);
     result.complex = build_complex(soup, refine_options, &result.refine);
   });
   if (options.validate) {
@@ -73,10 +76,9 @@ void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& optio
   }
   result.leaf_names.resize(result.complex->leaf_count);
   std::vector<PlacedParameters> placed;
-  for (std::size_t i = 0; i < leaves.instances().size(); ++i) {
+  for (std::size_t i = 0; i < instances.size(); ++i) {
     result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
-    const LeafInstance& instance = leaves.instances()[i];
-    placed.push_back({instance.leaf->parameters(), instance.transform, instance.leaf->surfaces()});
+    placed.push_back({instances[i].leaf->parameters(), instances[i].transform, instances[i].leaf->surfaces()});
   }
   result.parameters = std::make_shared<const SurfaceParameters>(*result.complex, std::move(placed));
   result.refine_seconds = stopwatch.seconds();

@@ -51,13 +51,13 @@ class DoubleTransform {
   bool usable_ = true;
 };
 
+}  // namespace
+
 RationalPoint exact_value(const Soup& soup, PointId p) {
   if (const RationalPoint* value = soup.rational(p)) return *value;
   const double* xyz = soup.xyz(p);
   return {from_double(xyz[0]), from_double(xyz[1]), from_double(xyz[2])};
 }
-
-}  // namespace
 
 GeometryLeaf::GeometryLeaf(Soup geometry, std::vector<LeafRegion> regions, std::vector<std::string> notices)
     : geometry_(std::move(geometry)), regions_(std::move(regions)), notices_(std::move(notices)) {
@@ -149,6 +149,18 @@ void LeafBuilder::facet(PointId a, PointId b, PointId c, PointId d, std::uint32_
   if (volume6(value(a), value(b), value(c), value(d)) == 0) return add({0, 1, 2, 3}, {0, 1, 2, 3});
   add({0, 1, 2}, {0, 1, 2});
   add({0, 2, 3}, {0, 2, 3});
+}
+
+void LeafBuilder::facet(PointId a, PointId b, PointId c, std::uint32_t leaf_face,
+                        const std::array<std::array<const Rational*, 2>, 3>& at) {
+  soup_.add_triangle(leaf_, a, b, c, leaf_face, leaf_face);
+  if (record_ == nullptr) return;
+  std::vector<PatchCorner> corners;
+  for (const PointId p : {a, b, c}) {
+    const auto& [u, v] = at[corners.size()];
+    corners.push_back({value(p), {*u, *v}});
+  }
+  record_->add_facet(corners);
 }
 
 RationalPoint LeafBuilder::value(PointId p) const { return exact_value(soup_, p); }

@@ -18,12 +18,16 @@ class GeometryLeaf final : public PreparedLeaf {
   LeafId add_to(Soup& soup, const Transform& transform) const override;
   std::vector<LeafRegion> regions() const override { return regions_; }
   std::vector<std::string> notices() const override { return notices_; }
+  const Soup& geometry() const { return geometry_; }
 
  private:
   Soup geometry_;
   std::vector<LeafRegion> regions_;
   std::vector<std::string> notices_;
 };
+
+/// The coordinates of a point, exactly.
+RationalPoint exact_value(const Soup& soup, PointId p);
 
 /// The parameters of the four corners of a facet of a grid, u and v of each.
 using CornerParameters = std::array<std::array<const Rational*, 2>, 4>;
@@ -44,6 +48,9 @@ class LeafBuilder {
   /// The quadrilateral a b c d, or, where it is not planar exactly, the triangles a b c and a c d. Triangles of
   /// zero area (two equal corners) are left out.
   void facet(PointId a, PointId b, PointId c, PointId d, std::uint32_t leaf_face, const CornerParameters& at);
+  /// The triangle a b c of a patch.
+  void facet(PointId a, PointId b, PointId c, std::uint32_t leaf_face,
+             const std::array<std::array<const Rational*, 2>, 3>& at);
   /// What people call a patch.
   void name_patch(std::uint32_t leaf_face, const char* name) {
     if (record_ != nullptr) record_->name_patch(leaf_face, name);

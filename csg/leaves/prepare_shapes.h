@@ -38,6 +38,9 @@ RationalPoint axis_point(const ExtrudeShape& shape);
 
 // curves/surface_round.cpp, curves/surface_swept.cpp: the true surfaces of shapes that were prepared.
 std::shared_ptr<const LeafSurfaces> sphere_surfaces(const SphereShape& shape);
+/// With parameters about another axis than z, v growing along it.
+std::shared_ptr<const LeafSurfaces> sphere_surfaces(const RationalPoint& center, const Rational& radius,
+                                                    const RationalPoint& axis);
 std::shared_ptr<const LeafSurfaces> cylinder_surfaces(const CylinderShape& shape);
 std::shared_ptr<const LeafSurfaces> cone_surfaces(const ConeShape& shape);
 std::shared_ptr<const LeafSurfaces> torus_surfaces(const TorusShape& shape);

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "csg/curves/surface_placed.h"
 #include "csg/evaluate/certify.h"
 
 namespace cnrg {
@@ -103,6 +104,45 @@ TEST_CASE("transforms move normals as they move surfaces", "[evaluate][certify]"
     CHECK(Examined(lens("1/300", more)).found.places.empty());
     const Examined flat(lens("0.00999", more));
     CHECK(!flat.found.places.empty());
+  }
+}
+
+TEST_CASE("leaves that are drawn on common lines have their true surfaces", "[evaluate][certify]") {
+  const std::string bored =
+      "  a: {difference: [{box: {min: [-3, -3, 0], max: [3, 3, 2]}}, "
+      "{cylinder: {from: [0, 0, -1], to: [0, 0, 3], radius: 1, segments: 24}}]}\n"
+      "  b: {cylinder: {from: [0, 0, 2], to: [0, 0, 0], radius: 1}, rotate: {axis: [0, 0, 1], degrees: 10}}\n";
+  const std::string balls =
+      "  a: {sphere: {center: [1, 0, 0], radius: 1}}\n"
+      "  b: {sphere: {center: [1, 0, 0], radius: 1, segments: 24}, rotate: {axis: [1, 2, 3], degrees: 10, "
+      "center: [1, 0, 0]}}\n";
+  const std::string capped =
+      "  a: {sphere: {center: [0, 0, 0], radius: 5}, translate: [1, 2, 3]}\n"
+      "  b: {cylinder: {from: [0, 0, 0], to: [3, 0, 6], radius: 5}, translate: [1, 2, 3]}\n";
+  const std::string mirrored =
+      "  a: {torus: {center: [0, 0, 0], axis: [1, 1, 1], radius: 3, tube: 1}}\n"
+      "  b: {torus: {center: [0, 0, 0], axis: [1, 1, 1], radius: 3, tube: 1, segments: 20}, "
+      "mirror: {normal: [1, 0, 0], point: [0, 0, 0]}, rotate: {axis: [0, 1, -1], degrees: 12}}\n";
+  for (const std::string& leaves : {bored, balls, capped, mirrored}) {
+    INFO(leaves);
+    const Examined e(leaves);
+    const Complex& complex = *e.evaluation.complex;
+    const SurfaceParameters& parameters = *e.evaluation.parameters;
+    std::size_t corners = 0;
+    for (const SourceId s : IdRange<SourceId>(complex.sources.size())) {
+      const Soup::Face& face = complex.sources[s];
+      const PlacedSurface surface(parameters.surfaces(face.leaf), face.patch, parameters.transform(face.leaf));
+      if (surface.flat()) continue;
+      for (const auto& cell : parameters.cells(s)) {
+        for (const PatchCorner& corner : cell) {
+          ++corners;
+          const RationalPoint p = parameters.transform(face.leaf).apply(corner.point);
+          const Vector<double> q = surface.at(to_double(corner.at[0]), to_double(corner.at[1])).point;
+          for (std::size_t k = 0; k < 3; ++k) REQUIRE(std::abs(q[k] - to_double(p[k])) < 1e-11);
+        }
+      }
+    }
+    CHECK(corners > 100);
   }
 }
 

@@ -1,0 +1,99 @@
+// Lines, similarities, and meridians under them.
+#include "csg/carriers/axes.h"
+
+#include <cmath>
+
+#include "csg/geometry/circle.h"
+#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/trigonometry.h"
+
+namespace cnrg {
+namespace {
+
+RationalPoint linear_image(const Transform& transform, const RationalPoint& v) {
+  return {dot(transform.linear[0], v), dot(transform.linear[1], v), dot(transform.linear[2], v)};
+}
+
+}  // namespace
+
+std::optional<Rational> rational_root(const Rational& square) {
+  if (mpz_perfect_square_p(square.get_num_mpz_t()) == 0 || mpz_perfect_square_p(square.get_den_mpz_t()) == 0)
+    return std::nullopt;
+  return Rational(sqrt(square.get_num()), sqrt(square.get_den()));
+}
+
+Rational AxisLine::place_of(const RationalPoint& p) const {
+  return dot(p - foot, direction) / dot(direction, direction);
+}
+
+bool AxisLine::holds(const RationalPoint& p) const { return is_zero(cross(p - foot, direction)); }
+
+AxisLine axis_line(const RationalPoint& point, const RationalPoint& direction) {
+  const std::array<Integer, 3> p = primitive_direction(direction);
+  AxisLine line;
+  line.direction = {p[0], p[1], p[2]};
+  if (line.direction < RationalPoint{0, 0, 0}) line.direction = Rational(-1) * line.direction;
+  const Rational part = dot(point, line.direction) / dot(line.direction, line.direction);
+  line.foot = point - part * line.direction;
+  return line;
+}
+
+std::optional<Rational> stretch(const Transform& transform) {
+  const auto& rows = transform.linear;
+  const Rational square = dot(rows[0], rows[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (dot(rows[i], rows[i]) != square || dot(rows[i], rows[(i + 1) % 3]) != 0) return std::nullopt;
+  }
+  return rational_root(square);
+}
+
+Rational PlacedForm::square() const { return dot(axis.direction, axis.direction); }
+
+PlacedForm place(const RevolvedForm& form, const Transform& transform, const Rational& scale) {
+  PlacedForm placed;
+  const RationalPoint center = transform.apply(form.center), along = linear_image(transform, form.axis);
+  placed.axis = axis_line(center, along);
+  const RationalPoint& direction = placed.axis.direction;
+  const Rational first = placed.axis.place_of(center), step = dot(along, direction) / dot(direction, direction);
+  placed.along = step > 0;
+  placed.mirrored = transform.determinant() < 0;
+  const auto image = [&](const MeridianPoint& p) { return MeridianPoint{scale * p.r, first + step * p.t}; };
+  for (const auto& line : form.lines) {
+    placed.lines.emplace_back();
+    for (MeridianPiece piece : line) {
+      piece.from = image(piece.from);
+      piece.to = image(piece.to);
+      piece.middle = image(piece.middle);
+      piece.radius *= scale;
+      if (!placed.along) {
+        piece.start = -piece.start;
+        piece.sweep = -piece.sweep;
+      }
+      for (Homogeneous& h : piece.net.net) {
+        h[0] *= scale;
+        h[2] = first * h[3] + step * h[2];
+      }
+      placed.lines.back().push_back(std::move(piece));
+    }
+  }
+  const CircleFrame frame(form.axis);
+  placed.start = (1 / scale) * linear_image(transform, frame.offset(1, 0));
+  placed.end = form.around() ? placed.start : (1 / scale) * linear_image(transform, frame.offset(1, form.degrees));
+  return placed;
+}
+
+RevolvedForm sphere_about(const Ball& ball, const RationalPoint& axis, const RevolvedForm& like) {
+  RevolvedForm form = like;
+  form.center = ball.center;
+  form.axis = axis;
+  MeridianPiece& meridian = form.lines[0][0];
+  const Rational square = ball.radius * ball.radius / dot(axis, axis);
+  const Rational reach = round_cosine(0, square, exponent_of_root(square) - 51);
+  meridian.from = {0, -reach};
+  meridian.to = {0, reach};
+  meridian.middle = {0, 0};
+  meridian.radius = ball.radius;
+  return form;
+}
+
+}  // namespace cnrg

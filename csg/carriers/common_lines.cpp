@@ -1,0 +1,79 @@
+// The stage between prepared leaves and their soup.
+#include "csg/carriers/common_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "csg/carriers/tangency.h"
+#include "kernel/refine/box_tree.h"
+
+namespace cnrg {
+namespace {
+
+using Index = std::uint32_t;
+
+/// A box around the leaf, wide enough for what doubles round.
+Box box_of(const RevolvedForm& form, const Transform& transform) {
+  double reach = 0, low = 0, high = 0;
+  bool first = true;
+  for (const auto& line : form.lines) {
+    for (const MeridianPiece& piece : line) {
+      const bool arc = piece.kind == MeridianPiece::Kind::arc;
+      const Rational square =
+          form.axis[0] * form.axis[0] + form.axis[1] * form.axis[1] + form.axis[2] * form.axis[2];
+      const double along = arc ? to_double(piece.radius) / std::sqrt(to_double(square)) : 0;
+      std::vector<MeridianPoint> points{piece.from, piece.to};
+      if (arc) points = {{piece.middle.r + piece.radius, piece.middle.t}};
+      for (const Homogeneous& h : piece.net.net) points.push_back({h[0] / h[3], h[2] / h[3]});
+      for (const MeridianPoint& p : points) {
+        reach = std::max(reach, to_double(p.r));
+        low = first ? to_double(p.t) - along : std::min(low, to_double(p.t) - along);
+        high = first ? to_double(p.t) + along : std::max(high, to_double(p.t) + along);
+        first = false;
+      }
+    }
+  }
+  Box box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double center = to_double(transform.offset[k]), step = 0, square = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double entry = to_double(transform.linear[k][j]);
+      center += entry * to_double(form.center[j]);
+      step += entry * to_double(form.axis[j]);
+      square += entry * entry;
+    }
+    const double out = reach * std::sqrt(square);
+    box.lo[k] = center + std::min(low * step, high * step) - out;
+    box.hi[k] = center + std::max(low * step, high * step) + out;
+    const double margin = 1e-9 * (std::abs(box.lo[k]) + std::abs(box.hi[k]) + out);
+    box.lo[k] -= margin;
+    box.hi[k] += margin;
+  }
+  return box;
+}
+
+}  // namespace
+
+std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances) {
+  std::vector<RevolvedInstance> revolved;
+  std::vector<Box> boxes;
+  for (Index i = 0; i < instances.size(); ++i) {
+    const auto* form = dynamic_cast<const RevolvedForm*>(instances[i].leaf->form().get());
+    if (form == nullptr) continue;
+    boxes.push_back(box_of(*form, instances[i].transform));
+    revolved.push_back({i, boxes.back()});
+  }
+  if (revolved.empty()) return instances;
+  std::vector<std::array<Index, 2>> pairs;
+  const BoxTree tree(boxes);
+  for (Index a = 0; a < revolved.size(); ++a) {
+    tree.query([&](const Box& box) { return box.meets(boxes[a]); },
+               [&](Index b) {
+                 if (b < a) pairs.push_back({revolved[b].instance, revolved[a].instance});
+               });
+  }
+  share_axes(instances, pairs, contacts(instances, revolved, pairs));
+  return instances;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,22 @@
+// Curved leaves that have a surface in common are drawn on common lines of it.
+//
+// Every curved leaf is drawn with facets, exactly, but two that are drawn apart do not agree: a shaft of 24
+// segments in a bore of 32 leaves slivers of void, a ball minus the same ball turned round leaves splinters. A
+// tolerance would hide that and break what is exact. Instead the surfaces themselves are compared, exactly, before
+// any facet is refined: leaves that lie on one carrier, or touch along one, are tessellated once more, all on the
+// same lines. Those that share nothing stay as they are. Which lines these are depends on the set of leaves, not
+// on their order.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csg/leaves/leaf.h"
+
+namespace cnrg {
+
+/// The same instances in the same order, those that share something with others tessellated anew (their
+/// parameters, too). What they are not is said by `LeafInstance`: the transform of one may have changed.
+std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances);
+
+}  // namespace cnrg

@@ -1,0 +1,355 @@
+// Contacts of lines and circles, and the vertices of circles.
+#include "csg/carriers/meridians.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/trigonometry.h"
+
+namespace cnrg {
+namespace {
+
+using Point = MeridianPoint;
+using Kind = MeridianPiece::Kind;
+
+Point operator-(const Point& a, const Point& b) { return {a.r - b.r, a.t - b.t}; }
+Point operator+(const Point& a, const Point& b) { return {a.r + b.r, a.t + b.t}; }
+Point operator*(const Rational& s, const Point& a) { return {s * a.r, s * a.t}; }
+Rational cross(const Point& a, const Point& b) { return a.r * b.t - a.t * b.r; }
+Rational dot(const Point& a, const Point& b, const Rational& square) { return a.r * b.r + square * a.t * b.t; }
+
+/// The square root to 60 bits, exact where it has no more.
+Rational root_of(const Rational& value) {
+  if (value == 0) return 0;
+  return round_cosine(0, value, exponent_of_root(value) - 60);
+}
+
+double degrees_of(const Point& p, const Point& middle, const Rational& square) {
+  return std::atan2(to_double(p.t - middle.t) * std::sqrt(to_double(square)), to_double(p.r - middle.r)) * 180 /
+         std::numbers::pi;
+}
+
+/// How far an angle is along an arc, in degrees from its start in the direction of its sweep, 0 to 360.
+Rational along(const MeridianPiece& arc, const Rational& degrees) {
+  const Rational way = arc.sweep < 0 ? arc.start - degrees : degrees - arc.start, turns = way / 360;
+  Integer whole;
+  mpz_fdiv_q(whole.get_mpz_t(), turns.get_num_mpz_t(), turns.get_den_mpz_t());
+  return way - 360 * whole;
+}
+
+/// Nearer to an end than this, in degrees, a point is not told from it.
+constexpr double kNear = 1e-9;
+
+bool on_circle(const MeridianPiece& arc, const Point& p, const Rational& square) {
+  const Point off = p - arc.middle;
+  return dot(off, off, square) == arc.radius * arc.radius;
+}
+
+/// For a point on the circle of the arc, or next to it.
+bool holds(const MeridianPiece& arc, const Point& p, const Rational& square) {
+  if (p == arc.from || p == arc.to || abs(arc.sweep) == 360) return true;
+  const double way = to_double(along(arc, from_double(degrees_of(p, arc.middle, square))));
+  return way > kNear && way < std::abs(to_double(arc.sweep)) - kNear;
+}
+
+bool on_line(const MeridianPiece& line, const Point& p) {
+  const Point way = line.to - line.from, off = p - line.from;
+  if (cross(way, off) != 0) return false;
+  const Rational part = way.r != 0 ? Rational(off.r / way.r) : Rational(off.t / way.t);
+  return part >= 0 && part <= 1;
+}
+
+/// True for a point of the piece, ends included; of a net only for its ends.
+bool on_piece(const MeridianPiece& piece, const Point& p, const Rational& square) {
+  if (p == piece.from || p == piece.to) return true;
+  if (piece.kind == Kind::line) return on_line(piece, p);
+  return piece.kind == Kind::arc && on_circle(piece, p, square) && holds(piece, p, square);
+}
+
+void join_lines(const MeridianPiece& p, const MeridianPiece& q, MeridianContact& result) {
+  if (p.flat() || q.flat()) return;
+  const Point a = p.to - p.from, b = q.to - q.from, off = q.from - p.from;
+  const Rational turn = cross(a, b);
+  if (turn != 0) {
+    const Rational s = cross(off, b) / turn, t = cross(off, a) / turn;
+    result.joins = s >= 0 && s <= 1 && t >= 0 && t <= 1 && p.from.r + s * a.r > 0;
+  } else if (cross(a, off) == 0) {
+    result.joins = on_line(p, q.from) || on_line(p, q.to) || on_line(q, p.from);
+  }
+}
+
+/// Points of a straight piece that are on the circle of an arc.
+std::vector<Point> line_on_circle(const MeridianPiece& line, const MeridianPiece& arc, const Rational& square,
+                                  bool& touches) {
+  const Point way = line.to - line.from, off = line.from - arc.middle;
+  const Rational a = dot(way, way, square), b = dot(way, off, square),
+                 c = dot(off, off, square) - arc.radius * arc.radius, root2 = b * b - a * c;
+  touches = root2 == 0;
+  if (root2 < 0) return {};
+  const Rational root = root_of(root2);
+  std::vector<Point> points;
+  for (const Rational& s : {Rational((-b - root) / a), Rational((root - b) / a)}) {
+    if (s >= 0 && s <= 1) points.push_back(line.from + s * way);
+    if (touches) break;
+  }
+  return points;
+}
+
+/// Points of two different circles; `touches` if it is one.
+std::vector<Point> circles(const MeridianPiece& p, const MeridianPiece& q, const Rational& square) {
+  const Point apart = q.middle - p.middle;
+  const Rational distance2 = dot(apart, apart, square);
+  if (distance2 == 0) return {};
+  const Rational part = (p.radius * p.radius - q.radius * q.radius + distance2) / (2 * distance2);
+  const Rational across2 = (p.radius * p.radius / distance2 - part * part) / square;
+  if (across2 < 0) return {};
+  const Point foot = p.middle + part * apart, across{-square * apart.t, apart.r};
+  if (across2 == 0) return {foot};
+  const Rational root = root_of(across2);
+  return {foot + root * across, foot - root * across};
+}
+
+bool same_circle(const MeridianPiece& p, const MeridianPiece& q) {
+  return p.middle == q.middle && p.radius == q.radius;
+}
+
+/// Adds points that both arcs hold, but not next to one that is known.
+void add_points(const MeridianPiece& p, const MeridianPiece& q, std::vector<Point> found, bool even_if_flat,
+                const Rational& square, MeridianContact& result) {
+  const bool flat = p.flat() || q.flat();
+  for (const Point& x : found) {
+    if (x.r <= 0) continue;
+    bool held = true, known = false;
+    for (const MeridianPiece* arc : {&p, &q}) {
+      if (arc->kind != Kind::arc) continue;
+      held = held && holds(*arc, x, square);
+      for (const Point& y : result.points) {
+        known =
+            known || std::abs(std::remainder(
+                         degrees_of(x, arc->middle, square) - degrees_of(y, arc->middle, square), 360)) < kNear;
+      }
+    }
+    if (!held || known) continue;
+    if (!flat) result.joins = true;
+    if (!flat || even_if_flat) result.points.push_back(x);
+  }
+}
+
+}  // namespace
+
+MeridianContact contact(const MeridianPiece& p, const MeridianPiece& q, const Rational& square) {
+  MeridianContact result;
+  if (p.kind == Kind::line && q.kind == Kind::line) {
+    join_lines(p, q, result);
+    return result;
+  }
+  // Where one ends on the other.
+  for (const auto& [piece, other] : {std::pair(&p, &q), std::pair(&q, &p)}) {
+    for (const Point& end : {piece->from, piece->to}) {
+      if (end.r == 0 || !on_piece(*other, end, square)) continue;
+      result.joins = true;
+      if (std::find(result.points.begin(), result.points.end(), end) == result.points.end())
+        result.points.push_back(end);
+    }
+  }
+  if (p.kind == Kind::net || q.kind == Kind::net) {
+    result.joins = result.joins || (p.kind == q.kind && canonical(p.net).curve.net == canonical(q.net).curve.net);
+    return result;
+  }
+  if (p.kind == Kind::arc && q.kind == Kind::arc) {
+    if (same_circle(p, q)) result.joins = true;
+    else add_points(p, q, circles(p, q, square), true, square, result);
+    return result;
+  }
+  const MeridianPiece &line = p.kind == Kind::line ? p : q, &arc = p.kind == Kind::line ? q : p;
+  bool touches = false;
+  const std::vector<Point> found = line_on_circle(line, arc, square, touches);
+  add_points(p, q, found, touches, square, result);
+  return result;
+}
+
+// --- the plane
+
+std::size_t MeridianPlane::add(const MeridianPiece& piece) {
+  if (piece.kind == Kind::arc) {
+    Arc& arc = arcs_[{piece.middle, piece.radius}];
+    arc.middle = piece.middle;
+    arc.radius = piece.radius;
+    const double steps = std::ceil(piece.steps * 360.0 / std::abs(to_double(piece.sweep)) - 1e-9);
+    arc.steps = std::max({arc.steps, static_cast<int>(steps), 3});
+    for (const Point& end : {piece.from, piece.to}) arc.marks.push_back(end);
+  }
+  if (piece.kind == Kind::net) {
+    int& steps = nets_[canonical(piece.net).curve.net];
+    steps = std::max(steps, piece.steps);
+  }
+  pieces_.push_back(piece);
+  return pieces_.size() - 1;
+}
+
+void MeridianPlane::add_vertex(std::size_t i, const MeridianPoint& at) {
+  const MeridianPiece& piece = pieces_[i];
+  if (piece.kind != Kind::arc) return;
+  const double radius = to_double(piece.radius);
+  const Point off = at - piece.middle;
+  if (std::abs(std::sqrt(to_double(dot(off, off, square_))) - radius) > kNear * radius) return;
+  arcs_.at({piece.middle, piece.radius}).marks.push_back(at);
+}
+
+void MeridianPlane::solve() {
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (pieces_[i].kind != Kind::arc && pieces_[j].kind != Kind::arc) continue;
+      const MeridianContact found = contact(pieces_[i], pieces_[j], square_);
+      for (const Point& at : found.points) {
+        add_vertex(i, at);
+        add_vertex(j, at);
+      }
+    }
+  }
+  // A chord that crosses what its arc does not is halved; the other way round it would be for ever where two arcs
+  // touch from inside, hence the bound, after which the chords stay as they are.
+  constexpr int kMostRounds = 24;
+  for (int round = 0; round < kMostRounds; ++round) {
+    for (auto& [key, arc] : arcs_) sample(arc);
+    if (!separate_chords()) return;
+  }
+}
+
+double MeridianPlane::angle_of(const Arc& arc, const MeridianPoint& p) const {
+  return degrees_of(p, arc.middle, square_);
+}
+
+MeridianPoint MeridianPlane::on_arc(const Arc& arc, const Rational& degrees) const {
+  const Rational out2 = arc.radius * arc.radius, up2 = out2 / square_;
+  return round_({arc.middle.r + round_cosine(degrees, out2, exponent_of_root(out2) - 51),
+                 arc.middle.t + round_cosine(90 - degrees, up2, exponent_of_root(up2) - 51)});
+}
+
+void MeridianPlane::sample(Arc& arc) const {
+  std::sort(arc.marks.begin(), arc.marks.end());
+  arc.marks.erase(std::unique(arc.marks.begin(), arc.marks.end()), arc.marks.end());
+  arc.vertices.clear();
+  std::vector<double> marked;
+  for (const Point& p : arc.marks) {
+    marked.push_back(angle_of(arc, p));
+    arc.vertices.push_back({p, from_double(marked.back())});
+  }
+  std::sort(marked.begin(), marked.end());
+  // A sphere's even steps begin at its pole, all others at the outermost circle.
+  const bool sphere = arc.middle.r == 0;
+  const double near = 360.0 / arc.steps * 0x1p-32;
+  const auto is_marked = [&](double angle) {
+    const auto next = std::lower_bound(marked.begin(), marked.end(), angle - near);
+    if (next != marked.end() && *next <= angle + near) return true;
+    return !marked.empty() && (marked.front() + 360 - angle <= near || angle + 360 - marked.back() <= near);
+  };
+  for (int j = 0; j < arc.steps; ++j) {
+    Rational degrees = fraction(360L * j, arc.steps) - (sphere ? 90 : 0);
+    if (degrees > 180) degrees -= 360;
+    if (is_marked(to_double(degrees))) continue;
+    const Point p = on_arc(arc, degrees);
+    if (p.r >= 0) arc.vertices.push_back({p, degrees});
+  }
+}
+
+std::vector<MeridianPoint> MeridianPlane::marks(std::size_t i) const {
+  return arcs_.at({pieces_[i].middle, pieces_[i].radius}).marks;
+}
+
+std::vector<RevolvedGrid::Row> MeridianPlane::rows(std::size_t i) const {
+  const MeridianPiece& piece = pieces_[i];
+  std::vector<RevolvedGrid::Row> result{{piece.from, piece.parameters[0]}};
+  if (piece.kind == Kind::net) {
+    const int n = nets_.at(canonical(piece.net).curve.net);
+    for (int k = 1; k < n; ++k) {
+      const RationalPoint p = piece.net.at(fraction(k, n));
+      result.push_back({{p[0], p[2]}, in_span(piece.parameters, fraction(k, n))});
+    }
+  }
+  if (piece.kind == Kind::arc) {
+    const Arc& arc = arcs_.at({piece.middle, piece.radius});
+    const double whole = std::abs(to_double(piece.sweep));
+    std::vector<std::pair<Rational, Point>> inside;
+    for (const Vertex& vertex : arc.vertices) {
+      if (vertex.at == piece.from || vertex.at == piece.to) continue;
+      const Rational way = along(piece, vertex.degrees);
+      if (to_double(way) > kNear && to_double(way) < whole - kNear) inside.emplace_back(way, vertex.at);
+    }
+    std::sort(inside.begin(), inside.end());
+    for (const auto& [way, p] : inside) {
+      const Rational degrees = piece.start + Rational(piece.sweep < 0 ? -1 : 1) * way;
+      result.push_back({p, parameter_of(piece, degrees)});
+    }
+  }
+  result.push_back({piece.to, piece.parameters[1]});
+  return result;
+}
+
+bool MeridianPlane::separate_chords() {
+  bool changed = false;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const MeridianPiece &p = pieces_[i], &q = pieces_[j];
+      if ((p.kind != Kind::arc && q.kind != Kind::arc) || p.flat() || q.flat()) continue;
+      if (p.kind == Kind::arc && q.kind == Kind::arc && same_circle(p, q)) continue;
+      // Of two arcs the larger one is drawn finer.
+      const bool first = p.kind == Kind::arc && (q.kind != Kind::arc || p.radius >= q.radius);
+      changed = separate(first ? i : j, first ? j : i) || changed;
+    }
+  }
+  return changed;
+}
+
+/// Halves the chords of arc i that meet piece j elsewhere than in a vertex of it.
+bool MeridianPlane::separate(std::size_t i, std::size_t j) {
+  const std::vector<RevolvedGrid::Row> mine = rows(i), others = rows(j);
+  const MeridianPiece& piece = pieces_[i];
+  Arc& arc = arcs_.at({piece.middle, piece.radius});
+  struct Chord {
+    double low_r, high_r, low_t, high_t;
+    Chord(const Point& a, const Point& b)
+        : low_r(std::min(to_double(a.r), to_double(b.r))),
+          high_r(std::max(to_double(a.r), to_double(b.r))),
+          low_t(std::min(to_double(a.t), to_double(b.t))),
+          high_t(std::max(to_double(a.t), to_double(b.t))) {}
+    bool meets(const Chord& c) const {
+      return low_r <= c.high_r && c.low_r <= high_r && low_t <= c.high_t && c.low_t <= high_t;
+    }
+  };
+  std::vector<Chord> boxes;
+  for (std::size_t l = 1; l < others.size(); ++l) boxes.emplace_back(others[l - 1].at, others[l].at);
+  bool changed = false;
+  for (std::size_t k = 1; k < mine.size(); ++k) {
+    const Point &a = mine[k - 1].at, &b = mine[k].at;
+    const Chord box(a, b);
+    for (std::size_t l = 1; l < others.size(); ++l) {
+      if (!box.meets(boxes[l - 1])) continue;
+      const Point &c = others[l - 1].at, &d = others[l].at;
+      const int side_a = sgn(cross(d - c, a - c)), side_b = sgn(cross(d - c, b - c));
+      const int side_c = sgn(cross(b - a, c - a)), side_d = sgn(cross(b - a, d - a));
+      if (side_a * side_b > 0 || side_c * side_d > 0) continue;
+      const bool collinear = side_a == 0 && side_b == 0;
+      if (collinear) {
+        // They overlap in more than a point if the ends lie so along the line.
+        const auto place = [&](const Point& x) -> Rational {
+          return a.r != b.r ? Rational((x.r - a.r) / (b.r - a.r)) : Rational((x.t - a.t) / (b.t - a.t));
+        };
+        const Rational low = std::min(place(c), place(d)), high = std::max(place(c), place(d));
+        if (high <= 0 || low >= 1) continue;
+      } else if (side_a == 0 || side_b == 0) {
+        continue;  // in a vertex of the arc
+      }
+      const double from = angle_of(arc, a), way = std::remainder(angle_of(arc, b) - from, 360);
+      arc.marks.push_back(on_arc(arc, from_double(from + way / 2)));
+      changed = true;
+      break;
+    }
+  }
+  return changed;
+}
+
+}  // namespace cnrg

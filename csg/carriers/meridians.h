@@ -1,0 +1,70 @@
+// What meridians of several leaves about one axis have in common, in their half-plane.
+//
+// Circles that are drawn with chords do not meet where the true ones meet: a ball in a pipe of its radius touches
+// it along a circle, but chords of the ball touch nothing. Here it is a problem of the plane, with lines and
+// circles of rational coefficients: where pieces end on one another, cross or touch is decided exactly, and such a
+// point is a vertex of both. Chords that cross where the curves do not are halved until they do so no more.
+//
+// The metric is dr^2 + N dt^2 with N the square of the axis' length.
+#pragma once
+
+#include <map>
+#include <tuple>
+
+#include "csg/curves/revolved.h"
+
+namespace cnrg {
+
+struct MeridianContact {
+  bool joins = false;                 ///< the two must have the same half-planes around the axis, too
+  std::vector<MeridianPoint> points;  ///< that must be vertices of the arcs among the two
+};
+
+/// The contact of two pieces, ends included, but for points of the axis. Points that are not rational are near to
+/// the true ones, on a straight piece exactly. Of nets only their ends are seen, and equal nets.
+MeridianContact contact(const MeridianPiece& p, const MeridianPiece& q, const Rational& square);
+
+/// The pieces of leaves about one axis, and the points on which all of them are drawn.
+class MeridianPlane {
+ public:
+  /// `round` makes sampled points short where that is wanted; ends and contacts stay as they are.
+  MeridianPlane(Rational square, std::function<MeridianPoint(const MeridianPoint&)> round)
+      : square_(std::move(square)), round_(std::move(round)) {}
+  std::size_t add(const MeridianPiece& piece);
+  /// A vertex of the arc that piece i is on, if it is on one and the point, nearly, too.
+  void add_vertex(std::size_t i, const MeridianPoint& at);
+  /// After all is added: contacts of all pieces, vertices of all arcs.
+  void solve();
+  /// The rows of piece i.
+  std::vector<RevolvedGrid::Row> rows(std::size_t i) const;
+  /// The points of the arc of piece i that are vertices for another reason than an even step.
+  std::vector<MeridianPoint> marks(std::size_t i) const;
+
+ private:
+  struct Vertex {
+    MeridianPoint at;
+    Rational degrees;  ///< of a mark as a double
+  };
+  struct Arc {
+    MeridianPoint middle;
+    Rational radius;
+    int steps = 0;  ///< of a whole circle
+    std::vector<MeridianPoint> marks;
+    std::vector<Vertex> vertices;
+  };
+  using ArcKey = std::tuple<MeridianPoint, Rational>;
+
+  void sample(Arc& arc) const;
+  bool separate_chords();
+  bool separate(std::size_t i, std::size_t j);
+  MeridianPoint on_arc(const Arc& arc, const Rational& degrees) const;
+  double angle_of(const Arc& arc, const MeridianPoint& p) const;
+
+  Rational square_;
+  std::function<MeridianPoint(const MeridianPoint&)> round_;
+  std::vector<MeridianPiece> pieces_;
+  std::map<ArcKey, Arc> arcs_;
+  std::map<ControlRow, int> nets_;  // steps
+};
+
+}  // namespace cnrg

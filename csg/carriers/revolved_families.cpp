@@ -1,0 +1,618 @@
+// Who is in which family, then a tessellation per family.
+//
+//   instances -> those near a common axis     in doubles; most pairs end here
+//             -> one space for all of them    transforms that differ by a similarity; mostly that of the tree
+//             -> families                     contacts of meridians, exactly; a sphere has every axis through its
+//             centre
+//             -> directions and meridians     turns.h, meridians.h
+//             -> leaves
+#include "csg/carriers/revolved_families.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "csg/carriers/ball_hull.h"
+#include "csg/carriers/meridians.h"
+#include "csg/carriers/turns.h"
+#include "csg/curves/surface_placed.h"
+#include "csg/geometry/exact_vectors.h"
+#include "csg/geometry/placement.h"
+#include "csg/leaves/parameters.h"
+#include "csg/leaves/prepare_shapes.h"
+#include "kernel/base/error.h"
+#include "kernel/base/union_find.h"
+#include "kernel/exact/trigonometry.h"
+
+namespace cnrg {
+namespace {
+
+using Index = std::uint32_t;
+
+std::array<double, 3> doubles(const RationalPoint& p) {
+  return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
+}
+
+RationalPoint linear_image(const Transform& transform, const RationalPoint& v) {
+  return transform.apply(v) - transform.offset;
+}
+
+/// The axis of a leaf in doubles.
+struct RoughAxis {
+  std::array<double, 3> point, along;  ///< along has length 1
+  double size = 0;                     ///< of the leaf, at least
+  bool sphere = false;
+
+  RoughAxis(const RevolvedForm& form, const Transform& transform)
+      : point(doubles(transform.apply(form.center))),
+        along(doubles(linear_image(transform, form.axis))),
+        sphere(form.is_sphere()) {
+    const double length = std::hypot(along[0], along[1], along[2]);
+    for (double& x : along) x /= length;
+    size = length;
+    for (const auto& line : form.lines) {
+      for (const MeridianPiece& piece : line)
+        size = std::max({size, to_double(piece.from.r), to_double(piece.to.r), to_double(piece.radius)});
+    }
+    for (const double x : point) size = std::max(size, std::abs(x));
+  }
+
+  double distance(const std::array<double, 3>& p) const {
+    double off[3], part = 0, square = 0;
+    for (std::size_t k = 0; k < 3; ++k) part += (off[k] = p[k] - point[k]) * along[k];
+    for (std::size_t k = 0; k < 3; ++k) square += (off[k] - part * along[k]) * (off[k] - part * along[k]);
+    return std::sqrt(square);
+  }
+  /// False only if the two certainly have no axis in common.
+  bool near(const RoughAxis& b) const {
+    constexpr double kNear = 1e-6;
+    const double limit = kNear * (size + b.size);
+    if (sphere && b.sphere) {
+      return std::abs(point[0] - b.point[0]) + std::abs(point[1] - b.point[1]) + std::abs(point[2] - b.point[2]) <=
+             limit;
+    }
+    if (sphere) return !(b.distance(point) > limit);
+    if (b.sphere) return !(distance(b.point) > limit);
+    const double turn = std::abs(along[0] * b.along[0] + along[1] * b.along[1] + along[2] * b.along[2]);
+    return !(turn < 1 - kNear) && !(distance(b.point) > limit);
+  }
+};
+
+/// A leaf or, for all leaves of one ball, the ball, on one axis.
+struct Member {
+  PlacedForm placed;
+  std::vector<Index> instances;
+  int segments = 0;
+  bool ball = false;
+};
+
+/// Members that touch each other about one axis.
+class Family {
+ public:
+  Family(std::vector<Member> members, bool in_tree_space)
+      : members_(std::move(members)),
+        axis_(members_[0].placed.axis),
+        rounds_(in_tree_space && may_round()),
+        size_(smallest()),
+        plane_(members_[0].placed.square(), [this](const MeridianPoint& p) { return rounded(p); }) {
+    for (const Member& member : members_) {
+      segments_ = std::max(segments_, member.segments);
+      first_.push_back(pieces_);
+      for (const auto& line : member.placed.lines) {
+        for (const MeridianPiece& piece : line) {
+          plane_.add(piece);
+          ++pieces_;
+        }
+      }
+      if (member.placed.start == member.placed.end) continue;
+      marks_.push_back(member.placed.start);
+      marks_.push_back(member.placed.end);
+    }
+  }
+
+  /// Points and circles that `member` must have as vertices.
+  void add_marks(std::size_t member, const Marks& marks) {
+    marks_.insert(marks_.end(), marks.directions.begin(), marks.directions.end());
+    for (const RationalPoint& p : marks.points) add_point(member, p);
+    for (const MeridianPoint& p : marks.circles) add_vertex(member, p);
+  }
+  /// Contacts first, then directions: what must be one may be added between.
+  void solve_meridians() { plane_.solve(); }
+  void solve_turns() { turns_ = std::make_unique<Turns>(axis_.direction, segments_, marks_); }
+  void add_direction(const RationalPoint& direction) { marks_.push_back(direction); }
+
+  /// The circles that the ball `member` shares, but for its poles.
+  std::vector<MeridianPoint> shared_circles(std::size_t member) const {
+    std::vector<MeridianPoint> result = plane_.marks(first_[member]);
+    std::erase_if(result, [](const MeridianPoint& p) { return p.r == 0; });
+    return result;
+  }
+  SphereCircle circle(const MeridianPoint& at) const {
+    SphereCircle result;
+    const auto columns = turns_->around({members_[0].placed.start, true, false});
+    for (std::size_t i = 0; i + 1 < columns.size(); ++i) result.push_back(point(at, columns[i]));
+    return result;
+  }
+
+  const std::vector<Member>& members() const { return members_; }
+  const AxisLine& axis() const { return axis_; }
+
+  RevolvedGrid grid(std::size_t m, const RevolvedForm& form) const {
+    const PlacedForm& placed = members_[m].placed;
+    RevolvedGrid grid;
+    grid.mirrored = placed.mirrored;
+    const Turns::Lie lie{placed.start, placed.along, placed.mirrored};
+    grid.columns = form.around() ? turns_->around(lie) : turns_->part(lie, placed.end, form.degrees);
+    std::size_t piece = first_[m];
+    for (const auto& line : placed.lines) {
+      grid.rows.emplace_back();
+      for (std::size_t i = 0; i < line.size(); ++i) grid.rows.back().push_back(plane_.rows(piece++));
+    }
+    return grid;
+  }
+
+  RationalPoint point(const MeridianPoint& at, const RevolvedGrid::Column& column) const {
+    RationalPoint p = axis_.foot + at.t * axis_.direction;
+    if (at.r == 0) return p;
+    p = p + at.r * column.direction;
+    if (!rounds_ || column.mark) return p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (axis_.direction[k] == 0) p[k] = rounded_for(p[k], size_);
+    }
+    return p;
+  }
+
+ private:
+  /// Corners are doubles, which are cheaper, where that keeps planes plane: about axes of coordinates, without
+  /// slanted lines, whose facets are coplanar with others only where nothing is rounded, and in whole turns.
+  bool may_round() const {
+    if (CircleFrame(axis_.direction).parallel_to() == 3) return false;
+    for (const Member& member : members_) {
+      if (!member.ball && member.placed.start != member.placed.end) return false;
+      for (const auto& line : member.placed.lines) {
+        for (const MeridianPiece& piece : line) {
+          const bool straight = piece.from.r == piece.to.r || piece.from.t == piece.to.t;
+          if (piece.kind == MeridianPiece::Kind::net || (piece.kind == MeridianPiece::Kind::line && !straight))
+            return false;
+        }
+      }
+    }
+    return true;
+  }
+  Rational smallest() const {
+    Rational size = 0;
+    const auto see = [&](const Rational& r) {
+      if (r > 0 && (size == 0 || r < size)) size = r;
+    };
+    for (const Member& member : members_) {
+      for (const auto& line : member.placed.lines) {
+        for (const MeridianPiece& piece : line) {
+          see(piece.from.r);
+          see(piece.to.r);
+          see(piece.radius);
+        }
+      }
+    }
+    return size;
+  }
+  /// A sampled point of a meridian; only its place along the axis is rounded here.
+  MeridianPoint rounded(const MeridianPoint& p) const {
+    if (!rounds_) return p;
+    const std::size_t k = CircleFrame(axis_.direction).parallel_to();
+    const Rational x = axis_.foot[k] + p.t * axis_.direction[k];
+    return {p.r, (rounded_for(x, size_) - axis_.foot[k]) / axis_.direction[k]};
+  }
+
+  void add_point(std::size_t member, const RationalPoint& p) {
+    const Rational t = axis_.place_of(p);
+    const RationalPoint out = p - (axis_.foot + t * axis_.direction);
+    if (is_zero(out)) return;  // a pole
+    const Rational square = dot(out, out), r = round_cosine(0, square, exponent_of_root(square) - 60);
+    add_vertex(member, {r, t});
+    marks_.push_back((1 / r) * out);
+  }
+  /// On each arc of the member that holds the point, or nearly.
+  void add_vertex(std::size_t member, const MeridianPoint& p) {
+    std::size_t piece = first_[member];
+    for (const auto& line : members_[member].placed.lines) {
+      for (std::size_t i = 0; i < line.size(); ++i) plane_.add_vertex(piece++, p);
+    }
+  }
+
+  std::vector<Member> members_;
+  AxisLine axis_;
+  bool rounds_;
+  Rational size_;
+  MeridianPlane plane_;
+  std::vector<RationalPoint> marks_;
+  std::vector<std::size_t> first_;  // piece of each member
+  std::size_t pieces_ = 0;
+  int segments_ = 0;
+  std::unique_ptr<Turns> turns_;
+};
+
+/// Families of one space: `base` takes its points to those of the tree.
+class Space {
+ public:
+  Space(std::vector<LeafInstance>& instances, Transform base, const std::map<Index, Marks>& marks)
+      : instances_(instances), base_(std::move(base)), to_space_(base_.inverse()), marks_(marks) {}
+
+  void add(Index i) {
+    const Transform relative = base_.identity() ? instances_[i].transform : to_space_ * instances_[i].transform;
+    const std::optional<Rational> scale = stretch(relative);
+    if (!scale) return;
+    forms_.emplace(i, std::dynamic_pointer_cast<const RevolvedForm>(instances_[i].leaf->form()));
+    const RevolvedForm& form = form_of(i);
+    if (form.is_sphere()) {
+      balls_[{relative.apply(form.center), *scale * form.lines[0][0].radius}].push_back(i);
+      relative_.emplace(i, relative);
+      return;
+    }
+    relative_.emplace(i, relative);
+    node_.emplace(i, static_cast<Index>(nodes_.size()));
+    nodes_.push_back({place(form, relative, *scale), {i}, form.segments, false});
+  }
+
+  void run(const std::vector<std::array<Index, 2>>& pairs) {
+    touch_leaves(pairs);
+    touch_balls(pairs);
+    build();
+  }
+
+ private:
+  const RevolvedForm& form_of(Index i) const { return *forms_.at(i); }
+
+  static bool touch(const PlacedForm& a, const PlacedForm& b) {
+    const Rational square = a.square();
+    for (const auto& line : a.lines) {
+      for (const MeridianPiece& p : line) {
+        for (const auto& other : b.lines) {
+          for (const MeridianPiece& q : other) {
+            const MeridianContact found = contact(p, q, square);
+            if (found.joins || !found.points.empty()) return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  void touch_leaves(const std::vector<std::array<Index, 2>>& pairs) {
+    for (const auto& [i, j] : pairs) {
+      const auto a = node_.find(i), b = node_.find(j);
+      if (a == node_.end() || b == node_.end()) continue;
+      if (nodes_[a->second].placed.axis != nodes_[b->second].placed.axis) continue;
+      if (touch(nodes_[a->second].placed, nodes_[b->second].placed)) edges_.push_back({a->second, b->second});
+    }
+  }
+
+  Ball ball_of(Index i) const {
+    const Transform& relative = relative_.at(i);
+    return {relative.apply(form_of(i).center), *stretch(relative) * form_of(i).lines[0][0].radius};
+  }
+
+  Member ball_on(const Ball& ball, const AxisLine& axis) const {
+    const std::vector<Index>& of = balls_.at(ball);
+    Member member{place(sphere_about(ball, axis.direction, form_of(of.front())), Transform{}, 1), of, 0, true};
+    int& rings = member.placed.lines[0][0].steps;
+    for (const Index i : of) {
+      member.segments = std::max(member.segments, form_of(i).segments);
+      rings = std::max(rings, form_of(i).lines[0][0].steps);
+    }
+    return member;
+  }
+  /// The node of a ball on an axis.
+  Index ball_node(const Ball& ball, const AxisLine& axis, Member member) {
+    const auto [it, fresh] = ball_nodes_.try_emplace({ball, axis}, static_cast<Index>(nodes_.size()));
+    if (fresh) nodes_.push_back(std::move(member));
+    return it->second;
+  }
+
+  void touch_balls(const std::vector<std::array<Index, 2>>& pairs) {
+    for (const auto& [i, j] : pairs) {
+      const bool first = node_.contains(i);
+      if (first == node_.contains(j) || !relative_.contains(i) || !relative_.contains(j)) continue;
+      const Index leaf = node_.at(first ? i : j);
+      const Ball ball = ball_of(first ? j : i);
+      const AxisLine axis = nodes_[leaf].placed.axis;
+      if (!axis.holds(ball.center)) continue;
+      Member member = ball_on(ball, axis);
+      if (!touch(nodes_[leaf].placed, member.placed)) continue;
+      edges_.push_back({leaf, ball_node(ball, axis, std::move(member))});
+      on_axes_.insert(ball);
+    }
+  }
+
+  bool needs_marks(const Member& member) const {
+    return std::any_of(member.instances.begin(), member.instances.end(), [&](Index i) {
+      const auto marks = marks_.find(i);
+      return marks != marks_.end() && marks->second.needed;
+    });
+  }
+
+  /// Leaves that are drawn alike as they are.
+  bool alike(const std::vector<Index>& of) const {
+    if (of.size() == 1 && nodes_[of[0]].instances.size() == 1) return true;
+    const Member& first = nodes_[of[0]];
+    for (const Index n : of) {
+      const Member& member = nodes_[n];
+      const Transform& transform = instances_[member.instances[0]].transform;
+      if (transform != instances_[first.instances[0]].transform || member.segments != first.segments) return false;
+      for (const Index i : member.instances) {
+        if (instances_[i].transform != transform) return false;
+      }
+      if (member.ball) {
+        if (of.size() > 1) return false;
+        for (const Index i : member.instances) {
+          const RevolvedForm &a = form_of(i), &b = form_of(member.instances[0]);
+          if (a.segments != b.segments || a.lines[0][0].steps != b.lines[0][0].steps) return false;
+        }
+        continue;
+      }
+      const PlacedForm& placed = member.placed;
+      if (placed.start != placed.end || placed.along != first.placed.along) return false;
+      for (const auto& line : placed.lines) {
+        for (const MeridianPiece& piece : line) {
+          if (piece.kind != MeridianPiece::Kind::line || piece.from.r != piece.to.r) return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  void build() {
+    // A ball that meets nobody about an axis, but another ball or a mark: about the axis of its own leaf, or z.
+    for (const auto& [ball, of] : balls_) {
+      if (on_axes_.contains(ball)) continue;
+      AxisLine axis = axis_line(ball.center, {0, 0, 1});
+      if (of.size() == 1) axis = axis_line(ball.center, linear_image(relative_.at(of[0]), {0, 0, 1}));
+      ball_node(ball, axis, ball_on(ball, axis));
+    }
+    UnionFind sets(nodes_.size());
+    for (const auto& [a, b] : edges_) sets.unite(a, b);
+    std::map<Index, std::vector<Index>> families;
+    for (Index n = 0; n < nodes_.size(); ++n) families[sets.find(n)].push_back(n);
+    for (const auto& [first, of] : families) {
+      const bool marked = std::any_of(of.begin(), of.end(), [&](Index n) { return needs_marks(nodes_[n]); });
+      if (marked || !alike(of)) make_family(of);
+    }
+    share_balls();
+    for (const auto& [family, of] : families_) {
+      for (std::size_t m = 0; m < of.size(); ++m) {
+        if (nodes_[of[m]].ball && is_shared(of[m])) continue;
+        for (const Index i : nodes_[of[m]].instances) replace(i, family, m);
+      }
+    }
+  }
+
+  void make_family(const std::vector<Index>& of) {
+    std::vector<Member> members;
+    for (const Index n : of) members.push_back(nodes_[n]);
+    const auto family = std::make_shared<Family>(std::move(members), base_.identity());
+    for (std::size_t m = 0; m < of.size(); ++m) {
+      for (const Index i : nodes_[of[m]].instances) {
+        const auto marks = marks_.find(i);
+        if (marks != marks_.end() && base_.identity()) family->add_marks(m, marks->second);
+      }
+    }
+    family->solve_meridians();
+    families_.emplace_back(family, of);
+  }
+
+  // --- balls on several axes
+
+  /// A ball in a family.
+  struct Place {
+    std::size_t family, member;
+  };
+
+  bool is_shared(Index node) const {
+    const auto of = shared_.find(ball_of(nodes_[node].instances[0]));
+    return of != shared_.end() && of->second.size() > 1;
+  }
+
+  void share_balls() {
+    for (std::size_t f = 0; f < families_.size(); ++f) {
+      const auto& of = families_[f].second;
+      for (std::size_t m = 0; m < of.size(); ++m) {
+        if (nodes_[of[m]].ball) shared_[ball_of(nodes_[of[m]].instances[0])].push_back({f, m});
+      }
+    }
+    std::erase_if(shared_, [](const auto& entry) { return entry.second.size() < 2; });
+    for (const auto& [ball, places] : shared_) cross_circles(ball, places);
+    for (const auto& [family, of] : families_) family->solve_turns();
+    // A chord of a circle that is no edge of the hull is halved, for all leaves about this axis.
+    constexpr int kMostRounds = 8;
+    for (int round = 0; round < kMostRounds; ++round) {
+      bool changed = false;
+      for (const auto& [ball, places] : shared_) changed = refine(ball, places) || changed;
+      if (!changed) break;
+      for (const auto& [family, of] : families_) family->solve_turns();
+    }
+    for (const auto& [ball, places] : shared_) replace_ball(ball, places);
+  }
+
+  /// The points where shared circles of one ball cross become corners of both, where they are rational.
+  void cross_circles(const Ball& ball, const std::vector<Place>& places) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        Family &a = *families_[places[i].family].first, &b = *families_[places[j].family].first;
+        for (const MeridianPoint& p : a.shared_circles(places[i].member)) {
+          for (const MeridianPoint& q : b.shared_circles(places[j].member)) cross_two(ball, a, p, b, q);
+        }
+      }
+    }
+  }
+
+  static void cross_two(const Ball& ball, Family& a, const MeridianPoint& p, Family& b, const MeridianPoint& q) {
+    const RationalPoint &n = a.axis().direction, &m = b.axis().direction, line = cross(n, m);
+    const RationalPoint on_a = a.axis().foot + p.t * n, on_b = b.axis().foot + q.t * m;
+    // c + x n + y m lies in both planes; from there the circles cross along the line.
+    const Rational nn = dot(n, n), mm = dot(m, m), nm = dot(n, m), whole = nn * mm - nm * nm;
+    const Rational ga = dot(on_a - ball.center, n), gb = dot(on_b - ball.center, m);
+    const RationalPoint foot =
+        Rational((ga * mm - gb * nm) / whole) * n + Rational((gb * nn - ga * nm) / whole) * m;
+    const Rational square = (ball.radius * ball.radius - dot(foot, foot)) / dot(line, line);
+    if (square < 0) return;
+    const std::optional<Rational> reach = rational_root(square);
+    if (!reach || p.r * p.r * nn == 0 || q.r == 0) return;
+    for (const int sign : {1, -1}) {
+      const RationalPoint at = ball.center + foot + Rational(sign * *reach) * line;
+      a.add_direction((1 / p.r) * (at - on_a));
+      b.add_direction((1 / q.r) * (at - on_b));
+      if (*reach == 0) return;
+    }
+  }
+
+  struct Shared {
+    std::vector<SphereCircle> circles;
+    std::vector<std::size_t> family;  ///< of each circle
+    std::vector<RationalPoint> points;
+    int segments = 0, rings = 0;
+  };
+  Shared shared_of(const std::vector<Place>& places) const {
+    Shared result;
+    for (const Place& place : places) {
+      const Family& family = *families_[place.family].first;
+      const Member& member = family.members()[place.member];
+      for (const MeridianPoint& p : family.shared_circles(place.member)) {
+        result.circles.push_back(family.circle(p));
+        result.family.push_back(place.family);
+      }
+      for (const Index i : member.instances) {
+        const auto marks = marks_.find(i);
+        if (marks == marks_.end() || !base_.identity()) continue;
+        result.points.insert(result.points.end(), marks->second.points.begin(), marks->second.points.end());
+      }
+      result.segments = std::max(result.segments, member.segments);
+      result.rings = std::max(result.rings, member.placed.lines[0][0].steps);
+    }
+    return result;
+  }
+  static BallHull hull_of_shared(const Ball& ball, const Shared& shared) {
+    return hull_of(ball, shared.circles, shared.points, shared.segments, shared.rings);
+  }
+
+  bool refine(const Ball& ball, const std::vector<Place>& places) {
+    const Shared shared = shared_of(places);
+    const BallHull hull = hull_of_shared(ball, shared);
+    for (const auto& [c, i] : hull.missed) {
+      const RationalPoint &p = shared.circles[c][i], &q = shared.circles[c][(i + 1) % shared.circles[c].size()];
+      Family& family = *families_[shared.family[c]].first;
+      const RationalPoint middle = Rational(1, 2) * (p + q);
+      const RationalPoint out =
+          middle - (family.axis().foot + family.axis().place_of(middle) * family.axis().direction);
+      const Rational square = dot(out, out);
+      family.add_direction((1 / round_cosine(0, square, exponent_of_root(square) - 60)) * out);
+    }
+    return !hull.missed.empty();
+  }
+
+  void replace_ball(const Ball& ball, const std::vector<Place>& places) {
+    const auto hull = std::make_shared<const BallHull>(hull_of_shared(ball, shared_of(places)));
+    const auto make = [ball, hull](LeafParameters* record) { return tessellate(ball, *hull, record); };
+    const SurfaceSource surfaces = [ball] { return sphere_surfaces(ball.center, ball.radius, {0, 0, 1}); };
+    for (const Index i : balls_.at(ball)) put(i, make, surfaces);
+  }
+
+  void replace(Index i, const std::shared_ptr<Family>& family, std::size_t m) {
+    // A sphere is turned with all its parameters to the axis that it shares.
+    const auto form = std::make_shared<const RevolvedForm>(
+        family->members()[m].ball ? sphere_about(ball_of(i), family->axis().direction, form_of(i)) : form_of(i));
+    const auto grid = std::make_shared<const RevolvedGrid>(family->grid(m, *form));
+    const auto make = [form, grid, family](LeafParameters* record) {
+      return tessellate(
+          *form, *grid,
+          [&](const MeridianPoint& at, std::size_t column) { return family->point(at, grid->columns[column]); },
+          record);
+    };
+    SurfaceSource surfaces;
+    if (family->members()[m].ball) {
+      surfaces = [ball = ball_of(i), axis = form->axis] {
+        return sphere_surfaces(ball.center, ball.radius, axis);
+      };
+    } else if (const SurfaceSource& before = instances_[i].leaf->surfaces()) {
+      surfaces = [before, by = relative_.at(i)] { return moved(before(), by); };
+    }
+    put(i, make, std::move(surfaces));
+  }
+
+  template <class Make>
+  void put(Index i, const Make& make, SurfaceSource surfaces) {
+    std::unique_ptr<PreparedLeaf> leaf = make(nullptr);
+    leaf->set_parameters([make] {
+      auto parameters = std::make_shared<LeafParameters>();
+      make(parameters.get());
+      return parameters;
+    });
+    leaf->set_surfaces(std::move(surfaces));
+    instances_[i] = {std::move(leaf), base_};
+  }
+
+  std::vector<LeafInstance>& instances_;
+  Transform base_, to_space_;
+  const std::map<Index, Marks>& marks_;
+  std::map<Index, std::shared_ptr<const RevolvedForm>> forms_;  // as the leaves were
+  std::map<Index, Transform> relative_;
+  std::map<Index, Index> node_;  // of an instance that is no sphere
+  std::vector<Member> nodes_;
+  std::map<Ball, std::vector<Index>> balls_;
+  std::map<std::pair<Ball, AxisLine>, Index> ball_nodes_;
+  std::set<Ball> on_axes_;  // of other leaves
+  std::vector<std::array<Index, 2>> edges_;
+  std::vector<std::pair<std::shared_ptr<Family>, std::vector<Index>>> families_;  // and their nodes
+  std::map<Ball, std::vector<Place>> shared_;
+};
+
+/// L L^T over its trace: equal for transforms that differ by a similarity.
+std::array<Rational, 6> metric_of(const Transform& transform) {
+  const auto& rows = transform.linear;
+  const Rational trace = dot(rows[0], rows[0]) + dot(rows[1], rows[1]) + dot(rows[2], rows[2]);
+  std::array<Rational, 6> metric;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) metric[n++] = dot(rows[i], rows[j]) / trace;
+  }
+  return metric;
+}
+
+}  // namespace
+
+void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<Index, 2>>& pairs,
+                const std::map<Index, Marks>& marks) {
+  std::map<Index, RoughAxis> rough;
+  const auto rough_of = [&](Index i) -> const RoughAxis* {
+    const auto* form = dynamic_cast<const RevolvedForm*>(instances[i].leaf->form().get());
+    if (form == nullptr) return nullptr;
+    return &rough.try_emplace(i, *form, instances[i].transform).first->second;
+  };
+  std::vector<std::array<Index, 2>> near;
+  std::set<Index> concerned;
+  for (const auto& [i, j] : pairs) {
+    const RoughAxis *const a = rough_of(i), *const b = rough_of(j);
+    if (a == nullptr || b == nullptr || !a->near(*b)) continue;
+    near.push_back({i, j});
+    concerned.insert({i, j});
+  }
+  for (const auto& [i, of] : marks) concerned.insert(i);
+  if (concerned.empty()) return;
+  std::map<std::array<Rational, 6>, std::vector<Index>> spaces;
+  for (const Index i : concerned) spaces[metric_of(instances[i].transform)].push_back(i);
+  std::array<Rational, 6> round{};
+  round[0] = round[3] = round[5] = fraction(1, 3);
+  for (const auto& [metric, of] : spaces) {
+    Transform base;
+    if (metric != round) {
+      const auto least = std::min_element(of.begin(), of.end(), [&](Index a, Index b) {
+        return Placement(instances[a].transform) < Placement(instances[b].transform);
+      });
+      base = instances[*least].transform;
+    }
+    Space space(instances, base, marks);
+    for (const Index i : of) space.add(i);
+    space.run(near);
+  }
+}
+
+}  // namespace cnrg

@@ -1,0 +1,380 @@
+// Spheres, cylinders and planes of the leaves, and the distances between them.
+#include "csg/carriers/tangency.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "csg/geometry/exact_vectors.h"
+#include "csg/leaves/geometry_leaf.h"
+#include "csg/leaves/unbounded.h"
+#include "kernel/refine/box_tree.h"
+
+namespace cnrg {
+namespace {
+
+using Index = std::uint32_t;
+using Point3 = std::array<double, 3>;
+
+Point3 doubles(const RationalPoint& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
+double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Point3 minus(const Point3& a, const Point3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Point3 times(const Point3& a, const Point3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// What a revolved leaf may touch with.
+struct Ball3 {
+  RationalPoint center;
+  Rational radius;
+};
+struct Tube {
+  RationalPoint foot, axis;
+  Rational radius, low, high;  ///< from foot + low axis to foot + high axis
+};
+/// An arc that a plane across the axis may touch in a circle.
+struct Ring {
+  MeridianPoint middle;
+  Rational radius;
+};
+struct Flat {
+  RationalPoint normal;
+  Rational offset;
+  Box box;  ///< of the face; infinite for planes without bounds
+};
+struct Round {
+  Index instance = 0;
+  Box box;
+  PlacedForm placed;
+  std::vector<Ball3> balls;
+  std::vector<Tube> tubes;
+  std::vector<Ring> rings;
+  std::vector<Flat> flats;  ///< its own planes across the axis
+};
+
+Box around(const Point3& a, const Point3& b) {
+  Box box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double margin = 1e-9 * (1e-300 + std::abs(a[k]) + std::abs(b[k]));
+    box.lo[k] = std::min(a[k], b[k]) - margin;
+    box.hi[k] = std::max(a[k], b[k]) + margin;
+  }
+  return box;
+}
+
+/// Nearly equal lengths, in doubles: what is not certainly is not exactly either.
+bool near(double a, double b, double size) {
+  return !(std::abs(a - b) > 1e-6 * (size + std::abs(a) + std::abs(b)));
+}
+
+class Finder {
+ public:
+  explicit Finder(const std::vector<LeafInstance>& instances) : instances_(instances) {}
+
+  void add(const RevolvedInstance& of) {
+    const LeafInstance& instance = instances_[of.instance];
+    const std::optional<Rational> scale = stretch(instance.transform);
+    if (!scale) return;
+    const auto& form = dynamic_cast<const RevolvedForm&>(*instance.leaf->form());
+    Round round{of.instance, of.box, place(form, instance.transform, *scale), {}, {}, {}, {}};
+    const AxisLine& axis = round.placed.axis;
+    const auto flat = [&](const Rational& t) {
+      const RationalPoint at = axis.foot + t * axis.direction;
+      round.flats.push_back({axis.direction, cnrg::dot(axis.direction, at), of.box});
+    };
+    for (const auto& line : round.placed.lines) {
+      for (const MeridianPiece& piece : line) {
+        if (piece.flat()) flat(piece.from.t);
+        if (piece.kind == MeridianPiece::Kind::arc) {
+          round.rings.push_back({piece.middle, piece.radius});
+          if (piece.middle.r == 0)
+            round.balls.push_back({axis.foot + piece.middle.t * axis.direction, piece.radius});
+        } else if (piece.kind == MeridianPiece::Kind::line && piece.from.r == piece.to.r && piece.from.r > 0) {
+          round.tubes.push_back({axis.foot, axis.direction, piece.from.r, std::min(piece.from.t, piece.to.t),
+                                 std::max(piece.from.t, piece.to.t)});
+        }
+      }
+      if (form.discs) {
+        flat(line.front().from.t);
+        flat(line.back().to.t);
+      }
+    }
+    place_.emplace(of.instance, rounds_.size());
+    rounds_.push_back(std::move(round));
+  }
+
+  void pairs(const std::vector<std::array<Index, 2>>& list) {
+    for (const auto& [i, j] : list) {
+      const auto a = place_.find(i), b = place_.find(j);
+      if (a != place_.end() && b != place_.end()) pair(rounds_[a->second], rounds_[b->second]);
+    }
+  }
+
+  /// The planes of all other leaves.
+  void planes() {
+    if (rounds_.empty()) return;
+    std::vector<Box> boxes;
+    for (const Round& round : rounds_) boxes.push_back(round.box);
+    const BoxTree tree(boxes);
+    for (Index i = 0; i < instances_.size(); ++i) {
+      const LeafInstance& instance = instances_[i];
+      if (place_.contains(i)) continue;
+      if (const auto* leaf = dynamic_cast<const UnboundedLeaf*>(instance.leaf.get())) {
+        const ExactHalfspace plane = leaf->image(instance.transform);
+        Box all;
+        all.lo.fill(-HUGE_VAL);
+        all.hi.fill(HUGE_VAL);
+        for (const Round& round : rounds_) with_flat(round, {plane.normal, plane.offset, all});
+      } else if (const auto* geometry = dynamic_cast<const GeometryLeaf*>(instance.leaf.get())) {
+        const Box reach = box_of(*geometry, instance.transform);
+        std::vector<Index> met;
+        tree.query([&](const Box& box) { return box.meets(reach); }, [&](Index r) { met.push_back(r); });
+        if (!met.empty()) faces(*geometry, instance.transform, met);
+      }
+    }
+  }
+
+  std::map<Index, Marks> take() { return std::move(marks_); }
+
+ private:
+  static Point3 image(const Transform& transform, const Point3& p) {
+    Point3 q;
+    for (std::size_t k = 0; k < 3; ++k) {
+      q[k] = to_double(transform.offset[k]);
+      for (std::size_t j = 0; j < 3; ++j) q[k] += to_double(transform.linear[k][j]) * p[j];
+    }
+    return q;
+  }
+
+  /// Of the corners of a leaf's own box.
+  static Box box_of(const GeometryLeaf& leaf, const Transform& transform) {
+    Box own, box;
+    for (const PointId p : IdRange<PointId>(leaf.geometry().point_count())) {
+      const double* x = leaf.geometry().xyz(p);
+      own.extend({x[0], x[1], x[2]}, {x[0], x[1], x[2]});
+    }
+    for (int i = 0; i < 8; ++i) {
+      const Point3 corner = image(
+          transform, {(i & 1 ? own.hi : own.lo)[0], (i & 2 ? own.hi : own.lo)[1], (i & 4 ? own.hi : own.lo)[2]});
+      box.extend(around(corner, corner));
+    }
+    return box;
+  }
+
+  /// The faces of a leaf near the leaves `met`.
+  void faces(const GeometryLeaf& leaf, const Transform& transform, const std::vector<Index>& met) {
+    const Soup& soup = leaf.geometry();
+    std::vector<Point3> points;
+    for (const PointId p : IdRange<PointId>(soup.point_count())) {
+      const double* x = soup.xyz(p);
+      points.push_back(image(transform, {x[0], x[1], x[2]}));
+    }
+    std::vector<Box> boxes;
+    for (const SourceId f : IdRange<SourceId>(soup.face_count())) {
+      Box box;
+      for (const PointId p : soup.corners(f)) {
+        if (p.valid()) box.extend(around(points[p.index()], points[p.index()]));
+      }
+      boxes.push_back(box);
+    }
+    const BoxTree tree(boxes);
+    for (const Index r : met) {
+      const Round& round = rounds_[r];
+      tree.query([&](const Box& box) { return box.meets(round.box); },
+                 [&](Index f) { face(round, soup, transform, points, SourceId(f), boxes[f]); });
+    }
+  }
+
+  void face(const Round& round, const Soup& soup, const Transform& transform, const std::vector<Point3>& points,
+            SourceId f, const Box& box) {
+    const std::span<const PointId> corners = soup.corners(f);
+    // Three corners that span the plane best, in doubles.
+    Point3 normal{0, 0, 0};
+    std::size_t second = 0, third = 0;
+    double most = 0;
+    const Point3& first = points[corners[0].index()];
+    for (std::size_t i = 1; i + 1 < corners.size() && corners[i + 1].valid(); ++i) {
+      const Point3 n =
+          times(minus(points[corners[i].index()], first), minus(points[corners[i + 1].index()], first));
+      if (!(dot(n, n) > most)) continue;
+      most = dot(n, n);
+      normal = n;
+      second = i;
+      third = i + 1;
+    }
+    if (most == 0) return;
+    const double length = std::sqrt(most), offset = dot(normal, first) / length;
+    if (!may_touch(round, {normal[0] / length, normal[1] / length, normal[2] / length}, offset)) return;
+    const auto exact = [&](std::size_t i) { return transform.apply(exact_value(soup, corners[i])); };
+    const RationalPoint a = exact(0), n = cross(exact(second) - a, exact(third) - a);
+    if (!is_zero(n)) with_flat(round, {n, cnrg::dot(n, a), box});
+  }
+
+  static bool may_touch(const Round& round, const Point3& normal, double offset) {
+    const auto is_near = [&](const RationalPoint& center, const Rational& radius) {
+      const Point3 c = doubles(center);
+      const double size = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
+      return near(std::abs(dot(normal, c) - offset), to_double(radius), size);
+    };
+    const AxisLine& axis = round.placed.axis;
+    for (const Ball3& ball : round.balls) {
+      if (is_near(ball.center, ball.radius)) return true;
+    }
+    for (const Tube& tube : round.tubes) {
+      if (is_near(tube.foot, tube.radius)) return true;
+    }
+    for (const Ring& ring : round.rings) {
+      if (is_near(axis.foot + ring.middle.t * axis.direction, ring.radius)) return true;
+    }
+    return false;
+  }
+
+  static bool in(const Box& box, const RationalPoint& p) {
+    const Point3 x = doubles(p);
+    return box.meets(around(x, x));
+  }
+
+  void with_flat(const Round& round, const Flat& flat) {
+    const Rational square = cnrg::dot(flat.normal, flat.normal);
+    for (const Ball3& ball : round.balls) {
+      const Rational gap = cnrg::dot(flat.normal, ball.center) - flat.offset;
+      if (gap * gap != ball.radius * ball.radius * square) continue;
+      const RationalPoint at = ball.center - Rational(gap / square) * flat.normal;
+      if (in(flat.box, at)) mark_point(round.instance, at);
+    }
+    for (const Tube& tube : round.tubes) {
+      if (cnrg::dot(flat.normal, tube.axis) != 0) continue;
+      const Rational gap = cnrg::dot(flat.normal, tube.foot) - flat.offset;
+      if (gap * gap != tube.radius * tube.radius * square) continue;
+      const RationalPoint direction = Rational(-gap / (square * tube.radius)) * flat.normal;
+      const RationalPoint on = tube.foot + tube.radius * direction;
+      const Box line = around(doubles(on + tube.low * tube.axis), doubles(on + tube.high * tube.axis));
+      if (flat.box.meets(line)) mark_direction(round.instance, direction, tube);
+    }
+    const AxisLine& axis = round.placed.axis;
+    if (round.rings.empty() || !is_zero(cross(flat.normal, axis.direction))) return;
+    const Rational t = (flat.offset - cnrg::dot(flat.normal, axis.foot)) / cnrg::dot(flat.normal, axis.direction);
+    for (const Ring& ring : round.rings) {
+      const Rational up = t - ring.middle.t;
+      if (up * up * round.placed.square() != ring.radius * ring.radius) continue;
+      marks_[round.instance].circles.push_back({ring.middle.r, t});
+      marks_[round.instance].needed = true;
+    }
+  }
+
+  void pair(const Round& a, const Round& b) {
+    for (const Flat& flat : b.flats) with_flat(a, flat);
+    for (const Flat& flat : a.flats) with_flat(b, flat);
+    for (const Ball3& p : a.balls) {
+      for (const Ball3& q : b.balls) two_balls(a, p, b, q);
+      for (const Tube& q : b.tubes) ball_and_tube(a, p, b, q);
+    }
+    for (const Tube& p : a.tubes) {
+      for (const Ball3& q : b.balls) ball_and_tube(b, q, a, p);
+      for (const Tube& q : b.tubes) two_tubes(a, p, b, q);
+    }
+  }
+
+  /// How two radii make a distance: r + s, or r - s where one is inside of the other; nothing where they do not.
+  static std::optional<Rational> gauge(const Rational& square, const Rational& r, const Rational& s) {
+    if (square == 0) return std::nullopt;
+    if (square == (r + s) * (r + s)) return Rational(r + s);
+    if (square == (r - s) * (r - s)) return Rational(r - s);
+    return std::nullopt;
+  }
+  static bool may_be(const RationalPoint& apart, const Rational& r, const Rational& s) {
+    const Point3 x = doubles(apart);
+    const double length = std::sqrt(dot(x, x)), p = to_double(r), q = to_double(s);
+    return near(length, p + q, p + q) || near(length, std::abs(p - q), p + q);
+  }
+
+  void two_balls(const Round& a, const Ball3& p, const Round& b, const Ball3& q) {
+    const RationalPoint apart = q.center - p.center;
+    if (!may_be(apart, p.radius, q.radius)) return;
+    const auto sum = gauge(cnrg::dot(apart, apart), p.radius, q.radius);
+    if (!sum) return;
+    const RationalPoint at = p.center + Rational(p.radius / *sum) * apart;
+    mark_point(a.instance, at);
+    mark_point(b.instance, at);
+  }
+
+  void ball_and_tube(const Round& a, const Ball3& ball, const Round& b, const Tube& tube) {
+    const Rational t = cnrg::dot(ball.center - tube.foot, tube.axis) / cnrg::dot(tube.axis, tube.axis);
+    if (t < tube.low || t > tube.high) return;
+    const RationalPoint foot = tube.foot + t * tube.axis, apart = ball.center - foot;
+    if (!may_be(apart, tube.radius, ball.radius)) return;
+    const auto sum = gauge(cnrg::dot(apart, apart), tube.radius, ball.radius);
+    if (!sum) return;
+    const RationalPoint direction = Rational(1 / *sum) * apart;
+    mark_point(a.instance, foot + tube.radius * direction);
+    mark_direction(b.instance, direction, tube);
+  }
+
+  void two_tubes(const Round& a, const Tube& p, const Round& b, const Tube& q) {
+    if (p.axis != q.axis) return;
+    const Rational square = cnrg::dot(p.axis, p.axis);
+    // Places along either axis count from its own foot; both feet lie in the plane through the origin across it.
+    if (std::max(p.low, q.low) > std::min(p.high, q.high) || square == 0) return;
+    const RationalPoint apart = q.foot - p.foot;
+    if (!may_be(apart, p.radius, q.radius)) return;
+    const auto sum = gauge(cnrg::dot(apart, apart), p.radius, q.radius);
+    if (!sum) return;
+    const RationalPoint direction = Rational(1 / *sum) * apart;
+    mark_direction(a.instance, direction, p);
+    // Seen from the other axis it is opposite, but the same where one is inside of the other.
+    mark_direction(b.instance, Rational(*sum == p.radius + q.radius ? -1 : 1) * direction, q);
+  }
+
+  // --- marks
+
+  /// True if the leaf has a vertex there as it is.
+  bool has_vertex(Index i, const RationalPoint& p) const {
+    const auto* leaf = dynamic_cast<const GeometryLeaf*>(instances_[i].leaf.get());
+    if (leaf == nullptr) return false;
+    const RationalPoint own = instances_[i].transform.inverse().apply(p);
+    const Point3 rough = doubles(own);
+    const Soup& soup = leaf->geometry();
+    for (const PointId v : IdRange<PointId>(soup.point_count())) {
+      const double* x = soup.xyz(v);
+      if (std::abs(x[0] - rough[0]) + std::abs(x[1] - rough[1]) + std::abs(x[2] - rough[2]) >
+          1e-9 * (std::abs(rough[0]) + std::abs(rough[1]) + std::abs(rough[2])))
+        continue;
+      if (exact_value(soup, v) == own) return true;
+    }
+    return false;
+  }
+
+  void mark_point(Index i, const RationalPoint& at) {
+    Marks& marks = marks_[i];
+    if (std::find(marks.points.begin(), marks.points.end(), at) != marks.points.end()) return;
+    marks.points.push_back(at);
+    marks.needed = marks.needed || !has_vertex(i, at);
+  }
+
+  void mark_direction(Index i, const RationalPoint& direction, const Tube& tube) {
+    Marks& marks = marks_[i];
+    if (std::find(marks.directions.begin(), marks.directions.end(), direction) != marks.directions.end()) return;
+    marks.directions.push_back(direction);
+    marks.needed = marks.needed || !has_vertex(i, tube.foot + tube.low * tube.axis + tube.radius * direction) ||
+                   !has_vertex(i, tube.foot + tube.high * tube.axis + tube.radius * direction);
+  }
+
+  const std::vector<LeafInstance>& instances_;
+  std::vector<Round> rounds_;
+  std::map<Index, std::size_t> place_;
+  std::map<Index, Marks> marks_;
+};
+
+}  // namespace
+
+std::map<Index, Marks> contacts(const std::vector<LeafInstance>& instances,
+                                const std::vector<RevolvedInstance>& revolved,
+                                const std::vector<std::array<Index, 2>>& pairs) {
+  Finder finder(instances);
+  for (const RevolvedInstance& of : revolved) finder.add(of);
+  finder.pairs(pairs);
+  finder.planes();
+  return finder.take();
+}
+
+}  // namespace cnrg

@@ -1,0 +1,127 @@
+// Directions around an axis in their order, decided exactly.
+#include "csg/carriers/turns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "csg/geometry/exact_vectors.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+/// The turn less its whole turns.
+Rational within_one(const Rational& turn) {
+  Integer whole;
+  mpz_fdiv_q(whole.get_mpz_t(), turn.get_num_mpz_t(), turn.get_den_mpz_t());
+  return turn - whole;
+}
+
+/// 0 for directions in [0, 180) degrees from the first vector, 1 for the others.
+int half_of(const CircleFrame& frame, const RationalPoint& d) {
+  const int up = sgn(dot(d, frame.second()));
+  return up > 0 || (up == 0 && dot(d, frame.first()) > 0) ? 0 : 1;
+}
+
+/// Negative if a comes before b.
+int compare(const CircleFrame& frame, const RationalPoint& a, const RationalPoint& b) {
+  const int half_a = half_of(frame, a), half_b = half_of(frame, b);
+  return half_a != half_b ? half_a - half_b : -sgn(dot(cross(a, b), frame.axis()));
+}
+
+Rational error_of(const RationalPoint& d) { return abs(dot(d, d) - 1); }
+
+}  // namespace
+
+Turns::Turns(const RationalPoint& axis, int segments, const std::vector<RationalPoint>& marks) : frame_(axis) {
+  const std::vector<RationalPoint> even = frame_.offsets(1, segments);
+  for (std::size_t i = 0; i < even.size(); ++i)
+    lines_.push_back({even[i], fraction(static_cast<long>(i), segments), true, false});
+  std::vector<double> marked;
+  for (const RationalPoint& d : marks) {
+    marked.push_back(to_double(turn_of(d)));
+    lines_.push_back({d, from_double(marked.back()), false, true});
+  }
+  std::sort(lines_.begin(), lines_.end(), [&](const Line& a, const Line& b) {
+    const int order = compare(frame_, a.direction, b.direction);
+    if (order != 0) return order < 0;
+    if (const Rational x = error_of(a.direction), y = error_of(b.direction); x != y) return x < y;
+    return a.direction != b.direction ? a.direction < b.direction : a.even > b.even;
+  });
+  std::sort(marked.begin(), marked.end());
+  const double near = 0x1p-32 / segments;
+  std::vector<Line> kept;
+  for (std::size_t i = 0; i < lines_.size();) {
+    // Those of one ray: the best direction, and the exact turn if one of them has it.
+    Line line = lines_[i];
+    bool is_mark = !line.even;
+    for (++i; i < lines_.size() && compare(frame_, line.direction, lines_[i].direction) == 0; ++i) {
+      is_mark = is_mark || !lines_[i].even;
+      if (!lines_[i].even || line.even) continue;
+      line.turn = lines_[i].turn;
+      line.even = true;
+    }
+    if (!is_mark) {
+      const double turn = to_double(line.turn);
+      const auto next = std::lower_bound(marked.begin(), marked.end(), turn - near);
+      if (next != marked.end() && *next <= turn + near) continue;
+      if (!marked.empty() && (marked.front() + 1 - turn <= near || turn + 1 - marked.back() <= near)) continue;
+    }
+    line.mark = is_mark;
+    kept.push_back(line);
+  }
+  lines_ = std::move(kept);
+}
+
+const Turns::Line* Turns::find(const RationalPoint& direction) const {
+  const auto place = std::lower_bound(
+      lines_.begin(), lines_.end(), direction,
+      [&](const Line& line, const RationalPoint& d) { return compare(frame_, line.direction, d) < 0; });
+  return place != lines_.end() && compare(frame_, place->direction, direction) == 0 ? &*place : nullptr;
+}
+
+Rational Turns::turn_of(const RationalPoint& d) const {
+  const double x = to_double(dot(d, frame_.first())) / std::sqrt(to_double(dot(frame_.first(), frame_.first())));
+  const double y =
+      to_double(dot(d, frame_.second())) / std::sqrt(to_double(dot(frame_.second(), frame_.second())));
+  return within_one(from_double(std::atan2(y, x) / (2 * std::numbers::pi)));
+}
+
+std::vector<RevolvedGrid::Column> Turns::around(const Lie& lie) const {
+  const Line* const known = find(lie.start);
+  const Rational start = known != nullptr ? known->turn : turn_of(lie.start);
+  std::vector<RevolvedGrid::Column> columns;
+  for (const Line& line : lines_) {
+    const bool with = lie.along != lie.mirrored;  // the leaf turns with these
+    columns.push_back({line.direction, within_one(with ? line.turn - start : start - line.turn), line.mark});
+  }
+  if (!lie.along) std::reverse(columns.begin(), columns.end());
+  // Counter-clockwise about the leaf's own axis turns grow, but where they begin anew (mirrored: they fall).
+  const auto least = std::min_element(columns.begin(), columns.end(),
+                                      [](const auto& a, const auto& b) { return a.turn < b.turn; });
+  std::rotate(columns.begin(), least, columns.end());
+  columns.push_back(columns.front());
+  (lie.mirrored ? columns.front() : columns.back()).turn += 1;
+  return columns;
+}
+
+std::vector<RevolvedGrid::Column> Turns::part(const Lie& lie, const RationalPoint& end,
+                                              const Rational& degrees) const {
+  const Line *const first = find(lie.start), *const last = find(end);
+  require(first != nullptr && last != nullptr, "the ends of a part of a turn are lines of it");
+  std::vector<RevolvedGrid::Column> columns = around(lie);
+  const Rational whole = degrees / 360;
+  if (lie.mirrored) std::reverse(columns.begin(), columns.end());  // now turns grow
+  std::vector<RevolvedGrid::Column> result{{first->direction, 0, true}};
+  for (const RevolvedGrid::Column& column : columns) {
+    if (column.direction == first->direction || column.direction == last->direction) continue;
+    if (column.turn > 0 && column.turn < whole)
+      result.push_back({column.direction, column.turn / whole, column.mark});
+  }
+  result.push_back({last->direction, 1, true});
+  if (lie.mirrored) std::reverse(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace cnrg

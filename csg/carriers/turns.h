@@ -1,0 +1,47 @@
+// The half-planes around an axis on which all leaves about it are drawn.
+//
+// Facets between two half-planes are coplanar with all facets there of a cylinder or cone of the same surface, if
+// the corners of every circle are its centre plus its radius times one and the same direction. So directions are
+// rounded once, not corners.
+#pragma once
+
+#include <optional>
+
+#include "csg/curves/revolved.h"
+#include "csg/geometry/circle.h"
+
+namespace cnrg {
+
+class Turns {
+ public:
+  /// Even steps from the first vector of CircleFrame(axis); `marks`: further directions, at right angles to the
+  /// axis and nearly or exactly unit vectors, in any order. Of two on one ray the one that is nearer to a unit
+  /// vector stays. Even steps next to a mark are left out.
+  Turns(const RationalPoint& axis, int segments, const std::vector<RationalPoint>& marks);
+
+  /// How a leaf about the axis lies: the direction where its turn begins; `along` if its own axis runs along this
+  /// one, `mirrored` if it turns against its own axis.
+  struct Lie {
+    RationalPoint start;
+    bool along = true, mirrored = false;
+  };
+  /// The columns of a leaf whose turn is whole.
+  std::vector<RevolvedGrid::Column> around(const Lie& lie) const;
+  /// The columns of one that turns by `degrees`, up to the direction `end`.
+  std::vector<RevolvedGrid::Column> part(const Lie& lie, const RationalPoint& end, const Rational& degrees) const;
+
+ private:
+  struct Line {
+    RationalPoint direction;
+    Rational turn;                    ///< from the first vector, 0 to 1; of a mark as a double
+    bool even = false, mark = false;  ///< either or both
+  };
+  /// Where a direction is, 0 to 1; exact for a line of these.
+  Rational turn_of(const RationalPoint& direction) const;
+  const Line* find(const RationalPoint& direction) const;
+
+  CircleFrame frame_;
+  std::vector<Line> lines_;  ///< counter-clockwise from the first vector
+};
+
+}  // namespace cnrg

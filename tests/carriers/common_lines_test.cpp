@@ -1,0 +1,316 @@
+// Curved leaves that have a surface in common: at any fineness, under any transform, in any order of the leaves
+// the counts are those of the true solids.
+#include "csg/carriers/common_lines.h"
+
+#include <catch2/catch.hpp>
+#include <random>
+#include <string>
+
+#include "csg/evaluate/evaluate.h"
+#include "csg/evaluate/prepared_leaves.h"
+
+namespace cnrg {
+namespace {
+
+using Cells = std::array<std::size_t, 4>;
+
+Evaluation evaluated(const std::string& nodes, const std::string& result = "model") {
+  EvaluateOptions options;
+  options.validate = true;
+  return evaluate(parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: " + result + "\n", "t.yaml"), options);
+}
+NodeRow row(const std::string& nodes) { return evaluated(nodes).rows.back(); }
+
+std::string number(long value) { return std::to_string(value); }
+
+/// A random vector of small whole numbers, not zero.
+std::string direction(std::mt19937_64& random) {
+  std::uniform_int_distribution<int> some(-4, 4);
+  int x = 0, y = 0, z = 0;
+  while (x == 0 && y == 0 && z == 0) x = some(random), y = some(random), z = some(random);
+  return "[" + number(x) + ", " + number(y) + ", " + number(z) + "]";
+}
+
+/// A random rotation and shift, the same text each time it is used.
+std::string placed(std::mt19937_64& random) {
+  std::uniform_int_distribution<int> degrees(1, 359), shift(-30, 30);
+  return ", rotate: {axis: " + direction(random) + ", degrees: " + number(degrees(random)) + "}, translate: [" +
+         number(shift(random)) + ".3, " + number(shift(random)) + ".7, " + number(shift(random)) + "]";
+}
+
+TEST_CASE("a shaft in its bore leaves no void, whatever their segments") {
+  std::mt19937_64 random(1);
+  std::uniform_int_distribution<int> segments(3, 40);
+  for (int i = 0; i < 12; ++i) {
+    const int n = i == 0 ? 32 : segments(random), m = i == 0 ? 24 : segments(random);
+    INFO(n << " and " << m << " segments");
+    const Evaluation both = evaluated(
+        "  block: {box: {min: [-2, -2, 0], max: [2, 2, 4]}}\n"
+        "  bore: {cylinder: {from: [0, 0, -1], to: [0, 0, 5], radius: 1, segments: " +
+        number(n) +
+        "}}\n"
+        "  shaft: {cylinder: {from: [0, 0, 4], to: [0, 0, 0], radius: 1, segments: " +
+        number(m) +
+        "}}\n"
+        "  plate: {difference: [block, bore]}\n"
+        "  model: {union: [plate, shaft], dominance: left}\n");
+    // The box, and the cylinder's side with its two rims, which part top and bottom.
+    CHECK(both.rows.back().cells == Cells{8, 14, 9, 2});
+    CHECK(both.rows.back().volume() == Rational(64));
+  }
+}
+
+TEST_CASE("a ball less the same ball, turned about any axis, is nothing") {
+  std::mt19937_64 random(2);
+  std::uniform_int_distribution<int> degrees(1, 359), segments(3, 24);
+  for (int i = 0; i < 12; ++i) {
+    const std::string turn = direction(random);
+    const int angle = degrees(random);
+    INFO(turn << " by " << angle);
+    const Evaluation both = evaluated(
+        "  ball: {sphere: {center: [1, 2, 3], radius: 2.5, segments: " + number(segments(random)) +
+        "}}\n"
+        "  turned: {sphere: {center: [1, 2, 3], radius: 2.5, segments: " +
+        number(segments(random)) + ", rings: 5}, rotate: {axis: " + turn + ", degrees: " + number(angle) +
+        ", center: [1, 2, 3]}}\n"
+        "  rest: {difference: [ball, turned]}\n  other: {difference: [turned, ball]}\n"
+        "  model: {union: [rest, other]}\n");
+    CHECK(both.rows.back().raw_cells == Cells{0, 0, 0, 0});
+  }
+}
+
+TEST_CASE("an ellipsoid less the same one is nothing, however it was turned before it was stretched") {
+  const NodeRow rest =
+      row("  a: {sphere: {center: [0, 0, 0], radius: 1, segments: 9}, scale: [1, 2, 3]}\n"
+          "  b: {sphere: {center: [0, 0, 0], radius: 0.5, segments: 12},\n"
+          "      rotate: {axis: [1, 2, 2], degrees: 77}, scale: [2, 4, 6]}\n"
+          "  model: {difference: [a, b]}\n");
+  CHECK(rest.raw_cells == Cells{0, 0, 0, 0});
+}
+
+TEST_CASE("tubes in tubes about an oblique axis share their walls") {
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 6; ++i) {
+    const std::string at = placed(random);
+    const NodeRow both =
+        row("  o1: {cylinder: {from: [0.1, 0, 0], to: [3.1, 4, 12], radius: 2, segments: 20}" + at +
+            "}\n"
+            "  b1: {cylinder: {from: [0.1, 0, 0], to: [3.1, 4, 12], radius: 1, segments: 17}" +
+            at +
+            "}\n"
+            "  o2: {cylinder: {from: [3.1, 4, 12], to: [0.1, 0, 0], radius: 1, segments: 12}" +
+            at +
+            "}\n"
+            "  b2: {cylinder: {from: [3.1, 4, 12], to: [0.1, 0, 0], radius: 0.5, segments: 24}" +
+            at +
+            "}\n"
+            "  t1: {difference: [o1, b1]}\n  t2: {difference: [o2, b2]}\n"
+            "  model: {union: [t1, t2], dominance: left}\n");
+    // Three cylinders, two rings at each end; six circles.
+    CHECK(both.cells == Cells{0, 6, 7, 2});
+  }
+}
+
+TEST_CASE("cylinders of one radius that overlap in length have one side") {
+  const NodeRow both =
+      row("  a: {cylinder: {from: [0, 0, 0], to: [1, 2, 2], radius: 1, segments: 9}}\n"
+          "  b: {cylinder: {from: [3, 6, 6], to: [0.5, 1, 1], radius: 1, segments: 14}}\n"
+          "  model: {unify: {union: [a, b]}}\n");
+  CHECK(both.cells == Cells{0, 2, 3, 1});
+}
+
+TEST_CASE("a pin that ends in a ball meets it in one circle") {
+  for (const int segments : {5, 16, 21}) {
+    const NodeRow both =
+        row("  pin: {cylinder: {from: [0, 0, -3], to: [0, 0, 0.8], radius: 0.6, segments: 20}}\n"
+            "  ball: {sphere: {center: [0, 0, 0], radius: 1, segments: " +
+            number(segments) +
+            "}}\n"
+            "  model: {unify: {union: [pin, ball]}}\n");
+    // The pin comes out below; its rim above lies on the ball, the cap inside.
+    CHECK(both.cells == Cells{0, 2, 3, 1});
+    const NodeRow cap =
+        row("  pin: {cylinder: {from: [0, 0, 0.8], to: [0, 0, 3], radius: 0.6, segments: 20}}\n"
+            "  ball: {sphere: {center: [0, 0, 0], radius: 1, segments: " +
+            number(segments) +
+            "}}\n"
+            "  model: {union: [pin, ball], dominance: left}\n");
+    // The cap of the ball is in the pin, whose disc is the wall between the two.
+    CHECK(cap.cells == Cells{0, 2, 4, 2});
+  }
+}
+
+TEST_CASE("a ball in a pipe of its radius touches it along a circle") {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 6; ++i) {
+    const std::string at = placed(random);
+    const NodeRow air = row(
+        "  pipe: {cylinder: {from: [0, 0, -3], to: [0, 0, 3], radius: 1, segments: " + number(5 + i) + "}" + at +
+        "}\n"
+        "  ball: {sphere: {center: [0, 0, 0.3], radius: 1, segments: 15}" +
+        at +
+        "}\n"
+        "  model: {difference: [pipe, ball]}\n");
+    CHECK(air.cells == Cells{0, 3, 6, 2});
+  }
+}
+
+TEST_CASE("a cone sits in its countersink without a gap") {
+  const NodeRow both =
+      row("  plate: {box: {min: [-5, -5, -3], max: [5, 5, 0]}}\n"
+          "  sink: {cone: {from: [0, 0, -2], to: [0, 0, 0], radius: 1, top: 3, segments: 20}}\n"
+          "  head: {cone: {from: [0, 0, 1], to: [0, 0, -1], radius: 4, top: 2, segments: 13}}\n"
+          "  bored: {difference: [plate, sink]}\n"
+          "  model: {union: [bored, head], dominance: left}\n");
+  CHECK(both.cells == Cells{8, 16, 12, 2});
+}
+
+TEST_CASE("a torus is its two halves, and its arcs are those of a revolved profile") {
+  const std::string halves =
+      "  whole: {torus: {center: [1, 0, 0], axis: [0, 0, 1], radius: 3, tube: 1, segments: 9, rings: 7}}\n"
+      "  east: {revolve: {profile: [[4, 0], {bezier: [[4, 1]], weights: [1, 1, 2]}, [3, 1],\n"
+      "    {bezier: [[2, 1]], weights: [1, 1, 2]}, [2, 0], {bezier: [[2, -1]], weights: [1, 1, 2]}, [3, -1],\n"
+      "    {bezier: [[4, -1]], weights: [1, 1, 2]}], degrees: 180, segments: 11}, translate: [1, 0, 0]}\n"
+      "  west: {torus: {center: [-1, 0, 0], axis: [0, 0, -1], radius: 3, tube: 1, segments: 12},\n"
+      "    rotate: {axis: [0, 0, 1], degrees: 25, center: [-1, 0, 0]}, translate: [2, 0, 0]}\n";
+  CHECK(row(halves + "  model: {difference: [east, whole]}\n").raw_cells == Cells{0, 0, 0, 0});
+  CHECK(row(halves + "  model: {difference: [west, whole]}\n").raw_cells == Cells{0, 0, 0, 0});
+  CHECK(row(halves + "  a: {difference: [west, east]}\n  b: {difference: [whole, east]}\n"
+                     "  c: {union: [a, east], dominance: left}\n  model: {difference: [whole, c]}\n")
+            .raw_cells == Cells{0, 0, 0, 0});
+}
+
+TEST_CASE("a ball equals the revolved half circle") {
+  const NodeRow rest =
+      row("  ball: {sphere: {center: [0, 0, 0], radius: 5, segments: 9}}\n"
+          "  turned: {revolve: {profile: [[0, -5], {bezier: [[5, -5]], weights: [1, 1, 2]}, [5, 0],\n"
+          "    {bezier: [[5, 5]], weights: [1, 1, 2]}, [0, 5]], segments: 10}}\n"
+          "  a: {difference: [ball, turned]}\n  b: {difference: [turned, ball]}\n  model: {union: [a, b]}\n");
+  CHECK(rest.raw_cells == Cells{0, 0, 0, 0});
+}
+
+/// The Minkowski sum of a box and a ball as a union, all round leaves of different fineness, turned about no axis.
+std::string rounded_box(const std::string& at, const std::vector<std::size_t>& order) {
+  std::vector<std::string> names, lines;
+  const auto add = [&](const std::string& shape) {
+    names.push_back("n" + number(static_cast<long>(names.size())));
+    lines.push_back("  " + names.back() + ": {" + shape + at + "}\n");
+  };
+  add("box: {min: [0, 0.5, 0.5], max: [4, 2.5, 1.5]}");
+  add("box: {min: [0.5, 0, 0.5], max: [3.5, 3, 1.5]}");
+  add("box: {min: [0.5, 0.5, 0], max: [3.5, 2.5, 2]}");
+  const std::array<std::array<std::string, 2>, 3> ends{{{"0.5", "3.5"}, {"0.5", "2.5"}, {"0.5", "1.5"}}};
+  const auto point = [&](std::size_t i, std::size_t j, std::size_t k) {
+    return "[" + ends[0][i] + ", " + ends[1][j] + ", " + ends[2][k] + "]";
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      std::array<std::size_t, 3> p{};
+      p[(axis + 1) % 3] = corner % 2;
+      p[(axis + 2) % 3] = corner / 2;
+      std::array<std::size_t, 3> q = p;
+      q[axis] = 1;
+      add("cylinder: {from: " + point(p[0], p[1], p[2]) + ", to: " + point(q[0], q[1], q[2]) +
+          ", radius: 0.5, segments: " + number(static_cast<long>(9 + names.size())) + "}");
+    }
+  }
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    add("sphere: {center: " + point(corner % 2, corner / 2 % 2, corner / 4) +
+        ", radius: 0.5, segments: " + number(static_cast<long>(6 + corner)) + "}");
+  }
+  std::string text, list;
+  for (const std::size_t i : order) {
+    text += lines[i];
+    list += (list.empty() ? "" : ", ") + names[i];
+  }
+  return text + "  model: {unify: {union: [" + list + "]}}\n";
+}
+
+TEST_CASE("a rounded box has 26 faces, in any order of its 23 leaves, turned or not") {
+  std::mt19937_64 random(5);
+  std::vector<std::size_t> order(23);
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const NodeRow straight = row(rounded_box("", order));
+  CHECK(straight.cells == Cells{24, 48, 26, 1});
+  for (int i = 0; i < 3; ++i) {
+    std::shuffle(order.begin(), order.end(), random);
+    const NodeRow shuffled = row(rounded_box("", order));
+    CHECK(shuffled.cells == straight.cells);
+    CHECK(shuffled.volume() == straight.volume());
+  }
+  CHECK(row(rounded_box(placed(random), order)).cells == straight.cells);
+}
+
+TEST_CASE("balls, logs and rings touch a floor in a point, a line and a circle") {
+  const std::string floor = "  floor: {box: {min: [-9, -9, -1], max: [9, 9, 0]}}\n";
+  const auto on_floor = [&](const std::string& leaf) {
+    return row(floor + "  leaf: {" + leaf + "}\n  model: {union: [floor, leaf], dominance: left}\n").cells;
+  };
+  for (const int n : {5, 6, 13}) {
+    INFO(n << " segments");
+    CHECK(on_floor("sphere: {center: [0.5, 0.3, 1], radius: 1, segments: " + number(n) +
+                   "}, rotate: {axis: [1, 2, 3], degrees: 40, center: [0.5, 0.3, 1]}") == Cells{9, 12, 7, 2});
+    CHECK(on_floor("cylinder: {from: [-3, 0.4, 0.7], to: [4, -0.2, 0.7], radius: 0.7, segments: " + number(n) +
+                   "}") == Cells{10, 15, 9, 2});
+    CHECK(on_floor("torus: {center: [0, 0, 0.5], axis: [0, 0, 1], radius: 2, tube: 0.5, rings: " + number(n) +
+                   "}") == Cells{8, 13, 8, 2});
+    // Upright, and against an oblique wall.
+    CHECK(row("  wall: {prism: {base: [[0, 0, 0], [6, -3, 0], [6, 0, 0]], vector: [0, 0, 9]}}\n"
+              "  ball: {sphere: {center: [0, -5, 4], radius: 1, segments: " +
+              number(n) +
+              "}}\n"
+              "  model: {union: [wall, ball]}\n")
+              .cells == Cells{6, 9, 6, 2});
+  }
+}
+
+TEST_CASE("a ball rests in a corner that no grid of it knows") {
+  // The plane 2x + 2y + z = 0 has distance 3 from (1, 3, 1).
+  const std::string leaves =
+      "  below: {prism: {base: [[-20, 10, 20], [20, -30, 20], [30, -10, -40], [-10, 30, -40]],\n"
+      "    vector: [-2, -2, -1]}}\n"
+      "  ball: {sphere: {center: [1, 3, 1], radius: 3, segments: 11}}\n";
+  const NodeRow both = row(leaves + "  model: {union: [below, ball]}\n");
+  CHECK(both.cells == Cells{9, 12, 7, 2});
+}
+
+TEST_CASE("cylinders and balls side by side touch in lines and points") {
+  const NodeRow three =
+      row("  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 5], radius: 2, segments: 9}}\n"
+          "  b: {cylinder: {from: [3, 4, 1], to: [3, 4, 6], radius: 3, segments: 11}}\n"
+          "  ball: {sphere: {center: [-3, 0, 1], radius: 1, segments: 13}}\n"
+          "  small: {sphere: {center: [-3, 1.5, 3], radius: 1.5, segments: 7}}\n"
+          "  model: {union: [a, b, ball, small], dominance: left}\n");
+  // The line of contact ends on a rim of each cylinder; the ball touches one of them and the other ball.
+  CHECK(three.cells == Cells{4, 5, 8, 4});
+}
+
+TEST_CASE("which lines are common does not depend on the order of the leaves") {
+  const std::string a = "  a: {cylinder: {from: [0, 0, 0], to: [1, 2, 2], radius: 1, segments: 9}}\n",
+                    b = "  b: {sphere: {center: [0.5, 1, 1], radius: 1.3, segments: 14}}\n",
+                    c = "  c: {cone: {from: [2, 4, 4], to: [0, 0, 0], radius: 2, top: 1, segments: 7}}\n",
+                    model = "  model: {union: [a, b, c]}\n";
+  const NodeRow one = row(a + b + c + model), other = row(c + b + a + model), third = row(b + a + c + model);
+  CHECK(one.volume() == other.volume());
+  CHECK(one.volume() == third.volume());
+  CHECK(one.cells == other.cells);
+}
+
+TEST_CASE("leaves that share nothing keep what they were") {
+  const Tree tree = parse_tree(
+      "cnrg: 1\nnodes:\n"
+      "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 5], radius: 2, segments: 9}}\n"
+      "  b: {cylinder: {from: [0, 0, 0], to: [0, 0, 5], radius: 1, segments: 24}}\n"
+      "  c: {sphere: {center: [2, 0, 1], radius: 0.9}}\n"
+      "  d: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
+      "  e: {cylinder: {from: [0, 0, 5], to: [0, 0, 7], radius: 2, segments: 9}}\n"
+      "  model: {union: [a, b, c, d, e]}\nresult: model\n",
+      "t.yaml");
+  const std::vector<LeafInstance> own = PreparedLeaves(tree, unfold(tree, {tree.result})).instances();
+  const std::vector<LeafInstance> common = with_common_lines(own);
+  REQUIRE(common.size() == own.size());
+  for (std::size_t i = 0; i < own.size(); ++i) CHECK(common[i].leaf == own[i].leaf);
+}
+
+}  // namespace
+}  // namespace cnrg
