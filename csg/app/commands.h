@@ -52,6 +52,7 @@ struct MeshArguments {
   TetrahedraOptions options;
   bool snap = false, quiet = false;
   bool certify = false;  ///< as of `eval`
+  bool curved = false;   ///< points on the true surfaces, elements of second order
   int threads = 0, finer = 1;
 };
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.

@@ -217,7 +217,11 @@ int run(int argc, char** argv) {
   sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
                 "No new points on faces and edges, so that the meshes of neighbours fit");
   sub->add_flag("--certify", mesh.certify, kCertify);
-  sub->add_flag("--snap", mesh.snap, "Move vertices until the facets, rounded to doubles, meet as they should");
+  CLI::Option* const curved =
+      sub->add_flag("--curved", mesh.curved,
+                    "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes");
+  sub->add_flag("--snap", mesh.snap, "Move vertices until the facets, rounded to doubles, meet as they should")
+      ->excludes(curved);
   add_threads(sub, mesh.threads);
   sub->add_flag("--quiet", mesh.quiet, "No table and no notices");
   sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");

@@ -144,6 +144,39 @@ void move_to_planes(Vector<double>& p, std::span<const Vector<double>> normals, 
 
 }  // namespace
 
+namespace {
+
+/// From one surface to the next, over and over: slow, but patches that continue one another smoothly, and end
+/// where they meet, have no planes that cross.
+std::optional<Vector<double>> find_by_turns(std::span<SurfaceSite> sites, const Vector<double>& point) {
+  std::vector<SurfaceSite> tried(sites.begin(), sites.end());
+  Vector<double> p = point;
+  const double size = 1 + std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
+  for (int i = 0; i < 60; ++i) {
+    double far = 0;
+    for (SurfaceSite& site : tried) {
+      Vector<double> next = p;
+      if (site.surface != nullptr) {
+        approach(site, site.surface->at(site.at[0], site.at[1]), p);
+        next = site.surface->at(site.at[0], site.at[1]).point;
+      } else {
+        const double gap = dot(site.normal, difference(site.point, p)) / dot(site.normal, site.normal);
+        next = sum(p, scaled(gap, site.normal));
+      }
+      const Vector<double> way = difference(next, p);
+      far = std::max(far, std::sqrt(dot(way, way)));
+      p = next;
+    }
+    if (!std::isfinite(far)) return std::nullopt;
+    if (far > 1e-13 * size) continue;
+    std::copy(tried.begin(), tried.end(), sites.begin());
+    return p;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Vector<double>> find_common(std::span<SurfaceSite> sites, const Vector<double>& point) {
   std::vector<SurfaceSite> tried(sites.begin(), sites.end());
   Vector<double> p = point;
@@ -173,7 +206,7 @@ std::optional<Vector<double>> find_common(std::span<SurfaceSite> sites, const Ve
     }
     move_to_planes(p, normals, gaps);
   }
-  return std::nullopt;
+  return find_by_turns(sites, point);
 }
 
 }  // namespace cnrg

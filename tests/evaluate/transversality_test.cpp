@@ -93,6 +93,20 @@ TEST_CASE("where surfaces touch, no fineness decides", "[evaluate][certify]") {
              Contains("they touch, or cross at an angle"));
 }
 
+TEST_CASE("the bored balls of papers/keyser2004 are certain, the crossing cylinders touch",
+          "[evaluate][certify]") {
+  Tree tree = read_tree("papers/keyser2004/chords.yaml");
+  for (const char* name : {"ring_10", "ring_60", "steinmetz_10", "steinmetz_60"}) {
+    INFO(name);
+    tree.result = tree.find(name);
+    const Evaluation evaluation = evaluate(tree);
+    const Transversality found = transversality(*evaluation.complex, *evaluation.parameters, 10);
+    CHECK(found.edges > 0);
+    CHECK(found.places.size() == (name[0] == 'r' ? 0 : 8));
+    for (const UncertainPlace& place : found.places) CHECK(place.finer == 0);
+  }
+}
+
 TEST_CASE("transforms move normals as they move surfaces", "[evaluate][certify]") {
   // A ball scaled to a thin lens, cut by a slab near its rim and near its flat middle.
   const auto lens = [](const char* low, const char* more) {
