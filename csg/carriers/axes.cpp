@@ -22,6 +22,11 @@ std::optional<Rational> rational_root(const Rational& square) {
   return Rational(sqrt(square.get_num()), sqrt(square.get_den()));
 }
 
+Rational scaled_cosine(const Rational& degrees, const Rational& square) {
+  if (const std::optional<Rational> root = rational_root(square)) return *root * round_cosine(degrees, 1, -52);
+  return round_cosine(degrees, square, exponent_of_root(square) - 51);
+}
+
 Rational AxisLine::place_of(const RationalPoint& p) const {
   return dot(p - foot, direction) / dot(direction, direction);
 }
@@ -87,8 +92,7 @@ RevolvedForm sphere_about(const Ball& ball, const RationalPoint& axis, const Rev
   form.center = ball.center;
   form.axis = axis;
   MeridianPiece& meridian = form.lines[0][0];
-  const Rational square = ball.radius * ball.radius / dot(axis, axis);
-  const Rational reach = round_cosine(0, square, exponent_of_root(square) - 51);
+  const Rational reach = scaled_cosine(0, ball.radius * ball.radius / dot(axis, axis));
   meridian.from = {0, -reach};
   meridian.to = {0, reach};
   meridian.middle = {0, 0};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/carriers/extruded_arcs.h"
+#include "csg/carriers/nets.h"
 #include "csg/carriers/tangency.h"
 #include "kernel/refine/box_tree.h"
 
@@ -52,27 +54,61 @@ Box box_of(const RevolvedForm& form, const Transform& transform) {
   return box;
 }
 
+/// Around an extrusion, by its control points.
+Box box_of(const ExtrudeForm& form, const Transform& transform) {
+  Box box;
+  const auto add = [&](const RationalPoint& p) {
+    const RationalPoint q = transform.apply(p);
+    std::array<double, 3> low, high;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = to_double(q[k]), margin = 1e-9 * std::abs(x);
+      low[k] = x - margin;
+      high[k] = x + margin;
+    }
+    box.extend(low, high);
+  };
+  for (const ProfileLine& line : form.shape.profile.lines) {
+    for (const CurveNet& net : line.segments) {
+      for (const RationalPoint& p : net.points) {
+        add(p);
+        add({p[0] + form.shape.vector[0], p[1] + form.shape.vector[1], p[2] + form.shape.vector[2]});
+      }
+    }
+  }
+  return box;
+}
+
 }  // namespace
 
-std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances) {
+std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near) {
+  instances = with_common_nets(instances);
   std::vector<RevolvedInstance> revolved;
+  std::vector<Index> round;
   std::vector<Box> boxes;
   for (Index i = 0; i < instances.size(); ++i) {
-    const auto* form = dynamic_cast<const RevolvedForm*>(instances[i].leaf->form().get());
-    if (form == nullptr) continue;
-    boxes.push_back(box_of(*form, instances[i].transform));
-    revolved.push_back({i, boxes.back()});
+    const CurvedForm* const form = instances[i].leaf->form().get();
+    if (const auto* of = dynamic_cast<const RevolvedForm*>(form)) {
+      boxes.push_back(box_of(*of, instances[i].transform));
+      revolved.push_back({i, boxes.back()});
+    } else if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(form)) {
+      boxes.push_back(box_of(*extrusion, instances[i].transform));
+    } else {
+      continue;
+    }
+    round.push_back(i);
   }
-  if (revolved.empty()) return instances;
+  if (round.empty()) return instances;
   std::vector<std::array<Index, 2>> pairs;
   const BoxTree tree(boxes);
-  for (Index a = 0; a < revolved.size(); ++a) {
+  for (Index a = 0; a < round.size(); ++a) {
     tree.query([&](const Box& box) { return box.meets(boxes[a]); },
                [&](Index b) {
-                 if (b < a) pairs.push_back({revolved[b].instance, revolved[a].instance});
+                 if (b < a) pairs.push_back({round[b], round[a]});
                });
   }
-  share_axes(instances, pairs, contacts(instances, revolved, pairs));
+  const std::vector<std::array<Index, 2>> about_one_axis = near_axes(instances, pairs);
+  if (near != nullptr) *near = near_surfaces(instances, about_one_axis);
+  share_axes(instances, about_one_axis, contacts(instances, revolved, pairs));
   return instances;
 }
 

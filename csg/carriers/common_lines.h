@@ -11,12 +11,15 @@
 #include <string>
 #include <vector>
 
+#include "csg/carriers/near_surfaces.h"
 #include "csg/leaves/leaf.h"
 
 namespace cnrg {
 
 /// The same instances in the same order, those that share something with others tessellated anew (their
 /// parameters, too). What they are not is said by `LeafInstance`: the transform of one may have changed.
-std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances);
+/// `near`, if given, gets the surfaces that are nearly one.
+std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
+                                            std::vector<NearSurfaces>* near = nullptr);
 
 }  // namespace cnrg

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "csg/carriers/axes.h"
 #include "csg/geometry/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 
@@ -21,9 +22,9 @@ Point operator*(const Rational& s, const Point& a) { return {s * a.r, s * a.t}; 
 Rational cross(const Point& a, const Point& b) { return a.r * b.t - a.t * b.r; }
 Rational dot(const Point& a, const Point& b, const Rational& square) { return a.r * b.r + square * a.t * b.t; }
 
-/// The square root to 60 bits, exact where it has no more.
+/// The square root, exact where it is rational, else to 60 bits.
 Rational root_of(const Rational& value) {
-  if (value == 0) return 0;
+  if (const std::optional<Rational> root = rational_root(value)) return *root;
   return round_cosine(0, value, exponent_of_root(value) - 60);
 }
 
@@ -224,9 +225,9 @@ double MeridianPlane::angle_of(const Arc& arc, const MeridianPoint& p) const {
 }
 
 MeridianPoint MeridianPlane::on_arc(const Arc& arc, const Rational& degrees) const {
-  const Rational out2 = arc.radius * arc.radius, up2 = out2 / square_;
-  return round_({arc.middle.r + round_cosine(degrees, out2, exponent_of_root(out2) - 51),
-                 arc.middle.t + round_cosine(90 - degrees, up2, exponent_of_root(up2) - 51)});
+  const Rational out2 = arc.radius * arc.radius;
+  return round_(
+      {arc.middle.r + scaled_cosine(degrees, out2), arc.middle.t + scaled_cosine(90 - degrees, out2 / square_)});
 }
 
 void MeridianPlane::sample(Arc& arc) const {

@@ -14,6 +14,7 @@
 #include <set>
 
 #include "csg/carriers/ball_hull.h"
+#include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/meridians.h"
 #include "csg/carriers/turns.h"
 #include "csg/curves/surface_placed.h"
@@ -44,6 +45,13 @@ struct RoughAxis {
   double size = 0;                     ///< of the leaf, at least
   bool sphere = false;
 
+  explicit RoughAxis(const ExtrudedArc& arc)
+      : point(doubles(arc.placed.axis.foot)), along(doubles(arc.placed.axis.direction)) {
+    const double length = std::hypot(along[0], along[1], along[2]);
+    for (double& x : along) x /= length;
+    size = to_double(arc.placed.lines[0][0].from.r);
+    for (const double x : point) size = std::max(size, std::abs(x));
+  }
   RoughAxis(const RevolvedForm& form, const Transform& transform)
       : point(doubles(transform.apply(form.center))),
         along(doubles(linear_image(transform, form.axis))),
@@ -85,6 +93,7 @@ struct Member {
   std::vector<Index> instances;
   int segments = 0;
   bool ball = false;
+  std::shared_ptr<const ExtrudedArc> arc{};  ///< what it is of an extrusion, if it is of one
 };
 
 /// Members that touch each other about one axis.
@@ -138,12 +147,18 @@ class Family {
   const std::vector<Member>& members() const { return members_; }
   const AxisLine& axis() const { return axis_; }
 
+  /// The half-planes of a member that turns by `degrees`.
+  std::vector<RevolvedGrid::Column> columns(std::size_t m, const Rational& degrees) const {
+    const PlacedForm& placed = members_[m].placed;
+    const Turns::Lie lie{placed.start, placed.along, placed.mirrored};
+    return degrees == 360 ? turns_->around(lie) : turns_->part(lie, placed.end, degrees);
+  }
+
   RevolvedGrid grid(std::size_t m, const RevolvedForm& form) const {
     const PlacedForm& placed = members_[m].placed;
     RevolvedGrid grid;
     grid.mirrored = placed.mirrored;
-    const Turns::Lie lie{placed.start, placed.along, placed.mirrored};
-    grid.columns = form.around() ? turns_->around(lie) : turns_->part(lie, placed.end, form.degrees);
+    grid.columns = columns(m, form.degrees);
     std::size_t piece = first_[m];
     for (const auto& line : placed.lines) {
       grid.rows.emplace_back();
@@ -235,28 +250,37 @@ class Family {
 /// Families of one space: `base` takes its points to those of the tree.
 class Space {
  public:
-  Space(std::vector<LeafInstance>& instances, Transform base, const std::map<Index, Marks>& marks)
-      : instances_(instances), base_(std::move(base)), to_space_(base_.inverse()), marks_(marks) {}
+  Space(std::vector<LeafInstance>& instances, Transform base, const Contacts& contacts)
+      : instances_(instances),
+        base_(std::move(base)),
+        to_space_(base_.inverse()),
+        marks_(contacts.marks),
+        nested_(contacts.nested) {}
 
   void add(Index i) {
     const Transform relative = base_.identity() ? instances_[i].transform : to_space_ * instances_[i].transform;
     const std::optional<Rational> scale = stretch(relative);
     if (!scale) return;
+    relative_.emplace(i, relative);
+    if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(instances_[i].leaf->form().get())) {
+      for (ExtrudedArc& arc : arcs_of(*extrusion, relative)) {
+        add_node(i, {arc.placed, {i}, arc.segments, false, std::make_shared<const ExtrudedArc>(std::move(arc))});
+      }
+      return;
+    }
     forms_.emplace(i, std::dynamic_pointer_cast<const RevolvedForm>(instances_[i].leaf->form()));
     const RevolvedForm& form = form_of(i);
     if (form.is_sphere()) {
       balls_[{relative.apply(form.center), *scale * form.lines[0][0].radius}].push_back(i);
-      relative_.emplace(i, relative);
       return;
     }
-    relative_.emplace(i, relative);
-    node_.emplace(i, static_cast<Index>(nodes_.size()));
-    nodes_.push_back({place(form, relative, *scale), {i}, form.segments, false});
+    add_node(i, {place(form, relative, *scale), {i}, form.segments, false});
   }
 
   void run(const std::vector<std::array<Index, 2>>& pairs) {
     touch_leaves(pairs);
     touch_balls(pairs);
+    touch_nested();
     build();
   }
 
@@ -278,12 +302,41 @@ class Space {
     return false;
   }
 
+  /// Balls that touch from inside, in the space of the tree.
+  void touch_nested() {
+    if (!base_.identity()) return;
+    for (const auto& [i, j] : nested_) {
+      if (!forms_.contains(i) || !forms_.contains(j)) continue;
+      const Ball a = ball_of(i), b = ball_of(j);
+      const AxisLine axis = axis_line(a.center, b.center - a.center);
+      const Index first = ball_node(a, axis, ball_on(a, axis)), second = ball_node(b, axis, ball_on(b, axis));
+      edges_.push_back({first, second});
+      on_axes_.insert({a, b});
+    }
+  }
+
+  void add_node(Index i, Member member) {
+    of_leaf_[i].push_back(static_cast<Index>(nodes_.size()));
+    nodes_.push_back(std::move(member));
+  }
+
   void touch_leaves(const std::vector<std::array<Index, 2>>& pairs) {
+    const auto touch_two = [&](Index a, Index b) {
+      if (nodes_[a].placed.axis != nodes_[b].placed.axis) return;
+      if (touch(nodes_[a].placed, nodes_[b].placed)) edges_.push_back({a, b});
+    };
     for (const auto& [i, j] : pairs) {
-      const auto a = node_.find(i), b = node_.find(j);
-      if (a == node_.end() || b == node_.end()) continue;
-      if (nodes_[a->second].placed.axis != nodes_[b->second].placed.axis) continue;
-      if (touch(nodes_[a->second].placed, nodes_[b->second].placed)) edges_.push_back({a->second, b->second});
+      const auto first = of_leaf_.find(i), second = of_leaf_.find(j);
+      if (first == of_leaf_.end() || second == of_leaf_.end()) continue;
+      for (const Index a : first->second) {
+        for (const Index b : second->second) touch_two(a, b);
+      }
+    }
+    // Arcs of one extrusion that follow one another about one axis.
+    for (const auto& [i, own] : of_leaf_) {
+      for (std::size_t a = 0; a < own.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) touch_two(own[a], own[b]);
+      }
     }
   }
 
@@ -311,16 +364,16 @@ class Space {
 
   void touch_balls(const std::vector<std::array<Index, 2>>& pairs) {
     for (const auto& [i, j] : pairs) {
-      const bool first = node_.contains(i);
-      if (first == node_.contains(j) || !relative_.contains(i) || !relative_.contains(j)) continue;
-      const Index leaf = node_.at(first ? i : j);
+      const bool first = of_leaf_.contains(i);
+      if (first == of_leaf_.contains(j) || !forms_.contains(first ? j : i)) continue;
       const Ball ball = ball_of(first ? j : i);
-      const AxisLine axis = nodes_[leaf].placed.axis;
-      if (!axis.holds(ball.center)) continue;
-      Member member = ball_on(ball, axis);
-      if (!touch(nodes_[leaf].placed, member.placed)) continue;
-      edges_.push_back({leaf, ball_node(ball, axis, std::move(member))});
-      on_axes_.insert(ball);
+      for (const Index leaf : of_leaf_.at(first ? i : j)) {
+        const AxisLine axis = nodes_[leaf].placed.axis;
+        // Whether they touch or not: two balls may cross in a plane of the leaf.
+        if (!axis.holds(ball.center)) continue;
+        edges_.push_back({leaf, ball_node(ball, axis, ball_on(ball, axis))});
+        on_axes_.insert(ball);
+      }
     }
   }
 
@@ -333,8 +386,13 @@ class Space {
 
   /// Leaves that are drawn alike as they are.
   bool alike(const std::vector<Index>& of) const {
-    if (of.size() == 1 && nodes_[of[0]].instances.size() == 1) return true;
     const Member& first = nodes_[of[0]];
+    if (std::all_of(of.begin(), of.end(), [&](Index n) {
+          return nodes_[n].instances.size() == 1 && nodes_[n].instances[0] == first.instances[0];
+        }))
+      return true;
+    if (std::any_of(of.begin(), of.end(), [&](Index n) { return nodes_[n].arc != nullptr; }))
+      return arcs_alike(of);
     for (const Index n : of) {
       const Member& member = nodes_[n];
       const Transform& transform = instances_[member.instances[0]].transform;
@@ -361,6 +419,36 @@ class Space {
     return true;
   }
 
+  /// Arcs that are drawn alike as they are (nets.h): those that overlap are equal curves.
+  bool arcs_alike(const std::vector<Index>& of) const {
+    for (const Index n : of) {
+      if (nodes_[n].arc == nullptr) return false;
+    }
+    for (const Index a : of) {
+      for (const Index b : of) {
+        if (a >= b || nodes_[a].instances[0] == nodes_[b].instances[0]) continue;
+        if (overlap(nodes_[a].placed, nodes_[b].placed) && !same_arc(*nodes_[a].arc, *nodes_[b].arc)) return false;
+      }
+    }
+    return true;
+  }
+  /// True if two arcs of less than half a turn have more than ends in common.
+  static bool overlap(const PlacedForm& a, const PlacedForm& b) {
+    const RationalPoint& axis = a.axis.direction;
+    const auto inside = [&](const PlacedForm& arc, const RationalPoint& d) {
+      const RationalPoint &from = arc.along ? arc.start : arc.end, &to = arc.along ? arc.end : arc.start;
+      return dot(cross(from, d), axis) > 0 && dot(cross(d, to), axis) > 0;
+    };
+    return inside(a, b.start) || inside(a, b.end) || inside(b, a.start) || inside(b, a.end) ||
+           (a.start == b.start && a.end == b.end) || (a.start == b.end && a.end == b.start);
+  }
+  static bool same_arc(const ExtrudedArc& a, const ExtrudedArc& b) {
+    const ControlRow p = reduced(a.curve.net), q = reduced(b.curve.net);
+    const Rational one = p[2][3] / p[0][3], other = q[2][3] / q[0][3];
+    if (a.placed.start == b.placed.start && a.placed.end == b.placed.end) return one == other;
+    return a.placed.start == b.placed.end && a.placed.end == b.placed.start && one * other == 1;
+  }
+
   void build() {
     // A ball that meets nobody about an axis, but another ball or a mark: about the axis of its own leaf, or z.
     for (const auto& [ball, of] : balls_) {
@@ -381,8 +469,30 @@ class Space {
     for (const auto& [family, of] : families_) {
       for (std::size_t m = 0; m < of.size(); ++m) {
         if (nodes_[of[m]].ball && is_shared(of[m])) continue;
+        if (nodes_[of[m]].arc != nullptr) {
+          fix_arc(*family, m);
+          continue;
+        }
         for (const Index i : nodes_[of[m]].instances) replace(i, family, m);
       }
+    }
+    for (auto& [i, fixed] : fixed_) {
+      const PreparedLeaf& before = *instances_[i].leaf;
+      std::unique_ptr<PreparedLeaf> leaf =
+          extrude_anew(dynamic_cast<const ExtrudeForm&>(*before.form()), relative_.at(i), std::move(fixed));
+      leaf->set_surfaces(moved(before.surfaces(), relative_.at(i)));
+      instances_[i] = {std::move(leaf), base_};
+    }
+  }
+
+  /// The points of an arc of an extrusion: in the plane of its curve, on the directions of the family.
+  void fix_arc(const Family& family, std::size_t m) {
+    const Member& member = family.members()[m];
+    const ExtrudedArc& arc = *member.arc;
+    std::vector<FixedSample>& samples = fixed_[member.instances[0]][{arc.segment, arc.piece}];
+    const auto columns = family.columns(m, arc.degrees);
+    for (std::size_t i = 1; i + 1 < columns.size(); ++i) {
+      samples.push_back({arc.parameter(columns[i].turn), family.point(arc.placed.lines[0][0].from, columns[i])});
     }
   }
 
@@ -532,8 +642,8 @@ class Space {
       surfaces = [ball = ball_of(i), axis = form->axis] {
         return sphere_surfaces(ball.center, ball.radius, axis);
       };
-    } else if (const SurfaceSource& before = instances_[i].leaf->surfaces()) {
-      surfaces = [before, by = relative_.at(i)] { return moved(before(), by); };
+    } else {
+      surfaces = moved(instances_[i].leaf->surfaces(), relative_.at(i));
     }
     put(i, make, std::move(surfaces));
   }
@@ -553,9 +663,10 @@ class Space {
   std::vector<LeafInstance>& instances_;
   Transform base_, to_space_;
   const std::map<Index, Marks>& marks_;
+  const std::vector<std::array<Index, 2>>& nested_;
   std::map<Index, std::shared_ptr<const RevolvedForm>> forms_;  // as the leaves were
   std::map<Index, Transform> relative_;
-  std::map<Index, Index> node_;  // of an instance that is no sphere
+  std::map<Index, std::vector<Index>> of_leaf_;  // nodes of an instance that is no sphere
   std::vector<Member> nodes_;
   std::map<Ball, std::vector<Index>> balls_;
   std::map<std::pair<Ball, AxisLine>, Index> ball_nodes_;
@@ -563,6 +674,7 @@ class Space {
   std::vector<std::array<Index, 2>> edges_;
   std::vector<std::pair<std::shared_ptr<Family>, std::vector<Index>>> families_;  // and their nodes
   std::map<Ball, std::vector<Place>> shared_;
+  std::map<Index, FixedSamples> fixed_;
 };
 
 /// L L^T over its trace: equal for transforms that differ by a similarity.
@@ -579,23 +691,42 @@ std::array<Rational, 6> metric_of(const Transform& transform) {
 
 }  // namespace
 
-void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<Index, 2>>& pairs,
-                const std::map<Index, Marks>& marks) {
-  std::map<Index, RoughAxis> rough;
-  const auto rough_of = [&](Index i) -> const RoughAxis* {
-    const auto* form = dynamic_cast<const RevolvedForm*>(instances[i].leaf->form().get());
-    if (form == nullptr) return nullptr;
-    return &rough.try_emplace(i, *form, instances[i].transform).first->second;
+std::vector<std::array<Index, 2>> near_axes(const std::vector<LeafInstance>& instances,
+                                            const std::vector<std::array<Index, 2>>& pairs) {
+  std::map<Index, std::vector<RoughAxis>> rough;
+  const auto rough_of = [&](Index i) -> const std::vector<RoughAxis>& {
+    const auto [it, fresh] = rough.try_emplace(i);
+    if (!fresh) return it->second;
+    const CurvedForm* const form = instances[i].leaf->form().get();
+    const Transform& transform = instances[i].transform;
+    if (const auto* revolved = dynamic_cast<const RevolvedForm*>(form))
+      it->second.emplace_back(*revolved, transform);
+    if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(form)) {
+      for (const ExtrudedArc& arc : arcs_of(*extrusion, transform)) it->second.emplace_back(arc);
+    }
+    return it->second;
+  };
+  const auto any_near = [&](Index i, Index j) {
+    for (const RoughAxis& a : rough_of(i)) {
+      for (const RoughAxis& b : rough_of(j)) {
+        if (a.near(b)) return true;
+      }
+    }
+    return false;
   };
   std::vector<std::array<Index, 2>> near;
-  std::set<Index> concerned;
   for (const auto& [i, j] : pairs) {
-    const RoughAxis *const a = rough_of(i), *const b = rough_of(j);
-    if (a == nullptr || b == nullptr || !a->near(*b)) continue;
-    near.push_back({i, j});
-    concerned.insert({i, j});
+    if (any_near(i, j)) near.push_back({i, j});
   }
-  for (const auto& [i, of] : marks) concerned.insert(i);
+  return near;
+}
+
+void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<Index, 2>>& near,
+                const Contacts& contacts) {
+  std::set<Index> concerned;
+  for (const auto& pair : near) concerned.insert(pair.begin(), pair.end());
+  for (const auto& pair : contacts.nested) concerned.insert(pair.begin(), pair.end());
+  for (const auto& [i, of] : contacts.marks) concerned.insert(i);
   if (concerned.empty()) return;
   std::map<std::array<Rational, 6>, std::vector<Index>> spaces;
   for (const Index i : concerned) spaces[metric_of(instances[i].transform)].push_back(i);
@@ -609,7 +740,7 @@ void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::arr
       });
       base = instances[*least].transform;
     }
-    Space space(instances, base, marks);
+    Space space(instances, base, contacts);
     for (const Index i : of) space.add(i);
     space.run(near);
   }

@@ -16,9 +16,19 @@ struct Marks {
   bool needed = false;                    ///< some are no vertices of the leaf as it is
 };
 
-/// Replaces the instances concerned. `pairs`: instances whose boxes meet, each once; `marks`: by instance, in the
-/// space of the tree.
-void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<std::uint32_t, 2>>& pairs,
-                const std::map<std::uint32_t, Marks>& marks);
+struct Contacts {
+  std::map<std::uint32_t, Marks> marks;  ///< by instance, in the space of the tree
+  /// Whole spheres of which one touches the other from inside: a point alone would not keep facets apart around
+  /// it, so these two share the axis through their centres.
+  std::vector<std::array<std::uint32_t, 2>> nested;
+};
+
+/// Of pairs of instances those that may have an axis in common, by doubles.
+std::vector<std::array<std::uint32_t, 2>> near_axes(const std::vector<LeafInstance>& instances,
+                                                    const std::vector<std::array<std::uint32_t, 2>>& pairs);
+
+/// Replaces the instances concerned. `near`: pairs of `near_axes`, each once.
+void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<std::uint32_t, 2>>& near,
+                const Contacts& contacts);
 
 }  // namespace cnrg

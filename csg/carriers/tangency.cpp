@@ -134,7 +134,7 @@ class Finder {
     }
   }
 
-  std::map<Index, Marks> take() { return std::move(marks_); }
+  Contacts take() { return {std::move(marks_), std::move(nested_)}; }
 
  private:
   static Point3 image(const Transform& transform, const Point3& p) {
@@ -234,13 +234,16 @@ class Finder {
     return box.meets(around(x, x));
   }
 
-  void with_flat(const Round& round, const Flat& flat) {
+  /// `owner`: the revolved leaf that the plane is of, if it is of one.
+  void with_flat(const Round& round, const Flat& flat, const Round* owner = nullptr) {
     const Rational square = cnrg::dot(flat.normal, flat.normal);
     for (const Ball3& ball : round.balls) {
       const Rational gap = cnrg::dot(flat.normal, ball.center) - flat.offset;
       if (gap * gap != ball.radius * ball.radius * square) continue;
       const RationalPoint at = ball.center - Rational(gap / square) * flat.normal;
-      if (in(flat.box, at)) mark_point(round.instance, at);
+      if (!in(flat.box, at)) continue;
+      mark_point(round.instance, at);
+      if (owner != nullptr) mark_rim(*owner, at);
     }
     for (const Tube& tube : round.tubes) {
       if (cnrg::dot(flat.normal, tube.axis) != 0) continue;
@@ -249,7 +252,10 @@ class Finder {
       const RationalPoint direction = Rational(-gap / (square * tube.radius)) * flat.normal;
       const RationalPoint on = tube.foot + tube.radius * direction;
       const Box line = around(doubles(on + tube.low * tube.axis), doubles(on + tube.high * tube.axis));
-      if (flat.box.meets(line)) mark_direction(round.instance, direction, tube);
+      if (!flat.box.meets(line)) continue;
+      mark_direction(round.instance, direction, tube);
+      if (owner == nullptr) continue;
+      for (const Rational& end : {tube.low, tube.high}) mark_rim(*owner, on + end * tube.axis);
     }
     const AxisLine& axis = round.placed.axis;
     if (round.rings.empty() || !is_zero(cross(flat.normal, axis.direction))) return;
@@ -263,8 +269,8 @@ class Finder {
   }
 
   void pair(const Round& a, const Round& b) {
-    for (const Flat& flat : b.flats) with_flat(a, flat);
-    for (const Flat& flat : a.flats) with_flat(b, flat);
+    for (const Flat& flat : b.flats) with_flat(a, flat, &b);
+    for (const Flat& flat : a.flats) with_flat(b, flat, &a);
     for (const Ball3& p : a.balls) {
       for (const Ball3& q : b.balls) two_balls(a, p, b, q);
       for (const Tube& q : b.tubes) ball_and_tube(a, p, b, q);
@@ -272,6 +278,16 @@ class Finder {
     for (const Tube& p : a.tubes) {
       for (const Ball3& q : b.balls) ball_and_tube(b, q, a, p);
       for (const Tube& q : b.tubes) two_tubes(a, p, b, q);
+    }
+  }
+
+  /// A point on a plane of the leaf that lies on its rim, too.
+  void mark_rim(const Round& round, const RationalPoint& at) {
+    for (const Tube& tube : round.tubes) {
+      const Rational t = cnrg::dot(at - tube.foot, tube.axis) / cnrg::dot(tube.axis, tube.axis);
+      const RationalPoint off = at - (tube.foot + t * tube.axis);
+      if (t < tube.low || t > tube.high || cnrg::dot(off, off) != tube.radius * tube.radius) continue;
+      mark_direction(round.instance, Rational(1 / tube.radius) * off, tube);
     }
   }
 
@@ -293,9 +309,17 @@ class Finder {
     if (!may_be(apart, p.radius, q.radius)) return;
     const auto sum = gauge(cnrg::dot(apart, apart), p.radius, q.radius);
     if (!sum) return;
+    if (*sum != p.radius + q.radius && is_sphere(a) && is_sphere(b)) {
+      nested_.push_back({a.instance, b.instance});
+      return;
+    }
     const RationalPoint at = p.center + Rational(p.radius / *sum) * apart;
     mark_point(a.instance, at);
     mark_point(b.instance, at);
+  }
+
+  bool is_sphere(const Round& round) const {
+    return dynamic_cast<const RevolvedForm&>(*instances_[round.instance].leaf->form()).is_sphere();
   }
 
   void ball_and_tube(const Round& a, const Ball3& ball, const Round& b, const Tube& tube) {
@@ -363,13 +387,13 @@ class Finder {
   std::vector<Round> rounds_;
   std::map<Index, std::size_t> place_;
   std::map<Index, Marks> marks_;
+  std::vector<std::array<Index, 2>> nested_;
 };
 
 }  // namespace
 
-std::map<Index, Marks> contacts(const std::vector<LeafInstance>& instances,
-                                const std::vector<RevolvedInstance>& revolved,
-                                const std::vector<std::array<Index, 2>>& pairs) {
+Contacts contacts(const std::vector<LeafInstance>& instances, const std::vector<RevolvedInstance>& revolved,
+                  const std::vector<std::array<Index, 2>>& pairs) {
   Finder finder(instances);
   for (const RevolvedInstance& of : revolved) finder.add(of);
   finder.pairs(pairs);

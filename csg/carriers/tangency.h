@@ -18,9 +18,8 @@ struct RevolvedInstance {
   Box box;
 };
 
-/// The marks of all instances: contacts of balls, cylinders and planes. `pairs` as in `share_axes`.
-std::map<std::uint32_t, Marks> contacts(const std::vector<LeafInstance>& instances,
-                                        const std::vector<RevolvedInstance>& revolved,
-                                        const std::vector<std::array<std::uint32_t, 2>>& pairs);
+/// The contacts of balls, cylinders and planes of all instances. `pairs`: instances whose boxes meet, each once.
+Contacts contacts(const std::vector<LeafInstance>& instances, const std::vector<RevolvedInstance>& revolved,
+                  const std::vector<std::array<std::uint32_t, 2>>& pairs);
 
 }  // namespace cnrg

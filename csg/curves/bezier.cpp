@@ -83,15 +83,6 @@ BezierCurve reverse(BezierCurve curve) {
   return curve;
 }
 
-BezierPatch transpose(const BezierPatch& patch) {
-  BezierPatch result;
-  result.net.assign(patch.degree_u() + 1, ControlRow(patch.degree_v() + 1));
-  for (std::size_t j = 0; j < patch.net.size(); ++j) {
-    for (std::size_t i = 0; i < patch.net[j].size(); ++i) result.net[i][j] = patch.net[j][i];
-  }
-  return result;
-}
-
 void divide_by_first_weight(std::vector<ControlRow>& net) {
   const Rational first = net[0][0][3];
   if (first == 1) return;
@@ -100,12 +91,26 @@ void divide_by_first_weight(std::vector<ControlRow>& net) {
   }
 }
 
-/// Brings all rows to one degree, the least that serves them all.
-void reduce_rows(std::vector<ControlRow>& rows) {
+/// The same curve with a degree less, or nothing if there is none.
+std::optional<ControlRow> lowered(const ControlRow& row) {
+  const std::size_t n = row.size() - 1;
+  // Raising the degree of c gives b_i = (i c_{i-1} + (n - i) c_i) / n; solved for c from the front, the last
+  // equation tells whether there is such a c.
+  ControlRow lower;
+  for (std::size_t i = 0; i < n; ++i) {
+    lower.push_back(i == 0 ? row[0] : ratio(1, n - i) * (Rational(n) * row[i] - Rational(i) * lower[i - 1]));
+  }
+  if (lower.back() != row.back()) return std::nullopt;
+  return lower;
+}
+
+/// Brings all rows to one degree, the least that serves them all; `least_of` lowers one row.
+template <class Least>
+void reduce_rows(std::vector<ControlRow>& rows, Least least_of) {
   std::size_t degree = 0;
   std::vector<ControlRow> least;
   for (const ControlRow& row : rows) {
-    least.push_back(reduced(row));
+    least.push_back(least_of(row));
     degree = std::max(degree, least.back().size() - 1);
   }
   for (std::size_t j = 0; j < rows.size(); ++j) rows[j] = elevated(least[j], degree);
@@ -124,15 +129,9 @@ RationalPoint project(const Homogeneous& h) {
 
 ControlRow reduced(ControlRow row) {
   while (row.size() > 1) {
-    const std::size_t n = row.size() - 1;
-    // Raising the degree of c gives b_i = (i c_{i-1} + (n - i) c_i) / n; solved for c from the front, the last
-    // equation tells whether there is such a c.
-    ControlRow lower;
-    for (std::size_t i = 0; i < n; ++i) {
-      lower.push_back(i == 0 ? row[0] : ratio(1, n - i) * (Rational(n) * row[i] - Rational(i) * lower[i - 1]));
-    }
-    if (lower.back() != row.back() || !all_positive(lower, row)) return row;
-    row = std::move(lower);
+    std::optional<ControlRow> lower = lowered(row);
+    if (!lower || !all_positive(*lower, row)) return row;
+    row = std::move(*lower);
   }
   return row;
 }
@@ -146,6 +145,22 @@ ControlRow elevated(ControlRow row, std::size_t degree) {
       else higher.push_back(between(row[i], row[i - 1], ratio(i, n)));
     }
     row = std::move(higher);
+  }
+  return row;
+}
+
+ControlRow part(ControlRow row, const Rational& low, const Rational& high) {
+  const std::size_t n = row.size() - 1;
+  if (low != 0) {  // the points that end in b_n, from each step of de Casteljau one
+    for (std::size_t r = 1; r <= n; ++r) {
+      for (std::size_t i = 0; i + r <= n; ++i) row[i] = between(row[i], row[i + 1], low);
+    }
+  }
+  if (high != 1) {
+    const Rational t = (high - low) / (1 - low);
+    for (std::size_t r = 1; r <= n; ++r) {
+      for (std::size_t i = n; i >= r; --i) row[i] = between(row[i - 1], row[i], t);
+    }
   }
   return row;
 }
@@ -170,12 +185,60 @@ RationalPoint BezierPatch::at(const Rational& u, const Rational& v) const {
   return project(de_casteljau(std::move(column), v));
 }
 
+BezierPatch transposed(const BezierPatch& patch) {
+  BezierPatch result;
+  result.net.assign(patch.degree_u() + 1, ControlRow(patch.degree_v() + 1));
+  for (std::size_t j = 0; j < patch.net.size(); ++j) {
+    for (std::size_t i = 0; i < patch.net[j].size(); ++i) result.net[i][j] = patch.net[j][i];
+  }
+  return result;
+}
+
 BezierCurve BezierPatch::side(std::size_t k) const {
   if (k == 0) return {net.front()};
   if (k == 2) return reverse({net.back()});
   BezierCurve curve;
   for (const ControlRow& row : net) curve.net.push_back(k == 1 ? row.back() : row.front());
   return k == 1 ? curve : reverse(curve);
+}
+
+BezierPatch reduced(const BezierPatch& patch) {
+  const auto least = [](ControlRow row) {
+    while (row.size() > 1) {
+      std::optional<ControlRow> lower = lowered(row);
+      if (!lower) break;
+      row = std::move(*lower);
+    }
+    return row;
+  };
+  BezierPatch result = patch;
+  reduce_rows(result.net, least);
+  BezierPatch turned = transposed(result);
+  reduce_rows(turned.net, least);
+  result = transposed(turned);
+  // The given net shows that this ends: raising degrees leaves positive weights positive.
+  const auto positive = [](const BezierPatch& p) {
+    return std::all_of(p.net.begin(), p.net.end(), [](const ControlRow& row) {
+      return std::all_of(row.begin(), row.end(), [](const Homogeneous& h) { return h[3] > 0; });
+    });
+  };
+  while (!positive(result)) {
+    const std::size_t u = result.degree_u() + 1, v = result.degree_v() + 1;
+    for (ControlRow& row : result.net) row = elevated(row, u);
+    turned = transposed(result);
+    for (ControlRow& row : turned.net) row = elevated(row, v);
+    result = transposed(turned);
+  }
+  return result;
+}
+
+BezierPatch part(const BezierPatch& patch, const std::array<Rational, 2>& u, const std::array<Rational, 2>& v) {
+  BezierPatch result = patch;
+  for (ControlRow& row : result.net) row = part(std::move(row), u[0], u[1]);
+  if (v[0] == 0 && v[1] == 1) return result;
+  BezierPatch turned = transposed(result);
+  for (ControlRow& row : turned.net) row = part(std::move(row), v[0], v[1]);
+  return transposed(turned);
 }
 
 CanonicalCurve canonical(const BezierCurve& curve) {
@@ -191,7 +254,7 @@ CanonicalCurve canonical(const BezierCurve& curve) {
 CanonicalPatch canonical(const BezierPatch& patch) {
   CanonicalPatch best;
   for (int way = 0; way < 8; ++way) {
-    BezierPatch p = way & 4 ? transpose(patch) : patch;
+    BezierPatch p = way & 4 ? transposed(patch) : patch;
     if (way & 2) std::reverse(p.net.begin(), p.net.end());
     if (way & 1) {
       for (ControlRow& row : p.net) std::reverse(row.begin(), row.end());
@@ -285,10 +348,11 @@ BezierPatch coons_patch(const std::array<BezierCurve, 4>& round) {
   };
   add(corners(c0), product(falling, b));
   add(corners(c2), product(rising, b));
-  reduce_rows(patch.net);
-  BezierPatch turned = transpose(patch);
-  reduce_rows(turned.net);
-  return transpose(turned);
+  const auto least = [](const ControlRow& row) { return reduced(row); };
+  reduce_rows(patch.net, least);
+  BezierPatch turned = transposed(patch);
+  reduce_rows(turned.net, least);
+  return transposed(turned);
 }
 
 }  // namespace cnrg

@@ -26,6 +26,8 @@ RationalPoint project(const Homogeneous& h);
 ControlRow reduced(ControlRow row);
 /// The control row of the same curve, of the given degree, not less than its own.
 ControlRow elevated(ControlRow row, std::size_t degree);
+/// The piece of a curve from t = low to t = high, as a curve of its own; low < high.
+ControlRow part(ControlRow row, const Rational& low, const Rational& high);
 /// The homogeneous point at t.
 Homogeneous de_casteljau(ControlRow row, const Rational& t);
 
@@ -44,6 +46,14 @@ struct BezierPatch {
   RationalPoint at(const Rational& u, const Rational& v) const;
   BezierCurve side(std::size_t k) const;
 };
+
+/// The same patch with u and v exchanged; its front is the back of the given one.
+BezierPatch transposed(const BezierPatch& patch);
+/// The net of the same patch, of the least degrees that it has in homogeneous coordinates; if a weight were not
+/// positive, both degrees are higher by as much as it takes.
+BezierPatch reduced(const BezierPatch& patch);
+/// The piece of a patch between two parameters along u and two along v, as a patch of its own.
+BezierPatch part(const BezierPatch& patch, const std::array<Rational, 2>& u, const std::array<Rational, 2>& v);
 
 /// The form in which curves are compared: least degree, first weight 1, and of its two directions the one whose
 /// net is smaller. Curves with equal nets, reversed or not, with weights in proportion, or of raised degree, have

@@ -1,6 +1,7 @@
 // Steps of curves and of turns, and the count of who uses a curve; see the header.
 #include "csg/curves/boundary_curves.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "csg/curves/chord.h"
@@ -28,9 +29,30 @@ Fineness::Fineness(const char* shape, const Tessellation& tessellation) : shape_
   }
 }
 
+void Fineness::join(const Fineness& other) {
+  // With a chord steps are powers of two: those of the segments that are asked for besides are rounded up.
+  const auto keep = [this](int segments) {
+    while (least_ < segments) least_ *= 2;
+  };
+  if (!by_chord() && !other.by_chord()) {
+    segments_ = std::max(segments_, other.segments_);
+    return;
+  }
+  if (!by_chord()) keep(segments_);
+  if (!other.by_chord()) keep(other.segments_);
+  keep(other.least_);
+  if (other.by_chord()) chord_ = by_chord() ? std::min(chord_, other.chord_) : other.chord_;
+}
+
 void Fineness::fail_too_fine() const {
   throw InputError(shape_ + ": the chord is too small for this shape, a curve would have more than " +
                    std::to_string(kMostSegments) + " steps: give a larger one");
+}
+
+void Fineness::fail_unlike() const {
+  throw InputError(shape_ +
+                   ": leaves that share its curves ask for numbers of segments without a common factor, "
+                   "and very large ones: give powers of two");
 }
 
 void Fineness::check_facets(double count) const {
@@ -56,7 +78,12 @@ int BoundaryCurves::steps(const BezierCurve& curve) {
   const auto [place, is_new] = steps_.try_emplace(least.net, 1);
   if (!is_new || least.degree() == 0 || least.is_point()) return place->second;
   int& n = place->second;
+  if (agreed_ != nullptr) {
+    const auto found = agreed_->find(least.net);
+    if (found != agreed_->end()) return n = found->second;
+  }
   if (!fineness_.by_chord()) return n = least.degree() == 1 ? 1 : fineness_.segments();
+  n = least.degree() == 1 ? 1 : fineness_.least();
   const PatchChord chord(BezierPatch{{least.net}});
   for (bool fine = false; !fine;) {
     fine = true;

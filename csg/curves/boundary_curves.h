@@ -27,10 +27,16 @@ class Fineness {
   /// Not above what is asked for; 0 where the number of steps is given.
   double chord() const { return chord_; }
   int segments() const { return segments_; }
+  /// From now on at least as fine as `other` asks for, too.
+  void join(const Fineness& other);
+  /// With a chord: the steps of a curve or patch to begin with, a power of two; 1 unless joined.
+  int least() const { return least_; }
   const std::string& shape() const { return shape_; }
   /// Steps of a whole turn: three at least, and with `chord` eight, so that a turn is round at any size.
   int steps_of_turn(double radius, double degrees) const;
   [[noreturn]] void fail_too_fine() const;
+  /// For a patch whose sides have steps, from several leaves, that go into no common grid.
+  [[noreturn]] void fail_unlike() const;
   /// Throws InputError for a number of facets that no machine of today holds.
   void check_facets(double count) const;
 
@@ -38,14 +44,20 @@ class Fineness {
   std::string shape_;
   double chord_ = 0;
   int segments_ = kUsualSegments;
+  int least_ = 1;
 };
+
+/// Steps of curves, by their canonical nets, that leaves have agreed on (csg/carriers).
+using AgreedSteps = std::map<ControlRow, int>;
 
 class BoundaryCurves {
  public:
-  explicit BoundaryCurves(const Fineness& fineness) : fineness_(fineness) {}
+  /// Both must outlive this.
+  explicit BoundaryCurves(const Fineness& fineness, const AgreedSteps* agreed = nullptr)
+      : fineness_(fineness), agreed_(agreed) {}
 
   /// Equal steps that keep segments within half of the chord (the other half is for the facets beside it: see
-  /// patch_mesh.h). One for what is straight and for a point.
+  /// patch_mesh.h). One for what is straight and for a point. Of a curve that leaves have agreed on, theirs.
   int steps(const BezierCurve& curve);
 
   /// Notes that a patch has `curve` as a side; `name` is for messages.
@@ -62,6 +74,7 @@ class BoundaryCurves {
     std::string first;
   };
   const Fineness& fineness_;
+  const AgreedSteps* agreed_;
   std::map<ControlRow, int> steps_;
   std::map<ControlRow, Uses> uses_;
 };

@@ -16,6 +16,8 @@
 //
 // Parameters (parameters.h): u is that of the segment's own curve, from 0 to 1 (between its knots for a spline), v
 // is t. Caps have none.
+#include "csg/curves/extrude.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,8 +36,13 @@ double length(const RationalPoint& v) { return std::sqrt(to_double(dot(v, v))) *
 
 class Extrusion {
  public:
-  Extrusion(const ExtrudeShape& shape, LeafParameters* record)
-      : shape_(shape), record_(record), fineness_("extrude", shape.tessellation), boundary_(fineness_) {
+  Extrusion(const ExtrudeShape& shape, LeafParameters* record, const CommonSweep* common = nullptr)
+      : shape_(shape),
+        record_(record),
+        mirrored_(common != nullptr && common->mirrored),
+        fixed_(common == nullptr ? FixedSamples() : common->fixed),
+        fineness_("extrude", shape.tessellation),
+        boundary_(fineness_, common == nullptr ? nullptr : common->steps.get()) {
     if (is_zero(shape.vector)) throw InputError("extrude: the vector is zero: give the way to go");
     if (shape.scale < 0) {
       throw InputError("extrude: scale is " + to_decimal(shape.scale) + ": give 0 or more");
@@ -50,8 +57,8 @@ class Extrusion {
   }
 
   std::unique_ptr<PreparedLeaf> prepare() {
-    std::vector<SampledLine> lines =
-        sample(shape_.profile, "extrude", [&](const BezierCurve& c) { return steps(c); });
+    std::vector<SampledLine> lines = sample(
+        shape_.profile, "extrude", [&](const BezierCurve& c) { return steps(c); }, fixed_);
     double points = 0;
     for (const SampledLine& line : lines) points += static_cast<double>(line.points.size());
     fineness_.check_facets(2 * points * sections_);
@@ -191,6 +198,12 @@ class Extrusion {
                          ", where it sweeps no area: move it or the vector");
       }
       const auto& [u0, u1] = line.parameters[i];
+      // A solid's bands face outward as they are.
+      if (mirrored_ && !shape_.profile.closed) {
+        builder.facet(lower[j], lower[i], upper[i], upper[j], first + line.segment[i],
+                      {{{&u1, &v0}, {&u0, &v0}, {&u0, &v1}, {&u1, &v1}}});
+        continue;
+      }
       builder.facet(lower[i], lower[j], upper[j], upper[i], first + line.segment[i],
                     {{{&u0, &v0}, {&u1, &v0}, {&u1, &v1}, {&u0, &v1}}});
     }
@@ -198,6 +211,8 @@ class Extrusion {
 
   const ExtrudeShape& shape_;
   LeafParameters* record_;
+  bool mirrored_;
+  FixedSamples fixed_;
   Fineness fineness_;
   BoundaryCurves boundary_;
   RationalPoint center_;
@@ -214,7 +229,13 @@ RationalPoint axis_point(const ExtrudeShape& shape) {
 }
 
 std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape, LeafParameters* record) {
-  return Extrusion(shape, record).prepare();
+  std::unique_ptr<PreparedLeaf> leaf = Extrusion(shape, record).prepare();
+  if (shape.twist == 0 && shape.scale == 1) leaf->set_form(std::make_shared<ExtrudeForm>(shape));
+  return leaf;
+}
+
+std::unique_ptr<PreparedLeaf> tessellate(const CommonSweep& sweep, LeafParameters* record) {
+  return Extrusion(sweep.shape, record, &sweep).prepare();
 }
 
 }  // namespace cnrg

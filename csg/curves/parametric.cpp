@@ -1,12 +1,10 @@
-// Bézier, B-spline and Coons patches as surfaces or solids, and curves as wires.
-//
-// All become Bézier pieces. The pieces of one patch of the tree share its number, the wires of one curve the
-// curve's; so people see the patches and curves that were given.
+// Bézier, B-spline and Coons patches as surfaces or solids, and curves as wires; see the header.
+#include "csg/curves/parametric.h"
+
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "csg/curves/control_nets.h"
 #include "csg/curves/patch_mesh.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
@@ -18,64 +16,27 @@ namespace {
 
 class ParametricLeaf {
  public:
-  ParametricLeaf(const char* shape, const Tessellation& tessellation, Fill fill, LeafParameters* record)
-      : fineness_(shape, tessellation), boundary_(fineness_), fill_(fill), builder_(fill), record_(record) {}
+  ParametricLeaf(const NetForm& form, const CommonNets* common, LeafParameters* record)
+      : form_(form),
+        common_(common),
+        boundary_(form.fineness, common == nullptr ? nullptr : common->steps.get()),
+        builder_(form.fill),
+        record_(record) {}
 
-  /// `spans`: of the pieces, along u and v.
-  void add_patch(const std::vector<BezierPatch>& pieces, const std::vector<std::array<Span, 2>>& spans,
-                 std::uint32_t number, const std::string& name) {
-    for (const BezierPatch& piece : pieces) {
-      constexpr const char* kSides[] = {"v = 0", "u = 1", "v = 1", "u = 0"};
-      for (std::size_t k = 0; k < 4; ++k)
-        boundary_.use(piece.side(k), std::string("side ") + kSides[k] + " of " + name);
+  std::unique_ptr<PreparedLeaf> run() {
+    for (std::size_t i = 0; i < form_.patches.size(); ++i) add_patch(i);
+    for (std::size_t i = 0; i < form_.curves.size(); ++i) add_curve(i);
+    if (form_.fill != Fill::none && facets_.empty()) {
+      throw InputError(shape() + ": fill is given, but there are no patches: leave it out");
     }
-    pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-      const PatchMesh mesh = mesh_patch(pieces[k], fineness_, boundary_);
-      for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto& t = mesh.triangles[i];
-        const RationalPoint &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-        if (collinear(a, b, c)) continue;
-        facets_.push_back({point(a), point(b), point(c), number});
-        volumes_.push_back(dot(a, cross(b, c)));
-        if (record_ != nullptr) record_cell(cell_of(mesh, i, pieces[k]), spans[k]);
-      }
+    boundary_.check_closed(form_.fill);
+    // Of a solid whose patches all face inward the facets are turned round. The front of a surface is that of its
+    // patches as they were given: a reflection, which takes S_u x S_v to the other side, does not change it.
+    bool turn = common_ != nullptr && common_->transform.determinant() < 0;
+    if (form_.fill == Fill::winding) {
+      const Rational volume = sum(std::move(volumes_));
+      if (volume != 0) turn = volume < 0;
     }
-    if (record_ != nullptr) record_->name_patch(number, label(name));
-    if (facets_.empty() || facets_.back().number != number) {
-      throw InputError(fineness_.shape() + ": " + name + " has no area: move its control points apart");
-    }
-  }
-
-  void add_curve(const std::vector<BezierCurve>& pieces, const std::vector<Span>& spans, std::uint32_t number,
-                 const std::string& name) {
-    bool any = false;
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-      const int n = boundary_.steps(pieces[k]);
-      PointId last = point(pieces[k].at(0));
-      Rational from = spans[k][0];
-      for (int i = 1; i <= n; ++i) {
-        const Rational t = fraction(i, n), to = in_span(spans[k], t);
-        const PointId next = point(pieces[k].at(t));
-        if (next == last) continue;
-        builder_.soup().add_wire(builder_.leaf(), last, next, number);
-        if (record_ != nullptr) record_->add_wire({{builder_.value(last), builder_.value(next)}, {from, to}});
-        last = next;
-        from = to;
-        any = true;
-      }
-    }
-    if (record_ != nullptr) record_->name_curve(number, label(name));
-    if (!any) throw InputError(fineness_.shape() + ": " + name + " is one point: give it as `points`");
-  }
-
-  std::unique_ptr<PreparedLeaf> finish() {
-    if (fill_ != Fill::none && facets_.empty()) {
-      throw InputError(fineness_.shape() + ": fill is given, but there are no patches: leave it out");
-    }
-    boundary_.check_closed(fill_);
-    // Of a solid whose patches all face inward the facets are turned round.
-    const bool turn = fill_ == Fill::winding && sum(std::move(volumes_)) < 0;
     for (const Facet& f : facets_) builder_.triangle(f.a, turn ? f.c : f.b, turn ? f.b : f.c, f.number);
     add_corners();
     return builder_.finish();
@@ -87,21 +48,82 @@ class ParametricLeaf {
     std::uint32_t number;
   };
 
-  /// Corners of sheets: where two sides meet that no other patch has. Of the two, one may be a single point.
+  const std::string& shape() const { return form_.fineness.shape(); }
+
+  void add_patch(std::size_t i) {
+    const NetForm::Patch& patch = form_.patches[i];
+    const auto number = static_cast<std::uint32_t>(i);
+    for (const NetPiece& piece : patch.pieces) {
+      constexpr const char* kSides[] = {"v = 0", "u = 1", "v = 1", "u = 0"};
+      for (std::size_t k = 0; k < 4; ++k)
+        boundary_.use(piece.patch.side(k), std::string("side ") + kSides[k] + " of " + patch.name);
+    }
+    if (common_ == nullptr) {
+      for (const NetPiece& piece : patch.pieces) add_piece(piece, form_.fineness, number);
+    } else {
+      for (const CommonNets::Piece& piece : common_->patches[i]) add_piece(piece.net, piece.fineness, number);
+    }
+    if (record_ != nullptr) record_->name_patch(number, label(patch.name));
+    if (facets_.empty() || facets_.back().number != number) {
+      throw InputError(shape() + ": " + patch.name + " has no area: move its control points apart");
+    }
+  }
+
+  void add_piece(const NetPiece& piece, const Fineness& fineness, std::uint32_t number) {
+    const PatchMesh mesh = mesh_patch(piece.patch, fineness, boundary_);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const auto& t = mesh.triangles[i];
+      const RationalPoint &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+      if (collinear(a, b, c)) continue;
+      facets_.push_back({point(a), point(b), point(c), number});
+      volumes_.push_back(dot(a, cross(b, c)));
+      if (record_ != nullptr) record_cell(cell_of(mesh, i, piece.patch), piece.span);
+    }
+  }
+
+  void add_curve(std::size_t i) {
+    const NetForm::Curve& curve = form_.curves[i];
+    const auto number = static_cast<std::uint32_t>(i);
+    bool any = false;
+    for (const CurvePiece& piece : common_ == nullptr ? curve.pieces : common_->curves[i]) {
+      const int n = boundary_.steps(piece.curve);
+      PointId last = point(piece.curve.at(0));
+      Rational from = piece.span[0];
+      for (int k = 1; k <= n; ++k) {
+        const Rational t = fraction(k, n), to = in_span(piece.span, t);
+        const PointId next = point(piece.curve.at(t));
+        if (next == last) continue;
+        builder_.soup().add_wire(builder_.leaf(), last, next, number);
+        if (record_ != nullptr) record_->add_wire({{builder_.value(last), builder_.value(next)}, {from, to}});
+        last = next;
+        from = to;
+        any = true;
+      }
+    }
+    if (record_ != nullptr) record_->name_curve(number, label(curve.name));
+    if (!any) throw InputError(shape() + ": " + curve.name + " is one point: give it as `points`");
+  }
+
+  /// Corners of sheets: where two sides meet that no other patch has. Of the two, one may be a single point. They
+  /// are corners of what was given: where pieces are cut further, no corner comes about.
   void add_corners() {
-    for (const BezierPatch& piece : pieces_) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        const BezierCurve side = piece.side(k);
-        if (std::max(boundary_.uses(side), boundary_.uses(piece.side((k + 3) % 4))) != 1) continue;
-        const auto at = ids_.find(side.at(0));  // without facets there it is no corner of the sheet
-        if (at != ids_.end()) builder_.soup().add_curve_end(builder_.leaf(), at->second);
+    for (const NetForm::Patch& patch : form_.patches) {
+      for (const NetPiece& piece : patch.pieces) {
+        for (std::size_t k = 0; k < 4; ++k) {
+          const BezierCurve side = piece.patch.side(k);
+          if (std::max(boundary_.uses(side), boundary_.uses(piece.patch.side((k + 3) % 4))) != 1) continue;
+          const RationalPoint corner = side.at(0);
+          const auto at = ids_.find(common_ == nullptr ? corner : common_->transform.apply(corner));
+          // Without facets there it is no corner of the sheet.
+          if (at != ids_.end()) builder_.soup().add_curve_end(builder_.leaf(), at->second);
+        }
       }
     }
   }
 
   /// "the patch" becomes "bezier patch", "patch 2" becomes "bezier patch 2".
   std::string label(const std::string& name) const {
-    return fineness_.shape() + " " + (name.starts_with("the ") ? name.substr(4) : name);
+    return shape() + " " + (name.starts_with("the ") ? name.substr(4) : name);
   }
 
   void record_cell(std::vector<PatchCorner> cell, const std::array<Span, 2>& span) {
@@ -117,13 +139,12 @@ class ParametricLeaf {
     return it->second;
   }
 
-  Fineness fineness_;
+  const NetForm& form_;
+  const CommonNets* common_;
   BoundaryCurves boundary_;
-  Fill fill_;
   LeafBuilder builder_;  // of the geometry alone
   LeafParameters* record_;
   std::map<RationalPoint, PointId> ids_;
-  std::vector<BezierPatch> pieces_;
   std::vector<Facet> facets_;
   std::vector<Rational> volumes_;  // six times, of the facets' tetrahedra with the origin
 };
@@ -132,30 +153,46 @@ std::string name_of(const char* kind, std::size_t index, std::size_t count) {
   return count == 1 ? std::string("the ") + kind : std::string(kind) + " " + std::to_string(index + 1);
 }
 
+template <class Shape>
+std::unique_ptr<PreparedLeaf> prepare_nets(const Shape& shape, LeafParameters* record) {
+  std::shared_ptr<const NetForm> form = net_form(shape);
+  std::unique_ptr<PreparedLeaf> leaf = tessellate(*form, nullptr, record);
+  leaf->set_form(std::move(form));
+  return leaf;
+}
+
 }  // namespace
 
-std::unique_ptr<PreparedLeaf> prepare_bezier(const BezierShape& shape, LeafParameters* record) {
+std::unique_ptr<PreparedLeaf> tessellate(const NetForm& form, const CommonNets* common, LeafParameters* record) {
+  return ParametricLeaf(form, common, record).run();
+}
+
+std::shared_ptr<const NetForm> net_form(const BezierShape& shape) {
   const char* name = shape.is_spline ? "bspline" : "bezier";
   const std::string prefix = std::string(name) + ": ";
   if (shape.patches.empty() && shape.curves.empty())
     throw InputError(prefix + "it has no patches or curves: give one");
-  ParametricLeaf leaf(name, shape.tessellation, shape.fill, record);
+  auto form = std::make_shared<NetForm>(name, shape.tessellation, shape.fill);
   for (std::size_t i = 0; i < shape.patches.size(); ++i) {
-    const std::string patch = name_of("patch", i, shape.patches.size());
-    const std::vector<BezierPatch> pieces = patch_pieces(shape.patches[i], prefix + patch);
-    leaf.add_patch(pieces, patch_spans(shape.patches[i]), static_cast<std::uint32_t>(i), patch);
+    NetForm::Patch& patch = form->patches.emplace_back();
+    patch.name = name_of("patch", i, shape.patches.size());
+    std::vector<BezierPatch> pieces = patch_pieces(shape.patches[i], prefix + patch.name);
+    const std::vector<std::array<Span, 2>> spans = patch_spans(shape.patches[i]);
+    for (std::size_t k = 0; k < pieces.size(); ++k) patch.pieces.push_back({std::move(pieces[k]), spans[k]});
   }
   for (std::size_t i = 0; i < shape.curves.size(); ++i) {
-    const std::string curve = name_of("curve", i, shape.curves.size());
-    const std::vector<BezierCurve> pieces = curve_pieces(shape.curves[i], prefix + curve);
-    leaf.add_curve(pieces, curve_spans(shape.curves[i]), static_cast<std::uint32_t>(i), curve);
+    NetForm::Curve& curve = form->curves.emplace_back();
+    curve.name = name_of("curve", i, shape.curves.size());
+    std::vector<BezierCurve> pieces = curve_pieces(shape.curves[i], prefix + curve.name);
+    const std::vector<Span> spans = curve_spans(shape.curves[i]);
+    for (std::size_t k = 0; k < pieces.size(); ++k) curve.pieces.push_back({std::move(pieces[k]), spans[k]});
   }
-  return leaf.finish();
+  return form;
 }
 
-std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape, LeafParameters* record) {
+std::shared_ptr<const NetForm> net_form(const CoonsShape& shape) {
   if (shape.patches.empty()) throw InputError("coons: it has no patches: give one");
-  ParametricLeaf leaf("coons", shape.tessellation, shape.fill, record);
+  auto form = std::make_shared<NetForm>("coons", shape.tessellation, shape.fill);
   for (std::size_t i = 0; i < shape.patches.size(); ++i) {
     const std::string patch = name_of("patch", i, shape.patches.size());
     std::array<BezierCurve, 4> round;
@@ -170,9 +207,17 @@ std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape, LeafParamet
       throw InputError("coons: curve " + std::to_string(k + 1) + " of " + patch + " ends in " + describe(end) +
                        ", but the next one begins in " + describe(next) + ": let the four curves go round");
     }
-    leaf.add_patch({coons_patch(round)}, {{{{0, 1}, {0, 1}}}}, static_cast<std::uint32_t>(i), patch);
+    form->patches.push_back({patch, {{coons_patch(round), {{{0, 1}, {0, 1}}}}}});
   }
-  return leaf.finish();
+  return form;
+}
+
+std::unique_ptr<PreparedLeaf> prepare_bezier(const BezierShape& shape, LeafParameters* record) {
+  return prepare_nets(shape, record);
+}
+
+std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape, LeafParameters* record) {
+  return prepare_nets(shape, record);
 }
 
 }  // namespace cnrg

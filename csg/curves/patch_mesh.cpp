@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <unordered_map>
 
@@ -16,7 +17,7 @@ namespace cnrg {
 namespace {
 
 /// Parameters in units of 1 / `whole`.
-using Place = std::array<std::uint32_t, 2>;
+using Place = std::array<std::uint64_t, 2>;
 using Corners = std::array<std::uint32_t, 3>;
 
 /// The corner of a flat triangle that lies between the other two; its longest edge is opposite.
@@ -106,7 +107,6 @@ class Mesher {
       const BezierCurve side = patch_.side(k);
       if (!side.is_point()) side_[k] = static_cast<std::uint32_t>(boundary.steps(side));
     }
-    whole_ = fineness.by_chord() ? 1u << 24 : static_cast<std::uint32_t>(fineness.segments());
   }
 
   PatchMesh run() {
@@ -121,7 +121,9 @@ class Mesher {
   void choose_grid() {
     const auto direction = [&](std::size_t degree, std::size_t a, std::size_t b) {
       const std::uint32_t least = std::max({side_[a], side_[b], 1u});
-      return fineness_.by_chord() || degree == 1 ? least : static_cast<std::uint32_t>(fineness_.segments());
+      if (degree == 1) return least;
+      return std::max(least,
+                      static_cast<std::uint32_t>(fineness_.by_chord() ? fineness_.least() : fineness_.segments()));
     };
     grid_ = {direction(patch_.degree_u(), 0, 2), direction(patch_.degree_v(), 1, 3)};
     do {
@@ -131,6 +133,17 @@ class Mesher {
     // A side that is one point has the steps of the grid: its triangles vanish.
     for (std::size_t k = 0; k < 4; ++k) {
       if (side_[k] == 0) side_[k] = grid_[k % 2];
+    }
+    choose_unit();
+  }
+
+  /// With a chord all steps are powers of two, and bisection needs more of them. Without, sides may have steps
+  /// that other patches ask for: all must be whole numbers of units.
+  void choose_unit() {
+    whole_ = fineness_.by_chord() ? std::uint64_t{1} << 24 : 1;
+    for (const std::uint32_t steps : {grid_[0], grid_[1], side_[0], side_[1], side_[2], side_[3]}) {
+      whole_ = std::lcm(whole_, std::uint64_t{steps});
+      if (whole_ > std::uint64_t{1} << 40) fineness_.fail_unlike();
     }
   }
 
@@ -188,9 +201,9 @@ class Mesher {
   /// Vertices of side k, along growing parameters.
   std::vector<std::uint32_t> side_row(std::size_t k) {
     std::vector<std::uint32_t> row;
-    const std::uint32_t across = k == 1 || k == 2 ? whole_ : 0;
+    const std::uint64_t across = k == 1 || k == 2 ? whole_ : 0;
     for (std::uint32_t i = 0; i <= side_[k]; ++i) {
-      const std::uint32_t t = whole_ / side_[k] * i;
+      const std::uint64_t t = whole_ / side_[k] * i;
       row.push_back(k % 2 == 0 ? vertex({t, across}) : vertex({across, t}));
     }
     return row;
@@ -271,12 +284,12 @@ class Mesher {
     const double extent[2] = {static_cast<double>(high[0] - low[0]), static_cast<double>(high[1] - low[1])};
     bool in_cell = true;
     for (std::size_t d = 0; d < 2; ++d) {
-      const std::uint32_t cell = whole_ / grid_[d];
+      const std::uint64_t cell = whole_ / grid_[d];
       in_cell = in_cell && high[d] <= (low[d] / cell + 1) * cell;
     }
     if (in_cell && cells_are_fine_) return std::nullopt;
-    const double unit = 1.0 / whole_;
-    const ChordTerms terms = chord_.terms({low[0] * unit, low[1] * unit}, {high[0] * unit, high[1] * unit});
+    const double unit = 1.0 / static_cast<double>(whole_);
+    const ChordTerms terms = chord_.terms(in_doubles(low, unit), in_doubles(high, unit));
     if (terms.sum() <= fineness_.chord()) return std::nullopt;
     std::optional<std::size_t> worst;
     double most = -1;
@@ -297,11 +310,15 @@ class Mesher {
     return worst;
   }
 
+  static std::array<double, 2> in_doubles(const Place& place, double unit) {
+    return {static_cast<double>(place[0]) * unit, static_cast<double>(place[1]) * unit};
+  }
+
   void bisect(std::size_t t, std::size_t k) {
     const std::uint32_t a = triangles_[t][k], b = triangles_[t][(k + 1) % 3];
     Place middle;
     for (std::size_t d = 0; d < 2; ++d) {
-      const std::uint32_t sum = places_[a][d] + places_[b][d];
+      const std::uint64_t sum = places_[a][d] + places_[b][d];
       if (sum % 2 == 1) fineness_.fail_too_fine();
       middle[d] = sum / 2;
     }
@@ -350,7 +367,7 @@ class Mesher {
   const BezierPatch& patch_;
   const Fineness& fineness_;
   PatchChord chord_;
-  std::uint32_t whole_ = 1;
+  std::uint64_t whole_ = 1;
   std::array<std::uint32_t, 4> side_{0, 0, 0, 0};  // steps of each side; 0: a point
   std::array<std::uint32_t, 2> grid_{1, 1};
   bool cells_are_fine_ = true;

@@ -18,7 +18,7 @@ void reverse(SampledLine& line) {
 }
 
 std::vector<SampledLine> sample(const Profile& profile, const std::string& shape,
-                                const std::function<int(const BezierCurve&)>& steps) {
+                                const std::function<int(const BezierCurve&)>& steps, const FixedSamples& fixed) {
   if (profile.lines.empty()) throw InputError(shape + ": the profile is empty: give its corners");
   std::vector<SampledLine> result;
   std::uint32_t number = 0;
@@ -47,12 +47,18 @@ std::vector<SampledLine> sample(const Profile& profile, const std::string& shape
           throw InputError(shape + ": " + name + " is one point, " + describe(piece.at(0)) +
                            ": leave a corner out");
         }
-        const int n = steps(piece);
-        for (int i = 0; i < n; ++i) {
-          const Rational t = fraction(i, n);
-          sampled.points.push_back(piece.at(t));
+        std::vector<FixedSample> samples{{0, piece.at(0)}};
+        if (const auto given = fixed.find({number, k}); given != fixed.end()) {
+          samples.insert(samples.end(), given->second.begin(), given->second.end());
+        } else {
+          const int n = steps(piece);
+          for (int i = 1; i < n; ++i) samples.push_back({fraction(i, n), piece.at(fraction(i, n))});
+        }
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+          const Rational next = i + 1 < samples.size() ? samples[i + 1].t : Rational(1);
+          sampled.points.push_back(samples[i].point);
           sampled.segment.push_back(number);
-          sampled.parameters.push_back({in_span(spans[k], t), in_span(spans[k], fraction(i + 1, n))});
+          sampled.parameters.push_back({in_span(spans[k], samples[i].t), in_span(spans[k], next)});
         }
         if (last && k + 1 == pieces.size() && !profile.closed) sampled.points.push_back(piece.at(1));
       }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csg/curves/boundary_curves.h"
@@ -22,10 +24,19 @@ struct SampledLine {
 /// The same closed line run backward.
 void reverse(SampledLine& line);
 
-/// `steps` says how many equal steps a segment has. Checked are the nets of the segments, that no segment is a
-/// point, and that each begins where the one before it ends. Throws InputError; `shape` begins the message.
+/// Points inside of pieces of a profile, by segment and piece: with their parameters, 0 to 1, which ascend.
+struct FixedSample {
+  Rational t;
+  RationalPoint point;
+};
+using FixedSamples = std::map<std::pair<std::uint32_t, std::size_t>, std::vector<FixedSample>>;
+
+/// `steps` says how many equal steps a segment has, but for pieces whose points are given. Checked are the nets of
+/// the segments, that no segment is a point, and that each begins where the one before it ends. Throws InputError;
+/// `shape` begins the message.
 std::vector<SampledLine> sample(const Profile& profile, const std::string& shape,
-                                const std::function<int(const BezierCurve&)>& steps);
+                                const std::function<int(const BezierCurve&)>& steps,
+                                const FixedSamples& fixed = {});
 
 /// Names the patch that each segment sweeps, `first` being the number of the first one: "extrude segment 1" ...
 void name_segments(LeafParameters& record, const std::vector<SampledLine>& lines, const std::string& shape,

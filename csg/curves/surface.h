@@ -64,6 +64,7 @@ class LeafSurfaces {
   }
   void add_curve(std::uint32_t curve, std::shared_ptr<const Curve> line) { curves_[curve] = std::move(line); }
   const std::map<std::uint32_t, std::shared_ptr<const Surface>>& patches() const { return patches_; }
+  const std::map<std::uint32_t, std::shared_ptr<const Curve>>& curves() const { return curves_; }
   /// By Soup::Face::patch; null for one that is flat.
   const Surface* patch(std::uint32_t patch) const {
     const auto it = patches_.find(patch);

@@ -36,13 +36,46 @@ SurfaceJet<Interval> PlacedSurface::over(const Interval& u, const Interval& v) c
   return moved(surface_->over(u, v));
 }
 
-std::shared_ptr<const LeafSurfaces> moved(const std::shared_ptr<const LeafSurfaces>& leaf,
-                                          const Transform& transform) {
-  auto result = std::make_shared<LeafSurfaces>();
-  for (const auto& [number, surface] : leaf->patches()) {
-    result->add_patch(number, std::make_shared<const PlacedSurface>(leaf, number, transform));
+namespace {
+
+class MovedCurve final : public Curve {
+ public:
+  MovedCurve(std::shared_ptr<const Curve> curve, const Transform& transform)
+      : curve_(std::move(curve)), offset_(constants(transform.offset)) {
+    for (std::size_t i = 0; i < 3; ++i) linear_[i] = constants(transform.linear[i]);
   }
-  return result;
+  CurveJet<double> at(double t) const override { return moved(curve_->at(t)); }
+  CurveJet<Interval> over(const Interval& t) const override {
+    const enclosure::RoundOutward outward;
+    return moved(curve_->over(t));
+  }
+
+ private:
+  template <class N>
+  CurveJet<N> moved(const CurveJet<N>& jet) const {
+    const auto by = [&](const Vector<N>& x) {
+      return Vector<N>{dot(as<N>(linear_[0]), x), dot(as<N>(linear_[1]), x), dot(as<N>(linear_[2]), x)};
+    };
+    return {sum(by(jet.point), as<N>(offset_)), by(jet.along)};
+  }
+  std::shared_ptr<const Curve> curve_;
+  std::array<Vector<Constant>, 3> linear_;  // rows
+  Vector<Constant> offset_;
+};
+
+}  // namespace
+
+SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform) {
+  if (!leaf) return {};
+  return [leaf, transform] {
+    const std::shared_ptr<const LeafSurfaces> given = leaf();
+    auto result = std::make_shared<LeafSurfaces>();
+    for (const auto& [number, surface] : given->patches())
+      result->add_patch(number, std::make_shared<const PlacedSurface>(given, number, transform));
+    for (const auto& [number, curve] : given->curves())
+      result->add_curve(number, std::make_shared<const MovedCurve>(curve, transform));
+    return result;
+  };
 }
 
 namespace {

@@ -14,6 +14,7 @@
 
 #include "csg/curves/surface_math.h"
 #include "csg/geometry/transform.h"
+#include "csg/leaves/leaf.h"
 
 namespace cnrg {
 
@@ -35,9 +36,8 @@ class PlacedSurface final : public Surface {
   Vector<surface_math::Constant> offset_;
 };
 
-/// The patches of a leaf where a transform put them.
-std::shared_ptr<const LeafSurfaces> moved(const std::shared_ptr<const LeafSurfaces>& leaf,
-                                          const Transform& transform);
+/// The surfaces and curves of a leaf where a transform put them; of a leaf that has none, none.
+SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform);
 
 /// A part of a surface, or of a plane where `surface` is null.
 struct SurfacePart {

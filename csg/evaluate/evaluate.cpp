@@ -66,7 +66,9 @@ void build_complex_of(const PreparedLeaves& leaves, const EvaluateOptions& optio
   refine_options.threads = options.threads;
   std::vector<LeafInstance> instances;
   leaves.locate_errors([&] {
-    instances = with_common_lines(leaves.instances());
+    std::vector<NearSurfaces> near;
+    instances = with_common_lines(leaves.instances(), &near);
+    append(result.diagnostics, leaves.near_notices(near));
     const Soup soup = make_soup(instances, options.reach);
     result.complex = build_complex(soup, refine_options, &result.refine);
   });

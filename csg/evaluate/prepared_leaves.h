@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/carriers/near_surfaces.h"
 #include "csg/evaluate/grades.h"
 #include "csg/leaves/leaf.h"
 #include "csg/operators/group.h"
@@ -44,6 +45,9 @@ class PreparedLeaves {
   /// Runs `work`; an InputError that it throws comes out as TreeError with the place of the leaf or face that its
   /// message names as `leaf i, face j`, and with the names of nodes in the place of these numbers.
   void locate_errors(const std::function<void()>& work) const;
+
+  /// Surfaces that are nearly one, as notices: the first few, and how many there are.
+  std::vector<Diagnostic> near_notices(const std::vector<NearSurfaces>& near) const;
 
   /// What the shapes have to say, one diagnostic per notice.
   std::vector<Diagnostic> notices() const;

@@ -52,7 +52,7 @@ TEST_CASE("volumes of curved solids are within chord times area of the exact one
     for (const Value& result : kValues) {
       INFO(result.name);
       const double error = volume[numbered(result.name)] - result.volume;
-      CHECK(error != 0);
+      CHECK((error == 0) == (result.name == "touch"));  // a contact that both leaves know
       CHECK(std::abs(error) <= lost[result.leaves[0]] + lost[result.leaves[1]]);
     }
   }

@@ -1,0 +1,39 @@
+// How many steps a curve has that several leaves have, each with a fineness of its own.
+//
+// All that must have equal steps are tied into one class: a curve in many leaves, and the two rims of a wall of an
+// extrusion with those of other walls on the same surface. A class has as many steps as the most that any
+// curve in it needs for all that is asked of the class.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "csg/carriers/classes.h"
+#include "csg/curves/boundary_curves.h"
+
+namespace cnrg {
+
+class CommonSteps {
+ public:
+  /// A leaf has the curve and asks for a fineness. Returns its number.
+  std::size_t ask(const BezierCurve& curve, const Fineness& fineness);
+  /// A number for what is no curve of a leaf: a projected one; those of different `kind`, from 1, are different.
+  std::size_t number(const BezierCurve& curve, std::size_t kind);
+  /// Both get the same steps.
+  void tie(std::size_t a, std::size_t b) { classes_.join(a, b); }
+  /// Steps of all curves that were asked for.
+  AgreedSteps agree();
+
+ private:
+  struct Asked {
+    BezierCurve curve;  // canonical
+    std::optional<Fineness> fineness;
+  };
+  std::map<std::pair<std::size_t, ControlRow>, std::size_t> numbers_;
+  std::vector<Asked> asked_;
+  Classes classes_;
+};
+
+}  // namespace cnrg

@@ -1,0 +1,58 @@
+// Links, and cuts that go along them from a list of those not yet passed on; see the header.
+#include "csg/carriers/cuts.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+
+std::size_t Cuts::add_strand(std::size_t owner) {
+  strands_.push_back({owner, {}});
+  return strands_.size() - 1;
+}
+
+bool Cuts::link(std::size_t a, const std::array<Rational, 2>& of_a, std::size_t b,
+                const std::array<Rational, 2>& of_b) {
+  const auto [a0, a1] = std::minmax(of_a[0], of_a[1]);
+  const auto [b0, b1] = std::minmax(of_b[0], of_b[1]);
+  if (a1 <= b0 || b1 <= a0) return false;
+  const Rational long_a = of_a[1] - of_a[0], long_b = of_b[1] - of_b[0];
+  strands_[a].links.push_back({b, long_a / long_b, (of_a[0] - of_b[0]) / long_b});
+  strands_[b].links.push_back({a, long_b / long_a, (of_b[0] - of_a[0]) / long_a});
+  if (strands_[a].owner != strands_[b].owner) {
+    concerned_.insert(strands_[a].owner);
+    concerned_.insert(strands_[b].owner);
+  }
+  return true;
+}
+
+void Cuts::spread() {
+  std::vector<std::pair<std::size_t, Rational>> open;
+  for (std::size_t s = 0; s < strands_.size(); ++s) {
+    if (strands_[s].links.empty() || !concerned_.contains(strands_[s].owner)) continue;
+    open.emplace_back(s, 0);
+    open.emplace_back(s, 1);
+  }
+  while (!open.empty()) {
+    const auto [from, t] = std::move(open.back());
+    open.pop_back();
+    for (const Link& link : strands_[from].links) {
+      Strand& to = strands_[link.to];
+      Rational image = link.scale * t + link.shift;
+      if (image <= 0 || image >= 1 || !to.cuts.insert(image).second) continue;
+      if (to.cuts.size() > kMostCuts) {
+        throw InputError(
+            "leaf " + std::to_string(to.owner) +
+            ": curves that it shares with other leaves cut each other into more than " +
+            std::to_string(kMostCuts) +
+            " pieces: a side of a patch of theirs is a part of another side of it; cut that patch there");
+      }
+      open.emplace_back(link.to, std::move(image));
+    }
+  }
+}
+
+}  // namespace cnrg

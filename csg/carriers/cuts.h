@@ -1,0 +1,52 @@
+// Where pieces of patches and curves are cut, so that all that overlap are cut alike.
+//
+// Each direction of a piece (u or v of a patch, the one of a curve) is a *strand*, from 0 to 1. Two strands are
+// linked where they run beside each other: pieces overlap on one carrier, or a side of one lies on a side of the
+// other. Then an affine map takes parameters of one to those of the other, and what falls inside of the other, an
+// end or a cut, is a cut of the other. So cuts go from strand to strand, through patches from side to side, until
+// nothing new comes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+#include "kernel/exact/rational.h"
+
+namespace cnrg {
+
+class Cuts {
+ public:
+  /// Of strands that cut each other for ever: a patch may have a part of one side as the opposite side.
+  static constexpr std::size_t kMostCuts = 10'000;
+
+  /// Strands have owners, the leaves, by number.
+  std::size_t add_strand(std::size_t owner);
+  /// `of_a`, `of_b`: parameters of the strands' beginnings and ends on what both lie on. They are linked if they
+  /// have more than a point in common there; true if so.
+  bool link(std::size_t a, const std::array<Rational, 2>& of_a, std::size_t b,
+            const std::array<Rational, 2>& of_b);
+  /// Owners that have a link to another owner.
+  const std::set<std::size_t>& concerned() const { return concerned_; }
+  /// Makes the cuts, of concerned owners only. Throws InputError above kMostCuts; the message names the owner as
+  /// `leaf N`.
+  void spread();
+  /// Of a strand: ascending, with 0 and 1.
+  const std::set<Rational>& of(std::size_t strand) const { return strands_[strand].cuts; }
+
+ private:
+  struct Link {
+    std::size_t to;
+    Rational scale, shift;
+  };
+  struct Strand {
+    std::size_t owner;
+    std::vector<Link> links;
+    std::set<Rational> cuts{0, 1};
+  };
+  std::vector<Strand> strands_;
+  std::set<std::size_t> concerned_;
+};
+
+}  // namespace cnrg

@@ -1,0 +1,107 @@
+// Which curves are arcs, and what they sweep.
+#include "csg/carriers/extruded_arcs.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "csg/geometry/exact_vectors.h"
+#include "csg/leaves/parameters.h"
+
+namespace cnrg {
+namespace {
+
+RationalPoint linear_image(const Transform& transform, const RationalPoint& v) {
+  return transform.apply(v) - transform.offset;
+}
+
+ExtrudeShape image(const ExtrudeShape& shape, const Transform& transform) {
+  ExtrudeShape result = shape;
+  result.vector = linear_image(transform, shape.vector);
+  result.center.reset();
+  for (ProfileLine& line : result.profile.lines) {
+    for (CurveNet& net : line.segments) {
+      for (RationalPoint& p : net.points) p = transform.apply(p);
+    }
+  }
+  return result;
+}
+
+/// The arc that a curve is, swept along `vector`: a curve in a plane across it (revolved.cpp has the same in a
+/// half-plane).
+std::optional<ExtrudedArc> arc_of(const BezierCurve& curve, const RationalPoint& vector) {
+  const ControlRow row = reduced(curve.net);
+  if (row.size() != 3) return std::nullopt;
+  const RationalPoint p0 = project(row[0]), p1 = project(row[1]), p2 = project(row[2]);
+  const RationalPoint middle = Rational(1, 2) * (p0 + p2), normal = cross(p1 - p0, p2 - p0);
+  const Rational side = dot(p1 - p0, p1 - p0), cosine2 = row[1][3] * row[1][3] / (row[0][3] * row[2][3]);
+  if (is_zero(normal) || !is_zero(cross(normal, vector)) || side != dot(p1 - p2, p1 - p2) || cosine2 >= 1 ||
+      cosine2 * side != dot(p0 - middle, p0 - middle))
+    return std::nullopt;
+  const RationalPoint center = p1 + Rational(1 / (1 - cosine2)) * (middle - p1);
+  const std::optional<Rational> radius = rational_root(dot(p0 - center, p0 - center));
+  if (!radius) return std::nullopt;
+  ExtrudedArc arc;
+  arc.curve = curve;
+  arc.placed.axis = axis_line(center, vector);
+  arc.placed.along = dot(normal, arc.placed.axis.direction) > 0;
+  arc.placed.start = (1 / *radius) * (p0 - center);
+  arc.placed.end = (1 / *radius) * (p2 - center);
+  MeridianPiece ruling;
+  ruling.from = {*radius, arc.placed.axis.place_of(center)};
+  ruling.to = {*radius, arc.placed.axis.place_of(center + vector)};
+  arc.placed.lines = {{ruling}};
+  const double half = std::acos(std::sqrt(to_double(cosine2)));
+  arc.degrees = from_double(half * 360 / std::numbers::pi);
+  return arc;
+}
+
+}  // namespace
+
+Rational ExtrudedArc::parameter(const Rational& turn) const {
+  MeridianPiece arc;
+  arc.kind = MeridianPiece::Kind::arc;
+  arc.sweep = degrees;
+  arc.net = curve;
+  return parameter_of(arc, turn * degrees);
+}
+
+std::vector<ExtrudedArc> arcs_of(const ExtrudeForm& form, const Transform& transform) {
+  const ExtrudeShape placed = image(form.shape, transform);
+  BoundaryCurves boundary(form.fineness, form.steps.get());
+  std::vector<ExtrudedArc> result;
+  std::uint32_t number = 0;
+  for (std::size_t l = 0; l < placed.profile.lines.size(); ++l) {
+    for (std::size_t s = 0; s < placed.profile.lines[l].segments.size(); ++s, ++number) {
+      const std::vector<BezierCurve> pieces = curve_pieces(placed.profile.lines[l].segments[s], "extrude");
+      const std::vector<BezierCurve> given = curve_pieces(form.shape.profile.lines[l].segments[s], "extrude");
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        std::optional<ExtrudedArc> arc = arc_of(pieces[k], placed.vector);
+        if (!arc) continue;
+        arc->segment = number;
+        arc->piece = k;
+        arc->segments =
+            static_cast<int>(std::ceil(boundary.steps(given[k]) * 360 / to_double(arc->degrees) - 1e-9));
+        result.push_back(std::move(*arc));
+      }
+    }
+  }
+  return result;
+}
+
+std::unique_ptr<PreparedLeaf> extrude_anew(const ExtrudeForm& form, const Transform& transform,
+                                           FixedSamples fixed) {
+  const auto sweep = std::make_shared<CommonSweep>();
+  sweep->shape = image(form.shape, transform);
+  sweep->mirrored = form.mirrored != (transform.determinant() < 0);
+  sweep->steps = form.steps;
+  sweep->fixed = std::move(fixed);
+  std::unique_ptr<PreparedLeaf> leaf = tessellate(*sweep, nullptr);
+  leaf->set_parameters([sweep] {
+    auto parameters = std::make_shared<LeafParameters>();
+    tessellate(*sweep, parameters.get());
+    return parameters;
+  });
+  return leaf;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,114 @@
+// Distances between lines of meridians about axes that are one or nearly so.
+#include "csg/carriers/near_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "csg/carriers/axes.h"
+#include "csg/geometry/exact_vectors.h"
+
+namespace cnrg {
+namespace {
+
+constexpr double kNear = 1e-6;
+
+double length(const RationalPoint& v) {
+  double square = 0;
+  for (const Rational& x : v) square += to_double(x) * to_double(x);
+  return std::sqrt(square);
+}
+
+/// The radius of a straight piece where its axis has gone by t; t is between its ends, which differ.
+Rational radius_at(const MeridianPiece& line, const Rational& t) {
+  return line.from.r + (t - line.from.t) / (line.to.t - line.from.t) * (line.to.r - line.from.r);
+}
+
+struct Gap {
+  const char* what;
+  double apart, radius;
+};
+
+std::optional<Gap> between_lines(const MeridianPiece& p, const MeridianPiece& q, double axes) {
+  const Rational low = std::max(std::min(p.from.t, p.to.t), std::min(q.from.t, q.to.t));
+  const Rational high = std::min(std::max(p.from.t, p.to.t), std::max(q.from.t, q.to.t));
+  if (low >= high) return std::nullopt;
+  double apart = 0, radius = 0;
+  for (const Rational& t : {low, high}) {
+    const Rational a = radius_at(p, t), b = radius_at(q, t);
+    apart = std::max(apart, std::abs(to_double(a - b)));
+    radius = std::max({radius, to_double(a), to_double(b)});
+  }
+  const bool cylinders = p.from.r == p.to.r && q.from.r == q.to.r;
+  return Gap{cylinders ? "cylinders" : "cones", apart + axes, radius};
+}
+
+/// Spheres of one axis or nearly so; `step` is the length of the axis' direction.
+std::optional<Gap> between_balls(const PlacedForm& a, const MeridianPiece& p, const PlacedForm& b,
+                                 const MeridianPiece& q) {
+  if (p.middle.r != 0 || q.middle.r != 0) return std::nullopt;
+  const RationalPoint first = a.axis.foot + p.middle.t * a.axis.direction,
+                      second = b.axis.foot + q.middle.t * b.axis.direction;
+  const double apart = length(first - second) + std::abs(to_double(p.radius - q.radius));
+  return Gap{"spheres", apart, to_double(std::max(p.radius, q.radius))};
+}
+
+/// How far two axes are apart where the leaves are, at most.
+double axes_apart(const PlacedForm& a, const PlacedForm& b) {
+  if (a.axis == b.axis) return 0;
+  double far = 0;
+  const double first = length(a.axis.direction), second = length(b.axis.direction);
+  for (const auto& line : a.lines) {
+    for (const MeridianPiece& piece : line) {
+      for (const Rational& t : {piece.from.t, piece.to.t}) {
+        const RationalPoint off = a.axis.foot + t * a.axis.direction - b.axis.foot;
+        far = std::max(far, length(cross(off, b.axis.direction)) / second);
+      }
+    }
+  }
+  return far + length(cross(a.axis.direction, b.axis.direction)) / first / second * far;
+}
+
+}  // namespace
+
+std::vector<NearSurfaces> near_surfaces(const std::vector<LeafInstance>& instances,
+                                        const std::vector<std::array<std::uint32_t, 2>>& pairs) {
+  std::map<std::uint32_t, std::optional<PlacedForm>> placed;
+  const auto placed_of = [&](std::uint32_t i) -> const std::optional<PlacedForm>& {
+    const auto [it, fresh] = placed.try_emplace(i);
+    const auto* form = dynamic_cast<const RevolvedForm*>(instances[i].leaf->form().get());
+    if (!fresh || form == nullptr) return it->second;
+    if (const auto scale = stretch(instances[i].transform))
+      it->second = place(*form, instances[i].transform, *scale);
+    return it->second;
+  };
+  std::vector<NearSurfaces> result;
+  for (const auto& [i, j] : pairs) {
+    const auto &a = placed_of(i), &b = placed_of(j);
+    if (!a || !b) continue;
+    const double axes = axes_apart(*a, *b);
+    // Places along two axes compare only if these have one direction; where they have not, spheres still do.
+    const bool parallel = a->axis.direction == b->axis.direction;
+    NearSurfaces found{std::min(i, j), std::max(i, j), "", 0};
+    for (const auto& line : a->lines) {
+      for (const MeridianPiece& p : line) {
+        for (const auto& other : b->lines) {
+          for (const MeridianPiece& q : other) {
+            std::optional<Gap> gap;
+            using Kind = MeridianPiece::Kind;
+            if (p.kind == Kind::line && q.kind == Kind::line && !p.flat() && !q.flat() && parallel)
+              gap = between_lines(p, q, axes);
+            if (p.kind == Kind::arc && q.kind == Kind::arc) gap = between_balls(*a, p, *b, q);
+            if (!gap || gap->apart == 0 || gap->apart > kNear * gap->radius || gap->apart < found.apart) continue;
+            found.what = gap->what;
+            found.apart = gap->apart;
+          }
+        }
+      }
+    }
+    if (found.apart > 0) result.push_back(found);
+  }
+  return result;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,24 @@
+// Surfaces of two leaves that are nearly one and are not: 1 and 1 + 1e-12 are different radii, and the result has
+// a gap or an overlap as thin as that. It is exact, and mostly not what was meant, so it is worth a word.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csg/leaves/leaf.h"
+
+namespace cnrg {
+
+struct NearSurfaces {
+  std::uint32_t first = 0, second = 0;  ///< instances, first < second
+  std::string what;                     ///< `cylinders`, `cones`, `spheres`
+  double apart = 0;                     ///< the largest distance, in the model's unit, greater than 0
+};
+
+/// For pairs of instances, in the order of `pairs`: the farthest of their surfaces that are nearer to each other
+/// than a millionth of their radius, and not one. Surfaces of leaves that are stretched otherwise than by one
+/// number are not looked at.
+std::vector<NearSurfaces> near_surfaces(const std::vector<LeafInstance>& instances,
+                                        const std::vector<std::array<std::uint32_t, 2>>& pairs);
+
+}  // namespace cnrg

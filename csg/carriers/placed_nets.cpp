@@ -1,0 +1,299 @@
+// Transforms of homogeneous nets, pieces between cuts, and leaves made of them; see the header.
+#include "csg/carriers/placed_nets.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "csg/curves/surface_placed.h"
+#include "csg/geometry/exact_vectors.h"
+
+namespace cnrg {
+namespace {
+
+/// The image of a homogeneous point, its weight kept.
+Homogeneous image(const Transform& t, const Homogeneous& h) {
+  Homogeneous result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = t.offset[i] * h[3];
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (t.linear[i][j] != 0) result[i] += t.linear[i][j] * h[j];
+    }
+  }
+  result[3] = h[3];
+  return result;
+}
+
+ControlRow image(const Transform& t, ControlRow row) {
+  for (Homogeneous& h : row) h = image(t, h);
+  return row;
+}
+
+BezierPatch image(const Transform& t, BezierPatch patch) {
+  for (ControlRow& row : patch.net) row = image(t, std::move(row));
+  return patch;
+}
+
+RationalPoint apply_linear(const Transform& t, const RationalPoint& v) { return t.apply(v) - t.offset; }
+
+/// A box that grows; nothing is in it at first.
+class Box {
+ public:
+  void add(const RationalPoint& p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (empty_ || p[k] < low[k]) low[k] = p[k];
+      if (empty_ || p[k] > high[k]) high[k] = p[k];
+    }
+    empty_ = false;
+  }
+  void add(const ControlRow& row) {
+    for (const Homogeneous& h : row) add(project(h));
+  }
+  /// Around the image of the box.
+  Box image(const Transform& t) const {
+    Box result;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      result.add(
+          t.apply({(corner & 1 ? high : low)[0], (corner & 2 ? high : low)[1], (corner & 4 ? high : low)[2]}));
+    }
+    return result;
+  }
+  RationalPoint low, high;
+
+ private:
+  bool empty_ = true;
+};
+
+/// A curve in pieces as one B-spline, with knots where the pieces meet.
+CurveNet joined(const std::vector<CurvePiece>& parts) {
+  CurveNet net;
+  const std::size_t degree = parts[0].curve.degree();
+  net.degree = static_cast<int>(degree);
+  net.knots.push_back(parts[0].span[0]);
+  for (const CurvePiece& part : parts) {
+    net.knots.insert(net.knots.end(), degree, part.span[0]);
+    for (std::size_t i = net.points.empty() ? 0 : 1; i <= degree; ++i) {
+      net.points.push_back(project(part.curve.net[i]));
+      net.weights.push_back(part.curve.net[i][3]);
+    }
+  }
+  net.knots.insert(net.knots.end(), degree + 1, parts.back().span[1]);
+  return net;
+}
+
+}  // namespace
+
+Sweep::Sweep(const RationalPoint& along) : vector(along), direction(along) {
+  const Rational first = *std::find_if(along.begin(), along.end(), [](const Rational& x) { return x != 0; });
+  for (Rational& x : direction) x /= first;
+}
+
+std::size_t Sweep::pivot() const {
+  return static_cast<std::size_t>(std::find(direction.begin(), direction.end(), 1) - direction.begin());
+}
+
+ControlRow Sweep::projected(ControlRow net) const {
+  for (Homogeneous& h : net) {
+    const Rational height = h[pivot()];
+    for (std::size_t k = 0; k < 3; ++k) h[k] -= height * direction[k];
+  }
+  return net;
+}
+
+std::array<Rational, 2> Sweep::heights(const ControlRow& net) const {
+  std::vector<Rational> all;
+  for (const Homogeneous& h : net) {
+    all.push_back(project(h)[pivot()]);
+    all.push_back(all.back() + vector[pivot()]);
+  }
+  const auto [low, high] = std::minmax_element(all.begin(), all.end());
+  return {*low, *high};
+}
+
+ControlRow Sweep::far_rim(ControlRow net) const {
+  for (Homogeneous& h : net) {
+    for (std::size_t k = 0; k < 3; ++k) h[k] += h[3] * vector[k];
+  }
+  return net;
+}
+
+std::optional<Sweep> sweep_of(const BezierPatch& patch) {
+  if (patch.degree_v() != 1) return std::nullopt;
+  std::optional<RationalPoint> vector;
+  for (std::size_t i = 0; i <= patch.degree_u(); ++i) {
+    const Homogeneous &a = patch.net[0][i], &b = patch.net[1][i];
+    if (a[3] != patch.net[0][0][3] || b[3] != a[3]) return std::nullopt;
+    const RationalPoint v = project(b) - project(a);
+    if (vector && v != *vector) return std::nullopt;
+    vector = v;
+  }
+  if (is_zero(*vector)) return std::nullopt;
+  return Sweep(*vector);
+}
+
+std::vector<NetPiece> PlacedPiece::parts(const Cuts& cuts) const {
+  std::vector<NetPiece> result;
+  const auto &in_u = cuts.of(strand[0]), &in_v = cuts.of(strand[1]);
+  for (auto v = in_v.begin(); std::next(v) != in_v.end(); ++v) {
+    for (auto u = in_u.begin(); std::next(u) != in_u.end(); ++u) {
+      const Rational &u0 = *u, &u1 = *std::next(u), &v0 = *v, &v1 = *std::next(v);
+      result.push_back(
+          {reduced(part(patch, {u0, u1}, {v0, v1})),
+           {{{in_span(span[0], u0), in_span(span[0], u1)}, {in_span(span[1], v0), in_span(span[1], v1)}}}});
+    }
+  }
+  return result;
+}
+
+std::vector<CurvePiece> PlacedCurve::parts(const Cuts& cuts) const {
+  std::vector<CurvePiece> result;
+  const auto& at = cuts.of(strand);
+  for (auto t = at.begin(); std::next(t) != at.end(); ++t) {
+    const Rational &t0 = *t, &t1 = *std::next(t);
+    result.push_back({{part(net, t0, t1)}, {in_span(span, t0), in_span(span, t1)}});
+  }
+  return result;
+}
+
+bool PlacedNets::has_nets(const LeafInstance& instance) {
+  const CurvedForm* const form = instance.leaf->form().get();
+  return dynamic_cast<const NetForm*>(form) != nullptr || dynamic_cast<const ExtrudeForm*>(form) != nullptr;
+}
+
+PlacedNets::PlacedNets(const LeafInstance& instance, std::size_t owner)
+    : owner(owner),
+      nets_(std::dynamic_pointer_cast<const NetForm>(instance.leaf->form())),
+      extrusion_(std::dynamic_pointer_cast<const ExtrudeForm>(instance.leaf->form())),
+      leaf_(instance.leaf),
+      transform_(instance.transform) {
+  Box box;
+  if (nets_) {
+    for (const NetForm::Patch& patch : nets_->patches) {
+      for (const NetPiece& piece : patch.pieces) {
+        for (const ControlRow& row : piece.patch.net) box.add(row);
+      }
+    }
+    for (const NetForm::Curve& curve : nets_->curves) {
+      for (const CurvePiece& piece : curve.pieces) box.add(piece.curve.net);
+    }
+  } else {
+    const ExtrudeShape& shape = extrusion_->shape;
+    sweep_ = Sweep(apply_linear(transform_, shape.vector));
+    for (const ProfileLine& line : shape.profile.lines) {
+      for (const CurveNet& net : line.segments) {
+        for (const RationalPoint& p : net.points) {
+          box.add(p);
+          box.add(p + shape.vector);
+        }
+      }
+    }
+  }
+  box = box.image(transform_);
+  low = box.low;
+  high = box.high;
+}
+
+bool PlacedNets::touches(const PlacedNets& other) const {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (high[k] < other.low[k] || other.high[k] < low[k]) return false;
+  }
+  return true;
+}
+
+void PlacedNets::place() {
+  if (nets_) {
+    for (std::size_t i = 0; i < nets_->patches.size(); ++i) {
+      for (const NetPiece& piece : nets_->patches[i].pieces)
+        pieces.push_back({i, reduced(image(transform_, piece.patch)), piece.span});
+    }
+    for (std::size_t i = 0; i < nets_->curves.size(); ++i) {
+      for (const CurvePiece& piece : nets_->curves[i].pieces)
+        curves.push_back({i, image(transform_, piece.curve.net), piece.span});
+    }
+    return;
+  }
+  std::size_t number = 0;
+  for (const ProfileLine& line : extrusion_->shape.profile.lines) {
+    for (const CurveNet& net : line.segments) {
+      const std::vector<Span> spans = curve_spans(net);
+      const std::vector<BezierCurve> given = curve_pieces(net, "extrude");
+      for (std::size_t k = 0; k < given.size(); ++k)
+        curves.push_back({number, image(transform_, given[k].net), spans[k]});
+      ++number;
+    }
+  }
+}
+
+std::shared_ptr<const PreparedLeaf> PlacedNets::tessellated(const Cuts& cuts, const FinestPatches& finest,
+                                                            std::shared_ptr<const AgreedSteps> steps) const {
+  return nets_ ? nets_anew(cuts, finest, std::move(steps)) : extrusion_anew(cuts, std::move(steps));
+}
+
+std::shared_ptr<const PreparedLeaf> PlacedNets::nets_anew(const Cuts& cuts, const FinestPatches& finest,
+                                                          std::shared_ptr<const AgreedSteps> steps) const {
+  auto common = std::make_shared<CommonNets>();
+  auto form = std::make_shared<NetForm>(*nets_);  // where the leaf is placed
+  common->transform = transform_;
+  common->steps = std::move(steps);
+  common->patches.resize(nets_->patches.size());
+  common->curves.resize(nets_->curves.size());
+  for (NetForm::Patch& patch : form->patches) patch.pieces.clear();
+  for (NetForm::Curve& curve : form->curves) curve.pieces.clear();
+  for (const PlacedPiece& piece : pieces) {
+    form->patches[piece.number].pieces.push_back({piece.patch, piece.span});
+    for (NetPiece& part : piece.parts(cuts)) {
+      Fineness fineness = nets_->fineness;
+      fineness.join(finest.at(canonical(part.patch).patch.net));
+      common->patches[piece.number].push_back({std::move(part), std::move(fineness)});
+    }
+  }
+  for (const PlacedCurve& curve : curves) {
+    form->curves[curve.number].pieces.push_back({{curve.net}, curve.span});
+    for (CurvePiece& part : curve.parts(cuts)) common->curves[curve.number].push_back(std::move(part));
+  }
+  std::shared_ptr<PreparedLeaf> leaf = tessellate(*nets_, common.get(), nullptr);
+  leaf->set_form(std::move(form));
+  leaf->set_surfaces(moved(leaf_->surfaces(), transform_));
+  leaf->set_parameters([given = nets_, common] {
+    auto parameters = std::make_shared<LeafParameters>();
+    tessellate(*given, common.get(), parameters.get());
+    return parameters;
+  });
+  return leaf;
+}
+
+std::shared_ptr<const PreparedLeaf> PlacedNets::extrusion_anew(const Cuts& cuts,
+                                                               std::shared_ptr<const AgreedSteps> steps) const {
+  auto sweep = std::make_shared<CommonSweep>();
+  sweep->shape = extrusion_->shape;
+  sweep->shape.vector = sweep_->vector;
+  sweep->shape.center.reset();
+  sweep->mirrored = transform_.determinant() < 0;
+  sweep->steps = std::move(steps);
+  auto curve = curves.begin();
+  std::size_t number = 0;
+  for (ProfileLine& line : sweep->shape.profile.lines) {
+    for (CurveNet& net : line.segments) {
+      std::vector<CurvePiece> parts;
+      for (; curve != curves.end() && curve->number == number; ++curve) {
+        for (CurvePiece& part : curve->parts(cuts)) parts.push_back(std::move(part));
+      }
+      net = joined(parts);
+      ++number;
+    }
+  }
+  std::shared_ptr<PreparedLeaf> leaf = tessellate(*sweep, nullptr);
+  const auto form = std::make_shared<ExtrudeForm>(sweep->shape);
+  form->mirrored = sweep->mirrored;
+  form->steps = sweep->steps;
+  leaf->set_form(form);
+  leaf->set_surfaces(moved(leaf_->surfaces(), transform_));
+  leaf->set_parameters([sweep] {
+    auto parameters = std::make_shared<LeafParameters>();
+    tessellate(*sweep, parameters.get());
+    return parameters;
+  });
+  return leaf;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,87 @@
+// A leaf with nets under its transform: its pieces in the space of all, where they are cut, and its facets.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "csg/carriers/cuts.h"
+#include "csg/curves/extrude.h"
+#include "csg/curves/parametric.h"
+#include "csg/leaves/leaf.h"
+
+namespace cnrg {
+
+struct PlacedPiece {
+  std::size_t number;  ///< of the patch
+  BezierPatch patch;   ///< of least degree
+  std::array<Span, 2> span;
+  std::array<std::size_t, 2> strand{};  ///< of `Cuts`, along u and along v
+  std::vector<NetPiece> parts(const Cuts& cuts) const;
+};
+
+/// A wire, or a segment of a profile.
+struct PlacedCurve {
+  std::size_t number;  ///< of the curve; of a profile that of the segment, through all lines
+  ControlRow net;
+  Span span;
+  std::size_t strand = 0;
+  std::vector<CurvePiece> parts(const Cuts& cuts) const;
+};
+
+/// The finenesses that are asked for of patches, by their canonical nets.
+using FinestPatches = std::map<std::vector<ControlRow>, Fineness>;
+
+/// A curve swept along a vector is compared with others by its projection along it.
+struct Sweep {
+  RationalPoint vector;
+  RationalPoint direction;  ///< its first coordinate that is not zero is 1
+  explicit Sweep(const RationalPoint& along);
+  ControlRow projected(ControlRow net) const;
+  ControlRow far_rim(ControlRow net) const;  ///< the net moved by the vector
+  /// Between which heights the swept net lies, in units of the direction.
+  std::array<Rational, 2> heights(const ControlRow& net) const;
+
+ private:
+  std::size_t pivot() const;
+};
+/// If the patch is a curve that moves along a vector, S(u, v) = p(u) + v t, without weights.
+std::optional<Sweep> sweep_of(const BezierPatch& patch);
+
+class PlacedNets {
+ public:
+  /// True for leaves of patches and curves and for extrusions without twist and scale.
+  static bool has_nets(const LeafInstance& instance);
+  PlacedNets(const LeafInstance& instance, std::size_t owner);
+
+  /// Fills `pieces` and `curves`.
+  void place();
+  const Fineness& fineness() const { return nets_ ? nets_->fineness : extrusion_->fineness; }
+  /// Of an extrusion.
+  const std::optional<Sweep>& sweep() const { return sweep_; }
+  bool touches(const PlacedNets& other) const;
+  /// The leaf with its pieces cut.
+  std::shared_ptr<const PreparedLeaf> tessellated(const Cuts& cuts, const FinestPatches& finest,
+                                                  std::shared_ptr<const AgreedSteps> steps) const;
+
+  std::size_t owner;                   ///< the first instance that is this leaf under this transform
+  std::vector<std::size_t> instances;  ///< all of them
+  RationalPoint low, high;             ///< a box around it
+  std::vector<PlacedPiece> pieces;
+  std::vector<PlacedCurve> curves;
+
+ private:
+  std::shared_ptr<const PreparedLeaf> nets_anew(const Cuts& cuts, const FinestPatches& finest,
+                                                std::shared_ptr<const AgreedSteps> steps) const;
+  std::shared_ptr<const PreparedLeaf> extrusion_anew(const Cuts& cuts,
+                                                     std::shared_ptr<const AgreedSteps> steps) const;
+  std::shared_ptr<const NetForm> nets_;  // one of the two
+  std::shared_ptr<const ExtrudeForm> extrusion_;
+  std::shared_ptr<const PreparedLeaf> leaf_;  // keeps what the forms are of
+  Transform transform_;
+  std::optional<Sweep> sweep_;
+};
+
+}  // namespace cnrg
