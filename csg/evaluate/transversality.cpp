@@ -159,8 +159,10 @@ class Examination {
         if (around[a.first].patch.first == around[b.first].patch.first || (a.flat && b.flat)) continue;
         crossing = true;
         const bool shared = share_a_face(around, a, b);
-        if (a.flat || b.flat ? !shared && (a.flat || a.contains) && (b.flat || b.contains)
-                             : shared || (a.contains && b.contains)) {
+        const bool both = (a.flat || a.contains) && (b.flat || b.contains);
+        if (a.flat || b.flat ? !shared && both : shared || both) continue;
+        if (!shared && (a.contains || b.contains) &&
+            touch(e, around[a.first].patch.first, around[b.first].patch.first)) {
           continue;
         }
         for (std::size_t x = a.first; x < a.last; ++x) {
@@ -173,6 +175,23 @@ class Examination {
       }
     }
     crossing_edges_ += crossing ? 1 : 0;
+  }
+
+  /// True if all faces of one leaf about the edge are on one side of those of the other.
+  bool touch(EdgeId e, LeafId a, LeafId b) const {
+    std::vector<bool> order;  // radial; true for a
+    for (const FaceUse& use : complex_.edge_uses[e]) {
+      bool of_a = false, of_b = false;
+      for (const Cover& cover : complex_.cover(use.face)) {
+        of_a = of_a || complex_.sources[cover.source].leaf == a;
+        of_b = of_b || complex_.sources[cover.source].leaf == b;
+      }
+      if (of_a && of_b) return false;
+      if (of_a || of_b) order.push_back(of_a);
+    }
+    std::size_t changes = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) changes += order[i] != order[(i + 1) % order.size()];
+    return changes <= 2;
   }
 
   template <class Patch>
