@@ -187,6 +187,23 @@ std::size_t MeridianPlane::add(const MeridianPiece& piece) {
     int& steps = nets_[canonical(piece.net).curve.net];
     steps = std::max(steps, piece.steps);
   }
+  std::vector<Point> points{piece.from, piece.to};
+  double up = 0, out = 0;
+  if (piece.kind == Kind::arc) {
+    points = {piece.middle};
+    out = to_double(piece.radius);
+    up = out / std::sqrt(to_double(square_));
+  }
+  for (const Homogeneous& h : piece.net.net) points.push_back({h[0] / h[3], h[2] / h[3]});
+  Bounds bounds{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
+  for (const Point& p : points) {
+    const double r = to_double(p.r), t = to_double(p.t), margin = 1e-9;
+    bounds.low_r = std::min(bounds.low_r, r - out - margin * (std::abs(r) + out));
+    bounds.high_r = std::max(bounds.high_r, r + out + margin * (std::abs(r) + out));
+    bounds.low_t = std::min(bounds.low_t, t - up - margin * (std::abs(t) + up));
+    bounds.high_t = std::max(bounds.high_t, t + up + margin * (std::abs(t) + up));
+  }
+  bounds_.push_back(bounds);
   pieces_.push_back(piece);
   return pieces_.size() - 1;
 }
@@ -204,6 +221,7 @@ void MeridianPlane::solve() {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (pieces_[i].kind != Kind::arc && pieces_[j].kind != Kind::arc) continue;
+      if (!bounds_[i].meets(bounds_[j])) continue;
       const MeridianContact found = contact(pieces_[i], pieces_[j], square_);
       for (const Point& at : found.points) {
         add_vertex(i, at);
@@ -295,6 +313,7 @@ bool MeridianPlane::separate_chords() {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const MeridianPiece &p = pieces_[i], &q = pieces_[j];
+      if (!bounds_[i].meets(bounds_[j])) continue;
       if ((p.kind != Kind::arc && q.kind != Kind::arc) || p.flat() || q.flat()) continue;
       if (p.kind == Kind::arc && q.kind == Kind::arc && same_circle(p, q)) continue;
       // Of two arcs the larger one is drawn finer.

@@ -41,6 +41,13 @@ class MeridianPlane {
   std::vector<MeridianPoint> marks(std::size_t i) const;
 
  private:
+  /// Around a piece, in doubles.
+  struct Bounds {
+    double low_r, high_r, low_t, high_t;
+    bool meets(const Bounds& b) const {
+      return low_r <= b.high_r && b.low_r <= high_r && low_t <= b.high_t && b.low_t <= high_t;
+    }
+  };
   struct Vertex {
     MeridianPoint at;
     Rational degrees;  ///< of a mark as a double
@@ -63,6 +70,7 @@ class MeridianPlane {
   Rational square_;
   std::function<MeridianPoint(const MeridianPoint&)> round_;
   std::vector<MeridianPiece> pieces_;
+  std::vector<Bounds> bounds_;  // of these
   std::map<ArcKey, Arc> arcs_;
   std::map<ControlRow, int> nets_;  // steps
 };

@@ -30,6 +30,11 @@ struct Gap {
 };
 
 std::optional<Gap> between_lines(const MeridianPiece& p, const MeridianPiece& q, double axes) {
+  const auto far = [](const Rational& x, const Rational& y) {
+    const double a = to_double(x), b = to_double(y);
+    return std::abs(a - b) > 2 * kNear * (a + b);
+  };
+  if (p.from.r == p.to.r && q.from.r == q.to.r && far(p.from.r, q.from.r)) return std::nullopt;
   const Rational low = std::max(std::min(p.from.t, p.to.t), std::min(q.from.t, q.to.t));
   const Rational high = std::min(std::max(p.from.t, p.to.t), std::max(q.from.t, q.to.t));
   if (low >= high) return std::nullopt;

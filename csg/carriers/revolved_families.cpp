@@ -321,9 +321,12 @@ class Space {
   }
 
   void touch_leaves(const std::vector<std::array<Index, 2>>& pairs) {
+    UnionFind known(nodes_.size());  // the rest of a family need not be asked
     const auto touch_two = [&](Index a, Index b) {
-      if (nodes_[a].placed.axis != nodes_[b].placed.axis) return;
-      if (touch(nodes_[a].placed, nodes_[b].placed)) edges_.push_back({a, b});
+      if (known.find(a) == known.find(b) || nodes_[a].placed.axis != nodes_[b].placed.axis) return;
+      if (!touch(nodes_[a].placed, nodes_[b].placed)) return;
+      edges_.push_back({a, b});
+      known.unite(a, b);
     };
     for (const auto& [i, j] : pairs) {
       const auto first = of_leaf_.find(i), second = of_leaf_.find(j);

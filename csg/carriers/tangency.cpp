@@ -42,14 +42,23 @@ struct Flat {
   Rational offset;
   Box box;  ///< of the face; infinite for planes without bounds
 };
-struct Round {
-  Index instance = 0;
-  Box box;
+struct Exact {
   PlacedForm placed;
   std::vector<Ball3> balls;
   std::vector<Tube> tubes;
   std::vector<Ring> rings;
   std::vector<Flat> flats;  ///< its own planes across the axis
+};
+/// A leaf in doubles, and exactly as soon as that is asked for: most pairs are far from a contact, and the numbers
+/// of nested rotations are long.
+struct Round {
+  Index instance = 0;
+  Box box;
+  Point3 along{};                                  ///< of length 1
+  std::vector<std::pair<Point3, double>> balls{};  ///< centres and radii; of arcs about the axis, too
+  std::vector<std::pair<Point3, double>> tubes{};  ///< points of the axis and radii
+  std::vector<double> flats{};                     ///< offsets of its planes across the axis
+  std::optional<Exact> exact{};
 };
 
 Box around(const Point3& a, const Point3& b) {
@@ -73,25 +82,29 @@ class Finder {
 
   void add(const RevolvedInstance& of) {
     const LeafInstance& instance = instances_[of.instance];
-    const std::optional<Rational> scale = stretch(instance.transform);
-    if (!scale) return;
+    const Transform& transform = instance.transform;
     const auto& form = dynamic_cast<const RevolvedForm&>(*instance.leaf->form());
-    Round round{of.instance, of.box, place(form, instance.transform, *scale), {}, {}, {}, {}};
-    const AxisLine& axis = round.placed.axis;
-    const auto flat = [&](const Rational& t) {
-      const RationalPoint at = axis.foot + t * axis.direction;
-      round.flats.push_back({axis.direction, cnrg::dot(axis.direction, at), of.box});
+    Round round{of.instance, of.box};
+    const Point3 center = doubles(transform.apply(form.center)),
+                 step = minus(doubles(transform.apply(form.center + form.axis)), center);
+    double scale = 0;
+    for (const Rational& x : transform.linear[0]) scale += to_double(x) * to_double(x);
+    scale = std::sqrt(scale);
+    const double length = std::sqrt(dot(step, step));
+    for (std::size_t k = 0; k < 3; ++k) round.along[k] = step[k] / length;
+    const auto at = [&](const Rational& t) {
+      Point3 p;
+      for (std::size_t k = 0; k < 3; ++k) p[k] = center[k] + to_double(t) * step[k];
+      return p;
     };
-    for (const auto& line : round.placed.lines) {
+    const auto flat = [&](const Rational& t) { round.flats.push_back(dot(at(t), round.along)); };
+    for (const auto& line : form.lines) {
       for (const MeridianPiece& piece : line) {
         if (piece.flat()) flat(piece.from.t);
         if (piece.kind == MeridianPiece::Kind::arc) {
-          round.rings.push_back({piece.middle, piece.radius});
-          if (piece.middle.r == 0)
-            round.balls.push_back({axis.foot + piece.middle.t * axis.direction, piece.radius});
+          round.balls.emplace_back(at(piece.middle.t), scale * to_double(piece.radius));
         } else if (piece.kind == MeridianPiece::Kind::line && piece.from.r == piece.to.r && piece.from.r > 0) {
-          round.tubes.push_back({axis.foot, axis.direction, piece.from.r, std::min(piece.from.t, piece.to.t),
-                                 std::max(piece.from.t, piece.to.t)});
+          round.tubes.emplace_back(center, scale * to_double(piece.from.r));
         }
       }
       if (form.discs) {
@@ -105,8 +118,10 @@ class Finder {
 
   void pairs(const std::vector<std::array<Index, 2>>& list) {
     for (const auto& [i, j] : list) {
-      const auto a = place_.find(i), b = place_.find(j);
-      if (a != place_.end() && b != place_.end()) pair(rounds_[a->second], rounds_[b->second]);
+      const auto first = place_.find(i), second = place_.find(j);
+      if (first == place_.end() || second == place_.end()) continue;
+      Round &a = rounds_[first->second], &b = rounds_[second->second];
+      if (may_touch(a, b) && is_exact(a) && is_exact(b)) pair(a, b);
     }
   }
 
@@ -124,7 +139,14 @@ class Finder {
         Box all;
         all.lo.fill(-HUGE_VAL);
         all.hi.fill(HUGE_VAL);
-        for (const Round& round : rounds_) with_flat(round, {plane.normal, plane.offset, all});
+        const Point3 normal = doubles(plane.normal);
+        const double length = std::sqrt(dot(normal, normal));
+        for (Round& round : rounds_) {
+          if (may_touch(round, {normal[0] / length, normal[1] / length, normal[2] / length},
+                        to_double(plane.offset) / length) &&
+              is_exact(round))
+            with_flat(round, {plane.normal, plane.offset, all});
+        }
       } else if (const auto* geometry = dynamic_cast<const GeometryLeaf*>(instance.leaf.get())) {
         const Box reach = box_of(*geometry, instance.transform);
         std::vector<Index> met;
@@ -179,13 +201,13 @@ class Finder {
     }
     const BoxTree tree(boxes);
     for (const Index r : met) {
-      const Round& round = rounds_[r];
+      Round& round = rounds_[r];
       tree.query([&](const Box& box) { return box.meets(round.box); },
                  [&](Index f) { face(round, soup, transform, points, SourceId(f), boxes[f]); });
     }
   }
 
-  void face(const Round& round, const Soup& soup, const Transform& transform, const std::vector<Point3>& points,
+  void face(Round& round, const Soup& soup, const Transform& transform, const std::vector<Point3>& points,
             SourceId f, const Box& box) {
     const std::span<const PointId> corners = soup.corners(f);
     // Three corners that span the plane best, in doubles.
@@ -204,27 +226,89 @@ class Finder {
     }
     if (most == 0) return;
     const double length = std::sqrt(most), offset = dot(normal, first) / length;
-    if (!may_touch(round, {normal[0] / length, normal[1] / length, normal[2] / length}, offset)) return;
+    if (!may_touch(round, {normal[0] / length, normal[1] / length, normal[2] / length}, offset) ||
+        !is_exact(round))
+      return;
     const auto exact = [&](std::size_t i) { return transform.apply(exact_value(soup, corners[i])); };
     const RationalPoint a = exact(0), n = cross(exact(second) - a, exact(third) - a);
     if (!is_zero(n)) with_flat(round, {n, cnrg::dot(n, a), box});
   }
 
-  static bool may_touch(const Round& round, const Point3& normal, double offset) {
-    const auto is_near = [&](const RationalPoint& center, const Rational& radius) {
-      const Point3 c = doubles(center);
-      const double size = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
-      return near(std::abs(dot(normal, c) - offset), to_double(radius), size);
+  /// Makes the leaf exact; false if it is stretched so that it has no radii, or none that are rational.
+  bool is_exact(Round& round) const {
+    if (round.exact) return true;
+    const LeafInstance& instance = instances_[round.instance];
+    const std::optional<Rational> scale = stretch(instance.transform);
+    if (!scale) return false;
+    const auto& form = dynamic_cast<const RevolvedForm&>(*instance.leaf->form());
+    Exact& exact = round.exact.emplace();
+    exact.placed = place(form, instance.transform, *scale);
+    const AxisLine& axis = exact.placed.axis;
+    const auto flat = [&](const Rational& t) {
+      const RationalPoint at = axis.foot + t * axis.direction;
+      exact.flats.push_back({axis.direction, cnrg::dot(axis.direction, at), round.box});
     };
-    const AxisLine& axis = round.placed.axis;
-    for (const Ball3& ball : round.balls) {
-      if (is_near(ball.center, ball.radius)) return true;
+    for (const auto& line : exact.placed.lines) {
+      for (const MeridianPiece& piece : line) {
+        if (piece.flat()) flat(piece.from.t);
+        if (piece.kind == MeridianPiece::Kind::arc) {
+          exact.rings.push_back({piece.middle, piece.radius});
+          if (piece.middle.r == 0)
+            exact.balls.push_back({axis.foot + piece.middle.t * axis.direction, piece.radius});
+        } else if (piece.kind == MeridianPiece::Kind::line && piece.from.r == piece.to.r && piece.from.r > 0) {
+          exact.tubes.push_back({axis.foot, axis.direction, piece.from.r, std::min(piece.from.t, piece.to.t),
+                                 std::max(piece.from.t, piece.to.t)});
+        }
+      }
+      if (form.discs) {
+        flat(line.front().from.t);
+        flat(line.back().to.t);
+      }
     }
-    for (const Tube& tube : round.tubes) {
-      if (is_near(tube.foot, tube.radius)) return true;
+    return true;
+  }
+
+  static double size_of(const Point3& p) { return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]); }
+
+  /// False if a plane, with a normal of length 1, certainly touches nothing of the leaf.
+  static bool may_touch(const Round& round, const Point3& normal, double offset) {
+    const auto is_near = [&](const std::pair<Point3, double>& of) {
+      return near(std::abs(dot(normal, of.first) - offset), of.second, size_of(of.first));
+    };
+    return std::any_of(round.balls.begin(), round.balls.end(), is_near) ||
+           std::any_of(round.tubes.begin(), round.tubes.end(), is_near);
+  }
+  static bool may_touch(const Round& a, const Round& b) {
+    for (const double offset : b.flats) {
+      if (may_touch(a, b.along, offset)) return true;
     }
-    for (const Ring& ring : round.rings) {
-      if (is_near(axis.foot + ring.middle.t * axis.direction, ring.radius)) return true;
+    for (const double offset : a.flats) {
+      if (may_touch(b, a.along, offset)) return true;
+    }
+    const auto may_be = [](double distance, double r, double s, double size) {
+      return near(distance, r + s, size) || near(distance, std::abs(r - s), size);
+    };
+    const auto across = [](const Point3& p, const Point3& foot, const Point3& along) {
+      const Point3 off = minus(p, foot), out = times(off, along);
+      return std::sqrt(dot(out, out));
+    };
+    for (const auto& [p, r] : a.balls) {
+      for (const auto& [q, s] : b.balls) {
+        const Point3 apart = minus(p, q);
+        if (may_be(std::sqrt(dot(apart, apart)), r, s, size_of(p))) return true;
+      }
+      for (const auto& [q, s] : b.tubes) {
+        if (may_be(across(p, q, b.along), r, s, size_of(p))) return true;
+      }
+    }
+    for (const auto& [p, r] : a.tubes) {
+      for (const auto& [q, s] : b.balls) {
+        if (may_be(across(q, p, a.along), r, s, size_of(p))) return true;
+      }
+      for (const auto& [q, s] : b.tubes) {
+        const Point3 turn = times(a.along, b.along);
+        if (dot(turn, turn) < 1e-6 && may_be(across(q, p, a.along), r, s, size_of(p))) return true;
+      }
     }
     return false;
   }
@@ -237,7 +321,7 @@ class Finder {
   /// `owner`: the revolved leaf that the plane is of, if it is of one.
   void with_flat(const Round& round, const Flat& flat, const Round* owner = nullptr) {
     const Rational square = cnrg::dot(flat.normal, flat.normal);
-    for (const Ball3& ball : round.balls) {
+    for (const Ball3& ball : round.exact->balls) {
       const Rational gap = cnrg::dot(flat.normal, ball.center) - flat.offset;
       if (gap * gap != ball.radius * ball.radius * square) continue;
       const RationalPoint at = ball.center - Rational(gap / square) * flat.normal;
@@ -245,7 +329,7 @@ class Finder {
       mark_point(round.instance, at);
       if (owner != nullptr) mark_rim(*owner, at);
     }
-    for (const Tube& tube : round.tubes) {
+    for (const Tube& tube : round.exact->tubes) {
       if (cnrg::dot(flat.normal, tube.axis) != 0) continue;
       const Rational gap = cnrg::dot(flat.normal, tube.foot) - flat.offset;
       if (gap * gap != tube.radius * tube.radius * square) continue;
@@ -257,33 +341,33 @@ class Finder {
       if (owner == nullptr) continue;
       for (const Rational& end : {tube.low, tube.high}) mark_rim(*owner, on + end * tube.axis);
     }
-    const AxisLine& axis = round.placed.axis;
-    if (round.rings.empty() || !is_zero(cross(flat.normal, axis.direction))) return;
+    const AxisLine& axis = round.exact->placed.axis;
+    if (round.exact->rings.empty() || !is_zero(cross(flat.normal, axis.direction))) return;
     const Rational t = (flat.offset - cnrg::dot(flat.normal, axis.foot)) / cnrg::dot(flat.normal, axis.direction);
-    for (const Ring& ring : round.rings) {
+    for (const Ring& ring : round.exact->rings) {
       const Rational up = t - ring.middle.t;
-      if (up * up * round.placed.square() != ring.radius * ring.radius) continue;
+      if (up * up * round.exact->placed.square() != ring.radius * ring.radius) continue;
       marks_[round.instance].circles.push_back({ring.middle.r, t});
       marks_[round.instance].needed = true;
     }
   }
 
   void pair(const Round& a, const Round& b) {
-    for (const Flat& flat : b.flats) with_flat(a, flat, &b);
-    for (const Flat& flat : a.flats) with_flat(b, flat, &a);
-    for (const Ball3& p : a.balls) {
-      for (const Ball3& q : b.balls) two_balls(a, p, b, q);
-      for (const Tube& q : b.tubes) ball_and_tube(a, p, b, q);
+    for (const Flat& flat : b.exact->flats) with_flat(a, flat, &b);
+    for (const Flat& flat : a.exact->flats) with_flat(b, flat, &a);
+    for (const Ball3& p : a.exact->balls) {
+      for (const Ball3& q : b.exact->balls) two_balls(a, p, b, q);
+      for (const Tube& q : b.exact->tubes) ball_and_tube(a, p, b, q);
     }
-    for (const Tube& p : a.tubes) {
-      for (const Ball3& q : b.balls) ball_and_tube(b, q, a, p);
-      for (const Tube& q : b.tubes) two_tubes(a, p, b, q);
+    for (const Tube& p : a.exact->tubes) {
+      for (const Ball3& q : b.exact->balls) ball_and_tube(b, q, a, p);
+      for (const Tube& q : b.exact->tubes) two_tubes(a, p, b, q);
     }
   }
 
   /// A point on a plane of the leaf that lies on its rim, too.
   void mark_rim(const Round& round, const RationalPoint& at) {
-    for (const Tube& tube : round.tubes) {
+    for (const Tube& tube : round.exact->tubes) {
       const Rational t = cnrg::dot(at - tube.foot, tube.axis) / cnrg::dot(tube.axis, tube.axis);
       const RationalPoint off = at - (tube.foot + t * tube.axis);
       if (t < tube.low || t > tube.high || cnrg::dot(off, off) != tube.radius * tube.radius) continue;
