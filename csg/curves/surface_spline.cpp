@@ -221,6 +221,7 @@ namespace {
 template <class N>
 Row<N> cut(const std::vector<ConstantRow>& net, const N& u, const N& v) {
   std::vector<Row<N>> rows;
+  rows.reserve(net.size());
   for (const ConstantRow& row : net) rows.push_back(cut(as_numbers<N>(row), u));
   Row<N> result;
   for (std::size_t i = 0; i < rows[0].size(); ++i) {

@@ -66,6 +66,7 @@ class SurfaceChart {
       return std::pair(square(a), a.second) < std::pair(square(b), b.second);
     });
     std::vector<SurfaceSite> result;
+    result.reserve(found.size());
     for (const Entry& entry : found) {
       result.push_back({&surface_, starts_[entry.second].at, starts_[entry.second].reach, {}, {}});
     }
