@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "csg/curves/surface_placed.h"
 #include "csg/geometry/exact_vectors.h"
 
 namespace cnrg {
@@ -245,6 +246,7 @@ std::shared_ptr<const PreparedLeaf> PlacedNets::nets_anew(const Cuts& cuts, cons
   }
   std::shared_ptr<PreparedLeaf> leaf = tessellate(*nets_, common.get(), nullptr);
   leaf->set_form(std::move(form));
+  leaf->set_surfaces(moved(leaf_->surfaces(), transform_));
   leaf->set_parameters([given = nets_, common] {
     auto parameters = std::make_shared<LeafParameters>();
     tessellate(*given, common.get(), parameters.get());
@@ -278,6 +280,7 @@ std::shared_ptr<const PreparedLeaf> PlacedNets::extrusion_anew(const Cuts& cuts,
   form->mirrored = sweep->mirrored;
   form->steps = sweep->steps;
   leaf->set_form(form);
+  leaf->set_surfaces(moved(leaf_->surfaces(), transform_));
   leaf->set_parameters([sweep] {
     auto parameters = std::make_shared<LeafParameters>();
     tessellate(*sweep, parameters.get());
