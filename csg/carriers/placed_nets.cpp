@@ -189,6 +189,7 @@ PlacedNets::PlacedNets(const LeafInstance& instance, const Extent& of_leaf, std:
       extent(image(instance.transform, of_leaf)),
       nets_(std::dynamic_pointer_cast<const NetForm>(instance.leaf->form())),
       extrusion_(std::dynamic_pointer_cast<const ExtrudeForm>(instance.leaf->form())),
+      leaf_(instance.leaf),
       transform_(instance.transform) {
   if (extrusion_) sweep_ = Sweep(moved_vector(transform_, extrusion_->shape.vector));
 }

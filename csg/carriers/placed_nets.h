@@ -81,6 +81,7 @@ class PlacedNets {
                                                      std::shared_ptr<const AgreedSteps> steps) const;
   std::shared_ptr<const NetForm> nets_;  // one of the two
   std::shared_ptr<const ExtrudeForm> extrusion_;
+  std::shared_ptr<const PreparedLeaf> leaf_;  // as it was prepared
   Transform transform_;
   std::optional<Sweep> sweep_;
 };
