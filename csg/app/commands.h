@@ -17,6 +17,7 @@ struct EvalArguments {
   std::vector<std::string> files;
   bool trace = false, raw = false, topology = false, snap = false, quiet = false;
   bool parameters = false;  ///< .json and .vtu with the parameters of patches
+  bool certify = false;     ///< uncertain crossings of curved patches are an error
   int threads = 0, finer = 1;
 };
 /// `cnrg eval`: a row per node, a file per `-o`.
@@ -50,6 +51,8 @@ struct MeshArguments {
   std::vector<std::string> files;
   TetrahedraOptions options;
   bool snap = false, quiet = false;
+  bool certify = false;  ///< as of `eval`
+  bool curved = false;   ///< points on the true surfaces, elements of second order
   int threads = 0, finer = 1;
 };
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.

@@ -9,6 +9,7 @@
 
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
+#include "csg/evaluate/certify.h"
 #include "csg/evaluate/prepared_leaves.h"
 
 namespace cnrg::app {
@@ -45,6 +46,26 @@ Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quie
   bar.clear();
   print(evaluation.diagnostics, quiet);
   return evaluation;
+}
+
+void require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
+  const Certificate certificate = certify(tree, evaluation);
+  const auto count = [](std::size_t n, const std::string& what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  };
+  if (certificate.places == 0) {
+    if (quiet) return;
+    tell(tree.file + ": notice: certified: " +
+         (certificate.edges == 0 ? std::string("no curved patch meets a patch of another leaf")
+                                 : "where curved patches meet others, along " + count(certificate.edges, "edge") +
+                                       ", the surfaces cross as their facets do"));
+    return;
+  }
+  for (std::size_t i = 1; i < certificate.notices.size(); ++i) print({certificate.notices[i]}, quiet);
+  const Diagnostic& first = certificate.notices.front();
+  throw TreeError(first.file, first.at,
+                  first.message + "; --certify found " + count(certificate.places, "such place") +
+                      ": make the leaves finer, move them apart or together, or leave it out");
 }
 
 void require_distinct(const std::vector<std::string>& files) {

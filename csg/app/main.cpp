@@ -143,6 +143,9 @@ int run(int argc, char** argv) {
   CLI::Option* const snap = sub->add_flag(
       "--snap", eval.snap,
       "Files of doubles: move vertices until the rounded facets meet as they should, and say how far");
+  constexpr const char* kCertify =
+      "Prove that curved surfaces cross as their facets do; a place where they may not is an error";
+  sub->add_flag("--certify", eval.certify, kCertify);
   sub->add_flag("--parameters", eval.parameters,
                 "In .json and .vtu: the parameters u, v of faces on curved patches")
       ->excludes(snap);
@@ -213,7 +216,12 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
                 "No new points on faces and edges, so that the meshes of neighbours fit");
-  sub->add_flag("--snap", mesh.snap, "Move vertices until the facets, rounded to doubles, meet as they should");
+  sub->add_flag("--certify", mesh.certify, kCertify);
+  CLI::Option* const curved =
+      sub->add_flag("--curved", mesh.curved,
+                    "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes");
+  sub->add_flag("--snap", mesh.snap, "Move vertices until the facets, rounded to doubles, meet as they should")
+      ->excludes(curved);
   add_threads(sub, mesh.threads);
   sub->add_flag("--quiet", mesh.quiet, "No table and no notices");
   sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");

@@ -1,5 +1,7 @@
 // `cnrg mesh`: tetrahedra that fill a result, made once and written to every file, and a row per region.
+#include <cstdio>
 #include <iostream>
+#include <optional>
 
 #include "csg/app/commands.h"
 #include "csg/app/evaluation.h"
@@ -14,30 +16,64 @@
 namespace cnrg::app {
 namespace {
 
-/// A row per region and one for all.
-std::string table_of(const TetrahedralMesh& made) {
+/// A row per region and one for all. `bent`: of a mesh of second order.
+std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
   Table table;
   table.add_column("region", Table::Align::left);
   table.add_column("tetrahedra");
+  if (bent != nullptr) {
+    table.add_column("curved");
+    table.add_column("straight");
+  }
   table.add_column("volume", Table::Align::left);
-  std::size_t tetrahedra = 0;
+  const auto row = [&](const std::string& name, std::size_t all, std::size_t curved, std::size_t straight,
+                       const Rational& volume) {
+    std::vector<std::string> cells{name, std::to_string(all)};
+    if (bent != nullptr) {
+      cells.push_back(std::to_string(curved));
+      cells.push_back(std::to_string(straight));
+    }
+    cells.push_back(to_decimal(volume));
+    table.add_row(std::move(cells));
+  };
+  std::size_t tetrahedra = 0, curved = 0, straight = 0;
   Rational volume = 0;
-  for (const RegionTetrahedra& region : made.regions) {
-    table.add_row({region.name, std::to_string(region.tetrahedra), to_decimal(region.volume)});
+  for (std::size_t i = 0; i < made.regions.size(); ++i) {
+    const RegionTetrahedra& region = made.regions[i];
+    const std::size_t of_curved = bent != nullptr ? bent->curved[i] : 0;
+    const std::size_t of_straight = bent != nullptr ? bent->straight[i] : 0;
+    row(region.name, region.tetrahedra, of_curved, of_straight, region.volume);
     tetrahedra += region.tetrahedra;
+    curved += of_curved;
+    straight += of_straight;
     volume += region.volume;
   }
-  table.add_row({"all", std::to_string(tetrahedra), to_decimal(volume)});
+  row("all", tetrahedra, curved, straight, volume);
   const Mesh& mesh = made.mesh;
   return table.text() + std::to_string(mesh.points.size()) + " points, " + std::to_string(mesh.triangles.size()) +
          " triangles on faces, " + std::to_string(mesh.segments.size()) + " segments on edges\n";
+}
+
+std::string text_of(const CurvedReport& bent) {
+  std::string text = std::to_string(bent.moved) + " points moved to the surfaces";
+  if (bent.moved > 0) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.3g", bent.farthest);
+    text += std::string(", by ") + buffer + " at most";
+  }
+  text += "; " + std::to_string(bent.middles) + " edges bent";
+  if (bent.left > 0) text += "; " + std::to_string(bent.left) + " points and middles left where they were";
+  return text + "\n";
 }
 
 }  // namespace
 
 int run_mesh(const MeshArguments& arguments) {
   require_distinct(arguments.files);
-  for (const std::string& path : arguments.files) check_mesh_file_name(path);  // before the work, not after it
+  for (const std::string& path : arguments.files) {  // before the work, not after it
+    if (arguments.curved) check_curved_mesh_file_name(path);
+    else check_mesh_file_name(path);
+  }
   const Tree tree = tree_of(arguments);
   require_writable(arguments.files, tree);
   const NodeId node = node_of(tree, arguments.node);
@@ -47,9 +83,11 @@ int run_mesh(const MeshArguments& arguments) {
   options.rows = false;
   options.nodes = {node};
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
+  if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);
   TetrahedralMesh made;
   Result result = evaluation.result(node);
   SnapReport snapped;
+  std::optional<CurvedReport> bent;
   {
     ProgressBar bar(arguments.quiet);
     if (arguments.snap) {
@@ -57,9 +95,19 @@ int run_mesh(const MeshArguments& arguments) {
       result = at_node(tree, node, [&] { return snap(result, &snapped); });
     }
     bar.show("mesh", 0, 0);
-    made = at_node(tree, node, [&] { return tetrahedra(result, arguments.options); });
+    TetrahedraOptions asked = arguments.options;
+    if (arguments.curved && asked.quality == 0) asked.quality = kCurvedQuality;
+    made = at_node(tree, node, [&] { return tetrahedra(result, asked); });
+    if (arguments.curved) {
+      bar.show("bend", 0, 0);
+      bent = at_node(tree, node, [&] { return curve(result, made); });
+    }
   }
-  if (!arguments.quiet) std::cout << table_of(made) << std::flush;
+  if (!arguments.quiet) {
+    std::cout << table_of(made, bent ? &*bent : nullptr);
+    if (bent) std::cout << text_of(*bent);
+    std::cout << std::flush;
+  }
   for (const std::string& path : arguments.files) {
     write(path, result, made.mesh);
     if (arguments.quiet) continue;

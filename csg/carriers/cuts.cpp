@@ -14,11 +14,13 @@ std::size_t Cuts::add_strand(std::size_t owner) {
   return strands_.size() - 1;
 }
 
-bool Cuts::link(std::size_t a, const std::array<Rational, 2>& of_a, std::size_t b,
+bool Cuts::overlap(const std::array<Rational, 2>& a, const std::array<Rational, 2>& b) {
+  return std::min(a[0], a[1]) < std::max(b[0], b[1]) && std::min(b[0], b[1]) < std::max(a[0], a[1]);
+}
+
+void Cuts::link(std::size_t a, const std::array<Rational, 2>& of_a, std::size_t b,
                 const std::array<Rational, 2>& of_b) {
-  const auto [a0, a1] = std::minmax(of_a[0], of_a[1]);
-  const auto [b0, b1] = std::minmax(of_b[0], of_b[1]);
-  if (a1 <= b0 || b1 <= a0) return false;
+  if (!overlap(of_a, of_b)) return;
   const Rational long_a = of_a[1] - of_a[0], long_b = of_b[1] - of_b[0];
   strands_[a].links.push_back({b, long_a / long_b, (of_a[0] - of_b[0]) / long_b});
   strands_[b].links.push_back({a, long_b / long_a, (of_b[0] - of_a[0]) / long_a});
@@ -26,7 +28,6 @@ bool Cuts::link(std::size_t a, const std::array<Rational, 2>& of_a, std::size_t 
     concerned_.insert(strands_[a].owner);
     concerned_.insert(strands_[b].owner);
   }
-  return true;
 }
 
 void Cuts::spread() {
@@ -42,7 +43,7 @@ void Cuts::spread() {
     for (const Link& link : strands_[from].links) {
       Strand& to = strands_[link.to];
       Rational image = link.scale * t + link.shift;
-      if (image <= 0 || image >= 1 || !to.cuts.insert(image).second) continue;
+      if (sgn(image) <= 0 || image >= 1 || !to.cuts.insert(image).second) continue;
       if (to.cuts.size() > kMostCuts) {
         throw InputError(
             "leaf " + std::to_string(to.owner) +

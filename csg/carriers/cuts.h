@@ -23,9 +23,11 @@ class Cuts {
 
   /// Strands have owners, the leaves, by number.
   std::size_t add_strand(std::size_t owner);
-  /// `of_a`, `of_b`: parameters of the strands' beginnings and ends on what both lie on. They are linked if they
-  /// have more than a point in common there; true if so.
-  bool link(std::size_t a, const std::array<Rational, 2>& of_a, std::size_t b,
+  /// True for intervals, in either order, that have more than a point in common.
+  static bool overlap(const std::array<Rational, 2>& a, const std::array<Rational, 2>& b);
+  /// `of_a`, `of_b`: parameters of the strands' beginnings and ends on what both lie on. They are linked if these
+  /// overlap.
+  void link(std::size_t a, const std::array<Rational, 2>& of_a, std::size_t b,
             const std::array<Rational, 2>& of_b);
   /// Owners that have a link to another owner.
   const std::set<std::size_t>& concerned() const { return concerned_; }

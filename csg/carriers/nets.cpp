@@ -2,6 +2,8 @@
 #include "csg/carriers/nets.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -14,32 +16,64 @@
 #include "csg/carriers/net_carriers.h"
 #include "csg/carriers/placed_nets.h"
 #include "kernel/base/error.h"
+#include "kernel/refine/box_tree.h"
 
 namespace cnrg {
 namespace {
 
-/// Pairs of intervals that have more than a point in common; `visit(i, j)`.
-template <class Visit>
-void each_overlap(const std::vector<std::array<Rational, 2>>& intervals, Visit visit) {
-  std::vector<std::size_t> order(intervals.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto low = [&](std::size_t i) -> const Rational& { return std::min(intervals[i][0], intervals[i][1]); };
-  const auto high = [&](std::size_t i) -> const Rational& { return std::max(intervals[i][0], intervals[i][1]); };
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return low(a) < low(b); });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    for (std::size_t j = i + 1; j < order.size() && low(order[j]) < high(order[i]); ++j) visit(order[i], order[j]);
+using Interval = std::array<Rational, 2>;  // in either order
+
+using Intervals = std::array<Interval, 3>;
+
+/// A box that holds the product of intervals, whatever doubles round.
+Box box_of(const Intervals& intervals) {
+  Box box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.lo[k] = std::nextafter(to_double(intervals[k][0]), -std::numeric_limits<double>::infinity());
+    box.hi[k] = std::nextafter(to_double(intervals[k][1]), std::numeric_limits<double>::infinity());
+  }
+  return box;
+}
+
+/// Calls `visit(a, b)` for items whose intervals meet: for all pairs but that, of items with equal intervals, one
+/// stands for all. It is visited with each of the others, so that they all hang together.
+template <class Item, class IntervalsOf, class Visit>
+void each_meeting(const std::vector<Item>& items, IntervalsOf intervals_of, Visit visit) {
+  std::map<Intervals, std::size_t> first;
+  std::vector<std::size_t> different;
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    Intervals intervals = intervals_of(items[i]);
+    for (Interval& along : intervals) {
+      if (along[1] < along[0]) std::swap(along[0], along[1]);
+    }
+    const auto [it, is_new] = first.try_emplace(std::move(intervals), i);
+    if (!is_new) {
+      visit(items[it->second], items[i]);
+      continue;
+    }
+    different.push_back(i);
+    boxes.push_back(box_of(it->first));
+  }
+  if (boxes.size() < 2) return;
+  const BoxTree tree(boxes);
+  for (std::size_t j = 0; j < boxes.size(); ++j) {
+    tree.query([&](const Box& box) { return box.meets(boxes[j]); },
+               [&](std::uint32_t i) {
+                 if (i < j) visit(items[different[i]], items[different[j]]);
+               });
   }
 }
 
 /// A strand on its carrier.
 struct Run {
   std::size_t strand;
-  std::array<Rational, 2> at;
+  Interval at;
 };
 /// A curve swept along a vector, on its carrier by its projection.
 struct Wall {
   Run run;
-  std::array<Rational, 2> heights;
+  Interval heights;
   std::size_t number;  // of `walls_alike_`
 };
 /// A piece of a patch on its carrier: by the carrier's parameters.
@@ -73,6 +107,7 @@ class CommonNetsOfLeaves {
   /// Leaves with nets, each once per transform, that may touch another by their boxes.
   void gather() {
     std::map<std::pair<const PreparedLeaf*, std::array<Rational, 12>>, std::size_t> known;
+    std::map<const PreparedLeaf*, PlacedNets::Extent> extents;
     std::vector<PlacedNets> all;
     for (std::size_t i = 0; i < instances_.size(); ++i) {
       const LeafInstance& instance = instances_[i];
@@ -82,32 +117,21 @@ class CommonNetsOfLeaves {
         entries[k] = k < 9 ? instance.transform.linear[k / 3][k % 3] : instance.transform.offset[k - 9];
       }
       const auto [it, is_new] = known.try_emplace({instance.leaf.get(), std::move(entries)}, all.size());
-      if (is_new) all.emplace_back(instance, i);
+      if (is_new) {
+        const auto extent = extents.try_emplace(instance.leaf.get());
+        if (extent.second) extent.first->second = PlacedNets::extent_of(*instance.leaf);
+        all.emplace_back(instance, extent.first->second, i);
+      }
       all[it->second].instances.push_back(i);
     }
-    std::vector<bool> touches(all.size(), false);
-    std::vector<std::size_t> order(all.size());
-    for (std::size_t i = 0; i < all.size(); ++i) order[i] = i;
-    // Along the axis along which they are spread most.
-    std::size_t axis = 0;
-    Rational most = -1;
-    for (std::size_t k = 0; k < 3 && !all.empty(); ++k) {
-      const auto by = [k](const PlacedNets& a, const PlacedNets& b) { return a.low[k] < b.low[k]; };
-      const auto [first, last] = std::minmax_element(all.begin(), all.end(), by);
-      const Rational spread = last->low[k] - first->low[k];
-      if (spread > most) most = spread, axis = k;
-    }
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return all[a].low[axis] < all[b].low[axis]; });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const PlacedNets& a = all[order[i]];
-      for (std::size_t j = i + 1; j < order.size() && all[order[j]].low[axis] <= a.high[axis]; ++j) {
-        if (!a.touches(all[order[j]])) continue;
-        touches[order[i]] = touches[order[j]] = true;
-      }
-    }
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (touches[i]) leaves_.push_back(std::move(all[i]));
+    std::set<std::size_t> touching;  // by owner
+    each_meeting(
+        all, [](const PlacedNets& leaf) { return leaf.extent; },
+        [&](const PlacedNets& a, const PlacedNets& b) {
+          touching.insert({a.owner, b.owner});
+        });
+    for (PlacedNets& leaf : all) {
+      if (touching.contains(leaf.owner)) leaves_.push_back(std::move(leaf));
     }
   }
 
@@ -142,6 +166,7 @@ class CommonNetsOfLeaves {
   }
 
   void run_on(const ControlRow& net, std::size_t strand) {
+    if (BezierCurve{net}.is_point()) return;  // a pole, where anything may end
     const std::optional<OnCurve> on = curves_.place(reduced(net));
     if (!on) return;
     runs_.resize(std::max(runs_.size(), on->carrier + 1));
@@ -159,31 +184,36 @@ class CommonNetsOfLeaves {
 
   void link() {
     for (const std::vector<Run>& runs : runs_) {
-      std::vector<std::array<Rational, 2>> intervals;
-      for (const Run& run : runs) intervals.push_back(run.at);
-      each_overlap(intervals, [&](std::size_t i, std::size_t j) {
-        cuts_.link(runs[i].strand, runs[i].at, runs[j].strand, runs[j].at);
-      });
+      each_meeting(
+          runs, [](const Run& run) { return Intervals{run.at}; },
+          [&](const Run& a, const Run& b) { cuts_.link(a.strand, a.at, b.strand, b.at); });
     }
     // Walls need the same rulings where they overlap or stand on each other.
     for (const std::vector<Wall>& walls : walls_) {
-      std::vector<std::array<Rational, 2>> intervals;
-      for (const Wall& wall : walls) intervals.push_back(wall.run.at);
-      each_overlap(intervals, [&](std::size_t i, std::size_t j) {
-        const Wall &a = walls[i], &b = walls[j];
-        if (a.heights[1] < b.heights[0] || b.heights[1] < a.heights[0]) return;
-        cuts_.link(a.run.strand, a.run.at, b.run.strand, b.run.at);
-        walls_alike_.join(a.number, b.number);
-      });
+      each_meeting(
+          walls,
+          [](const Wall& wall) {
+            return Intervals{wall.run.at, wall.heights};
+          },
+          [&](const Wall& a, const Wall& b) {
+            if (a.heights[1] < b.heights[0] || b.heights[1] < a.heights[0]) return;
+            cuts_.link(a.run.strand, a.run.at, b.run.strand, b.run.at);
+            walls_alike_.join(a.number, b.number);
+          });
     }
     for (const std::vector<Sheet>& sheets : sheets_) {
-      std::vector<std::array<Rational, 2>> intervals;
-      for (const Sheet& sheet : sheets) intervals.push_back(sheet.along[0].at);
-      each_overlap(intervals, [&](std::size_t i, std::size_t j) {
-        const auto &a = sheets[i].along, &b = sheets[j].along;
-        if (!cuts_.link(a[1].strand, a[1].at, b[1].strand, b[1].at)) return;
-        cuts_.link(a[0].strand, a[0].at, b[0].strand, b[0].at);
-      });
+      each_meeting(
+          sheets,
+          [](const Sheet& sheet) {
+            return Intervals{sheet.along[0].at, sheet.along[1].at};
+          },
+          [&](const Sheet& a, const Sheet& b) {
+            for (std::size_t d = 0; d < 2; ++d) {
+              if (!Cuts::overlap(a.along[d].at, b.along[d].at)) return;
+            }
+            for (std::size_t d = 0; d < 2; ++d)
+              cuts_.link(a.along[d].strand, a.along[d].at, b.along[d].strand, b.along[d].at);
+          });
     }
   }
 

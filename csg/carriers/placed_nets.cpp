@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "csg/curves/surface_placed.h"
 #include "csg/geometry/exact_vectors.h"
 
 namespace cnrg {
@@ -33,35 +34,34 @@ BezierPatch image(const Transform& t, BezierPatch patch) {
   return patch;
 }
 
-RationalPoint apply_linear(const Transform& t, const RationalPoint& v) { return t.apply(v) - t.offset; }
+RationalPoint moved_vector(const Transform& t, const RationalPoint& v) { return t.apply(v) - t.offset; }
 
-/// A box that grows; nothing is in it at first.
-class Box {
+/// Smallest and largest coordinates of points as they come.
+class Growing {
  public:
   void add(const RationalPoint& p) {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (empty_ || p[k] < low[k]) low[k] = p[k];
-      if (empty_ || p[k] > high[k]) high[k] = p[k];
+      if (empty_ || p[k] < extent[k][0]) extent[k][0] = p[k];
+      if (empty_ || p[k] > extent[k][1]) extent[k][1] = p[k];
     }
     empty_ = false;
   }
   void add(const ControlRow& row) {
     for (const Homogeneous& h : row) add(project(h));
   }
-  /// Around the image of the box.
-  Box image(const Transform& t) const {
-    Box result;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      result.add(
-          t.apply({(corner & 1 ? high : low)[0], (corner & 2 ? high : low)[1], (corner & 4 ? high : low)[2]}));
-    }
-    return result;
-  }
-  RationalPoint low, high;
+  PlacedNets::Extent extent;
 
  private:
   bool empty_ = true;
 };
+
+/// Around the image of the box.
+PlacedNets::Extent image(const Transform& t, const PlacedNets::Extent& e) {
+  Growing result;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+    result.add(t.apply({e[0][corner & 1], e[1][corner >> 1 & 1], e[2][corner >> 2]}));
+  return result.extent;
+}
 
 /// A curve in pieces as one B-spline, with knots where the pieces meet.
 CurveNet joined(const std::vector<CurvePiece>& parts) {
@@ -133,6 +133,7 @@ std::optional<Sweep> sweep_of(const BezierPatch& patch) {
 std::vector<NetPiece> PlacedPiece::parts(const Cuts& cuts) const {
   std::vector<NetPiece> result;
   const auto &in_u = cuts.of(strand[0]), &in_v = cuts.of(strand[1]);
+  if (in_u.size() == 2 && in_v.size() == 2) return {{patch, span}};
   for (auto v = in_v.begin(); std::next(v) != in_v.end(); ++v) {
     for (auto u = in_u.begin(); std::next(u) != in_u.end(); ++u) {
       const Rational &u0 = *u, &u1 = *std::next(u), &v0 = *v, &v1 = *std::next(v);
@@ -159,44 +160,38 @@ bool PlacedNets::has_nets(const LeafInstance& instance) {
   return dynamic_cast<const NetForm*>(form) != nullptr || dynamic_cast<const ExtrudeForm*>(form) != nullptr;
 }
 
-PlacedNets::PlacedNets(const LeafInstance& instance, std::size_t owner)
-    : owner(owner),
-      nets_(std::dynamic_pointer_cast<const NetForm>(instance.leaf->form())),
-      extrusion_(std::dynamic_pointer_cast<const ExtrudeForm>(instance.leaf->form())),
-      leaf_(instance.leaf),
-      transform_(instance.transform) {
-  Box box;
-  if (nets_) {
-    for (const NetForm::Patch& patch : nets_->patches) {
+PlacedNets::Extent PlacedNets::extent_of(const PreparedLeaf& leaf) {
+  Growing result;
+  if (const auto* nets = dynamic_cast<const NetForm*>(leaf.form().get())) {
+    for (const NetForm::Patch& patch : nets->patches) {
       for (const NetPiece& piece : patch.pieces) {
-        for (const ControlRow& row : piece.patch.net) box.add(row);
+        for (const ControlRow& row : piece.patch.net) result.add(row);
       }
     }
-    for (const NetForm::Curve& curve : nets_->curves) {
-      for (const CurvePiece& piece : curve.pieces) box.add(piece.curve.net);
+    for (const NetForm::Curve& curve : nets->curves) {
+      for (const CurvePiece& piece : curve.pieces) result.add(piece.curve.net);
     }
-  } else {
-    const ExtrudeShape& shape = extrusion_->shape;
-    sweep_ = Sweep(apply_linear(transform_, shape.vector));
-    for (const ProfileLine& line : shape.profile.lines) {
+  } else if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(leaf.form().get())) {
+    for (const ProfileLine& line : extrusion->shape.profile.lines) {
       for (const CurveNet& net : line.segments) {
         for (const RationalPoint& p : net.points) {
-          box.add(p);
-          box.add(p + shape.vector);
+          result.add(p);
+          result.add(p + extrusion->shape.vector);
         }
       }
     }
   }
-  box = box.image(transform_);
-  low = box.low;
-  high = box.high;
+  return result.extent;
 }
 
-bool PlacedNets::touches(const PlacedNets& other) const {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (high[k] < other.low[k] || other.high[k] < low[k]) return false;
-  }
-  return true;
+PlacedNets::PlacedNets(const LeafInstance& instance, const Extent& of_leaf, std::size_t owner)
+    : owner(owner),
+      extent(image(instance.transform, of_leaf)),
+      nets_(std::dynamic_pointer_cast<const NetForm>(instance.leaf->form())),
+      extrusion_(std::dynamic_pointer_cast<const ExtrudeForm>(instance.leaf->form())),
+      leaf_(instance.leaf),
+      transform_(instance.transform) {
+  if (extrusion_) sweep_ = Sweep(moved_vector(transform_, extrusion_->shape.vector));
 }
 
 void PlacedNets::place() {
@@ -252,6 +247,7 @@ std::shared_ptr<const PreparedLeaf> PlacedNets::nets_anew(const Cuts& cuts, cons
   }
   std::shared_ptr<PreparedLeaf> leaf = tessellate(*nets_, common.get(), nullptr);
   leaf->set_form(std::move(form));
+  leaf->set_surfaces(moved(leaf_->surfaces(), transform_));
   leaf->set_parameters([given = nets_, common] {
     auto parameters = std::make_shared<LeafParameters>();
     tessellate(*given, common.get(), parameters.get());
@@ -285,6 +281,7 @@ std::shared_ptr<const PreparedLeaf> PlacedNets::extrusion_anew(const Cuts& cuts,
   form->mirrored = sweep->mirrored;
   form->steps = sweep->steps;
   leaf->set_form(form);
+  leaf->set_surfaces(moved(leaf_->surfaces(), transform_));
   leaf->set_parameters([sweep] {
     auto parameters = std::make_shared<LeafParameters>();
     tessellate(*sweep, parameters.get());

@@ -54,21 +54,23 @@ class PlacedNets {
  public:
   /// True for leaves of patches and curves and for extrusions without twist and scale.
   static bool has_nets(const LeafInstance& instance);
-  PlacedNets(const LeafInstance& instance, std::size_t owner);
+  /// Along x, y and z: the leaf lies between, before its transform.
+  using Extent = std::array<std::array<Rational, 2>, 3>;
+  static Extent extent_of(const PreparedLeaf& leaf);
+  PlacedNets(const LeafInstance& instance, const Extent& of_leaf, std::size_t owner);
 
   /// Fills `pieces` and `curves`.
   void place();
   const Fineness& fineness() const { return nets_ ? nets_->fineness : extrusion_->fineness; }
   /// Of an extrusion.
   const std::optional<Sweep>& sweep() const { return sweep_; }
-  bool touches(const PlacedNets& other) const;
   /// The leaf with its pieces cut.
   std::shared_ptr<const PreparedLeaf> tessellated(const Cuts& cuts, const FinestPatches& finest,
                                                   std::shared_ptr<const AgreedSteps> steps) const;
 
   std::size_t owner;                   ///< the first instance that is this leaf under this transform
   std::vector<std::size_t> instances;  ///< all of them
-  RationalPoint low, high;             ///< a box around it
+  Extent extent;                       ///< where it is placed
   std::vector<PlacedPiece> pieces;
   std::vector<PlacedCurve> curves;
 
@@ -79,7 +81,7 @@ class PlacedNets {
                                                      std::shared_ptr<const AgreedSteps> steps) const;
   std::shared_ptr<const NetForm> nets_;  // one of the two
   std::shared_ptr<const ExtrudeForm> extrusion_;
-  std::shared_ptr<const PreparedLeaf> leaf_;  // keeps what the forms are of
+  std::shared_ptr<const PreparedLeaf> leaf_;  // as it was prepared
   Transform transform_;
   std::optional<Sweep> sweep_;
 };

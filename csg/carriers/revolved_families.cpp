@@ -17,9 +17,11 @@
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/meridians.h"
 #include "csg/carriers/turns.h"
+#include "csg/curves/surface_placed.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/placement.h"
 #include "csg/leaves/parameters.h"
+#include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
 #include "kernel/exact/trigonometry.h"
@@ -478,9 +480,11 @@ class Space {
       }
     }
     for (auto& [i, fixed] : fixed_) {
-      instances_[i] = {extrude_anew(dynamic_cast<const ExtrudeForm&>(*instances_[i].leaf->form()), relative_.at(i),
-                                    std::move(fixed)),
-                       base_};
+      const PreparedLeaf& before = *instances_[i].leaf;
+      std::unique_ptr<PreparedLeaf> leaf =
+          extrude_anew(dynamic_cast<const ExtrudeForm&>(*before.form()), relative_.at(i), std::move(fixed));
+      leaf->set_surfaces(moved(before.surfaces(), relative_.at(i)));
+      instances_[i] = {std::move(leaf), base_};
     }
   }
 
@@ -621,7 +625,8 @@ class Space {
   void replace_ball(const Ball& ball, const std::vector<Place>& places) {
     const auto hull = std::make_shared<const BallHull>(hull_of_shared(ball, shared_of(places)));
     const auto make = [ball, hull](LeafParameters* record) { return tessellate(ball, *hull, record); };
-    for (const Index i : balls_.at(ball)) put(i, make);
+    const SurfaceSource surfaces = [ball] { return sphere_surfaces(ball.center, ball.radius, {0, 0, 1}); };
+    for (const Index i : balls_.at(ball)) put(i, make, surfaces);
   }
 
   void replace(Index i, const std::shared_ptr<Family>& family, std::size_t m) {
@@ -635,17 +640,26 @@ class Space {
           [&](const MeridianPoint& at, std::size_t column) { return family->point(at, grid->columns[column]); },
           record);
     };
-    put(i, make);
+    SurfaceSource surfaces;
+    if (family->members()[m].ball) {
+      surfaces = [ball = ball_of(i), axis = form->axis] {
+        return sphere_surfaces(ball.center, ball.radius, axis);
+      };
+    } else {
+      surfaces = moved(instances_[i].leaf->surfaces(), relative_.at(i));
+    }
+    put(i, make, std::move(surfaces));
   }
 
   template <class Make>
-  void put(Index i, const Make& make) {
+  void put(Index i, const Make& make, SurfaceSource surfaces) {
     std::unique_ptr<PreparedLeaf> leaf = make(nullptr);
     leaf->set_parameters([make] {
       auto parameters = std::make_shared<LeafParameters>();
       make(parameters.get());
       return parameters;
     });
+    leaf->set_surfaces(std::move(surfaces));
     instances_[i] = {std::move(leaf), base_};
   }
 

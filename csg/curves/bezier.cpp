@@ -111,6 +111,7 @@ void reduce_rows(std::vector<ControlRow>& rows, Least least_of) {
   std::vector<ControlRow> least;
   for (const ControlRow& row : rows) {
     least.push_back(least_of(row));
+    if (least.back().size() == row.size()) return;  // it has the degree that it came with, and so have all
     degree = std::max(degree, least.back().size() - 1);
   }
   for (std::size_t j = 0; j < rows.size(); ++j) rows[j] = elevated(least[j], degree);

@@ -51,11 +51,8 @@ class Extrusion {
         shape.profile.lines[0].segments[0].points.empty()) {
       throw InputError("extrude: the profile is empty: give its corners");
     }
-    const RationalPoint first = shape.profile.lines[0].segments[0].points[0];
-    const RationalPoint given = shape.center.value_or(first);
-    // The axis meets the plane of the profile here.
-    center_ = given + Rational(dot(first - given, shape.vector) / dot(shape.vector, shape.vector)) * shape.vector;
-    if (shape.twist != 0 || shape.scale != 1) check_right_angle(first);
+    center_ = axis_point(shape);
+    if (shape.twist != 0 || shape.scale != 1) check_right_angle(shape.profile.lines[0].segments[0].points[0]);
     choose_sections();
   }
 
@@ -224,6 +221,12 @@ class Extrusion {
 };
 
 }  // namespace
+
+RationalPoint axis_point(const ExtrudeShape& shape) {
+  const RationalPoint& first = shape.profile.lines[0].segments[0].points[0];
+  const RationalPoint given = shape.center.value_or(first);
+  return given + Rational(dot(first - given, shape.vector) / dot(shape.vector, shape.vector)) * shape.vector;
+}
 
 std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape, LeafParameters* record) {
   std::unique_ptr<PreparedLeaf> leaf = Extrusion(shape, record).prepare();

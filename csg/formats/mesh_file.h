@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "csg/mesh/curved_mesh.h"
 #include "csg/mesh/tetrahedra.h"
 #include "csg/result/result.h"
 
@@ -10,6 +11,13 @@ namespace cnrg {
 
 /// As tetrahedra.h has it, with the fractions of graded materials.
 TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options);
+
+/// Brings such a mesh to the true surfaces, with elements of second order (csg/mesh/curved_mesh.h). InputError for
+/// a result that knows no parameters, such as a snapped one.
+CurvedReport curve(const Result& result, TetrahedralMesh& made);
+
+/// The formats of such meshes: .msh .vtu. Throws InputError for any other extension.
+void check_curved_mesh_file_name(const std::string& path);
 
 /// Writes the mesh of a result to `path`; the file appears whole or not at all (csg/text/file.h).
 void write(const std::string& path, const Result& result, const Mesh& mesh);

@@ -8,13 +8,20 @@ namespace cnrg {
 
 std::string vtu_text(const ResultView& view, const Mesh& mesh) {
   VtuGrid grid;
-  const auto add = [&](VtuCell kind, std::size_t dimension, const auto& simplices) {
-    for (const auto& s : simplices) grid.add(kind, s.points, mesh.entities[dimension][s.entity].tags);
+  const auto add = [&](VtuCell kind, std::size_t dimension, const auto& simplices, const auto& edges) {
+    for (const auto& s : simplices) {
+      grid.add(kind, mesh.nodes(s, edges), mesh.entities[dimension][s.entity].tags);
+    }
   };
-  add(VtuCell::vertex, 0, mesh.vertices);
-  add(VtuCell::polyline, 1, mesh.segments);
-  add(VtuCell::triangle, 2, mesh.triangles);
-  add(VtuCell::tetrahedron, 3, mesh.tetrahedra);
+  using Edges = std::array<std::array<std::size_t, 2>, 6>;
+  const bool straight = mesh.middles.empty();
+  add(VtuCell::vertex, 0, mesh.vertices, std::array<std::array<std::size_t, 2>, 0>{});
+  add(straight ? VtuCell::polyline : VtuCell::quadratic_edge, 1, mesh.segments,
+      std::array<std::array<std::size_t, 2>, 1>{{{0, 1}}});
+  add(straight ? VtuCell::triangle : VtuCell::quadratic_triangle, 2, mesh.triangles,
+      std::array<std::array<std::size_t, 2>, 3>{{{0, 1}, {1, 2}, {0, 2}}});
+  add(straight ? VtuCell::tetrahedron : VtuCell::quadratic_tetrahedron, 3, mesh.tetrahedra,
+      Edges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}});
   return grid.text(view, mesh.points);
 }
 

@@ -20,6 +20,13 @@ namespace {
 using Index = Mesh::Index;
 using Vector = DoubleVector;
 
+// The edges whose middles follow the corners of an element of second order.
+using Ends = std::array<std::size_t, 2>;
+constexpr std::array<Ends, 0> kEdges0{};
+constexpr std::array<Ends, 1> kEdges1{{{0, 1}}};
+constexpr std::array<Ends, 3> kEdges2{{{0, 1}, {1, 2}, {0, 2}}};
+constexpr std::array<Ends, 6> kEdges3{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
+
 Vector unit(const Vector& a) {
   const double length = std::sqrt(dot(a, a));
   return {a[0] / length, a[1] / length, a[2] / length};
@@ -67,11 +74,11 @@ class MshWriter {
     text_ += "$EndPhysicalNames\n";
   }
 
-  template <class Simplices>
-  void extend(std::size_t dimension, const Simplices& simplices) {
+  template <class Simplices, class Edges>
+  void extend(std::size_t dimension, const Simplices& simplices, const Edges& edges) {
     for (const auto& s : simplices) {
       Box& box = boxes_[dimension][s.entity];
-      for (const Index p : s.points) {
+      for (const Index p : mesh_.nodes(s, edges)) {
         for (std::size_t k = 0; k < 3; ++k) {
           box.low[k] = std::min(box.low[k], mesh_.points[p][k]);
           box.high[k] = std::max(box.high[k], mesh_.points[p][k]);
@@ -82,9 +89,9 @@ class MshWriter {
   /// The box of each entity; that of a region is the box of what bounds it.
   void find_boxes() {
     for (std::size_t d = 0; d < 4; ++d) boxes_[d].resize(mesh_.entities[d].size());
-    extend(0, mesh_.vertices);
-    extend(1, mesh_.segments);
-    extend(2, mesh_.triangles);
+    extend(0, mesh_.vertices, kEdges0);
+    extend(1, mesh_.segments, kEdges1);
+    extend(2, mesh_.triangles, kEdges2);
     for (std::size_t i = 0; i < boxes_[3].size(); ++i) {
       for (const std::int32_t b : mesh_.entities[3][i].boundary) {
         const Box& part = boxes_[2][std::size_t(std::abs(b)) - 1];
@@ -130,16 +137,16 @@ class MshWriter {
     };
     std::vector<Place> places(mesh_.points.size());
     for (Index p = 0; p < places.size(); ++p) places[p].point = p;
-    const auto claim = [&](std::uint32_t d, const auto& simplices) {
+    const auto claim = [&](std::uint32_t d, const auto& simplices, const auto& edges) {
       for (const auto& s : simplices)
-        for (const Index p : s.points) {
+        for (const Index p : mesh_.nodes(s, edges)) {
           if (places[p].dimension != d) places[p] = {d, s.entity, p};
         }
     };
-    claim(3, mesh_.tetrahedra);
-    claim(2, mesh_.triangles);
-    claim(1, mesh_.segments);
-    claim(0, mesh_.vertices);
+    claim(3, mesh_.tetrahedra, kEdges3);
+    claim(2, mesh_.triangles, kEdges2);
+    claim(1, mesh_.segments, kEdges1);
+    claim(0, mesh_.vertices, kEdges0);
     std::sort(places.begin(), places.end());
     std::size_t blocks = 0;
     const auto same = [&](std::size_t i, std::size_t j) {
@@ -169,15 +176,15 @@ class MshWriter {
     }
     return n;
   }
-  template <class Simplices>
-  void add_blocks(int dimension, int type, const Simplices& simplices, std::size_t& number) {
+  template <class Simplices, class Edges>
+  void add_blocks(int dimension, int type, const Simplices& simplices, const Edges& edges, std::size_t& number) {
     for (std::size_t i = 0, end = 0; i < simplices.size(); i = end) {
       while (end < simplices.size() && simplices[end].entity == simplices[i].entity) ++end;
       text_ += std::to_string(dimension) + " " + std::to_string(simplices[i].entity + 1) + " " +
                std::to_string(type) + " " + std::to_string(end - i) + "\n";
       for (std::size_t k = i; k < end; ++k) {
         text_ += std::to_string(++number);
-        for (const Index p : simplices[k].points) text_ += " " + std::to_string(p + 1);
+        for (const Index p : mesh_.nodes(simplices[k], edges)) text_ += " " + std::to_string(p + 1);
         text_ += '\n';
       }
     }
@@ -190,10 +197,11 @@ class MshWriter {
     text_ += "$Elements\n" + std::to_string(blocks) + " " + std::to_string(n) + (n == 0 ? " 0 " : " 1 ") +
              std::to_string(n) + "\n";
     std::size_t number = 0;
-    add_blocks(0, 15, mesh_.vertices, number);
-    add_blocks(1, 1, mesh_.segments, number);
-    add_blocks(2, 2, mesh_.triangles, number);
-    add_blocks(3, 4, mesh_.tetrahedra, number);
+    const bool straight = mesh_.middles.empty();
+    add_blocks(0, 15, mesh_.vertices, kEdges0, number);
+    add_blocks(1, straight ? 1 : 8, mesh_.segments, kEdges1, number);
+    add_blocks(2, straight ? 2 : 9, mesh_.triangles, kEdges2, number);
+    add_blocks(3, straight ? 4 : 11, mesh_.tetrahedra, kEdges3, number);
     text_ += "$EndElements\n";
   }
 
@@ -204,10 +212,15 @@ class MshWriter {
       text_ += "$ElementNodeData\n1\n\"" + shown_in_quotes(field.name) + "\"\n1\n0\n3\n0\n1\n" +
                std::to_string(mesh_.tetrahedra.size()) + "\n";
       for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
-        text_ += std::to_string(before + t + 1) + " 4";
-        for (std::size_t k = 0; k < 4; ++k) {
+        std::vector<double> values(field.values.begin() + static_cast<std::ptrdiff_t>(4 * t),
+                                   field.values.begin() + static_cast<std::ptrdiff_t>(4 * t + 4));
+        if (!mesh_.middles.empty()) {
+          for (const auto& [i, j] : kEdges3) values.push_back((values[i] + values[j]) / 2);
+        }
+        text_ += std::to_string(before + t + 1) + " " + std::to_string(values.size());
+        for (const double value : values) {
           text_ += ' ';
-          append(text_, field.values[4 * t + k]);
+          append(text_, value);
         }
         text_ += '\n';
       }

@@ -90,8 +90,26 @@ TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& option
   return made;
 }
 
+CurvedReport curve(const Result& result, TetrahedralMesh& made) {
+  const ResultView view = result.data().view(true);
+  if (view.parameters == nullptr) {
+    throw InputError("the result knows nothing of its true surfaces; mesh the tree itself, without --snap");
+  }
+  const CurvedReport report = curve(view, made);
+  made.mesh.fields.clear();
+  sample_materials(view, made.mesh);
+  return report;
+}
+
+void check_curved_mesh_file_name(const std::string& path) {
+  check_mesh_file_name(path);
+  if (extension_of(path) != ".mesh") return;
+  throw InputError(path + ": this format holds straight tetrahedra only; use one of .msh .vtu for curved ones");
+}
+
 void write(const std::string& path, const Result& result, const Mesh& mesh) {
   check_mesh_file_name(path);
+  if (!mesh.middles.empty()) check_curved_mesh_file_name(path);
   const std::string extension = extension_of(path);
   replace_file(path, extension == ".msh"    ? msh_text(mesh)
                      : extension == ".mesh" ? medit_text(mesh)

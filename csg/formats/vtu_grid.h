@@ -11,7 +11,15 @@
 namespace cnrg {
 
 /// VTK's numbers of the kinds of cells.
-enum class VtuCell : std::uint8_t { vertex = 1, polyline = 4, triangle = 5, tetrahedron = 10 };
+enum class VtuCell : std::uint8_t {
+  vertex = 1,
+  polyline = 4,
+  triangle = 5,
+  tetrahedron = 10,
+  quadratic_edge = 21,
+  quadratic_triangle = 22,
+  quadratic_tetrahedron = 24
+};
 
 /// Parameters of points on patches, for the viewer: NaN where there are none.
 struct VtuParameters {

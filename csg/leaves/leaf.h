@@ -20,6 +20,7 @@
 namespace cnrg {
 
 class LeafParameters;
+class LeafSurfaces;
 struct CellTable;
 
 /// The surfaces that carry the curved patches of a leaf, before its transform. csg/carriers compares those of all
@@ -48,6 +49,10 @@ struct LeafRegion {
 /// patches and curves.
 using ParameterSource = std::function<std::shared_ptr<const LeafParameters>()>;
 
+/// Makes the true surfaces and curves of a leaf (csg/curves/surface.h), in the parameters that ParameterSource
+/// gives its facets. Empty for a leaf whose facets are what is meant.
+using SurfaceSource = std::function<std::shared_ptr<const LeafSurfaces>()>;
+
 /// A shape whose files were read and whose geometry was checked. It keeps what it needs of them.
 class PreparedLeaf {
  public:
@@ -67,12 +72,17 @@ class PreparedLeaf {
   const ParameterSource& parameters() const { return parameters_; }
   void set_parameters(ParameterSource source) { parameters_ = std::move(source); }
 
+  /// How to get the true surfaces of a curved leaf. Empty for others.
+  const SurfaceSource& surfaces() const { return surfaces_; }
+  void set_surfaces(SurfaceSource source) { surfaces_ = std::move(source); }
+
   /// Of a curved leaf: what its patches lie on. Null for others.
   const std::shared_ptr<const CurvedForm>& form() const { return form_; }
   void set_form(std::shared_ptr<const CurvedForm> form) { form_ = std::move(form); }
 
  private:
   ParameterSource parameters_;
+  SurfaceSource surfaces_;
   std::shared_ptr<const CurvedForm> form_;
 };
 

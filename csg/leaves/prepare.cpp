@@ -9,13 +9,16 @@ using Leaf = std::unique_ptr<PreparedLeaf>;
 
 /// Keeps the shape: when someone asks for parameters, the leaf is made once more, with a record of them.
 template <class Shape>
-Leaf curved(const Shape& shape, Leaf (*make)(const Shape&, LeafParameters*)) {
+Leaf curved(const Shape& shape, Leaf (*make)(const Shape&, LeafParameters*),
+            std::shared_ptr<const LeafSurfaces> (*surfaces)(const Shape&)) {
   Leaf leaf = make(shape, nullptr);
-  leaf->set_parameters([make, kept = std::make_shared<const Shape>(shape)] {
+  const auto kept = std::make_shared<const Shape>(shape);
+  leaf->set_parameters([make, kept] {
     auto parameters = std::make_shared<LeafParameters>();
     make(*kept, parameters.get());
     return parameters;
   });
+  leaf->set_surfaces([surfaces, kept] { return surfaces(*kept); });
   return leaf;
 }
 
@@ -29,14 +32,14 @@ struct Dispatch {
   Leaf operator()(const PointsShape& shape) const { return prepare_points(shape); }
   Leaf operator()(const PlaneShape& shape) const { return prepare_plane(shape); }
   Leaf operator()(const HalfspaceShape& shape) const { return prepare_halfspace(shape); }
-  Leaf operator()(const SphereShape& shape) const { return curved(shape, prepare_sphere); }
-  Leaf operator()(const CylinderShape& shape) const { return curved(shape, prepare_cylinder); }
-  Leaf operator()(const ConeShape& shape) const { return curved(shape, prepare_cone); }
-  Leaf operator()(const TorusShape& shape) const { return curved(shape, prepare_torus); }
-  Leaf operator()(const BezierShape& shape) const { return curved(shape, prepare_bezier); }
-  Leaf operator()(const CoonsShape& shape) const { return curved(shape, prepare_coons); }
-  Leaf operator()(const ExtrudeShape& shape) const { return curved(shape, prepare_extrude); }
-  Leaf operator()(const RevolveShape& shape) const { return curved(shape, prepare_revolve); }
+  Leaf operator()(const SphereShape& shape) const { return curved(shape, prepare_sphere, sphere_surfaces); }
+  Leaf operator()(const CylinderShape& shape) const { return curved(shape, prepare_cylinder, cylinder_surfaces); }
+  Leaf operator()(const ConeShape& shape) const { return curved(shape, prepare_cone, cone_surfaces); }
+  Leaf operator()(const TorusShape& shape) const { return curved(shape, prepare_torus, torus_surfaces); }
+  Leaf operator()(const BezierShape& shape) const { return curved(shape, prepare_bezier, bezier_surfaces); }
+  Leaf operator()(const CoonsShape& shape) const { return curved(shape, prepare_coons, coons_surfaces); }
+  Leaf operator()(const ExtrudeShape& shape) const { return curved(shape, prepare_extrude, extrude_surfaces); }
+  Leaf operator()(const RevolveShape& shape) const { return curved(shape, prepare_revolve, revolve_surfaces); }
   Leaf operator()(const HeightfieldShape& shape) const { return prepare_heightfield(shape); }
   Leaf operator()(const MeshShape& shape) const { return prepare_mesh(shape); }
   Leaf operator()(const CadShape& shape) const { return prepare_cad(shape); }

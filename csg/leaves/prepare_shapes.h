@@ -33,6 +33,22 @@ std::unique_ptr<PreparedLeaf> prepare_coons(const CoonsShape& shape, LeafParamet
 std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape, LeafParameters* record);
 std::unique_ptr<PreparedLeaf> prepare_revolve(const RevolveShape& shape, LeafParameters* record);
 
+/// Where the axis of an extrusion meets the plane of its profile.
+RationalPoint axis_point(const ExtrudeShape& shape);
+
+// curves/surface_round.cpp, curves/surface_swept.cpp: the true surfaces of shapes that were prepared.
+std::shared_ptr<const LeafSurfaces> sphere_surfaces(const SphereShape& shape);
+/// With parameters about another axis than z, v growing along it.
+std::shared_ptr<const LeafSurfaces> sphere_surfaces(const RationalPoint& center, const Rational& radius,
+                                                    const RationalPoint& axis);
+std::shared_ptr<const LeafSurfaces> cylinder_surfaces(const CylinderShape& shape);
+std::shared_ptr<const LeafSurfaces> cone_surfaces(const ConeShape& shape);
+std::shared_ptr<const LeafSurfaces> torus_surfaces(const TorusShape& shape);
+std::shared_ptr<const LeafSurfaces> bezier_surfaces(const BezierShape& shape);
+std::shared_ptr<const LeafSurfaces> coons_surfaces(const CoonsShape& shape);
+std::shared_ptr<const LeafSurfaces> extrude_surfaces(const ExtrudeShape& shape);
+std::shared_ptr<const LeafSurfaces> revolve_surfaces(const RevolveShape& shape);
+
 // leaves/unbounded.cpp.
 std::unique_ptr<PreparedLeaf> prepare_plane(const PlaneShape& shape);
 std::unique_ptr<PreparedLeaf> prepare_halfspace(const HalfspaceShape& shape);

@@ -13,8 +13,9 @@ struct SurfaceParameters::Leaf {
   PlacedParameters placed;
   std::size_t first_face = 0, first_wire = 0;  // those of a leaf follow each other in the soup
   std::size_t faces = 0, wires = 0;
-  std::once_flag once;
+  std::once_flag once, once_surfaces;
   std::shared_ptr<const LeafParameters> made;
+  std::shared_ptr<const LeafSurfaces> made_surfaces;
 };
 
 namespace {
@@ -115,16 +116,34 @@ std::string SurfaceParameters::curve_name(LeafId leaf, std::uint32_t curve) cons
   return has(leaf) ? parameters(leaf).curve_name(curve) : "";
 }
 
+std::shared_ptr<const LeafSurfaces> SurfaceParameters::surfaces(LeafId leaf) const {
+  if (leaf.index() >= leaves_.size() || !leaves_[leaf.index()]->placed.surfaces) return nullptr;
+  Leaf& of = *leaves_[leaf.index()];
+  std::call_once(of.once_surfaces, [&] { of.made_surfaces = of.placed.surfaces(); });
+  return of.made_surfaces;
+}
+
+const Transform& SurfaceParameters::transform(LeafId leaf) const {
+  static const Transform kIdentity;
+  return leaf.index() < leaves_.size() ? leaves_[leaf.index()]->placed.transform : kIdentity;
+}
+
+std::vector<std::vector<PatchCorner>> SurfaceParameters::cells(SourceId source) const {
+  const LeafId leaf = complex_.sources[source].leaf;
+  if (!has(leaf)) return {};
+  return parameters(leaf).cells(source.index() - leaves_[leaf.index()]->first_face);
+}
+
 std::vector<PlacedCell> SurfaceParameters::cells(FaceId f, std::span<const LeafId> leaves) const {
   std::vector<PlacedCell> result;
   for (const Cover& cover : complex_.cover(f)) {
     const Soup::Face& face = complex_.sources[cover.source];
     if (!has(face.leaf) || !among(leaves, face.leaf)) continue;
-    const Leaf& leaf = *leaves_[face.leaf.index()];
-    const bool moved = !leaf.placed.transform.identity();
-    for (auto& corners : parameters(face.leaf).cells(cover.source.index() - leaf.first_face)) {
+    const Transform& placed = leaves_[face.leaf.index()]->placed.transform;
+    const bool moved = !placed.identity();
+    for (auto& corners : cells(cover.source)) {
       if (moved) {
-        for (PatchCorner& corner : corners) corner.point = leaf.placed.transform.apply(corner.point);
+        for (PatchCorner& corner : corners) corner.point = placed.apply(corner.point);
       }
       result.push_back({face.leaf, face.patch, std::move(corners)});
     }

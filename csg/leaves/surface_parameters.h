@@ -15,10 +15,12 @@
 
 namespace cnrg {
 
-/// A leaf of the complex: where its parameters come from (empty: nowhere) and how it was placed.
+/// A leaf of the complex: where its parameters come from (empty: nowhere), how it was placed, and its true
+/// surfaces.
 struct PlacedParameters {
   ParameterSource source;
   Transform transform;
+  SurfaceSource surfaces{};
 };
 
 /// S(at) is near the point asked for, and equal to it where that is a vertex of the tessellation.
@@ -54,6 +56,13 @@ class SurfaceParameters {
   std::string patch_name(LeafId leaf, std::uint32_t patch) const;
   std::string curve_name(LeafId leaf, std::uint32_t curve) const;
 
+  /// The true surfaces and curves of the leaf, before its transform; null where its facets are what is meant.
+  std::shared_ptr<const LeafSurfaces> surfaces(LeafId leaf) const;
+  /// The identity for the frame.
+  const Transform& transform(LeafId leaf) const;
+
+  /// The cells in which a face of the soup lies, before the leaf's transform; none for a leaf without parameters.
+  std::vector<std::vector<PatchCorner>> cells(SourceId source) const;
   /// The cells of patches of the given leaves (ascending) in which a face of the complex lies.
   std::vector<PlacedCell> cells(FaceId f, std::span<const LeafId> leaves) const;
   /// Places on the patches of the given leaves (ascending) of a point of a face, an edge or a vertex of the

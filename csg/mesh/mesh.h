@@ -17,6 +17,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "csg/result/cell_tags.h"
@@ -51,6 +52,20 @@ struct Mesh {
   std::vector<Simplex<2>> segments;
   std::vector<Simplex<3>> triangles;   ///< counter-clockwise as seen from the front of the face
   std::vector<Simplex<4>> tetrahedra;  ///< det(b - a, c - a, d - a) > 0
+
+  /// Of a mesh of second order (curved_mesh.h): the point in the middle of each edge of its simplices, by the
+  /// ends, the lower number first; ascending. Empty for all others.
+  std::vector<std::pair<std::array<Index, 2>, Index>> middles;
+  Index middle(Index a, Index b) const;
+  /// The corners of a simplex, and of a mesh of second order the middles of its edges, which `edges` lists.
+  template <std::size_t N, std::size_t M>
+  std::vector<Index> nodes(const Simplex<N>& simplex,
+                           const std::array<std::array<std::size_t, 2>, M>& edges) const {
+    std::vector<Index> result(simplex.points.begin(), simplex.points.end());
+    if (middles.empty()) return result;
+    for (const auto& [i, j] : edges) result.push_back(middle(simplex.points[i], simplex.points[j]));
+    return result;
+  }
 
   /// A number at each corner of each tetrahedron, four by four: it may jump where regions meet.
   struct Field {

@@ -356,6 +356,34 @@ TEST_CASE("check reads and validates only", "[app]") {
   CHECK(o.out == "t.yaml: 7 nodes, 4 of them leaves; no faults\n");
 }
 
+TEST_CASE("uncertain crossings of curved surfaces are an error if they are asked about", "[app]") {
+  const Workshop w;
+  w.write("dip.yaml",
+          "cnrg: 1\nnodes:\n  pipe: {cylinder: {from: [-4, 0, 0.999], to: [4, 0, 0.999], radius: 1}}\n"
+          "  slab: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n  model: {union: [pipe, slab]}\nresult: model\n");
+  CHECK(w.run("eval dip.yaml").err.empty());
+  for (const std::string command : {"eval dip.yaml", "mesh dip.yaml -o dip.msh"}) {
+    INFO(command);
+    Outcome o = w.run(command + " --certify");
+    CHECK(o.status == 2);
+    CHECK(o.out.empty());
+    CHECK_THAT(o.err, StartsWith("dip.yaml:3:10: notice: `pipe` (cylinder side) and `slab` meet near ["));
+    CHECK_THAT(o.err, Contains("\ndip.yaml:3:10: error: `pipe` (cylinder side) and `slab` meet near [") &&
+                          Contains("--finer 8 would; --certify found 2 such places: "));
+    CHECK(!std::filesystem::exists(w.path("dip.msh")));
+    o = w.run(command + " --certify --quiet");
+    CHECK(o.status == 2);
+    CHECK_THAT(o.err, StartsWith("dip.yaml:3:10: error: "));
+    o = w.run(command + " --certify --finer 8 --threads 2");
+    CHECK(o.status == 0);
+    CHECK_THAT(o.err,
+               StartsWith("dip.yaml: notice: certified: where curved patches meet others, along 2 edges, "));
+  }
+  w.write("box.yaml", "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\nresult: a\n");
+  CHECK_THAT(w.run("eval box.yaml --certify").err, Contains("certified: no curved patch meets"));
+  CHECK(w.run("eval box.yaml --certify --quiet").err.empty());
+}
+
 TEST_CASE("every command that reads a tree can make its curved leaves finer", "[app]") {
   const Workshop w;
   w.write("t.yaml", R"(cnrg: 1

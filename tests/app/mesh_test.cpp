@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <sstream>
 
 #include "kernel/exact/rational.h"
@@ -42,6 +43,50 @@ TEST_CASE("mesh: a row per region and files in every format", "[app][mesh]") {
   CHECK_THAT(w.read("t.vtu"), Contains("NumberOfCells"));
   CHECK(w.run("mesh t.yaml -Y --quiet -o again.msh").out.empty());
   CHECK(w.run("mesh t.yaml --node sheet -o s.msh").status == 2);
+}
+
+TEST_CASE("mesh: elements of second order follow curved faces", "[app][mesh]") {
+  const Workshop w;
+  w.write("ball.yaml",
+          "cnrg: 1\nnodes:\n  ball: {sphere: {center: [0, 0, 0], radius: 1, segments: 12}}\nresult: ball\n");
+  Outcome o = w.run("mesh ball.yaml -o ball.msh -o ball.vtu --curved");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.out, StartsWith("region  tetrahedra  curved  straight  volume\nball ") &&
+                        Contains(" points moved to the surfaces, by 0.0") && Contains(" edges bent\n"));
+  // Blocks of elements `dimension entity type count`: lines of 3 nodes, triangles of 6, tetrahedra of 10.
+  std::istringstream msh(w.read("ball.msh"));
+  std::string line;
+  while (std::getline(msh, line) && line != "$Elements") {
+  }
+  std::getline(msh, line);
+  std::map<int, std::size_t> blocks;
+  while (std::getline(msh, line) && line != "$EndElements") {
+    std::istringstream block(line);
+    int dimension = 0, entity = 0, type = 0, count = 0;
+    REQUIRE((block >> dimension >> entity >> type >> count));
+    const std::map<int, std::size_t> nodes{{15, 1}, {8, 3}, {9, 6}, {11, 10}};
+    REQUIRE(nodes.count(type) == 1);
+    ++blocks[type];
+    for (int i = 0; i < count; ++i) {
+      REQUIRE(std::getline(msh, line));
+      std::istringstream element(line);
+      std::size_t n = 0;
+      for (long x = 0; element >> x;) ++n;
+      REQUIRE(n == 1 + nodes.at(type));
+    }
+  }
+  CHECK(blocks[9] == 1);
+  CHECK(blocks[11] == 1);
+  CHECK(w.run("mesh ball.yaml --curved --quiet -o again.msh --threads 1").out.empty());
+  CHECK(w.read("again.msh") == w.read("ball.msh"));
+
+  o = w.run("mesh ball.yaml -o ball.mesh --curved");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Contains("ball.mesh: this format holds straight tetrahedra only; use one of .msh .vtu"));
+  CHECK(!std::filesystem::exists(w.path("ball.mesh")));
+  o = w.run("mesh ball.yaml -o ball.msh --curved --snap");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Contains("--curved"));
 }
 
 TEST_CASE("mesh: one error for what cannot be meshed or written", "[app][mesh][errors]") {

@@ -172,6 +172,13 @@ TEST_CASE("walls over parts of one curve have common rulings where they overlap"
     Rational length = 0;
     for (const auto& chord : a) length += chord[1][0] - chord[0][0];
     CHECK(length == std::max(Rational(high - low), Rational(0)));
+    // The front stays where it was: along y all facets look one way.
+    const auto looks_along_y = [](const LeafInstance& wall) {
+      const Soup soup = make_soup({wall});
+      const std::vector<RationalPoint> corners = loops(soup, SourceId(0))[0];
+      return cross(corners[1] - corners[0], corners[2] - corners[0])[1] > 0;
+    };
+    for (std::size_t i = 0; i < 2; ++i) CHECK(looks_along_y(both[i]) == looks_along_y(walls[i]));
     // Parameters: S(u, v) = p(u) + v t.
     for (std::size_t i = 0; i < 2; ++i) {
       const auto form = std::dynamic_pointer_cast<const ExtrudeForm>(walls[i].leaf->form());
@@ -204,10 +211,12 @@ TEST_CASE("a wall of a patch and one of an extrusion are one, and a rim is the s
     const std::array<Rational, 2> on = random_interval(random);
     // A patch over a part of the curve, from height 0 to 2, and one that leans away from the rim.
     const Row4 part = piece_of(row, on[0], on[1]);
-    Row4 top = part, away = row;
+    const Rational height = round % 2 == 0 ? 0 : 3;  // of the rim
+    Row4 top = part, away = row, on_rim = row;
+    for (Point4& p : on_rim) p[2] += height;
     for (Point4& p : top) p[2] += 2;
     for (std::size_t i = 0; i < away.size(); ++i) {
-      away[i][2] = ratio(pick(random, 5, 7), 2);
+      away[i][2] = height + ratio(pick(random, 5, 7), 2);
       away[i][1] -= 3;
     }
     const auto sheet = [&](const Net4& net) {
@@ -218,11 +227,11 @@ TEST_CASE("a wall of a patch and one of an extrusion are one, and a rim is the s
       return placed(shape, transform);
     };
     const LeafInstance wall = extrusion({{row}}, false, Rational(3) * kUp, random_fineness(random));
-    const std::vector<LeafInstance> all = with_common_nets({wall, sheet({part, top}), sheet({row, away})});
+    const std::vector<LeafInstance> all = with_common_nets({wall, sheet({part, top}), sheet({on_rim, away})});
     const Segments rim = border(all[0]), side = border(all[2]);
     std::size_t common = 0;
     for (const auto& edge : side) {
-      if (edge[0][2] != 0 || edge[1][2] != 0) continue;
+      if (edge[0][2] != height || edge[1][2] != height) continue;
       CHECK(rim.contains(edge));
       ++common;
     }

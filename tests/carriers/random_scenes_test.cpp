@@ -1,6 +1,6 @@
-// Random leaves on a coarse lattice, so that most of what can coincide or touch does: how fine they are drawn, where
-// the scene lies and in which order its leaves come changes no count. CNRG_SEEDS and CNRG_FIRST_SEED as for cubical
-// pairs.
+// Random leaves on a coarse lattice, so that most of what can coincide or touch does: how fine they are drawn,
+// where the scene lies and in which order its leaves come changes no count. CNRG_SEEDS and CNRG_FIRST_SEED as for
+// cubical pairs.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <random>
@@ -37,19 +37,18 @@ class Scene {
     const std::string radius = ", radius: " + std::to_string(r) + ", ";
     if (kind == 0) return "cylinder: {" + ends + radius + fine.fineness() + "}";
     if (kind == 1)
-      return "cone: {" + ends + radius + "top: " + std::to_string((r + among(1, 2)) % 4) + ", " + fine.fineness() + "}";
+      return "cone: {" + ends + radius + "top: " + std::to_string((r + among(1, 2)) % 4) + ", " + fine.fineness() +
+             "}";
     if (kind == 2)
-      return "torus: {center: " + at(z) + ", axis: [0, 0, " + (down ? "-1" : "2") + "], radius: " +
-             std::to_string(r + 1) + ", tube: " + std::to_string(among(1, r)) + ", " + fine.fineness() +
-             ", rings: " + std::to_string(fine.among(25, 36)) + "}";
+      return "torus: {center: " + at(z) + ", axis: [0, 0, " + (down ? "-1" : "2") +
+             "], radius: " + std::to_string(r + 1) + ", tube: " + std::to_string(among(1, r)) + ", " +
+             fine.fineness() + ", rings: " + std::to_string(fine.among(25, 36)) + "}";
     return "sphere: {center: " + at(z) + radius + fine.fineness() + "}";
   }
 
   /// A leaf anywhere on the lattice, along an axis of coordinates.
   std::string anywhere(Scene& fine) {
-    const auto point = [&] {
-      return std::array<int, 3>{among(0, 3), among(0, 3), among(0, 3)};
-    };
+    const auto point = [&] { return std::array<int, 3>{among(0, 3), among(0, 3), among(0, 3)}; };
     const auto text = [](const std::array<int, 3>& p) {
       return "[" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) + "]";
     };
@@ -58,15 +57,18 @@ class Scene {
     std::array<int, 3> q = p;
     q[static_cast<std::size_t>(among(0, 2))] += among(1, 3);
     if (kind == 0)
-      return "box: {min: " + text(p) + ", max: " + text({p[0] + among(1, 2), p[1] + among(1, 2), p[2] + among(1, 2)}) + "}";
-    if (kind == 1) return "cylinder: {from: " + text(p) + ", to: " + text(q) + ", radius: 1, " + fine.fineness() + "}";
+      return "box: {min: " + text(p) +
+             ", max: " + text({p[0] + among(1, 2), p[1] + among(1, 2), p[2] + among(1, 2)}) + "}";
+    if (kind == 1)
+      return "cylinder: {from: " + text(p) + ", to: " + text(q) + ", radius: 1, " + fine.fineness() + "}";
     return "sphere: {center: " + text(p) + ", radius: 1, " + fine.fineness() + "}";
   }
 
   std::string nodes(int leaves, bool one_axis, Scene& fine, const std::string& at, const std::vector<int>& order) {
     std::vector<std::string> lines;
     for (int i = 0; i < leaves; ++i) {
-      lines.push_back("  n" + std::to_string(i) + ": {" + (one_axis ? coaxial(fine) : anywhere(fine)) + at + "}\n");
+      lines.push_back("  n" + std::to_string(i) + ": {" + (one_axis ? coaxial(fine) : anywhere(fine)) + at +
+                      "}\n");
     }
     std::string text;
     for (const int i : order) text += lines[static_cast<std::size_t>(i)];
@@ -105,8 +107,8 @@ void check(std::uint64_t count, bool one_axis) {
     Scene first_fine(seed + 1'000'000), other_fine(seed + 2'000'000);
     const std::string one = Scene(seed).nodes(leaves, one_axis, first_fine, "", order);
     std::reverse(order.begin(), order.end());
-    const std::string place = ", rotate: {axis: [1, 2, 3], degrees: " + std::to_string(seed % 360) +
-                              "}, translate: [0.1, 0.2, 0.3]";
+    const std::string place =
+        ", rotate: {axis: [1, 2, 3], degrees: " + std::to_string(seed % 360) + "}, translate: [0.1, 0.2, 0.3]";
     const std::string other = Scene(seed).nodes(leaves, one_axis, other_fine, place, order);
     INFO("seed " << seed << "\n" << one << other);
     REQUIRE(counts(one, order.size()) == counts(other, order.size()));

@@ -1,0 +1,84 @@
+// The true surfaces and curves of a leaf, which its facets and wires stand for.
+//
+// Everything else in this program computes with facets, exactly. But people mean the surface: whether two
+// cylinders cross or touch is a question to the cylinders, and a mesh whose nodes lie on them needs their points.
+// So a leaf offers S(u, v) of each curved patch and C(t) of each curve, in the parameters that its facets have
+// (csg/leaves/parameters.h), and in two ways. As doubles a point is good for drawing, meshing, Newton's method.
+// Over a box of parameters everything is an interval that holds all values there, all errors of rounding included:
+// what follows from it is proven. To evaluate at some points instead and to conclude from them is the obvious way,
+// and wrong between the points.
+//
+// Normals. `normal` is S_u x S_v up to a positive factor, for its direction is all that matters, and the factor
+// (the radius of a parallel, the cube of a weight) would only make the box wider. Where a patch shrinks to a point
+// (the apex of a cone, a pole of a net) there is no normal: boxes that hold such a point hold the zero vector,
+// from which nothing can be concluded. At the poles of a sphere only the parameters are singular: the normal is
+// that of the sphere.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "kernel/exact/enclosure.h"
+
+namespace cnrg {
+
+using enclosure::Interval;
+
+template <class Number>
+using Vector = std::array<Number, 3>;
+
+/// Of doubles: values at a point; of intervals: what holds them all over a box.
+template <class Number>
+struct SurfaceJet {
+  Vector<Number> point, along_u, along_v, normal;
+};
+template <class Number>
+struct CurveJet {
+  Vector<Number> point, along;
+};
+
+/// One curved patch, before the leaf's transform.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  virtual SurfaceJet<double> at(double u, double v) const = 0;
+  /// Who goes on with the intervals keeps an enclosure::RoundOutward alive meanwhile.
+  virtual SurfaceJet<Interval> over(const Interval& u, const Interval& v) const = 0;
+};
+
+class Curve {
+ public:
+  virtual ~Curve() = default;
+  virtual CurveJet<double> at(double t) const = 0;
+  virtual CurveJet<Interval> over(const Interval& t) const = 0;
+};
+
+/// Those of one leaf.
+class LeafSurfaces {
+ public:
+  void add_patch(std::uint32_t patch, std::shared_ptr<const Surface> surface) {
+    patches_[patch] = std::move(surface);
+  }
+  void add_curve(std::uint32_t curve, std::shared_ptr<const Curve> line) { curves_[curve] = std::move(line); }
+  const std::map<std::uint32_t, std::shared_ptr<const Surface>>& patches() const { return patches_; }
+  const std::map<std::uint32_t, std::shared_ptr<const Curve>>& curves() const { return curves_; }
+  /// By Soup::Face::patch; null for one that is flat.
+  const Surface* patch(std::uint32_t patch) const {
+    const auto it = patches_.find(patch);
+    return it == patches_.end() ? nullptr : it->second.get();
+  }
+  /// By Soup::Wire::leaf_edge; null for one that is straight.
+  const Curve* curve(std::uint32_t curve) const {
+    const auto it = curves_.find(curve);
+    return it == curves_.end() ? nullptr : it->second.get();
+  }
+
+ private:
+  std::map<std::uint32_t, std::shared_ptr<const Surface>> patches_;
+  std::map<std::uint32_t, std::shared_ptr<const Curve>> curves_;
+};
+
+}  // namespace cnrg

@@ -1,0 +1,76 @@
+// Constants and cosines; see the header.
+#include "csg/curves/surface_math.h"
+
+#include "csg/geometry/exact_vectors.h"
+
+namespace cnrg::surface_math {
+namespace {
+
+/// cos(2 pi r) or, with `odd`, sin(2 pi r), for 0 <= r <= 1/8.
+Interval taylor(double r, bool odd) {
+  const Interval x = turn<Interval>() * Interval(r), square = x * x;
+  // Terms up to x^18 / 18! or x^19 / 19!; they alternate and fall, so the rest is less than the next one, which is
+  // below (pi / 4)^20 / 20! < 1e-20.
+  Interval result(0);
+  for (int n = odd ? 19 : 18; n >= 2; n -= 2) result = -(square * (Interval(1) + result)) / Interval(n * (n - 1));
+  result += Interval(1) + Interval(-1e-20, 1e-20);
+  return odd ? x * result : result;
+}
+
+Interval cosine_at(double turns) {
+  double r = std::abs(turns - std::floor(turns + 0.5));  // all steps are exact, in any rounding mode
+  const bool negative = r > 0.25;
+  if (negative) r = std::abs(0.5 - r);
+  const Interval c = r > 0.125 ? taylor(0.25 - r, true) : taylor(r, false);
+  return negative ? -c : c;
+}
+
+}  // namespace
+
+Interval enclose(const Rational& value) {
+  const double d = to_double(value);
+  if (!std::isfinite(d)) {
+    constexpr double kMost = std::numeric_limits<double>::max(),
+                     kInfinity = std::numeric_limits<double>::infinity();
+    return d > 0 ? Interval(kMost, kInfinity) : Interval(-kInfinity, -kMost);
+  }
+  const int order = cmp(from_double(d), value);
+  if (order == 0) return {d};
+  return order > 0 ? Interval(std::nextafter(d, -HUGE_VAL), d) : Interval(d, std::nextafter(d, HUGE_VAL));
+}
+
+Vector<Constant> constants(const RationalPoint& p) { return {constant(p[0]), constant(p[1]), constant(p[2])}; }
+
+Constant length(const RationalPoint& v) {
+  const enclosure::RoundOutward outward;
+  return constant(CGAL::sqrt(enclose(cnrg::dot(v, v))));
+}
+
+Vector<Constant> unit(const RationalPoint& v) {
+  const enclosure::RoundOutward outward;
+  const Interval norm = length(v).range;
+  Vector<Constant> result;
+  for (std::size_t k = 0; k < 3; ++k) result[k] = constant(enclose(v[k]) / norm);
+  return result;
+}
+
+double cosine(double turns) {
+  double r = std::abs(turns - std::floor(turns + 0.5));
+  const bool negative = r > 0.25;
+  if (negative) r = std::abs(0.5 - r);
+  const double c = r > 0.125 ? std::sin(turn<double>() * (0.25 - r)) : std::cos(turn<double>() * r);
+  return negative ? -c : c;
+}
+
+Interval cosine(const Interval& turns) {
+  const double a = turns.inf(), b = turns.sup();
+  if (!(b - a < 1) || !(std::abs(a) < 1e9)) return {-1, 1};
+  const Interval from = cosine_at(a), to = cosine_at(b);
+  double low = std::min(from.inf(), to.inf()), high = std::max(from.sup(), to.sup());
+  if (std::floor(b) >= std::ceil(a)) high = 1;
+  const double half = std::ceil(2 * a);  // doubling is exact
+  if ((std::fmod(half, 2) != 0 ? half : half + 1) <= 2 * b) low = -1;
+  return {std::max(low, -1.0), std::min(high, 1.0)};
+}
+
+}  // namespace cnrg::surface_math

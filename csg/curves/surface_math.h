@@ -1,0 +1,85 @@
+// Numbers for surfaces: one formula serves doubles and intervals.
+//
+// A formula is a template over its number. What it takes from the shape are constants: rationals, or lengths of
+// rational vectors, which are kept as the double in the middle and as an interval that holds the exact value.
+//
+// Angles are counted in turns, in which parameters are rational and reduction to an eighth of a turn is exact.
+// Sines and cosines of the library are neither correctly rounded nor the same on all machines, so that no width of
+// their error is certain; over intervals they are the Taylor polynomials with a bound of the rest.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "csg/curves/surface.h"
+#include "kernel/exact/rational.h"
+
+namespace cnrg::surface_math {
+
+struct Constant {
+  double value = 0;
+  Interval range = 0;
+};
+
+/// `value` to the nearest doubles.
+Interval enclose(const Rational& value);
+inline Constant constant(const Rational& value) { return {to_double(value), enclose(value)}; }
+inline Constant constant(const Interval& range) { return {range.inf() / 2 + range.sup() / 2, range}; }
+Vector<Constant> constants(const RationalPoint& p);
+/// The unit vector along `v`, which is not zero.
+Vector<Constant> unit(const RationalPoint& v);
+/// The length of `v`.
+Constant length(const RationalPoint& v);
+
+template <class N>
+const N& as(const Constant& c) {
+  if constexpr (std::is_same_v<N, double>) return c.value;
+  else return c.range;
+}
+template <class N>
+Vector<N> as(const Vector<Constant>& c) {
+  return {as<N>(c[0]), as<N>(c[1]), as<N>(c[2])};
+}
+
+template <class N>
+Vector<N> sum(const Vector<N>& a, const Vector<N>& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+template <class N>
+Vector<N> difference(const Vector<N>& a, const Vector<N>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+template <class N>
+Vector<N> scaled(const N& s, const Vector<N>& a) {
+  return {s * a[0], s * a[1], s * a[2]};
+}
+template <class N>
+Vector<N> cross(const Vector<N>& a, const Vector<N>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+template <class N>
+N dot(const Vector<N>& a, const Vector<N>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// False where it may be zero.
+inline bool is_positive(double x) { return x > 0; }
+inline bool is_positive(const Interval& x) { return x.inf() > 0; }
+
+/// Radians of a turn.
+template <class N>
+N turn() {
+  constexpr double kBelow = 2 * std::numbers::pi;  // the double nearest to 2 pi is below it
+  if constexpr (std::is_same_v<N, double>) return kBelow;
+  else return Interval(kBelow, std::nextafter(kBelow, 7.0));
+}
+
+double cosine(double turns);
+Interval cosine(const Interval& turns);
+template <class N>
+N sine(const N& turns) {
+  return cosine(N(turns - N(0.25)));
+}
+
+}  // namespace cnrg::surface_math

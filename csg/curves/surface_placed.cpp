@@ -1,0 +1,245 @@
+// Transforms of jets, cones of normals, Newton's method; see the header.
+#include "csg/curves/surface_placed.h"
+
+namespace cnrg {
+
+using namespace surface_math;
+
+PlacedSurface::PlacedSurface(std::shared_ptr<const LeafSurfaces> leaf, std::uint32_t patch,
+                             const Transform& transform)
+    : leaf_(std::move(leaf)), surface_(leaf_ ? leaf_->patch(patch) : nullptr) {
+  const auto& m = transform.linear;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
+    offset_[i] = constant(transform.offset[i]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t c = (j + 1) % 3, d = (j + 2) % 3;
+      linear_[i][j] = constant(m[i][j]);
+      cofactors_[i][j] = constant(Rational(m[a][c] * m[b][d] - m[a][d] * m[b][c]));
+    }
+  }
+}
+
+template <class N>
+SurfaceJet<N> PlacedSurface::moved(const SurfaceJet<N>& jet) const {
+  const auto by = [](const std::array<Vector<Constant>, 3>& rows, const Vector<N>& x) {
+    return Vector<N>{dot(as<N>(rows[0]), x), dot(as<N>(rows[1]), x), dot(as<N>(rows[2]), x)};
+  };
+  // (A a) x (A b) is the matrix of cofactors of A times a x b.
+  return {sum(by(linear_, jet.point), as<N>(offset_)), by(linear_, jet.along_u), by(linear_, jet.along_v),
+          by(cofactors_, jet.normal)};
+}
+
+SurfaceJet<double> PlacedSurface::at(double u, double v) const { return moved(surface_->at(u, v)); }
+SurfaceJet<Interval> PlacedSurface::over(const Interval& u, const Interval& v) const {
+  const enclosure::RoundOutward outward;
+  return moved(surface_->over(u, v));
+}
+
+namespace {
+
+class MovedCurve final : public Curve {
+ public:
+  MovedCurve(std::shared_ptr<const Curve> curve, const Transform& transform)
+      : curve_(std::move(curve)), offset_(constants(transform.offset)) {
+    for (std::size_t i = 0; i < 3; ++i) linear_[i] = constants(transform.linear[i]);
+  }
+  CurveJet<double> at(double t) const override { return moved(curve_->at(t)); }
+  CurveJet<Interval> over(const Interval& t) const override {
+    const enclosure::RoundOutward outward;
+    return moved(curve_->over(t));
+  }
+
+ private:
+  template <class N>
+  CurveJet<N> moved(const CurveJet<N>& jet) const {
+    const auto by = [&](const Vector<N>& x) {
+      return Vector<N>{dot(as<N>(linear_[0]), x), dot(as<N>(linear_[1]), x), dot(as<N>(linear_[2]), x)};
+    };
+    return {sum(by(jet.point), as<N>(offset_)), by(jet.along)};
+  }
+  std::shared_ptr<const Curve> curve_;
+  std::array<Vector<Constant>, 3> linear_;  // rows
+  Vector<Constant> offset_;
+};
+
+}  // namespace
+
+SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform) {
+  if (!leaf) return {};
+  return [leaf, transform] {
+    const std::shared_ptr<const LeafSurfaces> given = leaf();
+    auto result = std::make_shared<LeafSurfaces>();
+    for (const auto& [number, surface] : given->patches())
+      result->add_patch(number, std::make_shared<const PlacedSurface>(given, number, transform));
+    for (const auto& [number, curve] : given->curves())
+      result->add_curve(number, std::make_shared<const MovedCurve>(curve, transform));
+    return result;
+  };
+}
+
+namespace {
+
+double middle_of(const Interval& x) { return x.inf() / 2 + x.sup() / 2; }
+
+/// How wide a box of directions is, seen from the origin.
+double width(const Vector<Interval>& n) {
+  double wide = 0, far = 0;
+  for (const Interval& x : n) {
+    wide = std::max(wide, x.sup() - x.inf());
+    far = std::max(far, std::abs(middle_of(x)));
+  }
+  return far > 0 ? wide / far : HUGE_VAL;
+}
+
+/// Halves the part across the parameter along which its normal turns more.
+std::array<SurfacePart, 2> halves(const SurfacePart& part) {
+  const double u = middle_of(part.u), v = middle_of(part.v);
+  const PlacedSurface& surface = *part.surface;
+  if (width(surface.over(u, part.v).normal) <= width(surface.over(part.u, v).normal)) {
+    return {SurfacePart::of(surface, {part.u.inf(), u}, part.v),
+            SurfacePart::of(surface, {u, part.u.sup()}, part.v)};
+  }
+  return {SurfacePart::of(surface, part.u, {part.v.inf(), v}),
+          SurfacePart::of(surface, part.u, {v, part.v.sup()})};
+}
+
+bool apart(const SurfacePart& a, const SurfacePart& b, int halvings) {
+  for (const Interval& x : cross(a.normal, b.normal)) {
+    if (x.inf() > 0 || x.sup() < 0) return true;
+  }
+  if (halvings == 0) return false;
+  const bool first = b.surface == nullptr || (a.surface != nullptr && width(a.normal) >= width(b.normal));
+  if ((first ? a : b).surface == nullptr) return false;  // two planes
+  for (const SurfacePart& half : halves(first ? a : b)) {
+    if (!(first ? apart(half, b, halvings - 1) : apart(a, half, halvings - 1))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<SurfacePart> quarters(const SurfacePart& part) {
+  if (part.surface == nullptr) return {part};
+  const double u = middle_of(part.u), v = middle_of(part.v);
+  std::vector<SurfacePart> result;
+  for (const Interval& in_u : {Interval(part.u.inf(), u), Interval(u, part.u.sup())}) {
+    for (const Interval& in_v : {Interval(part.v.inf(), v), Interval(v, part.v.sup())})
+      result.push_back(SurfacePart::of(*part.surface, in_u, in_v));
+  }
+  return result;
+}
+
+bool may_meet(const SurfacePart& a, const SurfacePart& b) {
+  const enclosure::RoundOutward outward;
+  const Vector<Interval> way = difference(a.point, b.point);
+  if (a.surface == nullptr || b.surface == nullptr) {
+    const Interval height = dot(a.surface == nullptr ? a.normal : b.normal, way);
+    return height.inf() <= 0 && height.sup() >= 0;
+  }
+  return std::all_of(way.begin(), way.end(), [](const Interval& x) { return x.inf() <= 0 && x.sup() >= 0; });
+}
+
+bool nowhere_parallel(const SurfacePart& a, const SurfacePart& b, int halvings) {
+  const enclosure::RoundOutward outward;
+  return apart(a, b, halvings);
+}
+
+namespace {
+
+/// One step of Gauss and Newton to the place of the surface that is next to p.
+void approach(SurfaceSite& site, const SurfaceJet<double>& jet, const Vector<double>& p) {
+  const Vector<double> way = difference(p, jet.point);
+  const double uu = dot(jet.along_u, jet.along_u), uv = dot(jet.along_u, jet.along_v),
+               vv = dot(jet.along_v, jet.along_v), u = dot(jet.along_u, way), v = dot(jet.along_v, way);
+  const double determinant = uu * vv - uv * uv;
+  std::array<double, 2> step{uu > 0 ? u / uu : 0, vv > 0 ? v / vv : 0};  // at a pole, along what there is
+  if (determinant > 1e-20 * uu * vv) step = {(u * vv - v * uv) / determinant, (v * uu - u * uv) / determinant};
+  for (std::size_t k = 0; k < 2; ++k) site.at[k] += std::clamp(step[k], -site.reach[k], site.reach[k]);
+}
+
+/// Moves p as little as it can be to the planes through it with unit `normals` moved by `gaps`. One that follows
+/// from those before it, or contradicts them, is left out.
+void move_to_planes(Vector<double>& p, std::span<const Vector<double>> normals, std::span<const double> gaps) {
+  std::vector<Vector<double>> directions;  // orthonormal
+  Vector<double> moved{0, 0, 0};
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    Vector<double> d = normals[i];
+    for (const Vector<double>& other : directions) d = difference(d, scaled(dot(normals[i], other), other));
+    const double length = std::sqrt(dot(d, d));
+    if (length < 1e-7) continue;
+    d = scaled(1 / length, d);
+    moved = sum(moved, scaled((gaps[i] - dot(normals[i], moved)) / length, d));
+    directions.push_back(d);
+  }
+  p = sum(p, moved);
+}
+
+}  // namespace
+
+namespace {
+
+/// From one surface to the next, over and over: slow, but patches that continue one another smoothly, and end
+/// where they meet, have no planes that cross.
+std::optional<Vector<double>> find_by_turns(std::span<SurfaceSite> sites, const Vector<double>& point) {
+  std::vector<SurfaceSite> tried(sites.begin(), sites.end());
+  Vector<double> p = point;
+  const double size = 1 + std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
+  for (int i = 0; i < 60; ++i) {
+    double far = 0;
+    for (SurfaceSite& site : tried) {
+      Vector<double> next = p;
+      if (site.surface != nullptr) {
+        approach(site, site.surface->at(site.at[0], site.at[1]), p);
+        next = site.surface->at(site.at[0], site.at[1]).point;
+      } else {
+        const double gap = dot(site.normal, difference(site.point, p)) / dot(site.normal, site.normal);
+        next = sum(p, scaled(gap, site.normal));
+      }
+      const Vector<double> way = difference(next, p);
+      far = std::max(far, std::sqrt(dot(way, way)));
+      p = next;
+    }
+    if (!std::isfinite(far)) return std::nullopt;
+    if (far > 1e-13 * size) continue;
+    std::copy(tried.begin(), tried.end(), sites.begin());
+    return p;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Vector<double>> find_common(std::span<SurfaceSite> sites, const Vector<double>& point) {
+  std::vector<SurfaceSite> tried(sites.begin(), sites.end());
+  Vector<double> p = point;
+  const double size = 1 + std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]);
+  for (int i = 0; i < 40; ++i) {
+    std::vector<Vector<double>> normals;
+    std::vector<double> gaps;
+    double far = 0;
+    for (SurfaceSite& site : tried) {
+      Vector<double> next = site.point, normal = site.normal;
+      if (site.surface != nullptr) {
+        approach(site, site.surface->at(site.at[0], site.at[1]), p);
+        const SurfaceJet<double> jet = site.surface->at(site.at[0], site.at[1]);
+        next = jet.point, normal = jet.normal;
+      }
+      const double norm = std::sqrt(dot(normal, normal));
+      if (!(norm > 0) || !std::isfinite(norm)) return std::nullopt;
+      const Vector<double> way = difference(next, p);
+      normals.push_back(scaled(1 / norm, normal));
+      gaps.push_back(dot(normals.back(), way));
+      far = std::max(far, site.surface != nullptr ? std::sqrt(dot(way, way)) : std::abs(gaps.back()));
+    }
+    if (!std::isfinite(far)) return std::nullopt;
+    if (far <= 4e-15 * size) {
+      std::copy(tried.begin(), tried.end(), sites.begin());
+      return p;
+    }
+    move_to_planes(p, normals, gaps);
+  }
+  return find_by_turns(sites, point);
+}
+
+}  // namespace cnrg

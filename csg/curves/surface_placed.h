@@ -1,0 +1,73 @@
+// True surfaces where a transform put them, and whether two of them can be parallel somewhere.
+//
+// Where two surfaces cross at an angle, all that is near to them crosses alike: finer facets give the same
+// vertices, edges and regions. Where they are parallel, at a point that they share, the smallest change makes a
+// curve of a point or nothing of it. To compare normals at points says nothing about the points between; here
+// normals are boxes over boxes of parameters, and two boxes without parallel vectors prove it for all points in
+// them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "csg/curves/surface_math.h"
+#include "csg/geometry/transform.h"
+#include "csg/leaves/leaf.h"
+
+namespace cnrg {
+
+class PlacedSurface final : public Surface {
+ public:
+  PlacedSurface(std::shared_ptr<const LeafSurfaces> leaf, std::uint32_t patch, const Transform& transform);
+  /// True if the patch is flat: then nothing else may be asked.
+  bool flat() const { return surface_ == nullptr; }
+  SurfaceJet<double> at(double u, double v) const override;
+  SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override;
+
+ private:
+  template <class N>
+  SurfaceJet<N> moved(const SurfaceJet<N>& jet) const;
+
+  std::shared_ptr<const LeafSurfaces> leaf_;  // holds the surface
+  const Surface* surface_ = nullptr;
+  std::array<Vector<surface_math::Constant>, 3> linear_, cofactors_;  // rows
+  Vector<surface_math::Constant> offset_;
+};
+
+/// The surfaces and curves of a leaf where a transform put them; of a leaf that has none, none.
+SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform);
+
+/// A part of a surface, or of a plane where `surface` is null.
+struct SurfacePart {
+  const PlacedSurface* surface = nullptr;
+  Interval u = 0, v = 0;
+  Vector<Interval> point{}, normal{};  ///< over the part; of a plane one of its points
+
+  static SurfacePart of(const PlacedSurface& surface, const Interval& u, const Interval& v) {
+    const SurfaceJet<Interval> jet = surface.over(u, v);
+    return {&surface, u, v, jet.point, jet.normal};
+  }
+};
+
+/// Four parts, halved along both parameters; a plane stays whole.
+std::vector<SurfacePart> quarters(const SurfacePart& part);
+/// False if the parts have no point in common, proven.
+bool may_meet(const SurfacePart& a, const SurfacePart& b);
+
+/// True if no normal of one is parallel to one of the other, proven; parts are halved up to `halvings` times.
+bool nowhere_parallel(const SurfacePart& a, const SurfacePart& b, int halvings);
+
+/// A surface with a place on it, or a plane where `surface` is null.
+struct SurfaceSite {
+  const PlacedSurface* surface = nullptr;
+  std::array<double, 2> at{0, 0};
+  std::array<double, 2> reach{0, 0};               ///< no step of a search is longer, in each parameter
+  Vector<double> point{0, 0, 0}, normal{0, 0, 0};  ///< of the plane
+};
+/// The point that lies on all of up to three surfaces, near to `point`: by the points of each that are next to it
+/// and the planes that touch there, over and over. Moves `at` of the sites along. Nothing if it does not converge.
+std::optional<Vector<double>> find_common(std::span<SurfaceSite> sites, const Vector<double>& point);
+
+}  // namespace cnrg

@@ -1,0 +1,125 @@
+// The true surfaces of sphere, cylinder, cone, torus and revolve: what each turns about its axis.
+#include "csg/curves/surface_round.h"
+
+#include "csg/curves/surface_spline.h"
+#include "csg/geometry/exact_vectors.h"
+#include "csg/leaves/prepare_shapes.h"
+
+namespace cnrg {
+namespace {
+
+using namespace surface_math;
+
+/// From radius `from` at 0 to radius `to` at height `length`.
+struct SlantedLine {
+  Constant from, growth, length;
+  template <class N>
+  MeridianJet<N> jet(const N& m) const {
+    return {as<N>(from) + as<N>(growth) * m, as<N>(length) * m, as<N>(growth), as<N>(length)};
+  }
+};
+
+/// A circle of the given radius about a point at distance `out`, from `start` on, all by turns.
+struct RoundLine {
+  Constant radius, out, start, turns;
+  template <class N>
+  MeridianJet<N> jet(const N& m) const {
+    const N at = as<N>(start) + as<N>(turns) * m;
+    const N x = as<N>(radius) * cosine(at), y = as<N>(radius) * sine(at), speed = turn<N>() * as<N>(turns);
+    return {as<N>(out) + x, y, -(speed * y), speed * x};
+  }
+};
+
+struct ProfileSegment {
+  SplineCurve curve;  // (r, 0, z)
+  template <class N>
+  MeridianJet<N> jet(const N& m) const {
+    const CurveJet<N> jet = curve.jet(m);
+    return {jet.point[0], jet.point[2], jet.along[0], jet.along[2]};
+  }
+};
+
+/// Whether a profile that reaches the axis does so at right angles, so that what it sweeps is smooth there. Inside
+/// of a piece whose control points have r >= 0, not all 0, it does not reach it.
+bool smooth_on_axis(const std::vector<BezierCurve>& pieces) {
+  for (const BezierCurve& piece : pieces) {
+    std::vector<RationalPoint> points;
+    for (const Homogeneous& h : piece.net) points.push_back(project(h));
+    for (const RationalPoint& p : points) {
+      if (p[0] < 0) return false;
+    }
+    const auto flat = [](const RationalPoint& end, const RationalPoint& next) {
+      return end[0] > 0 || (next[0] > 0 && next[2] == end[2]);
+    };
+    const std::size_t n = points.size();
+    if (!flat(points[0], points[1]) || !flat(points[n - 1], points[n - 2])) return false;
+  }
+  return true;
+}
+
+template <class Meridian>
+std::shared_ptr<const Surface> turned(const typename RoundSurface<Meridian>::Place& place, Meridian meridian) {
+  return std::make_shared<const RoundSurface<Meridian>>(place, std::move(meridian));
+}
+
+template <class Meridian>
+std::shared_ptr<const LeafSurfaces> one_patch(std::uint32_t number,
+                                              const typename RoundSurface<Meridian>::Place& place,
+                                              Meridian meridian) {
+  auto surfaces = std::make_shared<LeafSurfaces>();
+  surfaces->add_patch(number, turned(place, std::move(meridian)));
+  return surfaces;
+}
+
+}  // namespace
+
+std::shared_ptr<const LeafSurfaces> cone_surfaces(const ConeShape& shape) {
+  const RationalPoint along = shape.to - shape.from;
+  return one_patch(
+      2, {.center = shape.from, .frame = CircleFrame(along)},
+      SlantedLine{constant(shape.radius), constant(Rational(shape.top - shape.radius)), length(along)});
+}
+
+std::shared_ptr<const LeafSurfaces> cylinder_surfaces(const CylinderShape& shape) {
+  return cone_surfaces({shape.from, shape.to, shape.radius, shape.radius, shape.segments});
+}
+
+std::shared_ptr<const LeafSurfaces> sphere_surfaces(const RationalPoint& center, const Rational& radius,
+                                                    const RationalPoint& axis) {
+  return one_patch(
+      0, {.center = center, .frame = CircleFrame(axis), .smooth_on_axis = true},
+      RoundLine{constant(radius), constant(Rational(0)), constant(Rational(-1, 4)), constant(Rational(1, 2))});
+}
+
+std::shared_ptr<const LeafSurfaces> sphere_surfaces(const SphereShape& shape) {
+  return sphere_surfaces(shape.center, shape.radius, {0, 0, 1});
+}
+
+std::shared_ptr<const LeafSurfaces> torus_surfaces(const TorusShape& shape) {
+  return one_patch(
+      0, {.center = shape.center, .frame = CircleFrame(shape.axis)},
+      RoundLine{constant(shape.tube), constant(shape.radius), constant(Rational(0)), constant(Rational(1))});
+}
+
+std::shared_ptr<const LeafSurfaces> revolve_surfaces(const RevolveShape& shape) {
+  auto surfaces = std::make_shared<LeafSurfaces>();
+  std::uint32_t number = shape.profile.closed && shape.degrees != 360 ? 2 : 0;
+  for (const ProfileLine& line : shape.profile.lines) {
+    for (const CurveNet& net : line.segments) {
+      const std::vector<BezierCurve> pieces = curve_pieces(net, "revolve");
+      const std::uint32_t patch = number++;
+      const bool disk = std::all_of(net.points.begin(), net.points.end(),
+                                    [&](const RationalPoint& p) { return p[2] == net.points[0][2]; });
+      if (disk) continue;  // flat
+      surfaces->add_patch(patch, turned({.center = shape.center,
+                                         .frame = CircleFrame(shape.axis),
+                                         .degrees = shape.degrees,
+                                         .angle_first = false,
+                                         .smooth_on_axis = smooth_on_axis(pieces)},
+                                        ProfileSegment{{pieces, curve_spans(net)}}));
+    }
+  }
+  return surfaces;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,71 @@
+// Surfaces of revolution: S = c + r(m) d(a) + z(m) n, a meridian (r, z) turned about an axis.
+//
+// With the unit vectors d(a) away from the axis, t = n x d and n, the derivatives are r t by the angle and
+// r' d + z' n along the meridian, and (r t) x (r' d + z' n) = r (z' d - r' n). So the direction of the normal is
+// that of z' d - r' n, whatever r > 0 is. Where r = 0 the normal has no direction, unless the meridian meets the
+// axis at a right angle and the surface is smooth there.
+#pragma once
+
+#include "csg/curves/surface_math.h"
+#include "csg/geometry/circle.h"
+
+namespace cnrg {
+
+template <class N>
+struct MeridianJet {
+  N r, z, r_m, z_m;
+};
+
+/// `Meridian` has `jet(m)` for doubles and intervals.
+template <class Meridian>
+class RoundSurface final : public Surface {
+ public:
+  struct Place {
+    RationalPoint center;
+    CircleFrame frame;
+    Rational degrees = 360;   ///< of the whole range of the angle's parameter, which is from 0 to 1
+    bool angle_first = true;  ///< u is the angle and v runs along the meridian, or the other way round
+    bool smooth_on_axis = false;
+  };
+  RoundSurface(const Place& place, Meridian meridian)
+      : meridian_(std::move(meridian)),
+        center_(surface_math::constants(place.center)),
+        first_(surface_math::unit(place.frame.first())),
+        second_(surface_math::unit(place.frame.second())),
+        axis_(surface_math::unit(place.frame.axis())),
+        turns_(surface_math::constant(Rational(place.degrees / 360))),
+        angle_first_(place.angle_first),
+        smooth_on_axis_(place.smooth_on_axis) {}
+
+  SurfaceJet<double> at(double u, double v) const override { return jet(u, v); }
+  SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override {
+    const enclosure::RoundOutward outward;
+    return jet(u, v);
+  }
+
+ private:
+  template <class N>
+  SurfaceJet<N> jet(const N& u, const N& v) const {
+    using namespace surface_math;
+    const N turns = as<N>(turns_) * (angle_first_ ? u : v);
+    const N c = cosine(turns), s = sine(turns);
+    const MeridianJet<N> m = meridian_.jet(angle_first_ ? v : u);
+    const Vector<N> e1 = as<N>(first_), e2 = as<N>(second_), n = as<N>(axis_);
+    const Vector<N> away = sum(scaled(c, e1), scaled(s, e2)), around = difference(scaled(c, e2), scaled(s, e1));
+    const Vector<N> point = sum(as<N>(center_), sum(scaled(m.r, away), scaled(m.z, n)));
+    const Vector<N> by_angle = scaled(N(turn<N>() * as<N>(turns_) * m.r), around);
+    const Vector<N> by_meridian = sum(scaled(m.r_m, away), scaled(m.z_m, n));
+    Vector<N> normal = difference(scaled(m.z_m, away), scaled(m.r_m, n));
+    if (!smooth_on_axis_ && !is_positive(m.r)) normal = scaled(m.r, normal);
+    if (!angle_first_) normal = scaled(N(-1), normal);
+    if (angle_first_) return {point, by_angle, by_meridian, normal};
+    return {point, by_meridian, by_angle, normal};
+  }
+
+  Meridian meridian_;
+  Vector<surface_math::Constant> center_, first_, second_, axis_;
+  surface_math::Constant turns_;
+  bool angle_first_, smooth_on_axis_;
+};
+
+}  // namespace cnrg

@@ -1,0 +1,62 @@
+// Curves and patches of Bézier pieces with the spans of their parameters, as values and enclosures.
+//
+// Over a box a net is cut to the box, by its blossom in intervals; what it then is a mean of, its control points,
+// is what it can be. Derivatives are nets of their own, made of exact differences: to take differences of control
+// points that are known to an interval would divide an error by the size of the box.
+#pragma once
+
+#include <vector>
+
+#include "csg/curves/bezier.h"
+#include "csg/curves/control_nets.h"
+#include "csg/curves/surface_math.h"
+
+namespace cnrg {
+
+using ConstantRow = std::vector<std::array<surface_math::Constant, 4>>;
+
+class SplineCurve final : public Curve {
+ public:
+  SplineCurve(const std::vector<BezierCurve>& pieces, const std::vector<Span>& spans);
+  CurveJet<double> at(double t) const override { return jet(t); }
+  CurveJet<Interval> over(const Interval& t) const override {
+    const enclosure::RoundOutward outward;
+    return jet(t);
+  }
+  template <class N>
+  CurveJet<N> jet(const N& t) const;
+
+ private:
+  struct Piece {
+    surface_math::Constant from, size;      // of the span
+    Vector<surface_math::Constant> origin;  // the net is relative to it, so that products stay small
+    ConstantRow net, derivative;            // homogeneous; by the piece's own parameter
+    bool polynomial = false;                // all weights are 1
+  };
+  std::vector<Piece> pieces_;
+};
+
+class SplinePatch final : public Surface {
+ public:
+  SplinePatch(const std::vector<BezierPatch>& pieces, const std::vector<std::array<Span, 2>>& spans);
+  SurfaceJet<double> at(double u, double v) const override { return jet(u, v); }
+  SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override {
+    const enclosure::RoundOutward outward;
+    return jet(u, v);
+  }
+
+ private:
+  template <class N>
+  SurfaceJet<N> jet(const N& u, const N& v) const;
+
+  using Net = std::vector<ConstantRow>;
+  struct Piece {
+    std::array<surface_math::Constant, 2> from, size;
+    Vector<surface_math::Constant> origin;
+    Net net, along_u, along_v;
+    bool polynomial = false;
+  };
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace cnrg

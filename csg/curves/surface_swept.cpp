@@ -1,0 +1,139 @@
+// The true surfaces of bezier, bspline and coons, and of extrude: S = c + s(t) R(t) (p(u) - c) + t v.
+//
+// Of an extrusion S_u = s R p' and S_t = s' R q + s w R (n x q) + v with q = p - c, the unit vector n along v and
+// w the twist in radians. R keeps v and commutes with products, so the normal is s R (p' x (s' q + s w n x q +
+// v)).
+#include "csg/curves/surface_spline.h"
+#include "csg/geometry/exact_vectors.h"
+#include "csg/leaves/prepare_shapes.h"
+
+namespace cnrg {
+namespace {
+
+using namespace surface_math;
+
+class SweptSurface final : public Surface {
+ public:
+  /// `center` is in the plane of the profile where that is turned or scaled.
+  SweptSurface(const ExtrudeShape& shape, const RationalPoint& center, const CurveNet& net)
+      : profile_(curve_pieces(net, "extrude"), curve_spans(net)),
+        center_(constants(center)),
+        vector_(constants(shape.vector)),
+        axis_(unit(shape.vector)),
+        turns_(constant(Rational(shape.twist / 360))),
+        growth_(constant(Rational(shape.scale - 1))),
+        twisted_(shape.twist != 0),
+        scaled_(shape.scale != 1) {}
+
+  SurfaceJet<double> at(double u, double t) const override { return jet(u, t); }
+  SurfaceJet<Interval> over(const Interval& u, const Interval& t) const override {
+    const enclosure::RoundOutward outward;
+    return jet(u, t);
+  }
+
+ private:
+  template <class N>
+  SurfaceJet<N> jet(const N& u, const N& t) const {
+    const CurveJet<N> p = profile_.jet(u);
+    const Vector<N> center = as<N>(center_), v = as<N>(vector_), n = as<N>(axis_);
+    if (!twisted_ && !scaled_) return {sum(p.point, scaled(t, v)), p.along, v, cross(p.along, v)};
+    const N size = N(1) + as<N>(growth_) * t, turns = as<N>(turns_) * t;
+    const N c = twisted_ ? cosine(turns) : N(1), s = twisted_ ? sine(turns) : N(0);
+    const auto turned = [&](const Vector<N>& x) {
+      if (!twisted_) return x;
+      return sum(sum(scaled(c, x), scaled(s, cross(n, x))), scaled(N((N(1) - c) * dot(n, x)), n));
+    };
+    const Vector<N> q = difference(p.point, center), spin = cross(n, q);
+    const N speed = turn<N>() * as<N>(turns_) * size;
+    const Vector<N> across = sum(sum(scaled(as<N>(growth_), q), scaled(speed, spin)), v);  // R^-1 S_t
+    Vector<N> normal = turned(cross(p.along, across));
+    if (!is_positive(size)) normal = scaled(size, normal);
+    return {sum(center, sum(scaled(size, turned(q)), scaled(t, v))), scaled(size, turned(p.along)), turned(across),
+            normal};
+  }
+
+  SplineCurve profile_;
+  Vector<Constant> center_, vector_, axis_;
+  Constant turns_, growth_;
+  bool twisted_, scaled_;
+};
+
+/// Points that span no more than a plane with the given vector.
+bool in_plane_with(const std::vector<RationalPoint>& points, RationalPoint along) {
+  RationalPoint normal{0, 0, 0};
+  for (const RationalPoint& p : points) {
+    const RationalPoint way = p - points[0];
+    if (is_zero(along)) along = way;
+    if (is_zero(normal)) normal = cnrg::cross(along, way);
+    if (cnrg::dot(normal, way) != 0) return false;
+  }
+  return true;
+}
+
+bool on_line(const std::vector<RationalPoint>& points) {
+  return std::all_of(points.begin(), points.end(),
+                     [&](const RationalPoint& p) { return collinear(points.front(), points.back(), p); });
+}
+
+/// True for what is sure to be a part of a plane, so that its facets are all that there is to know.
+bool sweeps_plane(const ExtrudeShape& shape, const CurveNet& net) {
+  if (shape.twist != 0) return false;
+  return on_line(net.points) || (shape.scale == 1 && in_plane_with(net.points, shape.vector));
+}
+
+void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<BezierPatch>& pieces,
+             const std::vector<std::array<Span, 2>>& spans) {
+  std::vector<RationalPoint> points;
+  for (const BezierPatch& piece : pieces) {
+    for (const ControlRow& row : piece.net) {
+      for (const Homogeneous& h : row) points.push_back(project(h));
+    }
+  }
+  if (!in_plane_with(points, {0, 0, 0})) {
+    surfaces.add_patch(number, std::make_shared<const SplinePatch>(pieces, spans));
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const LeafSurfaces> bezier_surfaces(const BezierShape& shape) {
+  auto surfaces = std::make_shared<LeafSurfaces>();
+  std::uint32_t number = 0;
+  for (const PatchNet& net : shape.patches) {
+    add_net(*surfaces, number++, patch_pieces(net, "bezier"), patch_spans(net));
+  }
+  number = 0;
+  for (const CurveNet& net : shape.curves) {
+    surfaces->add_curve(number++,
+                        std::make_shared<const SplineCurve>(curve_pieces(net, "bezier"), curve_spans(net)));
+  }
+  return surfaces;
+}
+
+std::shared_ptr<const LeafSurfaces> coons_surfaces(const CoonsShape& shape) {
+  auto surfaces = std::make_shared<LeafSurfaces>();
+  std::uint32_t number = 0;
+  for (const auto& round : shape.patches) {
+    std::array<BezierCurve, 4> curves;
+    for (std::size_t k = 0; k < 4; ++k) curves[k] = curve_pieces(round[k], "coons")[0];
+    add_net(*surfaces, number++, {coons_patch(curves)}, {{{{0, 1}, {0, 1}}}});
+  }
+  return surfaces;
+}
+
+std::shared_ptr<const LeafSurfaces> extrude_surfaces(const ExtrudeShape& shape) {
+  auto surfaces = std::make_shared<LeafSurfaces>();
+  std::uint32_t number = shape.profile.closed ? 2 : 0;
+  const RationalPoint center = axis_point(shape);
+  for (const ProfileLine& line : shape.profile.lines) {
+    for (const CurveNet& net : line.segments) {
+      const std::uint32_t patch = number++;
+      if (!sweeps_plane(shape, net)) {
+        surfaces->add_patch(patch, std::make_shared<const SweptSurface>(shape, center, net));
+      }
+    }
+  }
+  return surfaces;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,50 @@
+// Uncertain places in words.
+#include "csg/evaluate/certify.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "csg/evaluate/transversality.h"
+#include "csg/tree/unfold.h"
+
+namespace cnrg {
+namespace {
+
+std::string coordinates(const std::array<double, 3>& p) {
+  std::string text;
+  for (const double x : p) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.6g", std::abs(x) < 1e-9 ? 0.0 : x);
+    text += (text.empty() ? "" : ", ") + std::string(buffer);
+  }
+  return "[" + text + "]";
+}
+
+}  // namespace
+
+Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t listed) {
+  const Transversality found = transversality(*evaluation.complex, *evaluation.parameters, listed);
+  Certificate result{found.edges, found.places.size(), {}};
+  const auto numbers = number_leaves(tree, evaluation.instances);
+  std::vector<NodeId> nodes(evaluation.complex->leaf_count);
+  for (const InstanceId i : IdRange<InstanceId>(evaluation.instances.size())) {
+    if (numbers[i].valid()) nodes[numbers[i].index()] = evaluation.instances[i].node;
+  }
+  for (std::size_t i = 0; i < std::min(listed, found.places.size()); ++i) {
+    const UncertainPlace& place = found.places[i];
+    const auto name = [&](std::size_t side) {
+      const std::string patch = evaluation.parameters->patch_name(place.leaves[side], place.patches[side]);
+      return "`" + evaluation.leaf_names[place.leaves[side].index()] + "`" +
+             (patch.empty() ? "" : " (" + patch + ")");
+    };
+    std::string text = name(0) + " and " + name(1) + " meet near " + coordinates(place.at) + ": ";
+    text += place.finer > 0
+                ? "these facets do not tell how; --finer " + std::to_string(place.finer) + " would"
+                : "they touch, or cross at an angle that facets 1024 times finer would not tell from 0";
+    const Node& node = tree.nodes[nodes[place.leaves[0].index()]];
+    result.notices.push_back({tree.file, node.operator_at, Diagnostic::Level::notice, text});
+  }
+  return result;
+}
+
+}  // namespace cnrg
