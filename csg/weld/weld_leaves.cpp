@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "csg/curves/surface_placed.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
@@ -195,6 +196,7 @@ class LeafWelder {
         return moved_parameters(*source(), transform, moves, sources, *kept);
       });
     }
+    if (old.leaf->surfaces()) made->set_surfaces(cnrg::moved(old.leaf->surfaces(), old.transform));
     return {std::move(made), {}};
   }
 
