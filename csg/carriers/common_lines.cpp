@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/carriers/bands.h"
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/nets.h"
 #include "csg/carriers/tangency.h"
@@ -80,7 +81,8 @@ Box box_of(const ExtrudeForm& form, const Transform& transform) {
 
 }  // namespace
 
-std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near) {
+std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near,
+                                            std::vector<std::string>* apart) {
   instances = with_common_nets(instances);
   std::vector<RevolvedInstance> revolved;
   std::vector<Index> round;
@@ -92,6 +94,10 @@ std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
       revolved.push_back({i, boxes.back()});
     } else if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(form)) {
       boxes.push_back(box_of(*extrusion, instances[i].transform));
+    } else if (const auto* banded = dynamic_cast<const BandedForm*>(form)) {
+      Box box;
+      for (const Band& band : banded->bands) box.extend(box_of(band.form, instances[i].transform));
+      boxes.push_back(box);
     } else {
       continue;
     }
@@ -108,7 +114,9 @@ std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
   }
   const std::vector<std::array<Index, 2>> about_one_axis = near_axes(instances, pairs);
   if (near != nullptr) *near = near_surfaces(instances, about_one_axis);
-  share_axes(instances, about_one_axis, contacts(instances, revolved, pairs));
+  std::vector<std::string> told;
+  share_axes(instances, about_one_axis, contacts(instances, revolved, pairs), told);
+  if (apart != nullptr) *apart = std::move(told);
   return instances;
 }
 

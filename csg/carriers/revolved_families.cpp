@@ -14,8 +14,10 @@
 #include <set>
 
 #include "csg/carriers/ball_hull.h"
+#include "csg/carriers/banded_leaves.h"
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/meridians.h"
+#include "csg/carriers/sectors.h"
 #include "csg/carriers/turns.h"
 #include "csg/curves/surface_placed.h"
 #include "csg/geometry/exact_vectors.h"
@@ -94,7 +96,17 @@ struct Member {
   int segments = 0;
   bool ball = false;
   std::shared_ptr<const ExtrudedArc> arc{};  ///< what it is of an extrusion, if it is of one
+  std::optional<std::size_t> band{};         ///< which one it is of a banded leaf, if it is of one
+  bool whole = true;                         ///< of a band
+  std::vector<RationalPoint> marks{};        ///< directions that it must have
 };
+
+/// The part of the turn that a band covers.
+Sector sector_of(const Member& member) {
+  const PlacedForm& placed = member.placed;
+  const bool with = placed.along != placed.mirrored;
+  return {with ? placed.start : placed.end, with ? placed.end : placed.start, member.whole};
+}
 
 /// Members that touch each other about one axis.
 class Family {
@@ -114,6 +126,7 @@ class Family {
           ++pieces_;
         }
       }
+      marks_.insert(marks_.end(), member.marks.begin(), member.marks.end());
       if (member.placed.start == member.placed.end) continue;
       marks_.push_back(member.placed.start);
       marks_.push_back(member.placed.end);
@@ -163,6 +176,35 @@ class Family {
     for (const auto& line : placed.lines) {
       grid.rows.emplace_back();
       for (std::size_t i = 0; i < line.size(); ++i) grid.rows.back().push_back(plane_.rows(piece++));
+    }
+    return grid;
+  }
+
+  /// The points of a band, `back` takes them to the space of its leaf.
+  BandGrid band_grid(std::size_t m, const Transform& back) const {
+    const Member& member = members_[m];
+    const PlacedForm& placed = member.placed;
+    std::vector<RevolvedGrid::Column> columns = turns_->around({placed.start, true, false});
+    columns.pop_back();
+    if (placed.along == placed.mirrored) std::reverse(columns.begin(), columns.end());
+    const auto find = [&](const RationalPoint& direction) {
+      return std::find_if(columns.begin(), columns.end(),
+                          [&](const auto& column) { return same_ray(column.direction, direction); });
+    };
+    if (const auto first = find(placed.start); first != columns.end())
+      std::rotate(columns.begin(), first, columns.end());
+    if (member.whole) columns.push_back(columns.front());
+    else columns.erase(find(placed.end) + 1, columns.end());
+    BandGrid grid;
+    grid.mirrored = placed.mirrored;
+    for (const RevolvedGrid::Row& row : plane_.rows(first_[m])) {
+      auto& points = grid.rows.emplace_back();
+      for (const RevolvedGrid::Column& column : columns) points.push_back(back.apply(point(row.at, column)));
+    }
+    for (const RationalPoint& mark : member.marks) {
+      const auto at = find(mark);
+      require(at != columns.end(), "the marks of a band are lines of its family");
+      grid.marks.push_back(static_cast<std::size_t>(at - columns.begin()));
     }
     return grid;
   }
@@ -250,12 +292,16 @@ class Family {
 /// Families of one space: `base` takes its points to those of the tree.
 class Space {
  public:
-  Space(std::vector<LeafInstance>& instances, Transform base, const Contacts& contacts)
+  /// `finer`: by how much banded leaves are drawn finer than they ask for.
+  Space(std::vector<LeafInstance>& instances, Transform base, const Contacts& contacts,
+        const std::map<Index, int>& finer, std::vector<std::string>& notices)
       : instances_(instances),
         base_(std::move(base)),
         to_space_(base_.inverse()),
         marks_(contacts.marks),
-        nested_(contacts.nested) {}
+        nested_(contacts.nested),
+        finer_(finer),
+        banded_(notices) {}
 
   void add(Index i) {
     const Transform relative = base_.identity() ? instances_[i].transform : to_space_ * instances_[i].transform;
@@ -268,6 +314,11 @@ class Space {
       }
       return;
     }
+    if (const auto banded = std::dynamic_pointer_cast<const BandedForm>(instances_[i].leaf->form())) {
+      banded_.add(i, banded);
+      for (std::size_t b = 0; b < banded->bands.size(); ++b) add_band(i, b, relative, *scale);
+      return;
+    }
     forms_.emplace(i, std::dynamic_pointer_cast<const RevolvedForm>(instances_[i].leaf->form()));
     const RevolvedForm& form = form_of(i);
     if (form.is_sphere()) {
@@ -277,11 +328,13 @@ class Space {
     add_node(i, {place(form, relative, *scale), {i}, form.segments, false});
   }
 
-  void run(const std::vector<std::array<Index, 2>>& pairs) {
+  /// Gives the banded leaves that could be drawn if they were finer.
+  std::set<Index> run(const std::vector<std::array<Index, 2>>& pairs) {
     touch_leaves(pairs);
     touch_balls(pairs);
     touch_nested();
     build();
+    return too_coarse_;
   }
 
  private:
@@ -320,12 +373,50 @@ class Space {
     nodes_.push_back(std::move(member));
   }
 
+  void add_band(Index i, std::size_t b, const Transform& relative, const Rational& scale) {
+    const Band& band = banded_.bands(i)[b];
+    Member member{place(band.form, relative, scale), {i}, band.form.segments, false};
+    const auto image = [&](const RationalPoint& d) { return (1 / scale) * linear_image(relative, d); };
+    member.placed.start = image(band.start);
+    member.placed.end = image(band.end);
+    for (const RationalPoint& d : band.marks) member.marks.push_back(image(d));
+    if (const auto finer = finer_.find(i); finer != finer_.end()) {
+      member.segments *= finer->second;
+      member.placed.lines[0][0].steps *= finer->second;
+    }
+    member.band = b;
+    member.whole = band.whole;
+    add_node(i, std::move(member));
+  }
+
+  /// Whether two members, one of them a band, that touch as far as their meridians go shall have common lines.
+  bool join_bands(const Member& a, const Member& b) {
+    const auto side = [&](const Member& member) {
+      const Index i = member.instances[0];
+      const Band* const band = member.band ? &banded_.bands(i)[*member.band] : nullptr;
+      return BandedLeaves::Side{i, band, member.placed, sector_of(member)};
+    };
+    return banded_.join(side(a), side(b));
+  }
+
+  /// Whole bands of one leaf: a ring between two of them, in a plane, must not be crossed by chords of the outer
+  /// one.
+  static bool beside_each_other(const Member& a, const Member& b) {
+    return a.band && b.band && a.whole && b.whole && a.instances == b.instances;
+  }
+
   void touch_leaves(const std::vector<std::array<Index, 2>>& pairs) {
     UnionFind known(nodes_.size());  // the rest of a family need not be asked
     const auto touch_two = [&](Index a, Index b) {
-      if (known.find(a) == known.find(b) || nodes_[a].placed.axis != nodes_[b].placed.axis) return;
-      if (!touch(nodes_[a].placed, nodes_[b].placed)) return;
-      edges_.push_back({a, b});
+      const Member &p = nodes_[a], &q = nodes_[b];
+      const bool same = known.find(a) == known.find(b), banded = p.band || q.band;
+      if ((same && !banded) || p.placed.axis != q.placed.axis) return;
+      if (touch(p.placed, q.placed)) {
+        if (banded && !join_bands(p, q)) return;
+      } else if (!beside_each_other(p, q)) {
+        return;
+      }
+      if (!same) edges_.push_back({a, b});
       known.unite(a, b);
     };
     for (const auto& [i, j] : pairs) {
@@ -335,7 +426,7 @@ class Space {
         for (const Index b : second->second) touch_two(a, b);
       }
     }
-    // Arcs of one extrusion that follow one another about one axis.
+    // Arcs of one extrusion that follow one another about one axis, bands of one leaf.
     for (const auto& [i, own] : of_leaf_) {
       for (std::size_t a = 0; a < own.size(); ++a) {
         for (std::size_t b = 0; b < a; ++b) touch_two(own[a], own[b]);
@@ -374,7 +465,10 @@ class Space {
         const AxisLine axis = nodes_[leaf].placed.axis;
         // Whether they touch or not: two balls may cross in a plane of the leaf.
         if (!axis.holds(ball.center)) continue;
-        edges_.push_back({leaf, ball_node(ball, axis, ball_on(ball, axis))});
+        Member member = ball_on(ball, axis);
+        if (nodes_[leaf].band && (!touch(nodes_[leaf].placed, member.placed) || !join_bands(nodes_[leaf], member)))
+          continue;
+        edges_.push_back({leaf, ball_node(ball, axis, std::move(member))});
         on_axes_.insert(ball);
       }
     }
@@ -390,6 +484,10 @@ class Space {
   /// Leaves that are drawn alike as they are.
   bool alike(const std::vector<Index>& of) const {
     const Member& first = nodes_[of[0]];
+    if (std::any_of(of.begin(), of.end(), [&](Index n) { return nodes_[n].band.has_value(); })) {
+      return std::none_of(of.begin(), of.end(),
+                          [&](Index n) { return nodes_[n].band && banded_.is_anew(nodes_[n].instances[0]); });
+    }
     if (std::all_of(of.begin(), of.end(), [&](Index n) {
           return nodes_[n].instances.size() == 1 && nodes_[n].instances[0] == first.instances[0];
         }))
@@ -476,9 +574,15 @@ class Space {
           fix_arc(*family, m);
           continue;
         }
+        if (const auto band = nodes_[of[m]].band) {
+          const Index i = nodes_[of[m]].instances[0];
+          banded_.set_grid(i, *band, family->band_grid(m, relative_.at(i).inverse()));
+          continue;
+        }
         for (const Index i : nodes_[of[m]].instances) replace(i, family, m);
       }
     }
+    too_coarse_ = banded_.draw(instances_);
     for (auto& [i, fixed] : fixed_) {
       const PreparedLeaf& before = *instances_[i].leaf;
       std::unique_ptr<PreparedLeaf> leaf =
@@ -667,6 +771,9 @@ class Space {
   Transform base_, to_space_;
   const std::map<Index, Marks>& marks_;
   const std::vector<std::array<Index, 2>>& nested_;
+  const std::map<Index, int>& finer_;
+  BandedLeaves banded_;
+  std::set<Index> too_coarse_;
   std::map<Index, std::shared_ptr<const RevolvedForm>> forms_;  // as the leaves were
   std::map<Index, Transform> relative_;
   std::map<Index, std::vector<Index>> of_leaf_;  // nodes of an instance that is no sphere
@@ -692,6 +799,38 @@ std::array<Rational, 6> metric_of(const Transform& transform) {
   return metric;
 }
 
+/// Replaces what `share_axes` does, with banded leaves as much finer as `finer` says; gives those that need more.
+std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInstance>& instances,
+                         const std::vector<std::array<Index, 2>>& near, const Contacts& contacts,
+                         std::vector<std::string>& notices) {
+  std::set<Index> concerned;
+  for (const auto& pair : near) concerned.insert(pair.begin(), pair.end());
+  for (const auto& pair : contacts.nested) concerned.insert(pair.begin(), pair.end());
+  for (const auto& [i, of] : contacts.marks) concerned.insert(i);
+  for (Index i = 0; i < instances.size(); ++i) {
+    if (dynamic_cast<const BandedForm*>(instances[i].leaf->form().get()) != nullptr) concerned.insert(i);
+  }
+  std::set<Index> too_coarse;
+  if (concerned.empty()) return too_coarse;
+  std::map<std::array<Rational, 6>, std::vector<Index>> spaces;
+  for (const Index i : concerned) spaces[metric_of(instances[i].transform)].push_back(i);
+  std::array<Rational, 6> round{};
+  round[0] = round[3] = round[5] = fraction(1, 3);
+  for (const auto& [metric, of] : spaces) {
+    Transform base;
+    if (metric != round) {
+      const auto least = std::min_element(of.begin(), of.end(), [&](Index a, Index b) {
+        return Placement(instances[a].transform) < Placement(instances[b].transform);
+      });
+      base = instances[*least].transform;
+    }
+    Space space(instances, base, contacts, finer, notices);
+    for (const Index i : of) space.add(i);
+    too_coarse.merge(space.run(near));
+  }
+  return too_coarse;
+}
+
 }  // namespace
 
 std::vector<std::array<Index, 2>> near_axes(const std::vector<LeafInstance>& instances,
@@ -706,6 +845,12 @@ std::vector<std::array<Index, 2>> near_axes(const std::vector<LeafInstance>& ins
       it->second.emplace_back(*revolved, transform);
     if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(form)) {
       for (const ExtrudedArc& arc : arcs_of(*extrusion, transform)) it->second.emplace_back(arc);
+    }
+    if (const auto* banded = dynamic_cast<const BandedForm*>(form)) {
+      for (const Band& band : banded->bands) {
+        it->second.emplace_back(band.form, transform);
+        it->second.back().sphere = false;  // it is drawn about this axis, whole or not
+      }
     }
     return it->second;
   };
@@ -725,27 +870,23 @@ std::vector<std::array<Index, 2>> near_axes(const std::vector<LeafInstance>& ins
 }
 
 void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<Index, 2>>& near,
-                const Contacts& contacts) {
-  std::set<Index> concerned;
-  for (const auto& pair : near) concerned.insert(pair.begin(), pair.end());
-  for (const auto& pair : contacts.nested) concerned.insert(pair.begin(), pair.end());
-  for (const auto& [i, of] : contacts.marks) concerned.insert(i);
-  if (concerned.empty()) return;
-  std::map<std::array<Rational, 6>, std::vector<Index>> spaces;
-  for (const Index i : concerned) spaces[metric_of(instances[i].transform)].push_back(i);
-  std::array<Rational, 6> round{};
-  round[0] = round[3] = round[5] = fraction(1, 3);
-  for (const auto& [metric, of] : spaces) {
-    Transform base;
-    if (metric != round) {
-      const auto least = std::min_element(of.begin(), of.end(), [&](Index a, Index b) {
-        return Placement(instances[a].transform) < Placement(instances[b].transform);
-      });
-      base = instances[*least].transform;
+                const Contacts& contacts, std::vector<std::string>& notices) {
+  constexpr int kFinest = 8;
+  const std::vector<LeafInstance> given = instances;
+  std::map<Index, int> finer;
+  for (;;) {
+    std::vector<std::string> told;
+    bool again = false;
+    for (const Index i : share_at(finer, instances, near, contacts, told)) {
+      int& factor = finer.try_emplace(i, 1).first->second;
+      again = again || factor < kFinest;
+      factor = std::min(2 * factor, kFinest);
     }
-    Space space(instances, base, contacts);
-    for (const Index i : of) space.add(i);
-    space.run(near);
+    if (!again) {
+      notices.insert(notices.end(), told.begin(), told.end());
+      return;
+    }
+    instances = given;
   }
 }
 

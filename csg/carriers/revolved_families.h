@@ -27,8 +27,9 @@ struct Contacts {
 std::vector<std::array<std::uint32_t, 2>> near_axes(const std::vector<LeafInstance>& instances,
                                                     const std::vector<std::array<std::uint32_t, 2>>& pairs);
 
-/// Replaces the instances concerned. `near`: pairs of `near_axes`, each once.
+/// Replaces the instances concerned. `near`: pairs of `near_axes`, each once. `notices`: of banded leaves that
+/// stay as they are, `leaf 2, face 3 ...`.
 void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<std::uint32_t, 2>>& near,
-                const Contacts& contacts);
+                const Contacts& contacts, std::vector<std::string>& notices);
 
 }  // namespace cnrg

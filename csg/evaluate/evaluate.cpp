@@ -71,7 +71,8 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
   std::vector<LeafInstance> instances;
   leaves.locate_errors([&] {
     std::vector<NearSurfaces> near;
-    instances = with_common_lines(leaves.instances(), &near);
+    std::vector<std::string> apart;
+    instances = with_common_lines(leaves.instances(), &near, &apart);
     if (tree.weld) {
       WeldedLeaves welded = weld_leaves(instances, *tree.weld);
       instances = std::move(welded.instances);
@@ -82,6 +83,7 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
       std::erase_if(near, [&](const NearSurfaces& pair) { return pair.apart <= to_double(*tree.weld); });
     }
     append(result.diagnostics, leaves.near_notices(near));
+    append(result.diagnostics, leaves.located_notices(apart));
     const Soup soup = make_soup(instances, options.reach);
     result.complex = build_complex(soup, refine_options, &result.refine);
   });

@@ -186,6 +186,16 @@ std::string PreparedLeaves::in_words(const std::string& message, Position* first
   return translated;
 }
 
+std::vector<Diagnostic> PreparedLeaves::located_notices(const std::vector<std::string>& messages) const {
+  std::vector<Diagnostic> result;
+  for (const std::string& message : messages) {
+    Position at;
+    const std::string words = in_words(message, &at);
+    result.push_back({tree_->file, at, Diagnostic::Level::notice, words});
+  }
+  return result;
+}
+
 std::vector<Diagnostic> PreparedLeaves::near_notices(const std::vector<NearSurfaces>& near) const {
   constexpr std::size_t kMost = 10;
   std::vector<Diagnostic> result;

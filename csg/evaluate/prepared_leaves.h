@@ -52,6 +52,9 @@ class PreparedLeaves {
   /// Surfaces that are nearly one, as notices: the first few, and how many there are.
   std::vector<Diagnostic> near_notices(const std::vector<NearSurfaces>& near) const;
 
+  /// Messages that name leaves as `leaf i, face j`, as notices.
+  std::vector<Diagnostic> located_notices(const std::vector<std::string>& messages) const;
+
   /// What the shapes have to say, one diagnostic per notice.
   std::vector<Diagnostic> notices() const;
 

@@ -6,6 +6,10 @@
 // others; each wire knows its edge. Seams are no features unless they are asked for: a cylinder's side is one face
 // without a cut.
 //
+// A leaf whose curved faces lie on one surface with others, of its own solids or of other leaves, is drawn once
+// more, by its surfaces (cad_bands.h, cad_draw.h): the model then has other facets, and all that follows stays the
+// same.
+//
 // What the tessellation says of itself is not believed. Points with equal coordinates are made one, then:
 //   * the border of a face's facets, as a chain, is the chain of its edges' segments;
 //   * the facets of each solid have no border (or it vanishes in space: mesh_boundary.h).
@@ -14,12 +18,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 
 #include "csg/curves/boundary_curves.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/mesh_boundary.h"
+#include "csg/imports/cad_draw.h"
 #include "csg/imports/cad_model.h"
 #include "csg/imports/cad_near.h"
 #include "csg/imports/cad_weld.h"
@@ -37,6 +43,9 @@ using Triangle = std::array<Index, 3>;
 class CadLeaf {
  public:
   explicit CadLeaf(const CadShape& shape) : shape_(shape), model_(read_cad(shape)) {}
+  /// One that was drawn anew.
+  CadLeaf(CadShape shape, DrawnCad drawn)
+      : shape_(std::move(shape)), model_(std::move(drawn.model)), exact_(std::move(drawn.points)) {}
 
   std::unique_ptr<PreparedLeaf> prepare() {
     require_finite();
@@ -46,16 +55,22 @@ class CadLeaf {
     if (shape_.weld) weld();
     else if (const std::string near = notice_of_near_surfaces(model_); !near.empty())
       model_.notices.push_back(near);
-    fill_ = decide_fill();
-    if (fill_ == Fill::solids) {
-      for (Index s = 0; s < model_.solids.size(); ++s) check_solid(s);
-    }
-    if (fill_ == Fill::winding) check_all();
-    leaf_ = soup_.add_leaf(fill_);
-    ids_.assign(model_.points.size(), PointId());
-    for (Index f = 0; f < model_.faces.size(); ++f) add_face(f);
-    add_edges();
-    return std::make_unique<GeometryLeaf>(std::move(soup_), regions(), std::move(model_.notices));
+    return finish();
+  }
+  std::unique_ptr<PreparedLeaf> prepare_drawn() {
+    for (Index f = 0; f < model_.faces.size(); ++f) check_border(f);
+    return finish();
+  }
+
+  /// Bands of the model, if it has curved faces.
+  std::optional<CadBands> bands() const {
+    CadBands found = bands_of(model_, exact_, Fineness(shape_.name(), shape_.tessellation), shape_.seams);
+    if (found.bands.empty()) return std::nullopt;
+    return found;
+  }
+  const CadShape& shape() const { return shape_; }
+  DrawnCad draw(const CadBands& bands, const std::vector<BandGrid>& grids) const {
+    return draw_by_bands(model_, exact_, bands, grids, shape_.seams);
   }
 
   /// The parameters of the facets and wires of the leaf, in their order.
@@ -86,6 +101,19 @@ class CadLeaf {
   }
 
  private:
+  std::unique_ptr<PreparedLeaf> finish() {
+    fill_ = decide_fill();
+    if (fill_ == Fill::solids) {
+      for (Index s = 0; s < model_.solids.size(); ++s) check_solid(s);
+    }
+    if (fill_ == Fill::winding) check_all();
+    leaf_ = soup_.add_leaf(fill_);
+    ids_.assign(model_.points.size(), PointId());
+    for (Index f = 0; f < model_.faces.size(); ++f) add_face(f);
+    add_edges();
+    return std::make_unique<GeometryLeaf>(std::move(soup_), regions(), std::move(model_.notices));
+  }
+
   /// A face with its sides: `back` and `front` are the regions there.
   struct Use {
     bool forward = true;
@@ -498,13 +526,41 @@ class CadLeaf {
   std::vector<PointId> ids_;
 };
 
+/// What the curved faces of a leaf lie on, and the leaf anew by their bands.
+class CadForm final : public BandedForm {
+ public:
+  CadForm(std::shared_ptr<const CadLeaf> leaf, CadBands found) : leaf_(std::move(leaf)), found_(std::move(found)) {
+    bands = found_.bands;
+    obstacle = found_.obstacle;
+  }
+
+  Drawn draw(const std::vector<BandGrid>& grids) const override {
+    DrawnCad drawn = leaf_->draw(found_, grids);
+    if (!drawn.obstacle.empty()) return {nullptr, drawn.obstacle, drawn.finer};
+    const auto anew = std::make_shared<CadLeaf>(leaf_->shape(), std::move(drawn));
+    try {
+      Drawn result{anew->prepare_drawn(), ""};
+      result.leaf->set_parameters([anew] { return anew->parameters(); });
+      return result;
+    } catch (const InputError& e) {  // closed as the file has it, but not as drawn
+      return {nullptr, e.what()};
+    }
+  }
+
+ private:
+  std::shared_ptr<const CadLeaf> leaf_;
+  CadBands found_;
+};
+
 }  // namespace
 
 std::unique_ptr<PreparedLeaf> prepare_cad(const CadShape& shape) {
-  // The model is kept for parameters: read again, its file might be another one.
+  // The model is kept for parameters and to be drawn anew: read again, its file might be another one.
   const auto model = std::make_shared<CadLeaf>(shape);
   std::unique_ptr<PreparedLeaf> leaf = model->prepare();
   leaf->set_parameters([model] { return model->parameters(); });
+  if (std::optional<CadBands> bands = model->bands())
+    leaf->set_form(std::make_shared<CadForm>(model, std::move(*bands)));
   return leaf;
 }
 

@@ -277,8 +277,8 @@ class LeafGroups {
     sort_unique(features);
   }
 
-  // False if the faces of the leaf around the edge are two pieces of one and the same face or curved patch, or
-  // none: a face without area borders edges and covers nothing.
+  // False if around the edge there are two pieces and the same faces or curved patches of the leaf cover both, or
+  // if none does: a face without area borders edges and covers nothing.
   bool parts_faces(EdgeId e, LeafId leaf, std::vector<Piece>& pieces) const {
     pieces.clear();
     for (const FaceUse& use : complex_.edge_uses[e]) {
