@@ -1,10 +1,10 @@
 // Who is in which family, then a tessellation per family.
 //
-//   instances -> those near a common axis     in doubles; most pairs end here
+//   instances -> those near a common axis     near_axes.cpp, in doubles; most pairs end here
 //             -> one space for all of them    transforms that differ by a similarity; mostly that of the tree
 //             -> families                     contacts of meridians, exactly; a sphere has every axis through its
 //             centre
-//             -> directions and meridians     turns.h, meridians.h
+//             -> directions and meridians     family.h; turns.h, meridians.h
 //             -> leaves
 #include "csg/carriers/revolved_families.h"
 
@@ -16,9 +16,8 @@
 #include "csg/carriers/ball_hull.h"
 #include "csg/carriers/banded_leaves.h"
 #include "csg/carriers/extruded_arcs.h"
-#include "csg/carriers/meridians.h"
+#include "csg/carriers/family.h"
 #include "csg/carriers/sectors.h"
-#include "csg/carriers/turns.h"
 #include "csg/curves/surface_placed.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/placement.h"
@@ -33,261 +32,9 @@ namespace {
 
 using Index = std::uint32_t;
 
-std::array<double, 3> doubles(const RationalPoint& p) {
-  return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
-}
-
 RationalPoint linear_image(const Transform& transform, const RationalPoint& v) {
   return transform.apply(v) - transform.offset;
 }
-
-/// The axis of a leaf in doubles.
-struct RoughAxis {
-  std::array<double, 3> point, along;  ///< along has length 1
-  double size = 0;                     ///< of the leaf, at least
-  bool sphere = false;
-
-  explicit RoughAxis(const ExtrudedArc& arc)
-      : point(doubles(arc.placed.axis.foot)), along(doubles(arc.placed.axis.direction)) {
-    const double length = std::hypot(along[0], along[1], along[2]);
-    for (double& x : along) x /= length;
-    size = to_double(arc.placed.lines[0][0].from.r);
-    for (const double x : point) size = std::max(size, std::abs(x));
-  }
-  RoughAxis(const RevolvedForm& form, const Transform& transform)
-      : point(doubles(transform.apply(form.center))),
-        along(doubles(linear_image(transform, form.axis))),
-        sphere(form.is_sphere()) {
-    const double length = std::hypot(along[0], along[1], along[2]);
-    for (double& x : along) x /= length;
-    size = length;
-    for (const auto& line : form.lines) {
-      for (const MeridianPiece& piece : line)
-        size = std::max({size, to_double(piece.from.r), to_double(piece.to.r), to_double(piece.radius)});
-    }
-    for (const double x : point) size = std::max(size, std::abs(x));
-  }
-
-  double distance(const std::array<double, 3>& p) const {
-    double off[3], part = 0, square = 0;
-    for (std::size_t k = 0; k < 3; ++k) part += (off[k] = p[k] - point[k]) * along[k];
-    for (std::size_t k = 0; k < 3; ++k) square += (off[k] - part * along[k]) * (off[k] - part * along[k]);
-    return std::sqrt(square);
-  }
-  /// False only if the two certainly have no axis in common.
-  bool near(const RoughAxis& b) const {
-    constexpr double kNear = 1e-6;
-    const double limit = kNear * (size + b.size);
-    if (sphere && b.sphere) {
-      return std::abs(point[0] - b.point[0]) + std::abs(point[1] - b.point[1]) + std::abs(point[2] - b.point[2]) <=
-             limit;
-    }
-    if (sphere) return !(b.distance(point) > limit);
-    if (b.sphere) return !(distance(b.point) > limit);
-    const double turn = std::abs(along[0] * b.along[0] + along[1] * b.along[1] + along[2] * b.along[2]);
-    return !(turn < 1 - kNear) && !(distance(b.point) > limit);
-  }
-};
-
-/// A leaf or, for all leaves of one ball, the ball, on one axis.
-struct Member {
-  PlacedForm placed;
-  std::vector<Index> instances;
-  int segments = 0;
-  bool ball = false;
-  std::shared_ptr<const ExtrudedArc> arc{};  ///< what it is of an extrusion, if it is of one
-  std::optional<std::size_t> band{};         ///< which one it is of a banded leaf, if it is of one
-  bool whole = true;                         ///< of a band
-  std::vector<RationalPoint> marks{};        ///< directions that it must have
-};
-
-/// The part of the turn that a band covers.
-Sector sector_of(const Member& member) {
-  const PlacedForm& placed = member.placed;
-  const bool with = placed.along != placed.mirrored;
-  return {with ? placed.start : placed.end, with ? placed.end : placed.start, member.whole};
-}
-
-/// Members that touch each other about one axis.
-class Family {
- public:
-  Family(std::vector<Member> members, bool in_tree_space)
-      : members_(std::move(members)),
-        axis_(members_[0].placed.axis),
-        rounds_(in_tree_space && may_round()),
-        size_(smallest()),
-        plane_(members_[0].placed.square(), [this](const MeridianPoint& p) { return rounded(p); }) {
-    for (const Member& member : members_) {
-      segments_ = std::max(segments_, member.segments);
-      first_.push_back(pieces_);
-      for (const auto& line : member.placed.lines) {
-        for (const MeridianPiece& piece : line) {
-          plane_.add(piece);
-          ++pieces_;
-        }
-      }
-      marks_.insert(marks_.end(), member.marks.begin(), member.marks.end());
-      if (member.placed.start == member.placed.end) continue;
-      marks_.push_back(member.placed.start);
-      marks_.push_back(member.placed.end);
-    }
-  }
-
-  /// Points and circles that `member` must have as vertices.
-  void add_marks(std::size_t member, const Marks& marks) {
-    marks_.insert(marks_.end(), marks.directions.begin(), marks.directions.end());
-    for (const RationalPoint& p : marks.points) add_point(member, p);
-    for (const MeridianPoint& p : marks.circles) add_vertex(member, p);
-  }
-  /// Contacts first, then directions: what must be one may be added between.
-  void solve_meridians() { plane_.solve(); }
-  void solve_turns() { turns_ = std::make_unique<Turns>(axis_.direction, segments_, marks_); }
-  void add_direction(const RationalPoint& direction) { marks_.push_back(direction); }
-
-  /// The circles that the ball `member` shares, but for its poles.
-  std::vector<MeridianPoint> shared_circles(std::size_t member) const {
-    std::vector<MeridianPoint> result = plane_.marks(first_[member]);
-    std::erase_if(result, [](const MeridianPoint& p) { return p.r == 0; });
-    return result;
-  }
-  SphereCircle circle(const MeridianPoint& at) const {
-    SphereCircle result;
-    const auto columns = turns_->around({members_[0].placed.start, true, false});
-    for (std::size_t i = 0; i + 1 < columns.size(); ++i) result.push_back(point(at, columns[i]));
-    return result;
-  }
-
-  const std::vector<Member>& members() const { return members_; }
-  const AxisLine& axis() const { return axis_; }
-
-  /// The half-planes of a member that turns by `degrees`.
-  std::vector<RevolvedGrid::Column> columns(std::size_t m, const Rational& degrees) const {
-    const PlacedForm& placed = members_[m].placed;
-    const Turns::Lie lie{placed.start, placed.along, placed.mirrored};
-    return degrees == 360 ? turns_->around(lie) : turns_->part(lie, placed.end, degrees);
-  }
-
-  RevolvedGrid grid(std::size_t m, const RevolvedForm& form) const {
-    const PlacedForm& placed = members_[m].placed;
-    RevolvedGrid grid;
-    grid.mirrored = placed.mirrored;
-    grid.columns = columns(m, form.degrees);
-    std::size_t piece = first_[m];
-    for (const auto& line : placed.lines) {
-      grid.rows.emplace_back();
-      for (std::size_t i = 0; i < line.size(); ++i) grid.rows.back().push_back(plane_.rows(piece++));
-    }
-    return grid;
-  }
-
-  /// The points of a band, `back` takes them to the space of its leaf.
-  BandGrid band_grid(std::size_t m, const Transform& back) const {
-    const Member& member = members_[m];
-    const PlacedForm& placed = member.placed;
-    std::vector<RevolvedGrid::Column> columns = turns_->around({placed.start, true, false});
-    columns.pop_back();
-    if (placed.along == placed.mirrored) std::reverse(columns.begin(), columns.end());
-    const auto find = [&](const RationalPoint& direction) {
-      return std::find_if(columns.begin(), columns.end(),
-                          [&](const auto& column) { return same_ray(column.direction, direction); });
-    };
-    if (const auto first = find(placed.start); first != columns.end())
-      std::rotate(columns.begin(), first, columns.end());
-    if (member.whole) columns.push_back(columns.front());
-    else columns.erase(find(placed.end) + 1, columns.end());
-    BandGrid grid;
-    grid.mirrored = placed.mirrored;
-    for (const RevolvedGrid::Row& row : plane_.rows(first_[m])) {
-      auto& points = grid.rows.emplace_back();
-      for (const RevolvedGrid::Column& column : columns) points.push_back(back.apply(point(row.at, column)));
-    }
-    for (const RationalPoint& mark : member.marks) {
-      const auto at = find(mark);
-      require(at != columns.end(), "the marks of a band are lines of its family");
-      grid.marks.push_back(static_cast<std::size_t>(at - columns.begin()));
-    }
-    return grid;
-  }
-
-  RationalPoint point(const MeridianPoint& at, const RevolvedGrid::Column& column) const {
-    RationalPoint p = axis_.foot + at.t * axis_.direction;
-    if (at.r == 0) return p;
-    p = p + at.r * column.direction;
-    if (!rounds_ || column.mark) return p;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (axis_.direction[k] == 0) p[k] = rounded_for(p[k], size_);
-    }
-    return p;
-  }
-
- private:
-  /// Corners are doubles, which are cheaper, where that keeps planes plane: about axes of coordinates, without
-  /// slanted lines, whose facets are coplanar with others only where nothing is rounded, and in whole turns.
-  bool may_round() const {
-    if (CircleFrame(axis_.direction).parallel_to() == 3) return false;
-    for (const Member& member : members_) {
-      if (!member.ball && member.placed.start != member.placed.end) return false;
-      for (const auto& line : member.placed.lines) {
-        for (const MeridianPiece& piece : line) {
-          const bool straight = piece.from.r == piece.to.r || piece.from.t == piece.to.t;
-          if (piece.kind == MeridianPiece::Kind::net || (piece.kind == MeridianPiece::Kind::line && !straight))
-            return false;
-        }
-      }
-    }
-    return true;
-  }
-  Rational smallest() const {
-    Rational size = 0;
-    const auto see = [&](const Rational& r) {
-      if (r > 0 && (size == 0 || r < size)) size = r;
-    };
-    for (const Member& member : members_) {
-      for (const auto& line : member.placed.lines) {
-        for (const MeridianPiece& piece : line) {
-          see(piece.from.r);
-          see(piece.to.r);
-          see(piece.radius);
-        }
-      }
-    }
-    return size;
-  }
-  /// A sampled point of a meridian; only its place along the axis is rounded here.
-  MeridianPoint rounded(const MeridianPoint& p) const {
-    if (!rounds_) return p;
-    const std::size_t k = CircleFrame(axis_.direction).parallel_to();
-    const Rational x = axis_.foot[k] + p.t * axis_.direction[k];
-    return {p.r, (rounded_for(x, size_) - axis_.foot[k]) / axis_.direction[k]};
-  }
-
-  void add_point(std::size_t member, const RationalPoint& p) {
-    const Rational t = axis_.place_of(p);
-    const RationalPoint out = p - (axis_.foot + t * axis_.direction);
-    if (is_zero(out)) return;  // a pole
-    const Rational square = dot(out, out), r = round_cosine(0, square, exponent_of_root(square) - 60);
-    add_vertex(member, {r, t});
-    marks_.push_back((1 / r) * out);
-  }
-  /// On each arc of the member that holds the point, or nearly.
-  void add_vertex(std::size_t member, const MeridianPoint& p) {
-    std::size_t piece = first_[member];
-    for (const auto& line : members_[member].placed.lines) {
-      for (std::size_t i = 0; i < line.size(); ++i) plane_.add_vertex(piece++, p);
-    }
-  }
-
-  std::vector<Member> members_;
-  AxisLine axis_;
-  bool rounds_;
-  Rational size_;
-  MeridianPlane plane_;
-  std::vector<RationalPoint> marks_;
-  std::vector<std::size_t> first_;  // piece of each member
-  std::size_t pieces_ = 0;
-  int segments_ = 0;
-  std::unique_ptr<Turns> turns_;
-};
 
 /// Families of one space: `base` takes its points to those of the tree.
 class Space {
@@ -605,6 +352,7 @@ class Space {
 
   void make_family(const std::vector<Index>& of) {
     std::vector<Member> members;
+    members.reserve(of.size());
     for (const Index n : of) members.push_back(nodes_[n]);
     const auto family = std::make_shared<Family>(std::move(members), base_.identity());
     for (std::size_t m = 0; m < of.size(); ++m) {
@@ -832,42 +580,6 @@ std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInst
 }
 
 }  // namespace
-
-std::vector<std::array<Index, 2>> near_axes(const std::vector<LeafInstance>& instances,
-                                            const std::vector<std::array<Index, 2>>& pairs) {
-  std::map<Index, std::vector<RoughAxis>> rough;
-  const auto rough_of = [&](Index i) -> const std::vector<RoughAxis>& {
-    const auto [it, fresh] = rough.try_emplace(i);
-    if (!fresh) return it->second;
-    const CurvedForm* const form = instances[i].leaf->form().get();
-    const Transform& transform = instances[i].transform;
-    if (const auto* revolved = dynamic_cast<const RevolvedForm*>(form))
-      it->second.emplace_back(*revolved, transform);
-    if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(form)) {
-      for (const ExtrudedArc& arc : arcs_of(*extrusion, transform)) it->second.emplace_back(arc);
-    }
-    if (const auto* banded = dynamic_cast<const BandedForm*>(form)) {
-      for (const Band& band : banded->bands) {
-        it->second.emplace_back(band.form, transform);
-        it->second.back().sphere = false;  // it is drawn about this axis, whole or not
-      }
-    }
-    return it->second;
-  };
-  const auto any_near = [&](Index i, Index j) {
-    for (const RoughAxis& a : rough_of(i)) {
-      for (const RoughAxis& b : rough_of(j)) {
-        if (a.near(b)) return true;
-      }
-    }
-    return false;
-  };
-  std::vector<std::array<Index, 2>> near;
-  for (const auto& [i, j] : pairs) {
-    if (any_near(i, j)) near.push_back({i, j});
-  }
-  return near;
-}
 
 void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<Index, 2>>& near,
                 const Contacts& contacts, std::vector<std::string>& notices) {

@@ -1,0 +1,174 @@
+// What a family needs of all its members, and what it gives to each.
+#include "csg/carriers/family.h"
+
+#include <algorithm>
+
+#include "csg/geometry/circle.h"
+#include "csg/geometry/exact_vectors.h"
+#include "kernel/base/error.h"
+#include "kernel/exact/trigonometry.h"
+
+namespace cnrg {
+
+Sector sector_of(const Member& member) {
+  const PlacedForm& placed = member.placed;
+  const bool with = placed.along != placed.mirrored;
+  return {with ? placed.start : placed.end, with ? placed.end : placed.start, member.whole};
+}
+
+Family::Family(std::vector<Member> members, bool in_tree_space)
+    : members_(std::move(members)),
+      axis_(members_[0].placed.axis),
+      rounds_(in_tree_space && may_round()),
+      size_(smallest()),
+      plane_(members_[0].placed.square(), [this](const MeridianPoint& p) { return rounded(p); }) {
+  for (const Member& member : members_) {
+    segments_ = std::max(segments_, member.segments);
+    first_.push_back(pieces_);
+    for (const auto& line : member.placed.lines) {
+      for (const MeridianPiece& piece : line) {
+        plane_.add(piece);
+        ++pieces_;
+      }
+    }
+    marks_.insert(marks_.end(), member.marks.begin(), member.marks.end());
+    if (member.placed.start == member.placed.end) continue;
+    marks_.push_back(member.placed.start);
+    marks_.push_back(member.placed.end);
+  }
+}
+
+void Family::add_marks(std::size_t member, const Marks& marks) {
+  marks_.insert(marks_.end(), marks.directions.begin(), marks.directions.end());
+  for (const RationalPoint& p : marks.points) add_point(member, p);
+  for (const MeridianPoint& p : marks.circles) add_vertex(member, p);
+}
+
+std::vector<MeridianPoint> Family::shared_circles(std::size_t member) const {
+  std::vector<MeridianPoint> result = plane_.marks(first_[member]);
+  std::erase_if(result, [](const MeridianPoint& p) { return p.r == 0; });
+  return result;
+}
+
+SphereCircle Family::circle(const MeridianPoint& at) const {
+  SphereCircle result;
+  const auto columns = turns_->around({members_[0].placed.start, true, false});
+  result.reserve(columns.size());
+  for (std::size_t i = 0; i + 1 < columns.size(); ++i) result.push_back(point(at, columns[i]));
+  return result;
+}
+
+std::vector<RevolvedGrid::Column> Family::columns(std::size_t m, const Rational& degrees) const {
+  const PlacedForm& placed = members_[m].placed;
+  const Turns::Lie lie{placed.start, placed.along, placed.mirrored};
+  return degrees == 360 ? turns_->around(lie) : turns_->part(lie, placed.end, degrees);
+}
+
+RevolvedGrid Family::grid(std::size_t m, const RevolvedForm& form) const {
+  const PlacedForm& placed = members_[m].placed;
+  RevolvedGrid grid;
+  grid.mirrored = placed.mirrored;
+  grid.columns = columns(m, form.degrees);
+  std::size_t piece = first_[m];
+  for (const auto& line : placed.lines) {
+    grid.rows.emplace_back();
+    for (std::size_t i = 0; i < line.size(); ++i) grid.rows.back().push_back(plane_.rows(piece++));
+  }
+  return grid;
+}
+
+BandGrid Family::band_grid(std::size_t m, const Transform& back) const {
+  const Member& member = members_[m];
+  const PlacedForm& placed = member.placed;
+  std::vector<RevolvedGrid::Column> columns = turns_->around({placed.start, true, false});
+  columns.pop_back();
+  if (placed.along == placed.mirrored) std::reverse(columns.begin(), columns.end());
+  const auto find = [&](const RationalPoint& direction) {
+    return std::find_if(columns.begin(), columns.end(),
+                        [&](const auto& column) { return same_ray(column.direction, direction); });
+  };
+  if (const auto first = find(placed.start); first != columns.end())
+    std::rotate(columns.begin(), first, columns.end());
+  if (member.whole) columns.push_back(columns.front());
+  else columns.erase(find(placed.end) + 1, columns.end());
+  BandGrid grid;
+  grid.mirrored = placed.mirrored;
+  for (const RevolvedGrid::Row& row : plane_.rows(first_[m])) {
+    auto& points = grid.rows.emplace_back();
+    for (const RevolvedGrid::Column& column : columns) points.push_back(back.apply(point(row.at, column)));
+  }
+  for (const RationalPoint& mark : member.marks) {
+    const auto at = find(mark);
+    require(at != columns.end(), "the marks of a band are lines of its family");
+    grid.marks.push_back(static_cast<std::size_t>(at - columns.begin()));
+  }
+  return grid;
+}
+
+RationalPoint Family::point(const MeridianPoint& at, const RevolvedGrid::Column& column) const {
+  RationalPoint p = axis_.foot + at.t * axis_.direction;
+  if (at.r == 0) return p;
+  p = p + at.r * column.direction;
+  if (!rounds_ || column.mark) return p;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (axis_.direction[k] == 0) p[k] = rounded_for(p[k], size_);
+  }
+  return p;
+}
+
+bool Family::may_round() const {
+  if (CircleFrame(axis_.direction).parallel_to() == 3) return false;
+  for (const Member& member : members_) {
+    if (!member.ball && member.placed.start != member.placed.end) return false;
+    for (const auto& line : member.placed.lines) {
+      for (const MeridianPiece& piece : line) {
+        const bool straight = piece.from.r == piece.to.r || piece.from.t == piece.to.t;
+        if (piece.kind == MeridianPiece::Kind::net || (piece.kind == MeridianPiece::Kind::line && !straight))
+          return false;
+      }
+    }
+  }
+  return true;
+}
+
+Rational Family::smallest() const {
+  Rational size = 0;
+  const auto see = [&](const Rational& r) {
+    if (r > 0 && (size == 0 || r < size)) size = r;
+  };
+  for (const Member& member : members_) {
+    for (const auto& line : member.placed.lines) {
+      for (const MeridianPiece& piece : line) {
+        see(piece.from.r);
+        see(piece.to.r);
+        see(piece.radius);
+      }
+    }
+  }
+  return size;
+}
+
+MeridianPoint Family::rounded(const MeridianPoint& p) const {
+  if (!rounds_) return p;
+  const std::size_t k = CircleFrame(axis_.direction).parallel_to();
+  const Rational x = axis_.foot[k] + p.t * axis_.direction[k];
+  return {p.r, (rounded_for(x, size_) - axis_.foot[k]) / axis_.direction[k]};
+}
+
+void Family::add_point(std::size_t member, const RationalPoint& p) {
+  const Rational t = axis_.place_of(p);
+  const RationalPoint out = p - (axis_.foot + t * axis_.direction);
+  if (is_zero(out)) return;  // a pole
+  const Rational square = dot(out, out), r = round_cosine(0, square, exponent_of_root(square) - 60);
+  add_vertex(member, {r, t});
+  marks_.push_back((1 / r) * out);
+}
+
+void Family::add_vertex(std::size_t member, const MeridianPoint& p) {
+  std::size_t piece = first_[member];
+  for (const auto& line : members_[member].placed.lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) plane_.add_vertex(piece++, p);
+  }
+}
+
+}  // namespace cnrg

@@ -1,0 +1,89 @@
+// Leaves and parts of leaves that touch each other about one axis, and the points on which all of them are drawn.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "csg/carriers/axes.h"
+#include "csg/carriers/ball_hull.h"
+#include "csg/carriers/banded_leaves.h"
+#include "csg/carriers/extruded_arcs.h"
+#include "csg/carriers/meridians.h"
+#include "csg/carriers/revolved_families.h"
+#include "csg/carriers/sectors.h"
+#include "csg/carriers/turns.h"
+
+namespace cnrg {
+
+/// A leaf or, for all leaves of one ball, the ball, on one axis.
+struct Member {
+  PlacedForm placed;
+  std::vector<std::uint32_t> instances;
+  int segments = 0;
+  bool ball = false;
+  std::shared_ptr<const ExtrudedArc> arc{};  ///< what it is of an extrusion, if it is of one
+  std::optional<std::size_t> band{};         ///< which one it is of a banded leaf, if it is of one
+  bool whole = true;                         ///< of a band
+  std::vector<RationalPoint> marks{};        ///< directions that it must have
+};
+
+/// The part of the turn that a band covers.
+Sector sector_of(const Member& member);
+
+/// Members that touch each other about one axis. Contacts of meridians come first, then directions.
+class Family {
+ public:
+  Family(std::vector<Member> members, bool in_tree_space);
+  Family(const Family&) = delete;  // its plane refers to it
+  Family& operator=(const Family&) = delete;
+
+  /// Points and circles that `member` must have as vertices.
+  void add_marks(std::size_t member, const Marks& marks);
+  /// Contacts first, then directions: what must be one may be added between.
+  void solve_meridians() { plane_.solve(); }
+  void solve_turns() { turns_ = std::make_unique<Turns>(axis_.direction, segments_, marks_); }
+  void add_direction(const RationalPoint& direction) { marks_.push_back(direction); }
+
+  /// The circles that the ball `member` shares, but for its poles.
+  std::vector<MeridianPoint> shared_circles(std::size_t member) const;
+  SphereCircle circle(const MeridianPoint& at) const;
+
+  const std::vector<Member>& members() const { return members_; }
+  const AxisLine& axis() const { return axis_; }
+
+  /// The half-planes of a member that turns by `degrees`.
+  std::vector<RevolvedGrid::Column> columns(std::size_t m, const Rational& degrees) const;
+
+  RevolvedGrid grid(std::size_t m, const RevolvedForm& form) const;
+
+  /// The points of a band, `back` takes them to the space of its leaf.
+  BandGrid band_grid(std::size_t m, const Transform& back) const;
+
+  RationalPoint point(const MeridianPoint& at, const RevolvedGrid::Column& column) const;
+
+ private:
+  /// Corners are doubles, which are cheaper, where that keeps planes plane: about axes of coordinates, without
+  /// slanted lines, whose facets are coplanar with others only where nothing is rounded, and in whole turns.
+  bool may_round() const;
+  Rational smallest() const;
+  /// A sampled point of a meridian; only its place along the axis is rounded here.
+  MeridianPoint rounded(const MeridianPoint& p) const;
+
+  void add_point(std::size_t member, const RationalPoint& p);
+  /// On each arc of the member that holds the point, or nearly.
+  void add_vertex(std::size_t member, const MeridianPoint& p);
+
+  std::vector<Member> members_;
+  AxisLine axis_;
+  bool rounds_;
+  Rational size_;
+  MeridianPlane plane_;
+  std::vector<RationalPoint> marks_;
+  std::vector<std::size_t> first_;  // piece of each member
+  std::size_t pieces_ = 0;
+  int segments_ = 0;
+  std::unique_ptr<Turns> turns_;
+};
+
+}  // namespace cnrg
