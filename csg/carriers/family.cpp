@@ -131,6 +131,32 @@ bool Family::may_round() const {
   return true;
 }
 
+RationalPoint Family::first_direction() const {
+  const auto widest = [](const Member& member) {
+    Rational r = 0;
+    for (const auto& line : member.placed.lines) {
+      for (const MeridianPiece& piece : line) r = std::max({r, piece.from.r, piece.to.r, piece.radius});
+    }
+    return r;
+  };
+  const Member* best = nullptr;
+  for (const Member& member : members_) {
+    if (best != nullptr) {
+      if (member.ball != best->ball) {
+        if (member.ball) continue;
+      } else if (member.segments != best->segments) {
+        if (member.segments < best->segments) continue;
+      } else if (const Rational r = widest(member), s = widest(*best); r != s) {
+        if (r < s) continue;
+      } else if (!(member.placed.start < best->placed.start)) {
+        continue;
+      }
+    }
+    best = &member;
+  }
+  return best->placed.start;
+}
+
 Rational Family::smallest() const {
   Rational size = 0;
   const auto see = [&](const Rational& r) {
@@ -159,7 +185,8 @@ void Family::add_point(std::size_t member, const RationalPoint& p) {
   const Rational t = axis_.place_of(p);
   const RationalPoint out = p - (axis_.foot + t * axis_.direction);
   if (is_zero(out)) return;  // a pole
-  const Rational square = dot(out, out), r = round_cosine(0, square, exponent_of_root(square) - 60);
+  const Rational square = dot(out, out);
+  const Rational r = rational_root(square).value_or(round_cosine(0, square, exponent_of_root(square) - 60));
   add_vertex(member, {r, t});
   marks_.push_back((1 / r) * out);
 }

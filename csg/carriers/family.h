@@ -42,7 +42,7 @@ class Family {
   void add_marks(std::size_t member, const Marks& marks);
   /// Contacts first, then directions: what must be one may be added between.
   void solve_meridians() { plane_.solve(); }
-  void solve_turns() { turns_ = std::make_unique<Turns>(axis_.direction, segments_, marks_); }
+  void solve_turns() { turns_ = std::make_unique<Turns>(axis_.direction, first_direction(), segments_, marks_); }
   void add_direction(const RationalPoint& direction) { marks_.push_back(direction); }
 
   /// The circles that the ball `member` shares, but for its poles.
@@ -67,6 +67,8 @@ class Family {
   /// slanted lines, whose facets are coplanar with others only where nothing is rounded, and in whole turns.
   bool may_round() const;
   Rational smallest() const;
+  /// Where even steps begin: where the turn of the finest member does, so that one alone keeps its own.
+  RationalPoint first_direction() const;
   /// A sampled point of a meridian; only its place along the axis is rounded here.
   MeridianPoint rounded(const MeridianPoint& p) const;
 

@@ -231,7 +231,7 @@ void MeridianPlane::solve() {
   }
   // A chord that crosses what its arc does not is halved; the other way round it would be for ever where two arcs
   // touch from inside, hence the bound, after which the chords stay as they are.
-  constexpr int kMostRounds = 24;
+  constexpr int kMostRounds = 12;
   for (int round = 0; round < kMostRounds; ++round) {
     for (auto& [key, arc] : arcs_) sample(arc);
     if (!separate_chords()) return;
@@ -249,11 +249,32 @@ MeridianPoint MeridianPlane::on_arc(const Arc& arc, const Rational& degrees) con
 }
 
 void MeridianPlane::sample(Arc& arc) const {
-  std::sort(arc.marks.begin(), arc.marks.end());
-  arc.marks.erase(std::unique(arc.marks.begin(), arc.marks.end()), arc.marks.end());
-  arc.vertices.clear();
+  // Of marks that are one point but for what square roots round, that which is nearest to the circle stays.
+  const auto off_circle = [&](const Point& p) -> Rational {
+    const Point off = p - arc.middle;
+    return abs(dot(off, off, square_) - arc.radius * arc.radius);
+  };
+  std::sort(arc.marks.begin(), arc.marks.end(), [&](const Point& a, const Point& b) {
+    const Rational x = off_circle(a), y = off_circle(b);
+    return x != y ? x < y : a < b;
+  });
+  std::vector<Point> kept;
   std::vector<double> marked;
   for (const Point& p : arc.marks) {
+    const double angle = angle_of(arc, p);
+    const bool known = std::any_of(marked.begin(), marked.end(), [&](double other) {
+      return std::abs(std::remainder(angle - other, 360)) < kNear;
+    });
+    if (known) continue;
+    kept.push_back(p);
+    marked.push_back(angle);
+  }
+  arc.marks = std::move(kept);
+  std::vector<Point> fixed = arc.marks;
+  fixed.insert(fixed.end(), arc.halvings.begin(), arc.halvings.end());
+  arc.vertices.clear();
+  marked.clear();
+  for (const Point& p : fixed) {
     marked.push_back(angle_of(arc, p));
     arc.vertices.push_back({p, from_double(marked.back())});
   }
@@ -364,7 +385,7 @@ bool MeridianPlane::separate(std::size_t i, std::size_t j) {
         continue;  // in a vertex of the arc
       }
       const double from = angle_of(arc, a), way = std::remainder(angle_of(arc, b) - from, 360);
-      arc.marks.push_back(on_arc(arc, from_double(from + way / 2)));
+      arc.halvings.push_back(on_arc(arc, from_double(from + way / 2)));
       changed = true;
       break;
     }

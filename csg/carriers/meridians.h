@@ -37,7 +37,7 @@ class MeridianPlane {
   void solve();
   /// The rows of piece i.
   std::vector<RevolvedGrid::Row> rows(std::size_t i) const;
-  /// The points of the arc of piece i that are vertices for another reason than an even step.
+  /// The ends of pieces and the contacts on the arc of piece i.
   std::vector<MeridianPoint> marks(std::size_t i) const;
 
  private:
@@ -55,8 +55,9 @@ class MeridianPlane {
   struct Arc {
     MeridianPoint middle;
     Rational radius;
-    int steps = 0;  ///< of a whole circle
-    std::vector<MeridianPoint> marks;
+    int steps = 0;                        ///< of a whole circle
+    std::vector<MeridianPoint> marks;     ///< ends and contacts
+    std::vector<MeridianPoint> halvings;  ///< of chords
     std::vector<Vertex> vertices;
   };
   using ArcKey = std::tuple<MeridianPoint, Rational>;

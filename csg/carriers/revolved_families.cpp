@@ -298,12 +298,19 @@ class Space {
   }
 
   void build() {
-    // A ball that meets nobody about an axis, but another ball or a mark: about the axis of its own leaf, or z.
+    // A ball that meets nobody about an axis, but another ball or a mark: about the axis of its own leaf.
     for (const auto& [ball, of] : balls_) {
       if (on_axes_.contains(ball)) continue;
-      AxisLine axis = axis_line(ball.center, {0, 0, 1});
-      if (of.size() == 1) axis = axis_line(ball.center, linear_image(relative_.at(of[0]), {0, 0, 1}));
-      ball_node(ball, axis, ball_on(ball, axis));
+      // It keeps the meridians of its leaf; of several leaves those of the finest.
+      const Index finest = *std::min_element(of.begin(), of.end(), [&](Index a, Index b) {
+        const int p = form_of(a).segments, q = form_of(b).segments;
+        return p != q ? p > q : Placement(relative_.at(a)) < Placement(relative_.at(b));
+      });
+      const Transform& relative = relative_.at(finest);
+      const PlacedForm own = place(form_of(finest), relative, *stretch(relative));
+      Member member = ball_on(ball, own.axis);
+      member.placed.start = member.placed.end = own.start;
+      ball_node(ball, own.axis, std::move(member));
     }
     UnionFind sets(nodes_.size());
     for (const auto& [a, b] : edges_) sets.unite(a, b);

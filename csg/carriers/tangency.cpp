@@ -37,10 +37,21 @@ struct Ring {
   MeridianPoint middle;
   Rational radius;
 };
+/// A part of a plane: a polygon, a ring about the axis of a revolved leaf, or all of it.
 struct Flat {
   RationalPoint normal;
   Rational offset;
-  Box box;  ///< of the face; infinite for planes without bounds
+  std::vector<std::vector<RationalPoint>> loops{};   ///< of a polygon
+  RationalPoint center{};                            ///< of a ring
+  std::optional<std::array<Rational, 2>> squares{};  ///< of the radii of a ring, inside and outside
+
+  /// True if the segment from p to q, in the plane, has a point in it; p and q may be one.
+  bool meets(const RationalPoint& p, const RationalPoint& q) const;
+  /// True if a circle in the plane has a point in it.
+  bool meets_circle(const RationalPoint& middle, const Rational& radius) const;
+
+ private:
+  bool polygon_meets(const RationalPoint& p, const RationalPoint& q) const;
 };
 struct Exact {
   PlacedForm placed;
@@ -69,6 +80,80 @@ Box around(const Point3& a, const Point3& b) {
     box.hi[k] = std::max(a[k], b[k]) + margin;
   }
   return box;
+}
+
+/// On the line through a and b, between them or one of them.
+bool between(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
+  return is_zero(cross(b - a, p - a)) && cnrg::dot(p - a, p - b) <= 0;
+}
+
+bool Flat::meets(const RationalPoint& p, const RationalPoint& q) const {
+  if (squares) {
+    // The nearest point of the segment, and the farther one of its ends.
+    const RationalPoint way = q - p;
+    const Rational whole = cnrg::dot(way, way);
+    Rational part = whole == 0 ? Rational(0) : Rational(cnrg::dot(center - p, way) / whole);
+    part = std::max(Rational(0), std::min(Rational(1), part));
+    const RationalPoint nearest = p + part * way - center;
+    const Rational low = cnrg::dot(nearest, nearest),
+                   high = std::max(cnrg::dot(p - center, p - center), cnrg::dot(q - center, q - center));
+    return low <= (*squares)[1] && high >= (*squares)[0];
+  }
+  return loops.empty() || polygon_meets(p, q);
+}
+
+bool Flat::meets_circle(const RationalPoint& middle, const Rational& radius) const {
+  if (squares) {
+    // Circles of radii r and s that are d apart have a point in common for |r - s| <= d <= r + s; of a ring all
+    // radii count from the inner to the outer one.
+    const RationalPoint off = middle - center;
+    const double apart = std::sqrt(to_double(cnrg::dot(off, off))), r = to_double(radius),
+                 low = std::sqrt(to_double((*squares)[0])), high = std::sqrt(to_double((*squares)[1]));
+    const double margin = 1e-9 * (apart + r + high);
+    return apart <= r + high + margin && r <= apart + high + margin && low <= apart + r + margin;
+  }
+  if (loops.empty()) return true;
+  const Rational square = radius * radius;
+  bool inside = polygon_meets(middle, middle), outside = false;
+  for (const auto& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const RationalPoint &a = loop[i], &b = loop[(i + 1) % loop.size()], way = b - a;
+      outside = outside || cnrg::dot(a - middle, a - middle) >= square;
+      Rational part = cnrg::dot(middle - a, way) / cnrg::dot(way, way);
+      part = std::max(Rational(0), std::min(Rational(1), part));
+      const RationalPoint nearest = a + part * way - middle;
+      inside = inside || cnrg::dot(nearest, nearest) <= square;
+    }
+  }
+  return inside && outside;
+}
+
+bool Flat::polygon_meets(const RationalPoint& p, const RationalPoint& q) const {
+  // The side of c as seen from a to b.
+  const auto side = [&](const RationalPoint& a, const RationalPoint& b, const RationalPoint& c) {
+    return sgn(cnrg::dot(cross(b - a, c - a), normal));
+  };
+  // A ray from p along the plane, across a direction that no corner lies in, would do; here it is counted how
+  // often the loops wind around p, along the largest two axes of the plane.
+  std::size_t x = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if (abs(normal[k]) > abs(normal[x])) x = k;
+  }
+  const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+  bool odd = false;
+  for (const auto& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const RationalPoint &a = loop[i], &b = loop[(i + 1) % loop.size()];
+      if (between(a, b, p) || between(a, b, q)) return true;
+      if (p != q && side(a, b, p) * side(a, b, q) <= 0 && side(p, q, a) * side(p, q, b) <= 0 &&
+          !(is_zero(cross(b - a, q - p)) && side(a, b, p) != 0))
+        return true;
+      if ((a[z] > p[z]) == (b[z] > p[z])) continue;
+      const Rational at = a[y] + (p[z] - a[z]) / (b[z] - a[z]) * (b[y] - a[y]);
+      if (at > p[y]) odd = !odd;
+    }
+  }
+  return odd;
 }
 
 /// Nearly equal lengths, in doubles: what is not certainly is not exactly either.
@@ -136,16 +221,13 @@ class Finder {
       if (place_.contains(i)) continue;
       if (const auto* leaf = dynamic_cast<const UnboundedLeaf*>(instance.leaf.get())) {
         const ExactHalfspace plane = leaf->image(instance.transform);
-        Box all;
-        all.lo.fill(-HUGE_VAL);
-        all.hi.fill(HUGE_VAL);
         const Point3 normal = doubles(plane.normal);
         const double length = std::sqrt(dot(normal, normal));
         for (Round& round : rounds_) {
           if (may_touch(round, {normal[0] / length, normal[1] / length, normal[2] / length},
                         to_double(plane.offset) / length) &&
               is_exact(round))
-            with_flat(round, {plane.normal, plane.offset, all});
+            with_flat(round, {plane.normal, plane.offset});
         }
       } else if (const auto* geometry = dynamic_cast<const GeometryLeaf*>(instance.leaf.get())) {
         const Box reach = box_of(*geometry, instance.transform);
@@ -203,12 +285,12 @@ class Finder {
     for (const Index r : met) {
       Round& round = rounds_[r];
       tree.query([&](const Box& box) { return box.meets(round.box); },
-                 [&](Index f) { face(round, soup, transform, points, SourceId(f), boxes[f]); });
+                 [&](Index f) { face(round, soup, transform, points, SourceId(f)); });
     }
   }
 
   void face(Round& round, const Soup& soup, const Transform& transform, const std::vector<Point3>& points,
-            SourceId f, const Box& box) {
+            SourceId f) {
     const std::span<const PointId> corners = soup.corners(f);
     // Three corners that span the plane best, in doubles.
     Point3 normal{0, 0, 0};
@@ -231,7 +313,13 @@ class Finder {
       return;
     const auto exact = [&](std::size_t i) { return transform.apply(exact_value(soup, corners[i])); };
     const RationalPoint a = exact(0), n = cross(exact(second) - a, exact(third) - a);
-    if (!is_zero(n)) with_flat(round, {n, cnrg::dot(n, a), box});
+    if (is_zero(n)) return;
+    Flat flat{n, cnrg::dot(n, a), {{}}};
+    for (const PointId p : corners) {
+      if (p.valid()) flat.loops.back().push_back(transform.apply(exact_value(soup, p)));
+      else flat.loops.emplace_back();
+    }
+    with_flat(round, flat);
   }
 
   /// Makes the leaf exact; false if it is stretched so that it has no radii, or none that are rational.
@@ -244,13 +332,18 @@ class Finder {
     Exact& exact = round.exact.emplace();
     exact.placed = place(form, instance.transform, *scale);
     const AxisLine& axis = exact.placed.axis;
-    const auto flat = [&](const Rational& t) {
+    const auto flat = [&](const Rational& t, const Rational& r, const Rational& s) {
       const RationalPoint at = axis.foot + t * axis.direction;
-      exact.flats.push_back({axis.direction, cnrg::dot(axis.direction, at), round.box});
+      const auto [low, high] = std::minmax(r, s);
+      exact.flats.push_back({axis.direction,
+                             cnrg::dot(axis.direction, at),
+                             {},
+                             at,
+                             std::array<Rational, 2>{low * low, high * high}});
     };
     for (const auto& line : exact.placed.lines) {
       for (const MeridianPiece& piece : line) {
-        if (piece.flat()) flat(piece.from.t);
+        if (piece.flat()) flat(piece.from.t, piece.from.r, piece.to.r);
         if (piece.kind == MeridianPiece::Kind::arc) {
           exact.rings.push_back({piece.middle, piece.radius});
           if (piece.middle.r == 0)
@@ -261,8 +354,8 @@ class Finder {
         }
       }
       if (form.discs) {
-        flat(line.front().from.t);
-        flat(line.back().to.t);
+        flat(line.front().from.t, 0, line.front().from.r);
+        flat(line.back().to.t, 0, line.back().to.r);
       }
     }
     return true;
@@ -313,11 +406,6 @@ class Finder {
     return false;
   }
 
-  static bool in(const Box& box, const RationalPoint& p) {
-    const Point3 x = doubles(p);
-    return box.meets(around(x, x));
-  }
-
   /// `owner`: the revolved leaf that the plane is of, if it is of one.
   void with_flat(const Round& round, const Flat& flat, const Round* owner = nullptr) {
     const Rational square = cnrg::dot(flat.normal, flat.normal);
@@ -325,7 +413,7 @@ class Finder {
       const Rational gap = cnrg::dot(flat.normal, ball.center) - flat.offset;
       if (gap * gap != ball.radius * ball.radius * square) continue;
       const RationalPoint at = ball.center - Rational(gap / square) * flat.normal;
-      if (!in(flat.box, at)) continue;
+      if (!flat.meets(at, at)) continue;
       mark_point(round.instance, at);
       if (owner != nullptr) mark_rim(*owner, at);
     }
@@ -335,8 +423,7 @@ class Finder {
       if (gap * gap != tube.radius * tube.radius * square) continue;
       const RationalPoint direction = Rational(-gap / (square * tube.radius)) * flat.normal;
       const RationalPoint on = tube.foot + tube.radius * direction;
-      const Box line = around(doubles(on + tube.low * tube.axis), doubles(on + tube.high * tube.axis));
-      if (!flat.box.meets(line)) continue;
+      if (!flat.meets(on + tube.low * tube.axis, on + tube.high * tube.axis)) continue;
       mark_direction(round.instance, direction, tube);
       if (owner == nullptr) continue;
       for (const Rational& end : {tube.low, tube.high}) mark_rim(*owner, on + end * tube.axis);
@@ -346,9 +433,13 @@ class Finder {
     const Rational t = (flat.offset - cnrg::dot(flat.normal, axis.foot)) / cnrg::dot(flat.normal, axis.direction);
     for (const Ring& ring : round.exact->rings) {
       const Rational up = t - ring.middle.t;
-      if (up * up * round.exact->placed.square() != ring.radius * ring.radius) continue;
-      marks_[round.instance].circles.push_back({ring.middle.r, t});
-      marks_[round.instance].needed = true;
+      if (ring.middle.r == 0 || up * up * round.exact->placed.square() != ring.radius * ring.radius) continue;
+      const RationalPoint center = axis.foot + t * axis.direction;
+      if (!flat.meets_circle(center, ring.middle.r)) continue;
+      Marks& marks = marks_[round.instance];
+      marks.circles.push_back({ring.middle.r, t});
+      marks.needed =
+          marks.needed || !has_vertex(round.instance, center + ring.middle.r * round.exact->placed.start);
     }
   }
 
@@ -412,7 +503,8 @@ class Finder {
     const RationalPoint foot = tube.foot + t * tube.axis, apart = ball.center - foot;
     if (!may_be(apart, tube.radius, ball.radius)) return;
     const auto sum = gauge(cnrg::dot(apart, apart), tube.radius, ball.radius);
-    if (!sum) return;
+    // From inside a point or line alone would not keep the facets around it apart, which may then cross.
+    if (!sum || *sum != tube.radius + ball.radius) return;
     const RationalPoint direction = Rational(1 / *sum) * apart;
     mark_point(a.instance, foot + tube.radius * direction);
     mark_direction(b.instance, direction, tube);
@@ -426,11 +518,10 @@ class Finder {
     const RationalPoint apart = q.foot - p.foot;
     if (!may_be(apart, p.radius, q.radius)) return;
     const auto sum = gauge(cnrg::dot(apart, apart), p.radius, q.radius);
-    if (!sum) return;
+    if (!sum || *sum != p.radius + q.radius) return;
     const RationalPoint direction = Rational(1 / *sum) * apart;
     mark_direction(a.instance, direction, p);
-    // Seen from the other axis it is opposite, but the same where one is inside of the other.
-    mark_direction(b.instance, Rational(*sum == p.radius + q.radius ? -1 : 1) * direction, q);
+    mark_direction(b.instance, Rational(-1) * direction, q);
   }
 
   // --- marks

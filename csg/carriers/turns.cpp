@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "csg/carriers/axes.h"
 #include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
 
@@ -18,26 +19,33 @@ Rational within_one(const Rational& turn) {
   return turn - whole;
 }
 
-/// 0 for directions in [0, 180) degrees from the first vector, 1 for the others.
-int half_of(const CircleFrame& frame, const RationalPoint& d) {
-  const int up = sgn(dot(d, frame.second()));
-  return up > 0 || (up == 0 && dot(d, frame.first()) > 0) ? 0 : 1;
-}
-
-/// Negative if a comes before b.
-int compare(const CircleFrame& frame, const RationalPoint& a, const RationalPoint& b) {
-  const int half_a = half_of(frame, a), half_b = half_of(frame, b);
-  return half_a != half_b ? half_a - half_b : -sgn(dot(cross(a, b), frame.axis()));
-}
-
 Rational error_of(const RationalPoint& d) { return abs(dot(d, d) - 1); }
 
 }  // namespace
 
-Turns::Turns(const RationalPoint& axis, int segments, const std::vector<RationalPoint>& marks) : frame_(axis) {
-  const std::vector<RationalPoint> even = frame_.offsets(1, segments);
-  for (std::size_t i = 0; i < even.size(); ++i)
-    lines_.push_back({even[i], fraction(static_cast<long>(i), segments), true, false});
+/// 0 for directions in [0, 180) degrees from the first vector, 1 for the others.
+int Turns::half_of(const Frame& frame, const RationalPoint& d) {
+  const int up = sgn(dot(d, frame.second));
+  return up > 0 || (up == 0 && dot(d, frame.first) > 0) ? 0 : 1;
+}
+
+/// Negative if a comes before b.
+int Turns::compare(const Frame& frame, const RationalPoint& a, const RationalPoint& b) {
+  const int half_a = half_of(frame, a), half_b = half_of(frame, b);
+  return half_a != half_b ? half_a - half_b : -sgn(dot(cross(a, b), frame.axis));
+}
+
+Turns::Turns(const RationalPoint& axis, const RationalPoint& start, int segments,
+             const std::vector<RationalPoint>& marks)
+    : frame_{start, cross(axis, start), axis} {
+  const Rational across = 1 / dot(axis, axis);  // the second vector is as long as the axis
+  lines_.reserve(static_cast<std::size_t>(segments) + marks.size());
+  for (int i = 0; i < segments; ++i) {
+    const Rational degrees = fraction(360L * i, segments);
+    const RationalPoint direction =
+        scaled_cosine(degrees, 1) * frame_.first + scaled_cosine(90 - degrees, across) * frame_.second;
+    lines_.push_back({direction, fraction(i, segments), true, false});
+  }
   std::vector<double> marked;
   for (const RationalPoint& d : marks) {
     marked.push_back(to_double(turn_of(d)));
@@ -82,9 +90,8 @@ const Turns::Line* Turns::find(const RationalPoint& direction) const {
 }
 
 Rational Turns::turn_of(const RationalPoint& d) const {
-  const double x = to_double(dot(d, frame_.first())) / std::sqrt(to_double(dot(frame_.first(), frame_.first())));
-  const double y =
-      to_double(dot(d, frame_.second())) / std::sqrt(to_double(dot(frame_.second(), frame_.second())));
+  const double x = to_double(dot(d, frame_.first)) / std::sqrt(to_double(dot(frame_.first, frame_.first)));
+  const double y = to_double(dot(d, frame_.second)) / std::sqrt(to_double(dot(frame_.second, frame_.second)));
   return within_one(from_double(std::atan2(y, x) / (2 * std::numbers::pi)));
 }
 

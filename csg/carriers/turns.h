@@ -8,16 +8,16 @@
 #include <optional>
 
 #include "csg/curves/revolved.h"
-#include "csg/geometry/circle.h"
 
 namespace cnrg {
 
 class Turns {
  public:
-  /// Even steps from the first vector of CircleFrame(axis); `marks`: further directions, at right angles to the
+  /// Even steps from the direction `start`; `marks`: further directions, at right angles to the
   /// axis and nearly or exactly unit vectors, in any order. Of two on one ray the one that is nearer to a unit
   /// vector stays. Even steps next to a mark are left out.
-  Turns(const RationalPoint& axis, int segments, const std::vector<RationalPoint>& marks);
+  Turns(const RationalPoint& axis, const RationalPoint& start, int segments,
+        const std::vector<RationalPoint>& marks);
 
   /// How a leaf about the axis lies: the direction where its turn begins; `along` if its own axis runs along this
   /// one, `mirrored` if it turns against its own axis.
@@ -31,17 +31,24 @@ class Turns {
   std::vector<RevolvedGrid::Column> part(const Lie& lie, const RationalPoint& end, const Rational& degrees) const;
 
  private:
+  /// At right angles to each other; the second one is the axis x the first.
+  struct Frame {
+    RationalPoint first, second, axis;
+  };
   struct Line {
     RationalPoint direction;
-    Rational turn;                    ///< from the first vector, 0 to 1; of a mark as a double
+    Rational turn;                    ///< from `start`, 0 to 1; of a mark as a double
     bool even = false, mark = false;  ///< either or both
   };
   /// Where a direction is, 0 to 1; exact for a line of these.
   Rational turn_of(const RationalPoint& direction) const;
   const Line* find(const RationalPoint& direction) const;
 
-  CircleFrame frame_;
-  std::vector<Line> lines_;  ///< counter-clockwise from the first vector
+  static int half_of(const Frame& frame, const RationalPoint& d);
+  static int compare(const Frame& frame, const RationalPoint& a, const RationalPoint& b);
+
+  Frame frame_;
+  std::vector<Line> lines_;  ///< counter-clockwise from `start`
 };
 
 }  // namespace cnrg
