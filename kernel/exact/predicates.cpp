@@ -17,10 +17,9 @@
 //   against the slack of the constants. Overflow: the guard on the largest maximum (at most 1e100) excludes it.
 #include "kernel/exact/predicates.h"
 
-#include <atomic>
-#include <mutex>
 
 #include "kernel/base/error.h"
+#include "kernel/base/per_thread.h"
 #include "kernel/exact/cross_filter.h"
 #include "kernel/exact/enclosure.h"
 #include "kernel/exact/plane_filter.h"
@@ -35,33 +34,7 @@ constexpr double kOrient3dBound = 6e-15;
 constexpr double kSmallest = kSmallestFiltered;
 constexpr double kLargest = kLargestFiltered;
 
-/// Counters of one thread; their sum is kept when the thread ends.
-struct Registry {
-  std::mutex mutex;
-  std::vector<StageCounts*> live;
-  StageCounts ended;
-};
-Registry& registry() {
-  static Registry* instance = new Registry;  // outlives every thread
-  return *instance;
-}
-struct ThreadCounts : StageCounts {
-  ThreadCounts() {
-    std::lock_guard lock(registry().mutex);
-    registry().live.push_back(this);
-  }
-  ~ThreadCounts() {
-    std::lock_guard lock(registry().mutex);
-    registry().ended.filter += filter;
-    registry().ended.interval += interval;
-    registry().ended.exact += exact;
-    std::erase(registry().live, this);
-  }
-};
-StageCounts& counts() {
-  thread_local ThreadCounts mine;
-  return mine;
-}
+StageCounts& counts() { return PerThread<StageCounts>::own(); }
 
 inline double max_abs(double a, double b, double c) {
   return std::max(std::fabs(a), std::max(std::fabs(b), std::fabs(c)));
@@ -98,10 +71,7 @@ const Integer& coordinate(const ExactPoint& p, int k) { return k == 0 ? p.x : (k
 struct Workspace {
   std::array<std::array<Integer, 3>, 3> differences;
   Integer minor, product, sum;
-  static Workspace& of_thread() {
-    thread_local Workspace own;
-    return own;
-  }
+  static Workspace& of_thread() { return PerThread<Workspace>::own(); }
 };
 
 /// A positive multiple of b - a in coordinate k; the factor does not depend on k.
@@ -389,20 +359,17 @@ bool same_plane(const PointTable& t, PlaneId p, PlaneId q) {
 void count_filtered(std::uint64_t n) { counts().filter += n; }
 
 StageCounts stage_counts() {
-  std::lock_guard lock(registry().mutex);
-  StageCounts total = registry().ended;
-  for (const StageCounts* c : registry().live) {
-    total.filter += c->filter;
-    total.interval += c->interval;
-    total.exact += c->exact;
-  }
+  StageCounts total;
+  PerThread<StageCounts>::each([&](const StageCounts& c) {
+    total.filter += c.filter;
+    total.interval += c.interval;
+    total.exact += c.exact;
+  });
   return total;
 }
 
 void reset_stage_counts() {
-  std::lock_guard lock(registry().mutex);
-  registry().ended = {};
-  for (StageCounts* c : registry().live) *c = {};
+  PerThread<StageCounts>::each([](StageCounts& c) { c = {}; });
 }
 
 }  // namespace cnrg

@@ -8,6 +8,8 @@
 #include <new>
 #include <vector>
 
+#include "kernel/base/per_thread.h"
+
 namespace cnrg {
 namespace {
 
@@ -26,10 +28,7 @@ struct FreeBlocks {
   }
 };
 
-FreeBlocks& free_blocks() {
-  thread_local FreeBlocks blocks;
-  return blocks;
-}
+FreeBlocks& free_blocks() { return PerThread<FreeBlocks>::own(); }
 
 }  // namespace
 
