@@ -17,7 +17,6 @@
 //   against the slack of the constants. Overflow: the guard on the largest maximum (at most 1e100) excludes it.
 #include "kernel/exact/predicates.h"
 
-
 #include "kernel/base/error.h"
 #include "kernel/base/per_thread.h"
 #include "kernel/exact/cross_filter.h"
