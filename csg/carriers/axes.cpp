@@ -8,13 +8,6 @@
 #include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
-namespace {
-
-RationalPoint linear_image(const Transform& transform, const RationalPoint& v) {
-  return {dot(transform.linear[0], v), dot(transform.linear[1], v), dot(transform.linear[2], v)};
-}
-
-}  // namespace
 
 std::optional<Rational> rational_root(const Rational& square) {
   if (mpz_perfect_square_p(square.get_num_mpz_t()) == 0 || mpz_perfect_square_p(square.get_den_mpz_t()) == 0)
@@ -56,7 +49,7 @@ Rational PlacedForm::square() const { return dot(axis.direction, axis.direction)
 
 PlacedForm place(const RevolvedForm& form, const Transform& transform, const Rational& scale) {
   PlacedForm placed;
-  const RationalPoint center = transform.apply(form.center), along = linear_image(transform, form.axis);
+  const RationalPoint center = transform.apply(form.center), along = transform.apply_to_vector(form.axis);
   placed.axis = axis_line(center, along);
   const RationalPoint& direction = placed.axis.direction;
   const Rational first = placed.axis.place_of(center), step = dot(along, direction) / dot(direction, direction);
@@ -82,8 +75,8 @@ PlacedForm place(const RevolvedForm& form, const Transform& transform, const Rat
     }
   }
   const CircleFrame frame(form.axis);
-  placed.start = (1 / scale) * linear_image(transform, frame.offset(1, 0));
-  placed.end = form.around() ? placed.start : (1 / scale) * linear_image(transform, frame.offset(1, form.degrees));
+  placed.start = (1 / scale) * transform.apply_to_vector(frame.offset(1, 0));
+  placed.end = form.around() ? placed.start : (1 / scale) * transform.apply_to_vector(frame.offset(1, form.degrees));
   return placed;
 }
 

@@ -29,8 +29,6 @@ Exact::FT exact_number(const Rational& value) {
   return is_double(value) ? Exact::FT(to_double(value)) : Exact::FT(Number(value.get_mpq_t()));
 }
 
-Point3 doubles(const RationalPoint& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
-
 /// Balls that no point between the circles may lie in: over each chord as its diameter, a little larger, and
 /// around each single point.
 class Keepout {
@@ -70,7 +68,7 @@ class Keepout {
     };
     for (const SphereCircle& circle : circles) {
       for (std::size_t i = 0; i < circle.size(); ++i) {
-        const Point3 a = doubles(circle[i]), b = doubles(circle[(i + 1) % circle.size()]);
+        const Point3 a = to_doubles(circle[i]), b = to_doubles(circle[(i + 1) % circle.size()]);
         Point3 middle;
         double square = 0;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -80,7 +78,7 @@ class Keepout {
         add(middle, std::max(0.55 * std::sqrt(square), least));
       }
     }
-    for (const RationalPoint& p : points) add(doubles(p), least);
+    for (const RationalPoint& p : points) add(to_doubles(p), least);
     return result;
   }
 
@@ -116,7 +114,7 @@ BallHull hull_of(const Ball& ball, const std::vector<SphereCircle>& circles,
   const double step = to_double(ball.radius) * std::numbers::pi / rings;
   const Keepout keepout(circles, points, step / 4);
   for (const RationalPoint& p : grid(ball, segments, rings)) {
-    if (!keepout.holds(doubles(p))) all.insert(p);
+    if (!keepout.holds(to_doubles(p))) all.insert(p);
   }
   BallHull hull;
   hull.points.assign(all.begin(), all.end());

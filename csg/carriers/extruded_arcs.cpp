@@ -10,13 +10,9 @@
 namespace cnrg {
 namespace {
 
-RationalPoint linear_image(const Transform& transform, const RationalPoint& v) {
-  return transform.apply(v) - transform.offset;
-}
-
 ExtrudeShape image(const ExtrudeShape& shape, const Transform& transform) {
   ExtrudeShape result = shape;
-  result.vector = linear_image(transform, shape.vector);
+  result.vector = transform.apply_to_vector(shape.vector);
   result.center.reset();
   for (ProfileLine& line : result.profile.lines) {
     for (CurveNet& net : line.segments) {

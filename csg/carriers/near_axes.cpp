@@ -13,14 +13,6 @@ namespace {
 
 using Index = std::uint32_t;
 
-std::array<double, 3> doubles(const RationalPoint& p) {
-  return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
-}
-
-RationalPoint linear_image(const Transform& transform, const RationalPoint& v) {
-  return transform.apply(v) - transform.offset;
-}
-
 /// The axis of a leaf in doubles.
 struct RoughAxis {
   std::array<double, 3> point, along;  ///< along has length 1
@@ -28,15 +20,15 @@ struct RoughAxis {
   bool sphere = false;
 
   explicit RoughAxis(const ExtrudedArc& arc)
-      : point(doubles(arc.placed.axis.foot)), along(doubles(arc.placed.axis.direction)) {
+      : point(to_doubles(arc.placed.axis.foot)), along(to_doubles(arc.placed.axis.direction)) {
     const double length = std::hypot(along[0], along[1], along[2]);
     for (double& x : along) x /= length;
     size = to_double(arc.placed.lines[0][0].from.r);
     for (const double x : point) size = std::max(size, std::abs(x));
   }
   RoughAxis(const RevolvedForm& form, const Transform& transform)
-      : point(doubles(transform.apply(form.center))),
-        along(doubles(linear_image(transform, form.axis))),
+      : point(to_doubles(transform.apply(form.center))),
+        along(to_doubles(transform.apply_to_vector(form.axis))),
         sphere(form.is_sphere()) {
     const double length = std::hypot(along[0], along[1], along[2]);
     for (double& x : along) x /= length;

@@ -32,10 +32,6 @@ namespace {
 
 using Index = std::uint32_t;
 
-RationalPoint linear_image(const Transform& transform, const RationalPoint& v) {
-  return transform.apply(v) - transform.offset;
-}
-
 /// Families of one space: `base` takes its points to those of the tree.
 class Space {
  public:
@@ -123,7 +119,7 @@ class Space {
   void add_band(Index i, std::size_t b, const Transform& relative, const Rational& scale) {
     const Band& band = banded_.bands(i)[b];
     Member member{place(band.form, relative, scale), {i}, band.form.segments, false};
-    const auto image = [&](const RationalPoint& d) { return (1 / scale) * linear_image(relative, d); };
+    const auto image = [&](const RationalPoint& d) { return (1 / scale) * relative.apply_to_vector(d); };
     member.placed.start = image(band.start);
     member.placed.end = image(band.end);
     for (const RationalPoint& d : band.marks) member.marks.push_back(image(d));

@@ -16,7 +16,6 @@ namespace {
 using Index = std::uint32_t;
 using Point3 = std::array<double, 3>;
 
-Point3 doubles(const RationalPoint& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
 double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Point3 minus(const Point3& a, const Point3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Point3 times(const Point3& a, const Point3& b) {
@@ -170,8 +169,8 @@ class Finder {
     const Transform& transform = instance.transform;
     const auto& form = dynamic_cast<const RevolvedForm&>(*instance.leaf->form());
     Round round{of.instance, of.box};
-    const Point3 center = doubles(transform.apply(form.center)),
-                 step = minus(doubles(transform.apply(form.center + form.axis)), center);
+    const Point3 center = to_doubles(transform.apply(form.center)),
+                 step = minus(to_doubles(transform.apply(form.center + form.axis)), center);
     double scale = 0;
     for (const Rational& x : transform.linear[0]) scale += to_double(x) * to_double(x);
     scale = std::sqrt(scale);
@@ -221,7 +220,7 @@ class Finder {
       if (place_.contains(i)) continue;
       if (const auto* leaf = dynamic_cast<const UnboundedLeaf*>(instance.leaf.get())) {
         const ExactHalfspace plane = leaf->image(instance.transform);
-        const Point3 normal = doubles(plane.normal);
+        const Point3 normal = to_doubles(plane.normal);
         const double length = std::sqrt(dot(normal, normal));
         for (Round& round : rounds_) {
           if (may_touch(round, {normal[0] / length, normal[1] / length, normal[2] / length},
@@ -474,7 +473,7 @@ class Finder {
     return std::nullopt;
   }
   static bool may_be(const RationalPoint& apart, const Rational& r, const Rational& s) {
-    const Point3 x = doubles(apart);
+    const Point3 x = to_doubles(apart);
     const double length = std::sqrt(dot(x, x)), p = to_double(r), q = to_double(s);
     return near(length, p + q, p + q) || near(length, std::abs(p - q), p + q);
   }
@@ -531,7 +530,7 @@ class Finder {
     const auto* leaf = dynamic_cast<const GeometryLeaf*>(instances_[i].leaf.get());
     if (leaf == nullptr) return false;
     const RationalPoint own = instances_[i].transform.inverse().apply(p);
-    const Point3 rough = doubles(own);
+    const Point3 rough = to_doubles(own);
     const Soup& soup = leaf->geometry();
     for (const PointId v : IdRange<PointId>(soup.point_count())) {
       const double* x = soup.xyz(v);

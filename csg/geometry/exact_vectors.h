@@ -30,6 +30,11 @@ inline Rational volume6(const RationalPoint& a, const RationalPoint& b, const Ra
   return dot(cross(b - a, c - a), d - a);
 }
 
+/// The doubles nearest to the coordinates.
+inline std::array<double, 3> to_doubles(const RationalPoint& p) {
+  return {to_double(p[0]), to_double(p[1]), to_double(p[2])};
+}
+
 /// a / b in lowest terms.
 inline Rational fraction(long a, long b) {
   Rational result(a, b);

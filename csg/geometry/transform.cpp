@@ -94,6 +94,8 @@ Transform Transform::inverse() const {
 
 RationalPoint Transform::apply(const RationalPoint& p) const { return image(linear, p) + offset; }
 
+RationalPoint Transform::apply_to_vector(const RationalPoint& v) const { return image(linear, v); }
+
 Transform Transform::operator*(const Transform& inner) const {
   Transform t;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -22,6 +22,8 @@ struct Transform {
   Rational determinant() const;
   Transform inverse() const;
   RationalPoint apply(const RationalPoint& p) const;
+  /// A v: of a vector, which has no place.
+  RationalPoint apply_to_vector(const RationalPoint& v) const;
   /// First `inner`, then this.
   Transform operator*(const Transform& inner) const;
   friend bool operator==(const Transform&, const Transform&) = default;

@@ -33,8 +33,6 @@ Point3 cross(const Point3& a, const Point3& b) {
 }
 double length(const Point3& a) { return std::sqrt(dot(a, a)); }
 RationalPoint exact(const Point3& p) { return {from_double(p[0]), from_double(p[1]), from_double(p[2])}; }
-Point3 doubles(const RationalPoint& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
-
 bool is_round(Kind kind) {
   return kind == Kind::cylinder || kind == Kind::cone || kind == Kind::sphere || kind == Kind::torus;
 }
@@ -125,7 +123,7 @@ class Finder {
     face.face = f;
     const CadAxes& axes = of.surface.axes;
     face.line = axis_line(exact(axes.origin), exact(axes.z));
-    const Point3 along = doubles(face.line.direction);
+    const Point3 along = to_doubles(face.line.direction);
     face.border.ahead = dot(axes.z, along) > 0;
     face.border.turns_up = dot(cross(axes.x, axes.y), along) > 0;
     BandBorder& border = face.border;
@@ -239,7 +237,7 @@ class Finder {
         refuse("the border of " + face_name(face.face) + " has no circle at one end");
       }
       // The corner of triangles that is farthest along, or back along, the axis.
-      const Point3 along = doubles(face.line.direction);
+      const Point3 along = to_doubles(face.line.direction);
       double most = 0;
       for (const auto& t : model_.faces[face.face].triangles) {
         for (const Index p : t) {
@@ -310,7 +308,7 @@ class Finder {
     return p - (line.foot + line.place_of(p) * line.direction);
   }
   bool is_pole(const AxisLine& line, Index p) const {
-    return length(doubles(away(line, at(p)))) < kRounding * size_;
+    return length(to_doubles(away(line, at(p)))) < kRounding * size_;
   }
 
   /// The least of the corners that lie on one parallel, or meridian, with p.
@@ -423,7 +421,7 @@ class Finder {
   /// of several circles, which are meant to begin in one half-plane, do.
   static RationalPoint near_step(const AxisLine& line, const RationalPoint& out) {
     const CircleFrame frame(line.direction);
-    const Point3 p = doubles(out), first = doubles(frame.first()), second = doubles(frame.second());
+    const Point3 p = to_doubles(out), first = to_doubles(frame.first()), second = to_doubles(frame.second());
     const double turn = std::atan2(dot(p, second) / length(second), dot(p, first) / length(first)) / kTurn;
     return frame.offset(1, 360 * from_double(std::round(turn * 0x1p40) * 0x1p-40));
   }

@@ -26,8 +26,6 @@ constexpr Index kNone = std::numeric_limits<Index>::max();
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kRounding = 1e-9;  // as of cad_bands.cpp
 
-Point3 doubles(const RationalPoint& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
-
 /// The angle of a point of a circle, or the parameter of one of a line.
 double parameter_on(const CadCurve& curve, const Point3& p) {
   double x = 0, y = 0;
@@ -60,7 +58,7 @@ class Drawer {
       for (CadModel::Vertex& vertex : made_.model.vertices) vertex.point = corner(vertex.point);
       draw_faces();
       made_.model.points.clear();
-      for (const RationalPoint& p : made_.points) made_.model.points.push_back(doubles(p));
+      for (const RationalPoint& p : made_.points) made_.model.points.push_back(to_doubles(p));
     } catch (const NotDrawn& unfit) {
       made_.obstacle = unfit.words;
       made_.finer = unfit.finer;
@@ -86,7 +84,7 @@ class Drawer {
   // --- corners
 
   void place(Index p, Index at) {
-    const Point3 x = doubles(made_.points[at]);
+    const Point3 x = to_doubles(made_.points[at]);
     const Point3& from = old_.points[p];
     const double moved = std::abs(x[0] - from[0]) + std::abs(x[1] - from[1]) + std::abs(x[2] - from[2]);
     if (moved > kRounding * size_)
@@ -175,9 +173,9 @@ class Drawer {
 
   /// True if the points of a closed side run as the parameter of its circle grows.
   static bool with_curve(const Band& band, const CadCurve& curve, Side side) {
-    Point3 way = doubles(band.form.axis);  // of a parallel
+    Point3 way = to_doubles(band.form.axis);  // of a parallel
     if (side == Side::start || side == Side::end)
-      way = doubles(cross(side == Side::start ? band.start : band.end, band.form.axis));
+      way = to_doubles(cross(side == Side::start ? band.start : band.end, band.form.axis));
     const CadAxes& at = curve.axes;
     double along = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -206,7 +204,7 @@ class Drawer {
     CadModel::Edge& edge = made_.model.edges[e];
     edge.parameters.clear();
     for (std::size_t i = 0; i < edge.points.size(); ++i) {
-      double t = parameter_on(edge.curve, doubles(made_.points[edge.points[i]]));
+      double t = parameter_on(edge.curve, to_doubles(made_.points[edge.points[i]]));
       if (edge.curve.kind == CadCurve::Kind::circle && i > 0) {
         const double before = edge.parameters.back();
         t = before + std::remainder(t - before, kTurn);
@@ -253,8 +251,8 @@ class Drawer {
                                   ? 1
                                   : 0;  // a row that is no pole
     std::vector<double> u, v;
-    for (const Index p : rows[round]) u.push_back(parameters_at(face.surface, doubles(made_.points[p]))[0]);
-    for (const auto& row : rows) v.push_back(parameters_at(face.surface, doubles(made_.points[row[0]]))[1]);
+    for (const Index p : rows[round]) u.push_back(parameters_at(face.surface, to_doubles(made_.points[p]))[0]);
+    for (const auto& row : rows) v.push_back(parameters_at(face.surface, to_doubles(made_.points[row[0]]))[1]);
     unwind(u, border.turns_up ? border.low[0] : border.high[0], border.turns_up);
     if (face.surface.kind == CadSurface::Kind::torus)
       unwind(v, border.ahead ? border.low[1] : border.high[1], border.ahead);
@@ -323,7 +321,7 @@ class Drawer {
         CadModel::Place& place = face.places.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
           corners[k] = points[t[k].index()];
-          place.at[k] = parameters_at(face.surface, doubles(made_.points[corners[k]]));
+          place.at[k] = parameters_at(face.surface, to_doubles(made_.points[corners[k]]));
         }
       }
     } catch (const InvariantError&) {

@@ -22,7 +22,6 @@ std::size_t bits(const Rational& x) {
 std::size_t bits(const RationalPoint& p) { return std::max({bits(p[0]), bits(p[1]), bits(p[2])}); }
 std::size_t bits(const Plane& plane) { return std::max(bits(plane.normal), bits(plane.offset)); }
 
-Vector in_doubles(const RationalPoint& p) { return {to_double(p[0]), to_double(p[1]), to_double(p[2])}; }
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double size(const Vector& a) { return std::sqrt(dot(a, a)); }
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -73,12 +72,12 @@ class Placer {
  public:
   Placer(Incidence& incidence, const Rational& d) : all_(incidence), square_(d * d) {
     for (const auto& p : all_.points) {
-      at_.push_back(in_doubles(p.at));
+      at_.push_back(to_doubles(p.at));
       most_bits_ = std::max(most_bits_, kLonger * bits(p.at));
     }
     for (const auto& plane : all_.planes) {
       most_bits_ = std::max(most_bits_, kLonger * bits(plane.plane));
-      Vector n = in_doubles(plane.plane.normal);
+      Vector n = to_doubles(plane.plane.normal);
       const double length = size(n);
       for (double& x : n) x /= length;
       normal_.push_back(n);
