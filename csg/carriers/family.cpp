@@ -6,7 +6,6 @@
 #include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
-#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 
@@ -186,7 +185,7 @@ void Family::add_point(std::size_t member, const RationalPoint& p) {
   const RationalPoint out = p - (axis_.foot + t * axis_.direction);
   if (is_zero(out)) return;  // a pole
   const Rational square = dot(out, out);
-  const Rational r = rational_root(square).value_or(round_cosine(0, square, exponent_of_root(square) - 60));
+  const Rational r = root(square);
   add_vertex(member, {r, t});
   marks_.push_back((1 / r) * out);
 }

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
-#include "csg/carriers/axes.h"
+#include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
-#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {
@@ -21,12 +19,6 @@ Point operator+(const Point& a, const Point& b) { return {a.r + b.r, a.t + b.t};
 Point operator*(const Rational& s, const Point& a) { return {s * a.r, s * a.t}; }
 Rational cross(const Point& a, const Point& b) { return a.r * b.t - a.t * b.r; }
 Rational dot(const Point& a, const Point& b, const Rational& square) { return a.r * b.r + square * a.t * b.t; }
-
-/// The square root, exact where it is rational, else to 60 bits.
-Rational root_of(const Rational& value) {
-  if (const std::optional<Rational> root = rational_root(value)) return *root;
-  return round_cosine(0, value, exponent_of_root(value) - 60);
-}
 
 double degrees_of(const Point& p, const Point& middle, const Rational& square) {
   return std::atan2(to_double(p.t - middle.t) * std::sqrt(to_double(square)), to_double(p.r - middle.r)) * 180 /
@@ -90,9 +82,9 @@ std::vector<Point> line_on_circle(const MeridianPiece& line, const MeridianPiece
                  c = dot(off, off, square) - arc.radius * arc.radius, root2 = b * b - a * c;
   touches = root2 == 0;
   if (root2 < 0) return {};
-  const Rational root = root_of(root2);
+  const Rational half = root(root2);
   std::vector<Point> points;
-  for (const Rational& s : {Rational((-b - root) / a), Rational((root - b) / a)}) {
+  for (const Rational& s : {Rational((-b - half) / a), Rational((half - b) / a)}) {
     if (s >= 0 && s <= 1) points.push_back(line.from + s * way);
     if (touches) break;
   }
@@ -109,8 +101,8 @@ std::vector<Point> circles(const MeridianPiece& p, const MeridianPiece& q, const
   if (across2 < 0) return {};
   const Point foot = p.middle + part * apart, across{-square * apart.t, apart.r};
   if (across2 == 0) return {foot};
-  const Rational root = root_of(across2);
-  return {foot + root * across, foot - root * across};
+  const Rational reach = root(across2);
+  return {foot + reach * across, foot - reach * across};
 }
 
 bool same_circle(const MeridianPiece& p, const MeridianPiece& q) {

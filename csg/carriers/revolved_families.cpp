@@ -19,13 +19,13 @@
 #include "csg/carriers/family.h"
 #include "csg/carriers/sectors.h"
 #include "csg/curves/surface_placed.h"
+#include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/placement.h"
 #include "csg/leaves/parameters.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
-#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {
@@ -472,7 +472,7 @@ class Space {
       const RationalPoint out =
           middle - (family.axis().foot + family.axis().place_of(middle) * family.axis().direction);
       const Rational square = dot(out, out);
-      family.add_direction((1 / round_cosine(0, square, exponent_of_root(square) - 60)) * out);
+      family.add_direction((1 / root(square)) * out);
     }
     return !hull.missed.empty();
   }

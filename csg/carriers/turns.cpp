@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "csg/carriers/axes.h"
+#include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
 
