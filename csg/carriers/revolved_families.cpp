@@ -4,7 +4,7 @@
 //             -> one space for all of them    transforms that differ by a similarity; mostly that of the tree
 //             -> families                     contacts of meridians, exactly; a sphere has every axis through its
 //             centre
-//             -> directions and meridians     family.h; turns.h, meridians.h
+//             -> directions and meridians     family.h; turns.h, meridians.h, nested_turns.h; shared_balls.h
 //             -> leaves
 #include "csg/carriers/revolved_families.h"
 
@@ -17,9 +17,10 @@
 #include "csg/carriers/banded_leaves.h"
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/family.h"
+#include "csg/carriers/nested_turns.h"
 #include "csg/carriers/sectors.h"
+#include "csg/carriers/shared_balls.h"
 #include "csg/curves/surface_placed.h"
-#include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/placement.h"
 #include "csg/leaves/parameters.h"
@@ -41,8 +42,8 @@ class Space {
       : instances_(instances),
         base_(std::move(base)),
         to_space_(base_.inverse()),
+        contacts_(contacts),
         marks_(contacts.marks),
-        nested_(contacts.nested),
         finer_(finer),
         banded_(notices) {}
 
@@ -76,6 +77,7 @@ class Space {
     touch_leaves(pairs);
     touch_balls(pairs);
     touch_nested();
+    touch_inside();
     build();
     return too_coarse_;
   }
@@ -101,13 +103,35 @@ class Space {
   /// Balls that touch from inside, in the space of the tree.
   void touch_nested() {
     if (!base_.identity()) return;
-    for (const auto& [i, j] : nested_) {
+    for (const auto& [i, j] : contacts_.nested) {
       if (!forms_.contains(i) || !forms_.contains(j)) continue;
       const Ball a = ball_of(i), b = ball_of(j);
       const AxisLine axis = axis_line(a.center, b.center - a.center);
       const Index first = ball_node(a, axis, ball_on(a, axis)), second = ball_node(b, axis, ball_on(b, axis));
       edges_.push_back({first, second});
       on_axes_.insert({a, b});
+      shared_.nest(a.radius < b.radius ? a : b, a.radius < b.radius ? b : a);
+    }
+  }
+
+  /// Balls and tubes in tubes about parallel axes, likewise.
+  void touch_inside() {
+    if (!base_.identity()) return;
+    for (const auto& [inner, outer, direction] : contacts_.inside) {
+      const auto tube = of_leaf_.find(outer);
+      if (tube == of_leaf_.end()) continue;
+      const Index around = tube->second[0];
+      Index in = around;
+      if (const auto leaf = of_leaf_.find(inner); leaf != of_leaf_.end()) {
+        in = leaf->second[0];
+      } else {
+        const Ball ball = ball_of(inner);
+        const AxisLine axis = axis_line(ball.center, nodes_[around].placed.axis.direction);
+        in = ball_node(ball, axis, ball_on(ball, axis));
+        on_axes_.insert(ball);
+      }
+      inside_.push_back({in, around, direction});
+      nested_nodes_.insert({in, around});
     }
   }
 
@@ -314,12 +338,16 @@ class Space {
     for (Index n = 0; n < nodes_.size(); ++n) families[sets.find(n)].push_back(n);
     for (const auto& [first, of] : families) {
       const bool marked = std::any_of(of.begin(), of.end(), [&](Index n) { return needs_marks(nodes_[n]); });
-      if (marked || !alike(of)) make_family(of);
+      const bool nested = std::any_of(of.begin(), of.end(), [&](Index n) { return nested_nodes_.contains(n); });
+      if (marked || nested || !alike(of)) make_family(of, nested);
     }
-    share_balls();
+    solve_turns();
+    for (const auto& [ball, of] : balls_) {
+      if (const auto hull = shared_.hull(ball)) replace_ball(ball, hull);
+    }
     for (const auto& [family, of] : families_) {
       for (std::size_t m = 0; m < of.size(); ++m) {
-        if (nodes_[of[m]].ball && is_shared(of[m])) continue;
+        if (nodes_[of[m]].ball && shared_.hull(ball_of(nodes_[of[m]].instances[0]))) continue;
         if (nodes_[of[m]].arc != nullptr) {
           fix_arc(*family, m);
           continue;
@@ -353,11 +381,11 @@ class Space {
     }
   }
 
-  void make_family(const std::vector<Index>& of) {
+  void make_family(const std::vector<Index>& of, bool nested) {
     std::vector<Member> members;
     members.reserve(of.size());
     for (const Index n : of) members.push_back(nodes_[n]);
-    const auto family = std::make_shared<Family>(std::move(members), base_.identity());
+    const auto family = std::make_shared<Family>(std::move(members), base_.identity() && !nested);
     for (std::size_t m = 0; m < of.size(); ++m) {
       for (const Index i : nodes_[of[m]].instances) {
         const auto marks = marks_.find(i);
@@ -368,117 +396,31 @@ class Space {
     families_.emplace_back(family, of);
   }
 
-  // --- balls on several axes
-
-  /// A ball in a family.
-  struct Place {
-    std::size_t family, member;
-  };
-
-  bool is_shared(Index node) const {
-    const auto of = shared_.find(ball_of(nodes_[node].instances[0]));
-    return of != shared_.end() && of->second.size() > 1;
-  }
-
-  void share_balls() {
-    for (std::size_t f = 0; f < families_.size(); ++f) {
-      const auto& of = families_[f].second;
+  /// Draws what is inside before what is around it, and balls about several axes.
+  void solve_turns() {
+    std::vector<std::shared_ptr<Family>> families;
+    std::map<Index, std::size_t> family_of;
+    for (const auto& [family, of] : families_) {
+      for (const Index n : of) family_of.emplace(n, families.size());
       for (std::size_t m = 0; m < of.size(); ++m) {
-        if (nodes_[of[m]].ball) shared_[ball_of(nodes_[of[m]].instances[0])].push_back({f, m});
-      }
-    }
-    std::erase_if(shared_, [](const auto& entry) { return entry.second.size() < 2; });
-    for (const auto& [ball, places] : shared_) cross_circles(ball, places);
-    for (const auto& [family, of] : families_) family->solve_turns();
-    // A chord of a circle that is no edge of the hull is halved, for all leaves about this axis.
-    constexpr int kMostRounds = 8;
-    for (int round = 0; round < kMostRounds; ++round) {
-      bool changed = false;
-      for (const auto& [ball, places] : shared_) changed = refine(ball, places) || changed;
-      if (!changed) break;
-      for (const auto& [family, of] : families_) family->solve_turns();
-    }
-    for (const auto& [ball, places] : shared_) replace_ball(ball, places);
-  }
-
-  /// The points where shared circles of one ball cross become corners of both, where they are rational.
-  void cross_circles(const Ball& ball, const std::vector<Place>& places) {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        Family &a = *families_[places[i].family].first, &b = *families_[places[j].family].first;
-        for (const MeridianPoint& p : a.shared_circles(places[i].member)) {
-          for (const MeridianPoint& q : b.shared_circles(places[j].member)) cross_two(ball, a, p, b, q);
+        if (!nodes_[of[m]].ball) continue;
+        std::vector<RationalPoint> points;
+        for (const Index i : nodes_[of[m]].instances) {
+          const auto marks = marks_.find(i);
+          if (marks == marks_.end() || !base_.identity()) continue;
+          points.insert(points.end(), marks->second.points.begin(), marks->second.points.end());
         }
+        shared_.add(ball_of(nodes_[of[m]].instances[0]), *family, m, points);
       }
+      families.push_back(family);
     }
+    std::vector<NestedFamilies> nested;
+    for (const auto& [inner, outer, direction] : inside_)
+      nested.push_back({family_of.at(inner), family_of.at(outer), direction});
+    shared_.solve([&] { cnrg::solve_turns(families, nested); });
   }
 
-  static void cross_two(const Ball& ball, Family& a, const MeridianPoint& p, Family& b, const MeridianPoint& q) {
-    const RationalPoint &n = a.axis().direction, &m = b.axis().direction, line = cross(n, m);
-    const RationalPoint on_a = a.axis().foot + p.t * n, on_b = b.axis().foot + q.t * m;
-    // c + x n + y m lies in both planes; from there the circles cross along the line.
-    const Rational nn = dot(n, n), mm = dot(m, m), nm = dot(n, m), whole = nn * mm - nm * nm;
-    const Rational ga = dot(on_a - ball.center, n), gb = dot(on_b - ball.center, m);
-    const RationalPoint foot =
-        Rational((ga * mm - gb * nm) / whole) * n + Rational((gb * nn - ga * nm) / whole) * m;
-    const Rational square = (ball.radius * ball.radius - dot(foot, foot)) / dot(line, line);
-    if (square < 0) return;
-    const std::optional<Rational> reach = rational_root(square);
-    if (!reach || p.r * p.r * nn == 0 || q.r == 0) return;
-    for (const int sign : {1, -1}) {
-      const RationalPoint at = ball.center + foot + Rational(sign * *reach) * line;
-      a.add_direction((1 / p.r) * (at - on_a));
-      b.add_direction((1 / q.r) * (at - on_b));
-      if (*reach == 0) return;
-    }
-  }
-
-  struct Shared {
-    std::vector<SphereCircle> circles;
-    std::vector<std::size_t> family;  ///< of each circle
-    std::vector<RationalPoint> points;
-    int segments = 0, rings = 0;
-  };
-  Shared shared_of(const std::vector<Place>& places) const {
-    Shared result;
-    for (const Place& place : places) {
-      const Family& family = *families_[place.family].first;
-      const Member& member = family.members()[place.member];
-      for (const MeridianPoint& p : family.shared_circles(place.member)) {
-        result.circles.push_back(family.circle(p));
-        result.family.push_back(place.family);
-      }
-      for (const Index i : member.instances) {
-        const auto marks = marks_.find(i);
-        if (marks == marks_.end() || !base_.identity()) continue;
-        result.points.insert(result.points.end(), marks->second.points.begin(), marks->second.points.end());
-      }
-      result.segments = std::max(result.segments, member.segments);
-      result.rings = std::max(result.rings, member.placed.lines[0][0].steps);
-    }
-    return result;
-  }
-  static BallHull hull_of_shared(const Ball& ball, const Shared& shared) {
-    return hull_of(ball, shared.circles, shared.points, shared.segments, shared.rings);
-  }
-
-  bool refine(const Ball& ball, const std::vector<Place>& places) {
-    const Shared shared = shared_of(places);
-    const BallHull hull = hull_of_shared(ball, shared);
-    for (const auto& [c, i] : hull.missed) {
-      const RationalPoint &p = shared.circles[c][i], &q = shared.circles[c][(i + 1) % shared.circles[c].size()];
-      Family& family = *families_[shared.family[c]].first;
-      const RationalPoint middle = Rational(1, 2) * (p + q);
-      const RationalPoint out =
-          middle - (family.axis().foot + family.axis().place_of(middle) * family.axis().direction);
-      const Rational square = dot(out, out);
-      family.add_direction((1 / root(square)) * out);
-    }
-    return !hull.missed.empty();
-  }
-
-  void replace_ball(const Ball& ball, const std::vector<Place>& places) {
-    const auto hull = std::make_shared<const BallHull>(hull_of_shared(ball, shared_of(places)));
+  void replace_ball(const Ball& ball, const std::shared_ptr<const BallHull>& hull) {
     const auto make = [ball, hull](LeafParameters* record) { return tessellate(ball, *hull, record); };
     const SurfaceSource surfaces = [ball] { return sphere_surfaces(ball.center, ball.radius, {0, 0, 1}); };
     for (const Index i : balls_.at(ball)) put(i, make, surfaces);
@@ -520,8 +462,8 @@ class Space {
 
   std::vector<LeafInstance>& instances_;
   Transform base_, to_space_;
-  const std::map<Index, Marks>& marks_;
-  const std::vector<std::array<Index, 2>>& nested_;
+  const Contacts& contacts_;
+  const std::map<Index, Marks>& marks_;  // of these
   const std::map<Index, int>& finer_;
   BandedLeaves banded_;
   std::set<Index> too_coarse_;
@@ -533,8 +475,10 @@ class Space {
   std::map<std::pair<Ball, AxisLine>, Index> ball_nodes_;
   std::set<Ball> on_axes_;  // of other leaves
   std::vector<std::array<Index, 2>> edges_;
+  std::vector<Inside> inside_;  // of nodes
+  std::set<Index> nested_nodes_;
   std::vector<std::pair<std::shared_ptr<Family>, std::vector<Index>>> families_;  // and their nodes
-  std::map<Ball, std::vector<Place>> shared_;
+  SharedBalls shared_;
   std::map<Index, FixedSamples> fixed_;
 };
 
@@ -557,6 +501,7 @@ std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInst
   std::set<Index> concerned;
   for (const auto& pair : near) concerned.insert(pair.begin(), pair.end());
   for (const auto& pair : contacts.nested) concerned.insert(pair.begin(), pair.end());
+  for (const Inside& pair : contacts.inside) concerned.insert({pair.inner, pair.outer});
   for (const auto& [i, of] : contacts.marks) concerned.insert(i);
   for (Index i = 0; i < instances.size(); ++i) {
     if (dynamic_cast<const BandedForm*>(instances[i].leaf->form().get()) != nullptr) concerned.insert(i);

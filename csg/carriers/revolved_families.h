@@ -16,11 +16,19 @@ struct Marks {
   bool needed = false;                    ///< some are no vertices of the leaf as it is
 };
 
+/// A ball or tube that touches a tube from inside, about another axis that is parallel: see nested_turns.h. The
+/// unit vector `direction` points from both axes to the contact.
+struct Inside {
+  std::uint32_t inner = 0, outer = 0;
+  RationalPoint direction;
+};
+
 struct Contacts {
   std::map<std::uint32_t, Marks> marks;  ///< by instance, in the space of the tree
   /// Whole spheres of which one touches the other from inside: a point alone would not keep facets apart around
   /// it, so these two share the axis through their centres.
   std::vector<std::array<std::uint32_t, 2>> nested;
+  std::vector<Inside> inside;
 };
 
 /// Of pairs of instances those that may have an axis in common, by doubles.

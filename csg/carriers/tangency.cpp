@@ -237,7 +237,7 @@ class Finder {
     }
   }
 
-  Contacts take() { return {std::move(marks_), std::move(nested_)}; }
+  Contacts take() { return {std::move(marks_), std::move(nested_), std::move(inside_)}; }
 
  private:
   static Point3 image(const Transform& transform, const Point3& p) {
@@ -502,9 +502,13 @@ class Finder {
     const RationalPoint foot = tube.foot + t * tube.axis, apart = ball.center - foot;
     if (!may_be(apart, tube.radius, ball.radius)) return;
     const auto sum = gauge(cnrg::dot(apart, apart), tube.radius, ball.radius);
-    // From inside a point or line alone would not keep the facets around it apart, which may then cross.
-    if (!sum || *sum != tube.radius + ball.radius) return;
+    // A tube that touches a larger ball from inside leaves it on both sides: there the surfaces cross.
+    if (!sum || *sum < 0) return;
     const RationalPoint direction = Rational(1 / *sum) * apart;
+    if (*sum != tube.radius + ball.radius) {
+      if (!is_sphere(a) && a.exact->placed.axis.direction != tube.axis) return;
+      inside_.push_back({a.instance, b.instance, direction});
+    }
     mark_point(a.instance, foot + tube.radius * direction);
     mark_direction(b.instance, direction, tube);
   }
@@ -517,10 +521,12 @@ class Finder {
     const RationalPoint apart = q.foot - p.foot;
     if (!may_be(apart, p.radius, q.radius)) return;
     const auto sum = gauge(cnrg::dot(apart, apart), p.radius, q.radius);
-    if (!sum || *sum != p.radius + q.radius) return;
+    if (!sum) return;
     const RationalPoint direction = Rational(1 / *sum) * apart;
+    const bool beside = *sum == p.radius + q.radius, first = *sum > 0;
+    if (!beside) inside_.push_back({(first ? b : a).instance, (first ? a : b).instance, direction});
     mark_direction(a.instance, direction, p);
-    mark_direction(b.instance, Rational(-1) * direction, q);
+    mark_direction(b.instance, Rational(beside ? -1 : 1) * direction, q);
   }
 
   // --- marks
@@ -562,6 +568,7 @@ class Finder {
   std::map<Index, std::size_t> place_;
   std::map<Index, Marks> marks_;
   std::vector<std::array<Index, 2>> nested_;
+  std::vector<Inside> inside_;
 };
 
 }  // namespace

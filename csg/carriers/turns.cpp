@@ -89,6 +89,21 @@ const Turns::Line* Turns::find(const RationalPoint& direction) const {
   return place != lines_.end() && compare(frame_, place->direction, direction) == 0 ? &*place : nullptr;
 }
 
+std::vector<RationalPoint> Turns::directions() const {
+  std::vector<RationalPoint> result;
+  result.reserve(lines_.size());
+  for (const Line& line : lines_) result.push_back(line.direction);
+  return result;
+}
+
+std::array<RationalPoint, 2> Turns::beside(const RationalPoint& direction) const {
+  const Line* const line = find(direction);
+  require(line != nullptr, "the direction of a contact is a line of its family");
+  const auto place = static_cast<std::size_t>(line - lines_.data());
+  const std::size_t n = lines_.size();
+  return {lines_[(place + n - 1) % n].direction, lines_[(place + 1) % n].direction};
+}
+
 Rational Turns::turn_of(const RationalPoint& d) const {
   const double x = to_double(dot(d, frame_.first)) / std::sqrt(to_double(dot(frame_.first, frame_.first)));
   const double y = to_double(dot(d, frame_.second)) / std::sqrt(to_double(dot(frame_.second, frame_.second)));

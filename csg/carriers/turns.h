@@ -5,6 +5,7 @@
 // rounded once, not corners.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "csg/curves/revolved.h"
@@ -18,6 +19,10 @@ class Turns {
   /// vector stays. Even steps next to a mark are left out.
   Turns(const RationalPoint& axis, const RationalPoint& start, int segments,
         const std::vector<RationalPoint>& marks);
+
+  std::vector<RationalPoint> directions() const;
+  /// The directions before and after one of these.
+  std::array<RationalPoint, 2> beside(const RationalPoint& direction) const;
 
   /// How a leaf about the axis lies: the direction where its turn begins; `along` if its own axis runs along this
   /// one, `mirrored` if it turns against its own axis.

@@ -3,40 +3,12 @@
 #include "csg/carriers/common_lines.h"
 
 #include <catch2/catch.hpp>
-#include <random>
-#include <string>
 
-#include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/prepared_leaves.h"
+#include "tests/carriers/rows.h"
 
 namespace cnrg {
 namespace {
-
-using Cells = std::array<std::size_t, 4>;
-
-Evaluation evaluated(const std::string& nodes, const std::string& result = "model") {
-  EvaluateOptions options;
-  options.validate = true;
-  return evaluate(parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: " + result + "\n", "t.yaml"), options);
-}
-NodeRow row(const std::string& nodes) { return evaluated(nodes).rows.back(); }
-
-std::string number(long value) { return std::to_string(value); }
-
-/// A random vector of small whole numbers, not zero.
-std::string direction(std::mt19937_64& random) {
-  std::uniform_int_distribution<int> some(-4, 4);
-  int x = 0, y = 0, z = 0;
-  while (x == 0 && y == 0 && z == 0) x = some(random), y = some(random), z = some(random);
-  return "[" + number(x) + ", " + number(y) + ", " + number(z) + "]";
-}
-
-/// A random rotation and shift, the same text each time it is used.
-std::string placed(std::mt19937_64& random) {
-  std::uniform_int_distribution<int> degrees(1, 359), shift(-30, 30);
-  return ", rotate: {axis: " + direction(random) + ", degrees: " + number(degrees(random)) + "}, translate: [" +
-         number(shift(random)) + ".3, " + number(shift(random)) + ".7, " + number(shift(random)) + "]";
-}
 
 TEST_CASE("a shaft in its bore leaves no void, whatever their segments") {
   std::mt19937_64 random(1);
