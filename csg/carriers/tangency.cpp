@@ -398,8 +398,11 @@ class Finder {
         if (may_be(across(q, p, a.along), r, s, size_of(p))) return true;
       }
       for (const auto& [q, s] : b.tubes) {
-        const Point3 turn = times(a.along, b.along);
-        if (dot(turn, turn) < 1e-6 && may_be(across(q, p, a.along), r, s, size_of(p))) return true;
+        const Point3 turn = times(a.along, b.along), apart = minus(q, p);
+        const double sine = std::sqrt(dot(turn, turn));
+        if (sine < 1e-3 ? may_be(across(q, p, a.along), r, s, size_of(p))
+                        : near(std::abs(dot(apart, turn)) / sine, r + s, size_of(p) + size_of(q)))
+          return true;
       }
     }
     return false;
@@ -514,7 +517,10 @@ class Finder {
   }
 
   void two_tubes(const Round& a, const Tube& p, const Round& b, const Tube& q) {
-    if (p.axis != q.axis) return;
+    if (p.axis != q.axis) {
+      crossed_tubes(a, p, b, q);
+      return;
+    }
     const Rational square = cnrg::dot(p.axis, p.axis);
     // Places along either axis count from its own foot; both feet lie in the plane through the origin across it.
     if (std::max(p.low, q.low) > std::min(p.high, q.high) || square == 0) return;
@@ -527,6 +533,21 @@ class Finder {
     if (!beside) inside_.push_back({(first ? b : a).instance, (first ? a : b).instance, direction});
     mark_direction(a.instance, direction, p);
     mark_direction(b.instance, Rational(beside ? -1 : 1) * direction, q);
+  }
+
+  /// Tubes side by side whose axes are not parallel: the point of contact is where a ruling of one crosses one of
+  /// the other. From inside they would cross.
+  void crossed_tubes(const Round& a, const Tube& p, const Round& b, const Tube& q) {
+    const RationalPoint apart = q.foot - p.foot, turn = cross(p.axis, q.axis);
+    const Rational across = cnrg::dot(apart, turn), square = cnrg::dot(turn, turn), sum = p.radius + q.radius;
+    if (across * across != sum * sum * square) return;
+    const RationalPoint direction = Rational(across / (sum * square)) * turn;
+    // p.foot + s p.axis + sum direction = q.foot + t q.axis.
+    const Rational s = cnrg::dot(cross(apart, q.axis), turn) / square,
+                   t = cnrg::dot(cross(apart, p.axis), turn) / square;
+    if (s < p.low || s > p.high || t < q.low || t > q.high) return;
+    mark_direction(a.instance, direction, p);
+    mark_direction(b.instance, Rational(-1) * direction, q);
   }
 
   // --- marks

@@ -257,6 +257,23 @@ TEST_CASE("cylinders and balls side by side touch in lines and points") {
   CHECK(three.cells == Cells{4, 5, 8, 4});
 }
 
+TEST_CASE("logs that lie across each other touch in a point") {
+  std::mt19937_64 random(7);
+  std::uniform_int_distribution<int> segments(5, 30);
+  for (int i = 0; i < 6; ++i) {
+    const std::string at = i == 0 ? "" : placed(random);
+    const auto log = [&](const std::string& name, const std::string& ends, const std::string& radius) {
+      return "  " + name + ": {cylinder: {" + ends + ", radius: " + radius +
+             ", segments: " + number(segments(random)) + "}" + at + "}\n";
+    };
+    // The third one reaches the first with its rim only.
+    const NodeRow three =
+        row(log("a", "from: [-4, 0, 1], to: [5, 0, 1]", "1") + log("b", "from: [1, -3, 4], to: [4, 1, 4]", "2") +
+            log("c", "from: [-2, 0, 4], to: [-2, 5, 4]", "2") + "  model: {union: [a, b, c], dominance: left}\n");
+    CHECK(three.cells == Cells{2, 6, 9, 3});
+  }
+}
+
 // Scaled by a number that is no double, the contact of torus and ball was found twice, a rounding apart.
 TEST_CASE("a ball in the hole of a torus and on the rim of a cone is drawn at once at any scale") {
   const auto scene = [](const std::string& at) {
