@@ -105,6 +105,13 @@ std::vector<Point> circles(const MeridianPiece& p, const MeridianPiece& q, const
   return {foot + reach * across, foot - reach * across};
 }
 
+/// True for two arcs of whose circles p's touches q's from inside, somewhere.
+bool touches_from_inside(const MeridianPiece& p, const MeridianPiece& q, const Rational& square) {
+  if (p.kind != Kind::arc || q.kind != Kind::arc || p.radius >= q.radius) return false;
+  const Point apart = p.middle - q.middle;
+  return dot(apart, apart, square) == (q.radius - p.radius) * (q.radius - p.radius);
+}
+
 bool same_circle(const MeridianPiece& p, const MeridianPiece& q) {
   return p.middle == q.middle && p.radius == q.radius;
 }
@@ -337,7 +344,8 @@ bool MeridianPlane::separate_chords() {
   return changed;
 }
 
-/// Halves the chords of arc i that meet piece j elsewhere than in a vertex of it.
+/// Halves the chords of arc i that meet piece j elsewhere than in a vertex of it, and where j touches it from
+/// inside those that leave this point at an angle to the arc which is not clearly smaller.
 bool MeridianPlane::separate(std::size_t i, std::size_t j) {
   const std::vector<RevolvedGrid::Row> mine = rows(i), others = rows(j);
   const MeridianPiece& piece = pieces_[i];
@@ -355,6 +363,15 @@ bool MeridianPlane::separate(std::size_t i, std::size_t j) {
   };
   std::vector<Chord> boxes;
   for (std::size_t l = 1; l < others.size(); ++l) boxes.emplace_back(others[l - 1].at, others[l].at);
+  const bool inside = touches_from_inside(pieces_[j], piece, square_);
+  const auto sweep = [&](const MeridianPiece& of, const Point& from, const Point& to) {
+    return std::remainder(degrees_of(to, of.middle, square_) - degrees_of(from, of.middle, square_), 360);
+  };
+  /// For a chord of each from one point, as far as they are on one side of it; chords are at half their angles.
+  const auto too_wide = [&](const Point& from, const Point& to, const Point& other) {
+    const double wide = sweep(piece, from, to), narrow = sweep(pieces_[j], from, other);
+    return wide * narrow > 0 && std::abs(wide) > 0.75 * std::abs(narrow);
+  };
   bool changed = false;
   for (std::size_t k = 1; k < mine.size(); ++k) {
     const Point &a = mine[k - 1].at, &b = mine[k].at;
@@ -366,7 +383,11 @@ bool MeridianPlane::separate(std::size_t i, std::size_t j) {
       const int side_c = sgn(cross(b - a, c - a)), side_d = sgn(cross(b - a, d - a));
       if (side_a * side_b > 0 || side_c * side_d > 0) continue;
       const bool collinear = side_a == 0 && side_b == 0;
-      if (collinear) {
+      if (inside && (a == c || a == d || b == c || b == d)) {
+        const bool at_a = a == c || a == d;
+        const Point& from = at_a ? a : b;
+        if (!too_wide(from, at_a ? b : a, from == c ? d : c)) continue;
+      } else if (collinear) {
         // They overlap in more than a point if the ends lie so along the line.
         const auto place = [&](const Point& x) -> Rational {
           return a.r != b.r ? Rational((x.r - a.r) / (b.r - a.r)) : Rational((x.t - a.t) / (b.t - a.t));

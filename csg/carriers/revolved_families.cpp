@@ -1,7 +1,7 @@
 // Who is in which family, then a tessellation per family.
 //
 //   instances -> those near a common axis     near_axes.cpp, in doubles; most pairs end here
-//             -> one space for all of them    transforms that differ by a similarity; mostly that of the tree
+//             -> one space for all of them    round_spaces.h; mostly that of the tree
 //             -> families                     contacts of meridians, exactly; a sphere has every axis through its
 //             centre
 //             -> directions and meridians     family.h; turns.h, meridians.h, nested_turns.h; shared_balls.h
@@ -18,6 +18,7 @@
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/family.h"
 #include "csg/carriers/nested_turns.h"
+#include "csg/carriers/round_spaces.h"
 #include "csg/carriers/sectors.h"
 #include "csg/carriers/shared_balls.h"
 #include "csg/curves/surface_placed.h"
@@ -33,22 +34,29 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Families of one space: `base` takes its points to those of the tree.
+/// Families of one space.
 class Space {
  public:
   /// `finer`: by how much banded leaves are drawn finer than they ask for.
-  Space(std::vector<LeafInstance>& instances, Transform base, const Contacts& contacts,
-        const std::map<Index, int>& finer, std::vector<std::string>& notices)
-      : instances_(instances),
-        base_(std::move(base)),
-        to_space_(base_.inverse()),
-        contacts_(contacts),
-        marks_(contacts.marks),
-        finer_(finer),
-        banded_(notices) {}
+  Space(std::vector<LeafInstance>& instances, const RoundSpace& of, const std::map<Index, int>& finer,
+        std::vector<std::string>& notices)
+      : instances_(instances), of_(of), finer_(finer), banded_(notices) {
+    for (const Index i : of.instances) add(i);
+  }
 
+  /// Gives the banded leaves that could be drawn if they were finer.
+  std::set<Index> run() {
+    touch_leaves();
+    touch_balls();
+    touch_nested();
+    touch_inside();
+    build();
+    return too_coarse_;
+  }
+
+ private:
   void add(Index i) {
-    const Transform relative = base_.identity() ? instances_[i].transform : to_space_ * instances_[i].transform;
+    const Transform relative = of_.relative(instances_[i].transform);
     const std::optional<Rational> scale = stretch(relative);
     if (!scale) return;
     relative_.emplace(i, relative);
@@ -72,17 +80,6 @@ class Space {
     add_node(i, {place(form, relative, *scale), {i}, form.segments, false});
   }
 
-  /// Gives the banded leaves that could be drawn if they were finer.
-  std::set<Index> run(const std::vector<std::array<Index, 2>>& pairs) {
-    touch_leaves(pairs);
-    touch_balls(pairs);
-    touch_nested();
-    touch_inside();
-    build();
-    return too_coarse_;
-  }
-
- private:
   const RevolvedForm& form_of(Index i) const { return *forms_.at(i); }
 
   static bool touch(const PlacedForm& a, const PlacedForm& b) {
@@ -100,10 +97,9 @@ class Space {
     return false;
   }
 
-  /// Balls that touch from inside, in the space of the tree.
+  /// Balls that touch from inside.
   void touch_nested() {
-    if (!base_.identity()) return;
-    for (const auto& [i, j] : contacts_.nested) {
+    for (const auto& [i, j] : of_.contacts.nested) {
       if (!forms_.contains(i) || !forms_.contains(j)) continue;
       const Ball a = ball_of(i), b = ball_of(j);
       const AxisLine axis = axis_line(a.center, b.center - a.center);
@@ -116,8 +112,7 @@ class Space {
 
   /// Balls and tubes in tubes about parallel axes, likewise.
   void touch_inside() {
-    if (!base_.identity()) return;
-    for (const auto& [inner, outer, direction] : contacts_.inside) {
+    for (const auto& [inner, outer, direction] : of_.contacts.inside) {
       const auto tube = of_leaf_.find(outer);
       if (tube == of_leaf_.end()) continue;
       const Index around = tube->second[0];
@@ -172,7 +167,7 @@ class Space {
     return a.band && b.band && a.whole && b.whole && a.instances == b.instances;
   }
 
-  void touch_leaves(const std::vector<std::array<Index, 2>>& pairs) {
+  void touch_leaves() {
     UnionFind known(nodes_.size());  // the rest of a family need not be asked
     const auto touch_two = [&](Index a, Index b) {
       const Member &p = nodes_[a], &q = nodes_[b];
@@ -186,7 +181,7 @@ class Space {
       if (!same) edges_.push_back({a, b});
       known.unite(a, b);
     };
-    for (const auto& [i, j] : pairs) {
+    for (const auto& [i, j] : of_.near) {
       const auto first = of_leaf_.find(i), second = of_leaf_.find(j);
       if (first == of_leaf_.end() || second == of_leaf_.end()) continue;
       for (const Index a : first->second) {
@@ -223,8 +218,8 @@ class Space {
     return it->second;
   }
 
-  void touch_balls(const std::vector<std::array<Index, 2>>& pairs) {
-    for (const auto& [i, j] : pairs) {
+  void touch_balls() {
+    for (const auto& [i, j] : of_.near) {
       const bool first = of_leaf_.contains(i);
       if (first == of_leaf_.contains(j) || !forms_.contains(first ? j : i)) continue;
       const Ball ball = ball_of(first ? j : i);
@@ -243,8 +238,8 @@ class Space {
 
   bool needs_marks(const Member& member) const {
     return std::any_of(member.instances.begin(), member.instances.end(), [&](Index i) {
-      const auto marks = marks_.find(i);
-      return marks != marks_.end() && marks->second.needed;
+      const auto marks = of_.contacts.marks.find(i);
+      return marks != of_.contacts.marks.end() && marks->second.needed;
     });
   }
 
@@ -366,7 +361,7 @@ class Space {
       std::unique_ptr<PreparedLeaf> leaf =
           extrude_anew(dynamic_cast<const ExtrudeForm&>(*before.form()), relative_.at(i), std::move(fixed));
       leaf->set_surfaces(moved(before.surfaces(), relative_.at(i)));
-      instances_[i] = {std::move(leaf), base_};
+      instances_[i] = {std::move(leaf), of_.base};
     }
   }
 
@@ -385,11 +380,11 @@ class Space {
     std::vector<Member> members;
     members.reserve(of.size());
     for (const Index n : of) members.push_back(nodes_[n]);
-    const auto family = std::make_shared<Family>(std::move(members), base_.identity() && !nested);
+    const auto family = std::make_shared<Family>(std::move(members), of_.base.identity() && !nested);
     for (std::size_t m = 0; m < of.size(); ++m) {
       for (const Index i : nodes_[of[m]].instances) {
-        const auto marks = marks_.find(i);
-        if (marks != marks_.end() && base_.identity()) family->add_marks(m, marks->second);
+        const auto marks = of_.contacts.marks.find(i);
+        if (marks != of_.contacts.marks.end()) family->add_marks(m, marks->second);
       }
     }
     family->solve_meridians();
@@ -406,8 +401,8 @@ class Space {
         if (!nodes_[of[m]].ball) continue;
         std::vector<RationalPoint> points;
         for (const Index i : nodes_[of[m]].instances) {
-          const auto marks = marks_.find(i);
-          if (marks == marks_.end() || !base_.identity()) continue;
+          const auto marks = of_.contacts.marks.find(i);
+          if (marks == of_.contacts.marks.end()) continue;
           points.insert(points.end(), marks->second.points.begin(), marks->second.points.end());
         }
         shared_.add(ball_of(nodes_[of[m]].instances[0]), *family, m, points);
@@ -457,13 +452,11 @@ class Space {
       return parameters;
     });
     leaf->set_surfaces(std::move(surfaces));
-    instances_[i] = {std::move(leaf), base_};
+    instances_[i] = {std::move(leaf), of_.base};
   }
 
   std::vector<LeafInstance>& instances_;
-  Transform base_, to_space_;
-  const Contacts& contacts_;
-  const std::map<Index, Marks>& marks_;  // of these
+  const RoundSpace& of_;
   const std::map<Index, int>& finer_;
   BandedLeaves banded_;
   std::set<Index> too_coarse_;
@@ -482,62 +475,28 @@ class Space {
   std::map<Index, FixedSamples> fixed_;
 };
 
-/// L L^T over its trace: equal for transforms that differ by a similarity.
-std::array<Rational, 6> metric_of(const Transform& transform) {
-  const auto& rows = transform.linear;
-  const Rational trace = dot(rows[0], rows[0]) + dot(rows[1], rows[1]) + dot(rows[2], rows[2]);
-  std::array<Rational, 6> metric;
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) metric[n++] = dot(rows[i], rows[j]) / trace;
-  }
-  return metric;
-}
-
 /// Replaces what `share_axes` does, with banded leaves as much finer as `finer` says; gives those that need more.
 std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInstance>& instances,
-                         const std::vector<std::array<Index, 2>>& near, const Contacts& contacts,
-                         std::vector<std::string>& notices) {
-  std::set<Index> concerned;
-  for (const auto& pair : near) concerned.insert(pair.begin(), pair.end());
-  for (const auto& pair : contacts.nested) concerned.insert(pair.begin(), pair.end());
-  for (const Inside& pair : contacts.inside) concerned.insert({pair.inner, pair.outer});
-  for (const auto& [i, of] : contacts.marks) concerned.insert(i);
-  for (Index i = 0; i < instances.size(); ++i) {
-    if (dynamic_cast<const BandedForm*>(instances[i].leaf->form().get()) != nullptr) concerned.insert(i);
-  }
+                         const std::vector<RoundSpace>& spaces, std::vector<std::string>& notices) {
   std::set<Index> too_coarse;
-  if (concerned.empty()) return too_coarse;
-  std::map<std::array<Rational, 6>, std::vector<Index>> spaces;
-  for (const Index i : concerned) spaces[metric_of(instances[i].transform)].push_back(i);
-  std::array<Rational, 6> round{};
-  round[0] = round[3] = round[5] = fraction(1, 3);
-  for (const auto& [metric, of] : spaces) {
-    Transform base;
-    if (metric != round) {
-      const auto least = std::min_element(of.begin(), of.end(), [&](Index a, Index b) {
-        return Placement(instances[a].transform) < Placement(instances[b].transform);
-      });
-      base = instances[*least].transform;
-    }
-    Space space(instances, base, contacts, finer, notices);
-    for (const Index i : of) space.add(i);
-    too_coarse.merge(space.run(near));
+  for (const RoundSpace& of : spaces) {
+    Space space(instances, of, finer, notices);
+    too_coarse.merge(space.run());
   }
   return too_coarse;
 }
 
 }  // namespace
 
-void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<Index, 2>>& near,
-                const Contacts& contacts, std::vector<std::string>& notices) {
+void share_axes(std::vector<LeafInstance>& instances, const std::vector<RoundSpace>& spaces,
+                std::vector<std::string>& notices) {
   constexpr int kFinest = 8;
   const std::vector<LeafInstance> given = instances;
   std::map<Index, int> finer;
   for (;;) {
     std::vector<std::string> told;
     bool again = false;
-    for (const Index i : share_at(finer, instances, near, contacts, told)) {
+    for (const Index i : share_at(finer, instances, spaces, told)) {
       int& factor = finer.try_emplace(i, 1).first->second;
       again = again || factor < kFinest;
       factor = std::min(2 * factor, kFinest);

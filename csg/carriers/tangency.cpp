@@ -62,8 +62,7 @@ struct Exact {
 /// A leaf in doubles, and exactly as soon as that is asked for: most pairs are far from a contact, and the numbers
 /// of nested rotations are long.
 struct Round {
-  Index instance = 0;
-  Box box;
+  const RevolvedInstance* of = nullptr;
   Point3 along{};                                  ///< of length 1
   std::vector<std::pair<Point3, double>> balls{};  ///< centres and radii; of arcs about the axis, too
   std::vector<std::pair<Point3, double>> tubes{};  ///< points of the axis and radii
@@ -160,15 +159,39 @@ bool near(double a, double b, double size) {
   return !(std::abs(a - b) > 1e-6 * (size + std::abs(a) + std::abs(b)));
 }
 
+Point3 image(const Transform& transform, const Point3& p) {
+  Point3 q;
+  for (std::size_t k = 0; k < 3; ++k) {
+    q[k] = to_double(transform.offset[k]);
+    for (std::size_t j = 0; j < 3; ++j) q[k] += to_double(transform.linear[k][j]) * p[j];
+  }
+  return q;
+}
+
+/// Of the corners of a leaf's own box.
+Box box_of(const GeometryLeaf& leaf, const Transform& transform) {
+  Box own, box;
+  for (const PointId p : IdRange<PointId>(leaf.geometry().point_count())) {
+    const double* x = leaf.geometry().xyz(p);
+    own.extend({x[0], x[1], x[2]}, {x[0], x[1], x[2]});
+  }
+  for (int i = 0; i < 8; ++i) {
+    const Point3 corner = image(
+        transform, {(i & 1 ? own.hi : own.lo)[0], (i & 2 ? own.hi : own.lo)[1], (i & 4 ? own.hi : own.lo)[2]});
+    box.extend(around(corner, corner));
+  }
+  return box;
+}
+
 class Finder {
  public:
-  explicit Finder(const std::vector<LeafInstance>& instances) : instances_(instances) {}
+  Finder(const std::vector<LeafInstance>& instances, const Transform& to_space)
+      : instances_(instances), to_space_(to_space), in_space_of_tree_(to_space.identity()) {}
 
   void add(const RevolvedInstance& of) {
-    const LeafInstance& instance = instances_[of.instance];
-    const Transform& transform = instance.transform;
-    const auto& form = dynamic_cast<const RevolvedForm&>(*instance.leaf->form());
-    Round round{of.instance, of.box};
+    const Transform& transform = of.transform;
+    const RevolvedForm& form = form_of(of.instance);
+    Round round{&of};
     const Point3 center = to_doubles(transform.apply(form.center)),
                  step = minus(to_doubles(transform.apply(form.center + form.axis)), center);
     double scale = 0;
@@ -209,59 +232,30 @@ class Finder {
     }
   }
 
-  /// The planes of all other leaves.
-  void planes() {
-    if (rounds_.empty()) return;
-    std::vector<Box> boxes;
-    for (const Round& round : rounds_) boxes.push_back(round.box);
-    const BoxTree tree(boxes);
-    for (Index i = 0; i < instances_.size(); ++i) {
-      const LeafInstance& instance = instances_[i];
-      if (place_.contains(i)) continue;
-      if (const auto* leaf = dynamic_cast<const UnboundedLeaf*>(instance.leaf.get())) {
-        const ExactHalfspace plane = leaf->image(instance.transform);
-        const Point3 normal = to_doubles(plane.normal);
-        const double length = std::sqrt(dot(normal, normal));
-        for (Round& round : rounds_) {
-          if (may_touch(round, {normal[0] / length, normal[1] / length, normal[2] / length},
-                        to_double(plane.offset) / length) &&
-              is_exact(round))
-            with_flat(round, {plane.normal, plane.offset});
-        }
-      } else if (const auto* geometry = dynamic_cast<const GeometryLeaf*>(instance.leaf.get())) {
-        const Box reach = box_of(*geometry, instance.transform);
-        std::vector<Index> met;
-        tree.query([&](const Box& box) { return box.meets(reach); }, [&](Index r) { met.push_back(r); });
-        if (!met.empty()) faces(*geometry, instance.transform, met);
+  void planes(const BesidePlanes& beside) {
+    const LeafInstance& instance = instances_[beside.instance];
+    const Transform transform = in_space_of_tree_ ? instance.transform : to_space_ * instance.transform;
+    if (const auto* leaf = dynamic_cast<const UnboundedLeaf*>(instance.leaf.get())) {
+      const ExactHalfspace plane = leaf->image(transform);
+      const Point3 normal = to_doubles(plane.normal);
+      const double length = std::sqrt(dot(normal, normal));
+      for (const Index i : beside.revolved) {
+        Round& round = rounds_[place_.at(i)];
+        if (may_touch(round, {normal[0] / length, normal[1] / length, normal[2] / length},
+                      to_double(plane.offset) / length) &&
+            is_exact(round))
+          with_flat(round, {plane.normal, plane.offset});
       }
+    } else if (const auto* geometry = dynamic_cast<const GeometryLeaf*>(instance.leaf.get())) {
+      faces(*geometry, transform, beside.revolved);
     }
   }
 
   Contacts take() { return {std::move(marks_), std::move(nested_), std::move(inside_)}; }
 
  private:
-  static Point3 image(const Transform& transform, const Point3& p) {
-    Point3 q;
-    for (std::size_t k = 0; k < 3; ++k) {
-      q[k] = to_double(transform.offset[k]);
-      for (std::size_t j = 0; j < 3; ++j) q[k] += to_double(transform.linear[k][j]) * p[j];
-    }
-    return q;
-  }
-
-  /// Of the corners of a leaf's own box.
-  static Box box_of(const GeometryLeaf& leaf, const Transform& transform) {
-    Box own, box;
-    for (const PointId p : IdRange<PointId>(leaf.geometry().point_count())) {
-      const double* x = leaf.geometry().xyz(p);
-      own.extend({x[0], x[1], x[2]}, {x[0], x[1], x[2]});
-    }
-    for (int i = 0; i < 8; ++i) {
-      const Point3 corner = image(
-          transform, {(i & 1 ? own.hi : own.lo)[0], (i & 2 ? own.hi : own.lo)[1], (i & 4 ? own.hi : own.lo)[2]});
-      box.extend(around(corner, corner));
-    }
-    return box;
+  const RevolvedForm& form_of(Index i) const {
+    return dynamic_cast<const RevolvedForm&>(*instances_[i].leaf->form());
   }
 
   /// The faces of a leaf near the leaves `met`.
@@ -282,8 +276,8 @@ class Finder {
     }
     const BoxTree tree(boxes);
     for (const Index r : met) {
-      Round& round = rounds_[r];
-      tree.query([&](const Box& box) { return box.meets(round.box); },
+      Round& round = rounds_[place_.at(r)];
+      tree.query([&](const Box& box) { return box.meets(round.of->box); },
                  [&](Index f) { face(round, soup, transform, points, SourceId(f)); });
     }
   }
@@ -324,12 +318,12 @@ class Finder {
   /// Makes the leaf exact; false if it is stretched so that it has no radii, or none that are rational.
   bool is_exact(Round& round) const {
     if (round.exact) return true;
-    const LeafInstance& instance = instances_[round.instance];
-    const std::optional<Rational> scale = stretch(instance.transform);
+    const Transform& transform = round.of->transform;
+    const std::optional<Rational> scale = stretch(transform);
     if (!scale) return false;
-    const auto& form = dynamic_cast<const RevolvedForm&>(*instance.leaf->form());
+    const RevolvedForm& form = form_of(round.of->instance);
     Exact& exact = round.exact.emplace();
-    exact.placed = place(form, instance.transform, *scale);
+    exact.placed = place(form, transform, *scale);
     const AxisLine& axis = exact.placed.axis;
     const auto flat = [&](const Rational& t, const Rational& r, const Rational& s) {
       const RationalPoint at = axis.foot + t * axis.direction;
@@ -416,7 +410,7 @@ class Finder {
       if (gap * gap != ball.radius * ball.radius * square) continue;
       const RationalPoint at = ball.center - Rational(gap / square) * flat.normal;
       if (!flat.meets(at, at)) continue;
-      mark_point(round.instance, at);
+      mark_point(round, at);
       if (owner != nullptr) mark_rim(*owner, at);
     }
     for (const Tube& tube : round.exact->tubes) {
@@ -426,7 +420,7 @@ class Finder {
       const RationalPoint direction = Rational(-gap / (square * tube.radius)) * flat.normal;
       const RationalPoint on = tube.foot + tube.radius * direction;
       if (!flat.meets(on + tube.low * tube.axis, on + tube.high * tube.axis)) continue;
-      mark_direction(round.instance, direction, tube);
+      mark_direction(round, direction, tube);
       if (owner == nullptr) continue;
       for (const Rational& end : {tube.low, tube.high}) mark_rim(*owner, on + end * tube.axis);
     }
@@ -438,10 +432,9 @@ class Finder {
       if (ring.middle.r == 0 || up * up * round.exact->placed.square() != ring.radius * ring.radius) continue;
       const RationalPoint center = axis.foot + t * axis.direction;
       if (!flat.meets_circle(center, ring.middle.r)) continue;
-      Marks& marks = marks_[round.instance];
+      Marks& marks = marks_[round.of->instance];
       marks.circles.push_back({ring.middle.r, t});
-      marks.needed =
-          marks.needed || !has_vertex(round.instance, center + ring.middle.r * round.exact->placed.start);
+      marks.needed = marks.needed || !has_vertex(round, center + ring.middle.r * round.exact->placed.start);
     }
   }
 
@@ -464,7 +457,7 @@ class Finder {
       const Rational t = cnrg::dot(at - tube.foot, tube.axis) / cnrg::dot(tube.axis, tube.axis);
       const RationalPoint off = at - (tube.foot + t * tube.axis);
       if (t < tube.low || t > tube.high || cnrg::dot(off, off) != tube.radius * tube.radius) continue;
-      mark_direction(round.instance, Rational(1 / tube.radius) * off, tube);
+      mark_direction(round, Rational(1 / tube.radius) * off, tube);
     }
   }
 
@@ -487,17 +480,15 @@ class Finder {
     const auto sum = gauge(cnrg::dot(apart, apart), p.radius, q.radius);
     if (!sum) return;
     if (*sum != p.radius + q.radius && is_sphere(a) && is_sphere(b)) {
-      nested_.push_back({a.instance, b.instance});
+      nested_.push_back({a.of->instance, b.of->instance});
       return;
     }
     const RationalPoint at = p.center + Rational(p.radius / *sum) * apart;
-    mark_point(a.instance, at);
-    mark_point(b.instance, at);
+    mark_point(a, at);
+    mark_point(b, at);
   }
 
-  bool is_sphere(const Round& round) const {
-    return dynamic_cast<const RevolvedForm&>(*instances_[round.instance].leaf->form()).is_sphere();
-  }
+  bool is_sphere(const Round& round) const { return form_of(round.of->instance).is_sphere(); }
 
   void ball_and_tube(const Round& a, const Ball3& ball, const Round& b, const Tube& tube) {
     const Rational t = cnrg::dot(ball.center - tube.foot, tube.axis) / cnrg::dot(tube.axis, tube.axis);
@@ -510,10 +501,10 @@ class Finder {
     const RationalPoint direction = Rational(1 / *sum) * apart;
     if (*sum != tube.radius + ball.radius) {
       if (!is_sphere(a) && a.exact->placed.axis.direction != tube.axis) return;
-      inside_.push_back({a.instance, b.instance, direction});
+      inside_.push_back({a.of->instance, b.of->instance, direction});
     }
-    mark_point(a.instance, foot + tube.radius * direction);
-    mark_direction(b.instance, direction, tube);
+    mark_point(a, foot + tube.radius * direction);
+    mark_direction(b, direction, tube);
   }
 
   void two_tubes(const Round& a, const Tube& p, const Round& b, const Tube& q) {
@@ -530,9 +521,9 @@ class Finder {
     if (!sum) return;
     const RationalPoint direction = Rational(1 / *sum) * apart;
     const bool beside = *sum == p.radius + q.radius, first = *sum > 0;
-    if (!beside) inside_.push_back({(first ? b : a).instance, (first ? a : b).instance, direction});
-    mark_direction(a.instance, direction, p);
-    mark_direction(b.instance, Rational(beside ? -1 : 1) * direction, q);
+    if (!beside) inside_.push_back({(first ? b : a).of->instance, (first ? a : b).of->instance, direction});
+    mark_direction(a, direction, p);
+    mark_direction(b, Rational(beside ? -1 : 1) * direction, q);
   }
 
   /// Tubes side by side whose axes are not parallel: the point of contact is where a ruling of one crosses one of
@@ -546,17 +537,17 @@ class Finder {
     const Rational s = cnrg::dot(cross(apart, q.axis), turn) / square,
                    t = cnrg::dot(cross(apart, p.axis), turn) / square;
     if (s < p.low || s > p.high || t < q.low || t > q.high) return;
-    mark_direction(a.instance, direction, p);
-    mark_direction(b.instance, Rational(-1) * direction, q);
+    mark_direction(a, direction, p);
+    mark_direction(b, Rational(-1) * direction, q);
   }
 
   // --- marks
 
   /// True if the leaf has a vertex there as it is.
-  bool has_vertex(Index i, const RationalPoint& p) const {
-    const auto* leaf = dynamic_cast<const GeometryLeaf*>(instances_[i].leaf.get());
+  bool has_vertex(const Round& round, const RationalPoint& p) const {
+    const auto* leaf = dynamic_cast<const GeometryLeaf*>(instances_[round.of->instance].leaf.get());
     if (leaf == nullptr) return false;
-    const RationalPoint own = instances_[i].transform.inverse().apply(p);
+    const RationalPoint own = round.of->transform.inverse().apply(p);
     const Point3 rough = to_doubles(own);
     const Soup& soup = leaf->geometry();
     for (const PointId v : IdRange<PointId>(soup.point_count())) {
@@ -569,22 +560,25 @@ class Finder {
     return false;
   }
 
-  void mark_point(Index i, const RationalPoint& at) {
-    Marks& marks = marks_[i];
+  void mark_point(const Round& round, const RationalPoint& at) {
+    Marks& marks = marks_[round.of->instance];
     if (std::find(marks.points.begin(), marks.points.end(), at) != marks.points.end()) return;
     marks.points.push_back(at);
-    marks.needed = marks.needed || !has_vertex(i, at);
+    marks.needed = marks.needed || !has_vertex(round, at);
   }
 
-  void mark_direction(Index i, const RationalPoint& direction, const Tube& tube) {
-    Marks& marks = marks_[i];
+  void mark_direction(const Round& round, const RationalPoint& direction, const Tube& tube) {
+    Marks& marks = marks_[round.of->instance];
     if (std::find(marks.directions.begin(), marks.directions.end(), direction) != marks.directions.end()) return;
     marks.directions.push_back(direction);
-    marks.needed = marks.needed || !has_vertex(i, tube.foot + tube.low * tube.axis + tube.radius * direction) ||
-                   !has_vertex(i, tube.foot + tube.high * tube.axis + tube.radius * direction);
+    marks.needed = marks.needed ||
+                   !has_vertex(round, tube.foot + tube.low * tube.axis + tube.radius * direction) ||
+                   !has_vertex(round, tube.foot + tube.high * tube.axis + tube.radius * direction);
   }
 
   const std::vector<LeafInstance>& instances_;
+  const Transform& to_space_;
+  bool in_space_of_tree_;
   std::vector<Round> rounds_;
   std::map<Index, std::size_t> place_;
   std::map<Index, Marks> marks_;
@@ -594,12 +588,37 @@ class Finder {
 
 }  // namespace
 
-Contacts contacts(const std::vector<LeafInstance>& instances, const std::vector<RevolvedInstance>& revolved,
-                  const std::vector<std::array<Index, 2>>& pairs) {
-  Finder finder(instances);
+std::vector<BesidePlanes> beside_planes(const std::vector<LeafInstance>& instances,
+                                        const std::vector<RevolvedInstance>& revolved,
+                                        const std::set<Index>& alone) {
+  std::vector<BesidePlanes> result;
+  if (revolved.empty()) return result;
+  std::vector<Box> boxes;
+  for (const RevolvedInstance& of : revolved) boxes.push_back(of.box);
+  const BoxTree tree(boxes);
+  for (Index i = 0; i < instances.size(); ++i) {
+    if (alone.contains(i)) continue;
+    BesidePlanes beside{i, {}};
+    const LeafInstance& instance = instances[i];
+    if (dynamic_cast<const UnboundedLeaf*>(instance.leaf.get()) != nullptr) {
+      for (const RevolvedInstance& of : revolved) beside.revolved.push_back(of.instance);
+    } else if (const auto* geometry = dynamic_cast<const GeometryLeaf*>(instance.leaf.get())) {
+      const Box reach = box_of(*geometry, instance.transform);
+      tree.query([&](const Box& box) { return box.meets(reach); },
+                 [&](Index r) { beside.revolved.push_back(revolved[r].instance); });
+    }
+    if (!beside.revolved.empty()) result.push_back(std::move(beside));
+  }
+  return result;
+}
+
+Contacts contacts(const std::vector<LeafInstance>& instances, const Transform& to_space,
+                  const std::vector<RevolvedInstance>& revolved, const std::vector<std::array<Index, 2>>& pairs,
+                  const std::vector<BesidePlanes>& planes) {
+  Finder finder(instances, to_space);
   for (const RevolvedInstance& of : revolved) finder.add(of);
   finder.pairs(pairs);
-  finder.planes();
+  for (const BesidePlanes& beside : planes) finder.planes(beside);
   return finder.take();
 }
 

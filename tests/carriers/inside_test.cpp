@@ -79,6 +79,10 @@ const std::vector<Nest> nests{
       "sphere: {center: [1, 2, 0], radius: 1, #}"},
      {0, 0, 1, 1},
      {1, 0, 2, 1}},
+    {"a ball in a ball above it",
+     {"sphere: {center: [0, 0, 0], radius: 4, #}", "sphere: {center: [0, 0, 1], radius: 3, #}"},
+     {0, 0, 1, 1},
+     {1, 0, 2, 1}},
     {"a ring in a tube",
      {"cylinder: {from: [0, 0, -2], to: [0, 0, 4], radius: 3, #}",
       "torus: {center: [0, 0, 0], axis: [0, 0, 1], radius: 2, tube: 1, #}"},
@@ -122,11 +126,10 @@ Rational volume_of(const Evaluation& evaluation, const std::string& name) {
 TEST_CASE("what touches from inside is inside, and touches where it does, at any fineness and place") {
   std::mt19937_64 random(11);
   for (const Nest& nest : nests) {
-    for (int i = 0; i < 4; ++i) {
-      const std::string at = i == 0 ? ""
-                                    : placed(random) + (i == 2   ? ", scale: 0.3"
-                                                        : i == 3 ? ", mirror: {normal: [1, 2, 0]}"
-                                                                 : "");
+    for (int i = 0; i < 6; ++i) {
+      static const std::array<std::string, 6> more{
+          "", "", ", scale: 0.3", ", mirror: {normal: [1, 2, 0]}", ", scale: [2, 1, 0.7]", ", scale: [1, 3, 1]"};
+      const std::string at = i == 0 ? "" : placed(random) + more[static_cast<std::size_t>(i)];
       const std::string nodes = tree_of(nest, random, at);
       INFO(nest.name << "\n" << nodes);
       const Evaluation found = evaluated(nodes);
@@ -135,6 +138,25 @@ TEST_CASE("what touches from inside is inside, and touches where it does, at any
       if (nest.within) CHECK(volume_of(found, "all") == volume_of(found, "n0"));
       const Tree tree = parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml");
       CHECK(certify(tree, found).places == 0);
+    }
+  }
+}
+
+TEST_CASE("what is stretched touches where it did before") {
+  std::mt19937_64 random(12);
+  std::uniform_int_distribution<int> segments(5, 30);
+  for (const std::string stretch : {"", ", scale: [2, 1, 1]", ", scale: [1, 3, 0.5]"}) {
+    for (int i = 0; i < 4; ++i) {
+      const std::string at = (i == 0 ? "" : placed(random)) + stretch, end = number(segments(random)) + "}";
+      INFO(at);
+      const NodeRow touching =
+          row("  floor: {box: {min: [-9, -9, -1], max: [9, 9, 0]}" + at +
+              "}\n  one: {sphere: {center: [0, 0, 2], radius: 2, segments: " + end + at +
+              "}\n  other: {sphere: {center: [2, 3, 8], radius: 5, segments: " + end + at +
+              "}\n  log: {cylinder: {from: [-8, -3, 2], to: [8, -3, 2], radius: 1, segments: " + end + at +
+              "}\n  model: {union: [floor, one, other, log], dominance: left}\n");
+      CHECK(touching.regions == 4);
+      CHECK(touching.cells[0] == 11);  // three contacts, eight corners
     }
   }
 }
