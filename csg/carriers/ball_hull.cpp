@@ -87,6 +87,28 @@ class Keepout {
   BoxTree tree_;
 };
 
+/// Points of a ball by the cells of a lattice in which they lie, to find those that are one but for rounding.
+class Lattice {
+ public:
+  explicit Lattice(const Ball& ball) : center_(to_doubles(ball.center)), step_(to_double(ball.radius) * 0x1p-30) {}
+  /// False if one next to it was added before.
+  bool add(const RationalPoint& p) {
+    const Point3 at = to_doubles(p);
+    std::array<std::int64_t, 3> cell{};
+    for (std::size_t k = 0; k < 3; ++k) cell[k] = std::llround((at[k] - center_[k]) / step_);
+    for (int i = 0; i < 27; ++i) {
+      if (cells_.contains({cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1})) return false;
+    }
+    cells_.insert(cell);
+    return true;
+  }
+
+ private:
+  Point3 center_;
+  double step_;
+  std::set<std::array<std::int64_t, 3>> cells_;
+};
+
 /// The points of the grid about z.
 std::vector<RationalPoint> grid(const Ball& ball, int segments, int rings) {
   std::vector<RationalPoint> result;
@@ -108,11 +130,22 @@ std::vector<RationalPoint> grid(const Ball& ball, int segments, int rings) {
 }  // namespace
 
 BallHull hull_of(const Ball& ball, const std::vector<SphereCircle>& circles,
-                 const std::vector<RationalPoint>& points, int segments, int rings) {
+                 const std::vector<RationalPoint>& points, const std::vector<RationalPoint>& others, int segments,
+                 int rings) {
   std::set<RationalPoint> all(points.begin(), points.end());
   for (const SphereCircle& circle : circles) all.insert(circle.begin(), circle.end());
+  std::vector<RationalPoint> single = points;
+  if (!others.empty()) {
+    Lattice known(ball);
+    for (const RationalPoint& p : all) known.add(p);
+    for (const RationalPoint& p : others) {
+      if (!known.add(p)) continue;
+      all.insert(p);
+      single.push_back(p);
+    }
+  }
   const double step = to_double(ball.radius) * std::numbers::pi / rings;
-  const Keepout keepout(circles, points, step / 4);
+  const Keepout keepout(circles, single, step / 4);
   for (const RationalPoint& p : grid(ball, segments, rings)) {
     if (!keepout.holds(to_doubles(p))) all.insert(p);
   }

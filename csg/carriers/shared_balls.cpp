@@ -42,8 +42,9 @@ void add_images(const Ball& inner, const std::vector<RationalPoint>& corners, co
   double nearest = HUGE_VAL;
   for (const RationalPoint& p : corners) {
     const RationalPoint off = scale * (p - at);
+    if (is_zero(off)) continue;
     points.push_back(at + off);
-    if (!is_zero(off)) nearest = std::min(nearest, to_double(dot(off, off)));
+    nearest = std::min(nearest, to_double(dot(off, off)));
   }
   // At a quarter of the way the pyramid over a ring of eight is flatter than any edge from the contact.
   constexpr int kRing = 8;
@@ -94,7 +95,7 @@ void SharedBalls::solve(const std::function<void()>& solve_turns) {
     for (const Ball& ball : by_size_) {
       const Parts parts = parts_of(ball);
       auto hull = std::make_shared<const BallHull>(
-          hull_of(ball, parts.circles, parts.points, parts.segments, parts.rings));
+          hull_of(ball, parts.circles, parts.points, parts.others, parts.segments, parts.rings));
       hulls_[ball] = hull;
       if (round == kMostRounds) continue;
       // A chord of a circle that is no edge of the hull is halved, for all leaves about this axis.
@@ -144,8 +145,9 @@ SharedBalls::Parts SharedBalls::parts_of(const Ball& ball) const {
     parts.rings = std::max(parts.rings, of.placed.lines[0][0].steps);
   }
   for (const Nested& pair : nested_) {
-    if (pair.inner == ball) parts.points.push_back(contact_of(pair.inner, pair.outer));
-    if (pair.outer == ball) add_images(pair.inner, corners(pair.inner), ball, parts.points);
+    if (pair.inner != ball && pair.outer != ball) continue;
+    parts.points.push_back(contact_of(pair.inner, pair.outer));
+    if (pair.outer == ball) add_images(pair.inner, corners(pair.inner), ball, parts.others);
   }
   return parts;
 }

@@ -45,7 +45,7 @@ class SharedBalls {
   struct Parts {
     std::vector<SphereCircle> circles;
     std::vector<Family*> family;  ///< of each circle
-    std::vector<RationalPoint> points;
+    std::vector<RationalPoint> points, others;
     int segments = 0, rings = 0;
   };
 

@@ -172,5 +172,19 @@ TEST_CASE("of what is left between a pin and its bore the volume is what one has
   }
 }
 
+TEST_CASE("surfaces that each are inside of the next one, in a circle, are evaluated, and told") {
+  // A ring of cylinders of radius 1 and 3 about one axis, joined by a cone, and one of radius 2 between them.
+  const std::string nodes =
+      "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: 9}}\n"
+      "  b: {cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 3, segments: 12}}\n"
+      "  c: {cone: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, top: 3, segments: 8}}\n"
+      "  d: {cylinder: {from: [1, 0, 0], to: [1, 0, 2], radius: 2, segments: 10}}\n"
+      "  model: {union: [a, b, c, d]}\n";
+  const Evaluation found = evaluated(nodes);
+  CHECK(volume_of(found, "model") >= volume_of(found, "b"));
+  const Tree tree = parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml");
+  CHECK(certify(tree, found).places > 0);
+}
+
 }  // namespace
 }  // namespace cnrg
