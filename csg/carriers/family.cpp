@@ -43,10 +43,8 @@ void Family::add_marks(std::size_t member, const Marks& marks) {
   for (const MeridianPoint& p : marks.circles) add_vertex(member, p);
 }
 
-void Family::solve_turns(const std::vector<RationalPoint>& further) {
-  std::vector<RationalPoint> marks = marks_;
-  marks.insert(marks.end(), further.begin(), further.end());
-  turns_ = std::make_unique<Turns>(axis_.direction, first_direction(), segments_, marks);
+void Family::solve_turns(const std::vector<RationalPoint>& others) {
+  turns_ = std::make_unique<Turns>(axis_.direction, first_direction(), segments_, marks_, others);
 }
 
 std::vector<RationalPoint> Family::corners(std::size_t m) const {

@@ -43,8 +43,8 @@ class Family {
   void add_marks(std::size_t member, const Marks& marks);
   /// Contacts first, then directions: what must be one may be added between.
   void solve_meridians() { plane_.solve(); }
-  /// With `further` directions, which are not kept.
-  void solve_turns(const std::vector<RationalPoint>& further = {});
+  /// With `others` (turns.h), which are not kept.
+  void solve_turns(const std::vector<RationalPoint>& others = {});
   void add_direction(const RationalPoint& direction) { marks_.push_back(direction); }
   const Turns& turns() const { return *turns_; }
 

@@ -16,9 +16,10 @@ class Turns {
  public:
   /// Even steps from the direction `start`; `marks`: further directions, at right angles to the
   /// axis and nearly or exactly unit vectors, in any order. Of two on one ray the one that is nearer to a unit
-  /// vector stays. Even steps next to a mark are left out.
+  /// vector stays. `others` are such directions, too, but next to marks and to those before them they are left
+  /// out, and even steps next to any of all these.
   Turns(const RationalPoint& axis, const RationalPoint& start, int segments,
-        const std::vector<RationalPoint>& marks);
+        const std::vector<RationalPoint>& marks, const std::vector<RationalPoint>& others = {});
 
   std::vector<RationalPoint> directions() const;
   /// The directions before and after one of these.

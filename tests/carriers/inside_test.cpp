@@ -172,6 +172,19 @@ TEST_CASE("of what is left between a pin and its bore the volume is what one has
   }
 }
 
+// The ball has even steps a rounding away from where the tubes touch.
+TEST_CASE("contacts have each direction once") {
+  const std::string at = ", rotate: {axis: [0, 0, 1], degrees: 234}, translate: [-29.3, 0, 0.7], scale: 0.3}\n";
+  const std::string nodes = "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 3, segments: 16}" + at +
+                            "  b: {cylinder: {from: [1, 0, 0], to: [1, 0, 4], radius: 2, segments: 23}" + at +
+                            "  c: {sphere: {center: [1, 1, 2], radius: 1, segments: 40}" + at +
+                            "  model: {difference: [a, b, c]}\n";
+  const Evaluation found = evaluated(nodes);
+  CHECK(found.rows.back().cells == Cells{2, 5, 4, 1});
+  const Tree tree = parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml");
+  CHECK(certify(tree, found).places == 0);
+}
+
 TEST_CASE("surfaces that each are inside of the next one, in a circle, are evaluated, and told") {
   // A ring of cylinders of radius 1 and 3 about one axis, joined by a cone, and one of radius 2 between them.
   const std::string nodes =
