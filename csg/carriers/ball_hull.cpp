@@ -11,6 +11,7 @@
 #include <numbers>
 #include <set>
 
+#include "csg/carriers/point_lattice.h"
 #include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
@@ -87,28 +88,6 @@ class Keepout {
   BoxTree tree_;
 };
 
-/// Points of a ball by the cells of a lattice in which they lie, to find those that are one but for rounding.
-class Lattice {
- public:
-  explicit Lattice(const Ball& ball) : center_(to_doubles(ball.center)), step_(to_double(ball.radius) * 0x1p-30) {}
-  /// False if one next to it was added before.
-  bool add(const RationalPoint& p) {
-    const Point3 at = to_doubles(p);
-    std::array<std::int64_t, 3> cell{};
-    for (std::size_t k = 0; k < 3; ++k) cell[k] = std::llround((at[k] - center_[k]) / step_);
-    for (int i = 0; i < 27; ++i) {
-      if (cells_.contains({cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1})) return false;
-    }
-    cells_.insert(cell);
-    return true;
-  }
-
- private:
-  Point3 center_;
-  double step_;
-  std::set<std::array<std::int64_t, 3>> cells_;
-};
-
 /// The points of the grid about z.
 std::vector<RationalPoint> grid(const Ball& ball, int segments, int rings) {
   std::vector<RationalPoint> result;
@@ -136,7 +115,7 @@ BallHull hull_of(const Ball& ball, const std::vector<SphereCircle>& circles,
   for (const SphereCircle& circle : circles) all.insert(circle.begin(), circle.end());
   std::vector<RationalPoint> single = points;
   if (!others.empty()) {
-    Lattice known(ball);
+    PointLattice known(ball.center, ball.radius);
     for (const RationalPoint& p : all) known.add(p);
     for (const RationalPoint& p : others) {
       if (!known.add(p)) continue;

@@ -40,11 +40,13 @@ Family::Family(std::vector<Member> members, bool may_round)
 void Family::add_marks(std::size_t member, const Marks& marks) {
   marks_.insert(marks_.end(), marks.directions.begin(), marks.directions.end());
   for (const RationalPoint& p : marks.points) add_point(member, p);
-  for (const MeridianPoint& p : marks.circles) add_vertex(member, p);
+  for (const MeridianPoint& p : marks.circles) add_circle(member, p);
 }
 
 void Family::solve_turns(const std::vector<RationalPoint>& others) {
-  turns_ = std::make_unique<Turns>(axis_.direction, first_direction(), segments_, marks_, others);
+  std::vector<RationalPoint> all = others_;
+  all.insert(all.end(), others.begin(), others.end());
+  turns_ = std::make_unique<Turns>(axis_.direction, first_direction(), segments_, marks_, all);
 }
 
 std::vector<RationalPoint> Family::corners(std::size_t m) const {
@@ -200,11 +202,11 @@ void Family::add_point(std::size_t member, const RationalPoint& p) {
   if (is_zero(out)) return;  // a pole
   const Rational square = dot(out, out);
   const Rational r = root(square);
-  add_vertex(member, {r, t});
+  add_circle(member, {r, t});
   marks_.push_back((1 / r) * out);
 }
 
-void Family::add_vertex(std::size_t member, const MeridianPoint& p) {
+void Family::add_circle(std::size_t member, const MeridianPoint& p) {
   std::size_t piece = first_[member];
   for (const auto& line : members_[member].placed.lines) {
     for (std::size_t i = 0; i < line.size(); ++i) plane_.add_vertex(piece++, p);

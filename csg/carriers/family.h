@@ -46,6 +46,10 @@ class Family {
   /// With `others` (turns.h), which are not kept.
   void solve_turns(const std::vector<RationalPoint>& others = {});
   void add_direction(const RationalPoint& direction) { marks_.push_back(direction); }
+  /// One that gives way to those next to it.
+  void add_other_direction(const RationalPoint& direction) { others_.push_back(direction); }
+  /// On each arc of the member that holds the point, or nearly.
+  void add_circle(std::size_t member, const MeridianPoint& p);
   const Turns& turns() const { return *turns_; }
 
   /// The circles that the ball `member` shares, but for its poles.
@@ -63,6 +67,11 @@ class Family {
   /// The points of a band, `back` takes them to the space of its leaf.
   BandGrid band_grid(std::size_t m, const Transform& back) const;
 
+  /// The vertices of a circle of the half-plane, or only those that are no even steps.
+  std::vector<MeridianPoint> vertices(const MeridianPoint& middle, const Rational& radius, bool only_marks) const {
+    return plane_.vertices(middle, radius, only_marks);
+  }
+
   /// Of a ball on its own.
   std::vector<RationalPoint> corners(std::size_t m) const;
 
@@ -79,15 +88,13 @@ class Family {
   MeridianPoint rounded(const MeridianPoint& p) const;
 
   void add_point(std::size_t member, const RationalPoint& p);
-  /// On each arc of the member that holds the point, or nearly.
-  void add_vertex(std::size_t member, const MeridianPoint& p);
 
   std::vector<Member> members_;
   AxisLine axis_;
   bool rounds_;
   Rational size_;
   MeridianPlane plane_;
-  std::vector<RationalPoint> marks_;
+  std::vector<RationalPoint> marks_, others_;
   std::vector<std::size_t> first_;  // piece of each member
   std::size_t pieces_ = 0;
   int segments_ = 0;

@@ -299,6 +299,16 @@ std::vector<MeridianPoint> MeridianPlane::marks(std::size_t i) const {
   return arcs_.at({pieces_[i].middle, pieces_[i].radius}).marks;
 }
 
+std::vector<MeridianPoint> MeridianPlane::vertices(const MeridianPoint& middle, const Rational& radius,
+                                                   bool only_marks) const {
+  const auto arc = arcs_.find({middle, radius});
+  if (arc == arcs_.end()) return {};
+  if (only_marks) return arc->second.marks;
+  std::vector<MeridianPoint> result;
+  for (const Vertex& vertex : arc->second.vertices) result.push_back(vertex.at);
+  return result;
+}
+
 std::vector<RevolvedGrid::Row> MeridianPlane::rows(std::size_t i) const {
   const MeridianPiece& piece = pieces_[i];
   std::vector<RevolvedGrid::Row> result{{piece.from, piece.parameters[0]}};

@@ -15,6 +15,7 @@
 
 #include "csg/carriers/ball_hull.h"
 #include "csg/carriers/banded_leaves.h"
+#include "csg/carriers/common_circles.h"
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/family.h"
 #include "csg/carriers/nested_turns.h"
@@ -50,6 +51,7 @@ class Space {
     touch_balls();
     touch_nested();
     touch_inside();
+    touch_circles();
     build();
     return too_coarse_;
   }
@@ -127,6 +129,24 @@ class Space {
       }
       inside_.push_back({in, around, direction});
       nested_nodes_.insert({in, around});
+    }
+  }
+
+  void touch_circles() {
+    for (const auto& [circle, all] : of_.contacts.circles) {
+      for (const auto& [i, direction] : all) {
+        Index node = 0;
+        if (const auto leaf = of_leaf_.find(i); leaf != of_leaf_.end()) {
+          node = leaf->second[0];
+        } else {
+          const Ball ball = ball_of(i);
+          const AxisLine axis = axis_line(circle.center, circle.axis);
+          node = ball_node(ball, axis, ball_on(ball, axis));
+          on_axes_.insert(ball);
+        }
+        has_circle_.push_back({circle, node, direction});
+        nested_nodes_.insert(node);
+      }
     }
   }
 
@@ -387,17 +407,17 @@ class Space {
         if (marks != of_.contacts.marks.end()) family->add_marks(m, marks->second);
       }
     }
-    family->solve_meridians();
     families_.emplace_back(family, of);
   }
 
   /// Draws what is inside before what is around it, and balls about several axes.
   void solve_turns() {
     std::vector<std::shared_ptr<Family>> families;
-    std::map<Index, std::size_t> family_of;
+    std::map<Index, std::size_t> family_of, member_of;
     for (const auto& [family, of] : families_) {
-      for (const Index n : of) family_of.emplace(n, families.size());
       for (std::size_t m = 0; m < of.size(); ++m) {
+        family_of.emplace(of[m], families.size());
+        member_of.emplace(of[m], m);
         if (!nodes_[of[m]].ball) continue;
         std::vector<RationalPoint> points;
         for (const Index i : nodes_[of[m]].instances) {
@@ -412,7 +432,14 @@ class Space {
     std::vector<NestedFamilies> nested;
     for (const auto& [inner, outer, direction] : inside_)
       nested.push_back({family_of.at(inner), family_of.at(outer), direction});
-    shared_.solve([&] { cnrg::solve_turns(families, nested); });
+    CommonCircles circles;
+    for (const auto& [circle, node, direction] : has_circle_)
+      circles.add(circle, {families[family_of.at(node)], member_of.at(node), direction});
+    for (const auto& family : families) family->solve_meridians();
+    shared_.solve([&] {
+      do cnrg::solve_turns(families, nested);
+      while (circles.exchange());
+    });
   }
 
   void replace_ball(const Ball& ball, const std::shared_ptr<const BallHull>& hull) {
@@ -469,6 +496,12 @@ class Space {
   std::set<Ball> on_axes_;  // of other leaves
   std::vector<std::array<Index, 2>> edges_;
   std::vector<Inside> inside_;  // of nodes
+  struct OfCircle {
+    CircleInSpace circle;
+    Index node;
+    std::optional<RationalPoint> direction;
+  };
+  std::vector<OfCircle> has_circle_;
   std::set<Index> nested_nodes_;
   std::vector<std::pair<std::shared_ptr<Family>, std::vector<Index>>> families_;  // and their nodes
   SharedBalls shared_;

@@ -111,6 +111,9 @@ std::vector<RoundSpace> round_spaces(const std::vector<LeafInstance>& instances,
     for (const Pair& pair : space.contacts.nested) concerned.insert(pair.begin(), pair.end());
     for (const Inside& pair : space.contacts.inside) concerned.insert({pair.inner, pair.outer});
     for (const auto& [i, marks] : space.contacts.marks) concerned.insert(i);
+    for (const auto& [circle, all] : space.contacts.circles) {
+      for (const HasCircle& one : all) concerned.insert(one.instance);
+    }
     for (const Index i : of.members) {
       if (banded.contains(i)) concerned.insert(i);
     }

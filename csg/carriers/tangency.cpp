@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "csg/carriers/sectors.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/unbounded.h"
@@ -63,10 +64,11 @@ struct Exact {
 /// of nested rotations are long.
 struct Round {
   const RevolvedInstance* of = nullptr;
-  Point3 along{};                                  ///< of length 1
-  std::vector<std::pair<Point3, double>> balls{};  ///< centres and radii; of arcs about the axis, too
-  std::vector<std::pair<Point3, double>> tubes{};  ///< points of the axis and radii
-  std::vector<double> flats{};                     ///< offsets of its planes across the axis
+  Point3 along{};                                           ///< of length 1
+  std::vector<std::pair<Point3, double>> balls{};           ///< centres and radii; of arcs about the axis, too
+  std::vector<std::pair<Point3, double>> tubes{};           ///< points of the axis and radii
+  std::vector<std::tuple<Point3, double, double>> rings{};  ///< centres, and radii of circles and of their tubes
+  std::vector<double> flats{};                              ///< offsets of its planes across the axis
   std::optional<Exact> exact{};
 };
 
@@ -210,6 +212,10 @@ class Finder {
         if (piece.flat()) flat(piece.from.t);
         if (piece.kind == MeridianPiece::Kind::arc) {
           round.balls.emplace_back(at(piece.middle.t), scale * to_double(piece.radius));
+          if (piece.middle.r > 0) {
+            round.rings.emplace_back(at(piece.middle.t), scale * to_double(piece.middle.r),
+                                     scale * to_double(piece.radius));
+          }
         } else if (piece.kind == MeridianPiece::Kind::line && piece.from.r == piece.to.r && piece.from.r > 0) {
           round.tubes.emplace_back(center, scale * to_double(piece.from.r));
         }
@@ -251,7 +257,7 @@ class Finder {
     }
   }
 
-  Contacts take() { return {std::move(marks_), std::move(nested_), std::move(inside_)}; }
+  Contacts take() { return {std::move(marks_), std::move(nested_), std::move(inside_), std::move(circles_)}; }
 
  private:
   const RevolvedForm& form_of(Index i) const {
@@ -364,6 +370,30 @@ class Finder {
     return std::any_of(round.balls.begin(), round.balls.end(), is_near) ||
            std::any_of(round.tubes.begin(), round.tubes.end(), is_near);
   }
+  /// A meridian of a; all around the axis of b, in a ball of it, or a meridian of it, too.
+  static bool may_share_circle(const Round& a, const Round& b) {
+    const double turn = dot(a.along, b.along);
+    for (const auto& [p, r, tube] : a.rings) {
+      for (const auto& [q, s] : b.balls) {
+        const Point3 apart = minus(q, p);
+        if (near(std::sqrt(dot(apart, apart)), r, size_of(p))) return true;
+      }
+      for (const auto& [q, s] : b.tubes) {
+        const Point3 out = times(minus(p, q), b.along);
+        if (std::abs(turn) < 1e-6 && near(std::sqrt(dot(out, out)), r, size_of(p))) return true;
+      }
+      for (const auto& [q, s, other] : b.rings) {
+        const Point3 across = times(a.along, b.along), apart = minus(q, p);
+        const double distance = std::sqrt(dot(apart, apart));
+        if (!near(tube, other, tube)) continue;
+        if (dot(across, across) > 1e-6
+                ? near(dot(apart, across), 0, size_of(p) + size_of(q))
+                : near(distance, r + s, size_of(p)) || near(distance, std::abs(r - s), size_of(p)))
+          return true;
+      }
+    }
+    return false;
+  }
   static bool may_touch(const Round& a, const Round& b) {
     for (const double offset : b.flats) {
       if (may_touch(a, b.along, offset)) return true;
@@ -378,6 +408,7 @@ class Finder {
       const Point3 off = minus(p, foot), out = times(off, along);
       return std::sqrt(dot(out, out));
     };
+    if (may_share_circle(a, b) || may_share_circle(b, a)) return true;
     for (const auto& [p, r] : a.balls) {
       for (const auto& [q, s] : b.balls) {
         const Point3 apart = minus(p, q);
@@ -439,6 +470,8 @@ class Finder {
   }
 
   void pair(const Round& a, const Round& b) {
+    common_circles(a, b);
+    common_circles(b, a);
     for (const Flat& flat : b.exact->flats) with_flat(a, flat, &b);
     for (const Flat& flat : a.exact->flats) with_flat(b, flat, &a);
     for (const Ball3& p : a.exact->balls) {
@@ -449,6 +482,88 @@ class Finder {
       for (const Ball3& q : b.exact->balls) ball_and_tube(b, q, a, p);
       for (const Tube& q : b.exact->tubes) two_tubes(a, p, b, q);
     }
+  }
+
+  /// Meridians of a that b has, too.
+  void common_circles(const Round& a, const Round& b) {
+    const AxisLine& axis = a.exact->placed.axis;
+    for (const Ring& ring : a.exact->rings) {
+      if (ring.middle.r == 0) continue;
+      const RationalPoint center = axis.foot + ring.middle.t * axis.direction;
+      // One about b's axis: this is a tangent of the circle of centres.
+      const AxisLine& other = b.exact->placed.axis;
+      if (cnrg::dot(axis.direction, other.direction) == 0) {
+        const Rational t = other.place_of(center);
+        const RationalPoint at = other.foot + t * other.direction;
+        if (goes_around(b, {ring.radius, t})) has_circle(a, ring, at - center, b, other.direction, std::nullopt);
+      }
+      if (is_sphere(b)) {
+        const Ball3& ball = b.exact->balls[0];
+        if (ball.radius == ring.radius)
+          has_circle(a, ring, ball.center - center, b, cross(axis.direction, ball.center - center), std::nullopt);
+      }
+      for (const Ring& second : b.exact->rings) {
+        if (second.middle.r == 0 || second.radius != ring.radius) continue;
+        const RationalPoint mate = other.foot + second.middle.t * other.direction, apart = mate - center;
+        const RationalPoint turn = cross(axis.direction, other.direction);
+        if (!is_zero(turn)) {
+          // From both centres at right angles to the line in which the planes of the two cross.
+          if (cnrg::dot(apart, turn) != 0) continue;
+          const RationalPoint way = cross(turn, axis.direction);
+          const RationalPoint out =
+              Rational(cnrg::dot(apart, other.direction) / cnrg::dot(way, other.direction)) * way;
+          meet_rings(a, ring, out, b, second, out - apart, turn);
+        } else if (const auto sum = gauge(cnrg::dot(apart, apart), ring.middle.r, second.middle.r);
+                   sum && cnrg::dot(apart, axis.direction) == 0) {
+          const RationalPoint out = Rational(ring.middle.r / *sum) * apart;
+          meet_rings(a, ring, out, b, second, out - apart, cross(axis.direction, out));
+        }
+      }
+    }
+  }
+  void meet_rings(const Round& a, const Ring& ring, const RationalPoint& out, const Round& b, const Ring& second,
+                  const RationalPoint& other, const RationalPoint& along) {
+    if (cnrg::dot(other, other) != second.middle.r * second.middle.r ||
+        cnrg::dot(other, b.exact->placed.axis.direction) != 0)
+      return;
+    const RationalPoint direction = Rational(1 / second.middle.r) * other;
+    if (covers(b, direction)) has_circle(a, ring, out, b, along, direction);
+  }
+  /// `out`: from the centre of the ring's circle to that of its meridian.
+  void has_circle(const Round& a, const Ring& ring, const RationalPoint& out, const Round& b,
+                  const RationalPoint& along, const std::optional<RationalPoint>& direction) {
+    const AxisLine& axis = a.exact->placed.axis;
+    if (cnrg::dot(out, out) != ring.middle.r * ring.middle.r || cnrg::dot(out, axis.direction) != 0) return;
+    const RationalPoint own = Rational(1 / ring.middle.r) * out;
+    if (!covers(a, own)) return;
+    const RationalPoint center = axis.foot + ring.middle.t * axis.direction + out;
+    auto& all = circles_[{center, axis_line(center, along).direction, ring.radius}];
+    all.insert({a.of->instance, own});
+    all.insert({b.of->instance, direction});
+  }
+  /// True if the leaf's turn has the direction.
+  bool covers(const Round& round, const RationalPoint& direction) const {
+    const PlacedForm& placed = round.exact->placed;
+    const bool with = placed.along != placed.mirrored;
+    const Sector turn{with ? placed.start : placed.end, with ? placed.end : placed.start,
+                      form_of(round.of->instance).around()};
+    return overlap(turn, {direction, direction, false}, placed.axis.direction);
+  }
+  /// True if the leaf has the circle about its axis.
+  static bool goes_around(const Round& round, const MeridianPoint& p) {
+    const Rational square = round.exact->placed.square();
+    for (const auto& line : round.exact->placed.lines) {
+      for (const MeridianPiece& piece : line) {
+        if (p == piece.from || p == piece.to) return true;
+        const Rational r = p.r - piece.middle.r, t = p.t - piece.middle.t;
+        if (piece.kind == MeridianPiece::Kind::arc && r * r + square * t * t == piece.radius * piece.radius)
+          return true;
+        if (piece.kind == MeridianPiece::Kind::line && piece.from.r == p.r && piece.to.r == p.r &&
+            (p.t - piece.from.t) * (p.t - piece.to.t) <= 0)
+          return true;
+      }
+    }
+    return false;
   }
 
   /// A point on a plane of the leaf that lies on its rim, too.
@@ -584,6 +699,7 @@ class Finder {
   std::map<Index, Marks> marks_;
   std::vector<std::array<Index, 2>> nested_;
   std::vector<Inside> inside_;
+  std::map<CircleInSpace, std::set<HasCircle>> circles_;
 };
 
 }  // namespace

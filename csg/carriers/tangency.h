@@ -7,6 +7,7 @@
 
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "csg/carriers/axes.h"
 #include "csg/leaves/leaf.h"
@@ -29,12 +30,30 @@ struct Inside {
   RationalPoint direction;
 };
 
+struct CircleInSpace {
+  RationalPoint center, axis;  ///< the axis as `axis_line` has it
+  Rational radius;
+  friend bool operator<(const CircleInSpace& a, const CircleInSpace& b) {
+    return std::tie(a.center, a.axis, a.radius) < std::tie(b.center, b.axis, b.radius);
+  }
+};
+/// A circle about the axis of the leaf, or on a torus or the like its meridian in the half-plane of `direction`, a
+/// unit vector.
+struct HasCircle {
+  std::uint32_t instance = 0;
+  std::optional<RationalPoint> direction{};
+  friend bool operator<(const HasCircle& a, const HasCircle& b) {
+    return std::tie(a.instance, a.direction) < std::tie(b.instance, b.direction);
+  }
+};
+
 struct Contacts {
   std::map<std::uint32_t, Marks> marks;  ///< by instance, in the space that is asked about
   /// Whole spheres of which one touches the other from inside: a point alone would not keep facets apart around
   /// it, so these two share the axis through their centres.
   std::vector<std::array<std::uint32_t, 2>> nested;
   std::vector<Inside> inside;
+  std::map<CircleInSpace, std::set<HasCircle>> circles;  ///< of two leaves or more, of one of them a meridian
 };
 
 /// A revolved instance, with its transform to the space and a box around it there.

@@ -97,10 +97,12 @@ const Turns::Line* Turns::find(const RationalPoint& direction) const {
   return place != lines_.end() && compare(frame_, place->direction, direction) == 0 ? &*place : nullptr;
 }
 
-std::vector<RationalPoint> Turns::directions() const {
+std::vector<RationalPoint> Turns::directions(bool only_marks) const {
   std::vector<RationalPoint> result;
   result.reserve(lines_.size());
-  for (const Line& line : lines_) result.push_back(line.direction);
+  for (const Line& line : lines_) {
+    if (line.mark || !only_marks) result.push_back(line.direction);
+  }
   return result;
 }
 

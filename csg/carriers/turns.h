@@ -21,7 +21,7 @@ class Turns {
   Turns(const RationalPoint& axis, const RationalPoint& start, int segments,
         const std::vector<RationalPoint>& marks, const std::vector<RationalPoint>& others = {});
 
-  std::vector<RationalPoint> directions() const;
+  std::vector<RationalPoint> directions(bool only_marks = false) const;
   /// The directions before and after one of these.
   std::array<RationalPoint, 2> beside(const RationalPoint& direction) const;
 
