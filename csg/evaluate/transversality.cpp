@@ -150,10 +150,12 @@ class Examination {
         const Patch &a = patches[i], &b = patches[j];
         if (around[a.first].patch.first == around[b.first].patch.first || (a.flat && b.flat)) continue;
         crossing = true;
-        const bool shared = (a.surface != 0 && a.surface == b.surface) || share_a_face(around, a, b);
+        const bool overlap = share_a_face(around, a, b);
         const bool both = (a.flat || a.contains) && (b.flat || b.contains);
-        if (a.flat || b.flat ? !shared && both : shared || both) continue;
-        if (!shared && (a.contains || b.contains) &&
+        const bool one_surface = a.surface != 0 && a.surface == b.surface;
+        if (!a.flat && !b.flat && (one_surface || (overlap && same_facets(around, a, b)))) continue;
+        if (!overlap && both) continue;
+        if (!overlap && (a.contains || b.contains) &&
             touch(e, around[a.first].patch.first, around[b.first].patch.first)) {
           continue;
         }
@@ -184,6 +186,30 @@ class Examination {
     std::size_t changes = 0;
     for (std::size_t i = 0; i < order.size(); ++i) changes += order[i] != order[(i + 1) % order.size()];
     return changes <= 2;
+  }
+
+  /// Of curved patches with a face in common, whose surfaces are not known to be one: true if the facets that have
+  /// faces in common are the same. Else it is a chord that two surfaces have in common.
+  template <class Patch>
+  bool same_facets(const std::vector<Around>& around, const Patch& a, const Patch& b) {
+    for (std::size_t x = a.first; x < a.last; ++x) {
+      for (std::size_t y = b.first; y < b.last; ++y) {
+        if (around[x].face == around[y].face && faces_of(around[x].facet) != faces_of(around[y].facet))
+          return false;
+      }
+    }
+    return true;
+  }
+
+  /// The faces that cover a facet, ascending.
+  const std::vector<FaceId>& faces_of(SourceId facet) {
+    if (faces_.size() == 0) {
+      faces_.resize(complex_.sources.size());
+      for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+        for (const Cover& cover : complex_.cover(f)) faces_[cover.source].push_back(f);
+      }
+    }
+    return faces_[facet];
   }
 
   template <class Patch>
@@ -342,6 +368,7 @@ class Examination {
   std::vector<Contact> contacts_;  // by facets, then edges
   std::map<SourceId, Facet> facets_;
   std::size_t crossing_edges_ = 0;
+  IdVector<SourceId, std::vector<FaceId>> faces_;  // once they are asked for
 };
 
 }  // namespace
