@@ -82,7 +82,7 @@ Box box_of(const ExtrudeForm& form, const Transform& transform) {
 }  // namespace
 
 std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near,
-                                            std::vector<std::string>* apart) {
+                                            std::vector<std::string>* apart, const std::vector<Index>& anew) {
   instances = with_common_nets(instances);
   std::vector<RevolvedInstance> revolved;
   std::vector<Index> round;
@@ -115,7 +115,9 @@ std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
   const std::vector<std::array<Index, 2>> about_one_axis = near_axes(instances, pairs);
   if (near != nullptr) *near = near_surfaces(instances, about_one_axis);
   std::vector<std::string> told;
-  share_axes(instances, about_one_axis, contacts(instances, revolved, pairs), told);
+  Contacts touching = contacts(instances, revolved, pairs);
+  for (const Index i : anew) touching.marks[i].needed = true;
+  share_axes(instances, about_one_axis, touching, told);
   if (apart != nullptr) *apart = std::move(told);
   return instances;
 }
