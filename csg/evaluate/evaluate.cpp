@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "csg/carriers/common_lines.h"
+#include "csg/carriers/surface_numbers.h"
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/leaf_values.h"
@@ -85,6 +86,7 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
       instances = round.instances;
       tell(round.notice);
     }
+    const std::vector<std::vector<std::uint32_t>> surfaces = surface_numbers(instances);
     instances = with_common_lines(std::move(instances), &near, &apart, round.anew);
     if (tree.weld) {
       WeldedLeaves welded = weld_leaves(instances, *tree.weld, round.farthest);
@@ -94,7 +96,7 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
     }
     append(result.diagnostics, leaves.near_notices(near));
     append(result.diagnostics, leaves.located_notices(apart));
-    const Soup soup = make_soup(instances, options.reach);
+    const Soup soup = make_soup(instances, options.reach, surfaces);
     result.complex = build_complex(soup, refine_options, &result.refine);
   });
   if (options.validate) {

@@ -143,6 +143,7 @@ class Examination {
     struct Patch {
       std::size_t first, last;
       bool flat, contains;
+      std::uint32_t surface;
     };
     std::vector<Patch> patches;
     for (std::size_t i = 0, j; i < around.size(); i = j) {
@@ -150,7 +151,7 @@ class Examination {
       for (j = i; j < around.size() && around[j].patch == around[i].patch; ++j)
         contains = contains && on_boundary(e, around[j].facet);
       const bool flat = surfaces_.of(complex_.sources[around[i].facet]) == nullptr;
-      patches.push_back({i, j, flat, contains});
+      patches.push_back({i, j, flat, contains, complex_.sources[around[i].facet].surface});
     }
     bool crossing = false;
     for (std::size_t i = 0; i < patches.size(); ++i) {
@@ -158,7 +159,7 @@ class Examination {
         const Patch &a = patches[i], &b = patches[j];
         if (around[a.first].patch.first == around[b.first].patch.first || (a.flat && b.flat)) continue;
         crossing = true;
-        const bool shared = share_a_face(around, a, b);
+        const bool shared = (a.surface != 0 && a.surface == b.surface) || share_a_face(around, a, b);
         const bool both = (a.flat || a.contains) && (b.flat || b.contains);
         if (a.flat || b.flat ? !shared && both : shared || both) continue;
         if (!shared && (a.contains || b.contains) &&

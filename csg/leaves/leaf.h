@@ -98,7 +98,9 @@ struct LeafInstance {
 };
 
 /// Makes the soup of all instances, which it copies; LeafId(i) is instance i. If one is unbounded, the frame
-/// (unbounded.h) is one more leaf at the end, around the others and the points `reach`.
-Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const RationalPoint> reach = {});
+/// (unbounded.h) is one more leaf at the end, around the others and the points `reach`. `surfaces`: of each
+/// instance the numbers of its patches' surfaces (csg/carriers/surface_numbers.h); empty: none is known.
+Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const RationalPoint> reach = {},
+               std::span<const std::vector<std::uint32_t>> surfaces = {});
 
 }  // namespace cnrg
