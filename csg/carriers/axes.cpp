@@ -63,7 +63,8 @@ PlacedForm place(const RevolvedForm& form, const Transform& transform, const Rat
   }
   const CircleFrame frame(form.axis);
   placed.start = (1 / scale) * transform.apply_to_vector(frame.offset(1, 0));
-  placed.end = form.around() ? placed.start : (1 / scale) * transform.apply_to_vector(frame.offset(1, form.degrees));
+  placed.end =
+      form.around() ? placed.start : (1 / scale) * transform.apply_to_vector(frame.offset(1, form.degrees));
   return placed;
 }
 

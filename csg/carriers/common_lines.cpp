@@ -11,13 +11,11 @@
 
 namespace cnrg {
 namespace {
-
 using Index = std::uint32_t;
-
 }  // namespace
 
 std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances, std::vector<NearSurfaces>* near,
-                                            std::vector<std::string>* apart) {
+                                            std::vector<std::string>* apart, const std::vector<Index>& anew) {
   instances = with_common_nets(instances);
   std::vector<RevolvedInstance> revolved;
   std::vector<Index> round;
@@ -50,7 +48,7 @@ std::vector<LeafInstance> with_common_lines(std::vector<LeafInstance> instances,
   const std::vector<std::array<Index, 2>> about_one_axis = near_axes(instances, pairs);
   if (near != nullptr) *near = near_surfaces(instances, about_one_axis);
   std::vector<std::string> told;
-  share_axes(instances, round_spaces(instances, revolved, pairs, about_one_axis), told);
+  share_axes(instances, round_spaces(instances, revolved, pairs, about_one_axis, anew), told);
   if (apart != nullptr) *apart = std::move(told);
   return instances;
 }

@@ -47,7 +47,7 @@ struct Candidates {
 
 std::vector<RoundSpace> round_spaces(const std::vector<LeafInstance>& instances,
                                      const std::vector<RevolvedInstance>& revolved, const std::vector<Pair>& pairs,
-                                     const std::vector<Pair>& near) {
+                                     const std::vector<Pair>& near, const std::vector<Index>& anew) {
   std::set<Index> members, alone, banded;
   for (const RevolvedInstance& of : revolved) alone.insert(of.instance);
   members = alone;
@@ -106,6 +106,9 @@ std::vector<RoundSpace> round_spaces(const std::vector<LeafInstance>& instances,
   for (auto& [metric, of] : by_metric) {
     RoundSpace& space = of.space;
     space.contacts = contacts(instances, space.to_space, of.revolved, of.pairs, of.planes);
+    for (const Index i : anew) {
+      if (space_of.at(i) == &of) space.contacts.marks[i].needed = true;
+    }
     std::set<Index> concerned;
     for (const Pair& pair : space.near) concerned.insert(pair.begin(), pair.end());
     for (const Pair& pair : space.contacts.nested) concerned.insert(pair.begin(), pair.end());

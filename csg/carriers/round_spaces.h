@@ -21,10 +21,11 @@ struct RoundSpace {
 };
 
 /// `revolved`: all revolved instances, with their transforms and boxes in the tree; `pairs`: those whose boxes
-/// meet, each once; `near`: those of `near_axes`.
+/// meet, each once; `near`: those of `near_axes`; `anew`: revolved ones that are to be drawn in any case.
 std::vector<RoundSpace> round_spaces(const std::vector<LeafInstance>& instances,
                                      const std::vector<RevolvedInstance>& revolved,
                                      const std::vector<std::array<std::uint32_t, 2>>& pairs,
-                                     const std::vector<std::array<std::uint32_t, 2>>& near);
+                                     const std::vector<std::array<std::uint32_t, 2>>& near,
+                                     const std::vector<std::uint32_t>& anew);
 
 }  // namespace cnrg

@@ -54,16 +54,6 @@ struct Facet {
   std::vector<std::array<Interval, 2>> boxes;
 };
 
-std::array<Interval, 2> box_of(const std::vector<PatchCorner>& cell) {
-  std::array<Interval, 2> box;
-  for (std::size_t d = 0; d < 2; ++d) {
-    const auto [low, high] = std::minmax_element(
-        cell.begin(), cell.end(), [d](const PatchCorner& a, const PatchCorner& b) { return a.at[d] < b.at[d]; });
-    box[d] = Interval(enclose(low->at[d]).inf(), enclose(high->at[d]).sup());
-  }
-  return box;
-}
-
 std::vector<SurfacePart> parts_of(const Facet& facet) {
   if (facet.surface == nullptr) return {{nullptr, 0, 0, facet.point, facet.normal}};
   std::vector<SurfacePart> parts;
@@ -82,8 +72,8 @@ bool cross_everywhere(const Facet& a, const Facet& b) {
 
 class Examination {
  public:
-  Examination(const Complex& complex, const SurfaceParameters& parameters)
-      : complex_(complex), parameters_(parameters), surfaces_(parameters) {}
+  Examination(const Complex& complex, const SurfaceParameters& parameters, const std::vector<char>& asked)
+      : complex_(complex), parameters_(parameters), asked_(asked), surfaces_(parameters) {}
 
   Transversality run(std::size_t described) {
     collect();
@@ -117,6 +107,7 @@ class Examination {
     if (std::find(curved.begin(), curved.end(), 1) == curved.end()) return;
     std::vector<Around> around;
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+      if (!asked_.empty() && asked_[e.index()] == 0) continue;
       around.clear();
       bool any = false, several = false;
       for (const FaceUse& use : complex_.edge_uses[e]) {
@@ -246,7 +237,8 @@ class Examination {
         [&](std::size_t i) {
           const auto& [s, facet] = all[i];
           if (facet->surface == nullptr) return;
-          for (const auto& cell : parameters_.cells(s)) facet->boxes.push_back(box_of(cell));
+          for (const auto& [u, v] : parameters_.boxes(s))
+            facet->boxes.push_back({Interval(u[0], u[1]), Interval(v[0], v[1])});
         },
         64);
     set_planes();
@@ -371,6 +363,7 @@ class Examination {
 
   const Complex& complex_;
   const SurfaceParameters& parameters_;
+  const std::vector<char>& asked_;
   Surfaces surfaces_;
   std::vector<Contact> contacts_;  // by facets, then edges
   std::map<SourceId, Facet> facets_;
@@ -380,8 +373,9 @@ class Examination {
 
 }  // namespace
 
-Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described) {
-  return Examination(complex, parameters).run(described);
+Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described,
+                              const std::vector<char>& asked) {
+  return Examination(complex, parameters, asked).run(described);
 }
 
 }  // namespace cnrg

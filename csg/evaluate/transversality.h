@@ -36,7 +36,9 @@ struct Transversality {
   std::vector<UncertainPlace> places;  ///< by leaves, patches and edges
 };
 
-/// `at` and `finer` are filled in for the first `described` places.
-Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described);
+/// `at` and `finer` are filled in for the first `described` places. `asked`: whether an edge matters, by EdgeId;
+/// empty: all do.
+Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described,
+                              const std::vector<char>& asked = {});
 
 }  // namespace cnrg
