@@ -19,8 +19,9 @@ struct RoughAxis {
   double size = 0;                     ///< of the leaf, at least
   bool sphere = false;
 
-  explicit RoughAxis(const ExtrudedArc& arc)
-      : point(to_doubles(arc.placed.axis.foot)), along(to_doubles(arc.placed.axis.direction)) {
+  RoughAxis(const ExtrudedArc& arc, const Transform& transform)
+      : point(to_doubles(transform.apply(arc.placed.axis.foot))),
+        along(to_doubles(transform.apply_to_vector(arc.placed.axis.direction))) {
     const double length = std::hypot(along[0], along[1], along[2]);
     for (double& x : along) x /= length;
     size = to_double(arc.placed.lines[0][0].from.r);
@@ -73,8 +74,9 @@ std::vector<std::array<Index, 2>> near_axes(const std::vector<LeafInstance>& ins
     const Transform& transform = instances[i].transform;
     if (const auto* revolved = dynamic_cast<const RevolvedForm*>(form))
       it->second.emplace_back(*revolved, transform);
-    if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(form)) {
-      for (const ExtrudedArc& arc : arcs_of(*extrusion, transform)) it->second.emplace_back(arc);
+    if (const auto* extrusion =
+            dynamic_cast<const ExtrudeForm*>(form)) {  // its arcs, also where they are stretched
+      for (const ExtrudedArc& arc : arcs_of(*extrusion, {})) it->second.emplace_back(arc, transform);
     }
     if (const auto* banded = dynamic_cast<const BandedForm*>(form)) {
       for (const Band& band : banded->bands) {

@@ -60,8 +60,6 @@ class Space {
  private:
   void add(Index i) {
     const Transform relative = of_.relative(instances_[i].transform);
-    const std::optional<Rational> scale = stretch(relative);
-    if (!scale) return;
     relative_.emplace(i, relative);
     if (const auto* extrusion = dynamic_cast<const ExtrudeForm*>(instances_[i].leaf->form().get())) {
       for (ExtrudedArc& arc : arcs_of(*extrusion, relative)) {
@@ -69,6 +67,8 @@ class Space {
       }
       return;
     }
+    const std::optional<Rational> scale = stretch(relative);
+    if (!scale) return;
     if (const auto banded = std::dynamic_pointer_cast<const BandedForm>(instances_[i].leaf->form())) {
       banded_.add(i, banded);
       for (std::size_t b = 0; b < banded->bands.size(); ++b) add_band(i, b, relative, *scale);

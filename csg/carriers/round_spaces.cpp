@@ -5,6 +5,7 @@
 
 #include "csg/carriers/bands.h"
 #include "csg/carriers/boxes.h"
+#include "csg/carriers/extruded_arcs.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/placement.h"
 
@@ -13,24 +14,10 @@ namespace {
 
 using Index = std::uint32_t;
 using Pair = std::array<Index, 2>;
-using Metric = std::array<Rational, 6>;
 
 Metric round_metric() {
   Metric metric{};
   metric[0] = metric[3] = metric[5] = fraction(1, 3);
-  return metric;
-}
-
-/// L L^T over its trace: equal for transforms that differ by a similarity.
-Metric metric_of(const Transform& transform) {
-  const auto& rows = transform.linear;
-  if (rows == Transform{}.linear) return round_metric();
-  const Rational trace = dot(rows[0], rows[0]) + dot(rows[1], rows[1]) + dot(rows[2], rows[2]);
-  Metric metric;
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) metric[n++] = dot(rows[i], rows[j]) / trace;
-  }
   return metric;
 }
 
@@ -45,6 +32,19 @@ struct Candidates {
 
 }  // namespace
 
+// L L^T over its trace.
+Metric metric_of(const Transform& transform) {
+  const auto& rows = transform.linear;
+  if (rows == Transform{}.linear) return round_metric();
+  const Rational trace = dot(rows[0], rows[0]) + dot(rows[1], rows[1]) + dot(rows[2], rows[2]);
+  Metric metric;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) metric[n++] = dot(rows[i], rows[j]) / trace;
+  }
+  return metric;
+}
+
 std::vector<RoundSpace> round_spaces(const std::vector<LeafInstance>& instances,
                                      const std::vector<RevolvedInstance>& revolved, const std::vector<Pair>& pairs,
                                      const std::vector<Pair>& near, const std::vector<Index>& anew) {
@@ -58,8 +58,19 @@ std::vector<RoundSpace> round_spaces(const std::vector<LeafInstance>& instances,
   members.insert(banded.begin(), banded.end());
   std::map<Metric, Candidates> by_metric;
   std::map<Index, Candidates*> space_of;
+  std::set<Metric> revolved_metrics;
   for (const Index i : members) {
-    Candidates& of = by_metric[metric_of(instances[i].transform)];
+    if (dynamic_cast<const ExtrudeForm*>(instances[i].leaf->form().get()) == nullptr)
+      revolved_metrics.insert(metric_of(instances[i].transform));
+  }
+  for (const Index i : members) {
+    Metric metric = metric_of(instances[i].transform);
+    const auto* extrusion = dynamic_cast<const ExtrudeForm*>(instances[i].leaf->form().get());
+    // Its arcs may be circles in the tree, whatever it is stretched along its walls.
+    if (extrusion != nullptr && !revolved_metrics.contains(metric) &&
+        !arcs_of(*extrusion, instances[i].transform).empty())
+      metric = round_metric();
+    Candidates& of = by_metric[metric];
     of.members.push_back(i);
     space_of.emplace(i, &of);
   }

@@ -9,6 +9,10 @@
 
 namespace cnrg {
 
+/// How a transform stretches, as a symmetric matrix: equal for transforms that differ by a similarity.
+using Metric = std::array<Rational, 6>;
+Metric metric_of(const Transform& transform);
+
 struct RoundSpace {
   Transform base, to_space;                        ///< to the space of the tree, and back
   std::vector<std::uint32_t> instances;            ///< that share something or may do so, ascending

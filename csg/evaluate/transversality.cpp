@@ -160,8 +160,10 @@ class Examination {
         crossing = true;
         const bool overlap = share_a_face(around, a, b);
         const bool both = (a.flat || a.contains) && (b.flat || b.contains);
+        // Surfaces that are one and drawn alike overlap or end in each other; where their facets cross, they are
+        // not.
         const bool one_surface = a.surface != 0 && a.surface == b.surface;
-        if (!a.flat && !b.flat && (one_surface || (overlap && same_facets(around, a, b)))) continue;
+        if (!a.flat && !b.flat && overlap && (one_surface || same_facets(around, a, b))) continue;
         if (!overlap && both) continue;
         if (!overlap && (a.contains || b.contains) &&
             touch(e, around[a.first].patch.first, around[b.first].patch.first)) {

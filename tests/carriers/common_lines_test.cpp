@@ -350,5 +350,34 @@ TEST_CASE("leaves that share nothing keep what they were") {
   for (std::size_t i = 0; i < own.size(); ++i) CHECK(common[i].leaf == own[i].leaf);
 }
 
+TEST_CASE("what is stretched along its own axis is round about it still") {
+  for (const char* finer : {"7", "16", "31"}) {
+    const std::string segments = ", segments: " + std::string(finer);
+    const std::string pin = "  pin: {cylinder: {from: [0, 0, 0], to: [0, 0, 3], radius: 1" + segments + "}}\n";
+    CHECK(row(pin +
+              "  a: {cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 20}, scale: [1, 1, 3]}\n"
+              "  model: {difference: [pin, a]}\n")
+              .raw_cells == Cells{0, 0, 0, 0});
+    CHECK(row(pin + "  a: {cone: {from: [0, 0, 0], to: [0, 0, 6], radius: 2, top: 1, segments: 20}, "
+                    "scale: [1/2, 1/2, 1/4]}\n  model: {difference: [pin, a]}\n")
+              .cells == Cells{0, 3, 4, 1});
+    // Arcs of extrusions, stretched along their walls, and with all that they touch.
+    const std::string wall =
+        "extrude: {curve: [[1, 0, -1], {bezier: [[1, 1, -1]], weights: [1, 1, 2]}, [0, 1, -1]], "
+        "vector: [0, 0, 2], segments: 4}";
+    CHECK(row(pin + "  a: {" + wall + ", scale: [1, 1, 5/2]}\n  model: {union: [pin, a]}\n").cells ==
+          Cells{6, 9, 5, 1});
+    CHECK(row("  pin: {cylinder: {from: [0, 0, 0], to: [0, 0, 3], radius: 1" + segments +
+              "}, scale: [2, 3, 1/2]}\n  a: {" + wall + ", scale: [2, 3, 1/2]}\n  model: {union: [pin, a]}\n")
+              .cells == Cells{6, 9, 5, 1});
+  }
+}
+
+TEST_CASE("axes whose numbers are too far apart for doubles are no fault") {
+  CHECK(row("  a: {torus: {center: [0, 0, 0], axis: [1e300, 1, 1e-300], radius: 2, tube: 1}}\n"
+            "  b: {sphere: {center: [0, 0, 0], radius: 1}}\n  model: {union: [a, b]}\n")
+            .cells[3] >= 1);
+}
+
 }  // namespace
 }  // namespace cnrg
