@@ -83,8 +83,7 @@ Key round_key(const MeridianPiece& piece, const RationalPoint& center, const Rat
                    -r * slope / square, -r * r, placed.transform.apply(center));
   }
   const RationalPoint middle = placed.transform.apply(center + piece.middle.t * axis);
-  if (piece.middle.r == 0)
-    return quadric(placed.metric(), {0, 0, 0}, 0, 0, -piece.radius * piece.radius, middle);
+  if (piece.middle.r == 0) return quadric(placed.metric(), {0, 0, 0}, 0, 0, -piece.radius * piece.radius, middle);
   // The inner part of a torus that crosses its axis has the other sign of r.
   const std::array<Rational, 6> metric = placed.metric();
   const RationalPoint along = axis_line({0, 0, 0}, placed.transform.apply_to_vector(axis)).direction;
@@ -99,9 +98,8 @@ Key round_key(const MeridianPiece& piece, const RationalPoint& center, const Rat
 
 bool collinear(const ControlRow& net) {
   const RationalPoint first = project(net.front()), last = project(net.back());
-  return std::all_of(net.begin(), net.end(), [&](const Homogeneous& h) {
-    return cnrg::collinear(first, last, project(h));
-  });
+  return std::all_of(net.begin(), net.end(),
+                     [&](const Homogeneous& h) { return cnrg::collinear(first, last, project(h)); });
 }
 
 class Numbers {
@@ -181,7 +179,8 @@ class Numbers {
       for (std::size_t i = 0; i < nets.curves.size(); ++i) {
         const PlacedCurve& curve = nets.curves[i];
         piece = i > 0 && nets.curves[i - 1].number == curve.number ? piece + 1 : 0;
-        if (!round.contains({curve.number, piece})) add_swept(first + std::uint32_t(curve.number), curve.net, *nets.sweep());
+        if (!round.contains({curve.number, piece}))
+          add_swept(first + std::uint32_t(curve.number), curve.net, *nets.sweep());
       }
     }
     for (const PlacedPiece& piece : nets.pieces) {
@@ -242,8 +241,7 @@ std::vector<std::vector<std::uint32_t>> surface_numbers(const std::vector<LeafIn
   for (const LeafInstance& instance : instances) {
     if (instance.leaf->form() != nullptr && instance.transform.determinant() != 0)
       result.push_back(numbers.of(instance));
-    else
-      result.emplace_back();
+    else result.emplace_back();
   }
   return result;
 }

@@ -107,7 +107,8 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
   std::vector<PlacedParameters> placed;
   for (std::size_t i = 0; i < instances.size(); ++i) {
     result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
-    placed.push_back({instances[i].leaf->parameters(), instances[i].transform, instances[i].leaf->surfaces()});
+    const PreparedLeaf& leaf = *instances[i].leaf;
+    placed.push_back({leaf.parameters(), instances[i].transform, leaf.surfaces(), leaf.boxes()});
   }
   result.parameters = std::make_shared<const SurfaceParameters>(*result.complex, std::move(placed));
   result.refine_seconds = stopwatch.seconds();

@@ -146,8 +146,7 @@ class Bender {
       const auto add = [&](const FlatComplex::Patch& patch, const std::vector<PatchCorner>& cell) {
         const PlacedSurface& surface = patch_surface(view, patch);
         if (surface.flat()) return;
-        SurfaceChart& chart =
-            charts_[{face.surface, face.surface == 0 ? patch : FlatComplex::Patch()}];
+        SurfaceChart& chart = charts_[{face.surface, face.surface == 0 ? patch : FlatComplex::Patch()}];
         chart.add_cell(surface, cell);
         carrier.chart = &chart;
       };

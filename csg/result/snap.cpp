@@ -395,7 +395,8 @@ class Labeller {
       for (const HalfFace cell : simplified_.faces[i].cells) {
         for (const Cover& cover : exact_.cover(cell.face())) {
           const Soup::Face& source = exact_.sources[cover.source];
-          if (source.leaf != exact_.frame) on.push_back({source.leaf, source.leaf_face, source.patch, 0, 0, source.surface});
+          if (source.leaf != exact_.frame)
+            on.push_back({source.leaf, source.leaf_face, source.patch, 0, 0, source.surface});
         }
       }
       std::sort(on.begin(), on.end(), order);

@@ -101,8 +101,8 @@ class Complex {
   /// Attributes of soup faces. `surface` is 0 for faces that lie on their planes alone; those of a curved patch
   /// whose surface is not known have a number of its own.
   IdVector<SourceId, Soup::Face> sources;
-  std::uint32_t surface_count = 0;                ///< curved ones
-  IdVector<WireId, Soup::Wire> wires;             ///< attributes of soup wires
+  std::uint32_t surface_count = 0;     ///< curved ones
+  IdVector<WireId, Soup::Wire> wires;  ///< attributes of soup wires
   IdVector<LeafId, Fill> fills;
   /// The number of regions of each leaf (the largest label).
   IdVector<LeafId, std::uint32_t> leaf_regions;

@@ -27,7 +27,8 @@ std::vector<Patch> curved_patches(const Complex& c) {
     if (face.surface != 0 || !sheet_of[s].valid()) continue;
     const Patch patch(face.leaf, face.patch);
     if (runs.empty() || runs.back().first != patch) runs.emplace_back(patch, sheet_of[s]);
-    else if (runs.back().second != sheet_of[s] && (curved.empty() || curved.back() != patch)) curved.push_back(patch);
+    else if (runs.back().second != sheet_of[s] && (curved.empty() || curved.back() != patch))
+      curved.push_back(patch);
   }
   if (!std::is_sorted(runs.begin(), runs.end())) std::sort(runs.begin(), runs.end());
   for (std::size_t i = 1; i < runs.size(); ++i) {

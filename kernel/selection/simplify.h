@@ -63,8 +63,8 @@ enum class SimplifyMode {
   raw,       ///< merge nothing but what is inactive on both sides: every active cell stays a cell
 };
 
-/// The leaves that each cell of a selection came from. What these say of surfaces and curves counts alone: then the
-/// result does not depend on what else is in the complex.
+/// The leaves that each cell of a selection came from. What these say of surfaces and curves counts alone: then
+/// the result does not depend on what else is in the complex.
 class CellSources {
  public:
   virtual ~CellSources() = default;

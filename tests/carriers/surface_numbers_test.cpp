@@ -54,8 +54,9 @@ bool one(const std::vector<std::string>& leaves) {
 
 TEST_CASE("surfaces are compared whatever shape and transform they came with") {
   const std::string sphere = "sphere: {center: [1, 2, 3], radius: 2}";
-  CHECK(one({sphere, "sphere: {center: [0, 0, 0], radius: 1, segments: 7}, scale: 2, "
-                     "rotate: {axis: [1, 1, 0], degrees: 20}, translate: [1, 2, 3]",
+  CHECK(one({sphere,
+             "sphere: {center: [0, 0, 0], radius: 1, segments: 7}, scale: 2, "
+             "rotate: {axis: [1, 1, 0], degrees: 20}, translate: [1, 2, 3]",
              "revolve: {profile: [[0, -2], {bezier: [[2, -2]], weights: [1, 1, 2]}, [2, 0], "
              "{bezier: [[2, 2]], weights: [1, 1, 2]}, [0, 2]], center: [1, 2, 3], axis: [0, 7, 0]}"}));
   CHECK_FALSE(one({sphere, "sphere: {center: [1, 2, 3], radius: 2.000000000001}"}));
@@ -73,7 +74,8 @@ TEST_CASE("surfaces are compared whatever shape and transform they came with") {
   CHECK(one({cone, "cone: {from: [0, 0, 8], to: [0, 0, 4], radius: 0, top: 1}"}));
   // Of the wedge's two curved patches one is a cylinder.
   CHECK(numbers({cone, "cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 1}",
-             "revolve: {profile: [[2, 0], [1, 4], [1, 0]], degrees: 90}"})[2] == std::vector<std::uint32_t>{1, 2});
+                 "revolve: {profile: [[2, 0], [1, 4], [1, 0]], degrees: 90}"})[2] ==
+        std::vector<std::uint32_t>{1, 2});
   CHECK_FALSE(one({cone, "cone: {from: [0, 0, 0], to: [0, 0, 4], radius: 2, top: 1.01}"}));
 
   const std::string torus = "torus: {center: [1, 0, 0], axis: [0, 0, 1], radius: 3, tube: 1}";
@@ -95,7 +97,8 @@ TEST_CASE("surfaces that are stretched alike are one") {
 
 TEST_CASE("patches, their parts and walls are compared by their nets") {
   // Half of the second patch in u is the first one.
-  const std::string net = "bezier: {patch: [[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 1, 0], [1, 1, 2], [2, 1, 0]]]}";
+  const std::string net =
+      "bezier: {patch: [[[0, 0, 0], [1, 0, 1], [2, 0, 0]], [[0, 1, 0], [1, 1, 2], [2, 1, 0]]]}";
   const std::string part =
       "bezier: {patch: [[[0, 0, 0], [1/2, 0, 1/2], [1, 0, 1/2]], [[0, 1, 0], [1/2, 1, 1], [1, 1, 1]]]}";
   CHECK(one({net, part}));
@@ -103,8 +106,9 @@ TEST_CASE("patches, their parts and walls are compared by their nets") {
   CHECK(one({"extrude: {profile: [[0, 0, 0], {bezier: [[1, 2, 0]]}, [2, 0, 0]], vector: [0, 0, 1]}",
              "bezier: {patch: [[[0, 0, 5], [1, 2, 5], [2, 0, 5]], [[0, 0, 9], [1, 2, 9], [2, 0, 9]]]}"}));
   // What is flat has no number.
-  CHECK(numbers({"bezier: {patch: [[[0, 0, 0], [1, 2, 0], [2, 0, 0]], [[0, 5, 0], [1, 6, 0], [3, 5, 0]]]}", net})[0]
-            .empty());
+  CHECK(
+      numbers({"bezier: {patch: [[[0, 0, 0], [1, 2, 0], [2, 0, 0]], [[0, 5, 0], [1, 6, 0], [3, 5, 0]]]}", net})[0]
+          .empty());
 }
 
 TEST_CASE("what two leaves make of one surface is one face") {
