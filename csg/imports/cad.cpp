@@ -71,8 +71,8 @@ class CadLeaf {
     return found;
   }
   const CadShape& shape() const { return shape_; }
-  DrawnCad draw(const CadBands& bands, const std::vector<BandGrid>& grids) const {
-    return draw_by_bands(model_, exact_, bands, grids, shape_.seams);
+  DrawnCad draw(const CadBands& bands, const std::vector<BandGrid>& grids, double slack) const {
+    return draw_by_bands(model_, exact_, bands, grids, shape_.seams, slack);
   }
 
   /// The parameters of the facets and wires of the leaf, in their order.
@@ -538,10 +538,11 @@ class CadForm final : public BandedForm {
   CadForm(std::shared_ptr<const CadLeaf> leaf, CadBands found) : leaf_(std::move(leaf)), found_(std::move(found)) {
     bands = found_.bands;
     obstacle = found_.obstacle;
+    slack = found_.slack;
   }
 
-  Drawn draw(const std::vector<BandGrid>& grids) const override {
-    DrawnCad drawn = leaf_->draw(found_, grids);
+  Drawn draw(const std::vector<BandGrid>& grids, double slack_of_bands) const override {
+    DrawnCad drawn = leaf_->draw(found_, grids, slack_of_bands);
     if (!drawn.obstacle.empty()) return {nullptr, drawn.obstacle, drawn.finer};
     const auto anew = std::make_shared<CadLeaf>(leaf_->shape(), std::move(drawn));
     try {

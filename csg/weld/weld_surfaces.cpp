@@ -54,11 +54,12 @@ class OnAgreedSurface final : public PreparedLeaf {
 /// A banded leaf, its bands on other surfaces.
 class AgreedBands final : public BandedForm {
  public:
-  explicit AgreedBands(std::shared_ptr<const BandedForm> form) : form_(std::move(form)) {
+  AgreedBands(std::shared_ptr<const BandedForm> form, double moved) : form_(std::move(form)) {
     bands = form_->bands;
     obstacle = form_->obstacle;
+    slack = form_->slack + moved;
   }
-  Drawn draw(const std::vector<BandGrid>& grids) const override { return form_->draw(grids); }
+  Drawn draw(const std::vector<BandGrid>& grids, double by) const override { return form_->draw(grids, by); }
 
  private:
   std::shared_ptr<const BandedForm> form_;
@@ -100,8 +101,8 @@ class SurfaceWelder {
         continue;
       }
       if (const auto banded = std::dynamic_pointer_cast<const BandedForm>(instances_[i].leaf->form())) {
-        result.instances[i].leaf =
-            std::make_shared<const OnAgreedSurface>(instances_[i].leaf, on_forms(banded, forms));
+        result.instances[i].leaf = std::make_shared<const OnAgreedSurface>(
+            instances_[i].leaf, on_forms(banded, forms, welding::rounded_up(most)));
       } else {
         result.instances[i].leaf = std::make_shared<const OnAgreedSurface>(instances_[i].leaf, forms[0]);
         result.anew.push_back(i);
@@ -271,10 +272,10 @@ class SurfaceWelder {
   }
 
   /// The bands of a leaf on other surfaces; null: it stays.
-  static std::shared_ptr<const BandedForm> on_forms(
-      const std::shared_ptr<const BandedForm>& leaf,
-      const std::vector<std::shared_ptr<const RevolvedForm>>& forms) {
-    auto made = std::make_shared<AgreedBands>(leaf);
+  static std::shared_ptr<const BandedForm> on_forms(const std::shared_ptr<const BandedForm>& leaf,
+                                                    const std::vector<std::shared_ptr<const RevolvedForm>>& forms,
+                                                    double moved) {
+    auto made = std::make_shared<AgreedBands>(leaf, moved);
     for (std::size_t b = 0; b < forms.size(); ++b) {
       if (forms[b] == nullptr) continue;
       Band& band = made->bands[b];
