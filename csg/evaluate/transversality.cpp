@@ -153,7 +153,7 @@ class Examination {
         const bool overlap = share_a_face(around, a, b);
         const bool both = (a.flat || a.contains) && (b.flat || b.contains);
         const bool one_surface = a.surface != 0 && a.surface == b.surface;
-        if (!a.flat && !b.flat && (one_surface || (overlap && same_facets(around, a, b)))) continue;
+        if (one_surface || (!a.flat && !b.flat && overlap && same_facets(around, a, b))) continue;
         if (!overlap && both) continue;
         if (!overlap && (a.contains || b.contains) &&
             touch(e, around[a.first].patch.first, around[b.first].patch.first)) {

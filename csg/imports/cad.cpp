@@ -164,10 +164,12 @@ class CadLeaf {
     round_ = welded_round_faces(model_, *shape_.weld, name);
     if (!round_.notice.empty()) model_.notices.push_back(round_.notice);
     const Rational left = *shape_.weld - round_.moved;
+    round_.slack = to_double(round_.moved);
     if (left == 0) return;
     Weld made = weld_cad(model_, left, what(), name, [this](Index s) { return solid_name(s); });
     if (const std::string words = made.notice(*shape_.weld); !words.empty()) model_.notices.push_back(words);
     if (!made.changed()) return;
+    round_.slack += made.farthest;
     exact_ = std::move(made.points);
     number_anew(exact_);
   }

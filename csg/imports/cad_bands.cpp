@@ -67,7 +67,7 @@ class Finder {
   Finder(const CadModel& model, const CadRound& round, const std::vector<RationalPoint>& welded,
          const Fineness& fineness, bool seams)
       : model_(model), round_(round), welded_(welded), fineness_(fineness), seams_(seams) {
-    result_.slack = to_double(round.moved);
+    result_.slack = round.slack;
     for (const Point3& p : model.points) size_ = std::max({size_, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   }
 
@@ -251,7 +251,7 @@ class Finder {
         }
       }
       const Point3& pole = model_.points[static_cast<Index>(face.border.poles[i])];
-      if (radius_at(surface(face), pole) > kRounding * size_)
+      if (radius_at(surface(face), pole) > kRounding * size_ + 2 * result_.slack)
         refuse("the border of " + face_name(face.face) + " has no circle at one end, and no pole");
     }
   }
