@@ -72,7 +72,7 @@ void BandedLeaves::set_grid(Index instance, std::size_t band, BandGrid grid) {
 std::set<Index> BandedLeaves::draw(std::vector<LeafInstance>& instances) const {
   std::set<Index> too_coarse;
   for (const auto& [i, grids] : grids_) {
-    BandedForm::Drawn drawn = forms_.at(i)->draw(grids);
+    BandedForm::Drawn drawn = forms_.at(i)->draw(grids, forms_.at(i)->slack);
     if (drawn.leaf != nullptr) {
       drawn.leaf->set_surfaces(instances[i].leaf->surfaces());
       instances[i].leaf = std::move(drawn.leaf);

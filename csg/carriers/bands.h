@@ -40,14 +40,16 @@ class BandedForm : public CurvedForm {
   std::vector<Band> bands;
   /// Why the leaf cannot be drawn by its bands; empty: it can. `bands` are then more than it has, perhaps.
   std::string obstacle;
+  /// How far `bands` may lie from where the leaf has its faces, beyond what doubles round.
+  double slack = 0;
 
   struct Drawn {
     std::unique_ptr<PreparedLeaf> leaf;  ///< null: `obstacle` says why not
     std::string obstacle;
     bool finer = false;  ///< there is none for finer grids, perhaps
   };
-  /// The leaf anew, a grid for each band, in its own space.
-  virtual Drawn draw(const std::vector<BandGrid>& grids) const = 0;
+  /// The leaf anew, a grid for each band, in its own space; corners may go as far as `slack_of_bands` to be there.
+  virtual Drawn draw(const std::vector<BandGrid>& grids, double slack_of_bands) const = 0;
 };
 
 }  // namespace cnrg

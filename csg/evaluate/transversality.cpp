@@ -163,7 +163,7 @@ class Examination {
         // Surfaces that are one and drawn alike overlap or end in each other; where their facets cross, they are
         // not.
         const bool one_surface = a.surface != 0 && a.surface == b.surface;
-        if (!a.flat && !b.flat && overlap && (one_surface || same_facets(around, a, b))) continue;
+        if (overlap && (one_surface || (!a.flat && !b.flat && same_facets(around, a, b)))) continue;
         if (!overlap && both) continue;
         if (!overlap && (a.contains || b.contains) &&
             touch(e, around[a.first].patch.first, around[b.first].patch.first)) {

@@ -71,8 +71,8 @@ class CadLeaf {
     return found;
   }
   const CadShape& shape() const { return shape_; }
-  DrawnCad draw(const CadBands& bands, const std::vector<BandGrid>& grids) const {
-    return draw_by_bands(model_, exact_, bands, grids, shape_.seams);
+  DrawnCad draw(const CadBands& bands, const std::vector<BandGrid>& grids, double slack) const {
+    return draw_by_bands(model_, exact_, bands, grids, shape_.seams, slack);
   }
 
   /// The parameters of the facets and wires of the leaf, in their order.
@@ -164,10 +164,12 @@ class CadLeaf {
     round_ = welded_round_faces(model_, *shape_.weld, name);
     if (!round_.notice.empty()) model_.notices.push_back(round_.notice);
     const Rational left = *shape_.weld - round_.moved;
+    round_.slack = to_double(round_.moved);
     if (left == 0) return;
     Weld made = weld_cad(model_, left, what(), name, [this](Index s) { return solid_name(s); });
     if (const std::string words = made.notice(*shape_.weld); !words.empty()) model_.notices.push_back(words);
     if (!made.changed()) return;
+    round_.slack += made.farthest;
     exact_ = std::move(made.points);
     number_anew(exact_);
   }
@@ -538,10 +540,11 @@ class CadForm final : public BandedForm {
   CadForm(std::shared_ptr<const CadLeaf> leaf, CadBands found) : leaf_(std::move(leaf)), found_(std::move(found)) {
     bands = found_.bands;
     obstacle = found_.obstacle;
+    slack = found_.slack;
   }
 
-  Drawn draw(const std::vector<BandGrid>& grids) const override {
-    DrawnCad drawn = leaf_->draw(found_, grids);
+  Drawn draw(const std::vector<BandGrid>& grids, double slack_of_bands) const override {
+    DrawnCad drawn = leaf_->draw(found_, grids, slack_of_bands);
     if (!drawn.obstacle.empty()) return {nullptr, drawn.obstacle, drawn.finer};
     const auto anew = std::make_shared<CadLeaf>(leaf_->shape(), std::move(drawn));
     try {

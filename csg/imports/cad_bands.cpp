@@ -67,6 +67,7 @@ class Finder {
   Finder(const CadModel& model, const CadRound& round, const std::vector<RationalPoint>& welded,
          const Fineness& fineness, bool seams)
       : model_(model), round_(round), welded_(welded), fineness_(fineness), seams_(seams) {
+    result_.slack = round.slack;
     for (const Point3& p : model.points) size_ = std::max({size_, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   }
 
@@ -250,7 +251,7 @@ class Finder {
         }
       }
       const Point3& pole = model_.points[static_cast<Index>(face.border.poles[i])];
-      if (radius_at(surface(face), pole) > kRounding * size_)
+      if (radius_at(surface(face), pole) > kRounding * size_ + 2 * result_.slack)
         refuse("the border of " + face_name(face.face) + " has no circle at one end, and no pole");
     }
   }
@@ -310,7 +311,7 @@ class Finder {
     return p - (line.foot + line.place_of(p) * line.direction);
   }
   bool is_pole(const AxisLine& line, Index p) const {
-    return length(to_doubles(away(line, at(p)))) < kRounding * size_;
+    return length(to_doubles(away(line, at(p)))) < kRounding * size_ + 2 * result_.slack;
   }
 
   /// The least of the corners that lie on one parallel, or meridian, with p.
@@ -417,8 +418,9 @@ class Finder {
     const auto [it, fresh] = directions_.try_emplace({face.line, first});
     if (!fresh) return it->second;
     const RationalPoint out = away(face.line, at(first));
-    return it->second =
-               bound_.contains(first) ? Rational(1 / parallel(face, first).r) * out : near_step(face.line, out);
+    if (!bound_.contains(first)) return it->second = near_step(face.line, out);
+    // A corner whose surface was welded is not on it yet.
+    return it->second = round_.moved > 0 ? unit(out) : Rational(1 / parallel(face, first).r) * out;
   }
   /// Of a corner that is there only for a circle to begin somewhere, as near as doubles know it: so such corners
   /// of several circles, which are meant to begin in one half-plane, do.
@@ -433,9 +435,11 @@ class Finder {
     for (const Index p : {edge(e).points.front(), edge(e).points.back()}) {
       if (!is_pole(face.line, p)) return direction(face, p);
     }
-    const RationalPoint out = away(face.line, exact(middle_of(e)));
-    const Rational square = cnrg::dot(out, out);
-    return Rational(1 / round_cosine(0, square, exponent_of_root(square) - 60)) * out;
+    return unit(away(face.line, exact(middle_of(e))));
+  }
+  static RationalPoint unit(const RationalPoint& v) {
+    const Rational square = cnrg::dot(v, v);
+    return Rational(1 / round_cosine(0, square, exponent_of_root(square) - 60)) * v;
   }
 
   std::size_t mark(Band& band, const RationalPoint& direction) const {

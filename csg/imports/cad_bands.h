@@ -42,6 +42,7 @@ struct CadBands {
   std::vector<Band> bands;
   std::vector<BandBorder> borders;  ///< of these
   std::string obstacle;             ///< as of BandedForm
+  double slack = 0;                 ///< as of BandedForm
 };
 
 /// `round`: of each face of the model. `welded`: the model's points where they were moved to, empty: they were

@@ -39,12 +39,13 @@ double parameter_on(const CadCurve& curve, const Point3& p) {
 class Drawer {
  public:
   Drawer(const CadModel& model, const std::vector<RationalPoint>& welded, const CadBands& bands,
-         const std::vector<BandGrid>& grids, bool seams)
+         const std::vector<BandGrid>& grids, bool seams, double slack)
       : old_(model),
         welded_(welded),
         bands_(bands),
         grids_(grids),
         seams_(seams),
+        slack_(slack),
         place_(model.points.size(), kNone) {
     for (const Point3& p : old_.points) size_ = std::max({size_, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
     made_.model = model;
@@ -87,7 +88,7 @@ class Drawer {
     const Point3 x = to_doubles(made_.points[at]);
     const Point3& from = old_.points[p];
     const double moved = std::abs(x[0] - from[0]) + std::abs(x[1] - from[1]) + std::abs(x[2] - from[2]);
-    if (moved > kRounding * size_)
+    if (moved > kRounding * size_ + 2 * slack_)
       throw NotDrawn{"its corner at " + describe(exact(p)) + " is not on its surface, by more than doubles round"};
     if (place_[p] != kNone && place_[p] != at)
       throw NotDrawn{"two surfaces differ by what doubles round about where its corner at " + describe(exact(p)) +
@@ -368,6 +369,7 @@ class Drawer {
   const CadBands& bands_;
   const std::vector<BandGrid>& grids_;
   bool seams_;
+  double slack_;
   double size_ = 0;
   DrawnCad made_;
   std::map<RationalPoint, Index> number_;
@@ -378,8 +380,8 @@ class Drawer {
 }  // namespace
 
 DrawnCad draw_by_bands(const CadModel& model, const std::vector<RationalPoint>& welded, const CadBands& bands,
-                       const std::vector<BandGrid>& grids, bool seams) {
-  return Drawer(model, welded, bands, grids, seams).run();
+                       const std::vector<BandGrid>& grids, bool seams, double slack) {
+  return Drawer(model, welded, bands, grids, seams, slack).run();
 }
 
 }  // namespace cnrg

@@ -12,8 +12,9 @@ struct DrawnCad {
   bool finer = false;                 ///< there is none for finer grids, perhaps
 };
 
-/// `welded`: as of `bands_of`. A grid for each of the bands. `seams`: they are edges, too.
+/// `welded`: as of `bands_of`. A grid for each of the bands. `seams`: they are edges, too. `slack`: corners may go
+/// that far, beyond what doubles round, to be on their surfaces.
 DrawnCad draw_by_bands(const CadModel& model, const std::vector<RationalPoint>& welded, const CadBands& bands,
-                       const std::vector<BandGrid>& grids, bool seams);
+                       const std::vector<BandGrid>& grids, bool seams, double slack);
 
 }  // namespace cnrg

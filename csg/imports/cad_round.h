@@ -25,7 +25,8 @@ struct RoundFace {
 struct CadRound {
   std::vector<std::optional<RoundFace>> faces;  ///< of each face of the model
   Rational moved = 0;                           ///< no point of a surface farther
-  std::string notice;                           ///< empty: nothing was joined, and nothing is near
+  double slack = 0;    ///< how far corners may be from their surfaces for that, and for what else was welded
+  std::string notice;  ///< empty: nothing was joined, and nothing is near
 };
 
 CadRound round_faces(const CadModel& model);

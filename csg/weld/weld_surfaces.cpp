@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
+#include "csg/carriers/bands.h"
 #include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/prepare_shapes.h"
@@ -19,10 +21,10 @@ using Kind = MeridianPiece::Kind;
 /// A leaf as it was drawn, with the form of another surface.
 class OnAgreedSurface final : public PreparedLeaf {
  public:
-  OnAgreedSurface(std::shared_ptr<const PreparedLeaf> leaf, std::shared_ptr<const RevolvedForm> form)
+  OnAgreedSurface(std::shared_ptr<const PreparedLeaf> leaf, std::shared_ptr<const CurvedForm> form)
       : leaf_(std::move(leaf)) {
     set_parameters(leaf_->parameters());
-    set_surfaces(surfaces_of(form, leaf_->surfaces()));
+    set_surfaces(surfaces_of(std::dynamic_pointer_cast<const RevolvedForm>(form), leaf_->surfaces()));
     set_form(std::move(form));
   }
   LeafId add_to(Soup& soup, const Transform& transform) const override { return leaf_->add_to(soup, transform); }
@@ -34,7 +36,7 @@ class OnAgreedSurface final : public PreparedLeaf {
 
  private:
   static SurfaceSource surfaces_of(const std::shared_ptr<const RevolvedForm>& form, const SurfaceSource& before) {
-    if (!is_remade(*form)) return before;
+    if (form == nullptr || !is_remade(*form)) return before;
     return [form]() -> std::shared_ptr<const LeafSurfaces> {
       const MeridianPiece& piece = form->lines[0][0];
       const RationalPoint from = form->center + piece.from.t * form->axis,
@@ -47,6 +49,20 @@ class OnAgreedSurface final : public PreparedLeaf {
   }
 
   std::shared_ptr<const PreparedLeaf> leaf_;
+};
+
+/// A banded leaf, its bands on other surfaces.
+class AgreedBands final : public BandedForm {
+ public:
+  AgreedBands(std::shared_ptr<const BandedForm> form, double moved) : form_(std::move(form)) {
+    bands = form_->bands;
+    obstacle = form_->obstacle;
+    slack = form_->slack + moved;
+  }
+  Drawn draw(const std::vector<BandGrid>& grids, double by) const override { return form_->draw(grids, by); }
+
+ private:
+  std::shared_ptr<const BandedForm> form_;
 };
 
 bool is_arc(const RevolvedForm& form) {
@@ -68,20 +84,33 @@ class SurfaceWelder {
     const welding::RoundWeld made = welding::weld_round(parts_, d_);
     WeldedSurfaces result{instances_, {}, 0, {}};
     std::vector<std::array<Index, 2>> left = made.left;
-    for (Index k = 0; k < parts_.size(); ++k) {
-      const std::shared_ptr<const RevolvedForm> form = form_on(k, made.parts[k]);
-      if (form == nullptr) continue;
-      const Rational by = made.parts[k].moved + turned_by(k, *form);
-      if (by > d_) {
-        left.push_back({k, k});
+    std::size_t moved = 0;
+    for (Index k = 0; k < parts_.size();) {
+      // The bands of a leaf go together or not at all: they have circles in common.
+      std::vector<std::shared_ptr<const RevolvedForm>> forms;
+      const Index first = k, i = of_[k].instance;
+      Rational most = 0;
+      for (; k < parts_.size() && of_[k].instance == i; ++k) {
+        forms.push_back(form_on(k, made.parts[k]));
+        if (forms.back() != nullptr)
+          most = std::max(most, Rational(made.parts[k].moved + turned_by(k, *forms.back())));
+      }
+      if (std::all_of(forms.begin(), forms.end(), [](const auto& form) { return form == nullptr; })) continue;
+      if (most > d_) {
+        left.push_back({first, first});
         continue;
       }
-      const Index i = of_[k].instance;
-      result.instances[i].leaf = std::make_shared<const OnAgreedSurface>(instances_[i].leaf, form);
-      result.farthest = std::max(result.farthest, by);
-      result.anew.push_back(i);
+      if (const auto banded = std::dynamic_pointer_cast<const BandedForm>(instances_[i].leaf->form())) {
+        result.instances[i].leaf = std::make_shared<const OnAgreedSurface>(
+            instances_[i].leaf, on_forms(banded, forms, welding::rounded_up(most)));
+      } else {
+        result.instances[i].leaf = std::make_shared<const OnAgreedSurface>(instances_[i].leaf, forms[0]);
+        result.anew.push_back(i);
+      }
+      result.farthest = std::max(result.farthest, most);
+      ++moved;
     }
-    result.notice = notice(result.anew.size(), result.farthest, left);
+    result.notice = notice(moved, result.farthest, left);
     return result;
   }
 
@@ -91,17 +120,37 @@ class SurfaceWelder {
     std::shared_ptr<const RevolvedForm> form;
     Rational scale;
     PlacedForm placed;
+    bool band = false;
   };
 
   void take(Index i) {
-    auto form = std::dynamic_pointer_cast<const RevolvedForm>(instances_[i].leaf->form());
-    if (form == nullptr) return;
     const std::optional<Rational> scale = stretch(instances_[i].transform);
     if (!scale) return;
-    Part of{i, form, *scale, place(*form, instances_[i].transform, *scale)};
+    if (const auto form = std::dynamic_pointer_cast<const RevolvedForm>(instances_[i].leaf->form()))
+      add({i, form, *scale, place(*form, instances_[i].transform, *scale), false}, form->is_sphere());
+    const auto banded = std::dynamic_pointer_cast<const BandedForm>(instances_[i].leaf->form());
+    if (banded == nullptr) return;
+    // A part of a ball that has its axis in common with other bands goes where that goes.
+    std::vector<Part> bands;
+    std::set<AxisLine> axes;
+    for (const Band& band : banded->bands) {
+      const std::shared_ptr<const RevolvedForm> form(banded, &band.form);
+      bands.push_back({i, form, *scale, place(*form, instances_[i].transform, *scale), true});
+      if (!is_round(*form)) axes.insert(bands.back().placed.axis);
+    }
+    for (Part& band : bands) {
+      const bool ball = is_round(*band.form) && !axes.contains(band.placed.axis);
+      add(std::move(band), ball);
+    }
+  }
+  static bool is_round(const RevolvedForm& band) {
+    return band.lines[0][0].kind == Kind::arc && band.lines[0][0].middle.r == 0;
+  }
+
+  void add(Part of, bool ball) {
     welding::RoundPart part;
     part.axis = of.placed.axis;
-    if (form->is_sphere()) {
+    if (ball) {
       const MeridianPiece& piece = of.placed.lines[0][0];
       part.ball = true;
       part.center = part.axis.foot + piece.middle.t * part.axis.direction;
@@ -123,14 +172,13 @@ class SurfaceWelder {
                         : std::array<Rational, 2>{std::min(part.ends[0], low), std::max(part.ends[1], high)};
       first = false;
     };
-    const bool straight = is_straight(*of.form);
+    const bool straight = !of.band && is_straight(*of.form);
     for (const auto& line : of.placed.lines) {
       for (const MeridianPiece& piece : line) {
         for (const MeridianPoint& p : {piece.from, piece.to}) {
           add(p.r, p.t, p.t);
-          if (!straight) continue;
-          if (p.r != 0) part.radii.push_back(p.r);
-          part.places.push_back(p.t);
+          if (p.r != 0 && (straight || of.band)) part.radii.push_back(p.r);
+          if (straight) part.places.push_back(p.t);
         }
         for (const Homogeneous& h : piece.net.net) add(h[0] / h[3], h[2] / h[3], h[2] / h[3]);
         if (piece.kind != Kind::arc) continue;
@@ -138,9 +186,11 @@ class SurfaceWelder {
         add(piece.middle.r + piece.radius, piece.middle.t - along, piece.middle.t + along);
       }
     }
-    if (!is_arc(*of.form)) return;
     const MeridianPiece& circle = of.placed.lines[0][0];
-    part.radii = {circle.middle.r, circle.radius};
+    if (circle.kind != Kind::arc || (!of.band && !is_arc(*of.form))) return;
+    if (!of.band) part.radii.clear();
+    if (circle.middle.r != 0) part.radii.push_back(circle.middle.r);
+    part.radii.push_back(circle.radius);
     part.places = {circle.middle.t};
   }
 
@@ -158,6 +208,12 @@ class SurfaceWelder {
     if (part.ball) {
       if (to.center == part.center && stays(to.radii)) return nullptr;
       const Rational radius = to.radii.at(part.radii[0]) / of.scale;
+      if (of.band) {
+        auto form = std::make_shared<RevolvedForm>(*of.form);
+        form->center = form->center + back.apply_to_vector(to.center - part.center);
+        form->lines[0][0].radius = radius;
+        return form;
+      }
       return std::make_shared<const RevolvedForm>(
           sphere_about({back.apply(to.center), radius}, of.form->axis, *of.form));
     }
@@ -183,7 +239,13 @@ class SurfaceWelder {
       for (std::size_t m = 0; m < form->lines[l].size(); ++m) {
         MeridianPiece& piece = form->lines[l][m];
         const MeridianPiece& was = of.placed.lines[l][m];
-        if (piece.kind == Kind::line) {
+        if (of.band && piece.kind == Kind::arc) {
+          piece.from.r = radius(piece.from.r);
+          piece.to.r = radius(piece.to.r);
+          piece.middle.r = radius(piece.middle.r);
+          piece.radius = radius(piece.radius);
+          place(piece.middle.t, was.middle.t);
+        } else if (piece.kind == Kind::line) {
           piece.from.r = radius(piece.from.r);
           piece.to.r = radius(piece.to.r);
           place(piece.from.t, was.from.t);
@@ -209,6 +271,24 @@ class SurfaceWelder {
             now.middle.t + grown * (before.from.t - before.middle.t)};
   }
 
+  /// The bands of a leaf on other surfaces; null: it stays.
+  static std::shared_ptr<const BandedForm> on_forms(const std::shared_ptr<const BandedForm>& leaf,
+                                                    const std::vector<std::shared_ptr<const RevolvedForm>>& forms,
+                                                    double moved) {
+    auto made = std::make_shared<AgreedBands>(leaf, moved);
+    for (std::size_t b = 0; b < forms.size(); ++b) {
+      if (forms[b] == nullptr) continue;
+      Band& band = made->bands[b];
+      band.form = *forms[b];
+      const RationalPoint& axis = band.form.axis;
+      const auto level = [&](RationalPoint& p) { p = p - Rational(dot(p, axis) / dot(axis, axis)) * axis; };
+      level(band.start);
+      level(band.end);
+      for (RationalPoint& p : band.marks) level(p);
+    }
+    return made;
+  }
+
   [[noreturn]] void refuse(Index i, Index face) const {
     refuse_weld("", "leaf " + std::to_string(i) + ", face " + std::to_string(face) + " would vanish", d_);
   }
@@ -217,7 +297,7 @@ class SurfaceWelder {
   /// other surface, but a partial one ends elsewhere, and surfaces that stay have to have the same angles.
   Rational turned_by(Index k, const RevolvedForm& form) const {
     const RevolvedForm& was = *of_[k].form;
-    if (form.axis == was.axis || form.is_sphere()) return 0;
+    if (of_[k].band || form.axis == was.axis || form.is_sphere()) return 0;
     if (was.around() && OnAgreedSurface::is_remade(was)) return 0;
     const CircleFrame before(was.axis), after(form.axis);
     Rational most = 0;

@@ -20,8 +20,9 @@ struct WeldedSurfaces {
   std::string notice;                   ///< empty: nothing is near; names leaves as `leaf 3`
 };
 
-/// Cylinders, cones, spheres, tori, and `revolve` of straight lines, where their transforms keep angles; of other
-/// leaves of revolution the axis alone. Throws InputError that names a leaf or face if it would vanish. d > 0.
+/// Cylinders, cones, spheres, tori, `revolve` of straight lines, and bands of CAD models, where their transforms
+/// keep angles; of other leaves of revolution the axis alone. Throws InputError that names a leaf or face if it
+/// would vanish. d > 0.
 WeldedSurfaces weld_surfaces(const std::vector<LeafInstance>& instances, const Rational& d);
 
 }  // namespace cnrg

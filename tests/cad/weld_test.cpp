@@ -7,6 +7,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <gp_Ax2.hxx>
@@ -160,6 +161,38 @@ TEST_CASE("a lens that is off in its last digits fits its seat", "[weld]") {
   const Cells exact = cells(0, "");
   CHECK(cells(1e-15, ", weld: 1e-9") == exact);
   CHECK(cells(2e-12, ", weld: 1e-9, segments: 20") == exact);
+  CHECK(cells(1e-8, ", weld: 1e-6, segments: 20") == exact);
+}
+
+TEST_CASE("a tree welds the round faces of a file with those of other leaves", "[weld]") {
+  const auto tree = [](double off, const std::string& weld) {
+    const TopoDS_Shape shaft =
+        BRepPrimAPI_MakeCylinder(gp_Ax2({2 + off, 2, 0.5}, {off, 0, 1}, {0.6, 0.8, 0}), 1 - off, 1).Shape();
+    const File file(compound({bored_box(), shaft}));
+    char radius[40];
+    std::snprintf(radius, sizeof radius, "%.17g", 1 + off);
+    const std::string block = weld + "nodes:\n  block: {step: {file: part.step, solids: [1], segments: 20}}\n";
+    const Evaluation two =
+        file.evaluate(block + "  shaft: {step: {file: part.step, solids: [2], segments: 16}}\n" +
+                      "  both: {union: [block, shaft], dominance: left}\nresult: both");
+    const Evaluation own =
+        file.evaluate(block + "  bolt: {cylinder: {from: [2, 2, 0], to: [2, 2, 3], radius: " + radius +
+                      ", segments: 24}}\n  both: {union: [block, bolt], dominance: left}\nresult: both");
+    std::size_t uncertain = 0;
+    for (const Evaluation* e : {&two, &own}) {
+      for (const Diagnostic& d : e->diagnostics)
+        uncertain += d.message.find("these facets do not tell") != std::string::npos;
+    }
+    CHECK(uncertain == 0);
+    return std::array{two.rows.back().cells, own.rows.back().cells};
+  };
+  const auto exact = tree(0, "");
+  CHECK(exact[0][3] == 2);
+  CHECK(exact[1][3] == 2);
+  CHECK(tree(1e-12, "weld: 1e-9\n") == exact);
+  CHECK(tree(-1e-12, "weld: 1e-9\n") == exact);
+  CHECK(tree(1e-8, "weld: 1e-6\n") == exact);
+  CHECK(tree(1e-12, "") != exact);
 }
 
 TEST_CASE("a solid as thin as the length is refused by the names of its faces", "[weld]") {
