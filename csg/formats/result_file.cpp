@@ -45,7 +45,7 @@ RoundingReport write(const std::string& path, const Result& result, const FileOp
     replace_file(path, region_graph(result.cells(), result.data().value->attributes()).dot());
     return {};
   }
-  return write(path, result.data().view(options.parameters));
+  return write(path, result.data().view(options.parameters || is_cad_file(path)));
 }
 
 void write(const std::string& path, const Evaluation& evaluation) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "csg/exports/cad_text.h"
 #include "csg/formats/formats.h"
 #include "csg/text/file.h"
 #include "kernel/base/error.h"
@@ -18,7 +19,7 @@ struct Format {
   FileText (*make)(const ResultView&);
 };
 
-constexpr std::array<Format, 10> kFormats{{{".json", json_text},
+constexpr std::array<Format, 13> kFormats{{{".json", json_text},
                                            {".vtu", vtu_text},
                                            {".msh", msh_text},
                                            {".mesh", medit_text},
@@ -27,7 +28,10 @@ constexpr std::array<Format, 10> kFormats{{{".json", json_text},
                                            {".obj", obj_text},
                                            {".off", off_text},
                                            {".stl", stl_text},
-                                           {".ply", ply_text}}};
+                                           {".ply", ply_text},
+                                           {".step", step_text},
+                                           {".stp", step_text},
+                                           {".brep", brep_text}}};
 
 const Format& format_of(const std::string& path) {
   const std::string extension = extension_of(path);
@@ -42,7 +46,14 @@ const Format& format_of(const std::string& path) {
 
 }  // namespace
 
-void check_extension(const std::string& path) { format_of(path); }
+bool is_cad_file(const std::string& path) {
+  const auto make = format_of(path).make;
+  return make == step_text || make == brep_text;
+}
+
+void check_extension(const std::string& path) {
+  if (is_cad_file(path)) require_cad_writer(path);
+}
 
 RoundingReport write(const std::string& path, const ResultView& view) {
   const Format& format = format_of(path);

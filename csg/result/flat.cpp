@@ -355,7 +355,42 @@ class Flattener {
         return std::binary_search(features.begin(), features.end(), h.edge());
       });
       edge.origin = origin_of(value_.selection.edges, value_.origins.edges, from.chain);
+      add_carriers(edge, from);
     });
+  }
+
+  void add_carriers(FlatComplex::Edge& edge, const SimplifiedComplex::Edge& from) const {
+    const auto counts = [&](LeafId leaf) {
+      return leaf != complex_.frame &&
+             std::binary_search(edge.origin.leaves.begin(), edge.origin.leaves.end(), leaf);
+    };
+    std::vector<FlatComplex::Patch> curves;
+    for (std::size_t i = 0; i < from.chain.size(); ++i) {
+      const EdgeId e = from.chain[i].edge();
+      std::vector<FlatComplex::Patch> around, on;
+      for (const FaceUse& use : complex_.edge_uses[e]) {
+        for (const Cover& cover : complex_.cover(use.face)) {
+          const Soup::Face& source = complex_.sources[cover.source];
+          if (counts(source.leaf)) around.emplace_back(source.leaf, source.patch);
+        }
+      }
+      for (const SegmentId s : complex_.edge_segments[e]) {
+        for (const WireId w : complex_.segment_wires[s]) {
+          const Soup::Wire& wire = complex_.wires[w];
+          if (counts(wire.leaf)) on.emplace_back(wire.leaf, wire.leaf_edge);
+        }
+      }
+      keep_common(edge.patches, std::move(around), i == 0);
+      keep_common(curves, std::move(on), i == 0);
+    }
+    if (!curves.empty()) edge.curve = curves.front();
+  }
+
+  static void keep_common(std::vector<FlatComplex::Patch>& list, std::vector<FlatComplex::Patch> other, bool first) {
+    sort_unique(other);
+    std::vector<FlatComplex::Patch> both;
+    std::set_intersection(list.begin(), list.end(), other.begin(), other.end(), std::back_inserter(both));
+    list = first ? std::move(other) : std::move(both);
   }
 
   void make_vertices() {

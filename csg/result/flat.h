@@ -52,6 +52,9 @@ struct FlatComplex {
     bool slit = false;     ///< a face walks it twice
     Index region = kNone;  ///< the region that holds a wire
     Provenance origin;
+    /// Patches, of the leaves that it came from, that are around all of it, and the curve that covers all of it.
+    std::vector<Patch> patches;
+    std::optional<Patch> curve;  ///< Soup::Wire::leaf_edge
   };
   struct Facet {
     std::vector<Loop> loops;  ///< outer first, seen from the front counter-clockwise, holes clockwise

@@ -1,0 +1,65 @@
+// Where vertices and edges of a CAD model lie: on the true surfaces of all that is around them. Knows OpenCASCADE's
+// types.
+//
+// Vertices and edges of a result lie on facets. Here a vertex is moved to the common point of its surfaces, and an
+// edge is the curve of points that its surfaces have in common near to its chain: a line or circle where it is one,
+// else a spline through so many of its points that it is within the tolerance of all its surfaces, which is measured
+// between them.
+#pragma once
+
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+
+#include "csg/exports/occt_layout.h"
+
+namespace cnrg::occt {
+
+struct EdgeCurve {
+  Handle(Geom_Curve) curve;
+  double first = 0, last = 0;
+  double off = 0;  ///< farthest from one of its surfaces, as measured
+  bool spline = false;
+};
+struct PlaneCurve {
+  Handle(Geom2d_Curve) curve;  ///< with the same parameters as the edge's
+  CadParameters first{}, last{};
+  double off = 0;  ///< farthest from the edge's curve
+};
+
+class CadCurves {
+ public:
+  using Index = CadParts::Index;
+  /// `tolerance`: of splines. Faces whose vertices or edges have no place on all of their surfaces are added to
+  /// `failed`, and then nothing else counts.
+  CadCurves(const CadParts& parts, const CadLayout& layout, double tolerance, Faceted& failed);
+
+  const CadPoint& point(Index number) const { return points_[number]; }
+  const EdgeCurve& curve(Index piece) const { return curves_[piece]; }
+  /// Throws InputError if there is none.
+  PlaneCurve in_plane(const LaidFace& face, const PieceUse& use) const;
+
+  std::size_t moved() const { return moved_; }
+  double farthest() const { return farthest_; }
+
+ private:
+  const CadParts& parts_;
+  const CadLayout& layout_;
+  const double tolerance_;
+  std::vector<CadPoint> points_;
+  std::vector<EdgeCurve> curves_;
+  std::vector<std::set<Index>> faces_of_piece_;  // their sources
+  std::size_t moved_ = 0;
+  double farthest_ = 0;
+
+  void place_points(Faceted& failed);
+  EdgeCurve make(Index piece) const;
+  EdgeCurve on_given_curve(const Piece& piece) const;
+  EdgeCurve line(const CadPoint& a, const CadPoint& b) const;
+  std::optional<EdgeCurve> circle(const Piece& piece, const std::vector<CadPoint>& samples) const;
+  /// Points on all surfaces of the piece, its ends among them; nothing if there are none.
+  std::optional<std::vector<CadPoint>> sample(Index piece, std::size_t n) const;
+  double off(const Piece& piece, const CadPoint& p, std::map<const Chart*, CadParameters>& near) const;
+  std::optional<PieceUse> some_use(Index piece) const;
+};
+
+}  // namespace cnrg::occt
