@@ -166,6 +166,37 @@ class GeomSurface final : public Surface {
   }
 };
 
+/// S at a fixed parameter, and as far from there along the normal as the second parameter says. What the normal
+/// changes along the line is left out of the derivatives: near to the surface that is little.
+class NormalStrip final : public Surface {
+ public:
+  NormalStrip(Handle(Geom_Surface) surface, std::size_t d, double value)
+      : surface_(std::move(surface)), d_(d), value_(value) {}
+  SurfaceJet<double> at(double along, double out) const override {
+    const GeomSurface surface(surface_);
+    const SurfaceJet<double> jet = d_ == 0 ? surface.at(value_, along) : surface.at(along, value_);
+    const Vector<double> way = d_ == 0 ? jet.along_v : jet.along_u;
+    const double size = std::hypot(jet.normal[0], jet.normal[1], jet.normal[2]);
+    const Vector<double> normal = surface_math::scaled(1 / size, jet.normal);
+    return {surface_math::sum(jet.point, surface_math::scaled(out, normal)), way, normal,
+            surface_math::cross(way, normal)};
+  }
+  SurfaceJet<Interval> over(const Interval&, const Interval&) const override {
+    throw InvariantError("exports: a surface of OpenCASCADE has no intervals");
+  }
+
+ private:
+  Handle(Geom_Surface) surface_;
+  std::size_t d_;
+  double value_;
+};
+
+std::shared_ptr<const PlacedSurface> in_place(std::shared_ptr<const Surface> surface) {
+  auto surfaces = std::make_shared<LeafSurfaces>();
+  surfaces->add_patch(0, std::move(surface));
+  return std::make_shared<const PlacedSurface>(std::move(surfaces), 0, Transform());
+}
+
 }  // namespace
 
 Handle(Geom_Surface) surface_of(const SurfaceForm& form) {
@@ -235,9 +266,16 @@ void Chart::settle() {
   }
   if (surface_->IsUPeriodic()) period_[0] = surface_->UPeriod();
   if (surface_->IsVPeriodic()) period_[1] = surface_->VPeriod();
-  auto surfaces = std::make_shared<LeafSurfaces>();
-  surfaces->add_patch(0, std::make_shared<const GeomSurface>(surface_));
-  placed_ = std::make_shared<const PlacedSurface>(std::move(surfaces), 0, Transform());
+  placed_ = in_place(std::make_shared<const GeomSurface>(surface_));
+}
+
+Chart::Strip::Strip(const Chart& chart, std::size_t d, const CadParameters& at)
+    : start_(at[1 - d]),
+      reach_((chart.period_[1 - d] > 0 ? chart.period_[1 - d] : chart.high_[1 - d] - chart.low_[1 - d]) / 4),
+      placed_(in_place(std::make_shared<const NormalStrip>(chart.surface_, d, at[d]))) {}
+
+SurfaceSite Chart::Strip::site() const {
+  return {placed_.get(), {start_, 0}, {reach_, HUGE_VAL}, {}, {}};
 }
 
 std::array<double, 2> Chart::slack() const {

@@ -39,6 +39,16 @@ class Chart {
   bool is_free(std::size_t d, const CadParameters& at) const;
   /// For find_common.
   SurfaceSite site(const CadParameters& at) const;
+  /// The surface of all normals along the line on which parameter d is that of `at`.
+  class Strip {
+   public:
+    Strip(const Chart& chart, std::size_t d, const CadParameters& at);
+    SurfaceSite site() const;
+
+   private:
+    double start_, reach_;
+    std::shared_ptr<const PlacedSurface> placed_;
+  };
 
  private:
   Handle(Geom_Surface) surface_;

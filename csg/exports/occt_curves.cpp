@@ -41,14 +41,13 @@ class Path {
     for (std::size_t i = 1; i < points_.size(); ++i)
       lengths_.push_back(lengths_.back() + distance(points_[i - 1], points_[i]));
   }
-  /// The point, and the number of the corner before it.
-  std::pair<CadPoint, std::size_t> at(double fraction) const {
+  CadPoint at(double fraction) const {
     const double way = fraction * lengths_.back();
     std::size_t i = 0;
     while (i + 2 < points_.size() && lengths_[i + 1] < way) ++i;
     const double step = lengths_[i + 1] - lengths_[i];
     const double t = step > 0 ? std::clamp((way - lengths_[i]) / step, 0.0, 1.0) : 0;
-    return {sum(points_[i], scaled(t, difference(points_[i + 1], points_[i]))), i};
+    return sum(points_[i], scaled(t, difference(points_[i + 1], points_[i])));
   }
 
  private:
@@ -104,17 +103,27 @@ CadCurves::CadCurves(const CadParts& parts, const CadLayout& layout, double tole
 }
 
 void CadCurves::place_points(Faceted& failed) {
-  std::vector<double> reach(points_.size(), 0);
+  std::vector<double> reach(points_.size(), 0);  // no vertex goes farther than its longest edge is long
   std::vector<std::vector<Index>> pieces(points_.size());
   for (Index i = 0; i < layout_.pieces().size(); ++i) {
     const std::vector<Index>& chain = layout_.pieces()[i].points;
-    for (const auto& [end, next] : {std::pair(chain.front(), chain[1]), std::pair(chain.back(), chain[chain.size() - 2])}) {
-      reach[end] = std::max(reach[end], distance(parts_.points[end], parts_.points[next]));
+    double way = 0;
+    for (std::size_t k = 1; k < chain.size(); ++k) way += distance(parts_.points[chain[k - 1]], parts_.points[chain[k]]);
+    for (const Index end : {chain.front(), chain.back()}) {
+      reach[end] = std::max(reach[end], way);
       pieces[end].push_back(i);
     }
   }
-  for (Index p = 0; p < points_.size(); ++p) {
-    if (!layout_.is_vertex(p)) continue;
+  // Ends of seams come last: where a seam begins in a vertex of the result, it follows that.
+  std::vector<Index> order;
+  std::vector<char> of_result(points_.size(), 0);
+  for (const FlatComplex::Vertex& vertex : parts_.flat.vertices) of_result[vertex.point] = 1;
+  for (const char first : {1, 0}) {
+    for (Index p = 0; p < points_.size(); ++p) {
+      if (layout_.is_vertex(p) && of_result[p] == first) order.push_back(p);
+    }
+  }
+  for (const Index p : order) {
     const std::vector<const Chart*>& charts = layout_.charts_at(p);
     if (charts.empty()) {
       for (const Index i : pieces[p]) {
@@ -125,15 +134,12 @@ void CadCurves::place_points(Faceted& failed) {
         break;
       }
     } else if (std::any_of(charts.begin(), charts.end(), [](const Chart* c) { return !c->flat(); })) {
-      std::vector<SurfaceSite> sites;
-      for (const bool flat : {false, true}) {
-        for (const Chart* chart : charts) {
-          if (chart->flat() != flat) continue;
-          const auto at = flat ? CadParameters{} : chart->place(points_[p], layout_.near(chart, p)).value_or(CadParameters{});
-          sites.push_back(chart->site(at));
-        }
+      std::vector<Chart::Strip> strips;
+      if (!of_result[p]) {
+        for (const Index i : pieces[p]) add_strip(i, p, of_result, strips);
       }
-      const std::optional<CadPoint> found = find_common(sites, points_[p]);
+      std::optional<CadPoint> found = on_charts(p, strips);
+      if (!found && !strips.empty()) found = on_charts(p, {});
       if (found && (reach[p] == 0 || distance(*found, points_[p]) <= reach[p])) {
         points_[p] = *found;
       } else {
@@ -150,6 +156,42 @@ void CadCurves::place_points(Faceted& failed) {
     if (points_[p] == parts_.points[p]) continue;
     ++moved_;
     farthest_ = std::max(farthest_, distance(points_[p], parts_.points[p]));
+  }
+}
+
+std::optional<CadPoint> CadCurves::on_charts(Index p, const std::vector<Chart::Strip>& strips) const {
+  std::vector<SurfaceSite> sites;
+  for (const bool flat : {false, true}) {
+    for (const Chart* chart : layout_.charts_at(p)) {
+      if (chart->flat() != flat) continue;
+      CadParameters at{};
+      if (!flat) at = chart->place(points_[p], layout_.near(chart, p)).value_or(CadParameters{});
+      sites.push_back(chart->site(at));
+    }
+  }
+  for (const Chart::Strip& strip : strips) sites.push_back(strip.site());
+  return find_common(sites, points_[p]);
+}
+
+void CadCurves::add_strip(Index number, Index p, const std::vector<char>& of_result,
+                          std::vector<Chart::Strip>& strips) const {
+  const Piece& piece = layout_.pieces()[number];
+  if (!piece.seam) return;
+  const Chart& chart = *piece.charts[0];
+  const std::optional<PieceUse> use = some_use(number);
+  require(use.has_value(), "exports: a seam that no face has");
+  const bool at_front = use->corners.front().point == p;
+  const UnrollCorner &here = at_front ? use->corners.front() : use->corners.back(),
+                     &there = at_front ? use->corners.back() : use->corners.front();
+  if (here.free[0] || here.free[1]) return;
+  for (std::size_t d = 0; d < 2; ++d) {
+    if (std::abs(here.at[d] - there.at[d]) > chart.slack()[d]) continue;
+    CadParameters at = here.at;
+    if (of_result[there.point] && !there.free[0] && !there.free[1]) {
+      if (const auto moved = chart.place(points_[there.point], there.at)) at[d] = (*moved)[d];
+    }
+    strips.emplace_back(chart, d, at);
+    return;
   }
 }
 
@@ -191,64 +233,90 @@ std::optional<PieceUse> CadCurves::some_use(Index piece) const {
   return std::nullopt;
 }
 
-std::optional<std::vector<CadPoint>> CadCurves::sample(Index number, std::size_t n) const {
+std::vector<CadPoint> CadCurves::sample_seam(Index number, std::size_t n) const {
   const Piece& piece = layout_.pieces()[number];
-  const CadPoint &a = points_[piece.points.front()], &b = points_[piece.points.back()];
-  std::vector<CadPoint> result{a};
-  if (piece.seam) {
-    // Straight in the parameters of its surface, from one end to the other.
-    const Chart& chart = *piece.charts[0];
-    std::optional<PieceUse> use = some_use(number);
-    require(use.has_value(), "exports: a seam that no face has");
-    if (!use->forward) std::reverse(use->corners.begin(), use->corners.end());
-    CadParameters ends[2] = {use->corners.front().at, use->corners.back().at};
-    for (const std::size_t k : {0, 1}) {
-      const CadParameters given = ends[k];
-      const auto at = chart.place(k == 0 ? a : b, given);
-      if (!at) return std::nullopt;
-      for (std::size_t d = 0; d < 2; ++d) {
-        if (!(k == 0 ? use->corners.front() : use->corners.back()).free[d]) ends[k][d] = (*at)[d];
-      }
+  const Chart& chart = *piece.charts[0];
+  std::optional<PieceUse> use = some_use(number);
+  require(use.has_value(), "exports: a seam that no face has");
+  if (!use->forward) std::reverse(use->corners.begin(), use->corners.end());
+  const CadPoint ends[2] = {points_[piece.points.front()], points_[piece.points.back()]};
+  CadParameters at[2];
+  for (const std::size_t k : {0, 1}) {
+    const UnrollCorner& corner = k == 0 ? use->corners.front() : use->corners.back();
+    at[k] = corner.at;
+    const auto found = chart.place(ends[k], corner.at);
+    if (!found) throw InputError("no place on its surface was found for an end of its seam");
+    for (std::size_t d = 0; d < 2; ++d) {
+      if (!corner.free[d]) at[k][d] = (*found)[d];
     }
-    for (std::size_t i = 1; i < n; ++i) {
-      const double t = static_cast<double>(i) / static_cast<double>(n);
-      result.push_back(chart.point({ends[0][0] + t * (ends[1][0] - ends[0][0]), ends[0][1] + t * (ends[1][1] - ends[0][1])}));
-    }
-    result.push_back(b);
-    return result;
   }
-  std::vector<CadPoint> corners;
-  for (const Index p : piece.points) corners.push_back(parts_.points[p]);
-  corners.front() = a, corners.back() = b;
-  const Path path(corners);
+  std::vector<CadPoint> result{ends[0]};
+  for (std::size_t i = 1; i < n; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(n);
+    result.push_back(chart.point({at[0][0] + t * (at[1][0] - at[0][0]), at[0][1] + t * (at[1][1] - at[0][1])}));
+  }
+  result.push_back(ends[1]);
+  return result;
+}
+
+std::optional<CadPoint> CadCurves::common(const Piece& piece, const CadPoint& guess, Index corner,
+                                          std::map<const Chart*, CadParameters>& near) const {
+  std::vector<SurfaceSite> sites;
+  std::vector<const Chart*> of;
+  for (const bool flat : {false, true}) {
+    for (const Chart* chart : piece.charts) {
+      if (chart->flat() != flat) continue;
+      of.push_back(chart);
+      if (flat) {
+        sites.push_back(chart->site({}));
+        continue;
+      }
+      std::optional<CadParameters> hint = layout_.near(chart, corner);
+      if (const auto last = near.find(chart); last != near.end()) hint = last->second;
+      const auto at = chart->place(guess, hint);
+      if (!at) return std::nullopt;
+      sites.push_back(chart->site(*at));
+    }
+  }
+  const std::optional<CadPoint> found = find_common(sites, guess);
+  for (std::size_t k = 0; k < of.size() && found; ++k) {
+    if (!of[k]->flat()) near[of[k]] = sites[k].at;
+  }
+  return found;
+}
+
+std::vector<CadPoint> CadCurves::guide(const Piece& piece) const {
+  std::vector<CadPoint> line{points_[piece.points.front()]};
+  std::map<const Chart*, CadParameters> near;
+  for (std::size_t i = 1; i + 1 < piece.points.size(); ++i) {
+    const auto found = common(piece, parts_.points[piece.points[i]], piece.points[i], near);
+    if (found) line.push_back(*found);
+  }
+  line.push_back(points_[piece.points.back()]);
+  // An end that moved along the curve may have passed points of the chain.
+  const auto drop = [&](bool front) {
+    const auto at = [&](std::size_t i) { return line[front ? i : line.size() - 1 - i]; };
+    while (line.size() > 3 && dot(difference(at(1), at(0)), difference(at(2), at(1))) <= 0)
+      line.erase(front ? line.begin() + 1 : line.end() - 2);
+  };
+  drop(true);
+  drop(false);
+  return line;
+}
+
+std::vector<CadPoint> CadCurves::sample(Index number, const std::vector<CadPoint>& guide, std::size_t n) const {
+  const Piece& piece = layout_.pieces()[number];
+  if (piece.seam) return sample_seam(number, n);
+  const Path path(guide);
+  std::vector<CadPoint> result{guide.front()};
   std::map<const Chart*, CadParameters> near;
   for (std::size_t i = 1; i < n; ++i) {
-    const auto [guess, corner] = path.at(static_cast<double>(i) / static_cast<double>(n));
-    std::vector<SurfaceSite> sites;
-    std::vector<const Chart*> of;
-    for (const bool flat : {false, true}) {
-      for (const Chart* chart : piece.charts) {
-        if (chart->flat() != flat) continue;
-        of.push_back(chart);
-        if (flat) {
-          sites.push_back(chart->site({}));
-          continue;
-        }
-        std::optional<CadParameters> hint = layout_.near(chart, piece.points[corner]);
-        if (const auto last = near.find(chart); last != near.end()) hint = last->second;
-        const auto at = chart->place(guess, hint);
-        if (!at) return std::nullopt;
-        sites.push_back(chart->site(*at));
-      }
-    }
-    const std::optional<CadPoint> found = find_common(sites, guess);
-    if (!found) return std::nullopt;
-    for (std::size_t k = 0; k < of.size(); ++k) {
-      if (!of[k]->flat()) near[of[k]] = sites[k].at;
-    }
+    const auto found =
+        common(piece, path.at(static_cast<double>(i) / static_cast<double>(n)), piece.points.front(), near);
+    if (!found) throw InputError("no points near to one of its edges are on all surfaces that meet there");
     result.push_back(*found);
   }
-  result.push_back(b);
+  result.push_back(guide.back());
   return result;
 }
 
@@ -318,11 +386,7 @@ EdgeCurve CadCurves::make(Index number) const {
   const CadPoint &a = points_[piece.points.front()], &b = points_[piece.points.back()];
   const bool curved = std::any_of(piece.charts.begin(), piece.charts.end(), [](const Chart* c) { return !c->flat(); });
   if (!curved) return piece.at.empty() ? line(a, b) : on_given_curve(piece);
-  const auto samples_of = [&](std::size_t n) {
-    auto samples = sample(number, n);
-    if (!samples) throw InputError("no points near to one of its edges are on all surfaces that meet there");
-    return *samples;
-  };
+  const std::vector<CadPoint> path = guide(piece);
   const auto measured = [&](EdgeCurve made, std::size_t n) {
     std::map<const Chart*, CadParameters> near;
     for (std::size_t i = 0; i < 2 * n; ++i) {
@@ -331,7 +395,7 @@ EdgeCurve CadCurves::make(Index number) const {
     }
     return made;
   };
-  std::vector<CadPoint> samples = samples_of(kFewest);
+  std::vector<CadPoint> samples = sample(number, path, kFewest);
   if (!piece.closed() && distance(a, b) > 0) {
     const CadPoint d = unit(difference(b, a));
     const bool on_line = std::all_of(samples.begin(), samples.end(), [&](const CadPoint& p) {
@@ -341,7 +405,7 @@ EdgeCurve CadCurves::make(Index number) const {
   }
   if (const auto found = circle(piece, samples)) return measured(*found, 8);
   for (std::size_t n = kFewest;; n *= 2) {
-    if (n > kFewest) samples = samples_of(n);
+    if (n > kFewest) samples = sample(number, path, n);
     const Handle(Geom_BSplineCurve) spline = spline_through(samples);
     EdgeCurve made = measured({Handle(Geom_Curve)(spline), spline->FirstParameter(), spline->LastParameter(), 0, true}, n);
     if (made.off <= tolerance_ / 2) return made;

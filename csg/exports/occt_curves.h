@@ -52,12 +52,23 @@ class CadCurves {
   double farthest_ = 0;
 
   void place_points(Faceted& failed);
+  /// The point near to p that is on all surfaces there.
+  std::optional<CadPoint> on_charts(Index p, const std::vector<Chart::Strip>& strips) const;
+  /// Of a seam that ends in p: so that it runs along a line of one parameter.
+  void add_strip(Index piece, Index p, const std::vector<char>& of_result, std::vector<Chart::Strip>& strips) const;
   EdgeCurve make(Index piece) const;
   EdgeCurve on_given_curve(const Piece& piece) const;
   EdgeCurve line(const CadPoint& a, const CadPoint& b) const;
   std::optional<EdgeCurve> circle(const Piece& piece, const std::vector<CadPoint>& samples) const;
-  /// Points on all surfaces of the piece, its ends among them; nothing if there are none.
-  std::optional<std::vector<CadPoint>> sample(Index piece, std::size_t n) const;
+  /// The point on all surfaces of the piece near to another one; `near` goes along.
+  std::optional<CadPoint> common(const Piece& piece, const CadPoint& guess, Index corner,
+                                 std::map<const Chart*, CadParameters>& near) const;
+  /// Points of the curve, in their order, from one end to the other.
+  std::vector<CadPoint> guide(const Piece& piece) const;
+  /// n + 1 points of the curve, as even as that goes.
+  std::vector<CadPoint> sample(Index piece, const std::vector<CadPoint>& guide, std::size_t n) const;
+  /// Straight in the parameters of the surface.
+  std::vector<CadPoint> sample_seam(Index piece, std::size_t n) const;
   double off(const Piece& piece, const CadPoint& p, std::map<const Chart*, CadParameters>& near) const;
   std::optional<PieceUse> some_use(Index piece) const;
 };

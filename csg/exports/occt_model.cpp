@@ -116,7 +116,8 @@ class ModelMaker {
   TopoDS_Face make_face(const LaidFace& face) {
     const Chart& chart = *face.chart;
     TopoDS_Face made;
-    builder_.MakeFace(made, chart.surface(), kLeast);
+    // A copy: an edge has one curve in the parameters of a surface, and other faces on it have another part of them.
+    builder_.MakeFace(made, Handle(Geom_Surface)::DownCast(chart.surface()->Copy()), kLeast);
     // Each piece once, with one or two curves in the parameters: of its forward use, of its backward use.
     struct Curves {
       std::optional<PlaneCurve> forward, backward;
@@ -380,7 +381,7 @@ class ModelMaker {
                      " wrong (" + what + ")");
   }
 
-  /// The first complaint about a shape or a part of it.
+  /// The complaints about a shape and its parts.
   static std::string words(const BRepCheck_Analyzer& analyzer, const TopoDS_Shape& shape);
 };
 
@@ -412,7 +413,6 @@ std::string ModelMaker::words(const BRepCheck_Analyzer& analyzer, const TopoDS_S
       {BRepCheck_EmptyShell, "EmptyShell"},
       {BRepCheck_RedundantFace, "RedundantFace"},
       {BRepCheck_InvalidImbricationOfShells, "InvalidImbricationOfShells"},
-      {BRepCheck_UnorientableShape, "UnorientableShape"},
       {BRepCheck_NotClosed, "NotClosed"},
       {BRepCheck_NotConnected, "NotConnected"},
       {BRepCheck_SubshapeNotInShape, "SubshapeNotInShape"},
@@ -422,23 +422,26 @@ std::string ModelMaker::words(const BRepCheck_Analyzer& analyzer, const TopoDS_S
       {BRepCheck_InvalidToleranceValue, "InvalidToleranceValue"},
       {BRepCheck_EnclosedRegion, "EnclosedRegion"},
       {BRepCheck_CheckFail, "CheckFail"}};
-  std::string result;
+  std::set<std::string> said;
+  const auto take = [&](const BRepCheck_ListOfStatus& list) {
+    for (const BRepCheck_Status status : list) {
+      // The last one says only that there are others.
+      if (status != BRepCheck_NoError && status != BRepCheck_UnorientableShape) said.insert(kWords.at(status));
+    }
+  };
   const std::function<void(const TopoDS_Shape&)> search = [&](const TopoDS_Shape& of) {
     const Handle(BRepCheck_Result)& found = analyzer.Result(of);
-    const auto take = [&](const BRepCheck_ListOfStatus& list) {
-      for (const BRepCheck_Status status : list) {
-        if (status != BRepCheck_NoError && result.empty()) result = kWords.at(status);
-      }
-    };
     if (!found.IsNull()) {
       take(found->Status());
       for (found->InitContextIterator(); found->MoreShapeInContext(); found->NextShapeInContext())
         take(found->StatusOnShape());
     }
-    for (TopoDS_Iterator part(of); part.More() && result.empty(); part.Next()) search(part.Value());
+    for (TopoDS_Iterator part(of); part.More(); part.Next()) search(part.Value());
   };
   search(shape);
-  return result.empty() ? "no more is said" : result;
+  std::string result;
+  for (const std::string& words : said) result += (result.empty() ? "" : ", ") + words;
+  return result.empty() ? "UnorientableShape" : result;
 }
 
 }  // namespace
