@@ -25,6 +25,7 @@
 #include <Precision.hxx>
 #include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -305,12 +306,28 @@ std::optional<CadParameters> Chart::by_formula(const CadPoint& p) const {
   return at;
 }
 
+/// Gauss and Newton: p is near to the surface, so this is fast.
+std::optional<CadParameters> Chart::by_steps(const CadPoint& p, CadParameters at) const {
+  const std::array<double, 2> reach = site(at).reach;
+  for (int i = 0; i < 60; ++i) {
+    gp_Pnt s;
+    gp_Vec du, dv;
+    surface_->D1(at[0], at[1], s, du, dv);
+    const gp_Vec way(s, pnt(p));
+    const double uu = du.Dot(du), uv = du.Dot(dv), vv = dv.Dot(dv), u = du.Dot(way), v = dv.Dot(way);
+    const double determinant = uu * vv - uv * uv;
+    CadParameters step{uu > 0 ? u / uu : 0, vv > 0 ? v / vv : 0};  // at a pole, along what there is
+    if (determinant > 1e-20 * uu * vv) step = {(u * vv - v * uv) / determinant, (v * uu - u * uv) / determinant};
+    for (std::size_t d = 0; d < 2; ++d) at[d] += std::clamp(step[d], -reach[d], reach[d]);
+    if (!std::isfinite(at[0]) || !std::isfinite(at[1])) return std::nullopt;
+    if (std::abs(step[0]) * std::sqrt(uu) + std::abs(step[1]) * std::sqrt(vv) <= 1e-14 * size_) return at;
+  }
+  return std::nullopt;
+}
+
 std::optional<CadParameters> Chart::place(const CadPoint& p, const std::optional<CadParameters>& near) const {
   std::optional<CadParameters> found = by_formula(p);
-  if (!found && near) {
-    std::vector<SurfaceSite> sites{site(*near)};
-    if (find_common(sites, p)) found = sites[0].at;
-  }
+  if (!found && near) found = by_steps(p, *near);
   if (!found) {
     const GeomAPI_ProjectPointOnSurf search(pnt(p), surface_);
     if (search.NbPoints() == 0) return std::nullopt;

@@ -62,6 +62,7 @@ class Chart {
   void settle();
   /// By the formula of an elementary surface.
   std::optional<CadParameters> by_formula(const CadPoint& p) const;
+  std::optional<CadParameters> by_steps(const CadPoint& p, CadParameters at) const;
 };
 
 }  // namespace cnrg::occt

@@ -389,8 +389,8 @@ EdgeCurve CadCurves::make(Index number) const {
   const std::vector<CadPoint> path = guide(piece);
   const auto measured = [&](EdgeCurve made, std::size_t n) {
     std::map<const Chart*, CadParameters> near;
-    for (std::size_t i = 0; i < 2 * n; ++i) {
-      const double t = (static_cast<double>(i) + 0.5) / static_cast<double>(2 * n);
+    for (std::size_t i = 1; i < 4 * n; ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(4 * n);
       made.off = std::max(made.off, off(piece, numbers(made.curve->Value(made.first + t * (made.last - made.first))), near));
     }
     return made;
@@ -495,8 +495,8 @@ PlaneCurve CadCurves::in_plane(const LaidFace& face, const PieceUse& use) const 
       if (!interpolate.IsDone()) throw InputError("one of its edges has no curve in the parameters of its surface");
       made.curve = interpolate.Curve();
     }
-    for (std::size_t i = 0; i < 2 * n; ++i) {
-      const double s = edge.first + range * (static_cast<double>(i) + 0.5) / static_cast<double>(2 * n);
+    for (std::size_t i = 0; i <= 4 * n; ++i) {
+      const double s = edge.first + range * static_cast<double>(i) / static_cast<double>(4 * n);
       const gp_Pnt2d uv = made.curve->Value(s);
       made.off = std::max(made.off, distance(chart.point({uv.X(), uv.Y()}), numbers(edge.curve->Value(s))));
     }

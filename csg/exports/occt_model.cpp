@@ -28,6 +28,7 @@ namespace {
 
 using Index = CadParts::Index;
 constexpr double kLeast = 1e-7;  // the tolerance that OpenCASCADE takes for none
+constexpr double kMargin = 1.5;  // what may be between the places of a measurement
 
 class ModelMaker {
  public:
@@ -97,7 +98,7 @@ class ModelMaker {
     const Piece& piece = layout_.pieces()[number];
     const EdgeCurve& curve = curves_.curve(number);
     const Index a = piece.points.front(), b = piece.points.back();
-    builder_.MakeEdge(made, curve.curve, std::max(kLeast, 1.01 * curve.off));
+    builder_.MakeEdge(made, curve.curve, std::max(kLeast, kMargin * curve.off));
     builder_.Add(made, vertex(a).Oriented(TopAbs_FORWARD));
     builder_.Add(made, vertex(b).Oriented(TopAbs_REVERSED));
     builder_.Range(made, curve.first, curve.last);
@@ -110,7 +111,7 @@ class ModelMaker {
 
   void take(const PlaneCurve& curve, Index piece) {
     made_.off_curve = std::max(made_.off_curve, curve.off);
-    if (curve.off > kLeast) builder_.UpdateEdge(edges_[piece], 1.01 * curve.off);
+    if (kMargin * curve.off > kLeast) builder_.UpdateEdge(edges_[piece], kMargin * curve.off);
   }
 
   TopoDS_Face make_face(const LaidFace& face) {

@@ -230,10 +230,14 @@ class Unroller {
       }
       split(loop, result.loops);
     }
+    const auto add = [&](const UnrollCorner& a, const UnrollCorner& b) {
+      result.area += (a.at[0] * b.at[1] - a.at[1] * b.at[0]) / 2;
+    };
     for (const Half& half : halves_) {
       const UnrollCorner a = placed(half.from, half.facet), b = placed(half.to, half.facet);
-      const UnrollCorner from = fixed(a, b), to = fixed(b, a);
-      result.area += (from.at[0] * to.at[1] - from.at[1] * to.at[0]) / 2;
+      const UnrollCorner c = placed(halves_[half.next].to, half.facet);
+      add(fixed(a, b), fixed(b, a));
+      add(fixed(b, a), fixed(b, c));  // at a pole
     }
     return result;
   }
