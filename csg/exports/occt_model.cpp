@@ -281,17 +281,23 @@ class ModelMaker {
     for (const auto& [component, faces] : sheets) {
       for (const auto& group : connected(faces)) {
         if (group.size() == 1) {
-          made_.parts.push_back({faces_[group[0]], component});
+          made_.parts.push_back({faces_[group[0]], component, leaves_of(group)});
         } else if (is_surface(group)) {
-          made_.parts.push_back({shell_of(group, [](Index) { return true; }), component});
+          made_.parts.push_back({shell_of(group, [](Index) { return true; }), component, leaves_of(group)});
         } else {
-          TopoDS_Compound all;
-          builder_.MakeCompound(all);
-          for (const Index f : group) builder_.Add(all, faces_[f]);
-          made_.parts.push_back({all, component});
+          for (const Index f : group) made_.parts.push_back({faces_[f], component, leaves_of({f})});
         }
       }
     }
+  }
+
+  std::set<LeafId> leaves_of(const std::vector<Index>& faces) const {
+    std::set<LeafId> result;
+    for (const Index f : faces) {
+      const auto& leaves = parts_.flat.faces[layout_.faces()[f].source].origin.leaves;
+      result.insert(leaves.begin(), leaves.end());
+    }
+    return result;
   }
 
   /// True if no edge has more than two of the faces, and two run through it in opposite directions.
@@ -333,17 +339,20 @@ class ModelMaker {
       TopoDS_Wire wire;
       builder_.MakeWire(wire);
       const Component of = component.at(piece);
+      std::set<LeafId> leaves;
       const Index begin = from;
       while (done.insert(piece).second) {
         const std::vector<Index>& points = layout_.pieces()[piece].points;
         const bool forward = points.front() == from;
         builder_.Add(wire, edge(piece).Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED));
+        const auto& from_leaves = flat.edges[*layout_.pieces()[piece].edge].origin.leaves;
+        leaves.insert(from_leaves.begin(), from_leaves.end());
         from = forward ? points.back() : points.front();
         if (ends_at(from)) break;
         piece = at.at(from)[0] == piece ? at.at(from)[1] : at.at(from)[0];
       }
       wire.Closed(from == begin);
-      made_.parts.push_back({wire, of});
+      made_.parts.push_back({wire, of, leaves});
     };
     for (const bool from_end : {true, false}) {
       for (const Index piece : wires) {
@@ -356,9 +365,15 @@ class ModelMaker {
   }
 
   void add_points() {
+    std::map<std::pair<Component, std::vector<LeafId>>, TopoDS_Compound> points;
     for (const FlatComplex::Vertex& of : parts_.flat.vertices) {
-      if (of.free && of.component != 0 && of.entity) made_.parts.push_back({vertex(of.point), of.component});
+      if (!of.free || of.component == 0 || !of.entity) continue;
+      TopoDS_Compound& all = points[{of.component, of.origin.leaves}];
+      if (all.IsNull()) builder_.MakeCompound(all);
+      builder_.Add(all, vertex(of.point));
     }
+    for (const auto& [key, all] : points)
+      made_.parts.push_back({all, key.first, {key.second.begin(), key.second.end()}});
   }
 
   void check(Faceted& failed) const {

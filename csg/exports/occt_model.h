@@ -5,6 +5,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,11 @@
 
 namespace cnrg::occt {
 
-/// A solid, a sheet (shell or face), a wire or a vertex.
+/// A solid, a sheet (shell or face), a wire, or a compound of all points of a component.
 struct CadPart {
   TopoDS_Shape shape;
   Component component = 0;
+  std::set<LeafId> leaves{};  ///< that it came from; not of solids
 };
 
 struct CadModelMade {

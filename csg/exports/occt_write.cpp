@@ -126,19 +126,26 @@ class StepMaker {
     if (!find(part.shape, product)) throw InputError("OpenCASCADE makes no STEP product of a part of the result");
     const CadParts::Attributes& of = parts_.components.at(part.component - 1);
     const TopAbs_ShapeEnum type = part.shape.ShapeType();
-    const bool solid = type == TopAbs_SOLID, wire = type == TopAbs_WIRE, point = type == TopAbs_VERTEX;
-    std::string words = of.name;
-    if (words.empty()) words = (solid ? "region " : wire ? "wire " : point ? "point " : "sheet ") + std::to_string(number(part));
+    const bool solid = type == TopAbs_SOLID, wire = type == TopAbs_WIRE, point = type == TopAbs_COMPOUND;
+    std::string words = part.component == parts_.entities && !part.leaves.empty() ? names_of(part.leaves) : of.name;
+    if (words.empty()) words = (solid ? "region " : wire ? "wire " : point ? "points " : "sheet ") + std::to_string(number(part));
     product.SetPid(text_of(words));
     product.SetPname(text_of(words));
     if (!of.material.empty()) product.SetPdescription(text_of("material: " + of.material));
     if (!of.color.empty()) paint(product, color_of(of.color));
   }
 
+  /// Such as `bolt` or `bolt + fault`.
+  std::string names_of(const std::set<LeafId>& leaves) const {
+    std::string result;
+    for (const LeafId leaf : leaves) result += (result.empty() ? "" : " + ") + parts_.leaves.at(leaf.index());
+    return result;
+  }
+
   /// Of a region that of its component, of others one more than of the last one.
   int number(const CadPart& part) {
     if (part.shape.ShapeType() == TopAbs_SOLID) return static_cast<int>(part.component);
-    const int type = part.shape.ShapeType() == TopAbs_WIRE ? 1 : part.shape.ShapeType() == TopAbs_VERTEX ? 2 : 0;
+    const int type = part.shape.ShapeType() == TopAbs_WIRE ? 1 : part.shape.ShapeType() == TopAbs_COMPOUND ? 2 : 0;
     return ++count_[{0, type}];
   }
 
@@ -153,6 +160,7 @@ class StepMaker {
     }
     Handle(StepVisual_MechanicalDesignGeometricPresentationRepresentation) made;
     styles.CreateMDGPR(shape->ContextOfItems(), made);
+    if (!made.IsNull()) session_->Model()->AddWithRefs(made);
   }
 
   std::string print(const Handle(StepData_StepModel) & model) const {
