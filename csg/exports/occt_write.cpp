@@ -29,6 +29,7 @@
 #include <Transfer_FinderProcess.hxx>
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <algorithm>
 #include <cstdio>
 #include <sstream>
 
@@ -37,39 +38,62 @@
 namespace cnrg::occt {
 namespace {
 
-/// Characters beyond ASCII as ISO 10303-21 has them; a byte that is no UTF-8 as a question mark.
-std::string encoded(const std::string& name) {
+/// How many bytes the character at a place of a UTF-8 text has, line ends in it left out; 0 if it is none. `code` is
+/// its number.
+std::size_t character(const std::string& text, std::size_t at, unsigned long& code) {
+  const auto lead = static_cast<unsigned char>(text[at]);
+  const std::size_t n = lead < 0x80 ? 1 : lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc0 ? 2 : 0;
+  code = n < 2 ? lead : lead & (0xffu >> (n + 1));
+  std::size_t end = at + 1;
+  for (std::size_t k = 1; k < n; ++k, ++end) {
+    while (end < text.size() && text[end] == '\n') ++end;
+    if (end >= text.size() || (static_cast<unsigned char>(text[end]) & 0xc0u) != 0x80) return 0;
+    code = code << 6 | (static_cast<unsigned char>(text[end]) & 0x3fu);
+  }
+  return n == 0 ? 0 : end - at;
+}
+
+/// Without control characters and bytes that are no UTF-8.
+std::string cleaned(const std::string& name) {
   std::string result;
+  unsigned long code = 0;
   for (std::size_t i = 0; i < name.size();) {
-    const auto lead = static_cast<unsigned char>(name[i]);
-    const std::size_t n = lead < 0x80 ? 1 : lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc0 ? 2 : 0;
-    if (n == 1) {
-      result += lead < 0x20 || lead == 0x7f ? '?' : name[i];
-      ++i;
-      continue;
+    const std::size_t n = character(name, i, code);
+    result += n == 0 || code < 0x20 || code == 0x7f ? "?" : name.substr(i, n);
+    i += std::max<std::size_t>(n, 1);
+  }
+  return result;
+}
+
+/// Characters beyond ASCII as ISO 10303-21 has them, one run of them at a time. OpenCASCADE would double the
+/// backslashes of such in a name.
+std::string encoded(const std::string& file) {
+  std::string result;
+  std::size_t width = 0;  // of the characters in a run
+  unsigned long code = 0;
+  for (std::size_t i = 0; i < file.size();) {
+    const std::size_t n = character(file, i, code);
+    require(n != 0, "exports: a STEP text that is no UTF-8");
+    const std::size_t wide = n == 1 ? 0 : code > 0xffff ? 8 : 4;
+    if (wide != width) {
+      if (width != 0) result += "\\X0\\";
+      if (wide != 0) result += wide == 8 ? "\\X4\\" : "\\X2\\";
     }
-    unsigned long code = n == 0 ? 0 : lead & (0xffu >> (n + 1));
-    bool sound = n != 0 && i + n <= name.size();
-    for (std::size_t k = 1; k < n && sound; ++k) {
-      const auto next = static_cast<unsigned char>(name[i + k]);
-      sound = (next & 0xc0u) == 0x80;
-      code = code << 6 | (next & 0x3fu);
+    width = wide;
+    if (wide == 0) {
+      result += file[i];
+    } else {
+      char text[16];
+      std::snprintf(text, sizeof text, "%0*lX", static_cast<int>(wide), code);
+      result += text;
     }
-    if (!sound) {
-      result += '?';
-      ++i;
-      continue;
-    }
-    char text[32];
-    std::snprintf(text, sizeof text, code > 0xffff ? "\\X4\\%08lX\\X0\\" : "\\X2\\%04lX\\X0\\", code);
-    result += text;
     i += n;
   }
   return result;
 }
 
 Handle(TCollection_HAsciiString) text_of(const std::string& name) {
-  return new TCollection_HAsciiString(encoded(name).c_str());
+  return new TCollection_HAsciiString(cleaned(name).c_str());
 }
 
 Quantity_Color color_of(const std::string& hex) {
@@ -86,7 +110,7 @@ class StepMaker {
   std::string run() {
     STEPControl_Writer writer;  // whose making makes the settings
     Interface_Static::SetCVal("write.step.unit", "MM");
-    Interface_Static::SetCVal("write.step.product.name", encoded(parts_.name.empty() ? "result" : parts_.name).c_str());
+    Interface_Static::SetCVal("write.step.product.name", cleaned(parts_.name.empty() ? "result" : parts_.name).c_str());
     Interface_Static::SetIVal("write.step.assembly", 1);
     if (writer.Transfer(model_.whole, STEPControl_AsIs) != IFSelect_RetDone)
       throw InputError("OpenCASCADE cannot make STEP entities of the result");
@@ -174,7 +198,7 @@ class StepMaker {
     writer.SendModel(Handle(StepData_Protocol)::DownCast(session_->Protocol()));
     std::ostringstream text;
     if (!writer.Print(text)) throw InputError("OpenCASCADE cannot print the STEP entities of the result");
-    return text.str();
+    return encoded(text.str());
   }
 };
 
