@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/rounding.h"
@@ -26,6 +27,7 @@ class Collector {
 
   CadParts run() {
     measure();
+    find_numbers();
     for (const FlatComplex::Face& face : parts_.flat.faces) choose_surface(face);
     for_each_index(parts_.faces.size(), [&](std::size_t i) { add_facets(parts_.flat.faces[i], parts_.faces[i]); });
     for (const FlatComplex::Edge& edge : parts_.flat.edges) add_edge(edge);
@@ -37,6 +39,9 @@ class Collector {
   const ResultView& view_;
   CadParts parts_;
   std::map<FlatComplex::Patch, std::optional<Index>> surface_of_, curve_of_;
+  std::map<std::uint32_t, Index> surface_of_number_;  // by Soup::Face::surface
+  std::map<FlatComplex::Patch, std::uint32_t> number_of_;
+  std::vector<FlatComplex::Patch> patch_of_;  // whose form each surface has
 
   void measure() {
     CadPoint low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -50,6 +55,19 @@ class Collector {
     return leaf.index() < view_.leaves->size() ? (*view_.leaves)[leaf.index()].name : "";
   }
 
+  static bool is_elementary(const CadSurface& surface) {
+    using Kind = CadSurface::Kind;
+    return surface.kind == Kind::cylinder || surface.kind == Kind::cone || surface.kind == Kind::sphere ||
+           surface.kind == Kind::torus;
+  }
+
+  void find_numbers() {
+    if (view_.complex->surface_count == 0) return;
+    for (const Soup::Face& source : view_.complex->sources) {
+      if (source.surface != 0) number_of_[{source.leaf, source.patch}] = source.surface;
+    }
+  }
+
   std::optional<Index> surface(const FlatComplex::Patch& patch) {
     const auto [it, fresh] = surface_of_.try_emplace(patch);
     if (!fresh || view_.parameters == nullptr) return it->second;
@@ -57,7 +75,14 @@ class Collector {
     if (surfaces == nullptr) return it->second;
     const auto form = surfaces->forms().find(patch.second);
     if (form == surfaces->forms().end()) return it->second;
+    // Patches of one surface have one form, where that finds the parameters of points by formula.
+    const auto number = number_of_.find(patch);
+    if (number != number_of_.end() && is_elementary(form->second.surface)) {
+      const auto [known, first] = surface_of_number_.try_emplace(number->second, Index(parts_.surfaces.size()));
+      if (!first) return it->second = known->second;
+    }
     it->second = Index(parts_.surfaces.size());
+    patch_of_.push_back(patch);
     parts_.surfaces.push_back(form->second);
     parts_.surfaces.back().placed = view_.parameters->transform(patch.first) * form->second.placed;
     parts_.surface_names.push_back("`" + view_.parameters->patch_name(patch.first, patch.second) + "` of `" +
@@ -82,6 +107,9 @@ class Collector {
     CadParts::Face& of = parts_.faces.emplace_back();
     of.flat = face.facets.empty();
     if (face.patch) of.surface = surface(*face.patch);
+    for (const auto& [patch, cell] : face.cells_of_patches) {
+      if (!of.surface) of.surface = surface(patch);
+    }
     if (of.surface && of.flat && parts_.surfaces[*of.surface].surface.kind == CadSurface::Kind::plane)
       of.surface.reset();
     if (of.surface || of.flat) return;
@@ -99,9 +127,19 @@ class Collector {
     }
     if (!of.surface) return;
     const SurfaceForm& form = parts_.surfaces[*of.surface];
-    for (std::size_t i = 0; i < of.facets.size() && i < face.cells.size(); ++i) {
+    if (is_elementary(form.surface) && form.placed.identity()) return;
+    const FlatComplex::Patch& patch = patch_of_[*of.surface];
+    std::vector<std::vector<PatchCorner>> all;
+    for (const auto& [of_patch, cell] : face.cells_of_patches) {
+      if (of_patch == patch) all.push_back(cell);
+    }
+    const bool own = face.patch && *face.patch == patch;
+    for (std::size_t i = 0; i < of.facets.size(); ++i) {
       for (const FlatComplex::Loop& loop : of.facets[i].loops) {
-        for (const Index p : loop) find_near(face.cells[i], p, form, of.facets[i].near);
+        for (const Index p : loop) {
+          if (own && i < face.cells.size()) find_near(face.cells[i], p, form, of.facets[i].near);
+          else find_near(all, p, form, of.facets[i].near);
+        }
       }
     }
   }
@@ -129,7 +167,7 @@ class Collector {
                  std::map<Index, CadParameters>& near) const {
     const RationalPoint point = view_.complex->points.rational(parts_.flat.points[p]);
     for (const auto& cell : cells) {
-      if (!holds(cell, point)) continue;
+      if (volume6(cell[0].point, cell[1].point, cell[2].point, point) != 0 || !holds(cell, point)) continue;
       const Parameters at = parameters_in(cell, point);
       CadParameters found{to_double(at[0]), to_double(at[1])};
       if (form.swapped) std::swap(found[0], found[1]);

@@ -261,7 +261,7 @@ class ModelMaker {
       if (!flat.active(r)) continue;
       TopoDS_Solid solid;
       builder_.MakeSolid(solid);
-      for (const auto& group : connected(around[r])) {
+      for (const auto& group : shells_of(r, around[r])) {
         // Normals point out: the front of a face that has the region on its back.
         TopoDS_Shell shell =
             shell_of(group, [&](Index f) { return flat.faces[layout_.faces()[f].source].regions[1] == r; });
@@ -270,6 +270,61 @@ class ModelMaker {
       }
       made_.parts.push_back({solid, flat.regions[r].component});
     }
+  }
+
+  /// Groups of faces around a region that are closed surfaces. Where the region touches itself along an edge, four
+  /// faces or more are there, and a shell may have two of them only. Two boxes that share an edge, cut out of a
+  /// block, are two shells: so faces go on across what is not the region, if that parts them, else across it.
+  std::vector<std::vector<Index>> shells_of(Index r, const std::vector<Index>& faces) const {
+    std::map<Index, std::vector<Index>> at;  // places among the faces, by piece
+    for (Index i = 0; i < faces.size(); ++i) {
+      for (const auto& loop : layout_.faces()[faces[i]].loops) {
+        for (const PieceUse& use : loop) at[use.piece].push_back(i);
+      }
+    }
+    for (const bool through : {false, true}) {
+      UnionFind sets(faces.size());
+      for (const auto& [piece, there] : at) {
+        if (there.size() <= 2) sets.unite(there.front(), there.back());
+        else for (const auto& [a, b] : pairs_at(r, piece, faces, there, through)) sets.unite(a, b);
+      }
+      std::map<Index, std::vector<Index>> groups;
+      for (Index i = 0; i < faces.size(); ++i) groups[sets.find(i)].push_back(faces[i]);
+      bool sound = true;
+      for (const auto& [piece, there] : at) {
+        std::map<Index, int> uses;
+        for (const Index i : there) sound = ++uses[sets.find(i)] <= 2 && sound;
+      }
+      if (!sound && !through) continue;
+      if (!sound) {
+        throw InputError("a region touches itself along an edge where no two closed shells meet, which a solid of a CAD "
+                         "model cannot do");
+      }
+      std::vector<std::vector<Index>> result;
+      for (auto& [root, group] : groups) result.push_back(std::move(group));
+      return result;
+    }
+    return {};
+  }
+
+  /// Pairs of faces that follow each other around an edge, with the region between them or without it.
+  std::vector<std::pair<Index, Index>> pairs_at(Index r, Index piece, const std::vector<Index>& faces,
+                                                const std::vector<Index>& there, bool through) const {
+    const FlatComplex& flat = parts_.flat;
+    std::vector<std::pair<Index, bool>> order;  // faces that bound the region, and if that is before them
+    for (const Index side : flat.edges[*layout_.pieces()[piece].edge].around) {
+      const auto& regions = flat.faces[side / 2].regions;
+      if (regions[0] == regions[1] || (regions[0] != r && regions[1] != r)) continue;
+      for (const Index i : there) {
+        if (layout_.faces()[faces[i]].source == side / 2) order.emplace_back(i, regions[side % 2] == r);
+      }
+    }
+    std::vector<std::pair<Index, Index>> pairs;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      const auto& next = order[(k + 1) % order.size()];
+      if (next.second == through) pairs.emplace_back(order[k].first, next.first);
+    }
+    return pairs;
   }
 
   void add_sheets() {

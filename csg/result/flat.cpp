@@ -53,6 +53,7 @@ class Flattener {
   const Components& value_;
   FlatComplex flat_;
   IdVector<EdgeId, Index> edge_of_;  // simplified edge that holds an edge of the complex
+  IdVector<FaceId, Index> front_;    // the side of a face of the complex that is the front of the simplified one
   std::vector<unsigned> walks_;      // how often listed faces walk each simplified edge
   std::vector<char> slit_;
   std::vector<unsigned char> flipped_;  // faces whose front is not that of the simplified complex
@@ -374,6 +375,10 @@ class Flattener {
   }
 
   void make_edges() {
+    front_.assign(complex_.face_count(), 0);
+    for (const auto& face : simple_.faces) {
+      for (const HalfFace cell : face.cells) front_[cell.face()] = Index(cell.side());
+    }
     flat_.edges.resize(simple_.edges.size());
     for_each_index(simple_.edges.size(), [&](std::size_t i) {
       const auto& from = simple_.edges[i];
@@ -431,6 +436,12 @@ class Flattener {
       keep_common(curves, std::move(on), i == 0);
     }
     if (!curves.empty()) edge.curve = curves.front();
+    for (const FaceUse& use : complex_.edge_uses[from.chain[0].edge()]) {
+      const SimplifiedComplex::Place place = simple_.face_place[use.face.index()];
+      if (place.dimension != 2 || place.index >= simple_.faces.size()) continue;
+      const Index side = Index(use.before().side()) ^ front_[use.face];
+      edge.around.push_back(place.index * 2 + (side ^ flipped_[place.index]));
+    }
   }
 
   static void keep_common(std::vector<FlatComplex::Patch>& list, std::vector<FlatComplex::Patch> other, bool first) {
