@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/weld/planes.h"
 #include "kernel/base/union_find.h"
