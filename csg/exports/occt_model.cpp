@@ -141,7 +141,7 @@ class ModelMaker {
         builder_.UpdateEdge(edges_[piece], (of.forward ? of.forward : of.backward)->curve, made, kLeast);
     }
     for (const auto& loop : face.loops) add_loop(face, loop, in_plane, made);
-    for (const Index piece : face.inner) add_inner(face, piece, made);
+    add_inner(face, made);
     for (const Index p : face.isolated) builder_.Add(made, vertex(p).Oriented(TopAbs_INTERNAL));
     return face.same ? made : TopoDS::Face(made.Reversed());
   }
@@ -190,19 +190,28 @@ class ModelMaker {
     builder_.Add(wire, pole);
   }
 
-  /// An edge inside of the face, where something else meets it.
-  void add_inner(const LaidFace& face, Index number, TopoDS_Face& made) {
-    const TopoDS_Edge& of = edge(number);
-    if (!face.chart->flat()) {
-      const PieceUse use = inner_use(face, number);
-      const PlaneCurve curve = curves_.in_plane(face, use);
-      take(curve, number);
-      builder_.UpdateEdge(of, curve.curve, made, kLeast);
+  /// Edges inside of the face, where something else meets it; those that hang together are one wire.
+  void add_inner(const LaidFace& face, TopoDS_Face& made) {
+    UnionFind sets(face.inner.size());
+    std::map<Index, std::uint32_t> at;
+    for (std::uint32_t i = 0; i < face.inner.size(); ++i) {
+      const std::vector<Index>& points = layout_.pieces()[face.inner[i]].points;
+      for (const Index end : {points.front(), points.back()}) sets.unite(at.try_emplace(end, i).first->second, i);
     }
-    TopoDS_Wire wire;
-    builder_.MakeWire(wire);
-    builder_.Add(wire, of.Oriented(TopAbs_INTERNAL));
-    builder_.Add(made, wire);
+    std::map<std::uint32_t, TopoDS_Wire> wires;
+    for (std::uint32_t i = 0; i < face.inner.size(); ++i) {
+      const Index number = face.inner[i];
+      const TopoDS_Edge& of = edge(number);
+      if (!face.chart->flat()) {
+        const PlaneCurve curve = curves_.in_plane(face, inner_use(face, number));
+        take(curve, number);
+        builder_.UpdateEdge(of, curve.curve, made, kLeast);
+      }
+      TopoDS_Wire& wire = wires[sets.find(i)];
+      if (wire.IsNull()) builder_.MakeWire(wire);
+      builder_.Add(wire, of.Oriented(TopAbs_INTERNAL));
+    }
+    for (const auto& [root, wire] : wires) builder_.Add(made, wire);
   }
 
   PieceUse inner_use(const LaidFace& face, Index number) const {

@@ -230,6 +230,7 @@ class Unroller {
       }
       split(loop, result.loops);
     }
+    begin_with_first_turn(result);
     const auto add = [&](const UnrollCorner& a, const UnrollCorner& b) {
       result.area += (a.at[0] * b.at[1] - a.at[1] * b.at[0]) / 2;
     };
@@ -240,6 +241,21 @@ class Unroller {
       add(fixed(b, a), fixed(b, c));  // at a pole
     }
     return result;
+  }
+
+  /// The whole face moved so that its least parameters are in their first period.
+  void begin_with_first_turn(Unrolled& unrolled) const {
+    for (std::size_t d = 0; d < 2; ++d) {
+      if (period_[d] == 0) continue;
+      double least = HUGE_VAL;
+      for (const auto& loop : unrolled.loops) {
+        for (const Unrolled::Step& step : loop) least = std::min({least, step.from.at[d], step.to.at[d]});
+      }
+      const double turns = std::floor((least + slack_[d]) / period_[d]) * period_[d];
+      for (auto& loop : unrolled.loops) {
+        for (Unrolled::Step& step : loop) step.from.at[d] -= turns, step.to.at[d] -= turns;
+      }
+    }
   }
 
   /// A free parameter is that of the other end of the side.

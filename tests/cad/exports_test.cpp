@@ -30,6 +30,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <gp_Pln.hxx>
 #include <numbers>
 #include <random>
 #include <set>
@@ -342,7 +343,7 @@ TEST_CASE("files are right where OpenCASCADE's own Booleans are not", "[exports]
       "  post:    {cylinder: {from: [0, 0, -2], to: [0, 0, 2], radius: 1}}\n"
       "  fin:     {polygon: [[-3, 0, -3], [3, 0, -3], [3, 0, 3], [-3, 0, 3]]}\n"
       "  left:    {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n"
-      "  right:   {box: {min: [0.99999999, 0, 0], max: [2, 1, 1]}}\n";
+      "  right:   {box: {min: [1.00000001, 0, 0], max: [2, 1, 1]}}\n";
   SECTION("a ball that fills the tube of a torus is cut out of it") {
     const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(3, 1).Shape();
     const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(3, 0, 0), 1).Shape();
@@ -368,16 +369,17 @@ TEST_CASE("files are right where OpenCASCADE's own Booleans are not", "[exports]
     CHECK(count(shape, TopAbs_FACE) == scene.result().cells().faces.size());
     CHECK(valid(scene.step()));
   }
-  SECTION("boxes that overlap by less than the tolerance are one") {
-    const TopoDS_Shape left = box({0, 0, 0}, {1, 1, 1}), right = box({0.99999999, 0, 0}, {2, 1, 1});
-    CHECK(count(BRepAlgoAPI_Fuse(left, right).Shape(), TopAbs_SOLID) == 0);
-    Scene scene(leaves + "  both:    {union: [left, right]}\n  model:   {unify: both}");
+  SECTION("boxes with a gap less than the tolerance are two") {
+    const TopoDS_Shape left = box({0, 0, 0}, {1, 1, 1}), right = box({1.00000001, 0, 0}, {2, 1, 1});
+    const TopoDS_Shape fused = BRepAlgoAPI_Fuse(left, right).Shape();
+    CHECK(count(fused, TopAbs_SOLID) == 1);
+    CHECK(count(fused, TopAbs_FACE) == 10);
+    Scene scene(leaves + "  model:   {union: [left, right]}");
     for (const bool step : {false, true}) {
       const TopoDS_Shape shape = step ? scene.step() : scene.brep();
       CHECK(valid(shape));
-      CHECK(count(shape, TopAbs_SOLID) == 1);
-      CHECK(count(shape, TopAbs_FACE) == 6);
-      CHECK(volume(shape) == Approx(2));
+      CHECK(count(shape, TopAbs_SOLID) == 2);
+      CHECK(count(shape, TopAbs_FACE) == 12);
     }
   }
 }
@@ -436,11 +438,10 @@ TEST_CASE("random solids are valid, with the faces of the result on their surfac
     const std::size_t here = result.cells().faces.size();
     faces += here;
     for (const double v : volumes(shape)) CHECK(v > 0);
-    if (scene.notices.size() > 1) {
-      faceted += scene.notices.size() - 1;
-    } else {
-      CHECK(count(shape, TopAbs_FACE) == here);
-    }
+    std::size_t of_facets = 0;
+    for (const std::string& notice : scene.notices) of_facets += notice.find("flat facet") != std::string::npos;
+    faceted += of_facets;
+    if (of_facets == 0) CHECK(count(shape, TopAbs_FACE) == here);
     // Facets are inside of convex patches and outside of bores: near, but no more.
     double exact = 0;
     for (Component i = 1; i <= result.component_count(); ++i) exact += to_double(*result.volume(i));
