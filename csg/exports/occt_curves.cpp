@@ -82,7 +82,7 @@ CadCurves::CadCurves(const CadParts& parts, const CadLayout& layout, double tole
     for (const auto& loop : face.loops) {
       for (const PieceUse& use : loop) faces_of_piece_[use.piece].insert(face.source);
     }
-    for (const Index piece : face.inner) faces_of_piece_[piece].insert(face.source);
+    for (const PieceUse& use : face.inner) faces_of_piece_[use.piece].insert(face.source);
   }
   place_points(failed);
   if (!failed.empty()) return;

@@ -258,11 +258,21 @@ void CadLayout::add_uses(std::size_t number) {
       loop.back().corners.push_back(step.to);
     }
   }
-  for (const auto& [a, b] : unrolled_[number].inner) {
-    const auto found = piece_at_.find({a, b});
-    if (found != piece_at_.end()) face.inner.push_back(found->second.first);
+  std::map<Index, std::map<Index, UnrollCorner>> inner;  // corners by piece and point
+  for (const Unrolled::Step& step : unrolled_[number].inner) {
+    const auto found = piece_at_.find({step.from.point, step.to.point});
+    if (found == piece_at_.end()) continue;
+    auto& corners = inner[found->second.first];
+    corners.try_emplace(step.from.point, step.from);
+    corners.try_emplace(step.to.point, step.to);
   }
-  sort_unique(face.inner);
+  for (const auto& [piece, corners] : inner) {
+    PieceUse& use = face.inner.emplace_back(PieceUse{piece, true, {}});
+    for (const Index p : pieces_[piece].points) {
+      if (corners.count(p) == 0) return fail();
+      use.corners.push_back(corners.at(p));
+    }
+  }
 }
 
 void CadLayout::find_charts() {
@@ -276,7 +286,7 @@ void CadLayout::find_charts() {
     for (const auto& loop : face.loops) {
       for (const PieceUse& use : loop) add(use.piece);
     }
-    for (const Index piece : face.inner) add(piece);
+    for (const PieceUse& use : face.inner) add(use.piece);
   }
   for (Index i = 0; i < pieces_.size(); ++i) {
     if (!pieces_[i].edge || !not_on[i].empty()) continue;

@@ -40,7 +40,7 @@ struct LaidFace {
   const Chart* chart = nullptr;
   bool same = true;  ///< the front of the face is the side of S_u x S_v
   std::vector<std::vector<PieceUse>> loops;  ///< with the face to the left as seen from its front
-  std::vector<Index> inner;                  ///< pieces inside of it
+  std::vector<PieceUse> inner;               ///< inside of it, each once
   std::vector<Index> isolated;               ///< points inside of it
 };
 

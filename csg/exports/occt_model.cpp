@@ -195,15 +195,15 @@ class ModelMaker {
     UnionFind sets(face.inner.size());
     std::map<Index, std::uint32_t> at;
     for (std::uint32_t i = 0; i < face.inner.size(); ++i) {
-      const std::vector<Index>& points = layout_.pieces()[face.inner[i]].points;
+      const std::vector<Index>& points = layout_.pieces()[face.inner[i].piece].points;
       for (const Index end : {points.front(), points.back()}) sets.unite(at.try_emplace(end, i).first->second, i);
     }
     std::map<std::uint32_t, TopoDS_Wire> wires;
     for (std::uint32_t i = 0; i < face.inner.size(); ++i) {
-      const Index number = face.inner[i];
+      const Index number = face.inner[i].piece;
       const TopoDS_Edge& of = edge(number);
       if (!face.chart->flat()) {
-        const PlaneCurve curve = curves_.in_plane(face, inner_use(face, number));
+        const PlaneCurve curve = curves_.in_plane(face, face.inner[i]);
         take(curve, number);
         builder_.UpdateEdge(of, curve.curve, made, kLeast);
       }
@@ -214,22 +214,12 @@ class ModelMaker {
     for (const auto& [root, wire] : wires) builder_.Add(made, wire);
   }
 
-  PieceUse inner_use(const LaidFace& face, Index number) const {
-    PieceUse use{number, true, {}};
-    for (const Index p : layout_.pieces()[number].points) {
-      UnrollCorner corner{p, layout_.near(face.chart, p).value_or(CadParameters{}), {}};
-      for (std::size_t d = 0; d < 2; ++d) corner.free[d] = face.chart->is_free(d, corner.at);
-      use.corners.push_back(corner);
-    }
-    return use;
-  }
-
   template <class Each>
   void for_each_piece(const LaidFace& face, const Each& each) const {
     for (const auto& loop : face.loops) {
       for (const PieceUse& use : loop) each(use.piece);
     }
-    for (const Index piece : face.inner) each(piece);
+    for (const PieceUse& use : face.inner) each(use.piece);
   }
 
   /// Groups of faces that hang together by edges, each ascending.
@@ -371,9 +361,9 @@ class ModelMaker {
       for (const auto& loop : layout_.faces()[f].loops) {
         for (const PieceUse& use : loop) ++uses[use.piece][use.forward ? 0 : 1];
       }
-      for (const Index piece : layout_.faces()[f].inner) {
-        ++uses[piece][0];
-        ++uses[piece][1];
+      for (const PieceUse& use : layout_.faces()[f].inner) {
+        ++uses[use.piece][0];
+        ++uses[use.piece][1];
       }
     }
     return std::all_of(uses.begin(), uses.end(), [](const auto& u) { return u.second[0] <= 1 && u.second[1] <= 1; });

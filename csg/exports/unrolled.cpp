@@ -218,15 +218,15 @@ class Unroller {
     std::vector<char> walked(halves_.size(), 0);
     for (Index h = 0; h < halves_.size(); ++h) {
       const Half& half = halves_[h];
-      if (half.twin != kNone && half.from.point < half.to.point)
-        (half.open ? result.seams : result.inner).push_back({half.from.point, half.to.point});
+      if (half.twin != kNone && half.from.point < half.to.point) {
+        if (half.open) result.seams.push_back({half.from.point, half.to.point});
+        else result.inner.push_back(step_of(half));
+      }
       if (walked[h] || (half.twin != kNone && !half.open)) continue;
       std::vector<Unrolled::Step> loop;
       for (Index at = h; !walked[at]; at = next_open(at)) {
         walked[at] = 1;
-        const Half& step = halves_[at];
-        loop.push_back({fixed(placed(step.from, step.facet), placed(step.to, step.facet)),
-                        fixed(placed(step.to, step.facet), placed(step.from, step.facet)), step.twin != kNone});
+        loop.push_back(step_of(halves_[at]));
       }
       split(loop, result.loops);
     }
@@ -243,6 +243,11 @@ class Unroller {
     return result;
   }
 
+  Unrolled::Step step_of(const Half& half) const {
+    const UnrollCorner from = placed(half.from, half.facet), to = placed(half.to, half.facet);
+    return {fixed(from, to), fixed(to, from), half.twin != kNone};
+  }
+
   /// The whole face moved so that its least parameters are in their first period.
   void begin_with_first_turn(Unrolled& unrolled) const {
     for (std::size_t d = 0; d < 2; ++d) {
@@ -255,6 +260,7 @@ class Unroller {
       for (auto& loop : unrolled.loops) {
         for (Unrolled::Step& step : loop) step.from.at[d] -= turns, step.to.at[d] -= turns;
       }
+      for (Unrolled::Step& step : unrolled.inner) step.from.at[d] -= turns, step.to.at[d] -= turns;
     }
   }
 

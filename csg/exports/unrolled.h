@@ -35,7 +35,7 @@ struct Unrolled {
   };
   std::vector<std::vector<Step>> loops;              ///< closed, no loop passes a place twice
   std::vector<std::array<std::uint32_t, 2>> seams;   ///< pairs of points, the smaller one first
-  std::vector<std::array<std::uint32_t, 2>> inner;   ///< sides between facets that are no seams, the same
+  std::vector<Step> inner;                           ///< sides between facets that are no seams, each once
   double area = 0;                                   ///< of all facets in the parameters, with its sign
 };
 
