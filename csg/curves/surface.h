@@ -64,7 +64,7 @@ class Curve {
 struct SurfaceForm {
   CadSurface surface;
   Transform placed{};
-  bool swapped = false;                        ///< the first parameter of `surface` is that of v
+  bool swapped = false;                         ///< the first parameter of `surface` is that of v
   std::array<double, 2> zero{0, 0}, one{1, 1};  ///< of `surface`: at 0 and 1 of the patch
   std::array<double, 2> low{0, 0}, high{1, 1};  ///< of `surface`: what of it the patch has
 };

@@ -188,7 +188,9 @@ std::optional<SurfaceForm> extruded_form(const ExtrudeShape& shape, const Ration
     return form;
   }
   // Straight from each point of the profile to its image.
-  PatchNet net{.points = {segment.points, {}}, .weights = {}, .degree = {segment.degree, segment.degree == 0 ? 0 : 1},
+  PatchNet net{.points = {segment.points, {}},
+               .weights = {},
+               .degree = {segment.degree, segment.degree == 0 ? 0 : 1},
                .knots = {segment.knots, {}}};
   for (const RationalPoint& p : segment.points)
     net.points[1].push_back(center + shape.scale * (p - center) + shape.vector);

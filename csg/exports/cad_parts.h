@@ -37,9 +37,9 @@ struct CadParts {
     std::string why;  ///< of a curved face without a surface: why there is none
   };
   struct Edge {
-    std::vector<Index> surfaces;      ///< on which all of it lies, in faces of the result or not
-    std::optional<Index> curve;       ///< of `curves`
-    std::vector<double> at;           ///< parameters of its points on the curve, ascending or descending
+    std::vector<Index> surfaces;  ///< on which all of it lies, in faces of the result or not
+    std::optional<Index> curve;   ///< of `curves`
+    std::vector<double> at;       ///< parameters of its points on the curve, ascending or descending
   };
   struct Attributes {
     std::string name, material, color;  ///< the colour `#rrggbb`, or empty
@@ -52,8 +52,8 @@ struct CadParts {
   std::vector<SurfaceForm> surfaces;
   std::vector<std::string> surface_names;  ///< such as `sphere of ball`
   std::vector<CurveForm> curves;
-  std::vector<Face> faces;  ///< parallel to those of `flat`
-  std::vector<Edge> edges;  ///< the same
+  std::vector<Face> faces;             ///< parallel to those of `flat`
+  std::vector<Edge> edges;             ///< the same
   std::vector<Attributes> components;  ///< by number, from 1
   Component entities = 0;              ///< that of what bounds no region, in a group
   std::vector<std::string> leaves;     ///< their names

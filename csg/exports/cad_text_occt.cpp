@@ -1,7 +1,7 @@
 // The child's part, and what becomes of its answer; see the header.
 //
-// A face that fails is taken as its facets, and all is made once more: its neighbours then meet flat faces, and may
-// fail in their turn.
+// A face that fails is taken as its facets, and all is made once more: its neighbours then meet flat faces, and
+// may fail in their turn.
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
 #include <algorithm>
@@ -82,8 +82,8 @@ class Maker {
     if (made.moved > 0) words += ", by " + short_number(made.farthest) + " at most";
     words += "; edges are within " + short_number(std::max(made.off_surface, made.off_curve)) + " of the surfaces";
     if (made.splines > 0) {
-      words += ", " + counted(made.splines, "is a spline", "are splines") + " (tolerance " + short_number(tolerance) +
-               ")";
+      words += ", " + counted(made.splines, "is a spline", "are splines") + " (tolerance " +
+               short_number(tolerance) + ")";
     }
     notices.push_back(std::move(words));
   }
@@ -97,8 +97,8 @@ class Maker {
         return;
       }
       const CadParts::Face& face = parts_.faces[f];
-      notices.push_back("face f" + std::to_string(f) + (face.surface ? ", " + parts_.surface_names[*face.surface] : "") +
-                        ", is written as its " +
+      notices.push_back("face f" + std::to_string(f) +
+                        (face.surface ? ", " + parts_.surface_names[*face.surface] : "") + ", is written as its " +
                         counted(face.facets.size(), "flat facet", "flat facets") + ": " + why);
     }
   }
@@ -140,9 +140,9 @@ const char* const kInstead = "write .json, which holds any result, or .msh, whic
   using Kind = ChildEnd::Kind;
   switch (end.kind) {
     case Kind::time:
-      throw InputError("OpenCASCADE did not end within " + std::to_string(end.seconds) + " s of processor time: " +
-                       kInstead);
-    case Kind::memory: throw FileError(std::string("OpenCASCADE ran out of memory: free some, or ") + kInstead);
+      throw InputError("OpenCASCADE did not end within " + std::to_string(end.seconds) +
+                       " s of processor time: " + kInstead);
+    case Kind::memory: throw FileError(std::string("OpenCASCADE ran out of memory, or of room for the file (ulimit -f): free some, or ") + kInstead);
     case Kind::signal:
       throw InputError("OpenCASCADE crashed (signal " + std::to_string(end.number) + "): " + kInstead);
     default: throw InputError("OpenCASCADE ended its process (" + std::to_string(end.number) + "): " + kInstead);
@@ -153,7 +153,8 @@ const char* const kInstead = "write .json, which holds any result, or .msh, whic
 
 CadText cad_text(const CadParts& parts, CadFormat format) {
   constexpr std::size_t kSeconds = 600, kFacesPerSecond = 100;
-  const ChildLimits limits{.seconds = kSeconds + parts.faces.size() / kFacesPerSecond, .bytes = memory_of_machine()};
+  const ChildLimits limits{.seconds = kSeconds + parts.faces.size() / kFacesPerSecond,
+                           .bytes = memory_of_machine()};
   const MemoryFile file("OpenCASCADE");
   const ChildEnd end = run_in_child("OpenCASCADE", limits, [&] { return make_in_child(parts, format, file); });
   if (end.kind != ChildEnd::Kind::done || end.number != 0) fail(end);

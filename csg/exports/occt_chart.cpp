@@ -124,7 +124,8 @@ gp_Pnt moved(const gp_Pnt& p, const Transform& map) {
   CadPoint result{};
   for (std::size_t i = 0; i < 3; ++i) {
     result[i] = to_double(map.offset[i]);
-    for (std::size_t j = 0; j < 3; ++j) result[i] += to_double(map.linear[i][j]) * p.Coord(static_cast<int>(j) + 1);
+    for (std::size_t j = 0; j < 3; ++j)
+      result[i] += to_double(map.linear[i][j]) * p.Coord(static_cast<int>(j) + 1);
   }
   return pnt(result);
 }
@@ -275,9 +276,7 @@ Chart::Strip::Strip(const Chart& chart, std::size_t d, const CadParameters& at)
       reach_((chart.period_[1 - d] > 0 ? chart.period_[1 - d] : chart.high_[1 - d] - chart.low_[1 - d]) / 4),
       placed_(in_place(std::make_shared<const NormalStrip>(chart.surface_, d, at[d]))) {}
 
-SurfaceSite Chart::Strip::site() const {
-  return {placed_.get(), {start_, 0}, {reach_, HUGE_VAL}, {}, {}};
-}
+SurfaceSite Chart::Strip::site() const { return {placed_.get(), {start_, 0}, {reach_, HUGE_VAL}, {}, {}}; }
 
 std::array<double, 2> Chart::slack() const {
   if (flat_) return {1e-9 * size_, 1e-9 * size_};
@@ -301,8 +300,7 @@ std::optional<CadParameters> Chart::by_formula(const CadPoint& p) const {
     ElSLib::Parameters(sphere->Sphere(), q, at[0], at[1]);
   else if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface_); !torus.IsNull())
     ElSLib::Parameters(torus->Torus(), q, at[0], at[1]);
-  else
-    return std::nullopt;
+  else return std::nullopt;
   return at;
 }
 
@@ -358,8 +356,7 @@ bool Chart::is_free(std::size_t d, const CadParameters& at) const {
 SurfaceSite Chart::site(const CadParameters& at) const {
   if (flat_) return {nullptr, {}, {}, plane_.point, plane_.normal};
   SurfaceSite result{placed_.get(), at, {}, {}, {}};
-  for (std::size_t d = 0; d < 2; ++d)
-    result.reach[d] = (period_[d] > 0 ? period_[d] : high_[d] - low_[d]) / 4;
+  for (std::size_t d = 0; d < 2; ++d) result.reach[d] = (period_[d] > 0 ? period_[d] : high_[d] - low_[d]) / 4;
   return result;
 }
 

@@ -21,7 +21,7 @@ class Chart {
   explicit Chart(const SurfaceForm& form, double size);
   explicit Chart(const CadParts::Plane& plane, double size);
 
-  const Handle(Geom_Surface)& surface() const { return surface_; }
+  const Handle(Geom_Surface) & surface() const { return surface_; }
   bool flat() const { return flat_; }
   /// 0: none.
   const std::array<double, 2>& period() const { return period_; }

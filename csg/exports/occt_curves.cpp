@@ -108,7 +108,8 @@ void CadCurves::place_points(Faceted& failed) {
   for (Index i = 0; i < layout_.pieces().size(); ++i) {
     const std::vector<Index>& chain = layout_.pieces()[i].points;
     double way = 0;
-    for (std::size_t k = 1; k < chain.size(); ++k) way += distance(parts_.points[chain[k - 1]], parts_.points[chain[k]]);
+    for (std::size_t k = 1; k < chain.size(); ++k)
+      way += distance(parts_.points[chain[k - 1]], parts_.points[chain[k]]);
     for (const Index end : {chain.front(), chain.back()}) {
       reach[end] = std::max(reach[end], way);
       pieces[end].push_back(i);
@@ -211,7 +212,8 @@ EdgeCurve CadCurves::on_given_curve(const Piece& piece) const {
     const double period = curve->Period();
     // The parameter goes on by less than half a period; where the curve closes it may be either end.
     const std::size_t middle = at.size() / 2;
-    for (std::size_t i = middle + 1; i < at.size(); ++i) at[i] -= period * std::round((at[i] - at[i - 1]) / period);
+    for (std::size_t i = middle + 1; i < at.size(); ++i)
+      at[i] -= period * std::round((at[i] - at[i - 1]) / period);
     for (std::size_t i = middle; i-- > 0;) at[i] -= period * std::round((at[i] - at[i + 1]) / period);
   }
   if (at.front() > at.back()) {
@@ -368,7 +370,8 @@ std::optional<EdgeCurve> CadCurves::circle(const Piece& piece, const std::vector
     double angle = 0;
     for (std::size_t i = 1; i <= n && fits; ++i) {
       const CadPoint d = difference(samples[i], center);
-      fits = std::abs(dot(d, axis)) <= kExact * parts_.size && std::abs(length(d) - radius) <= kExact * parts_.size;
+      fits =
+          std::abs(dot(d, axis)) <= kExact * parts_.size && std::abs(length(d) - radius) <= kExact * parts_.size;
       double next = std::atan2(dot(d, y), dot(d, x));
       while (next < angle - 1e-9) next += 2 * std::numbers::pi;
       fits = fits && next - angle < std::numbers::pi;
@@ -384,14 +387,16 @@ std::optional<EdgeCurve> CadCurves::circle(const Piece& piece, const std::vector
 EdgeCurve CadCurves::make(Index number) const {
   const Piece& piece = layout_.pieces()[number];
   const CadPoint &a = points_[piece.points.front()], &b = points_[piece.points.back()];
-  const bool curved = std::any_of(piece.charts.begin(), piece.charts.end(), [](const Chart* c) { return !c->flat(); });
+  const bool curved =
+      std::any_of(piece.charts.begin(), piece.charts.end(), [](const Chart* c) { return !c->flat(); });
   if (!curved) return piece.at.empty() ? line(a, b) : on_given_curve(piece);
   const std::vector<CadPoint> path = guide(piece);
   const auto measured = [&](EdgeCurve made, std::size_t n) {
     std::map<const Chart*, CadParameters> near;
     for (std::size_t i = 1; i < 4 * n; ++i) {
       const double t = static_cast<double>(i) / static_cast<double>(4 * n);
-      made.off = std::max(made.off, off(piece, numbers(made.curve->Value(made.first + t * (made.last - made.first))), near));
+      made.off = std::max(made.off,
+                          off(piece, numbers(made.curve->Value(made.first + t * (made.last - made.first))), near));
     }
     return made;
   };
@@ -407,7 +412,8 @@ EdgeCurve CadCurves::make(Index number) const {
   for (std::size_t n = kFewest;; n *= 2) {
     if (n > kFewest) samples = sample(number, path, n);
     const Handle(Geom_BSplineCurve) spline = spline_through(samples);
-    EdgeCurve made = measured({Handle(Geom_Curve)(spline), spline->FirstParameter(), spline->LastParameter(), 0, true}, n);
+    EdgeCurve made =
+        measured({Handle(Geom_Curve)(spline), spline->FirstParameter(), spline->LastParameter(), 0, true}, n);
     if (made.off <= tolerance_ / 2) return made;
     if (n < kMost) continue;
     if (made.off <= 100 * tolerance_) return made;
@@ -471,8 +477,8 @@ PlaneCurve CadCurves::in_plane(const LaidFace& face, const PieceUse& use) const 
     const double way = std::hypot(at[n][0] - at[0][0], at[n][1] - at[0][1]), range = edge.last - edge.first;
     if (straight && std::abs(way / range - 1) < 1e-12) {
       const gp_Dir2d direction(at[n][0] - at[0][0], at[n][1] - at[0][1]);
-      made.curve = new Geom2d_Line(gp_Pnt2d(at[0][0] - edge.first * direction.X(), at[0][1] - edge.first * direction.Y()),
-                                   direction);
+      made.curve = new Geom2d_Line(
+          gp_Pnt2d(at[0][0] - edge.first * direction.X(), at[0][1] - edge.first * direction.Y()), direction);
     } else if (straight) {
       TColgp_Array1OfPnt2d poles(1, 2);
       poles.SetValue(1, gp_Pnt2d(at[0][0], at[0][1]));
@@ -492,7 +498,8 @@ PlaneCurve CadCurves::in_plane(const LaidFace& face, const PieceUse& use) const 
       }
       Geom2dAPI_Interpolate interpolate(through, parameters, false, 1e-15);
       interpolate.Perform();
-      if (!interpolate.IsDone()) throw InputError("one of its edges has no curve in the parameters of its surface");
+      if (!interpolate.IsDone())
+        throw InputError("one of its edges has no curve in the parameters of its surface");
       made.curve = interpolate.Curve();
     }
     for (std::size_t i = 0; i <= 4 * n; ++i) {

@@ -1,10 +1,10 @@
-// Where vertices and edges of a CAD model lie: on the true surfaces of all that is around them. Knows OpenCASCADE's
-// types.
+// Where vertices and edges of a CAD model lie: on the true surfaces of all that is around them. Knows
+// OpenCASCADE's types.
 //
 // Vertices and edges of a result lie on facets. Here a vertex is moved to the common point of its surfaces, and an
-// edge is the curve of points that its surfaces have in common near to its chain: a line or circle where it is one,
-// else a spline through so many of its points that it is within the tolerance of all its surfaces, which is measured
-// between them.
+// edge is the curve of points that its surfaces have in common near to its chain: a line or circle where it is
+// one, else a spline through so many of its points that it is within the tolerance of all its surfaces, which is
+// measured between them.
 #pragma once
 
 #include <Geom2d_Curve.hxx>
@@ -55,7 +55,8 @@ class CadCurves {
   /// The point near to p that is on all surfaces there.
   std::optional<CadPoint> on_charts(Index p, const std::vector<Chart::Strip>& strips) const;
   /// Of a seam that ends in p: so that it runs along a line of one parameter.
-  void add_strip(Index piece, Index p, const std::vector<char>& of_result, std::vector<Chart::Strip>& strips) const;
+  void add_strip(Index piece, Index p, const std::vector<char>& of_result,
+                 std::vector<Chart::Strip>& strips) const;
   EdgeCurve make(Index piece) const;
   EdgeCurve on_given_curve(const Piece& piece) const;
   EdgeCurve line(const CadPoint& a, const CadPoint& b) const;

@@ -76,8 +76,8 @@ void CadLayout::lay_face(Index source) {
   std::vector<const CadParts::Facet*> facets;
   for (const CadParts::Facet& facet : face.facets) facets.push_back(&facet);
   try {
-    const Chart* chart = face.surface ? chart_of_surface(*face.surface)
-                                      : &charts_.emplace_back(face.facets[0].plane, parts_.size);
+    const Chart* chart =
+        face.surface ? chart_of_surface(*face.surface) : &charts_.emplace_back(face.facets[0].plane, parts_.size);
     add_face(source, chart, facets, parts_.flat.faces[source].isolated);
   } catch (const Standard_Failure& failure) {
     failed_[source] = words_of(failure);
@@ -154,7 +154,8 @@ void CadLayout::add_edges() {
       sides_.insert({points[i], points[i - 1]});
       if (!bends) continue;
       const Index next = i + 1 < points.size() ? points[i + 1] : edge.closed ? points[1] : points[i];
-      if (next != points[i] && !straight(parts_.points[points[i - 1]], parts_.points[points[i]], parts_.points[next]))
+      if (next != points[i] &&
+          !straight(parts_.points[points[i - 1]], parts_.points[points[i]], parts_.points[next]))
         vertex_[points[i]] = 1;
     }
     chains_.push_back({std::move(points), e, false});
@@ -245,7 +246,8 @@ void CadLayout::add_uses(std::size_t number) {
   LaidFace& face = faces_[number];
   const auto fail = [&] { failed_[face.source] = "its boundary is no chain of edges"; };
   for (std::vector<Unrolled::Step> steps : unrolled_[number].loops) {
-    const auto first = std::find_if(steps.begin(), steps.end(), [&](const auto& s) { return vertex_[s.from.point]; });
+    const auto first =
+        std::find_if(steps.begin(), steps.end(), [&](const auto& s) { return vertex_[s.from.point]; });
     if (first == steps.end()) return fail();
     std::rotate(steps.begin(), first, steps.end());
     std::vector<PieceUse>& loop = face.loops.emplace_back();

@@ -1,7 +1,7 @@
 // Which edges, vertices and loops the faces of a CAD model have: all of it but curves. Knows OpenCASCADE's types.
 //
-// Edges of a result are cut into pieces where a CAD model needs a vertex and the result has none: where a seam ends,
-// and somewhere on each edge that is closed. Each piece is one edge of the model, whoever uses it.
+// Edges of a result are cut into pieces where a CAD model needs a vertex and the result has none: where a seam
+// ends, and somewhere on each edge that is closed. Each piece is one edge of the model, whoever uses it.
 #pragma once
 
 #include <deque>
@@ -38,7 +38,7 @@ struct LaidFace {
   using Index = CadParts::Index;
   Index source = 0;  ///< number of the face of the result
   const Chart* chart = nullptr;
-  bool same = true;  ///< the front of the face is the side of S_u x S_v
+  bool same = true;                          ///< the front of the face is the side of S_u x S_v
   std::vector<std::vector<PieceUse>> loops;  ///< with the face to the left as seen from its front
   std::vector<PieceUse> inner;               ///< inside of it, each once
   std::vector<Index> isolated;               ///< points inside of it
@@ -81,8 +81,9 @@ class CadLayout {
     bool seam = false;
   };
   std::vector<Chain> chains_;
-  std::map<std::array<Index, 2>, std::pair<Index, bool>> piece_at_;  // by side: its piece, and if that runs forward
-  std::set<std::array<Index, 2>> sides_;                             // of edges, both ways
+  std::map<std::array<Index, 2>, std::pair<Index, bool>>
+      piece_at_;                          // by side: its piece, and if that runs forward
+  std::set<std::array<Index, 2>> sides_;  // of edges, both ways
 
   const Chart* chart_of_surface(Index surface);
   void lay_face(Index source);

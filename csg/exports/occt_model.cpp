@@ -1,7 +1,7 @@
 // From what is laid out to OpenCASCADE's shapes; see the header.
 //
-// A shape is oriented against what it is made of: a face is made with the side of S_u x S_v as its front and turned
-// around where the front of the result is the other one; a region uses it so that normals point out of it.
+// A shape is oriented against what it is made of: a face is made with the side of S_u x S_v as its front and
+// turned around where the front of the result is the other one; a region uses it so that normals point out of it.
 #include "csg/exports/occt_model.h"
 
 #include <BRepCheck_Analyzer.hxx>
@@ -33,7 +33,10 @@ constexpr double kMargin = 1.5;  // what may be between the places of a measurem
 class ModelMaker {
  public:
   ModelMaker(const CadParts& parts, const CadLayout& layout, const CadCurves& curves)
-      : parts_(parts), layout_(layout), curves_(curves), vertices_(parts.points.size()),
+      : parts_(parts),
+        layout_(layout),
+        curves_(curves),
+        vertices_(parts.points.size()),
         edges_(layout.pieces().size()) {}
 
   CadModelMade run(Faceted& failed) {
@@ -117,7 +120,8 @@ class ModelMaker {
   TopoDS_Face make_face(const LaidFace& face) {
     const Chart& chart = *face.chart;
     TopoDS_Face made;
-    // A copy: an edge has one curve in the parameters of a surface, and other faces on it have another part of them.
+    // A copy: an edge has one curve in the parameters of a surface, and other faces on it have another part of
+    // them.
     builder_.MakeFace(made, Handle(Geom_Surface)::DownCast(chart.surface()->Copy()), kLeast);
     // Each piece once, with one or two curves in the parameters: of its forward use, of its backward use.
     struct Curves {
@@ -137,8 +141,7 @@ class ModelMaker {
       if (of.backward) take(*of.backward, piece);
       if (of.forward && of.backward)
         builder_.UpdateEdge(edges_[piece], of.forward->curve, of.backward->curve, made, kLeast);
-      else
-        builder_.UpdateEdge(edges_[piece], (of.forward ? of.forward : of.backward)->curve, made, kLeast);
+      else builder_.UpdateEdge(edges_[piece], (of.forward ? of.forward : of.backward)->curve, made, kLeast);
     }
     for (const auto& loop : face.loops) add_loop(face, loop, in_plane, made);
     add_inner(face, made);
@@ -181,7 +184,8 @@ class ModelMaker {
     TopoDS_Edge pole;
     builder_.MakeEdge(pole);
     builder_.Degenerated(pole, true);
-    builder_.UpdateEdge(pole, new Geom2d_Line(gp_Pnt2d(from[0], from[1]), gp_Dir2d(to[0] - from[0], to[1] - from[1])),
+    builder_.UpdateEdge(pole,
+                        new Geom2d_Line(gp_Pnt2d(from[0], from[1]), gp_Dir2d(to[0] - from[0], to[1] - from[1])),
                         face, kLeast);
     builder_.Range(pole, face, 0, way);
     builder_.Range(pole, 0, way);
@@ -285,7 +289,8 @@ class ModelMaker {
       UnionFind sets(faces.size());
       for (const auto& [piece, there] : at) {
         if (there.size() <= 2) sets.unite(there.front(), there.back());
-        else for (const auto& [a, b] : pairs_at(r, piece, faces, there, through)) sets.unite(a, b);
+        else
+          for (const auto& [a, b] : pairs_at(r, piece, faces, there, through)) sets.unite(a, b);
       }
       std::map<Index, std::vector<Index>> groups;
       for (Index i = 0; i < faces.size(); ++i) groups[sets.find(i)].push_back(faces[i]);
@@ -296,8 +301,9 @@ class ModelMaker {
       }
       if (!sound && !through) continue;
       if (!sound) {
-        throw InputError("a region touches itself along an edge where no two closed shells meet, which a solid of a CAD "
-                         "model cannot do");
+        throw InputError(
+            "a region touches itself along an edge where no two closed shells meet, which a solid of a CAD "
+            "model cannot do");
       }
       std::vector<std::vector<Index>> result;
       for (auto& [root, group] : groups) result.push_back(std::move(group));
@@ -366,7 +372,8 @@ class ModelMaker {
         ++uses[use.piece][1];
       }
     }
-    return std::all_of(uses.begin(), uses.end(), [](const auto& u) { return u.second[0] <= 1 && u.second[1] <= 1; });
+    return std::all_of(uses.begin(), uses.end(),
+                       [](const auto& u) { return u.second[0] <= 1 && u.second[1] <= 1; });
   }
 
   /// Lines of wires, from where they end or branch.

@@ -1,4 +1,5 @@
-// The shape of a result: vertices, edges and faces that are shared by all that have them. Knows OpenCASCADE's types.
+// The shape of a result: vertices, edges and faces that are shared by all that have them. Knows OpenCASCADE's
+// types.
 #pragma once
 
 #include <TopoDS_Edge.hxx>
@@ -22,10 +23,10 @@ struct CadPart {
 
 struct CadModelMade {
   std::vector<CadPart> parts;
-  TopoDS_Shape whole;       ///< their compound
-  double off_surface = 0;   ///< farthest of an edge from one of its surfaces
-  double off_curve = 0;     ///< farthest of an edge from itself in the parameters of a face
-  std::size_t moved = 0;    ///< vertices that were moved to the surfaces
+  TopoDS_Shape whole;      ///< their compound
+  double off_surface = 0;  ///< farthest of an edge from one of its surfaces
+  double off_curve = 0;    ///< farthest of an edge from itself in the parameters of a face
+  std::size_t moved = 0;   ///< vertices that were moved to the surfaces
   double farthest = 0;
   std::size_t splines = 0;  ///< edges that are no lines and circles
 };

@@ -1,7 +1,8 @@
 // STEP: products and colours are put on what the transfer has made of the parts; see the header.
 //
 // OpenCASCADE's documents (XCAF) would carry names and colours, too, and bring a viewer with its libraries into
-// every process. Nor is a file written here: the text goes to who calls, and appears at its place when it is whole.
+// every process. Nor is a file written here: the text goes to who calls, and appears at its place when it is
+// whole.
 #include "csg/exports/occt_write.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
@@ -19,9 +20,9 @@
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
 #include <StepVisual_Colour.hxx>
-#include <StepVisual_StyledItem.hxx>
 #include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
 #include <StepVisual_PresentationStyleAssignment.hxx>
+#include <StepVisual_StyledItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TransferBRep.hxx>
@@ -38,8 +39,8 @@
 namespace cnrg::occt {
 namespace {
 
-/// How many bytes the character at a place of a UTF-8 text has, line ends in it left out; 0 if it is none. `code` is
-/// its number.
+/// How many bytes the character at a place of a UTF-8 text has, line ends in it left out; 0 if it is none. `code`
+/// is its number.
 std::size_t character(const std::string& text, std::size_t at, unsigned long& code) {
   const auto lead = static_cast<unsigned char>(text[at]);
   const std::size_t n = lead < 0x80 ? 1 : lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc0 ? 2 : 0;
@@ -110,7 +111,8 @@ class StepMaker {
   std::string run() {
     STEPControl_Writer writer;  // whose making makes the settings
     Interface_Static::SetCVal("write.step.unit", "MM");
-    Interface_Static::SetCVal("write.step.product.name", cleaned(parts_.name.empty() ? "result" : parts_.name).c_str());
+    Interface_Static::SetCVal("write.step.product.name",
+                              cleaned(parts_.name.empty() ? "result" : parts_.name).c_str());
     Interface_Static::SetIVal("write.step.assembly", 1);
     if (writer.Transfer(model_.whole, STEPControl_AsIs) != IFSelect_RetDone)
       throw InputError("OpenCASCADE cannot make STEP entities of the result");
@@ -151,8 +153,10 @@ class StepMaker {
     const CadParts::Attributes& of = parts_.components.at(part.component - 1);
     const TopAbs_ShapeEnum type = part.shape.ShapeType();
     const bool solid = type == TopAbs_SOLID, wire = type == TopAbs_WIRE, point = type == TopAbs_COMPOUND;
-    std::string words = part.component == parts_.entities && !part.leaves.empty() ? names_of(part.leaves) : of.name;
-    if (words.empty()) words = (solid ? "region " : wire ? "wire " : point ? "points " : "sheet ") + std::to_string(number(part));
+    std::string words =
+        part.component == parts_.entities && !part.leaves.empty() ? names_of(part.leaves) : of.name;
+    if (words.empty())
+      words = (solid ? "region " : wire ? "wire " : point ? "points " : "sheet ") + std::to_string(number(part));
     product.SetPid(text_of(words));
     product.SetPname(text_of(words));
     if (!of.material.empty()) product.SetPdescription(text_of("material: " + of.material));

@@ -60,8 +60,7 @@ class Unroller {
       for (std::vector<UnrollCorner> loop : facets_[f]) {
         straighten(loop);
         const Index first = Index(halves_.size()), n = Index(loop.size());
-        for (Index i = 0; i < n; ++i)
-          halves_.push_back({loop[i], loop[(i + 1) % n], first + (i + 1) % n, f});
+        for (Index i = 0; i < n; ++i) halves_.push_back({loop[i], loop[(i + 1) % n], first + (i + 1) % n, f});
       }
     }
     for (Index h = 0; h < halves_.size(); ++h) half_of_[{halves_[h].from.point, halves_[h].to.point}] = h;
@@ -117,8 +116,7 @@ class Unroller {
       const UnrollCorner* known = nullptr;
       for (UnrollCorner& corner : loop) {
         if (corner.free[d]) continue;
-        if (known != nullptr)
-          corner.at[d] -= period_[d] * std::round((corner.at[d] - known->at[d]) / period_[d]);
+        if (known != nullptr) corner.at[d] -= period_[d] * std::round((corner.at[d] - known->at[d]) / period_[d]);
         known = &corner;
       }
     }
@@ -187,7 +185,8 @@ class Unroller {
     bool fits = true;
     for (const bool cut_ones : {false, true}) {
       for (Half& half : halves_) {
-        if (half.twin == kNone || half.twin < Index(&half - halves_.data()) || is_cut(half, cut) != cut_ones) continue;
+        if (half.twin == kNone || half.twin < Index(&half - halves_.data()) || is_cut(half, cut) != cut_ones)
+          continue;
         Turns gap;
         const auto answer = layout_->unite(half.facet, halves_[half.twin].facet, half.turns, gap);
         half.open = halves_[half.twin].open = answer == Layout::Answer::contradicts;

@@ -124,7 +124,8 @@ class CadLeaf {
       made->add_form(f, std::move(form));
     }
     for (Index e = 0; e < model_.edges.size(); ++e) {
-      if (model_.edges[e].curve.kind == CadCurve::Kind::spline) made->add_form(e, CurveForm{model_.edges[e].curve});
+      if (model_.edges[e].curve.kind == CadCurve::Kind::spline)
+        made->add_form(e, CurveForm{model_.edges[e].curve});
     }
     return made;
   }

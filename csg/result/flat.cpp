@@ -444,7 +444,8 @@ class Flattener {
     }
   }
 
-  static void keep_common(std::vector<FlatComplex::Patch>& list, std::vector<FlatComplex::Patch> other, bool first) {
+  static void keep_common(std::vector<FlatComplex::Patch>& list, std::vector<FlatComplex::Patch> other,
+                          bool first) {
     sort_unique(other);
     std::vector<FlatComplex::Patch> both;
     std::set_intersection(list.begin(), list.end(), other.begin(), other.end(), std::back_inserter(both));

@@ -55,8 +55,8 @@ struct FlatComplex {
     /// Patches, of the leaves that it came from, that are around all of it, and the curve that covers all of it.
     std::vector<Patch> patches;
     std::optional<Patch> curve;  ///< Soup::Wire::leaf_edge
-    /// The faces around it in radial order, each by the side that is seen first (face * 2 + side, 0: front); a slit
-    /// twice.
+    /// The faces around it in radial order, each by the side that is seen first (face * 2 + side, 0: front); a
+    /// slit twice.
     std::vector<Index> around;
   };
   struct Facet {

@@ -104,7 +104,8 @@ double volume(const TopoDS_Shape& shape) {
 
 std::vector<double> volumes(const TopoDS_Shape& shape) {
   std::vector<double> result;
-  for (TopExp_Explorer part(shape, TopAbs_SOLID); part.More(); part.Next()) result.push_back(volume(part.Current()));
+  for (TopExp_Explorer part(shape, TopAbs_SOLID); part.More(); part.Next())
+    result.push_back(volume(part.Current()));
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -122,22 +123,28 @@ std::multiset<std::string> surfaces(const TopoDS_Shape& shape) {
 TEST_CASE("round solids are one face on their surface", "[exports]") {
   const auto [leaf, kind, exact] = GENERATE(
       std::tuple("sphere: {center: [1, 2, 3], radius: 2, segments: 12}", "Geom_SphericalSurface", 32 * kPi / 3),
-      std::tuple("torus: {center: [1, 0, 0], axis: [1, 1, 0], radius: 3, tube: 1}", "Geom_ToroidalSurface", 6 * kPi * kPi),
-      std::tuple("cylinder: {from: [0, 0, 0], to: [1, 2, 2], radius: 1, segments: 7}", "Geom_CylindricalSurface", 3 * kPi),
+      std::tuple("torus: {center: [1, 0, 0], axis: [1, 1, 0], radius: 3, tube: 1}", "Geom_ToroidalSurface",
+                 6 * kPi * kPi),
+      std::tuple("cylinder: {from: [0, 0, 0], to: [1, 2, 2], radius: 1, segments: 7}", "Geom_CylindricalSurface",
+                 3 * kPi),
       std::tuple("cone: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, segments: 9}", "Geom_ConicalSurface", kPi),
-      std::tuple("cone: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, top: 2, segments: 9}", "Geom_ConicalSurface", 7 * kPi),
+      std::tuple("cone: {from: [0, 0, 0], to: [0, 0, 3], radius: 1, top: 2, segments: 9}", "Geom_ConicalSurface",
+                 7 * kPi),
       std::tuple("revolve: {profile: [[1, 0], [2, 0], {bezier: [[3, 1]]}, [2, 2], [1, 2]], segments: 12}",
                  "Geom_SurfaceOfRevolution", 0.0),
-      std::tuple("extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 1, 0]]}, [2, 2, 0], [0, 2, 0]], vector: [0, 0, 3]}",
+      std::tuple("extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 1, 0]]}, [2, 2, 0], [0, 2, 0]], vector: "
+                 "[0, 0, 3]}",
                  "Geom_SurfaceOfLinearExtrusion", 3 * (4 + 2.0 / 3)),
-      std::tuple("extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 1, 0]]}, [2, 2, 0], [0, 2, 0]], vector: [0, 0, 3], "
+      std::tuple("extrude: {profile: [[0, 0, 0], [2, 0, 0], {bezier: [[3, 1, 0]]}, [2, 2, 0], [0, 2, 0]], vector: "
+                 "[0, 0, 3], "
                  "scale: 1/2}",
                  "Geom_BSplineSurface", (4 + 2.0 / 3) * 7 / 4),
-      std::tuple("sphere: {center: [1, 2, 3], radius: 2, segments: 12}, scale: [1, 2, 3]", "Geom_BSplineSurface", 64 * kPi),
-      std::tuple("cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: 8}, scale: [1, 2, 1]", "Geom_BSplineSurface",
-                 4 * kPi),
-      std::tuple("sphere: {center: [1, 2, 3], radius: 2, segments: 12}, scale: [-2, 2, 2]", "Geom_SphericalSurface",
-                 256 * kPi / 3),
+      std::tuple("sphere: {center: [1, 2, 3], radius: 2, segments: 12}, scale: [1, 2, 3]", "Geom_BSplineSurface",
+                 64 * kPi),
+      std::tuple("cylinder: {from: [0, 0, 0], to: [0, 0, 2], radius: 1, segments: 8}, scale: [1, 2, 1]",
+                 "Geom_BSplineSurface", 4 * kPi),
+      std::tuple("sphere: {center: [1, 2, 3], radius: 2, segments: 12}, scale: [-2, 2, 2]",
+                 "Geom_SphericalSurface", 256 * kPi / 3),
       std::tuple("torus: {center: [1, 0, 0], axis: [1, 1, 0], radius: 3, tube: 1}, mirror: {normal: [1, 0, 0]}",
                  "Geom_ToroidalSurface", 6 * kPi * kPi));
   CAPTURE(leaf);
@@ -202,7 +209,8 @@ TEST_CASE("curves of intersection are splines within the tolerance, which the no
   }
   CHECK(volume(shape) == Approx(exact).epsilon(1e-6));
   REQUIRE(scene.notices.size() == 1);
-  CHECK_THAT(scene.notices[0], Contains("3 faces are on their true surfaces; ") || Contains("4 faces are on their true surfaces; "));
+  CHECK_THAT(scene.notices[0],
+             Contains("3 faces are on their true surfaces; ") || Contains("4 faces are on their true surfaces; "));
   CHECK_THAT(scene.notices[0], Contains("splines (tolerance "));
   CHECK(volume(scene.step()) == Approx(exact).epsilon(1e-6));
 }
@@ -213,7 +221,8 @@ TEST_CASE("sheets, wires and points are there beside solids, in a sheet's face a
       "  wire: {polyline: [[1, 1, 1], [1, 1, 5], [2, 1, 6]]}\n"
       "  curve: {bezier: {curve: [[-1, -1, 0], [0, 3, 1], [-3, -2, 2], [-3, 3, 0]], segments: 12}}\n"
       "  dots: {points: [[2, 2, 2], [9, 9, 9]]}\n"
-      "  disc: {bezier: {patch: [[[6, 0, 0], [7, 0, 1], [8, 0, 0]], [[6, 1, 0], [7, 1, 2], [8, 1, 0]], [[6, 2, 0], "
+      "  disc: {bezier: {patch: [[[6, 0, 0], [7, 0, 1], [8, 0, 0]], [[6, 1, 0], [7, 1, 2], [8, 1, 0]], [[6, 2, "
+      "0], "
       "[7, 2, 1], [8, 2, 0]]]}}\n"
       "  block: {box: {min: [0, 0, 0], max: [4, 4, 4]}, name: block}\n"
       "  model: {union: [sheet, wire, curve, dots, disc, block], dominance: left}");
@@ -234,7 +243,8 @@ TEST_CASE("sheets, wires and points are there beside solids, in a sheet's face a
 TEST_CASE("products have the names of regions, colours those of materials", "[exports]") {
   Scene scene(
       "materials: {steel: {color: \"#336699\"}}\n"
-      "nodes:\n  ring: {torus: {center: [0, 0, 0], axis: [0, 0, 1], radius: 3, tube: 1}, name: \"Größe 7\", material: steel}\n"
+      "nodes:\n  ring: {torus: {center: [0, 0, 0], axis: [0, 0, 1], radius: 3, tube: 1}, name: \"Größe 7\", "
+      "material: steel}\n"
       "  pin: {cylinder: {from: [0, 0, -1], to: [0, 0, 1], radius: 1}}\n"
       "  model: {union: [ring, pin]}");
   scene.step();
@@ -295,7 +305,8 @@ TEST_CASE("a CAD model that went through a tree has its surfaces", "[exports]") 
 
 TEST_CASE("a face without a surface is written as its facets, by name and with the reason", "[exports]") {
   Scene scene(
-      "nodes:\n  twist: {extrude: {profile: [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], vector: [0, 0, 2], twist: 45, "
+      "nodes:\n  twist: {extrude: {profile: [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], vector: [0, 0, 2], "
+      "twist: 45, "
       "segments: 8}}\n"
       "  ball: {sphere: {center: [4, 0, 2], radius: 1/2, segments: 24}}\n"
       "  model: {union: [twist, ball]}");
@@ -303,7 +314,8 @@ TEST_CASE("a face without a surface is written as its facets, by name and with t
   CHECK(valid(shape));
   CHECK(surfaces(shape).count("Geom_SphericalSurface") == 1);
   REQUIRE(scene.notices.size() == 5);
-  CHECK_THAT(scene.notices[1], Contains("is written as its ") && Contains("flat facets: ") && Contains("names no surface"));
+  CHECK_THAT(scene.notices[1],
+             Contains("is written as its ") && Contains("flat facets: ") && Contains("names no surface"));
 }
 
 TEST_CASE("what a CAD model cannot hold is refused, and the old file stays", "[exports]") {
@@ -313,8 +325,9 @@ TEST_CASE("what a CAD model cannot hold is refused, and the old file stays", "[e
   std::ostringstream text;
   text << std::ifstream(open.file("m.step")).rdbuf();
   CHECK(text.str() == "old");
-  Scene unbounded("nodes:\n  box: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  cut: {halfspace: {point: [0, 0, 0], "
-                  "normal: [0, 0, 1]}}\n  model: {union: [box, cut]}");
+  Scene unbounded(
+      "nodes:\n  box: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  cut: {halfspace: {point: [0, 0, 0], "
+      "normal: [0, 0, 1]}}\n  model: {union: [box, cut]}");
   CHECK_THROWS_WITH(unbounded.write("m.brep"), Contains("BREP cannot hold"));
 }
 
@@ -322,8 +335,10 @@ TEST_CASE("the empty result is a file without solids, and files are the same byt
   Scene empty("nodes:\n  box: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  model: {difference: [box, box]}");
   CHECK(count(empty.brep(), TopAbs_SHAPE) <= 1);
   empty.write("m.step");
-  Scene scene("nodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1}}\n  b: {cylinder: {from: [0, 0, 0], to: [1, 1, 2], radius: "
-              "1/2}}\n  model: {union: [a, b]}");
+  Scene scene(
+      "nodes:\n  a: {sphere: {center: [0, 0, 0], radius: 1}}\n  b: {cylinder: {from: [0, 0, 0], to: [1, 1, 2], "
+      "radius: "
+      "1/2}}\n  model: {union: [a, b]}");
   for (const std::string form : {".step", ".brep"}) {
     scene.write("a" + form);
     scene.write("b" + form);
@@ -359,7 +374,8 @@ TEST_CASE("files are right where OpenCASCADE's own Booleans are not", "[exports]
   }
   SECTION("a sheet parts a solid and goes on outside of it") {
     const TopoDS_Shape post = BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -2}, {0, 0, 1}), 1, 4).Shape();
-    const TopoDS_Shape fin = BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 0), gp_Dir(0, 1, 0)), -3, 3, -3, 3).Shape();
+    const TopoDS_Shape fin =
+        BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 0), gp_Dir(0, 1, 0)), -3, 3, -3, 3).Shape();
     CHECK(BRepAlgoAPI_Fuse(post, fin).HasErrors());
     Scene scene(leaves + "  model:   {union: [fin, post], dominance: left}");
     const TopoDS_Shape shape = scene.brep();
@@ -405,22 +421,26 @@ TEST_CASE("random solids are valid, with the faces of the result on their surfac
     std::mt19937_64 random(seed);
     const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
     const auto eighths = [&](int from, int to) { return std::to_string(from + below(to - from)) + "/8"; };
-    const auto point = [&] { return "[" + eighths(-10, 11) + ", " + eighths(-10, 11) + ", " + eighths(-10, 11) + "]"; };
+    const auto point = [&] {
+      return "[" + eighths(-10, 11) + ", " + eighths(-10, 11) + ", " + eighths(-10, 11) + "]";
+    };
     std::string nodes = "nodes:\n", list;
     const int leaves = 2 + below(2);
     for (int i = 0; i < leaves; ++i) {
       const std::string name(1, static_cast<char>('a' + i));
       nodes += "  " + name + ": {";
       switch (below(4)) {
-        case 0: nodes += "box: {min: [-1/2, -1, " + eighths(-8, 0) + "], max: [1, " + eighths(1, 12) + ", 1]}"; break;
+        case 0:
+          nodes += "box: {min: [-1/2, -1, " + eighths(-8, 0) + "], max: [1, " + eighths(1, 12) + ", 1]}";
+          break;
         case 1: nodes += "sphere: {center: " + point() + ", radius: " + eighths(6, 14) + ", segments: 40}"; break;
         case 2:
-          nodes += "cylinder: {from: " + point() + ", to: [2, " + eighths(-4, 5) + ", 3/2], radius: " + eighths(3, 9) +
-                   ", segments: 40}";
+          nodes += "cylinder: {from: " + point() + ", to: [2, " + eighths(-4, 5) +
+                   ", 3/2], radius: " + eighths(3, 9) + ", segments: 40}";
           break;
         default:
-          nodes += "torus: {center: " + point() + ", axis: [0, " + std::to_string(below(2)) + ", 1], radius: " +
-                   eighths(8, 13) + ", tube: " + eighths(2, 5) + ", segments: 48, rings: 24}";
+          nodes += "torus: {center: " + point() + ", axis: [0, " + std::to_string(below(2)) +
+                   ", 1], radius: " + eighths(8, 13) + ", tube: " + eighths(2, 5) + ", segments: 48, rings: 24}";
       }
       nodes += "}\n";
       list += (i > 0 ? ", " : "") + name;

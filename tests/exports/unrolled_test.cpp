@@ -30,17 +30,20 @@ struct Grid {
       for (int j = 0; j < rows; ++j) {
         if (without.count({i, j}) != 0) continue;
         std::vector<UnrollCorner> loop;
-        for (const auto& [a, b] : {std::pair(i, j), std::pair(i + 1, j), std::pair(i + 1, j + 1), std::pair(i, j + 1)}) {
+        for (const auto& [a, b] :
+             {std::pair(i, j), std::pair(i + 1, j), std::pair(i + 1, j + 1), std::pair(i, j + 1)}) {
           const std::uint32_t p = point(a, b);
           if (!loop.empty() && (loop.back().point == p || loop.front().point == p)) continue;
           // As an arc tangent has it: between -columns / 2 and columns / 2.
           const double u = a % columns > columns / 2 ? a % columns - columns : a % columns;
-          loop.push_back({p, {is_pole(b) ? 17.0 : u, static_cast<double>(torus ? b % rows : b)}, {is_pole(b), false}});
+          loop.push_back(
+              {p, {is_pole(b) ? 17.0 : u, static_cast<double>(torus ? b % rows : b)}, {is_pole(b), false}});
         }
         facets.push_back({loop});
       }
     }
-    return cnrg::unroll(facets, {static_cast<double>(columns), torus ? static_cast<double>(rows) : 0.0}, {1e-6, 1e-6});
+    return cnrg::unroll(facets, {static_cast<double>(columns), torus ? static_cast<double>(rows) : 0.0},
+                        {1e-6, 1e-6});
   }
 };
 
