@@ -150,8 +150,9 @@ bool RoundLeaf::may_touch(const RoundLeaf& b) const {
     for (const auto& [q, s] : b.tubes_) {
       const Point3 turn = surface_math::cross(along_, b.along_), apart = difference(q, p);
       const double sine = length(turn);
+      const double between = std::abs(surface_math::dot(apart, turn)) / sine, size = size_of(p) + size_of(q);
       if (sine < 1e-3 ? may_be(across(q, p, along_), r, s, size_of(p))
-                      : nearly(std::abs(surface_math::dot(apart, turn)) / sine, r + s, size_of(p) + size_of(q)))
+                      : nearly(between, r + s, size) || nearly(between, std::abs(r - s), size))
         return true;
     }
   }

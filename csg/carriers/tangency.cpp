@@ -7,6 +7,7 @@
 
 #include "csg/carriers/round_leaf.h"
 #include "csg/curves/surface_math.h"
+#include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/unbounded.h"
@@ -329,18 +330,29 @@ class Finder {
     mark_direction(b, Rational(beside ? -1 : 1) * direction, q);
   }
 
-  /// Tubes side by side whose axes are not parallel: the point of contact is where a ruling of one crosses one of
-  /// the other. From inside they would cross.
+  /// Tubes whose axes are not parallel. Side by side they touch in a point, where a ruling of one crosses one of
+  /// the other. Where their axes are as far apart as their radii differ, the curve in which they cross passes
+  /// through itself in such a point; if radii are equal and axes meet, in two.
   void crossed_tubes(const RoundLeaf& a, const Tube& p, const RoundLeaf& b, const Tube& q) {
     const RationalPoint apart = q.foot - p.foot, turn = cross(p.axis, q.axis);
-    const Rational across = dot(apart, turn), square = dot(turn, turn), sum = p.radius + q.radius;
-    if (across * across != sum * sum * square) return;
-    const RationalPoint direction = Rational(across / (sum * square)) * turn;
-    // p.foot + s p.axis + sum direction = q.foot + t q.axis.
+    const Rational across = dot(apart, turn), square = dot(turn, turn), sum = p.radius + q.radius,
+                   difference = p.radius - q.radius;
+    const bool beside = across * across == sum * sum * square;
+    if (!beside && across * across != difference * difference * square) return;
+    // p.foot + s p.axis and q.foot + t q.axis are next to each other.
     const Rational s = dot(cross(apart, q.axis), turn) / square, t = dot(cross(apart, p.axis), turn) / square;
     if (s < p.low || s > p.high || t < q.low || t > q.high) return;
+    if (across == 0) {
+      const RationalPoint direction = scaled_cosine(0, 1 / square) * turn;
+      for (const int side : {1, -1}) {
+        mark_direction(a, Rational(side) * direction, p);
+        mark_direction(b, Rational(side) * direction, q);
+      }
+      return;
+    }
+    const RationalPoint direction = Rational(across / ((beside ? sum : difference) * square)) * turn;
     mark_direction(a, direction, p);
-    mark_direction(b, Rational(-1) * direction, q);
+    mark_direction(b, Rational(beside ? -1 : 1) * direction, q);
   }
 
   // --- marks
