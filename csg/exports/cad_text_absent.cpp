@@ -3,13 +3,16 @@
 #include "kernel/base/error.h"
 
 namespace cnrg {
+namespace {
 
-CadText cad_text(const CadParts&, CadFormat) { throw InvariantError("exports: a CAD model without OpenCASCADE"); }
+const char* const kWords =
+    "this cnrg is built without OpenCASCADE, which writes CAD models: install libocct-data-exchange-dev and build "
+    "cnrg with -DCNRG_OPENCASCADE=ON, or write .msh or .json";
 
-void require_cad_writer(const std::string& path) {
-  throw InputError(path +
-                   ": this cnrg is built without OpenCASCADE, which writes CAD models: install "
-                   "libocct-data-exchange-dev and build cnrg with -DCNRG_OPENCASCADE=ON, or write .msh or .json");
-}
+}  // namespace
+
+CadText cad_text(const CadParts&, CadFormat) { throw InputError(kWords); }
+
+void require_cad_writer(const std::string& path) { throw InputError(path + ": " + kWords); }
 
 }  // namespace cnrg

@@ -2,6 +2,7 @@
 // A .json is read back as a tree would read it: as a leaf, alone in a complex of its own.
 #include "csg/formats/result_file.h"
 
+#include "csg/exports/cad_text.h"
 #include "csg/formats/dag_graph.h"
 #include "csg/formats/formats.h"
 #include "csg/formats/mesh_file.h"
@@ -33,6 +34,7 @@ void check_file_name(const std::string& path) {
   } catch (const InputError& e) {
     throw InputError(std::string(e.what()) + " .dot .regions.dot");
   }
+  if (is_cad_file(path)) require_cad_writer(path);
 }
 
 bool is_exact(const std::string& path) {

@@ -5,7 +5,6 @@
 #include <array>
 #include <string_view>
 
-#include "csg/exports/cad_text.h"
 #include "csg/formats/formats.h"
 #include "csg/text/file.h"
 #include "kernel/base/error.h"
@@ -51,9 +50,7 @@ bool is_cad_file(const std::string& path) {
   return make == step_text || make == brep_text;
 }
 
-void check_extension(const std::string& path) {
-  if (is_cad_file(path)) require_cad_writer(path);
-}
+void check_extension(const std::string& path) { format_of(path); }
 
 RoundingReport write(const std::string& path, const ResultView& view) {
   const Format& format = format_of(path);

@@ -7,8 +7,7 @@
 
 namespace cnrg {
 
-/// Throws InputError if no writer knows the extension of `path`, or if this program lacks it: to be asked before
-/// long work.
+/// Throws InputError if no writer knows the extension of `path`: to be asked before long work.
 void check_extension(const std::string& path);
 
 /// True for .step .stp .brep.

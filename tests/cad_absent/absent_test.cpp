@@ -49,9 +49,10 @@ TEST_CASE("the form of a CAD leaf is checked without OpenCASCADE, too", "[cad]")
 TEST_CASE("without OpenCASCADE a CAD file is refused before any work", "[cad]") {
   for (const std::string name : {"model.step", "model.stp", "model.brep"}) {
     CHECK_THROWS_WITH(check_file_name(name),
-                      name + ": this cnrg is built without OpenCASCADE, which writes CAD models: install "
-                             "libocct-data-exchange-dev and build cnrg with -DCNRG_OPENCASCADE=ON, or write .msh or "
-                             ".json");
+                      name +
+                          ": this cnrg is built without OpenCASCADE, which writes CAD models: install "
+                          "libocct-data-exchange-dev and build cnrg with -DCNRG_OPENCASCADE=ON, or write .msh or "
+                          ".json");
   }
 }
 
