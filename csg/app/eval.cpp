@@ -56,6 +56,9 @@ class FileWriter {
         rounding = at_node(tree_, node, [&] { return write(path, shown, {arguments_.parameters}); });
       }
     }
+    if (!arguments_.quiet) {
+      for (const std::string& notice : rounding.notices) tell(path + ": notice: " + notice);
+    }
     if (!rounding.embedded) {
       tell(path + ": warning: rounding moved " + std::to_string(rounding.moved) +
            " vertices and facets cross in this file; use --snap, or write .json for the exact result");

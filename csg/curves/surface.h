@@ -21,6 +21,8 @@
 #include <memory>
 #include <utility>
 
+#include "csg/geometry/cad_surfaces.h"
+#include "csg/geometry/transform.h"
 #include "kernel/exact/enclosure.h"
 
 namespace cnrg {
@@ -56,6 +58,22 @@ class Curve {
   virtual CurveJet<Interval> over(const Interval& t) const = 0;
 };
 
+/// What carries a patch, by the names and in the numbers of CAD programs, for who writes it down there: S(u, v) is
+/// the point of `surface` at its own parameters, where `placed` put that. Parameters correspond closely, not
+/// exactly: they are where a search begins.
+struct SurfaceForm {
+  CadSurface surface;
+  Transform placed{};
+  bool swapped = false;                         ///< the first parameter of `surface` is that of v
+  std::array<double, 2> zero{0, 0}, one{1, 1};  ///< of `surface`: at 0 and 1 of the patch
+  std::array<double, 2> low{0, 0}, high{1, 1};  ///< of `surface`: what of it the patch has
+};
+/// The same of a curve, whose parameters are equal to those of `curve`.
+struct CurveForm {
+  CadCurve curve;
+  Transform placed{};
+};
+
 /// Those of one leaf.
 class LeafSurfaces {
  public:
@@ -63,6 +81,10 @@ class LeafSurfaces {
     patches_[patch] = std::move(surface);
   }
   void add_curve(std::uint32_t curve, std::shared_ptr<const Curve> line) { curves_[curve] = std::move(line); }
+  void add_form(std::uint32_t patch, SurfaceForm form) { forms_[patch] = std::move(form); }
+  void add_form(std::uint32_t curve, CurveForm form) { curve_forms_[curve] = std::move(form); }
+  const std::map<std::uint32_t, SurfaceForm>& forms() const { return forms_; }
+  const std::map<std::uint32_t, CurveForm>& curve_forms() const { return curve_forms_; }
   const std::map<std::uint32_t, std::shared_ptr<const Surface>>& patches() const { return patches_; }
   const std::map<std::uint32_t, std::shared_ptr<const Curve>>& curves() const { return curves_; }
   /// By Soup::Face::patch; null for one that is flat.
@@ -79,6 +101,8 @@ class LeafSurfaces {
  private:
   std::map<std::uint32_t, std::shared_ptr<const Surface>> patches_;
   std::map<std::uint32_t, std::shared_ptr<const Curve>> curves_;
+  std::map<std::uint32_t, SurfaceForm> forms_;  // of patches, some without a Surface
+  std::map<std::uint32_t, CurveForm> curve_forms_;
 };
 
 }  // namespace cnrg

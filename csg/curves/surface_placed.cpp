@@ -74,6 +74,12 @@ SurfaceSource moved(const SurfaceSource& leaf, const Transform& transform) {
       result->add_patch(number, std::make_shared<const PlacedSurface>(given, number, transform));
     for (const auto& [number, curve] : given->curves())
       result->add_curve(number, std::make_shared<const MovedCurve>(curve, transform));
+    const auto take = [&](std::uint32_t number, auto form) {
+      form.placed = transform * form.placed;
+      result->add_form(number, std::move(form));
+    };
+    for (const auto& [number, form] : given->forms()) take(number, form);
+    for (const auto& [number, form] : given->curve_forms()) take(number, form);
     return result;
   };
 }

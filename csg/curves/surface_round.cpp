@@ -1,6 +1,7 @@
 // The true surfaces of sphere, cylinder, cone, torus and revolve: what each turns about its axis.
 #include "csg/curves/surface_round.h"
 
+#include "csg/curves/surface_forms.h"
 #include "csg/curves/surface_spline.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/prepare_shapes.h"
@@ -65,9 +66,10 @@ std::shared_ptr<const Surface> turned(const typename RoundSurface<Meridian>::Pla
 template <class Meridian>
 std::shared_ptr<const LeafSurfaces> one_patch(std::uint32_t number,
                                               const typename RoundSurface<Meridian>::Place& place,
-                                              Meridian meridian) {
+                                              Meridian meridian, SurfaceForm form) {
   auto surfaces = std::make_shared<LeafSurfaces>();
   surfaces->add_patch(number, turned(place, std::move(meridian)));
+  surfaces->add_form(number, std::move(form));
   return surfaces;
 }
 
@@ -77,7 +79,8 @@ std::shared_ptr<const LeafSurfaces> cone_surfaces(const ConeShape& shape) {
   const RationalPoint along = shape.to - shape.from;
   return one_patch(
       2, {.center = shape.from, .frame = CircleFrame(along)},
-      SlantedLine{constant(shape.radius), constant(Rational(shape.top - shape.radius)), length(along)});
+      SlantedLine{constant(shape.radius), constant(Rational(shape.top - shape.radius)), length(along)},
+      cone_form(shape));
 }
 
 std::shared_ptr<const LeafSurfaces> cylinder_surfaces(const CylinderShape& shape) {
@@ -88,7 +91,8 @@ std::shared_ptr<const LeafSurfaces> sphere_surfaces(const RationalPoint& center,
                                                     const RationalPoint& axis) {
   return one_patch(
       0, {.center = center, .frame = CircleFrame(axis), .smooth_on_axis = true},
-      RoundLine{constant(radius), constant(Rational(0)), constant(Rational(-1, 4)), constant(Rational(1, 2))});
+      RoundLine{constant(radius), constant(Rational(0)), constant(Rational(-1, 4)), constant(Rational(1, 2))},
+      sphere_form(center, radius, axis));
 }
 
 std::shared_ptr<const LeafSurfaces> sphere_surfaces(const SphereShape& shape) {
@@ -98,7 +102,8 @@ std::shared_ptr<const LeafSurfaces> sphere_surfaces(const SphereShape& shape) {
 std::shared_ptr<const LeafSurfaces> torus_surfaces(const TorusShape& shape) {
   return one_patch(
       0, {.center = shape.center, .frame = CircleFrame(shape.axis)},
-      RoundLine{constant(shape.tube), constant(shape.radius), constant(Rational(0)), constant(Rational(1))});
+      RoundLine{constant(shape.tube), constant(shape.radius), constant(Rational(0)), constant(Rational(1))},
+      torus_form(shape));
 }
 
 std::shared_ptr<const LeafSurfaces> revolve_surfaces(const RevolveShape& shape) {
@@ -117,6 +122,7 @@ std::shared_ptr<const LeafSurfaces> revolve_surfaces(const RevolveShape& shape) 
                                          .angle_first = false,
                                          .smooth_on_axis = smooth_on_axis(pieces)},
                                         ProfileSegment{{pieces, curve_spans(net)}}));
+      surfaces->add_form(patch, revolved_form(shape, net));
     }
   }
   return surfaces;

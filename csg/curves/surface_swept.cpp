@@ -3,6 +3,7 @@
 // Of an extrusion S_u = s R p' and S_t = s' R q + s w R (n x q) + v with q = p - c, the unit vector n along v and
 // w the twist in radians. R keeps v and commutes with products, so the normal is s R (p' x (s' q + s w n x q +
 // v)).
+#include "csg/curves/surface_forms.h"
 #include "csg/curves/surface_spline.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/prepare_shapes.h"
@@ -81,8 +82,9 @@ bool sweeps_plane(const ExtrudeShape& shape, const CurveNet& net) {
   return on_line(net.points) || (shape.scale == 1 && in_plane_with(net.points, shape.vector));
 }
 
+/// `net` is that of all the pieces.
 void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<BezierPatch>& pieces,
-             const std::vector<std::array<Span, 2>>& spans) {
+             const std::vector<std::array<Span, 2>>& spans, const PatchNet& net) {
   std::vector<RationalPoint> points;
   for (const BezierPatch& piece : pieces) {
     for (const ControlRow& row : piece.net) {
@@ -91,7 +93,21 @@ void add_net(LeafSurfaces& surfaces, std::uint32_t number, const std::vector<Bez
   }
   if (!in_plane_with(points, {0, 0, 0})) {
     surfaces.add_patch(number, std::make_shared<const SplinePatch>(pieces, spans));
+    surfaces.add_form(number, net_form(net));
   }
+}
+
+PatchNet net_of(const BezierPatch& patch) {
+  PatchNet net;
+  for (const ControlRow& row : patch.net) {
+    net.points.emplace_back();
+    net.weights.emplace_back();
+    for (const Homogeneous& h : row) {
+      net.points.back().push_back(project(h));
+      net.weights.back().push_back(h[3]);
+    }
+  }
+  return net;
 }
 
 }  // namespace
@@ -100,10 +116,11 @@ std::shared_ptr<const LeafSurfaces> bezier_surfaces(const BezierShape& shape) {
   auto surfaces = std::make_shared<LeafSurfaces>();
   std::uint32_t number = 0;
   for (const PatchNet& net : shape.patches) {
-    add_net(*surfaces, number++, patch_pieces(net, "bezier"), patch_spans(net));
+    add_net(*surfaces, number++, patch_pieces(net, "bezier"), patch_spans(net), net);
   }
   number = 0;
   for (const CurveNet& net : shape.curves) {
+    surfaces->add_form(number, curve_form(net));
     surfaces->add_curve(number++,
                         std::make_shared<const SplineCurve>(curve_pieces(net, "bezier"), curve_spans(net)));
   }
@@ -116,7 +133,8 @@ std::shared_ptr<const LeafSurfaces> coons_surfaces(const CoonsShape& shape) {
   for (const auto& round : shape.patches) {
     std::array<BezierCurve, 4> curves;
     for (std::size_t k = 0; k < 4; ++k) curves[k] = curve_pieces(round[k], "coons")[0];
-    add_net(*surfaces, number++, {coons_patch(curves)}, {{{{0, 1}, {0, 1}}}});
+    const BezierPatch patch = coons_patch(curves);
+    add_net(*surfaces, number++, {patch}, {{{{0, 1}, {0, 1}}}}, net_of(patch));
   }
   return surfaces;
 }
@@ -128,9 +146,10 @@ std::shared_ptr<const LeafSurfaces> extrude_surfaces(const ExtrudeShape& shape) 
   for (const ProfileLine& line : shape.profile.lines) {
     for (const CurveNet& net : line.segments) {
       const std::uint32_t patch = number++;
-      if (!sweeps_plane(shape, net)) {
-        surfaces->add_patch(patch, std::make_shared<const SweptSurface>(shape, center, net));
-      }
+      if (sweeps_plane(shape, net)) continue;
+      surfaces->add_patch(patch, std::make_shared<const SweptSurface>(shape, center, net));
+      if (std::optional<SurfaceForm> form = extruded_form(shape, center, net))
+        surfaces->add_form(patch, std::move(*form));
     }
   }
   return surfaces;

@@ -111,7 +111,10 @@ class Examination {
 
   void collect() {
     std::vector<char> curved(complex_.leaf_count);
-    for (std::size_t i = 0; i < curved.size(); ++i) curved[i] = parameters_.surfaces(LeafId(i)) != nullptr;
+    for (std::size_t i = 0; i < curved.size(); ++i) {
+      const std::shared_ptr<const LeafSurfaces> surfaces = parameters_.surfaces(LeafId(i));
+      curved[i] = surfaces != nullptr && !surfaces->patches().empty();
+    }
     if (std::find(curved.begin(), curved.end(), 1) == curved.end()) return;
     std::vector<Around> around;
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {

@@ -20,6 +20,9 @@ FileText obj_text(const ResultView& view);
 FileText off_text(const ResultView& view);
 FileText stl_text(const ResultView& view);
 FileText ply_text(const ResultView& view);
+// With ResultView::parameters on true surfaces.
+FileText step_text(const ResultView& view);
+FileText brep_text(const ResultView& view);
 
 // What meshers read: the surface mesh of a result, or with a Mesh what it holds.
 FileText msh_text(const ResultView& view);

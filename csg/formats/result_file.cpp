@@ -2,6 +2,7 @@
 // A .json is read back as a tree would read it: as a leaf, alone in a complex of its own.
 #include "csg/formats/result_file.h"
 
+#include "csg/exports/cad_text.h"
 #include "csg/formats/dag_graph.h"
 #include "csg/formats/formats.h"
 #include "csg/formats/mesh_file.h"
@@ -33,6 +34,7 @@ void check_file_name(const std::string& path) {
   } catch (const InputError& e) {
     throw InputError(std::string(e.what()) + " .dot .regions.dot");
   }
+  if (is_cad_file(path)) require_cad_writer(path);
 }
 
 bool is_exact(const std::string& path) {
@@ -45,7 +47,7 @@ RoundingReport write(const std::string& path, const Result& result, const FileOp
     replace_file(path, region_graph(result.cells(), result.data().value->attributes()).dot());
     return {};
   }
-  return write(path, result.data().view(options.parameters));
+  return write(path, result.data().view(options.parameters || is_cad_file(path)));
 }
 
 void write(const std::string& path, const Evaluation& evaluation) {

@@ -18,7 +18,7 @@ struct Format {
   FileText (*make)(const ResultView&);
 };
 
-constexpr std::array<Format, 10> kFormats{{{".json", json_text},
+constexpr std::array<Format, 13> kFormats{{{".json", json_text},
                                            {".vtu", vtu_text},
                                            {".msh", msh_text},
                                            {".mesh", medit_text},
@@ -27,7 +27,10 @@ constexpr std::array<Format, 10> kFormats{{{".json", json_text},
                                            {".obj", obj_text},
                                            {".off", off_text},
                                            {".stl", stl_text},
-                                           {".ply", ply_text}}};
+                                           {".ply", ply_text},
+                                           {".step", step_text},
+                                           {".stp", step_text},
+                                           {".brep", brep_text}}};
 
 const Format& format_of(const std::string& path) {
   const std::string extension = extension_of(path);
@@ -41,6 +44,11 @@ const Format& format_of(const std::string& path) {
 }
 
 }  // namespace
+
+bool is_cad_file(const std::string& path) {
+  const auto make = format_of(path).make;
+  return make == step_text || make == brep_text;
+}
 
 void check_extension(const std::string& path) { format_of(path); }
 

@@ -23,6 +23,7 @@
 #include <span>
 
 #include "csg/curves/boundary_curves.h"
+#include "csg/curves/surface.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/mesh_boundary.h"
 #include "csg/imports/cad_draw.h"
@@ -98,6 +99,33 @@ class CadLeaf {
                         {from_double(edge.parameters[i - 1]), from_double(edge.parameters[i])}});
       });
       made->name_curve(e, "edge " + std::to_string(e));
+    }
+    return made;
+  }
+
+  /// What carries its faces and edges, by name; it computes no points on them.
+  std::shared_ptr<const LeafSurfaces> surfaces() const {
+    auto made = std::make_shared<LeafSurfaces>();
+    for (Index f = 0; f < model_.faces.size(); ++f) {
+      const CadModel::Face& face = model_.faces[f];
+      const CadSurface::Kind kind = face.surface.kind;
+      if (kind == CadSurface::Kind::other || face.places.empty()) continue;
+      SurfaceForm form{.surface = face.surface};
+      form.low = form.high = face.places[0].at[0];
+      for (const CadModel::Place& place : face.places) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          for (std::size_t d = 0; d < 2; ++d) {
+            if (k == place.pole && d == place.free) continue;
+            form.low[d] = std::min(form.low[d], place.at[k][d]);
+            form.high[d] = std::max(form.high[d], place.at[k][d]);
+          }
+        }
+      }
+      made->add_form(f, std::move(form));
+    }
+    for (Index e = 0; e < model_.edges.size(); ++e) {
+      if (model_.edges[e].curve.kind == CadCurve::Kind::spline)
+        made->add_form(e, CurveForm{model_.edges[e].curve});
     }
     return made;
   }
@@ -568,6 +596,7 @@ std::unique_ptr<PreparedLeaf> prepare_cad(const CadShape& shape) {
   const auto model = std::make_shared<CadLeaf>(shape);
   std::unique_ptr<PreparedLeaf> leaf = model->prepare();
   leaf->set_parameters([model] { return model->parameters(); });
+  leaf->set_surfaces([model] { return model->surfaces(); });
   if (std::optional<CadBands> bands = model->bands())
     leaf->set_form(std::make_shared<CadForm>(model, std::move(*bands)));
   return leaf;

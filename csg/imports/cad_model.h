@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "csg/imports/cad_surfaces.h"
+#include "csg/geometry/cad_surfaces.h"
 #include "csg/leaves/shapes.h"
 
 namespace cnrg {

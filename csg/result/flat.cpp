@@ -53,6 +53,7 @@ class Flattener {
   const Components& value_;
   FlatComplex flat_;
   IdVector<EdgeId, Index> edge_of_;  // simplified edge that holds an edge of the complex
+  IdVector<FaceId, Index> front_;    // the side of a face of the complex that is the front of the simplified one
   std::vector<unsigned> walks_;      // how often listed faces walk each simplified edge
   std::vector<char> slit_;
   std::vector<unsigned char> flipped_;  // faces whose front is not that of the simplified complex
@@ -374,6 +375,10 @@ class Flattener {
   }
 
   void make_edges() {
+    front_.assign(complex_.face_count(), 0);
+    for (const auto& face : simple_.faces) {
+      for (const HalfFace cell : face.cells) front_[cell.face()] = Index(cell.side());
+    }
     flat_.edges.resize(simple_.edges.size());
     for_each_index(simple_.edges.size(), [&](std::size_t i) {
       const auto& from = simple_.edges[i];
@@ -402,7 +407,49 @@ class Flattener {
         return std::binary_search(features.begin(), features.end(), h.edge());
       });
       edge.origin = origin_of(value_.selection.edges, value_.origins.edges, from.chain);
+      add_carriers(edge, from);
     });
+  }
+
+  void add_carriers(FlatComplex::Edge& edge, const SimplifiedComplex::Edge& from) const {
+    const auto counts = [&](LeafId leaf) {
+      return leaf != complex_.frame &&
+             std::binary_search(edge.origin.leaves.begin(), edge.origin.leaves.end(), leaf);
+    };
+    std::vector<FlatComplex::Patch> curves;
+    for (std::size_t i = 0; i < from.chain.size(); ++i) {
+      const EdgeId e = from.chain[i].edge();
+      std::vector<FlatComplex::Patch> around, on;
+      for (const FaceUse& use : complex_.edge_uses[e]) {
+        for (const Cover& cover : complex_.cover(use.face)) {
+          const Soup::Face& source = complex_.sources[cover.source];
+          if (counts(source.leaf)) around.emplace_back(source.leaf, source.patch);
+        }
+      }
+      for (const SegmentId s : complex_.edge_segments[e]) {
+        for (const WireId w : complex_.segment_wires[s]) {
+          const Soup::Wire& wire = complex_.wires[w];
+          if (counts(wire.leaf)) on.emplace_back(wire.leaf, wire.leaf_edge);
+        }
+      }
+      keep_common(edge.patches, std::move(around), i == 0);
+      keep_common(curves, std::move(on), i == 0);
+    }
+    if (!curves.empty()) edge.curve = curves.front();
+    for (const FaceUse& use : complex_.edge_uses[from.chain[0].edge()]) {
+      const SimplifiedComplex::Place place = simple_.face_place[use.face.index()];
+      if (place.dimension != 2 || place.index >= simple_.faces.size()) continue;
+      const Index side = Index(use.before().side()) ^ front_[use.face];
+      edge.around.push_back(place.index * 2 + (side ^ flipped_[place.index]));
+    }
+  }
+
+  static void keep_common(std::vector<FlatComplex::Patch>& list, std::vector<FlatComplex::Patch> other,
+                          bool first) {
+    sort_unique(other);
+    std::vector<FlatComplex::Patch> both;
+    std::set_intersection(list.begin(), list.end(), other.begin(), other.end(), std::back_inserter(both));
+    list = first ? std::move(other) : std::move(both);
   }
 
   void make_vertices() {

@@ -71,6 +71,8 @@ class Result {
 struct RoundingReport {
   std::size_t moved = 0;  ///< vertices whose doubles differ from their exact coordinates
   bool embedded = true;   ///< the rounded facets still meet only in shared vertices and edges
+  std::vector<std::string>
+      notices{};  ///< of .step and .brep: how near it is to the surfaces, what is faceted and why
 };
 
 /// What `snap` did.

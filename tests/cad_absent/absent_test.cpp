@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/formats/result_file.h"
 #include "csg/imports/cad_model.h"
 
 namespace cnrg {
@@ -43,6 +44,16 @@ TEST_CASE("the form of a CAD leaf is checked without OpenCASCADE, too", "[cad]")
   CHECK(*shape.tessellation.chord == Rational(1, 8));
   CHECK(shape.fill == Fill::solids);
   CHECK(shape.seams);
+}
+
+TEST_CASE("without OpenCASCADE a CAD file is refused before any work", "[cad]") {
+  for (const std::string name : {"model.step", "model.stp", "model.brep"}) {
+    CHECK_THROWS_WITH(check_file_name(name),
+                      name +
+                          ": this cnrg is built without OpenCASCADE, which writes CAD models: install "
+                          "libocct-data-exchange-dev and build cnrg with -DCNRG_OPENCASCADE=ON, or write .msh or "
+                          ".json");
+  }
 }
 
 }  // namespace
