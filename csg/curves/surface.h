@@ -9,10 +9,10 @@
 // and wrong between the points.
 //
 // Normals. `normal` is S_u x S_v up to a positive factor, for its direction is all that matters, and the factor
-// (the radius of a parallel, the cube of a weight) would only make the box wider. Where a patch shrinks to a point
-// (the apex of a cone, a pole of a net) there is no normal: boxes that hold such a point hold the zero vector,
-// from which nothing can be concluded. At the poles of a sphere only the parameters are singular: the normal is
-// that of the sphere.
+// (the radius of a parallel, the cube of a weight) would only make the box wider, and be 0 where a patch shrinks
+// to a point. There the limits along the lines of parameters are meant: at a pole of a sphere one normal, at the
+// apex of a cone those of all its rulings. A net has none at its pole: boxes that hold it hold the zero vector,
+// from which nothing can be concluded.
 #pragma once
 
 #include <array>

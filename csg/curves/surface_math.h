@@ -64,8 +64,6 @@ N dot(const Vector<N>& a, const Vector<N>& b) {
 }
 
 /// False where it may be zero.
-inline bool is_positive(double x) { return x > 0; }
-inline bool is_positive(const Interval& x) { return x.inf() > 0; }
 
 /// Radians of a turn.
 template <class N>

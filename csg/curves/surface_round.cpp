@@ -40,24 +40,6 @@ struct ProfileSegment {
   }
 };
 
-/// Whether a profile that reaches the axis does so at right angles, so that what it sweeps is smooth there. Inside
-/// of a piece whose control points have r >= 0, not all 0, it does not reach it.
-bool smooth_on_axis(const std::vector<BezierCurve>& pieces) {
-  for (const BezierCurve& piece : pieces) {
-    std::vector<RationalPoint> points;
-    for (const Homogeneous& h : piece.net) points.push_back(project(h));
-    for (const RationalPoint& p : points) {
-      if (p[0] < 0) return false;
-    }
-    const auto flat = [](const RationalPoint& end, const RationalPoint& next) {
-      return end[0] > 0 || (next[0] > 0 && next[2] == end[2]);
-    };
-    const std::size_t n = points.size();
-    if (!flat(points[0], points[1]) || !flat(points[n - 1], points[n - 2])) return false;
-  }
-  return true;
-}
-
 template <class Meridian>
 std::shared_ptr<const Surface> turned(const typename RoundSurface<Meridian>::Place& place, Meridian meridian) {
   return std::make_shared<const RoundSurface<Meridian>>(place, std::move(meridian));
@@ -90,7 +72,7 @@ std::shared_ptr<const LeafSurfaces> cylinder_surfaces(const CylinderShape& shape
 std::shared_ptr<const LeafSurfaces> sphere_surfaces(const RationalPoint& center, const Rational& radius,
                                                     const RationalPoint& axis) {
   return one_patch(
-      0, {.center = center, .frame = CircleFrame(axis), .smooth_on_axis = true},
+      0, {.center = center, .frame = CircleFrame(axis)},
       RoundLine{constant(radius), constant(Rational(0)), constant(Rational(-1, 4)), constant(Rational(1, 2))},
       sphere_form(center, radius, axis));
 }
@@ -119,8 +101,7 @@ std::shared_ptr<const LeafSurfaces> revolve_surfaces(const RevolveShape& shape) 
       surfaces->add_patch(patch, turned({.center = shape.center,
                                          .frame = CircleFrame(shape.axis),
                                          .degrees = shape.degrees,
-                                         .angle_first = false,
-                                         .smooth_on_axis = smooth_on_axis(pieces)},
+                                         .angle_first = false},
                                         ProfileSegment{{pieces, curve_spans(net)}}));
       surfaces->add_form(patch, revolved_form(shape, net));
     }

@@ -2,8 +2,8 @@
 //
 // With the unit vectors d(a) away from the axis, t = n x d and n, the derivatives are r t by the angle and
 // r' d + z' n along the meridian, and (r t) x (r' d + z' n) = r (z' d - r' n). So the direction of the normal is
-// that of z' d - r' n, whatever r > 0 is. Where r = 0 the normal has no direction, unless the meridian meets the
-// axis at a right angle and the surface is smooth there.
+// that of z' d - r' n, whatever r > 0 is. Where r = 0 it is the limit along each meridian: at a pole of a sphere
+// that is one direction, at the apex of a cone all that the cone has.
 #pragma once
 
 #include "csg/curves/surface_math.h"
@@ -25,7 +25,6 @@ class RoundSurface final : public Surface {
     CircleFrame frame;
     Rational degrees = 360;   ///< of the whole range of the angle's parameter, which is from 0 to 1
     bool angle_first = true;  ///< u is the angle and v runs along the meridian, or the other way round
-    bool smooth_on_axis = false;
   };
   RoundSurface(const Place& place, Meridian meridian)
       : meridian_(std::move(meridian)),
@@ -34,8 +33,7 @@ class RoundSurface final : public Surface {
         second_(surface_math::unit(place.frame.second())),
         axis_(surface_math::unit(place.frame.axis())),
         turns_(surface_math::constant(Rational(place.degrees / 360))),
-        angle_first_(place.angle_first),
-        smooth_on_axis_(place.smooth_on_axis) {}
+        angle_first_(place.angle_first) {}
 
   SurfaceJet<double> at(double u, double v) const override { return jet(u, v); }
   SurfaceJet<Interval> over(const Interval& u, const Interval& v) const override {
@@ -56,7 +54,6 @@ class RoundSurface final : public Surface {
     const Vector<N> by_angle = scaled(N(turn<N>() * as<N>(turns_) * m.r), around);
     const Vector<N> by_meridian = sum(scaled(m.r_m, away), scaled(m.z_m, n));
     Vector<N> normal = difference(scaled(m.z_m, away), scaled(m.r_m, n));
-    if (!smooth_on_axis_ && !is_positive(m.r)) normal = scaled(m.r, normal);
     if (!angle_first_) normal = scaled(N(-1), normal);
     if (angle_first_) return {point, by_angle, by_meridian, normal};
     return {point, by_meridian, by_angle, normal};
@@ -65,7 +62,7 @@ class RoundSurface final : public Surface {
   Meridian meridian_;
   Vector<surface_math::Constant> center_, first_, second_, axis_;
   surface_math::Constant turns_;
-  bool angle_first_, smooth_on_axis_;
+  bool angle_first_;
 };
 
 }  // namespace cnrg

@@ -48,7 +48,6 @@ class SweptSurface final : public Surface {
     const N speed = turn<N>() * as<N>(turns_) * size;
     const Vector<N> across = sum(sum(scaled(as<N>(growth_), q), scaled(speed, spin)), v);  // R^-1 S_t
     Vector<N> normal = turned(cross(p.along, across));
-    if (!is_positive(size)) normal = scaled(size, normal);
     return {sum(center, sum(scaled(size, turned(q)), scaled(t, v))), scaled(size, turned(p.along)), turned(across),
             normal};
   }
