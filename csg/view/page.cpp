@@ -1,8 +1,11 @@
 // The data of all nodes, and the page that it makes with the template.
 #include "csg/view/page.h"
 
+#include <algorithm>
+
 #include "csg/operators/node_value.h"
 #include "csg/text/escape.h"
+#include "csg/tree/dag.h"
 #include "csg/view/node_data.h"
 #include "kernel/base/error.h"
 
@@ -93,6 +96,10 @@ std::string page_data(const Tree& tree, const Evaluation& evaluation, const Page
     list.push_back(std::move(node));
   }
   out["result"] = place.at(evaluation.kept.front().node);
+  // True if some node is not below the result: then it is refined with others than alone.
+  const std::vector<char> below = tree.dag->reachable({tree.result});
+  out["several"] =
+      std::any_of(nodes.begin(), nodes.end(), [&](const auto& n) { return !below[n.second->node.index()]; });
   Json materials = Json::array();
   for (const auto& m : evaluation.materials) {
     materials.push_back({{"name", shown(m.name)}, {"color", m.color}});

@@ -66,7 +66,7 @@ export function readCells(json) {
 export class Page {
   constructor(json) {
     Object.assign(this, {
-      tree: json.tree, result: json.result, materials: json.materials, leaves: json.leaves, nodes: json.nodes,
+      tree: json.tree, result: json.result, several: json.several, materials: json.materials, leaves: json.leaves, nodes: json.nodes,
       origins: json.origins, words: json.words, lines: json.lines,
     });
     this.points = unpack(json.points);

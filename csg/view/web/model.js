@@ -6,6 +6,16 @@ export const LETTERS = ['v', 'e', 'f', 'r'];
 export const WORDS = {v: 'vertex', e: 'edge', f: 'face', r: 'region'};
 export const nameOf = (cell) => cell.kind + cell.i;
 
+/** A double as the fraction that it is exactly, as exact files write it. */
+export function fraction(x) {
+  let denominator = 1n;
+  while (!Number.isInteger(x)) {
+    x *= 2;
+    denominator *= 2n;
+  }
+  return denominator === 1n ? BigInt(x).toString() : `${BigInt(x)}/${denominator}`;
+}
+
 export class Model {
   constructor(page, index) {
     this.page = page;
@@ -47,9 +57,8 @@ export class Model {
   /** Where point `p` of the node is, exactly, as three texts. */
   exact(p) {
     const global = this.cells.points[p];
-    return this.page.exact.get(global) ?? [0, 1, 2].map((k) => String(this.page.points[3 * global + k]));
+    return this.page.exact.get(global) ?? [0, 1, 2].map((k) => fraction(this.page.points[3 * global + k]));
   }
-  isRational(p) { return this.page.exact.has(this.cells.points[p]); }
   at(p, cells = this.cells) {
     const g = 3 * cells.points[p];
     return [this.page.points[g], this.page.points[g + 1], this.page.points[g + 2]];

@@ -45,7 +45,7 @@ function exactText(word) {
 function coordinates(model, p) {
   const exact = model.exact(p), out = h('dl', {class: 'terms point'});
   exact.forEach((word, k) => {
-    const decimal = model.isRational(p) && word.includes('/') ? h('span', {class: 'soft'}, ` ≈ ${model.at(p)[k]}`) : null;
+    const decimal = word.includes('/') ? h('span', {class: 'soft'}, ` ≈ ${model.at(p)[k]}`) : null;
     out.append(h('dt', {}, 'xyz'[k]), h('dd', {class: 'number'}, exactText(word), decimal));
   });
   return out;
@@ -122,6 +122,7 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
   if (told) parts.push(storyText(told));
   else parts.push(h('p', {class: 'soft'}, `The node unites ${model.node.too_many.stories} cells of the refinement: too many for all stories to be in a page. This tells the one:`));
   parts.push(command(['cnrg', 'explain', model.page.tree, '--node', model.node.name, '--cell', nameOf(cell)], copied));
+  if (told && model.page.several) parts.push(h('p', {class: 'soft'}, 'The page refines all of its nodes together, the command this node and the result: it may count fewer cells of the refinement.'));
   holder.replaceChildren(...parts);
   redraw?.(axes());
   return redraw;
@@ -184,7 +185,7 @@ export function showNode(holder, model, {pick, choose, legend}) {
   }
   if (node.euler) parts.push(h('h3', {}, 'Euler–Poincaré'), euler(node.euler));
   if (node.betti) {
-    parts.push(h('h3', {}, 'Betti numbers'), h('table', {id: 'betti'}, head('', 'b0', 'b1', 'b2'), h('tbody', {}, ...node.betti.slice(0, 200).map(([c, ...b]) =>
+    parts.push(h('h3', {}, 'Betti numbers'), h('table', {id: 'betti'}, head('of', 'b0', 'b1', 'b2'), h('tbody', {}, ...node.betti.slice(0, 200).map(([c, ...b]) =>
       h('tr', {}, h('th', {scope: 'row'}, c ? model.componentName(c) : 'point set'), ...b.slice(0, 3).map((x, k) => h('td', {class: 'number'}, x === b[k + 3] ? String(x) : `${x} (Q: ${b[k + 3]})`)))))),
       h('p', {class: 'soft'}, 'b0 pieces, b1 independent loops, b2 enclosed cavities; the same over Z/2 and Q.'));
     if (!node.euler) parts.push(h('p', {class: 'soft'}, 'Euler–Poincaré is not stated: the set is unbounded.'));
