@@ -55,7 +55,7 @@ TEST_CASE("version names the libraries", "[app]") {
 TEST_CASE("every command has help with an example", "[app]") {
   const Workshop w;
   CHECK(w.run("--help").status == 0);
-  for (const std::string name : {"eval", "check", "locate", "tables", "explain", "mesh"}) {
+  for (const std::string name : {"eval", "check", "locate", "tables", "explain", "view", "mesh"}) {
     const Outcome o = w.run(name + " --help");
     CHECK(o.status == 0);
     CHECK_THAT(o.out, Contains("Example") && Contains("cnrg " + name));

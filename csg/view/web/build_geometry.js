@@ -4,6 +4,9 @@
 // region's, turned outward. So a wall has two skins, one per region, and regions can be pulled apart. A face that
 // parts no regions is a sheet and is drawn on both sides. A face that bounds a region and is not of the set is
 // hatched, an edge then dashed, a vertex hollow.
+//
+// What lies between regions all around cannot be seen while these are closed, together and whole: in a large model
+// it is left out until regions are pulled apart, cut or seen through. That is most of a model of many regions.
 import * as THREE from 'three';
 import {colour, mix, NONE, POINT, RELATIONS, rgb, SHEET, WIRE} from './colours.js';
 
@@ -17,13 +20,18 @@ class Column {
     this.width = width;
     this.length = 0;
   }
-  push(...values) {
-    if (this.length + values.length > this.array.length) {
+  push(a, b, c, d) {
+    if (this.length + 4 > this.array.length) {
       const larger = new this.Kind(this.array.length * 2);
       larger.set(this.array);
       this.array = larger;
     }
-    for (const value of values) this.array[this.length++] = value;
+    const {array, length} = this;
+    array[length] = a;
+    if (b !== undefined) array[length + 1] = b;
+    if (c !== undefined) array[length + 2] = c;
+    if (d !== undefined) array[length + 3] = d;
+    this.length = length + this.width;
   }
   get done() { return this.array.slice(0, this.length); }
 }
@@ -50,7 +58,7 @@ export class Numbering {
 }
 
 export class Geometry {
-  /** `look`: {colour, ink, dark, apart, show: [v, e, f, r], ghosts}; `place`: from the model's space to the scene's. */
+  /** `look`: {colour, ink, dark, apart, inner, show: [v, e, f, r], ghosts}; `place`: from the model's space to the scene's. */
   constructor(model, look, place) {
     this.model = model;
     this.look = look;
@@ -198,6 +206,7 @@ export class Geometry {
           for (const code of shell) {
             const f = code >> 1, front = (code & 1) === 0;
             if (faces.front[f] === faces.back[f]) continue;  // hangs in it
+            if (!look.inner && model.active(faces.front[f]) && model.active(faces.back[f])) continue;
             const own = faces.component[f];
             const painted = own && ['component', 'source'].includes(look.colour) ? this.tintOf({kind: 'f', i: f}) : tint;
             if (!own) this.legend.set('open', {label: 'missing face', sign: 'hatch', tint});
@@ -240,6 +249,13 @@ export class Geometry {
     return regions.length ? regions.map((r) => this.shift(r + 1)) : [[0, 0, 0]];
   }
 
+  /** True if every sector about an edge is of an active region. */
+  enclosed(e) {
+    const {uses, regions} = this.model.radial;
+    for (let k = uses.starts[e]; k < uses.starts[e + 1]; ++k) if (!this.model.active(regions[k])) return false;
+    return uses.starts[e] < uses.starts[e + 1];
+  }
+
   addEdges() {
     const {model, look, numbering} = this, {edges} = model.cells;
     const painted = ['component', 'source', 'material'].includes(look.colour);
@@ -250,6 +266,7 @@ export class Geometry {
     }
     for (let e = 0; e < model.counts.e; ++e) {
       const cell = {kind: 'e', i: e}, own = edges.component[e], wire = faceless[e] && own;
+      if (!look.inner && !wire && this.enclosed(e)) continue;
       if (!own && !model.radial.uses.of(e).some((f) => model.cells.faces.component[f] || model.active(model.cells.faces.front[f]) || model.active(model.cells.faces.back[f]))) continue;
       if (wire) this.legend.set('wire', {label: 'wire', sign: 'wire', tint: WIRE});
       if (!own) this.legend.set('dashed', {label: 'missing edge', sign: 'dash', tint: look.ink});
@@ -265,13 +282,15 @@ export class Geometry {
 
   addVertices() {
     const {model, look, numbering} = this, {vertices, edges} = model.cells;
-    const ends = new Uint8Array(model.cells.points.length);
+    const ends = new Uint8Array(model.cells.points.length);  // 1: of edges between regions only, 2: of others
     for (let e = 0; e < model.counts.e; ++e) {
-      const chain = edges.points.of(e);
-      if (!(edges.flags[e] & 1)) ends[chain[0]] = ends[chain[chain.length - 1]] = 1;
+      const chain = edges.points.of(e), kind = !look.inner && this.enclosed(e) ? 1 : 2;
+      if (edges.flags[e] & 1) continue;
+      for (const p of [chain[0], chain[chain.length - 1]]) ends[p] = Math.max(ends[p], kind);
     }
     for (let v = 0; v < model.counts.v; ++v) {
       const cell = {kind: 'v', i: v}, p = vertices.point[v], own = vertices.component[v], alone = !ends[p] && own;
+      if (ends[p] === 1) continue;
       if (alone) this.legend.set('point', {label: 'isolated point', sign: 'point', tint: POINT});
       if (!own) this.legend.set('hollow', {label: 'missing vertex', sign: 'hollow', tint: look.ink});
       const tint = alone ? (look.dark ? mix(POINT, [255, 255, 255], 0.35) : POINT) : look.ink;

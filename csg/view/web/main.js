@@ -267,6 +267,7 @@ function showControls() {
 
 function section() {
   scene?.setSection(state.axis ? {axis: 'xyz'.indexOf(state.axis), at: state.cut, flip: state.flip} : null);
+  if (state.cell) scene?.pick(state.cell, css('--accent'));
 }
 
 // --- search

@@ -54,6 +54,13 @@ export class Model {
     return front[f] === back[f] || (!this.active(front[f]) && !this.active(back[f]));
   }
 
+  /** True if a region can be looked into: one of its faces is not of the set. */
+  get open() {
+    const {component, front, back} = this.cells.faces;
+    return (this._open ??= component.some((c, f) => !c && front[f] !== back[f] && (this.active(front[f]) || this.active(back[f]))));
+  }
+  get size() { return this.counts.v + this.counts.e + this.counts.f + this.counts.r; }
+
   /** Where point `p` of the node is, exactly, as three texts. */
   exact(p) {
     const global = this.cells.points[p];

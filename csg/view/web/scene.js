@@ -9,6 +9,7 @@ import {material, shared} from './shaders.js';
 
 const SLOW = 45;      // milliseconds of a frame that is not fluent
 const CAPS = 80;      // regions whose section is filled
+const SMALL = 20000;  // cells that are all drawn, seen or not
 const color = (c) => new THREE.Color(c[0] / 255, c[1] / 255, c[2] / 255);
 
 export class Scene {
@@ -74,10 +75,16 @@ export class Scene {
     group.clear();
   }
 
+  /** Whether what lies between regions can be seen; small models always have it, and so need no second drawing. */
+  needsInner(model, look) {
+    return model.size < SMALL || look.apart || look.through || !look.show[3] || Boolean(this.section) || model.open;
+  }
+
   /** Draws the cells of a model. `look` is what Geometry asks for, and {through, paper}. */
   show(model, look) {
     this.model = model;
-    this.look = look;
+    this.look = {...look, inner: this.needsInner(model, look)};
+    look = this.look;
     this.dispose(this.world);
     const g = (this.geometry = new Geometry(model, look, this.place));
     const add = (columns, kind, instanced = false, order = 0) => {
@@ -143,6 +150,7 @@ export class Scene {
   /** `{axis: 0..2, at: 0..1, flip}` or null. */
   setSection(section) {
     this.section = section;
+    if (this.model && this.needsInner(this.model, this.look) && !this.look.inner) return this.show(this.model, this.look);
     const plane = shared.plane.value;
     if (section) {
       const n = [0, 0, 0], sign = (section.axis === 1) === section.flip ? -1 : 1;  // unflipped, the cut faces the first view
