@@ -112,7 +112,7 @@ export class Geometry {
     const ofMaterial = (name) => {
       if (!name) return enter('no material', NONE);
       const i = materials.findIndex((m) => m.name === name);
-      return enter(name, materials[i]?.color ? rgb(materials[i].color) : colour(Math.max(i, 0)));
+      return enter(name, materials[i]?.color ? rgb(materials[i].color) : colour(i));
     };
     const ofSource = (cell) => {
       const origin = model.origin(cell);
@@ -302,6 +302,33 @@ export class Geometry {
         this.points.look.push(alone ? 2 : 1, alone ? 2 : own ? 0 : 1);
       }
     }
+  }
+
+  /** The lines in which a plane n·p + d = 0 cuts what is drawn, as edges a little on the side where n points. */
+  cutLines(n, d, explode, ink) {
+    const out = this.edgeColumns(), zero = [0, 0, 0], none = [0, 0, 0, 0];
+    for (const {position, shift} of [this.skins, this.sheets]) {
+      const p = position.array, s = shift.array, at = (i) => p[i] + s[i] * explode;
+      for (let t = 0; t < position.length; t += 9) {
+        const corners = [0, 3, 6].map((k) => [at(t + k), at(t + k + 1), at(t + k + 2)]);
+        const far = corners.map((c) => n[0] * c[0] + n[1] * c[1] + n[2] * c[2] + d);
+        const ends = [];
+        for (let k = 0; k < 3; ++k) {
+          const j = (k + 1) % 3;
+          if (far[k] < 0 === far[j] < 0) continue;
+          const w = far[k] / (far[k] - far[j]);
+          ends.push(corners[k].map((x, i) => x + (corners[j][i] - x) * w + n[i] * 2e-4));
+        }
+        if (ends.length !== 2) continue;
+        out.a.push(...ends[0]);
+        out.b.push(...ends[1]);
+        out.shift.push(...zero);
+        out.tint.push(...ink);
+        out.ident.push(...none);
+        out.look.push(1, 0, 0);
+      }
+    }
+    return out;
   }
 
   /** What became of the operands' entities: those that were kept, or those that were removed, as ghosts. */

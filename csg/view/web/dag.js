@@ -71,7 +71,7 @@ export class Dag {
     holder.replaceChildren(inner);
     // Somewhat smaller if that shows all of it; never too small to read.
     this.fit = () => {
-      inner.style.zoom = Math.min(Math.max((holder.clientWidth - 4) / width, 0.72), 1);
+      inner.style.zoom = Math.min(Math.max((holder.clientWidth - 4) / width, 0.8), 1);
       if (this.current !== undefined) this.reveal(this.buttons[this.current]);
     };
     new ResizeObserver(() => this.fit()).observe(holder);

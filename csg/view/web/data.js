@@ -69,6 +69,9 @@ export class Page {
       tree: json.tree, result: json.result, several: json.several, materials: json.materials, leaves: json.leaves, nodes: json.nodes,
       origins: json.origins, words: json.words, lines: json.lines,
     });
+    // Materials that only results read back name have colours of their own, too.
+    const names = new Set(this.materials.map((m) => m.name));
+    for (const {components} of this.nodes) for (const {material} of components) if (material && !names.has(material)) (names.add(material), this.materials.push({name: material, color: ''}));
     this.points = unpack(json.points);
     this.exact = new Map(json.exact.map(([i, ...xyz]) => [i, xyz]));
     this.models = new Map();

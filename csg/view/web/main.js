@@ -17,7 +17,8 @@ const state = {node: page.result, cell: null, colour: null, show: [true, true, t
 // --- light and dark
 
 const prefersDark = matchMedia('(prefers-color-scheme: dark)');
-const dark = () => (state.theme ?? (prefersDark.matches ? 'dark' : 'light')) === 'dark';
+let printing = false;
+const dark = () => !printing && (state.theme ?? (prefersDark.matches ? 'dark' : 'light')) === 'dark';
 const css = (name) => rgb(getComputedStyle(document.documentElement).getPropertyValue(name).trim());
 function applyTheme() {
   document.documentElement.dataset.theme = dark() ? 'dark' : 'light';
@@ -368,10 +369,18 @@ function wire() {
   $('print').onclick = () => window.print();
   addEventListener('beforeprint', () => {
     if (!scene) return;
+    printing = true;  // on paper it is light
+    applyTheme();
+    draw();
     $('printed').src = picture(2).toDataURL();
     $('printed').hidden = false;
   });
-  addEventListener('afterprint', () => ($('printed').hidden = true));
+  addEventListener('afterprint', () => {
+    printing = false;
+    $('printed').hidden = true;
+    applyTheme();
+    draw();
+  });
   $('help').onclick = () => $('keys').showModal();
 
   const search = $('search');
@@ -414,7 +423,7 @@ function wire() {
     const canvas = $('scene');
     canvas.addEventListener('pointerdown', (e) => (down = [e.clientX, e.clientY, performance.now()]));
     canvas.addEventListener('pointerup', (e) => {
-      if (!down || Math.hypot(e.clientX - down[0], e.clientY - down[1]) > 4 || e.button !== 0) return;
+      if (!down || Math.hypot(e.clientX - down[0], e.clientY - down[1]) > (e.pointerType === 'touch' ? 12 : 4) || e.button !== 0) return;
       const box = canvas.getBoundingClientRect(), begin = performance.now();
       const cell = scene.at(e.clientX - box.left, e.clientY - box.top, e.shiftKey ? 'r' : state.pick);
       window.cnrg.pickTime = performance.now() - begin;

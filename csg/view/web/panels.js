@@ -102,7 +102,7 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
   if (kind === 'v') parts.push(h('h3', {}, 'Where'), coordinates(model, cells.vertices.point[i]));
   if (kind === 'e') {
     const drawn = fan(model, i, tintOf);
-    parts.push(h('h3', {}, 'Radial order'), drawn.picture, h('p', {class: 'soft'}, drawn.words ? `Counter-clockwise with the edge pointing at you: ${drawn.words}` : 'A wire: no face is around it.'));
+    parts.push(h('h3', {}, 'Radial order'), drawn.words ? drawn.picture : null, h('p', {class: 'soft'}, drawn.words ? `Counter-clockwise with the edge pointing at you: ${drawn.words}` : 'A wire: no face is around it.'));
     const ends = [...new Set([cells.edges.points.of(i)[0], cells.edges.points.of(i).at(-1)])];
     if (!(flags & 1)) parts.push(h('details', {}, h('summary', {}, 'Ends, exactly'), ...ends.map((p) => coordinates(model, p))));
   }
@@ -123,7 +123,7 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
   else parts.push(h('p', {class: 'soft'}, `The node unites ${model.node.too_many.stories} cells of the refinement: too many for all stories to be in a page. This tells the one:`));
   parts.push(command(['cnrg', 'explain', model.page.tree, '--node', model.node.name, '--cell', nameOf(cell)], copied));
   if (told && model.page.several) parts.push(h('p', {class: 'soft'}, 'The page refines all of its nodes together, the command this node and the result: it may count fewer cells of the refinement.'));
-  holder.replaceChildren(...parts);
+  holder.replaceChildren(...parts.filter(Boolean));
   redraw?.(axes());
   return redraw;
 }

@@ -36,9 +36,9 @@ export class Scene {
       inner: material('FACE', {side: THREE.BackSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2}),
       sheet: material('FACE', {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}),
       ghost: material('FACE', {side: THREE.DoubleSide, transparent: true, depthWrite: false}, {opacity: {value: 0.16}}),
-      edge: material('EDGE', {side: THREE.DoubleSide}, {lift: {value: 4e-5}}),
-      ghostEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true}, {opacity: {value: 0.8}, lift: {value: 2e-5}}),
-      point: material('POINT', {}, {lift: {value: 8e-5}}),
+      edge: material('EDGE', {side: THREE.DoubleSide}, {lift: {value: 1e-4}}),
+      ghostEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true}, {opacity: {value: 0.8}, lift: {value: 5e-5}}),
+      point: material('POINT', {}, {lift: {value: 1.6e-4}}),
       overFace: material('FACE', {side: THREE.DoubleSide, transparent: true, depthTest: false, depthWrite: false}, {opacity: {value: 0.45}, solid: {value: 1}}),
       overEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true, depthTest: false}),
       overPoint: material('POINT', {transparent: true, depthTest: false}),
@@ -85,6 +85,7 @@ export class Scene {
     this.model = model;
     this.look = {...look, inner: this.needsInner(model, look)};
     look = this.look;
+    this.outline = null;
     this.dispose(this.world);
     const g = (this.geometry = new Geometry(model, look, this.place));
     const add = (columns, kind, instanced = false, order = 0) => {
@@ -117,6 +118,8 @@ export class Scene {
     this.points = add(g.points, materials.point, false, 60);
     add(g.ghosts, materials.ghost, false, 70);
     add(g.ghostEdges, materials.ghostEdge, true, 71);
+    // Where there are many cells, thick lines would cover them.
+    [shared.edge.value, shared.points.value] = model.size < SMALL ? [1.3, 6] : [0.8, 2.5];
     shared.paper.value.copy(color(look.paper));
     this.renderer.setClearColor(color(look.paper), 1);
     this.setSection(this.section);
@@ -168,11 +171,30 @@ export class Scene {
       plane.set(0, 0, 0, 1);
     }
     if (this.caps) this.caps.visible = Boolean(section);
+    this.outlineSection();
     this.draw();
+  }
+
+  /** The lines of the section, where there are not so many that they could not follow the hand. */
+  outlineSection() {
+    if (this.outline) {
+      this.outline.removeFromParent();
+      this.outline.geometry.dispose();
+      this.outline = null;
+    }
+    const g = this.geometry, plane = shared.plane.value;
+    if (!this.section || !g || g.skins.kind.length + g.sheets.kind.length > 200000) return;
+    const lines = g.cutLines([plane.x, plane.y, plane.z], plane.w, shared.explode.value, this.look.ink);
+    if (!lines.a.length) return;
+    this.outline = new THREE.Mesh(buffers(lines, true), this.materials.edge);
+    this.outline.frustumCulled = false;
+    this.outline.renderOrder = 51;
+    this.world.add(this.outline);
   }
 
   setExplode(t) {
     shared.explode.value = t;
+    this.outlineSection();
     this.draw();
   }
 
@@ -316,6 +338,7 @@ export class Scene {
     for (const object of hidden) object.visible = false;
     if (this.edges) this.edges.visible = true;
     if (this.points) this.points.visible = true;
+    if (this.outline) this.outline.visible = false;
     const seen = [];
     for (const m of Object.values(this.materials)) {
       seen.push([m, m.blending, m.transparent, m.depthWrite]);
@@ -332,6 +355,7 @@ export class Scene {
     this.renderer.setClearColor(color(this.look.paper), 1);
     for (const [m, blending, transparent, depthWrite] of seen) Object.assign(m, {blending, transparent, depthWrite});
     shared.ids.value = 0;
+    if (this.outline) this.outline.visible = true;
     for (const object of hidden) object.visible = true;
     if (about) this.camera.clearViewOffset();
     target.dispose();
