@@ -276,6 +276,7 @@ export class Scene {
     clearTimeout(this.rest);
     this.rest = setTimeout(() => {
       this.moving = false;
+      this.quality = Math.min(this.quality * 1.5, 1);  // what was slow may have been another program
       this.draw();
     }, 220);
     this.draw();
@@ -312,8 +313,9 @@ export class Scene {
       this.renderer.setSize(this.width, this.height, false);
       [this.drawnWidth, this.drawnHeight] = [this.width, this.height];
     }
-    if (this.edges) this.edges.visible = coarse > 0.4;
-    if (this.points) this.points.visible = coarse > 0.4;
+    const lower = coarse > 0.4 || this.model.size < SMALL;
+    if (this.edges) this.edges.visible = lower;
+    if (this.points) this.points.visible = lower;
     // Inside of regions something is to be seen only through a missing face or a section.
     if (this.inner) this.inner.visible = !this.look.through && (this.geometry.legend.has('open') || (this.section && this.geometry.ranges.length > CAPS));
     this.prepare(ratio, this.width * ratio, this.height * ratio);
