@@ -121,6 +121,7 @@ int run_eval(const EvalArguments& arguments) {
 
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);
+  else tell_uncertain(tree, evaluation, arguments.quiet);
   if (!arguments.quiet) std::cout << row_table(evaluation.rows, arguments.raw, arguments.trace);
   if (!arguments.quiet && arguments.trace) std::cout << refinement_summary(evaluation);
   if (arguments.topology) std::cout << topology_of(tree, evaluation, options.nodes);

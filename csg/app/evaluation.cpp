@@ -26,6 +26,10 @@ void limit_threads(int threads) {
   }
 }
 
+std::string count(std::size_t n, const std::string& what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
 }  // namespace
 
 NodeId node_of(const Tree& tree, const std::string& name) {
@@ -48,11 +52,18 @@ Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quie
   return evaluation;
 }
 
+void tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
+  if (quiet) return;
+  constexpr std::size_t kTold = 3;
+  const Certificate certificate = certify(tree, evaluation, kTold);
+  print(certificate.notices, quiet);
+  if (certificate.places <= kTold) return;
+  tell(tree.file + ": notice: " + count(certificate.places - kTold, "more place") +
+       " where curved surfaces may not cross as their facets do; --certify tells of ten");
+}
+
 void require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
   const Certificate certificate = certify(tree, evaluation);
-  const auto count = [](std::size_t n, const std::string& what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-  };
   if (certificate.places == 0) {
     if (quiet) return;
     tell(tree.file + ": notice: certified: " +

@@ -24,8 +24,9 @@ NodeId node_of(const Tree& tree, const std::string& name);
 /// Evaluates behind a progress bar and prints the diagnostics; `quiet`: no bar, warnings only.
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet);
 
-/// Proves that curved patches of different leaves cross as their facets do, or throws TreeError, with notices of
-/// the first places where that is not so.
+/// Notices of the first places where curved patches of different leaves may not cross as their facets do.
+void tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet);
+/// Proves that there are none, or throws TreeError, with notices of the first ones.
 void require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet);
 
 /// Runs `work`; an InputError that it throws, such as of a format that cannot show the node, comes out as

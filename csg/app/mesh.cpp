@@ -84,6 +84,7 @@ int run_mesh(const MeshArguments& arguments) {
   options.nodes = {node};
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);
+  else tell_uncertain(tree, evaluation, arguments.quiet);
   TetrahedralMesh made;
   Result result = evaluation.result(node);
   SnapReport snapped;

@@ -1,24 +1,11 @@
 // Lines, similarities, and meridians under them.
 #include "csg/carriers/axes.h"
 
-#include <cmath>
-
 #include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
-
-std::optional<Rational> rational_root(const Rational& square) {
-  if (mpz_perfect_square_p(square.get_num_mpz_t()) == 0 || mpz_perfect_square_p(square.get_den_mpz_t()) == 0)
-    return std::nullopt;
-  return Rational(sqrt(square.get_num()), sqrt(square.get_den()));
-}
-
-Rational scaled_cosine(const Rational& degrees, const Rational& square) {
-  if (const std::optional<Rational> root = rational_root(square)) return *root * round_cosine(degrees, 1, -52);
-  return round_cosine(degrees, square, exponent_of_root(square) - 51);
-}
 
 Rational AxisLine::place_of(const RationalPoint& p) const {
   return dot(p - foot, direction) / dot(direction, direction);
@@ -76,7 +63,8 @@ PlacedForm place(const RevolvedForm& form, const Transform& transform, const Rat
   }
   const CircleFrame frame(form.axis);
   placed.start = (1 / scale) * transform.apply_to_vector(frame.offset(1, 0));
-  placed.end = form.around() ? placed.start : (1 / scale) * transform.apply_to_vector(frame.offset(1, form.degrees));
+  placed.end =
+      form.around() ? placed.start : (1 / scale) * transform.apply_to_vector(frame.offset(1, form.degrees));
   return placed;
 }
 

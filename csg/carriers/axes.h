@@ -24,13 +24,6 @@ struct AxisLine {
 };
 AxisLine axis_line(const RationalPoint& point, const RationalPoint& direction);
 
-/// The square root, where it is rational.
-std::optional<Rational> rational_root(const Rational& square);
-
-/// sqrt(square) cos(degrees) to 52 bits of the root, and exactly where the root is rational and the cosine 0 or
-/// +-1.
-Rational scaled_cosine(const Rational& degrees, const Rational& square);
-
 /// By how much a transform stretches every length, where it does so by one rational number.
 std::optional<Rational> stretch(const Transform& transform);
 

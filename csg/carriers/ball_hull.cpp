@@ -11,6 +11,7 @@
 #include <numbers>
 #include <set>
 
+#include "csg/carriers/point_lattice.h"
 #include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
@@ -108,11 +109,22 @@ std::vector<RationalPoint> grid(const Ball& ball, int segments, int rings) {
 }  // namespace
 
 BallHull hull_of(const Ball& ball, const std::vector<SphereCircle>& circles,
-                 const std::vector<RationalPoint>& points, int segments, int rings) {
+                 const std::vector<RationalPoint>& points, const std::vector<RationalPoint>& others, int segments,
+                 int rings) {
   std::set<RationalPoint> all(points.begin(), points.end());
   for (const SphereCircle& circle : circles) all.insert(circle.begin(), circle.end());
+  std::vector<RationalPoint> single = points;
+  if (!others.empty()) {
+    PointLattice known(ball.center, ball.radius);
+    for (const RationalPoint& p : all) known.add(p);
+    for (const RationalPoint& p : others) {
+      if (!known.add(p)) continue;
+      all.insert(p);
+      single.push_back(p);
+    }
+  }
   const double step = to_double(ball.radius) * std::numbers::pi / rings;
-  const Keepout keepout(circles, points, step / 4);
+  const Keepout keepout(circles, single, step / 4);
   for (const RationalPoint& p : grid(ball, segments, rings)) {
     if (!keepout.holds(to_doubles(p))) all.insert(p);
   }

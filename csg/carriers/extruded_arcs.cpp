@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/parameters.h"
 

@@ -6,7 +6,6 @@
 #include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
-#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 
@@ -16,10 +15,10 @@ Sector sector_of(const Member& member) {
   return {with ? placed.start : placed.end, with ? placed.end : placed.start, member.whole};
 }
 
-Family::Family(std::vector<Member> members, bool in_tree_space)
+Family::Family(std::vector<Member> members, bool may_round)
     : members_(std::move(members)),
       axis_(members_[0].placed.axis),
-      rounds_(in_tree_space && may_round()),
+      rounds_(may_round && stays_plane()),
       size_(smallest()),
       plane_(members_[0].placed.square(), [this](const MeridianPoint& p) { return rounded(p); }) {
   for (const Member& member : members_) {
@@ -41,7 +40,23 @@ Family::Family(std::vector<Member> members, bool in_tree_space)
 void Family::add_marks(std::size_t member, const Marks& marks) {
   marks_.insert(marks_.end(), marks.directions.begin(), marks.directions.end());
   for (const RationalPoint& p : marks.points) add_point(member, p);
-  for (const MeridianPoint& p : marks.circles) add_vertex(member, p);
+  for (const MeridianPoint& p : marks.circles) add_circle(member, p);
+}
+
+void Family::solve_turns(const std::vector<RationalPoint>& others) {
+  std::vector<RationalPoint> all = others_;
+  all.insert(all.end(), others.begin(), others.end());
+  turns_ = std::make_unique<Turns>(axis_.direction, first_direction(), segments_, marks_, all);
+}
+
+std::vector<RationalPoint> Family::corners(std::size_t m) const {
+  std::vector<RationalPoint> result;
+  const auto columns = turns_->around({members_[m].placed.start, true, false});
+  for (const RevolvedGrid::Row& row : plane_.rows(first_[m])) {
+    const std::size_t n = row.at.r == 0 ? 1 : columns.size() - 1;
+    for (std::size_t i = 0; i < n; ++i) result.push_back(point(row.at, columns[i]));
+  }
+  return result;
 }
 
 std::vector<MeridianPoint> Family::shared_circles(std::size_t member) const {
@@ -116,7 +131,7 @@ RationalPoint Family::point(const MeridianPoint& at, const RevolvedGrid::Column&
   return p;
 }
 
-bool Family::may_round() const {
+bool Family::stays_plane() const {
   if (CircleFrame(axis_.direction).parallel_to() == 3) return false;
   for (const Member& member : members_) {
     if (!member.ball && member.placed.start != member.placed.end) return false;
@@ -186,12 +201,12 @@ void Family::add_point(std::size_t member, const RationalPoint& p) {
   const RationalPoint out = p - (axis_.foot + t * axis_.direction);
   if (is_zero(out)) return;  // a pole
   const Rational square = dot(out, out);
-  const Rational r = rational_root(square).value_or(round_cosine(0, square, exponent_of_root(square) - 60));
-  add_vertex(member, {r, t});
+  const Rational r = root(square);
+  add_circle(member, {r, t});
   marks_.push_back((1 / r) * out);
 }
 
-void Family::add_vertex(std::size_t member, const MeridianPoint& p) {
+void Family::add_circle(std::size_t member, const MeridianPoint& p) {
   std::size_t piece = first_[member];
   for (const auto& line : members_[member].placed.lines) {
     for (std::size_t i = 0; i < line.size(); ++i) plane_.add_vertex(piece++, p);

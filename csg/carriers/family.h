@@ -34,7 +34,8 @@ Sector sector_of(const Member& member);
 /// Members that touch each other about one axis. Contacts of meridians come first, then directions.
 class Family {
  public:
-  Family(std::vector<Member> members, bool in_tree_space);
+  /// `may_round`: its space is that of the tree, and nothing touches it from inside or outside about another axis.
+  Family(std::vector<Member> members, bool may_round);
   Family(const Family&) = delete;  // its plane refers to it
   Family& operator=(const Family&) = delete;
 
@@ -42,8 +43,14 @@ class Family {
   void add_marks(std::size_t member, const Marks& marks);
   /// Contacts first, then directions: what must be one may be added between.
   void solve_meridians() { plane_.solve(); }
-  void solve_turns() { turns_ = std::make_unique<Turns>(axis_.direction, first_direction(), segments_, marks_); }
+  /// With `others` (turns.h), which are not kept.
+  void solve_turns(const std::vector<RationalPoint>& others = {});
   void add_direction(const RationalPoint& direction) { marks_.push_back(direction); }
+  /// One that gives way to those next to it.
+  void add_other_direction(const RationalPoint& direction) { others_.push_back(direction); }
+  /// On each arc of the member that holds the point, or nearly.
+  void add_circle(std::size_t member, const MeridianPoint& p);
+  const Turns& turns() const { return *turns_; }
 
   /// The circles that the ball `member` shares, but for its poles.
   std::vector<MeridianPoint> shared_circles(std::size_t member) const;
@@ -60,12 +67,20 @@ class Family {
   /// The points of a band, `back` takes them to the space of its leaf.
   BandGrid band_grid(std::size_t m, const Transform& back) const;
 
+  /// The vertices of a circle of the half-plane, or only those that are no even steps.
+  std::vector<MeridianPoint> vertices(const MeridianPoint& middle, const Rational& radius, bool only_marks) const {
+    return plane_.vertices(middle, radius, only_marks);
+  }
+
+  /// Of a ball on its own.
+  std::vector<RationalPoint> corners(std::size_t m) const;
+
   RationalPoint point(const MeridianPoint& at, const RevolvedGrid::Column& column) const;
 
  private:
   /// Corners are doubles, which are cheaper, where that keeps planes plane: about axes of coordinates, without
   /// slanted lines, whose facets are coplanar with others only where nothing is rounded, and in whole turns.
-  bool may_round() const;
+  bool stays_plane() const;
   Rational smallest() const;
   /// Where even steps begin: where the turn of the finest member does, so that one alone keeps its own.
   RationalPoint first_direction() const;
@@ -73,15 +88,13 @@ class Family {
   MeridianPoint rounded(const MeridianPoint& p) const;
 
   void add_point(std::size_t member, const RationalPoint& p);
-  /// On each arc of the member that holds the point, or nearly.
-  void add_vertex(std::size_t member, const MeridianPoint& p);
 
   std::vector<Member> members_;
   AxisLine axis_;
   bool rounds_;
   Rational size_;
   MeridianPlane plane_;
-  std::vector<RationalPoint> marks_;
+  std::vector<RationalPoint> marks_, others_;
   std::vector<std::size_t> first_;  // piece of each member
   std::size_t pieces_ = 0;
   int segments_ = 0;

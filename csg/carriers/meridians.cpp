@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
-#include "csg/carriers/axes.h"
+#include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
-#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {
@@ -21,12 +19,6 @@ Point operator+(const Point& a, const Point& b) { return {a.r + b.r, a.t + b.t};
 Point operator*(const Rational& s, const Point& a) { return {s * a.r, s * a.t}; }
 Rational cross(const Point& a, const Point& b) { return a.r * b.t - a.t * b.r; }
 Rational dot(const Point& a, const Point& b, const Rational& square) { return a.r * b.r + square * a.t * b.t; }
-
-/// The square root, exact where it is rational, else to 60 bits.
-Rational root_of(const Rational& value) {
-  if (const std::optional<Rational> root = rational_root(value)) return *root;
-  return round_cosine(0, value, exponent_of_root(value) - 60);
-}
 
 double degrees_of(const Point& p, const Point& middle, const Rational& square) {
   return std::atan2(to_double(p.t - middle.t) * std::sqrt(to_double(square)), to_double(p.r - middle.r)) * 180 /
@@ -90,9 +82,9 @@ std::vector<Point> line_on_circle(const MeridianPiece& line, const MeridianPiece
                  c = dot(off, off, square) - arc.radius * arc.radius, root2 = b * b - a * c;
   touches = root2 == 0;
   if (root2 < 0) return {};
-  const Rational root = root_of(root2);
+  const Rational half = root(root2);
   std::vector<Point> points;
-  for (const Rational& s : {Rational((-b - root) / a), Rational((root - b) / a)}) {
+  for (const Rational& s : {Rational((-b - half) / a), Rational((half - b) / a)}) {
     if (s >= 0 && s <= 1) points.push_back(line.from + s * way);
     if (touches) break;
   }
@@ -109,8 +101,15 @@ std::vector<Point> circles(const MeridianPiece& p, const MeridianPiece& q, const
   if (across2 < 0) return {};
   const Point foot = p.middle + part * apart, across{-square * apart.t, apart.r};
   if (across2 == 0) return {foot};
-  const Rational root = root_of(across2);
-  return {foot + root * across, foot - root * across};
+  const Rational reach = root(across2);
+  return {foot + reach * across, foot - reach * across};
+}
+
+/// True for two arcs of whose circles p's touches q's from inside, somewhere.
+bool touches_from_inside(const MeridianPiece& p, const MeridianPiece& q, const Rational& square) {
+  if (p.kind != Kind::arc || q.kind != Kind::arc || p.radius >= q.radius) return false;
+  const Point apart = p.middle - q.middle;
+  return dot(apart, apart, square) == (q.radius - p.radius) * (q.radius - p.radius);
 }
 
 bool same_circle(const MeridianPiece& p, const MeridianPiece& q) {
@@ -300,6 +299,16 @@ std::vector<MeridianPoint> MeridianPlane::marks(std::size_t i) const {
   return arcs_.at({pieces_[i].middle, pieces_[i].radius}).marks;
 }
 
+std::vector<MeridianPoint> MeridianPlane::vertices(const MeridianPoint& middle, const Rational& radius,
+                                                   bool only_marks) const {
+  const auto arc = arcs_.find({middle, radius});
+  if (arc == arcs_.end()) return {};
+  if (only_marks) return arc->second.marks;
+  std::vector<MeridianPoint> result;
+  for (const Vertex& vertex : arc->second.vertices) result.push_back(vertex.at);
+  return result;
+}
+
 std::vector<RevolvedGrid::Row> MeridianPlane::rows(std::size_t i) const {
   const MeridianPiece& piece = pieces_[i];
   std::vector<RevolvedGrid::Row> result{{piece.from, piece.parameters[0]}};
@@ -345,7 +354,8 @@ bool MeridianPlane::separate_chords() {
   return changed;
 }
 
-/// Halves the chords of arc i that meet piece j elsewhere than in a vertex of it.
+/// Halves the chords of arc i that meet piece j elsewhere than in a vertex of it, and where j touches it from
+/// inside those that leave this point at an angle to the arc which is not clearly smaller.
 bool MeridianPlane::separate(std::size_t i, std::size_t j) {
   const std::vector<RevolvedGrid::Row> mine = rows(i), others = rows(j);
   const MeridianPiece& piece = pieces_[i];
@@ -363,6 +373,15 @@ bool MeridianPlane::separate(std::size_t i, std::size_t j) {
   };
   std::vector<Chord> boxes;
   for (std::size_t l = 1; l < others.size(); ++l) boxes.emplace_back(others[l - 1].at, others[l].at);
+  const bool inside = touches_from_inside(pieces_[j], piece, square_);
+  const auto sweep = [&](const MeridianPiece& of, const Point& from, const Point& to) {
+    return std::remainder(degrees_of(to, of.middle, square_) - degrees_of(from, of.middle, square_), 360);
+  };
+  /// For a chord of each from one point, as far as they are on one side of it; chords are at half their angles.
+  const auto too_wide = [&](const Point& from, const Point& to, const Point& other) {
+    const double wide = sweep(piece, from, to), narrow = sweep(pieces_[j], from, other);
+    return wide * narrow > 0 && std::abs(wide) > 0.75 * std::abs(narrow);
+  };
   bool changed = false;
   for (std::size_t k = 1; k < mine.size(); ++k) {
     const Point &a = mine[k - 1].at, &b = mine[k].at;
@@ -374,7 +393,11 @@ bool MeridianPlane::separate(std::size_t i, std::size_t j) {
       const int side_c = sgn(cross(b - a, c - a)), side_d = sgn(cross(b - a, d - a));
       if (side_a * side_b > 0 || side_c * side_d > 0) continue;
       const bool collinear = side_a == 0 && side_b == 0;
-      if (collinear) {
+      if (inside && (a == c || a == d || b == c || b == d)) {
+        const bool at_a = a == c || a == d;
+        const Point& from = at_a ? a : b;
+        if (!too_wide(from, at_a ? b : a, from == c ? d : c)) continue;
+      } else if (collinear) {
         // They overlap in more than a point if the ends lie so along the line.
         const auto place = [&](const Point& x) -> Rational {
           return a.r != b.r ? Rational((x.r - a.r) / (b.r - a.r)) : Rational((x.t - a.t) / (b.t - a.t));

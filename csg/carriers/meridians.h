@@ -37,6 +37,8 @@ class MeridianPlane {
   void solve();
   /// The rows of piece i.
   std::vector<RevolvedGrid::Row> rows(std::size_t i) const;
+  /// Of a circle that arcs are on, its vertices or only ends of pieces and contacts; none if no arc is on it.
+  std::vector<MeridianPoint> vertices(const MeridianPoint& middle, const Rational& radius, bool only_marks) const;
   /// The ends of pieces and the contacts on the arc of piece i.
   std::vector<MeridianPoint> marks(std::size_t i) const;
 

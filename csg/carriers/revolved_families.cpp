@@ -1,10 +1,10 @@
 // Who is in which family, then a tessellation per family.
 //
 //   instances -> those near a common axis     near_axes.cpp, in doubles; most pairs end here
-//             -> one space for all of them    transforms that differ by a similarity; mostly that of the tree
+//             -> one space for all of them    round_spaces.h; mostly that of the tree
 //             -> families                     contacts of meridians, exactly; a sphere has every axis through its
 //             centre
-//             -> directions and meridians     family.h; turns.h, meridians.h
+//             -> directions and meridians     family.h; turns.h, meridians.h, nested_turns.h; shared_balls.h
 //             -> leaves
 #include "csg/carriers/revolved_families.h"
 
@@ -15,9 +15,13 @@
 
 #include "csg/carriers/ball_hull.h"
 #include "csg/carriers/banded_leaves.h"
+#include "csg/carriers/common_circles.h"
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/family.h"
+#include "csg/carriers/nested_turns.h"
+#include "csg/carriers/round_spaces.h"
 #include "csg/carriers/sectors.h"
+#include "csg/carriers/shared_balls.h"
 #include "csg/curves/surface_placed.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/placement.h"
@@ -25,29 +29,36 @@
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
-#include "kernel/exact/trigonometry.h"
 
 namespace cnrg {
 namespace {
 
 using Index = std::uint32_t;
 
-/// Families of one space: `base` takes its points to those of the tree.
+/// Families of one space.
 class Space {
  public:
   /// `finer`: by how much banded leaves are drawn finer than they ask for.
-  Space(std::vector<LeafInstance>& instances, Transform base, const Contacts& contacts,
-        const std::map<Index, int>& finer, std::vector<std::string>& notices)
-      : instances_(instances),
-        base_(std::move(base)),
-        to_space_(base_.inverse()),
-        marks_(contacts.marks),
-        nested_(contacts.nested),
-        finer_(finer),
-        banded_(notices) {}
+  Space(std::vector<LeafInstance>& instances, const RoundSpace& of, const std::map<Index, int>& finer,
+        std::vector<std::string>& notices)
+      : instances_(instances), of_(of), finer_(finer), banded_(notices) {
+    for (const Index i : of.instances) add(i);
+  }
 
+  /// Gives the banded leaves that could be drawn if they were finer.
+  std::set<Index> run() {
+    touch_leaves();
+    touch_balls();
+    touch_nested();
+    touch_inside();
+    touch_circles();
+    build();
+    return too_coarse_;
+  }
+
+ private:
   void add(Index i) {
-    const Transform relative = base_.identity() ? instances_[i].transform : to_space_ * instances_[i].transform;
+    const Transform relative = of_.relative(instances_[i].transform);
     const std::optional<Rational> scale = stretch(relative);
     if (!scale) return;
     relative_.emplace(i, relative);
@@ -71,16 +82,6 @@ class Space {
     add_node(i, {place(form, relative, *scale), {i}, form.segments, false});
   }
 
-  /// Gives the banded leaves that could be drawn if they were finer.
-  std::set<Index> run(const std::vector<std::array<Index, 2>>& pairs) {
-    touch_leaves(pairs);
-    touch_balls(pairs);
-    touch_nested();
-    build();
-    return too_coarse_;
-  }
-
- private:
   const RevolvedForm& form_of(Index i) const { return *forms_.at(i); }
 
   static bool touch(const PlacedForm& a, const PlacedForm& b) {
@@ -98,16 +99,54 @@ class Space {
     return false;
   }
 
-  /// Balls that touch from inside, in the space of the tree.
+  /// Balls that touch from inside.
   void touch_nested() {
-    if (!base_.identity()) return;
-    for (const auto& [i, j] : nested_) {
+    for (const auto& [i, j] : of_.contacts.nested) {
       if (!forms_.contains(i) || !forms_.contains(j)) continue;
       const Ball a = ball_of(i), b = ball_of(j);
       const AxisLine axis = axis_line(a.center, b.center - a.center);
       const Index first = ball_node(a, axis, ball_on(a, axis)), second = ball_node(b, axis, ball_on(b, axis));
       edges_.push_back({first, second});
       on_axes_.insert({a, b});
+      shared_.nest(a.radius < b.radius ? a : b, a.radius < b.radius ? b : a);
+    }
+  }
+
+  /// Balls and tubes in tubes about parallel axes, likewise.
+  void touch_inside() {
+    for (const auto& [inner, outer, direction] : of_.contacts.inside) {
+      const auto tube = of_leaf_.find(outer);
+      if (tube == of_leaf_.end()) continue;
+      const Index around = tube->second[0];
+      Index in = around;
+      if (const auto leaf = of_leaf_.find(inner); leaf != of_leaf_.end()) {
+        in = leaf->second[0];
+      } else {
+        const Ball ball = ball_of(inner);
+        const AxisLine axis = axis_line(ball.center, nodes_[around].placed.axis.direction);
+        in = ball_node(ball, axis, ball_on(ball, axis));
+        on_axes_.insert(ball);
+      }
+      inside_.push_back({in, around, direction});
+      nested_nodes_.insert({in, around});
+    }
+  }
+
+  void touch_circles() {
+    for (const auto& [circle, all] : of_.contacts.circles) {
+      for (const auto& [i, direction] : all) {
+        Index node = 0;
+        if (const auto leaf = of_leaf_.find(i); leaf != of_leaf_.end()) {
+          node = leaf->second[0];
+        } else {
+          const Ball ball = ball_of(i);
+          const AxisLine axis = axis_line(circle.center, circle.axis);
+          node = ball_node(ball, axis, ball_on(ball, axis));
+          on_axes_.insert(ball);
+        }
+        has_circle_.push_back({circle, node, direction});
+        nested_nodes_.insert(node);
+      }
     }
   }
 
@@ -148,7 +187,7 @@ class Space {
     return a.band && b.band && a.whole && b.whole && a.instances == b.instances;
   }
 
-  void touch_leaves(const std::vector<std::array<Index, 2>>& pairs) {
+  void touch_leaves() {
     UnionFind known(nodes_.size());  // the rest of a family need not be asked
     const auto touch_two = [&](Index a, Index b) {
       const Member &p = nodes_[a], &q = nodes_[b];
@@ -162,7 +201,7 @@ class Space {
       if (!same) edges_.push_back({a, b});
       known.unite(a, b);
     };
-    for (const auto& [i, j] : pairs) {
+    for (const auto& [i, j] : of_.near) {
       const auto first = of_leaf_.find(i), second = of_leaf_.find(j);
       if (first == of_leaf_.end() || second == of_leaf_.end()) continue;
       for (const Index a : first->second) {
@@ -199,8 +238,8 @@ class Space {
     return it->second;
   }
 
-  void touch_balls(const std::vector<std::array<Index, 2>>& pairs) {
-    for (const auto& [i, j] : pairs) {
+  void touch_balls() {
+    for (const auto& [i, j] : of_.near) {
       const bool first = of_leaf_.contains(i);
       if (first == of_leaf_.contains(j) || !forms_.contains(first ? j : i)) continue;
       const Ball ball = ball_of(first ? j : i);
@@ -219,8 +258,8 @@ class Space {
 
   bool needs_marks(const Member& member) const {
     return std::any_of(member.instances.begin(), member.instances.end(), [&](Index i) {
-      const auto marks = marks_.find(i);
-      return marks != marks_.end() && marks->second.needed;
+      const auto marks = of_.contacts.marks.find(i);
+      return marks != of_.contacts.marks.end() && marks->second.needed;
     });
   }
 
@@ -314,12 +353,16 @@ class Space {
     for (Index n = 0; n < nodes_.size(); ++n) families[sets.find(n)].push_back(n);
     for (const auto& [first, of] : families) {
       const bool marked = std::any_of(of.begin(), of.end(), [&](Index n) { return needs_marks(nodes_[n]); });
-      if (marked || !alike(of)) make_family(of);
+      const bool nested = std::any_of(of.begin(), of.end(), [&](Index n) { return nested_nodes_.contains(n); });
+      if (marked || nested || !alike(of)) make_family(of, nested);
     }
-    share_balls();
+    solve_turns();
+    for (const auto& [ball, of] : balls_) {
+      if (const auto hull = shared_.hull(ball)) replace_ball(ball, hull);
+    }
     for (const auto& [family, of] : families_) {
       for (std::size_t m = 0; m < of.size(); ++m) {
-        if (nodes_[of[m]].ball && is_shared(of[m])) continue;
+        if (nodes_[of[m]].ball && shared_.hull(ball_of(nodes_[of[m]].instances[0]))) continue;
         if (nodes_[of[m]].arc != nullptr) {
           fix_arc(*family, m);
           continue;
@@ -338,7 +381,7 @@ class Space {
       std::unique_ptr<PreparedLeaf> leaf =
           extrude_anew(dynamic_cast<const ExtrudeForm&>(*before.form()), relative_.at(i), std::move(fixed));
       leaf->set_surfaces(moved(before.surfaces(), relative_.at(i)));
-      instances_[i] = {std::move(leaf), base_};
+      instances_[i] = {std::move(leaf), of_.base};
     }
   }
 
@@ -353,132 +396,53 @@ class Space {
     }
   }
 
-  void make_family(const std::vector<Index>& of) {
+  void make_family(const std::vector<Index>& of, bool nested) {
     std::vector<Member> members;
     members.reserve(of.size());
     for (const Index n : of) members.push_back(nodes_[n]);
-    const auto family = std::make_shared<Family>(std::move(members), base_.identity());
+    const auto family = std::make_shared<Family>(std::move(members), of_.base.identity() && !nested);
     for (std::size_t m = 0; m < of.size(); ++m) {
       for (const Index i : nodes_[of[m]].instances) {
-        const auto marks = marks_.find(i);
-        if (marks != marks_.end() && base_.identity()) family->add_marks(m, marks->second);
+        const auto marks = of_.contacts.marks.find(i);
+        if (marks != of_.contacts.marks.end()) family->add_marks(m, marks->second);
       }
     }
-    family->solve_meridians();
     families_.emplace_back(family, of);
   }
 
-  // --- balls on several axes
-
-  /// A ball in a family.
-  struct Place {
-    std::size_t family, member;
-  };
-
-  bool is_shared(Index node) const {
-    const auto of = shared_.find(ball_of(nodes_[node].instances[0]));
-    return of != shared_.end() && of->second.size() > 1;
-  }
-
-  void share_balls() {
-    for (std::size_t f = 0; f < families_.size(); ++f) {
-      const auto& of = families_[f].second;
+  /// Draws what is inside before what is around it, and balls about several axes.
+  void solve_turns() {
+    std::vector<std::shared_ptr<Family>> families;
+    std::map<Index, std::size_t> family_of, member_of;
+    for (const auto& [family, of] : families_) {
       for (std::size_t m = 0; m < of.size(); ++m) {
-        if (nodes_[of[m]].ball) shared_[ball_of(nodes_[of[m]].instances[0])].push_back({f, m});
-      }
-    }
-    std::erase_if(shared_, [](const auto& entry) { return entry.second.size() < 2; });
-    for (const auto& [ball, places] : shared_) cross_circles(ball, places);
-    for (const auto& [family, of] : families_) family->solve_turns();
-    // A chord of a circle that is no edge of the hull is halved, for all leaves about this axis.
-    constexpr int kMostRounds = 8;
-    for (int round = 0; round < kMostRounds; ++round) {
-      bool changed = false;
-      for (const auto& [ball, places] : shared_) changed = refine(ball, places) || changed;
-      if (!changed) break;
-      for (const auto& [family, of] : families_) family->solve_turns();
-    }
-    for (const auto& [ball, places] : shared_) replace_ball(ball, places);
-  }
-
-  /// The points where shared circles of one ball cross become corners of both, where they are rational.
-  void cross_circles(const Ball& ball, const std::vector<Place>& places) {
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        Family &a = *families_[places[i].family].first, &b = *families_[places[j].family].first;
-        for (const MeridianPoint& p : a.shared_circles(places[i].member)) {
-          for (const MeridianPoint& q : b.shared_circles(places[j].member)) cross_two(ball, a, p, b, q);
+        family_of.emplace(of[m], families.size());
+        member_of.emplace(of[m], m);
+        if (!nodes_[of[m]].ball) continue;
+        std::vector<RationalPoint> points;
+        for (const Index i : nodes_[of[m]].instances) {
+          const auto marks = of_.contacts.marks.find(i);
+          if (marks == of_.contacts.marks.end()) continue;
+          points.insert(points.end(), marks->second.points.begin(), marks->second.points.end());
         }
+        shared_.add(ball_of(nodes_[of[m]].instances[0]), *family, m, points);
       }
+      families.push_back(family);
     }
+    std::vector<NestedFamilies> nested;
+    for (const auto& [inner, outer, direction] : inside_)
+      nested.push_back({family_of.at(inner), family_of.at(outer), direction});
+    CommonCircles circles;
+    for (const auto& [circle, node, direction] : has_circle_)
+      circles.add(circle, {families[family_of.at(node)], member_of.at(node), direction});
+    for (const auto& family : families) family->solve_meridians();
+    shared_.solve([&] {
+      do cnrg::solve_turns(families, nested);
+      while (circles.exchange());
+    });
   }
 
-  static void cross_two(const Ball& ball, Family& a, const MeridianPoint& p, Family& b, const MeridianPoint& q) {
-    const RationalPoint &n = a.axis().direction, &m = b.axis().direction, line = cross(n, m);
-    const RationalPoint on_a = a.axis().foot + p.t * n, on_b = b.axis().foot + q.t * m;
-    // c + x n + y m lies in both planes; from there the circles cross along the line.
-    const Rational nn = dot(n, n), mm = dot(m, m), nm = dot(n, m), whole = nn * mm - nm * nm;
-    const Rational ga = dot(on_a - ball.center, n), gb = dot(on_b - ball.center, m);
-    const RationalPoint foot =
-        Rational((ga * mm - gb * nm) / whole) * n + Rational((gb * nn - ga * nm) / whole) * m;
-    const Rational square = (ball.radius * ball.radius - dot(foot, foot)) / dot(line, line);
-    if (square < 0) return;
-    const std::optional<Rational> reach = rational_root(square);
-    if (!reach || p.r * p.r * nn == 0 || q.r == 0) return;
-    for (const int sign : {1, -1}) {
-      const RationalPoint at = ball.center + foot + Rational(sign * *reach) * line;
-      a.add_direction((1 / p.r) * (at - on_a));
-      b.add_direction((1 / q.r) * (at - on_b));
-      if (*reach == 0) return;
-    }
-  }
-
-  struct Shared {
-    std::vector<SphereCircle> circles;
-    std::vector<std::size_t> family;  ///< of each circle
-    std::vector<RationalPoint> points;
-    int segments = 0, rings = 0;
-  };
-  Shared shared_of(const std::vector<Place>& places) const {
-    Shared result;
-    for (const Place& place : places) {
-      const Family& family = *families_[place.family].first;
-      const Member& member = family.members()[place.member];
-      for (const MeridianPoint& p : family.shared_circles(place.member)) {
-        result.circles.push_back(family.circle(p));
-        result.family.push_back(place.family);
-      }
-      for (const Index i : member.instances) {
-        const auto marks = marks_.find(i);
-        if (marks == marks_.end() || !base_.identity()) continue;
-        result.points.insert(result.points.end(), marks->second.points.begin(), marks->second.points.end());
-      }
-      result.segments = std::max(result.segments, member.segments);
-      result.rings = std::max(result.rings, member.placed.lines[0][0].steps);
-    }
-    return result;
-  }
-  static BallHull hull_of_shared(const Ball& ball, const Shared& shared) {
-    return hull_of(ball, shared.circles, shared.points, shared.segments, shared.rings);
-  }
-
-  bool refine(const Ball& ball, const std::vector<Place>& places) {
-    const Shared shared = shared_of(places);
-    const BallHull hull = hull_of_shared(ball, shared);
-    for (const auto& [c, i] : hull.missed) {
-      const RationalPoint &p = shared.circles[c][i], &q = shared.circles[c][(i + 1) % shared.circles[c].size()];
-      Family& family = *families_[shared.family[c]].first;
-      const RationalPoint middle = Rational(1, 2) * (p + q);
-      const RationalPoint out =
-          middle - (family.axis().foot + family.axis().place_of(middle) * family.axis().direction);
-      const Rational square = dot(out, out);
-      family.add_direction((1 / round_cosine(0, square, exponent_of_root(square) - 60)) * out);
-    }
-    return !hull.missed.empty();
-  }
-
-  void replace_ball(const Ball& ball, const std::vector<Place>& places) {
-    const auto hull = std::make_shared<const BallHull>(hull_of_shared(ball, shared_of(places)));
+  void replace_ball(const Ball& ball, const std::shared_ptr<const BallHull>& hull) {
     const auto make = [ball, hull](LeafParameters* record) { return tessellate(ball, *hull, record); };
     const SurfaceSource surfaces = [ball] { return sphere_surfaces(ball.center, ball.radius, {0, 0, 1}); };
     for (const Index i : balls_.at(ball)) put(i, make, surfaces);
@@ -515,13 +479,11 @@ class Space {
       return parameters;
     });
     leaf->set_surfaces(std::move(surfaces));
-    instances_[i] = {std::move(leaf), base_};
+    instances_[i] = {std::move(leaf), of_.base};
   }
 
   std::vector<LeafInstance>& instances_;
-  Transform base_, to_space_;
-  const std::map<Index, Marks>& marks_;
-  const std::vector<std::array<Index, 2>>& nested_;
+  const RoundSpace& of_;
   const std::map<Index, int>& finer_;
   BandedLeaves banded_;
   std::set<Index> too_coarse_;
@@ -533,66 +495,41 @@ class Space {
   std::map<std::pair<Ball, AxisLine>, Index> ball_nodes_;
   std::set<Ball> on_axes_;  // of other leaves
   std::vector<std::array<Index, 2>> edges_;
+  std::vector<Inside> inside_;  // of nodes
+  struct OfCircle {
+    CircleInSpace circle;
+    Index node;
+    std::optional<RationalPoint> direction;
+  };
+  std::vector<OfCircle> has_circle_;
+  std::set<Index> nested_nodes_;
   std::vector<std::pair<std::shared_ptr<Family>, std::vector<Index>>> families_;  // and their nodes
-  std::map<Ball, std::vector<Place>> shared_;
+  SharedBalls shared_;
   std::map<Index, FixedSamples> fixed_;
 };
 
-/// L L^T over its trace: equal for transforms that differ by a similarity.
-std::array<Rational, 6> metric_of(const Transform& transform) {
-  const auto& rows = transform.linear;
-  const Rational trace = dot(rows[0], rows[0]) + dot(rows[1], rows[1]) + dot(rows[2], rows[2]);
-  std::array<Rational, 6> metric;
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = i; j < 3; ++j) metric[n++] = dot(rows[i], rows[j]) / trace;
-  }
-  return metric;
-}
-
 /// Replaces what `share_axes` does, with banded leaves as much finer as `finer` says; gives those that need more.
 std::set<Index> share_at(const std::map<Index, int>& finer, std::vector<LeafInstance>& instances,
-                         const std::vector<std::array<Index, 2>>& near, const Contacts& contacts,
-                         std::vector<std::string>& notices) {
-  std::set<Index> concerned;
-  for (const auto& pair : near) concerned.insert(pair.begin(), pair.end());
-  for (const auto& pair : contacts.nested) concerned.insert(pair.begin(), pair.end());
-  for (const auto& [i, of] : contacts.marks) concerned.insert(i);
-  for (Index i = 0; i < instances.size(); ++i) {
-    if (dynamic_cast<const BandedForm*>(instances[i].leaf->form().get()) != nullptr) concerned.insert(i);
-  }
+                         const std::vector<RoundSpace>& spaces, std::vector<std::string>& notices) {
   std::set<Index> too_coarse;
-  if (concerned.empty()) return too_coarse;
-  std::map<std::array<Rational, 6>, std::vector<Index>> spaces;
-  for (const Index i : concerned) spaces[metric_of(instances[i].transform)].push_back(i);
-  std::array<Rational, 6> round{};
-  round[0] = round[3] = round[5] = fraction(1, 3);
-  for (const auto& [metric, of] : spaces) {
-    Transform base;
-    if (metric != round) {
-      const auto least = std::min_element(of.begin(), of.end(), [&](Index a, Index b) {
-        return Placement(instances[a].transform) < Placement(instances[b].transform);
-      });
-      base = instances[*least].transform;
-    }
-    Space space(instances, base, contacts, finer, notices);
-    for (const Index i : of) space.add(i);
-    too_coarse.merge(space.run(near));
+  for (const RoundSpace& of : spaces) {
+    Space space(instances, of, finer, notices);
+    too_coarse.merge(space.run());
   }
   return too_coarse;
 }
 
 }  // namespace
 
-void share_axes(std::vector<LeafInstance>& instances, const std::vector<std::array<Index, 2>>& near,
-                const Contacts& contacts, std::vector<std::string>& notices) {
+void share_axes(std::vector<LeafInstance>& instances, const std::vector<RoundSpace>& spaces,
+                std::vector<std::string>& notices) {
   constexpr int kFinest = 8;
   const std::vector<LeafInstance> given = instances;
   std::map<Index, int> finer;
   for (;;) {
     std::vector<std::string> told;
     bool again = false;
-    for (const Index i : share_at(finer, instances, near, contacts, told)) {
+    for (const Index i : share_at(finer, instances, spaces, told)) {
       int& factor = finer.try_emplace(i, 1).first->second;
       again = again || factor < kFinest;
       factor = std::min(2 * factor, kFinest);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "csg/carriers/sectors.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/unbounded.h"
@@ -62,12 +63,12 @@ struct Exact {
 /// A leaf in doubles, and exactly as soon as that is asked for: most pairs are far from a contact, and the numbers
 /// of nested rotations are long.
 struct Round {
-  Index instance = 0;
-  Box box;
-  Point3 along{};                                  ///< of length 1
-  std::vector<std::pair<Point3, double>> balls{};  ///< centres and radii; of arcs about the axis, too
-  std::vector<std::pair<Point3, double>> tubes{};  ///< points of the axis and radii
-  std::vector<double> flats{};                     ///< offsets of its planes across the axis
+  const RevolvedInstance* of = nullptr;
+  Point3 along{};                                           ///< of length 1
+  std::vector<std::pair<Point3, double>> balls{};           ///< centres and radii; of arcs about the axis, too
+  std::vector<std::pair<Point3, double>> tubes{};           ///< points of the axis and radii
+  std::vector<std::tuple<Point3, double, double>> rings{};  ///< centres, and radii of circles and of their tubes
+  std::vector<double> flats{};                              ///< offsets of its planes across the axis
   std::optional<Exact> exact{};
 };
 
@@ -160,15 +161,39 @@ bool near(double a, double b, double size) {
   return !(std::abs(a - b) > 1e-6 * (size + std::abs(a) + std::abs(b)));
 }
 
+Point3 image(const Transform& transform, const Point3& p) {
+  Point3 q;
+  for (std::size_t k = 0; k < 3; ++k) {
+    q[k] = to_double(transform.offset[k]);
+    for (std::size_t j = 0; j < 3; ++j) q[k] += to_double(transform.linear[k][j]) * p[j];
+  }
+  return q;
+}
+
+/// Of the corners of a leaf's own box.
+Box box_of(const GeometryLeaf& leaf, const Transform& transform) {
+  Box own, box;
+  for (const PointId p : IdRange<PointId>(leaf.geometry().point_count())) {
+    const double* x = leaf.geometry().xyz(p);
+    own.extend({x[0], x[1], x[2]}, {x[0], x[1], x[2]});
+  }
+  for (int i = 0; i < 8; ++i) {
+    const Point3 corner = image(
+        transform, {(i & 1 ? own.hi : own.lo)[0], (i & 2 ? own.hi : own.lo)[1], (i & 4 ? own.hi : own.lo)[2]});
+    box.extend(around(corner, corner));
+  }
+  return box;
+}
+
 class Finder {
  public:
-  explicit Finder(const std::vector<LeafInstance>& instances) : instances_(instances) {}
+  Finder(const std::vector<LeafInstance>& instances, const Transform& to_space)
+      : instances_(instances), to_space_(to_space), in_space_of_tree_(to_space.identity()) {}
 
   void add(const RevolvedInstance& of) {
-    const LeafInstance& instance = instances_[of.instance];
-    const Transform& transform = instance.transform;
-    const auto& form = dynamic_cast<const RevolvedForm&>(*instance.leaf->form());
-    Round round{of.instance, of.box};
+    const Transform& transform = of.transform;
+    const RevolvedForm& form = form_of(of.instance);
+    Round round{&of};
     const Point3 center = to_doubles(transform.apply(form.center)),
                  step = minus(to_doubles(transform.apply(form.center + form.axis)), center);
     double scale = 0;
@@ -187,6 +212,10 @@ class Finder {
         if (piece.flat()) flat(piece.from.t);
         if (piece.kind == MeridianPiece::Kind::arc) {
           round.balls.emplace_back(at(piece.middle.t), scale * to_double(piece.radius));
+          if (piece.middle.r > 0) {
+            round.rings.emplace_back(at(piece.middle.t), scale * to_double(piece.middle.r),
+                                     scale * to_double(piece.radius));
+          }
         } else if (piece.kind == MeridianPiece::Kind::line && piece.from.r == piece.to.r && piece.from.r > 0) {
           round.tubes.emplace_back(center, scale * to_double(piece.from.r));
         }
@@ -209,59 +238,30 @@ class Finder {
     }
   }
 
-  /// The planes of all other leaves.
-  void planes() {
-    if (rounds_.empty()) return;
-    std::vector<Box> boxes;
-    for (const Round& round : rounds_) boxes.push_back(round.box);
-    const BoxTree tree(boxes);
-    for (Index i = 0; i < instances_.size(); ++i) {
-      const LeafInstance& instance = instances_[i];
-      if (place_.contains(i)) continue;
-      if (const auto* leaf = dynamic_cast<const UnboundedLeaf*>(instance.leaf.get())) {
-        const ExactHalfspace plane = leaf->image(instance.transform);
-        const Point3 normal = to_doubles(plane.normal);
-        const double length = std::sqrt(dot(normal, normal));
-        for (Round& round : rounds_) {
-          if (may_touch(round, {normal[0] / length, normal[1] / length, normal[2] / length},
-                        to_double(plane.offset) / length) &&
-              is_exact(round))
-            with_flat(round, {plane.normal, plane.offset});
-        }
-      } else if (const auto* geometry = dynamic_cast<const GeometryLeaf*>(instance.leaf.get())) {
-        const Box reach = box_of(*geometry, instance.transform);
-        std::vector<Index> met;
-        tree.query([&](const Box& box) { return box.meets(reach); }, [&](Index r) { met.push_back(r); });
-        if (!met.empty()) faces(*geometry, instance.transform, met);
+  void planes(const BesidePlanes& beside) {
+    const LeafInstance& instance = instances_[beside.instance];
+    const Transform transform = in_space_of_tree_ ? instance.transform : to_space_ * instance.transform;
+    if (const auto* leaf = dynamic_cast<const UnboundedLeaf*>(instance.leaf.get())) {
+      const ExactHalfspace plane = leaf->image(transform);
+      const Point3 normal = to_doubles(plane.normal);
+      const double length = std::sqrt(dot(normal, normal));
+      for (const Index i : beside.revolved) {
+        Round& round = rounds_[place_.at(i)];
+        if (may_touch(round, {normal[0] / length, normal[1] / length, normal[2] / length},
+                      to_double(plane.offset) / length) &&
+            is_exact(round))
+          with_flat(round, {plane.normal, plane.offset});
       }
+    } else if (const auto* geometry = dynamic_cast<const GeometryLeaf*>(instance.leaf.get())) {
+      faces(*geometry, transform, beside.revolved);
     }
   }
 
-  Contacts take() { return {std::move(marks_), std::move(nested_)}; }
+  Contacts take() { return {std::move(marks_), std::move(nested_), std::move(inside_), std::move(circles_)}; }
 
  private:
-  static Point3 image(const Transform& transform, const Point3& p) {
-    Point3 q;
-    for (std::size_t k = 0; k < 3; ++k) {
-      q[k] = to_double(transform.offset[k]);
-      for (std::size_t j = 0; j < 3; ++j) q[k] += to_double(transform.linear[k][j]) * p[j];
-    }
-    return q;
-  }
-
-  /// Of the corners of a leaf's own box.
-  static Box box_of(const GeometryLeaf& leaf, const Transform& transform) {
-    Box own, box;
-    for (const PointId p : IdRange<PointId>(leaf.geometry().point_count())) {
-      const double* x = leaf.geometry().xyz(p);
-      own.extend({x[0], x[1], x[2]}, {x[0], x[1], x[2]});
-    }
-    for (int i = 0; i < 8; ++i) {
-      const Point3 corner = image(
-          transform, {(i & 1 ? own.hi : own.lo)[0], (i & 2 ? own.hi : own.lo)[1], (i & 4 ? own.hi : own.lo)[2]});
-      box.extend(around(corner, corner));
-    }
-    return box;
+  const RevolvedForm& form_of(Index i) const {
+    return dynamic_cast<const RevolvedForm&>(*instances_[i].leaf->form());
   }
 
   /// The faces of a leaf near the leaves `met`.
@@ -282,8 +282,8 @@ class Finder {
     }
     const BoxTree tree(boxes);
     for (const Index r : met) {
-      Round& round = rounds_[r];
-      tree.query([&](const Box& box) { return box.meets(round.box); },
+      Round& round = rounds_[place_.at(r)];
+      tree.query([&](const Box& box) { return box.meets(round.of->box); },
                  [&](Index f) { face(round, soup, transform, points, SourceId(f)); });
     }
   }
@@ -324,12 +324,12 @@ class Finder {
   /// Makes the leaf exact; false if it is stretched so that it has no radii, or none that are rational.
   bool is_exact(Round& round) const {
     if (round.exact) return true;
-    const LeafInstance& instance = instances_[round.instance];
-    const std::optional<Rational> scale = stretch(instance.transform);
+    const Transform& transform = round.of->transform;
+    const std::optional<Rational> scale = stretch(transform);
     if (!scale) return false;
-    const auto& form = dynamic_cast<const RevolvedForm&>(*instance.leaf->form());
+    const RevolvedForm& form = form_of(round.of->instance);
     Exact& exact = round.exact.emplace();
-    exact.placed = place(form, instance.transform, *scale);
+    exact.placed = place(form, transform, *scale);
     const AxisLine& axis = exact.placed.axis;
     const auto flat = [&](const Rational& t, const Rational& r, const Rational& s) {
       const RationalPoint at = axis.foot + t * axis.direction;
@@ -370,6 +370,30 @@ class Finder {
     return std::any_of(round.balls.begin(), round.balls.end(), is_near) ||
            std::any_of(round.tubes.begin(), round.tubes.end(), is_near);
   }
+  /// A meridian of a; all around the axis of b, in a ball of it, or a meridian of it, too.
+  static bool may_share_circle(const Round& a, const Round& b) {
+    const double turn = dot(a.along, b.along);
+    for (const auto& [p, r, tube] : a.rings) {
+      for (const auto& [q, s] : b.balls) {
+        const Point3 apart = minus(q, p);
+        if (near(std::sqrt(dot(apart, apart)), r, size_of(p))) return true;
+      }
+      for (const auto& [q, s] : b.tubes) {
+        const Point3 out = times(minus(p, q), b.along);
+        if (std::abs(turn) < 1e-6 && near(std::sqrt(dot(out, out)), r, size_of(p))) return true;
+      }
+      for (const auto& [q, s, other] : b.rings) {
+        const Point3 across = times(a.along, b.along), apart = minus(q, p);
+        const double distance = std::sqrt(dot(apart, apart));
+        if (!near(tube, other, tube)) continue;
+        if (dot(across, across) > 1e-6
+                ? near(dot(apart, across), 0, size_of(p) + size_of(q))
+                : near(distance, r + s, size_of(p)) || near(distance, std::abs(r - s), size_of(p)))
+          return true;
+      }
+    }
+    return false;
+  }
   static bool may_touch(const Round& a, const Round& b) {
     for (const double offset : b.flats) {
       if (may_touch(a, b.along, offset)) return true;
@@ -384,6 +408,7 @@ class Finder {
       const Point3 off = minus(p, foot), out = times(off, along);
       return std::sqrt(dot(out, out));
     };
+    if (may_share_circle(a, b) || may_share_circle(b, a)) return true;
     for (const auto& [p, r] : a.balls) {
       for (const auto& [q, s] : b.balls) {
         const Point3 apart = minus(p, q);
@@ -398,8 +423,11 @@ class Finder {
         if (may_be(across(q, p, a.along), r, s, size_of(p))) return true;
       }
       for (const auto& [q, s] : b.tubes) {
-        const Point3 turn = times(a.along, b.along);
-        if (dot(turn, turn) < 1e-6 && may_be(across(q, p, a.along), r, s, size_of(p))) return true;
+        const Point3 turn = times(a.along, b.along), apart = minus(q, p);
+        const double sine = std::sqrt(dot(turn, turn));
+        if (sine < 1e-3 ? may_be(across(q, p, a.along), r, s, size_of(p))
+                        : near(std::abs(dot(apart, turn)) / sine, r + s, size_of(p) + size_of(q)))
+          return true;
       }
     }
     return false;
@@ -413,7 +441,7 @@ class Finder {
       if (gap * gap != ball.radius * ball.radius * square) continue;
       const RationalPoint at = ball.center - Rational(gap / square) * flat.normal;
       if (!flat.meets(at, at)) continue;
-      mark_point(round.instance, at);
+      mark_point(round, at);
       if (owner != nullptr) mark_rim(*owner, at);
     }
     for (const Tube& tube : round.exact->tubes) {
@@ -423,7 +451,7 @@ class Finder {
       const RationalPoint direction = Rational(-gap / (square * tube.radius)) * flat.normal;
       const RationalPoint on = tube.foot + tube.radius * direction;
       if (!flat.meets(on + tube.low * tube.axis, on + tube.high * tube.axis)) continue;
-      mark_direction(round.instance, direction, tube);
+      mark_direction(round, direction, tube);
       if (owner == nullptr) continue;
       for (const Rational& end : {tube.low, tube.high}) mark_rim(*owner, on + end * tube.axis);
     }
@@ -435,14 +463,15 @@ class Finder {
       if (ring.middle.r == 0 || up * up * round.exact->placed.square() != ring.radius * ring.radius) continue;
       const RationalPoint center = axis.foot + t * axis.direction;
       if (!flat.meets_circle(center, ring.middle.r)) continue;
-      Marks& marks = marks_[round.instance];
+      Marks& marks = marks_[round.of->instance];
       marks.circles.push_back({ring.middle.r, t});
-      marks.needed =
-          marks.needed || !has_vertex(round.instance, center + ring.middle.r * round.exact->placed.start);
+      marks.needed = marks.needed || !has_vertex(round, center + ring.middle.r * round.exact->placed.start);
     }
   }
 
   void pair(const Round& a, const Round& b) {
+    common_circles(a, b);
+    common_circles(b, a);
     for (const Flat& flat : b.exact->flats) with_flat(a, flat, &b);
     for (const Flat& flat : a.exact->flats) with_flat(b, flat, &a);
     for (const Ball3& p : a.exact->balls) {
@@ -455,13 +484,95 @@ class Finder {
     }
   }
 
+  /// Meridians of a that b has, too.
+  void common_circles(const Round& a, const Round& b) {
+    const AxisLine& axis = a.exact->placed.axis;
+    for (const Ring& ring : a.exact->rings) {
+      if (ring.middle.r == 0) continue;
+      const RationalPoint center = axis.foot + ring.middle.t * axis.direction;
+      // One about b's axis: this is a tangent of the circle of centres.
+      const AxisLine& other = b.exact->placed.axis;
+      if (cnrg::dot(axis.direction, other.direction) == 0) {
+        const Rational t = other.place_of(center);
+        const RationalPoint at = other.foot + t * other.direction;
+        if (goes_around(b, {ring.radius, t})) has_circle(a, ring, at - center, b, other.direction, std::nullopt);
+      }
+      if (is_sphere(b)) {
+        const Ball3& ball = b.exact->balls[0];
+        if (ball.radius == ring.radius)
+          has_circle(a, ring, ball.center - center, b, cross(axis.direction, ball.center - center), std::nullopt);
+      }
+      for (const Ring& second : b.exact->rings) {
+        if (second.middle.r == 0 || second.radius != ring.radius) continue;
+        const RationalPoint mate = other.foot + second.middle.t * other.direction, apart = mate - center;
+        const RationalPoint turn = cross(axis.direction, other.direction);
+        if (!is_zero(turn)) {
+          // From both centres at right angles to the line in which the planes of the two cross.
+          if (cnrg::dot(apart, turn) != 0) continue;
+          const RationalPoint way = cross(turn, axis.direction);
+          const RationalPoint out =
+              Rational(cnrg::dot(apart, other.direction) / cnrg::dot(way, other.direction)) * way;
+          meet_rings(a, ring, out, b, second, out - apart, turn);
+        } else if (const auto sum = gauge(cnrg::dot(apart, apart), ring.middle.r, second.middle.r);
+                   sum && cnrg::dot(apart, axis.direction) == 0) {
+          const RationalPoint out = Rational(ring.middle.r / *sum) * apart;
+          meet_rings(a, ring, out, b, second, out - apart, cross(axis.direction, out));
+        }
+      }
+    }
+  }
+  void meet_rings(const Round& a, const Ring& ring, const RationalPoint& out, const Round& b, const Ring& second,
+                  const RationalPoint& other, const RationalPoint& along) {
+    if (cnrg::dot(other, other) != second.middle.r * second.middle.r ||
+        cnrg::dot(other, b.exact->placed.axis.direction) != 0)
+      return;
+    const RationalPoint direction = Rational(1 / second.middle.r) * other;
+    if (covers(b, direction)) has_circle(a, ring, out, b, along, direction);
+  }
+  /// `out`: from the centre of the ring's circle to that of its meridian.
+  void has_circle(const Round& a, const Ring& ring, const RationalPoint& out, const Round& b,
+                  const RationalPoint& along, const std::optional<RationalPoint>& direction) {
+    const AxisLine& axis = a.exact->placed.axis;
+    if (cnrg::dot(out, out) != ring.middle.r * ring.middle.r || cnrg::dot(out, axis.direction) != 0) return;
+    const RationalPoint own = Rational(1 / ring.middle.r) * out;
+    if (!covers(a, own)) return;
+    const RationalPoint center = axis.foot + ring.middle.t * axis.direction + out;
+    auto& all = circles_[{center, axis_line(center, along).direction, ring.radius}];
+    all.insert({a.of->instance, own});
+    all.insert({b.of->instance, direction});
+  }
+  /// True if the leaf's turn has the direction.
+  bool covers(const Round& round, const RationalPoint& direction) const {
+    const PlacedForm& placed = round.exact->placed;
+    const bool with = placed.along != placed.mirrored;
+    const Sector turn{with ? placed.start : placed.end, with ? placed.end : placed.start,
+                      form_of(round.of->instance).around()};
+    return overlap(turn, {direction, direction, false}, placed.axis.direction);
+  }
+  /// True if the leaf has the circle about its axis.
+  static bool goes_around(const Round& round, const MeridianPoint& p) {
+    const Rational square = round.exact->placed.square();
+    for (const auto& line : round.exact->placed.lines) {
+      for (const MeridianPiece& piece : line) {
+        if (p == piece.from || p == piece.to) return true;
+        const Rational r = p.r - piece.middle.r, t = p.t - piece.middle.t;
+        if (piece.kind == MeridianPiece::Kind::arc && r * r + square * t * t == piece.radius * piece.radius)
+          return true;
+        if (piece.kind == MeridianPiece::Kind::line && piece.from.r == p.r && piece.to.r == p.r &&
+            (p.t - piece.from.t) * (p.t - piece.to.t) <= 0)
+          return true;
+      }
+    }
+    return false;
+  }
+
   /// A point on a plane of the leaf that lies on its rim, too.
   void mark_rim(const Round& round, const RationalPoint& at) {
     for (const Tube& tube : round.exact->tubes) {
       const Rational t = cnrg::dot(at - tube.foot, tube.axis) / cnrg::dot(tube.axis, tube.axis);
       const RationalPoint off = at - (tube.foot + t * tube.axis);
       if (t < tube.low || t > tube.high || cnrg::dot(off, off) != tube.radius * tube.radius) continue;
-      mark_direction(round.instance, Rational(1 / tube.radius) * off, tube);
+      mark_direction(round, Rational(1 / tube.radius) * off, tube);
     }
   }
 
@@ -484,17 +595,15 @@ class Finder {
     const auto sum = gauge(cnrg::dot(apart, apart), p.radius, q.radius);
     if (!sum) return;
     if (*sum != p.radius + q.radius && is_sphere(a) && is_sphere(b)) {
-      nested_.push_back({a.instance, b.instance});
+      nested_.push_back({a.of->instance, b.of->instance});
       return;
     }
     const RationalPoint at = p.center + Rational(p.radius / *sum) * apart;
-    mark_point(a.instance, at);
-    mark_point(b.instance, at);
+    mark_point(a, at);
+    mark_point(b, at);
   }
 
-  bool is_sphere(const Round& round) const {
-    return dynamic_cast<const RevolvedForm&>(*instances_[round.instance].leaf->form()).is_sphere();
-  }
+  bool is_sphere(const Round& round) const { return form_of(round.of->instance).is_sphere(); }
 
   void ball_and_tube(const Round& a, const Ball3& ball, const Round& b, const Tube& tube) {
     const Rational t = cnrg::dot(ball.center - tube.foot, tube.axis) / cnrg::dot(tube.axis, tube.axis);
@@ -502,34 +611,58 @@ class Finder {
     const RationalPoint foot = tube.foot + t * tube.axis, apart = ball.center - foot;
     if (!may_be(apart, tube.radius, ball.radius)) return;
     const auto sum = gauge(cnrg::dot(apart, apart), tube.radius, ball.radius);
-    // From inside a point or line alone would not keep the facets around it apart, which may then cross.
-    if (!sum || *sum != tube.radius + ball.radius) return;
+    // A tube that touches a larger ball from inside leaves it on both sides: there the surfaces cross.
+    if (!sum || *sum < 0) return;
     const RationalPoint direction = Rational(1 / *sum) * apart;
-    mark_point(a.instance, foot + tube.radius * direction);
-    mark_direction(b.instance, direction, tube);
+    if (*sum != tube.radius + ball.radius) {
+      if (!is_sphere(a) && a.exact->placed.axis.direction != tube.axis) return;
+      inside_.push_back({a.of->instance, b.of->instance, direction});
+    }
+    mark_point(a, foot + tube.radius * direction);
+    mark_direction(b, direction, tube);
   }
 
   void two_tubes(const Round& a, const Tube& p, const Round& b, const Tube& q) {
-    if (p.axis != q.axis) return;
+    if (p.axis != q.axis) {
+      crossed_tubes(a, p, b, q);
+      return;
+    }
     const Rational square = cnrg::dot(p.axis, p.axis);
     // Places along either axis count from its own foot; both feet lie in the plane through the origin across it.
     if (std::max(p.low, q.low) > std::min(p.high, q.high) || square == 0) return;
     const RationalPoint apart = q.foot - p.foot;
     if (!may_be(apart, p.radius, q.radius)) return;
     const auto sum = gauge(cnrg::dot(apart, apart), p.radius, q.radius);
-    if (!sum || *sum != p.radius + q.radius) return;
+    if (!sum) return;
     const RationalPoint direction = Rational(1 / *sum) * apart;
-    mark_direction(a.instance, direction, p);
-    mark_direction(b.instance, Rational(-1) * direction, q);
+    const bool beside = *sum == p.radius + q.radius, first = *sum > 0;
+    if (!beside) inside_.push_back({(first ? b : a).of->instance, (first ? a : b).of->instance, direction});
+    mark_direction(a, direction, p);
+    mark_direction(b, Rational(beside ? -1 : 1) * direction, q);
+  }
+
+  /// Tubes side by side whose axes are not parallel: the point of contact is where a ruling of one crosses one of
+  /// the other. From inside they would cross.
+  void crossed_tubes(const Round& a, const Tube& p, const Round& b, const Tube& q) {
+    const RationalPoint apart = q.foot - p.foot, turn = cross(p.axis, q.axis);
+    const Rational across = cnrg::dot(apart, turn), square = cnrg::dot(turn, turn), sum = p.radius + q.radius;
+    if (across * across != sum * sum * square) return;
+    const RationalPoint direction = Rational(across / (sum * square)) * turn;
+    // p.foot + s p.axis + sum direction = q.foot + t q.axis.
+    const Rational s = cnrg::dot(cross(apart, q.axis), turn) / square,
+                   t = cnrg::dot(cross(apart, p.axis), turn) / square;
+    if (s < p.low || s > p.high || t < q.low || t > q.high) return;
+    mark_direction(a, direction, p);
+    mark_direction(b, Rational(-1) * direction, q);
   }
 
   // --- marks
 
   /// True if the leaf has a vertex there as it is.
-  bool has_vertex(Index i, const RationalPoint& p) const {
-    const auto* leaf = dynamic_cast<const GeometryLeaf*>(instances_[i].leaf.get());
+  bool has_vertex(const Round& round, const RationalPoint& p) const {
+    const auto* leaf = dynamic_cast<const GeometryLeaf*>(instances_[round.of->instance].leaf.get());
     if (leaf == nullptr) return false;
-    const RationalPoint own = instances_[i].transform.inverse().apply(p);
+    const RationalPoint own = round.of->transform.inverse().apply(p);
     const Point3 rough = to_doubles(own);
     const Soup& soup = leaf->geometry();
     for (const PointId v : IdRange<PointId>(soup.point_count())) {
@@ -542,36 +675,66 @@ class Finder {
     return false;
   }
 
-  void mark_point(Index i, const RationalPoint& at) {
-    Marks& marks = marks_[i];
+  void mark_point(const Round& round, const RationalPoint& at) {
+    Marks& marks = marks_[round.of->instance];
     if (std::find(marks.points.begin(), marks.points.end(), at) != marks.points.end()) return;
     marks.points.push_back(at);
-    marks.needed = marks.needed || !has_vertex(i, at);
+    marks.needed = marks.needed || !has_vertex(round, at);
   }
 
-  void mark_direction(Index i, const RationalPoint& direction, const Tube& tube) {
-    Marks& marks = marks_[i];
+  void mark_direction(const Round& round, const RationalPoint& direction, const Tube& tube) {
+    Marks& marks = marks_[round.of->instance];
     if (std::find(marks.directions.begin(), marks.directions.end(), direction) != marks.directions.end()) return;
     marks.directions.push_back(direction);
-    marks.needed = marks.needed || !has_vertex(i, tube.foot + tube.low * tube.axis + tube.radius * direction) ||
-                   !has_vertex(i, tube.foot + tube.high * tube.axis + tube.radius * direction);
+    marks.needed = marks.needed ||
+                   !has_vertex(round, tube.foot + tube.low * tube.axis + tube.radius * direction) ||
+                   !has_vertex(round, tube.foot + tube.high * tube.axis + tube.radius * direction);
   }
 
   const std::vector<LeafInstance>& instances_;
+  const Transform& to_space_;
+  bool in_space_of_tree_;
   std::vector<Round> rounds_;
   std::map<Index, std::size_t> place_;
   std::map<Index, Marks> marks_;
   std::vector<std::array<Index, 2>> nested_;
+  std::vector<Inside> inside_;
+  std::map<CircleInSpace, std::set<HasCircle>> circles_;
 };
 
 }  // namespace
 
-Contacts contacts(const std::vector<LeafInstance>& instances, const std::vector<RevolvedInstance>& revolved,
-                  const std::vector<std::array<Index, 2>>& pairs) {
-  Finder finder(instances);
+std::vector<BesidePlanes> beside_planes(const std::vector<LeafInstance>& instances,
+                                        const std::vector<RevolvedInstance>& revolved,
+                                        const std::set<Index>& alone) {
+  std::vector<BesidePlanes> result;
+  if (revolved.empty()) return result;
+  std::vector<Box> boxes;
+  for (const RevolvedInstance& of : revolved) boxes.push_back(of.box);
+  const BoxTree tree(boxes);
+  for (Index i = 0; i < instances.size(); ++i) {
+    if (alone.contains(i)) continue;
+    BesidePlanes beside{i, {}};
+    const LeafInstance& instance = instances[i];
+    if (dynamic_cast<const UnboundedLeaf*>(instance.leaf.get()) != nullptr) {
+      for (const RevolvedInstance& of : revolved) beside.revolved.push_back(of.instance);
+    } else if (const auto* geometry = dynamic_cast<const GeometryLeaf*>(instance.leaf.get())) {
+      const Box reach = box_of(*geometry, instance.transform);
+      tree.query([&](const Box& box) { return box.meets(reach); },
+                 [&](Index r) { beside.revolved.push_back(revolved[r].instance); });
+    }
+    if (!beside.revolved.empty()) result.push_back(std::move(beside));
+  }
+  return result;
+}
+
+Contacts contacts(const std::vector<LeafInstance>& instances, const Transform& to_space,
+                  const std::vector<RevolvedInstance>& revolved, const std::vector<std::array<Index, 2>>& pairs,
+                  const std::vector<BesidePlanes>& planes) {
+  Finder finder(instances, to_space);
   for (const RevolvedInstance& of : revolved) finder.add(of);
   finder.pairs(pairs);
-  finder.planes();
+  for (const BesidePlanes& beside : planes) finder.planes(beside);
   return finder.take();
 }
 

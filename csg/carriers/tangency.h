@@ -6,20 +6,77 @@
 #pragma once
 
 #include <map>
+#include <set>
+#include <tuple>
 
-#include "csg/carriers/revolved_families.h"
+#include "csg/carriers/axes.h"
+#include "csg/leaves/leaf.h"
 #include "kernel/refine/box.h"
 
 namespace cnrg {
 
-/// A revolved instance with a box around it.
+/// What an instance must have in its tessellation beside what it shares with others about its axis.
+struct Marks {
+  std::vector<RationalPoint> directions;  ///< at right angles to the axis: unit vectors, exactly
+  std::vector<RationalPoint> points;      ///< on balls, whole ones or parts
+  std::vector<MeridianPoint> circles;     ///< on arcs, as `place` (axes.h) has them
+  bool needed = false;                    ///< some are no vertices of the leaf as it is
+};
+
+/// A ball or tube that touches a tube from inside, about another axis that is parallel: see nested_turns.h. The
+/// unit vector `direction` points from both axes to the contact.
+struct Inside {
+  std::uint32_t inner = 0, outer = 0;
+  RationalPoint direction;
+};
+
+struct CircleInSpace {
+  RationalPoint center, axis;  ///< the axis as `axis_line` has it
+  Rational radius;
+  friend bool operator<(const CircleInSpace& a, const CircleInSpace& b) {
+    return std::tie(a.center, a.axis, a.radius) < std::tie(b.center, b.axis, b.radius);
+  }
+};
+/// A circle about the axis of the leaf, or on a torus or the like its meridian in the half-plane of `direction`, a
+/// unit vector.
+struct HasCircle {
+  std::uint32_t instance = 0;
+  std::optional<RationalPoint> direction{};
+  friend bool operator<(const HasCircle& a, const HasCircle& b) {
+    return std::tie(a.instance, a.direction) < std::tie(b.instance, b.direction);
+  }
+};
+
+struct Contacts {
+  std::map<std::uint32_t, Marks> marks;  ///< by instance, in the space that is asked about
+  /// Whole spheres of which one touches the other from inside: a point alone would not keep facets apart around
+  /// it, so these two share the axis through their centres.
+  std::vector<std::array<std::uint32_t, 2>> nested;
+  std::vector<Inside> inside;
+  std::map<CircleInSpace, std::set<HasCircle>> circles;  ///< of two leaves or more, of one of them a meridian
+};
+
+/// A revolved instance, with its transform to the space and a box around it there.
 struct RevolvedInstance {
   std::uint32_t instance = 0;
+  Transform transform;
   Box box;
 };
 
-/// The contacts of balls, cylinders and planes of all instances. `pairs`: instances whose boxes meet, each once.
-Contacts contacts(const std::vector<LeafInstance>& instances, const std::vector<RevolvedInstance>& revolved,
-                  const std::vector<std::array<std::uint32_t, 2>>& pairs);
+/// A leaf that may have planes, with revolved instances whose boxes it meets.
+struct BesidePlanes {
+  std::uint32_t instance = 0;
+  std::vector<std::uint32_t> revolved;
+};
+/// Of all leaves, by boxes in the space of the tree. `alone`: leaves that need not be asked for their planes.
+std::vector<BesidePlanes> beside_planes(const std::vector<LeafInstance>& instances,
+                                        const std::vector<RevolvedInstance>& revolved,
+                                        const std::set<std::uint32_t>& alone);
+
+/// The contacts of balls, cylinders and planes in the space that `to_space` leads to, from that of the tree.
+/// `pairs`: of revolved instances, each once.
+Contacts contacts(const std::vector<LeafInstance>& instances, const Transform& to_space,
+                  const std::vector<RevolvedInstance>& revolved,
+                  const std::vector<std::array<std::uint32_t, 2>>& pairs, const std::vector<BesidePlanes>& planes);
 
 }  // namespace cnrg

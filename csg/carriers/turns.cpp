@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
-#include "csg/carriers/axes.h"
+#include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
 
@@ -36,7 +37,7 @@ int Turns::compare(const Frame& frame, const RationalPoint& a, const RationalPoi
 }
 
 Turns::Turns(const RationalPoint& axis, const RationalPoint& start, int segments,
-             const std::vector<RationalPoint>& marks)
+             const std::vector<RationalPoint>& marks, const std::vector<RationalPoint>& others)
     : frame_{start, cross(axis, start), axis} {
   const Rational across = 1 / dot(axis, axis);  // the second vector is as long as the axis
   lines_.reserve(static_cast<std::size_t>(segments) + marks.size());
@@ -46,10 +47,23 @@ Turns::Turns(const RationalPoint& axis, const RationalPoint& start, int segments
         scaled_cosine(degrees, 1) * frame_.first + scaled_cosine(90 - degrees, across) * frame_.second;
     lines_.push_back({direction, fraction(i, segments), true, false});
   }
-  std::vector<double> marked;
+  const double near = 0x1p-32 / segments;
+  std::set<double> taken;
+  const auto is_taken = [&](double turn) {
+    const auto next = taken.lower_bound(turn - near);
+    if (next != taken.end() && *next <= turn + near) return true;
+    return !taken.empty() && (*taken.begin() + 1 - turn <= near || turn + 1 - *taken.rbegin() <= near);
+  };
   for (const RationalPoint& d : marks) {
-    marked.push_back(to_double(turn_of(d)));
-    lines_.push_back({d, from_double(marked.back()), false, true});
+    const double turn = to_double(turn_of(d));
+    taken.insert(turn);
+    lines_.push_back({d, from_double(turn), false, true});
+  }
+  for (const RationalPoint& d : others) {
+    const double turn = to_double(turn_of(d));
+    if (is_taken(turn)) continue;
+    taken.insert(turn);
+    lines_.push_back({d, from_double(turn), false, false});
   }
   std::sort(lines_.begin(), lines_.end(), [&](const Line& a, const Line& b) {
     const int order = compare(frame_, a.direction, b.direction);
@@ -57,25 +71,19 @@ Turns::Turns(const RationalPoint& axis, const RationalPoint& start, int segments
     if (const Rational x = error_of(a.direction), y = error_of(b.direction); x != y) return x < y;
     return a.direction != b.direction ? a.direction < b.direction : a.even > b.even;
   });
-  std::sort(marked.begin(), marked.end());
-  const double near = 0x1p-32 / segments;
   std::vector<Line> kept;
   for (std::size_t i = 0; i < lines_.size();) {
     // Those of one ray: the best direction, and the exact turn if one of them has it.
     Line line = lines_[i];
-    bool is_mark = !line.even;
+    bool fixed = !line.even, is_mark = line.mark;
     for (++i; i < lines_.size() && compare(frame_, line.direction, lines_[i].direction) == 0; ++i) {
-      is_mark = is_mark || !lines_[i].even;
+      fixed = fixed || !lines_[i].even;
+      is_mark = is_mark || lines_[i].mark;
       if (!lines_[i].even || line.even) continue;
       line.turn = lines_[i].turn;
       line.even = true;
     }
-    if (!is_mark) {
-      const double turn = to_double(line.turn);
-      const auto next = std::lower_bound(marked.begin(), marked.end(), turn - near);
-      if (next != marked.end() && *next <= turn + near) continue;
-      if (!marked.empty() && (marked.front() + 1 - turn <= near || turn + 1 - marked.back() <= near)) continue;
-    }
+    if (!fixed && is_taken(to_double(line.turn))) continue;
     line.mark = is_mark;
     kept.push_back(line);
   }
@@ -87,6 +95,23 @@ const Turns::Line* Turns::find(const RationalPoint& direction) const {
       lines_.begin(), lines_.end(), direction,
       [&](const Line& line, const RationalPoint& d) { return compare(frame_, line.direction, d) < 0; });
   return place != lines_.end() && compare(frame_, place->direction, direction) == 0 ? &*place : nullptr;
+}
+
+std::vector<RationalPoint> Turns::directions(bool only_marks) const {
+  std::vector<RationalPoint> result;
+  result.reserve(lines_.size());
+  for (const Line& line : lines_) {
+    if (line.mark || !only_marks) result.push_back(line.direction);
+  }
+  return result;
+}
+
+std::array<RationalPoint, 2> Turns::beside(const RationalPoint& direction) const {
+  const Line* const line = find(direction);
+  require(line != nullptr, "the direction of a contact is a line of its family");
+  const auto place = static_cast<std::size_t>(line - lines_.data());
+  const std::size_t n = lines_.size();
+  return {lines_[(place + n - 1) % n].direction, lines_[(place + 1) % n].direction};
 }
 
 Rational Turns::turn_of(const RationalPoint& d) const {

@@ -5,6 +5,7 @@
 // rounded once, not corners.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "csg/curves/revolved.h"
@@ -15,9 +16,14 @@ class Turns {
  public:
   /// Even steps from the direction `start`; `marks`: further directions, at right angles to the
   /// axis and nearly or exactly unit vectors, in any order. Of two on one ray the one that is nearer to a unit
-  /// vector stays. Even steps next to a mark are left out.
+  /// vector stays. `others` are such directions, too, but next to marks and to those before them they are left
+  /// out, and even steps next to any of all these.
   Turns(const RationalPoint& axis, const RationalPoint& start, int segments,
-        const std::vector<RationalPoint>& marks);
+        const std::vector<RationalPoint>& marks, const std::vector<RationalPoint>& others = {});
+
+  std::vector<RationalPoint> directions(bool only_marks = false) const;
+  /// The directions before and after one of these.
+  std::array<RationalPoint, 2> beside(const RationalPoint& direction) const;
 
   /// How a leaf about the axis lies: the direction where its turn begins; `along` if its own axis runs along this
   /// one, `mirrored` if it turns against its own axis.

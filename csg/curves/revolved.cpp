@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 
+#include "csg/geometry/circle.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "kernel/base/error.h"
 
@@ -117,13 +118,6 @@ double angle_of(const MeridianPoint& p, const MeridianPoint& middle, double axis
   return std::atan2(to_double(p.t - middle.t) * axis, to_double(p.r - middle.r)) * 180 / std::numbers::pi;
 }
 
-/// The square root, where it is rational.
-std::optional<Rational> root(const Rational& square) {
-  if (mpz_perfect_square_p(square.get_num_mpz_t()) == 0 || mpz_perfect_square_p(square.get_den_mpz_t()) == 0)
-    return std::nullopt;
-  return Rational(sqrt(square.get_num()), sqrt(square.get_den()));
-}
-
 /// Makes an arc of the piece, if its curve is one.
 void make_arc(MeridianPiece& piece, const ControlRow& row, const Rational& square) {
   const auto point = [&](std::size_t i) {
@@ -139,7 +133,7 @@ void make_arc(MeridianPiece& piece, const ControlRow& row, const Rational& squar
   if (side != distance2(p1, p2) || cosine2 >= 1 || cosine2 * side != distance2(p0, middle)) return;
   const Rational reach = 1 / (1 - cosine2);
   const MeridianPoint center{p1.r + reach * (middle.r - p1.r), p1.t + reach * (middle.t - p1.t)};
-  const std::optional<Rational> radius = root(distance2(p0, center));
+  const std::optional<Rational> radius = rational_root(distance2(p0, center));
   if (!radius) return;
   const double axis = std::sqrt(to_double(square));
   const double from = angle_of(p0, center, axis), to = angle_of(p2, center, axis);

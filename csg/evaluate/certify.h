@@ -1,4 +1,7 @@
-// What `--certify` asks of an evaluation: that what is true of facets is true of the surfaces that they stand for.
+// What is asked of an evaluation: whether what is true of facets is true of the surfaces that they stand for.
+//
+// Leaves cross in many places that no node asked for has any trace of, such as inside of a union. There it does
+// not matter how they cross, so only edges of the values that were kept are looked at.
 #pragma once
 
 #include <vector>
@@ -8,8 +11,8 @@
 namespace cnrg {
 
 struct Certificate {
-  std::size_t edges = 0;            ///< those where a curved patch meets a patch of another leaf
-  std::size_t places = 0;           ///< where that is not proven to be transversal (transversality.h)
+  std::size_t edges = 0;   ///< of the kept values: those where a curved patch meets a patch of another leaf
+  std::size_t places = 0;  ///< where that is not proven to be transversal (transversality.h)
   std::vector<Diagnostic> notices;  ///< of the first places, at their leaves
 };
 

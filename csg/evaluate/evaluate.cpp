@@ -3,7 +3,7 @@
 //   tree -> instances            csg/tree/unfold.h: a node under each of its transforms; operands before users
 //        -> prepared leaves      prepared_leaves.h: files are read, everything that can be checked is checked
 //        -> common lines         csg/carriers/common_lines.h: of leaves that share a curved surface
-//        -> welded leaves        csg/weld/weld_leaves.h: what is near coincides, where the tree has `weld`
+//        -> welded leaves        csg/weld: what is near coincides, where the tree has `weld`; round surfaces first
 //        -> soup -> complex      make_soup.cpp, then the kernel: all leaves are refined together, once
 //        -> leaf values          leaf_values.h
 //        -> node values          operate.h: a node selects cells and makes none; it costs what its operands touch
@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "csg/carriers/common_lines.h"
+#include "csg/carriers/surface_numbers.h"
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/grades.h"
 #include "csg/evaluate/leaf_values.h"
@@ -35,6 +36,7 @@
 #include "csg/evaluate/value_store.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/weld/weld_leaves.h"
+#include "csg/weld/weld_surfaces.h"
 
 namespace cnrg {
 namespace {
@@ -72,19 +74,29 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
   leaves.locate_errors([&] {
     std::vector<NearSurfaces> near;
     std::vector<std::string> apart;
-    instances = with_common_lines(leaves.instances(), &near, &apart);
-    if (tree.weld) {
-      WeldedLeaves welded = weld_leaves(instances, *tree.weld);
-      instances = std::move(welded.instances);
-      if (!welded.notice.empty()) {
+    const auto tell = [&](const std::string& notice) {
+      if (!notice.empty())
         result.diagnostics.push_back(
-            {tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(welded.notice)});
-      }
+            {tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
+    };
+    instances = leaves.instances();
+    WeldedSurfaces round;
+    if (tree.weld) {
+      round = weld_surfaces(instances, *tree.weld);
+      instances = round.instances;
+      tell(round.notice);
+    }
+    const std::vector<std::vector<std::uint32_t>> surfaces = surface_numbers(instances);
+    instances = with_common_lines(std::move(instances), &near, &apart, round.anew);
+    if (tree.weld) {
+      WeldedLeaves welded = weld_leaves(instances, *tree.weld, round.farthest);
+      instances = std::move(welded.instances);
+      tell(welded.notice);
       std::erase_if(near, [&](const NearSurfaces& pair) { return pair.apart <= to_double(*tree.weld); });
     }
     append(result.diagnostics, leaves.near_notices(near));
     append(result.diagnostics, leaves.located_notices(apart));
-    const Soup soup = make_soup(instances, options.reach);
+    const Soup soup = make_soup(instances, options.reach, surfaces);
     result.complex = build_complex(soup, refine_options, &result.refine);
   });
   if (options.validate) {
@@ -95,7 +107,8 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
   std::vector<PlacedParameters> placed;
   for (std::size_t i = 0; i < instances.size(); ++i) {
     result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
-    placed.push_back({instances[i].leaf->parameters(), instances[i].transform, instances[i].leaf->surfaces()});
+    const PreparedLeaf& leaf = *instances[i].leaf;
+    placed.push_back({leaf.parameters(), instances[i].transform, leaf.surfaces(), leaf.boxes()});
   }
   result.parameters = std::make_shared<const SurfaceParameters>(*result.complex, std::move(placed));
   result.refine_seconds = stopwatch.seconds();

@@ -203,8 +203,7 @@ std::vector<Diagnostic> PreparedLeaves::near_notices(const std::vector<NearSurfa
     const Node &first = node_of(LeafId(near[i].first)), &second = node_of(LeafId(near[i].second));
     std::string text = "`" + first.name + "` and `" + second.name + "` lie on " + near[i].what + " that are " +
                        to_decimal(from_double(near[i].apart), 3) +
-                       " apart, so they are two surfaces: give both the same numbers, or equal `segments` and "
-                       "`weld` to the tree";
+                       " apart, so they are two surfaces: give both the same numbers, or `weld` to the tree";
     if (i + 1 == kMost && near.size() > kMost) text += " (" + std::to_string(near.size()) + " such pairs in all)";
     result.push_back({tree_->file, first.operator_at, Diagnostic::Level::notice, std::move(text)});
   }

@@ -54,16 +54,6 @@ struct Facet {
   std::vector<std::array<Interval, 2>> boxes;
 };
 
-std::array<Interval, 2> box_of(const std::vector<PatchCorner>& cell) {
-  std::array<Interval, 2> box;
-  for (std::size_t d = 0; d < 2; ++d) {
-    const auto [low, high] = std::minmax_element(
-        cell.begin(), cell.end(), [d](const PatchCorner& a, const PatchCorner& b) { return a.at[d] < b.at[d]; });
-    box[d] = Interval(enclose(low->at[d]).inf(), enclose(high->at[d]).sup());
-  }
-  return box;
-}
-
 std::vector<SurfacePart> parts_of(const Facet& facet) {
   if (facet.surface == nullptr) return {{nullptr, 0, 0, facet.point, facet.normal}};
   std::vector<SurfacePart> parts;
@@ -82,8 +72,8 @@ bool cross_everywhere(const Facet& a, const Facet& b) {
 
 class Examination {
  public:
-  Examination(const Complex& complex, const SurfaceParameters& parameters)
-      : complex_(complex), parameters_(parameters), surfaces_(parameters) {}
+  Examination(const Complex& complex, const SurfaceParameters& parameters, const std::vector<char>& asked)
+      : complex_(complex), parameters_(parameters), asked_(asked), surfaces_(parameters) {}
 
   Transversality run(std::size_t described) {
     collect();
@@ -117,6 +107,7 @@ class Examination {
     if (std::find(curved.begin(), curved.end(), 1) == curved.end()) return;
     std::vector<Around> around;
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+      if (!asked_.empty() && asked_[e.index()] == 0) continue;
       around.clear();
       bool any = false, several = false;
       for (const FaceUse& use : complex_.edge_uses[e]) {
@@ -143,6 +134,7 @@ class Examination {
     struct Patch {
       std::size_t first, last;
       bool flat, contains;
+      std::uint32_t surface;
     };
     std::vector<Patch> patches;
     for (std::size_t i = 0, j; i < around.size(); i = j) {
@@ -150,7 +142,7 @@ class Examination {
       for (j = i; j < around.size() && around[j].patch == around[i].patch; ++j)
         contains = contains && on_boundary(e, around[j].facet);
       const bool flat = surfaces_.of(complex_.sources[around[i].facet]) == nullptr;
-      patches.push_back({i, j, flat, contains});
+      patches.push_back({i, j, flat, contains, complex_.sources[around[i].facet].surface});
     }
     bool crossing = false;
     for (std::size_t i = 0; i < patches.size(); ++i) {
@@ -158,10 +150,12 @@ class Examination {
         const Patch &a = patches[i], &b = patches[j];
         if (around[a.first].patch.first == around[b.first].patch.first || (a.flat && b.flat)) continue;
         crossing = true;
-        const bool shared = share_a_face(around, a, b);
+        const bool overlap = share_a_face(around, a, b);
         const bool both = (a.flat || a.contains) && (b.flat || b.contains);
-        if (a.flat || b.flat ? !shared && both : shared || both) continue;
-        if (!shared && (a.contains || b.contains) &&
+        const bool one_surface = a.surface != 0 && a.surface == b.surface;
+        if (!a.flat && !b.flat && (one_surface || (overlap && same_facets(around, a, b)))) continue;
+        if (!overlap && both) continue;
+        if (!overlap && (a.contains || b.contains) &&
             touch(e, around[a.first].patch.first, around[b.first].patch.first)) {
           continue;
         }
@@ -194,6 +188,30 @@ class Examination {
     return changes <= 2;
   }
 
+  /// Of curved patches with a face in common, whose surfaces are not known to be one: true if the facets that have
+  /// faces in common are the same. Else it is a chord that two surfaces have in common.
+  template <class Patch>
+  bool same_facets(const std::vector<Around>& around, const Patch& a, const Patch& b) {
+    for (std::size_t x = a.first; x < a.last; ++x) {
+      for (std::size_t y = b.first; y < b.last; ++y) {
+        if (around[x].face == around[y].face && faces_of(around[x].facet) != faces_of(around[y].facet))
+          return false;
+      }
+    }
+    return true;
+  }
+
+  /// The faces that cover a facet, ascending.
+  const std::vector<FaceId>& faces_of(SourceId facet) {
+    if (faces_.size() == 0) {
+      faces_.resize(complex_.sources.size());
+      for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+        for (const Cover& cover : complex_.cover(f)) faces_[cover.source].push_back(f);
+      }
+    }
+    return faces_[facet];
+  }
+
   template <class Patch>
   static bool share_a_face(const std::vector<Around>& around, const Patch& a, const Patch& b) {
     for (std::size_t x = a.first; x < a.last; ++x) {
@@ -219,7 +237,8 @@ class Examination {
         [&](std::size_t i) {
           const auto& [s, facet] = all[i];
           if (facet->surface == nullptr) return;
-          for (const auto& cell : parameters_.cells(s)) facet->boxes.push_back(box_of(cell));
+          for (const auto& [u, v] : parameters_.boxes(s))
+            facet->boxes.push_back({Interval(u[0], u[1]), Interval(v[0], v[1])});
         },
         64);
     set_planes();
@@ -344,16 +363,19 @@ class Examination {
 
   const Complex& complex_;
   const SurfaceParameters& parameters_;
+  const std::vector<char>& asked_;
   Surfaces surfaces_;
   std::vector<Contact> contacts_;  // by facets, then edges
   std::map<SourceId, Facet> facets_;
   std::size_t crossing_edges_ = 0;
+  IdVector<SourceId, std::vector<FaceId>> faces_;  // once they are asked for
 };
 
 }  // namespace
 
-Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described) {
-  return Examination(complex, parameters).run(described);
+Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described,
+                              const std::vector<char>& asked) {
+  return Examination(complex, parameters, asked).run(described);
 }
 
 }  // namespace cnrg

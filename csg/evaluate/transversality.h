@@ -6,8 +6,10 @@
 // uncertain: the surfaces touch, cross at a very small angle, or the facets are too coarse to tell.
 //
 // A contact that both tessellations contain is what it is meant to be and is not asked about: an edge that both
-// have, a facet that two curved patches share, an edge of one along which it touches the other without crossing
-// it. What is flat contains all its lines. A leaf without true surfaces (a mesh, a grid) is its facets.
+// have, facets that two patches of one surface share, an edge of one along which it touches the other without
+// crossing it. Facets of two surfaces that overlap in a part of each are uncertain: between the surfaces there is
+// something, or one is not inside of the other. What is flat contains all its lines. A leaf without true surfaces
+// (a mesh, a grid) is its facets.
 #pragma once
 
 #include <array>
@@ -34,7 +36,9 @@ struct Transversality {
   std::vector<UncertainPlace> places;  ///< by leaves, patches and edges
 };
 
-/// `at` and `finer` are filled in for the first `described` places.
-Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described);
+/// `at` and `finer` are filled in for the first `described` places. `asked`: whether an edge matters, by EdgeId;
+/// empty: all do.
+Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described,
+                              const std::vector<char>& asked = {});
 
 }  // namespace cnrg

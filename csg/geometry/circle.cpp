@@ -15,6 +15,22 @@ RationalPoint primitive(const RationalPoint& v) {
 
 }  // namespace
 
+std::optional<Rational> rational_root(const Rational& square) {
+  if (mpz_perfect_square_p(square.get_num_mpz_t()) == 0 || mpz_perfect_square_p(square.get_den_mpz_t()) == 0)
+    return std::nullopt;
+  return Rational(sqrt(square.get_num()), sqrt(square.get_den()));
+}
+
+Rational root(const Rational& square) {
+  if (const std::optional<Rational> exact = rational_root(square)) return *exact;
+  return round_cosine(0, square, exponent_of_root(square) - 60);
+}
+
+Rational scaled_cosine(const Rational& degrees, const Rational& square) {
+  if (const std::optional<Rational> exact = rational_root(square)) return *exact * round_cosine(degrees, 1, -52);
+  return round_cosine(degrees, square, exponent_of_root(square) - 51);
+}
+
 CircleFrame::CircleFrame(const RationalPoint& axis) : axis_(primitive(axis)) {
   // The unit vector that is farthest from the axis gives e1, except that the z axis starts at x, x at y, y at z.
   std::size_t k = 0;

@@ -7,12 +7,22 @@
 // true circle is below 4e-16 r, opposite points are symmetric exactly, and no machine differs.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
+
+/// The square root, where it is rational.
+std::optional<Rational> rational_root(const Rational& square);
+/// The square root of a number that is not negative, exact where it is rational, else to 60 bits.
+Rational root(const Rational& square);
+
+/// sqrt(square) cos(degrees) to 52 bits of the root, and exactly where the root is rational and the cosine 0 or
+/// +-1.
+Rational scaled_cosine(const Rational& degrees, const Rational& square);
 
 class CircleFrame {
  public:

@@ -28,6 +28,7 @@
 #include "csg/imports/cad_draw.h"
 #include "csg/imports/cad_model.h"
 #include "csg/imports/cad_near.h"
+#include "csg/imports/cad_round.h"
 #include "csg/imports/cad_weld.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
@@ -52,6 +53,7 @@ class CadLeaf {
     merge_points();
     for (Index f = 0; f < model_.faces.size(); ++f) check_border(f);
     choose();
+    round_ = round_faces(model_);
     if (shape_.weld) weld();
     else if (const std::string near = notice_of_near_surfaces(model_); !near.empty())
       model_.notices.push_back(near);
@@ -64,7 +66,7 @@ class CadLeaf {
 
   /// Bands of the model, if it has curved faces.
   std::optional<CadBands> bands() const {
-    CadBands found = bands_of(model_, exact_, Fineness(shape_.name(), shape_.tessellation), shape_.seams);
+    CadBands found = bands_of(model_, round_, exact_, Fineness(shape_.name(), shape_.tessellation), shape_.seams);
     if (found.bands.empty()) return std::nullopt;
     return found;
   }
@@ -158,9 +160,12 @@ class CadLeaf {
 
   /// Near points and planes become one, before anything is judged but what the file itself says.
   void weld() {
-    Weld made = weld_cad(
-        model_, *shape_.weld, what(), [this](Index f) { return face_name(f); },
-        [this](Index s) { return solid_name(s); });
+    const auto name = [this](Index f) { return face_name(f); };
+    round_ = welded_round_faces(model_, *shape_.weld, name);
+    if (!round_.notice.empty()) model_.notices.push_back(round_.notice);
+    const Rational left = *shape_.weld - round_.moved;
+    if (left == 0) return;
+    Weld made = weld_cad(model_, left, what(), name, [this](Index s) { return solid_name(s); });
     if (const std::string words = made.notice(*shape_.weld); !words.empty()) model_.notices.push_back(words);
     if (!made.changed()) return;
     exact_ = std::move(made.points);
@@ -519,6 +524,7 @@ class CadLeaf {
 
   CadShape shape_;
   CadModel model_;
+  CadRound round_;                    // of a model as its file has it
   std::vector<RationalPoint> exact_;  // the points, where they were welded
   Fill fill_ = Fill::none;
   Soup soup_;

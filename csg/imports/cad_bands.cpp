@@ -64,8 +64,9 @@ std::string edge_name(Index e) { return "edge " + std::to_string(e); }
 
 class Finder {
  public:
-  Finder(const CadModel& model, const std::vector<RationalPoint>& welded, const Fineness& fineness, bool seams)
-      : model_(model), welded_(welded), fineness_(fineness), seams_(seams) {
+  Finder(const CadModel& model, const CadRound& round, const std::vector<RationalPoint>& welded,
+         const Fineness& fineness, bool seams)
+      : model_(model), round_(round), welded_(welded), fineness_(fineness), seams_(seams) {
     for (const Point3& p : model.points) size_ = std::max({size_, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   }
 
@@ -108,6 +109,7 @@ class Finder {
 
   const CadModel::Edge& edge(Index e) const { return model_.edges[e]; }
   const CadSurface& surface(const Face& face) const { return model_.faces[face.face].surface; }
+  const RoundFace& exactly(Index f) const { return *round_.faces[f]; }
 
   // --- what is what, in doubles
 
@@ -122,7 +124,7 @@ class Finder {
     Face face;
     face.face = f;
     const CadAxes& axes = of.surface.axes;
-    face.line = axis_line(exact(axes.origin), exact(axes.z));
+    face.line = exactly(f).axis;
     const Point3 along = to_doubles(face.line.direction);
     face.border.ahead = dot(axes.z, along) > 0;
     face.border.turns_up = dot(cross(axes.x, axes.y), along) > 0;
@@ -352,10 +354,10 @@ class Finder {
   }
   /// Where a face that goes all around the tube of a torus begins and ends.
   MeridianPoint largest_circle(const Face& face) const {
-    const CadSurface& of = surface(face);
     if (std::abs(std::remainder(face.border.low[1], kTurn)) > kRounding)
       refuse(face_name(face.face) + ", all around a torus, does not begin at its largest circle");
-    return {from_double(of.radius) + from_double(of.minor_radius), face.line.place_of(exact(of.axes.origin))};
+    const RoundFace& of = exactly(face.face);
+    return {of.radius + of.minor_radius, face.line.place_of(of.origin)};
   }
   /// Its place is that of a plane across the axis, or of the circle's centre where that is on the axis, else that
   /// of its corner; its radius that of a surface which has the parallel, or of its circle.
@@ -375,7 +377,7 @@ class Finder {
     MeridianPoint circle{0, place ? *place : face.line.place_of(at(first))};
     for (const auto& [other, e] : of) {
       if (surface(*other).kind != Kind::cylinder) continue;
-      circle.r = from_double(surface(*other).radius);
+      circle.r = exactly(other->face).radius;
       return circle;
     }
     circle.r = from_double(edge(of[0].second).curve.radius);
@@ -398,10 +400,11 @@ class Finder {
   /// Of the parallel of a sphere or torus at a place along the axis; nothing where that says little, since the
   /// surface runs across the axis.
   std::optional<Rational> radius_on_arc(const Face& face, const MeridianPoint& near) const {
-    const CadSurface& of = surface(face);
-    const Rational radius = from_double(of.kind == Kind::sphere ? of.radius : of.minor_radius);
-    const Rational middle = of.kind == Kind::sphere ? Rational(0) : from_double(of.radius);
-    const Rational up = near.t - face.line.place_of(exact(of.axes.origin));
+    const RoundFace& of = exactly(face.face);
+    const bool ball = surface(face).kind == Kind::sphere;
+    const Rational radius = ball ? of.radius : of.minor_radius;
+    const Rational middle = ball ? Rational(0) : of.radius;
+    const Rational up = near.t - face.line.place_of(of.origin);
     const Rational out = radius * radius - up * up * cnrg::dot(face.line.direction, face.line.direction);
     if (out * 4 < radius * radius) return std::nullopt;
     const Rational root = round_cosine(0, out, exponent_of_root(out) - 60);
@@ -505,7 +508,8 @@ class Finder {
   void fill_piece(const Face& face, const MeridianPoint* const* rows, MeridianPiece& piece) {
     const CadSurface& of = surface(face);
     const Rational square = cnrg::dot(face.line.direction, face.line.direction);
-    const Rational middle = face.line.place_of(exact(of.axes.origin));
+    const RoundFace& round = exactly(face.face);
+    const Rational middle = face.line.place_of(round.origin);
     if (!has_arcs(of.kind)) {
       for (std::size_t i = 0; i < 2; ++i) {
         MeridianPoint& end = i == 0 ? piece.from : piece.to;
@@ -516,8 +520,8 @@ class Finder {
       return;
     }
     piece.kind = MeridianPiece::Kind::arc;
-    piece.radius = from_double(of.kind == Kind::sphere ? of.radius : of.minor_radius);
-    piece.middle = {of.kind == Kind::sphere ? Rational(0) : from_double(of.radius), middle};
+    piece.radius = of.kind == Kind::sphere ? round.radius : round.minor_radius;
+    piece.middle = {of.kind == Kind::sphere ? Rational(0) : round.radius, middle};
     double angles[2]{};
     const double axis = std::sqrt(to_double(square));
     for (std::size_t i = 0; i < 2; ++i) {
@@ -550,15 +554,16 @@ class Finder {
   /// The surface of a face, as far as its facets reach: to see what else lies on it.
   void take_roughly(Index f) {
     const CadSurface& of = model_.faces[f].surface;
-    const AxisLine line = axis_line(exact(of.axes.origin), exact(of.axes.z));
+    const RoundFace& round = exactly(f);
+    const AxisLine& line = round.axis;
     Band band = empty_band(f, line);
     MeridianPiece& piece = band.form.lines[0][0];
-    const Rational middle = line.place_of(exact(of.axes.origin));
+    const Rational middle = line.place_of(round.origin);
     if (has_arcs(of.kind)) {
       const bool ball = of.kind == Kind::sphere;
       piece.kind = MeridianPiece::Kind::arc;
-      piece.radius = from_double(ball ? of.radius : of.minor_radius);
-      piece.middle = {ball ? Rational(0) : from_double(of.radius), middle};
+      piece.radius = ball ? round.radius : round.minor_radius;
+      piece.middle = {ball ? Rational(0) : round.radius, middle};
       piece.from = piece.to = {piece.middle.r + piece.radius, middle};
       piece.sweep = 360;
     } else {
@@ -568,7 +573,7 @@ class Finder {
           const RationalPoint q = at(p);
           const Rational place = line.place_of(q);
           const Rational radius =
-              of.kind == Kind::cylinder ? from_double(of.radius) : from_double(radius_at(of, model_.points[p]));
+              of.kind == Kind::cylinder ? round.radius : from_double(radius_at(of, model_.points[p]));
           if (!any || place < piece.from.t) piece.from = {radius, place};
           if (!any || place > piece.to.t) piece.to = {radius, place};
           any = true;
@@ -580,6 +585,7 @@ class Finder {
   }
 
   const CadModel& model_;
+  const CadRound& round_;
   const std::vector<RationalPoint>& welded_;
   const Fineness& fineness_;
   bool seams_;
@@ -596,9 +602,9 @@ class Finder {
 
 }  // namespace
 
-CadBands bands_of(const CadModel& model, const std::vector<RationalPoint>& welded, const Fineness& fineness,
-                  bool seams) {
-  return Finder(model, welded, fineness, seams).run();
+CadBands bands_of(const CadModel& model, const CadRound& round, const std::vector<RationalPoint>& welded,
+                  const Fineness& fineness, bool seams) {
+  return Finder(model, round, welded, fineness, seams).run();
 }
 
 std::array<double, 2> parameters_at(const CadSurface& surface, const std::array<double, 3>& p) {

@@ -12,6 +12,7 @@
 #include "csg/carriers/bands.h"
 #include "csg/curves/boundary_curves.h"
 #include "csg/imports/cad_model.h"
+#include "csg/imports/cad_round.h"
 
 namespace cnrg {
 
@@ -43,10 +44,10 @@ struct CadBands {
   std::string obstacle;             ///< as of BandedForm
 };
 
-/// `welded`: the model's points where they were moved to, empty: they were not. `fineness`: of the leaf. `seams`:
-/// they are edges, too.
-CadBands bands_of(const CadModel& model, const std::vector<RationalPoint>& welded, const Fineness& fineness,
-                  bool seams);
+/// `round`: of each face of the model. `welded`: the model's points where they were moved to, empty: they were
+/// not. `fineness`: of the leaf. `seams`: they are edges, too.
+CadBands bands_of(const CadModel& model, const CadRound& round, const std::vector<RationalPoint>& welded,
+                  const Fineness& fineness, bool seams);
 
 /// u and v of a point of the surface, angles between -180 and 180 degrees.
 std::array<double, 2> parameters_at(const CadSurface& surface, const std::array<double, 3>& p);

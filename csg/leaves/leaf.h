@@ -19,6 +19,7 @@
 
 namespace cnrg {
 
+class FacetBoxes;
 class LeafParameters;
 class LeafSurfaces;
 struct CellTable;
@@ -72,6 +73,10 @@ class PreparedLeaf {
   const ParameterSource& parameters() const { return parameters_; }
   void set_parameters(ParameterSource source) { parameters_ = std::move(source); }
 
+  /// Of a curved leaf that was tessellated as a grid, where its facets lie, in the same order. Null for others.
+  const std::shared_ptr<const FacetBoxes>& boxes() const { return boxes_; }
+  void set_boxes(std::shared_ptr<const FacetBoxes> boxes) { boxes_ = std::move(boxes); }
+
   /// How to get the true surfaces of a curved leaf. Empty for others.
   const SurfaceSource& surfaces() const { return surfaces_; }
   void set_surfaces(SurfaceSource source) { surfaces_ = std::move(source); }
@@ -82,6 +87,7 @@ class PreparedLeaf {
 
  private:
   ParameterSource parameters_;
+  std::shared_ptr<const FacetBoxes> boxes_;
   SurfaceSource surfaces_;
   std::shared_ptr<const CurvedForm> form_;
 };
@@ -98,7 +104,9 @@ struct LeafInstance {
 };
 
 /// Makes the soup of all instances, which it copies; LeafId(i) is instance i. If one is unbounded, the frame
-/// (unbounded.h) is one more leaf at the end, around the others and the points `reach`.
-Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const RationalPoint> reach = {});
+/// (unbounded.h) is one more leaf at the end, around the others and the points `reach`. `surfaces`: of each
+/// instance the numbers of its patches' surfaces (csg/carriers/surface_numbers.h); empty: none is known.
+Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const RationalPoint> reach = {},
+               std::span<const std::vector<std::uint32_t>> surfaces = {});
 
 }  // namespace cnrg

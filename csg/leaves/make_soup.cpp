@@ -86,7 +86,8 @@ void add_frame(Soup& soup, const std::vector<UnboundedInstance>& unbounded, std:
 
 }  // namespace
 
-Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const RationalPoint> reach) {
+Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const RationalPoint> reach,
+               std::span<const std::vector<std::uint32_t>> surfaces) {
   Soup soup;
   std::vector<UnboundedInstance> unbounded;
   for (const LeafInstance& instance : instances) {
@@ -95,6 +96,10 @@ Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const Ratio
       throw InputError("the transforms of a leaf flatten it (their determinant is 0): give invertible ones");
     }
     const LeafId leaf = instance.leaf->add_to(soup, instance.transform);
+    if (!surfaces.empty() && !surfaces[leaf.index()].empty()) {
+      const std::vector<std::uint32_t>& of = surfaces[leaf.index()];
+      soup.number_surfaces([&](std::uint32_t patch) { return patch < of.size() ? of[patch] : 0; });
+    }
     if (!instance.leaf->unbounded()) continue;
     const auto* shape = dynamic_cast<const UnboundedLeaf*>(instance.leaf.get());
     require(shape != nullptr, "make_soup: an unbounded leaf that is no plane");

@@ -9,18 +9,20 @@
 #include <string>
 #include <vector>
 
+#include "csg/leaves/facet_boxes.h"
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/parameters.h"
 #include "kernel/complex/complex.h"
 
 namespace cnrg {
 
-/// A leaf of the complex: where its parameters come from (empty: nowhere), how it was placed, and its true
-/// surfaces.
+/// A leaf of the complex: where its parameters come from (empty: nowhere), how it was placed, its true surfaces,
+/// and where its facets lie.
 struct PlacedParameters {
   ParameterSource source;
   Transform transform;
   SurfaceSource surfaces{};
+  std::shared_ptr<const FacetBoxes> boxes{};
 };
 
 /// S(at) is near the point asked for, and equal to it where that is a vertex of the tessellation.
@@ -63,6 +65,8 @@ class SurfaceParameters {
 
   /// The cells in which a face of the soup lies, before the leaf's transform; none for a leaf without parameters.
   std::vector<std::vector<PatchCorner>> cells(SourceId source) const;
+  /// Boxes around these, in u and v: known without tessellating the leaf again, where it was made as a grid.
+  std::vector<FacetBoxes::Box> boxes(SourceId source) const;
   /// The cells of patches of the given leaves (ascending) in which a face of the complex lies.
   std::vector<PlacedCell> cells(FaceId f, std::span<const LeafId> leaves) const;
   /// Places on the patches of the given leaves (ascending) of a point of a face, an edge or a vertex of the
@@ -76,6 +80,7 @@ class SurfaceParameters {
 
  private:
   struct Leaf;
+  std::size_t facet_of(SourceId source) const;
   const LeafParameters& parameters(LeafId leaf) const;
   const Complex& complex_;
   std::vector<std::unique_ptr<Leaf>> leaves_;  // by LeafId

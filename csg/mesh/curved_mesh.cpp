@@ -31,14 +31,12 @@ Point middle_of(const Point& a, const Point& b) {
   return {a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2};
 }
 
-/// The true surface of a patch, and places on it to begin a search at: the middles of its cells.
+/// A true surface, as the patches on it describe it, and places to begin a search at: the middles of their cells.
 class SurfaceChart {
  public:
-  explicit SurfaceChart(PlacedSurface surface) : surface_(std::move(surface)) {}
-  const PlacedSurface& surface() const { return surface_; }
-
-  void add_cell(const std::vector<PatchCorner>& cell) {
-    Start start;
+  /// `patch` outlives the chart.
+  void add_cell(const PlacedSurface& patch, const std::vector<PatchCorner>& cell) {
+    Start start{&patch};
     Point at{0, 0, 0};
     double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
     for (const PatchCorner& corner : cell) {
@@ -68,19 +66,20 @@ class SurfaceChart {
     std::vector<SurfaceSite> result;
     result.reserve(found.size());
     for (const Entry& entry : found) {
-      result.push_back({&surface_, starts_[entry.second].at, starts_[entry.second].reach, {}, {}});
+      const Start& start = starts_[entry.second];
+      result.push_back({start.patch, start.at, start.reach, {}, {}});
     }
     return result;
   }
 
  private:
   struct Start {
+    const PlacedSurface* patch;
     std::array<double, 2> at{0, 0}, reach{0, 0};
   };
   using Place = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
   using Entry = std::pair<Place, std::size_t>;
   using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::quadratic<16>>;
-  PlacedSurface surface_;
   std::vector<Start> starts_;
   std::vector<Entry> entries_;
   Tree tree_;
@@ -144,17 +143,22 @@ class Bender {
     require(view.parameters != nullptr, "curved meshes need the parameters of the result");
     for (const FlatComplex::Face& face : flat_.faces) {
       Carrier carrier;
-      const PlacedSurface surface =
-          face.patch ? PlacedSurface(view.parameters->surfaces(face.patch->first), face.patch->second,
-                                     view.parameters->transform(face.patch->first))
-                     : PlacedSurface(nullptr, 0, {});
-      if (!surface.flat() && !face.cells.empty()) {
-        const auto [it, fresh] = charts_.try_emplace(*face.patch, surface);
-        for (const auto& facet : face.cells) {
-          for (const auto& cell : facet) it->second.add_cell(cell);
-        }
-        carrier.chart = &it->second;
-      } else if (face.facets.empty()) {
+      const auto add = [&](const FlatComplex::Patch& patch, const std::vector<PatchCorner>& cell) {
+        const PlacedSurface& surface = patch_surface(view, patch);
+        if (surface.flat()) return;
+        SurfaceChart& chart = charts_[{face.surface, face.surface == 0 ? patch : FlatComplex::Patch()}];
+        chart.add_cell(surface, cell);
+        carrier.chart = &chart;
+      };
+      for (const auto& facet : face.cells) {
+        for (const auto& cell : facet) add(*face.patch, cell);
+      }
+      for (const auto& [patch, cell] : face.cells_of_patches) add(patch, cell);
+      if (carrier.chart != nullptr) {
+        carriers_.push_back(carrier);
+        continue;
+      }
+      if (face.facets.empty()) {
         carrier.plane = true;
         double most = -1;
         for (const auto& t : face.triangles) {
@@ -166,7 +170,14 @@ class Bender {
       }
       carriers_.push_back(carrier);
     }
-    for (auto& [patch, chart] : charts_) chart.settle();
+    for (auto& [surface, chart] : charts_) chart.settle();
+  }
+
+  const PlacedSurface& patch_surface(const ResultView& view, const FlatComplex::Patch& patch) {
+    return surfaces_
+        .try_emplace(patch, view.parameters->surfaces(patch.first), patch.second,
+                     view.parameters->transform(patch.first))
+        .first->second;
   }
 
   /// True if one of the faces is curved.
@@ -464,7 +475,9 @@ class Bender {
   TetrahedralMesh& made_;
   Mesh& mesh_;
   const FlatComplex flat_;
-  std::map<FlatComplex::Patch, SurfaceChart> charts_;
+  std::map<FlatComplex::Patch, PlacedSurface> surfaces_;
+  // By the surface of the result's faces; where it has no number, by their patch.
+  std::map<std::pair<std::uint32_t, FlatComplex::Patch>, SurfaceChart> charts_;
   std::vector<Carrier> carriers_;  // of each face
   std::vector<Point> original_;
   std::vector<std::vector<Index>> point_faces_;

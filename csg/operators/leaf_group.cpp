@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <mutex>
 #include <tuple>
 
 #include "csg/operators/detect_regions.h"
@@ -63,54 +62,11 @@ class Holders {
   std::vector<std::vector<std::pair<IdT, LeafId>>> several_;  // by block
 };
 
-// The patches that are curved: their facets lie in more than one sheet, and they are one face for people. Made
-// when it is first asked for; thread-safe.
-class CurvedPatches {
- public:
-  explicit CurvedPatches(const Complex& complex) : complex_(complex) {}
-
-  bool has(LeafId leaf, std::uint32_t patch) const {
-    std::call_once(collected_, [&] { collect(); });
-    return std::binary_search(patches_.begin(), patches_.end(), std::pair(leaf, patch));
-  }
-
- private:
-  // Facets of one patch mostly come one after the other: one of each run is listed.
-  void collect() const {
-    std::vector<std::tuple<LeafId, std::uint32_t, SheetId>> facets;
-    for (FaceId f : IdRange<FaceId>(complex_.face_count())) {
-      for (const Cover& c : complex_.cover(f)) {
-        const Soup::Face& source = complex_.sources[c.source];
-        const std::pair patch(source.leaf, source.patch);
-        if (facets.empty() || patch_of(facets.back()) != patch) {
-          facets.emplace_back(source.leaf, source.patch, complex_.face_sheet[f]);
-        } else if (std::get<2>(facets.back()) != complex_.face_sheet[f] &&
-                   (patches_.empty() || patches_.back() != patch)) {
-          patches_.push_back(patch);
-        }
-      }
-    }
-    sort_unique(facets);
-    for (std::size_t i = 1; i < facets.size(); ++i) {
-      if (patch_of(facets[i - 1]) == patch_of(facets[i])) patches_.push_back(patch_of(facets[i]));
-    }
-    sort_unique(patches_);
-  }
-  static std::pair<LeafId, std::uint32_t> patch_of(const std::tuple<LeafId, std::uint32_t, SheetId>& facet) {
-    return {std::get<0>(facet), std::get<1>(facet)};
-  }
-
-  const Complex& complex_;
-  mutable std::once_flag collected_;
-  mutable std::vector<std::pair<LeafId, std::uint32_t>> patches_;
-};
-
 class LeafGroups {
  public:
   explicit LeafGroups(const Complex& complex)
       : complex_(complex),
         groups_(complex.leaf_count),
-        curved_(complex),
         only_source_(complex.face_count()),
         faces_(complex.face_count()),
         edges_(complex.edge_count()),
@@ -254,8 +210,8 @@ class LeafGroups {
   // False for two pieces of one and the same face or curved patch.
   bool parts(const Soup::Face& a, const Soup::Face& b) const {
     if ((a.leaf_face == b.leaf_face) == (a.patch == b.patch)) return a.patch != b.patch;
-    const bool curved = curved_.has(a.leaf, a.patch);
-    return curved != curved_.has(b.leaf, b.patch) || (curved ? a.patch != b.patch : a.leaf_face != b.leaf_face);
+    const bool curved = a.surface != 0;
+    return curved != (b.surface != 0) || (curved ? a.patch != b.patch : a.leaf_face != b.leaf_face);
   }
 
   // Any edge: fills `leaves` and `features`, ascending.
@@ -368,7 +324,7 @@ class LeafGroups {
     if (ends.count == 0) return false;
     const std::span<const LeafId> own(&leaf, 1);
     return ends.count != 2 ||
-           !(share_segment(a, b) || straight(complex_, v, a, b) || one_curve(complex_, v, a, b, own, own));
+           !(share_segment(a, b) || straight(complex_, v, a, b) || one_curve(complex_, v, {a, own}, {b, own}));
   }
 
   // Pieces of one input segment are on one line: no arithmetic with the point that cuts it.
@@ -416,7 +372,6 @@ class LeafGroups {
 
   const Complex& complex_;
   std::vector<Group> groups_;
-  CurvedPatches curved_;
   IdVector<FaceId, SourceId> only_source_;  // of a face with one cover, off the frame; none() otherwise
   Holders<FaceId> faces_;
   Holders<EdgeId> edges_, edge_features_;

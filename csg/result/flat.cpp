@@ -233,13 +233,16 @@ class Flattener {
       face.entity = from.component != 0 && !inside_component(from.component, from.regions);
       face.origin = origin_of(value_.selection.faces, value_.origins.faces, from.cells);
       face.patch = patch_of(from, face.origin.leaves);
-      if (view_.parameters != nullptr) add_cells(face, facets, from);
+      face.surface = surface_of(from, face);
+      if (view_.parameters == nullptr) return;
+      if (face.patch) add_cells(face, facets, from);
+      else if (face.surface != 0) add_cells_of_patches(face, from);
     });
   }
 
   void add_cells(FlatComplex::Face& face, const std::vector<std::pair<FlatComplex::Facet, HalfFace>>& facets,
                  const SimplifiedComplex::Face& from) const {
-    if (!face.patch || !view_.parameters->has(face.patch->first)) return;
+    if (!view_.parameters->has(face.patch->first)) return;
     if (!std::binary_search(face.origin.leaves.begin(), face.origin.leaves.end(), face.patch->first)) return;
     const auto add = [&](FaceId f, std::vector<std::vector<PatchCorner>>& list) {
       for (PlacedCell& cell : view_.parameters->cells(f, std::span(&face.patch->first, 1))) {
@@ -255,6 +258,50 @@ class Flattener {
     for (auto& list : face.cells) sort_unique(list);
     const auto none = [](const auto& list) { return list.empty(); };
     if (std::all_of(face.cells.begin(), face.cells.end(), none)) face.cells.clear();
+  }
+
+  /// True if the cover is of a leaf that the face came from; all are where none is.
+  bool is_own(const FlatComplex::Face& face, const Cover& cover) const {
+    const auto& leaves = face.origin.leaves;
+    return leaves.empty() || std::binary_search(leaves.begin(), leaves.end(), complex_.sources[cover.source].leaf);
+  }
+
+  /// The surface of the patch, or else the smallest number that all cells have.
+  std::uint32_t surface_of(const SimplifiedComplex::Face& from, const FlatComplex::Face& face) const {
+    if (complex_.surface_count == 0) return 0;
+    std::vector<std::uint32_t> common, here, both;
+    for (std::size_t i = 0; i < from.cells.size(); ++i) {
+      here.clear(), both.clear();
+      for (const Cover& cover : complex_.cover(from.cells[i].face())) {
+        const Soup::Face& source = complex_.sources[cover.source];
+        if (face.patch && FlatComplex::Patch(source.leaf, source.patch) == *face.patch) return source.surface;
+        if (source.surface != 0 && is_own(face, cover)) here.push_back(source.surface);
+      }
+      sort_unique(here);
+      if (i == 0) {
+        common = here;
+      } else {
+        std::set_intersection(common.begin(), common.end(), here.begin(), here.end(), std::back_inserter(both));
+        common.swap(both);
+      }
+      if (common.empty()) return 0;
+    }
+    return common.empty() ? 0 : common[0];
+  }
+
+  void add_cells_of_patches(FlatComplex::Face& face, const SimplifiedComplex::Face& from) const {
+    for (const HalfFace cell : from.cells) {
+      for (const Cover& cover : complex_.cover(cell.face())) {
+        const Soup::Face& source = complex_.sources[cover.source];
+        if (source.surface != face.surface || !is_own(face, cover)) continue;
+        for (PlacedCell& placed : view_.parameters->cells(cell.face(), std::span(&source.leaf, 1))) {
+          if (placed.patch == source.patch)
+            face.cells_of_patches.push_back({{source.leaf, source.patch}, std::move(placed.corners)});
+        }
+        break;
+      }
+    }
+    sort_unique(face.cells_of_patches);
   }
 
   /// Points of a facet, sorted: the same whichever side is the front.

@@ -73,6 +73,10 @@ struct FlatComplex {
     /// With ResultView::parameters, the cells of the leaf's patch (parameters.h) that the face lies in: of each
     /// facet (of a flat face: of all of it), each list ascending. Empty where `patch` has no parameters.
     std::vector<std::vector<std::vector<PatchCorner>>> cells;
+    /// The number of the curved surface that all of it lies on (Soup::Face::surface); 0: a plane, or several.
+    std::uint32_t surface = 0;
+    /// With ResultView::parameters, of a face of one surface but of several patches: the cells of all.
+    std::vector<std::pair<Patch, std::vector<PatchCorner>>> cells_of_patches;
   };
   struct Region {
     Component component = 0;

@@ -395,13 +395,14 @@ class Labeller {
       for (const HalfFace cell : simplified_.faces[i].cells) {
         for (const Cover& cover : exact_.cover(cell.face())) {
           const Soup::Face& source = exact_.sources[cover.source];
-          if (source.leaf != exact_.frame) on.push_back({source.leaf, source.leaf_face, source.patch, 0, 0});
+          if (source.leaf != exact_.frame)
+            on.push_back({source.leaf, source.leaf_face, source.patch, 0, 0, source.surface});
         }
       }
       std::sort(on.begin(), on.end(), order);
       on.erase(std::unique(on.begin(), on.end(), [&](const auto& a, const auto& b) { return !order(a, b); }),
                on.end());
-      on.push_back({result, i, i, 0, 0});
+      on.push_back({result, i, i, 0, 0, 0});
       auto& numbers = of_face.emplace_back();
       for (const Soup::Face& face : on) numbers.push_back(sources.push_back(face));
     }

@@ -53,11 +53,6 @@ int sign_of_volume(const WeldModel& model, const WeldModel::Solid& solid,
   return sgn(sum(std::move(parts)));
 }
 
-[[noreturn]] void refuse(const WeldModel& model, const std::string& what, const Rational& d) {
-  throw InputError(model.subject + "weld: " + what + " if all that is within " + to_decimal(d, 6) +
-                   " of each other were joined: give a smaller length");
-}
-
 class Welder {
  public:
   Welder(const WeldModel& model, const Rational& d) : model_(model), d_(d), square_(d * d), d_up_(rounded_up(d)) {}
@@ -325,7 +320,7 @@ class Welder {
     }
     for (Index face = 0; face < had.size(); ++face) {
       if (had[face] != 0 && has[face] == 0 && !model_.faces[face].may_vanish)
-        refuse(model_, model_.face_name(face) + " would vanish", d_);
+        refuse_weld(model_.subject, model_.face_name(face) + " would vanish", d_);
     }
     for (const WeldModel::Solid& solid : model_.solids) check_solid(model_, solid, result_.points, d_);
   }
@@ -355,7 +350,13 @@ void check_solid(const WeldModel& model, const WeldModel::Solid& solid, const st
   const int was = welding::sign_of_volume(model, solid, model.points);
   const int is = was == 0 ? 0 : welding::sign_of_volume(model, solid, after);
   if (was != is)
-    welding::refuse(model, solid.name + (is == 0 ? " would have no volume" : " would be turned inside out"), d);
+    refuse_weld(model.subject, solid.name + (is == 0 ? " would have no volume" : " would be turned inside out"),
+                d);
+}
+
+void refuse_weld(const std::string& subject, const std::string& what, const Rational& d) {
+  throw InputError(subject + "weld: " + what + " if all that is within " + to_decimal(d, 6) +
+                   " of each other were joined: give a smaller length");
 }
 
 Weld weld(const WeldModel& model, const Rational& d) { return welding::Welder(model, d).run(); }

@@ -83,6 +83,9 @@ struct Weld {
 void check_solid(const WeldModel& model, const WeldModel::Solid& solid, const std::vector<RationalPoint>& after,
                  const Rational& d);
 
+/// The words of all that is refused, such as `leaf 3, face 2 would vanish`; throws InputError.
+[[noreturn]] void refuse_weld(const std::string& subject, const std::string& what, const Rational& d);
+
 /// Throws InputError, which names a face or solid, if it would vanish or be turned inside out. d > 0.
 Weld weld(const WeldModel& model, const Rational& d);
 

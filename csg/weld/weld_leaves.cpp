@@ -80,14 +80,15 @@ std::shared_ptr<const LeafParameters> moved_parameters(const LeafParameters& old
 
 class LeafWelder {
  public:
-  LeafWelder(const std::vector<LeafInstance>& instances, const Rational& d) : instances_(instances), d_(d) {}
+  LeafWelder(const std::vector<LeafInstance>& instances, const Rational& d, const Rational& moved)
+      : instances_(instances), d_(d), way_(d - moved) {}
 
   WeldedLeaves run() {
     for (Index i = 0; i < instances_.size(); ++i) take(i);
     model_.face_name = [this](Index f) {
       return "leaf " + std::to_string(names_[f].first) + ", face " + std::to_string(names_[f].second);
     };
-    made_ = weld(model_, d_);
+    made_ = weld(model_, way_);
     WeldedLeaves result{instances_, made_.notice(d_)};
     for (Index i = 0; i < instances_.size(); ++i) {
       if (soups_[i] && is_moved(i)) result.instances[i] = replaced(i);
@@ -265,6 +266,7 @@ class LeafWelder {
 
   const std::vector<LeafInstance>& instances_;
   const Rational& d_;
+  const Rational way_;  // that points may still go
   WeldModel model_;
   Weld made_;
   std::vector<std::optional<Soup>> soups_;      // of each instance that is welded, where it is
@@ -274,8 +276,9 @@ class LeafWelder {
 
 }  // namespace
 
-WeldedLeaves weld_leaves(const std::vector<LeafInstance>& instances, const Rational& d) {
-  return LeafWelder(instances, d).run();
+WeldedLeaves weld_leaves(const std::vector<LeafInstance>& instances, const Rational& d, const Rational& moved) {
+  if (moved >= d) return {instances, {}};
+  return LeafWelder(instances, d, moved).run();
 }
 
 }  // namespace cnrg

@@ -17,7 +17,8 @@ struct WeldedLeaves {
 };
 
 /// Planes, half-spaces and results read back stay as they are. Throws InputError as `weld`, which names leaves and
-/// faces as `leaf 3, face 2`.
-WeldedLeaves weld_leaves(const std::vector<LeafInstance>& instances, const Rational& d);
+/// faces as `leaf 3, face 2`. `moved`: how far points of round leaves may have been moved before
+/// (weld_surfaces.h), at most d; all together go no farther than d.
+WeldedLeaves weld_leaves(const std::vector<LeafInstance>& instances, const Rational& d, const Rational& moved = 0);
 
 }  // namespace cnrg

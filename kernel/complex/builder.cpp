@@ -124,6 +124,7 @@ void ComplexBuilder::take_attributes() {
   for (std::size_t f = 0; f < soup_.face_count(); ++f) c_.sources.push_back(soup_.face(SourceId(f)));
   for (const Soup::Wire& w : soup_.wires()) c_.wires.push_back(w);
   c_.frame = soup_.frame();
+  number_surfaces(c_);
 }
 
 void ComplexBuilder::find_uses() {

@@ -50,6 +50,9 @@ class ComplexBuilder {
   UnionFind space_;  // shells, then infinity, then `wires_`, then `loose_`
 };
 
+/// Gives the soup faces of curved patches the numbers that they have not got yet (surfaces.cpp).
+void number_surfaces(Complex& complex);
+
 /// Sets `label_sets`, `region_labels` and `leaf_regions` (labels.cpp). Throws InputError for sides that contradict
 /// each other.
 void label_regions(const Soup& soup, Complex& complex);

@@ -98,8 +98,11 @@ class Complex {
   std::size_t leaf_count = 0;
   SparseLists<VertexId, LeafId> isolated_leaves;  ///< leaves that have the vertex as an isolated point
   SparseLists<VertexId, LeafId> curve_ends;       ///< leaves whose curves end in the vertex
-  IdVector<SourceId, Soup::Face> sources;         ///< attributes of soup faces
-  IdVector<WireId, Soup::Wire> wires;             ///< attributes of soup wires
+  /// Attributes of soup faces. `surface` is 0 for faces that lie on their planes alone; those of a curved patch
+  /// whose surface is not known have a number of its own.
+  IdVector<SourceId, Soup::Face> sources;
+  std::uint32_t surface_count = 0;     ///< curved ones
+  IdVector<WireId, Soup::Wire> wires;  ///< attributes of soup wires
   IdVector<LeafId, Fill> fills;
   /// The number of regions of each leaf (the largest label).
   IdVector<LeafId, std::uint32_t> leaf_regions;

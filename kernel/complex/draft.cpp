@@ -39,6 +39,7 @@ void ComplexDraft::set_sources(ComplexSources sources) {
   c.leaf_count = sources.leaf_count;
   c.fills.assign(c.leaf_count, Fill::none);
   c.leaf_regions.assign(c.leaf_count, 0);
+  number_surfaces(c);
 }
 
 void ComplexDraft::label(const Soup& soup) {

@@ -48,7 +48,7 @@ SourceId Soup::add_face(LeafId leaf, std::span<const std::vector<PointId>> loops
     }
   }
   offsets_.push_back(static_cast<std::uint32_t>(corners_.size()));
-  faces_.push_back({leaf, leaf_face, patch, front, back});
+  faces_.push_back({leaf, leaf_face, patch, front, back, 0});
   return SourceId(faces_.size() - 1);
 }
 
@@ -58,7 +58,7 @@ SourceId Soup::add_triangle(LeafId leaf, PointId a, PointId b, PointId c, std::u
   require(std::max({a.index(), b.index(), c.index()}) < point_count(), "soup: triangle with an unknown point");
   corners_.insert(corners_.end(), {a, b, c});
   offsets_.push_back(static_cast<std::uint32_t>(corners_.size()));
-  faces_.push_back({leaf, leaf_face, patch, front, back});
+  faces_.push_back({leaf, leaf_face, patch, front, back, 0});
   return SourceId(faces_.size() - 1);
 }
 
@@ -79,6 +79,12 @@ void Soup::add_curve_end(LeafId leaf, PointId p) {
   require(leaf.valid() && leaf.index() < fills_.size(), "soup: end of a curve of an unknown leaf");
   require(p.index() < point_count(), "soup: unknown end of a curve");
   curve_ends_.push_back({leaf, p});
+}
+
+void Soup::number_surfaces(const std::function<std::uint32_t(std::uint32_t patch)>& surface_of) {
+  const LeafId last(leaf_count() - 1);
+  for (auto face = faces_.rbegin(); face != faces_.rend() && face->leaf == last; ++face)
+    face->surface = surface_of(face->patch);
 }
 
 void Soup::set_frame(LeafId frame, PointId seed, std::vector<std::pair<LeafId, std::uint32_t>> seed_regions) {

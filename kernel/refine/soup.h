@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,7 +43,7 @@ class Soup {
   PointId add_point(const RationalPoint& p);
 
   /// Adds a face of `leaf`. `leaf_face` numbers the leaf's own faces (the triangles of one planar face share
-  /// one number), `patch` its surfaces (planes, cylinders, ...): facets of one curved patch share a number and
+  /// one number), `patch` its patches (a plane, a cylinder, ...): facets of one curved patch share a number and
   /// are one face for people. Loops have at least three points; they do not repeat the first at the end.
   SourceId add_face(LeafId leaf, std::span<const std::vector<PointId>> loops, std::uint32_t leaf_face,
                     std::uint32_t patch, std::uint32_t front = 0, std::uint32_t back = 0);
@@ -55,6 +56,9 @@ class Soup {
   /// Declares a corner of a curved surface, where curves of the leaf end: edges that meet there are not pieces of
   /// one curve. A corner is an attribute of the point, not a cell.
   void add_curve_end(LeafId leaf, PointId p);
+  /// Says which curved surfaces the patches of the last leaf lie on, by numbers from 1 that mean the same in all
+  /// leaves; 0: none is known.
+  void number_surfaces(const std::function<std::uint32_t(std::uint32_t patch)>& surface_of);
 
   /// Declares a leaf as the frame: a closed convex box, oriented outward, that cuts off what is unbounded. Points
   /// of other leaves are strictly inside, except where faces of unbounded leaves are cut off on it. Cells on and
@@ -66,6 +70,7 @@ class Soup {
   struct Face {
     LeafId leaf;
     std::uint32_t leaf_face = 0, patch = 0, front = 0, back = 0;
+    std::uint32_t surface = 0;  ///< the number of the curved surface that it lies on; 0: none is known
   };
   struct Wire {
     LeafId leaf;

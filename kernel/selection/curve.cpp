@@ -1,5 +1,5 @@
-// What lies along an edge is listed as patches and wire curves; edges of one curve have equal lists. Whether a
-// patch is curved at the vertex shows in its facets around both edges: they lie in more than one sheet.
+// What lies along an edge is listed as surfaces and wire curves; edges of one curve have equal lists. Whether a
+// surface is curved at the vertex shows in its facets around both edges: they lie in more than one sheet.
 #include "kernel/selection/curve.h"
 
 #include <algorithm>
@@ -11,8 +11,9 @@
 namespace cnrg {
 namespace {
 
-// What lies at an edge: (is a wire curve, leaf, number of the patch or curve).
-using Surface = std::tuple<bool, LeafId, std::uint32_t>;
+// What lies at an edge, in this order.
+enum class Kind : std::uint8_t { plane, curved, wire };
+using Surface = std::tuple<Kind, LeafId, std::uint32_t>;  // the number of the sheet, the surface, the leaf's curve
 
 VertexId other_end(const Complex& complex, EdgeId e, VertexId v) {
   const auto& ends = complex.edge_ends[e];
@@ -23,20 +24,26 @@ bool counts(LeavesThere leaves, LeafId leaf) {
   return !leaves || std::binary_search(leaves->begin(), leaves->end(), leaf);
 }
 
-void collect(const Complex& complex, EdgeId e, LeavesThere leaves, std::vector<Surface>& surfaces,
+Surface surface_of(const Complex& complex, FaceId f, const Cover& cover) {
+  const std::uint32_t number = complex.sources[cover.source].surface;
+  if (number != 0) return {Kind::curved, LeafId::none(), number};
+  return {Kind::plane, LeafId::none(), complex.face_sheet[f].value()};
+}
+
+void collect(const Complex& complex, const PieceOfCurve& at, std::vector<Surface>& surfaces,
              std::vector<std::pair<Surface, SheetId>>& facets) {
-  for (const FaceUse& use : complex.edge_uses[e]) {
+  for (const FaceUse& use : complex.edge_uses[at.edge]) {
+    const bool bare = std::find(at.bare.begin(), at.bare.end(), use.face) != at.bare.end();
     for (const Cover& c : complex.cover(use.face)) {
-      const Soup::Face& source = complex.sources[c.source];
-      if (!counts(leaves, source.leaf)) continue;
-      surfaces.emplace_back(false, source.leaf, source.patch);
+      if (!bare && !counts(at.leaves, complex.sources[c.source].leaf)) continue;
+      surfaces.push_back(surface_of(complex, use.face, c));
       facets.emplace_back(surfaces.back(), complex.face_sheet[use.face]);
     }
   }
-  for (SegmentId s : complex.edge_segments[e]) {
+  for (SegmentId s : complex.edge_segments[at.edge]) {
     for (WireId w : complex.segment_wires[s]) {
       const Soup::Wire& wire = complex.wires[w];
-      if (counts(leaves, wire.leaf)) surfaces.emplace_back(true, wire.leaf, wire.leaf_edge);
+      if (counts(at.leaves, wire.leaf)) surfaces.emplace_back(Kind::wire, wire.leaf, wire.leaf_edge);
     }
   }
   sort_unique(surfaces);
@@ -57,30 +64,36 @@ bool straight(const Complex& complex, VertexId v, EdgeId a, EdgeId b) {
   return collinear(complex.points, other_end(complex, a, v), v, other_end(complex, b, v));
 }
 
-bool one_curve(const Complex& complex, VertexId v, EdgeId a, EdgeId b, LeavesThere at_a, LeavesThere at_b) {
+bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const PieceOfCurve& b) {
   for (const LeafId leaf : complex.curve_ends[v]) {
-    if (counts(at_a, leaf) && counts(at_b, leaf)) return false;
+    if (counts(a.leaves, leaf) && counts(b.leaves, leaf)) return false;
   }
   std::vector<Surface> along_a, along_b;
   std::vector<std::pair<Surface, SheetId>> facets;
-  collect(complex, a, at_a, along_a, facets);
-  collect(complex, b, at_b, along_b, facets);
+  collect(complex, a, along_a, facets);
+  collect(complex, b, along_b, facets);
   if (along_a != along_b || along_a.empty()) return false;
-  if (std::get<0>(along_a.back())) return true;
+  if (std::get<0>(along_a.back()) == Kind::wire) return true;
   sort_unique(facets);
   const auto bent = std::adjacent_find(facets.begin(), facets.end(),
                                        [](const auto& x, const auto& y) { return x.first == y.first; });
   if (bent == facets.end()) return false;
-  return along_a.size() > 1 || turns_less_than_right_angle(complex, v, a, b);
+  return along_a.size() > 1 || turns_less_than_right_angle(complex, v, a.edge, b.edge);
 }
 
-bool share_patch(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f, LeavesThere at_g) {
+bool is_bare(const Complex& complex, FaceId f, LeavesThere leaves) {
+  const auto cover = complex.cover(f);
+  return std::none_of(cover.begin(), cover.end(),
+                      [&](const Cover& c) { return counts(leaves, complex.sources[c.source].leaf); });
+}
+
+bool share_surface(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f, LeavesThere at_g) {
+  const bool all_at_f = is_bare(complex, f, at_f), all_at_g = is_bare(complex, g, at_g);
   for (const Cover& c : complex.cover(f)) {
-    const Soup::Face& source = complex.sources[c.source];
+    if (!all_at_f && !counts(at_f, complex.sources[c.source].leaf)) continue;
     for (const Cover& d : complex.cover(g)) {
-      const Soup::Face& other = complex.sources[d.source];
-      if (source.leaf != other.leaf || source.patch != other.patch) continue;
-      if (counts(at_f, source.leaf) && counts(at_g, source.leaf)) return true;
+      if (!all_at_g && !counts(at_g, complex.sources[d.source].leaf)) continue;
+      if (surface_of(complex, f, c) == surface_of(complex, g, d)) return true;
     }
   }
   return false;

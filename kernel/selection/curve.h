@@ -1,13 +1,14 @@
 // When two edges continue each other: on a line, or on one tessellated curve (csg/SEMANTICS.md#simplification).
 //
-// A curve leaves no equation in the complex, only facets that remember their patch and wires that remember their
-// curve. Two edges are pieces of one curve when the same patches (of the same leaves) lie around both and the same
-// wires' curves on both, and one of these is curved at the vertex: a patch with facets of more than one sheet
-// there, or a shared wire curve. Where a leaf says that its curves end (the corners of a curved surface), none
-// goes on. If one single patch lies around the edges they are on its border, and must turn by less than a right
-// angle: a leaf of mere triangles names no corners.
+// A curve leaves no equation in the complex, only facets that know the number of their surface and wires that
+// remember their curve. Two edges are pieces of one curve when the same surfaces lie around both, curved ones and
+// planes, and the same wires' curves on both, and one of these is curved at the vertex: a surface with facets of
+// more than one sheet there, or a shared wire curve. Where a leaf says that its curves end (the corners of a
+// curved surface), none goes on. If one single surface lies around the edges they are on its border, and must turn
+// by less than a right angle: a leaf of mere triangles names no corners.
 //
-// Only leaves that the value in question came from count: others may run along a curve for a part of its way.
+// Only leaves that the value in question came from count: others may run along a curve for a part of its way. A
+// face that none of these covers, the wall of a hole that another leaf has cut, lies on what cut it.
 #pragma once
 
 #include <optional>
@@ -23,13 +24,21 @@ using LeavesThere = std::optional<std::span<const LeafId>>;
 /// True if a and b, two different edges at v, lie on one line (exact).
 bool straight(const Complex& complex, VertexId v, EdgeId a, EdgeId b);
 
-/// True if a and b, two different edges at v that are not on one line, are pieces of one tessellated curve, of
-/// the leaves that count at each of them.
-bool one_curve(const Complex& complex, VertexId v, EdgeId a, EdgeId b, LeavesThere at_a = {},
-               LeavesThere at_b = {});
+/// An edge and what counts there.
+struct PieceOfCurve {
+  EdgeId edge;
+  LeavesThere leaves{};
+  std::span<const FaceId> bare{};  ///< faces around it of which all leaves count
+};
 
-/// True if a patch (of the same leaf, which counts at both) covers both faces. When they lie in different sheets
-/// it is a curved one.
-bool share_patch(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f = {}, LeavesThere at_g = {});
+/// True if a and b, two different edges at v that are not on one line, are pieces of one tessellated curve.
+bool one_curve(const Complex& complex, VertexId v, const PieceOfCurve& a, const PieceOfCurve& b);
+
+/// True if none of the leaves covers the face.
+bool is_bare(const Complex& complex, FaceId f, LeavesThere leaves);
+
+/// True if both faces lie on one surface, a curved one or a plane, by the leaves that count at each; where none of
+/// them covers a face all do.
+bool share_surface(const Complex& complex, FaceId f, FaceId g, LeavesThere at_f = {}, LeavesThere at_g = {});
 
 }  // namespace cnrg

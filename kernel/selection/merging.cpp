@@ -171,9 +171,7 @@ Merging::Fate Merging::decide(EdgeId e) const {
   if (n == 1) return Fate::kept;
   const FaceId f = use(pair[0]).face, g = use(pair[1]).face;
   if (s != state(f) || s != state(g)) return Fate::kept;
-  const bool coplanar = complex_.face_sheet[f] == complex_.face_sheet[g];
-  if (!coplanar && (mode_ == SimplifyMode::points || !one_patch(f, g))) return Fate::kept;
-  return Fate::in_face;
+  return one_surface(f, g) ? Fate::in_face : Fate::kept;
 }
 
 void Merging::uses_along(FaceId f, LoopId l, std::vector<Use>& out) const {
@@ -312,21 +310,35 @@ bool Merging::continues(VertexId v, EdgeId a, EdgeId b) {
   return straight(complex_, v, a, b) || (mode_ != SimplifyMode::points && one_curve(v, a, b));
 }
 
-bool Merging::one_patch(FaceId f, FaceId g) const {
-  if (!share_patch(complex_, f, g)) return false;
+// True for faces of one plane or of one curved surface. Facets of two curved surfaces may lie in one plane by
+// chance: they are no face of it.
+bool Merging::one_surface(FaceId f, FaceId g) const {
+  const bool coplanar = complex_.face_sheet[f] == complex_.face_sheet[g];
+  if (mode_ == SimplifyMode::points || (coplanar && complex_.surface_count == 0)) return coplanar;
+  if (!share_surface(complex_, f, g)) return false;
   if (sources_ == nullptr) return true;
   std::vector<LeafId> at_f, at_g;
   sources_->leaves_of(f, at_f);
   sources_->leaves_of(g, at_g);
-  return share_patch(complex_, f, g, at_f, at_g);
+  return share_surface(complex_, f, g, at_f, at_g);
 }
 
 bool Merging::one_curve(VertexId v, EdgeId a, EdgeId b) const {
-  if (sources_ == nullptr) return cnrg::one_curve(complex_, v, a, b);
-  std::vector<LeafId> at_a, at_b;
-  sources_->leaves_of(a, at_a);
-  sources_->leaves_of(b, at_b);
-  return cnrg::one_curve(complex_, v, a, b, at_a, at_b);
+  if (sources_ == nullptr) return cnrg::one_curve(complex_, v, {a}, {b});
+  struct Side {
+    std::vector<LeafId> leaves;
+    std::vector<FaceId> bare;
+  };
+  const auto side = [&](EdgeId e) {
+    Side result;
+    sources_->leaves_of(e, result.leaves);
+    for (Use u = first_use(e); u != end_use(e); ++u) {
+      if (remains(u) && is_bare(complex_, use(u).face, result.leaves)) result.bare.push_back(use(u).face);
+    }
+    return result;
+  };
+  const Side at_a = side(a), at_b = side(b);
+  return cnrg::one_curve(complex_, v, {a, at_a.leaves, at_a.bare}, {b, at_b.leaves, at_b.bare});
 }
 
 }  // namespace cnrg

@@ -108,7 +108,7 @@ class Merging {
   bool pinned(VertexId v) const;
   Fate decide(VertexId v);
   bool continues(VertexId v, EdgeId a, EdgeId b);
-  bool one_patch(FaceId f, FaceId g) const;
+  bool one_surface(FaceId f, FaceId g) const;
   bool one_curve(VertexId v, EdgeId a, EdgeId b) const;
   void link_loops(FaceId f);
   Use neighbour(Use u, VertexId v);

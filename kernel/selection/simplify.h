@@ -1,7 +1,7 @@
 // Simplification of a selection (Rossignac & O'Connor 1990, SGC; csg/SEMANTICS.md#simplification).
 //
 // Removes what no label needs: faces whose two regions and itself carry one state; then edges with exactly
-// two coplanar faces (or of one curved patch) of their state, or in the interior of a region of their state;
+// two faces of their state on one plane or curved surface, or in the interior of a region of their state;
 // then vertices between exactly two collinear edges (or of one curve) of their state, or in the interior of a
 // face or region of their state. Features stay.
 #pragma once
@@ -59,12 +59,12 @@ struct SimplifiedComplex {
 
 enum class SimplifyMode {
   features,  ///< keep features
-  points,    ///< forget features, patches and curves: the canonical form of the point set
+  points,    ///< forget features, curved surfaces and curves: the canonical form of the point set
   raw,       ///< merge nothing but what is inactive on both sides: every active cell stays a cell
 };
 
-/// The leaves that each cell of a selection came from. Two cells may be of one patch or curve of a leaf that both
-/// came from: then the result does not depend on what else is in the complex.
+/// The leaves that each cell of a selection came from. What these say of surfaces and curves counts alone: then
+/// the result does not depend on what else is in the complex.
 class CellSources {
  public:
   virtual ~CellSources() = default;

@@ -356,12 +356,16 @@ TEST_CASE("check reads and validates only", "[app]") {
   CHECK(o.out == "t.yaml: 7 nodes, 4 of them leaves; no faults\n");
 }
 
-TEST_CASE("uncertain crossings of curved surfaces are an error if they are asked about", "[app]") {
+TEST_CASE("uncertain crossings of curved surfaces are told, and an error if that is asked for", "[app]") {
   const Workshop w;
   w.write("dip.yaml",
           "cnrg: 1\nnodes:\n  pipe: {cylinder: {from: [-4, 0, 0.999], to: [4, 0, 0.999], radius: 1}}\n"
           "  slab: {box: {min: [-5, -5, -1], max: [5, 5, 0]}}\n  model: {union: [pipe, slab]}\nresult: model\n");
-  CHECK(w.run("eval dip.yaml").err.empty());
+  const std::string told = w.run("eval dip.yaml").err;
+  CHECK_THAT(told, StartsWith("dip.yaml:3:10: notice: `pipe` (cylinder side) and `slab` meet near ["));
+  CHECK(std::count(told.begin(), told.end(), '\n') == 2);
+  CHECK(w.run("eval dip.yaml --finer 8").err.empty());
+  CHECK(w.run("eval dip.yaml --quiet").err.empty());
   for (const std::string command : {"eval dip.yaml", "mesh dip.yaml -o dip.msh"}) {
     INFO(command);
     Outcome o = w.run(command + " --certify");

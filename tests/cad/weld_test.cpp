@@ -1,9 +1,12 @@
 // Models whose faces are meant to coincide and differ by what doubles make of them: welded, they have the
 // vertices, edges, faces and solids of OpenCASCADE's own fragments, which work with a tolerance throughout.
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <gp_Ax2.hxx>
@@ -122,6 +125,41 @@ TEST_CASE("radii that differ by 1e-12 are two cylinders, and a notice says so", 
   CHECK(file.leaf(", weld: 1e-9").rows[0].cells[2] == 11);
   CHECK(File(compound({bored_box(), bolt(0.9)})).leaf("").diagnostics.empty());
   CHECK(File(compound({bored_box(), bolt(1)})).leaf("").diagnostics.empty());
+}
+
+TEST_CASE("a bolt that was turned and is off in its last digits fills its hole", "[weld]") {
+  // Other corners of circles than in the block, another radius, another axis.
+  const auto bolt = [](double off, double turn) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2({2 + off, 2, 0.5}, {off, 0, 1}, {std::cos(turn), std::sin(turn), 0}),
+                                    1 + off, 1)
+        .Shape();
+  };
+  for (const double off : {0.0, 1e-15, -1e-15, 3e-12}) {
+    for (const double turn : {0.0, 0.3, 2.0}) {
+      const File file(compound({bored_box(), bolt(off, turn)}));
+      for (const char* options : {", weld: 1e-9", ", weld: 1e-9, segments: 24", ", weld: 1e-9, chord: 0.02",
+                                  ", weld: 1e-9, fill: winding"}) {
+        CAPTURE(off, turn, options);
+        const Evaluation evaluation = file.leaf(options);
+        CHECK(evaluation.rows[0].cells[2] == 11);
+        CHECK(evaluation.rows[0].regions == 2);
+      }
+    }
+  }
+}
+
+TEST_CASE("a lens that is off in its last digits fits its seat", "[weld]") {
+  const auto ball = [](double off) {
+    return BRepPrimAPI_MakeSphere(gp_Ax2({off, -off, off}, {0, 0, 1}, {1, 0, 0}), 2.5 + off).Shape();
+  };
+  const auto cells = [&](double off, const char* options) {
+    const TopoDS_Shape half = box({-3, -3, 0}, {3, 3, 3}), block = box({-4, -4, 1}, {4, 4, 4});
+    const TopoDS_Shape lens = BRepAlgoAPI_Common(ball(off), half).Shape();
+    return File(compound({lens, cut(block, ball(0))})).leaf(options).rows[0].cells;
+  };
+  const Cells exact = cells(0, "");
+  CHECK(cells(1e-15, ", weld: 1e-9") == exact);
+  CHECK(cells(2e-12, ", weld: 1e-9, segments: 20") == exact);
 }
 
 TEST_CASE("a solid as thin as the length is refused by the names of its faces", "[weld]") {

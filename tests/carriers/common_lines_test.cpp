@@ -3,40 +3,12 @@
 #include "csg/carriers/common_lines.h"
 
 #include <catch2/catch.hpp>
-#include <random>
-#include <string>
 
-#include "csg/evaluate/evaluate.h"
 #include "csg/evaluate/prepared_leaves.h"
+#include "tests/carriers/rows.h"
 
 namespace cnrg {
 namespace {
-
-using Cells = std::array<std::size_t, 4>;
-
-Evaluation evaluated(const std::string& nodes, const std::string& result = "model") {
-  EvaluateOptions options;
-  options.validate = true;
-  return evaluate(parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: " + result + "\n", "t.yaml"), options);
-}
-NodeRow row(const std::string& nodes) { return evaluated(nodes).rows.back(); }
-
-std::string number(long value) { return std::to_string(value); }
-
-/// A random vector of small whole numbers, not zero.
-std::string direction(std::mt19937_64& random) {
-  std::uniform_int_distribution<int> some(-4, 4);
-  int x = 0, y = 0, z = 0;
-  while (x == 0 && y == 0 && z == 0) x = some(random), y = some(random), z = some(random);
-  return "[" + number(x) + ", " + number(y) + ", " + number(z) + "]";
-}
-
-/// A random rotation and shift, the same text each time it is used.
-std::string placed(std::mt19937_64& random) {
-  std::uniform_int_distribution<int> degrees(1, 359), shift(-30, 30);
-  return ", rotate: {axis: " + direction(random) + ", degrees: " + number(degrees(random)) + "}, translate: [" +
-         number(shift(random)) + ".3, " + number(shift(random)) + ".7, " + number(shift(random)) + "]";
-}
 
 TEST_CASE("a shaft in its bore leaves no void, whatever their segments") {
   std::mt19937_64 random(1);
@@ -283,6 +255,23 @@ TEST_CASE("cylinders and balls side by side touch in lines and points") {
           "  model: {union: [a, b, ball, small], dominance: left}\n");
   // The line of contact ends on a rim of each cylinder; the ball touches one of them and the other ball.
   CHECK(three.cells == Cells{4, 5, 8, 4});
+}
+
+TEST_CASE("logs that lie across each other touch in a point") {
+  std::mt19937_64 random(7);
+  std::uniform_int_distribution<int> segments(5, 30);
+  for (int i = 0; i < 6; ++i) {
+    const std::string at = i == 0 ? "" : placed(random);
+    const auto log = [&](const std::string& name, const std::string& ends, const std::string& radius) {
+      return "  " + name + ": {cylinder: {" + ends + ", radius: " + radius +
+             ", segments: " + number(segments(random)) + "}" + at + "}\n";
+    };
+    // The third one reaches the first with its rim only.
+    const NodeRow three =
+        row(log("a", "from: [-4, 0, 1], to: [5, 0, 1]", "1") + log("b", "from: [1, -3, 4], to: [4, 1, 4]", "2") +
+            log("c", "from: [-2, 0, 4], to: [-2, 5, 4]", "2") + "  model: {union: [a, b, c], dominance: left}\n");
+    CHECK(three.cells == Cells{2, 6, 9, 3});
+  }
 }
 
 // Scaled by a number that is no double, the contact of torus and ball was found twice, a rounding apart.

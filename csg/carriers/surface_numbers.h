@@ -1,0 +1,23 @@
+// Which curved patches of all leaves lie on one surface: numbers, equal where surfaces are.
+//
+// Where two half balls meet, a ball has one face, as two boxes side by side have one top. Facets cannot tell:
+// those of different patches lie on one surface although they have no cell in common, and facets of different
+// surfaces lie in one plane by chance. So each surface is written down in a form that is equal for equal surfaces,
+// whatever shape, place, extent or direction its patch came with: quadrics by the ten coefficients of their
+// equation under the transform, tori by axis and radii in the metric in which they are round, all others by the
+// polynomials of their nets (net_carriers.h).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "csg/leaves/leaf.h"
+
+namespace cnrg {
+
+/// Of each instance, by the number of the patch: that of its surface, from 1. 0, also beyond the end: the patch is
+/// flat, or what it lies on is not known. A patch of several nets lies on one surface with another one only if it
+/// lies on all of its surfaces.
+std::vector<std::vector<std::uint32_t>> surface_numbers(const std::vector<LeafInstance>& instances);
+
+}  // namespace cnrg
