@@ -44,22 +44,16 @@ void note(const Verdict& verdict, Component& mark) {
   if (fate.removed || mark == 0 || Fate::of(mark).removed || !outside) mark = fate.component();
 }
 
-/// True if it was not too much.
-bool ask_tables(const Complex& complex, const Node& node, const std::vector<Operand>& operands, std::size_t most,
-                Marks& marks) {
-  std::size_t asked = 0;
+void ask_tables(const Complex& complex, const Node& node, const std::vector<Operand>& operands, Marks& marks) {
   for_each_step(complex, node, operands, [&](const BooleanStep& step) {
     for (const Group* group : {&step.left, &step.right}) {
       for_each_list(*group, [&](const auto& cells) {
-        asked += cells.size();
-        if (asked > most) return;
         for (const auto cell : cells) {
           note(verdict(complex, step.op, step.dominance, step.left, step.right, step.result, cell), marks[cell]);
         }
       });
     }
   });
-  return asked <= most;
 }
 
 }  // namespace
@@ -75,8 +69,7 @@ Fate Fate::of(Component component) {
   return {static_cast<Relation>(code / 4), (code & 2) != 0, (code & 1) != 0, true};
 }
 
-std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, InstanceId id, std::size_t most,
-                               bool& too_many) {
+std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, InstanceId id) {
   const Complex& complex = *evaluation.complex;
   const Instance& instance = evaluation.instances[id];
   const Node& node = tree.nodes[instance.node];
@@ -88,10 +81,7 @@ std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, I
   }
   const bool boolean =
       node.op == Operator::unite || node.op == Operator::intersect || node.op == Operator::subtract;
-  if (boolean && !ask_tables(complex, node, operands, most, marks)) {
-    too_many = true;
-    return std::nullopt;
-  }
+  if (boolean) ask_tables(complex, node, operands, marks);
   // What no table was asked about: what the operands have and the value does not.
   const Selection kept = selection_of(complex, *evaluation.values[id]);
   const auto lose = [&](const auto& before, const auto& after, auto& mark) {

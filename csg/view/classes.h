@@ -26,9 +26,7 @@ struct Fate {
 
 /// The entities of the operands of an instance, those of dimension 2 at most, each in the component of its fate.
 /// An entity that several steps of a fold ask about has the fate of the last that did not merely find it outside.
-/// Nothing for leaves, for what keeps all, and where more than `most` questions would have to be asked (then
-/// `too_many` becomes true).
-std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, InstanceId id, std::size_t most,
-                               bool& too_many);
+/// Nothing for leaves and where no table was asked and nothing went.
+std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, InstanceId id);
 
 }  // namespace cnrg

@@ -370,8 +370,20 @@ std::vector<std::string> in_order(const std::map<std::string, std::uint32_t>& ta
   return out;
 }
 
+PageCosts page_costs(const Evaluation& evaluation, const KeptValue& kept, InstanceId id) {
+  PageCosts out;
+  out.topology = pieces_of(*kept.simplified);
+  out.stories = out.topology * instances_under(evaluation, id);
+  const std::vector<InstanceId>& operands = evaluation.instances[id].operands;
+  for (const InstanceId operand : operands) {
+    const auto& [v, e, f, r] = evaluation.rows[operand.index()].raw_cells;
+    out.classes += (v + e + f) * operands.size();
+  }
+  return out;
+}
+
 Json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept, InstanceId id,
-               const PageLimits& limits, PageTables& tables) {
+               const Told& told, PageTables& tables) {
   const Complex& complex = *evaluation.complex;
   const NodeRow& row = evaluation.rows[id.index()];
   const Result result = evaluation.result(kept.node);
@@ -400,19 +412,16 @@ Json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& 
   out["cells"] = Cells(flat, tables).json(true);
   out["radial"] = radial_orders(complex, *kept.simplified, tables);
 
-  const std::size_t pieces = pieces_of(*kept.simplified);
-  if (pieces <= limits.topology) add_topology(evaluation, kept, flat, tables, out);
-  else out["too_many"]["topology"] = pieces;
-  if (pieces * instances_under(evaluation, id) <= limits.stories) {
-    out["stories"] = stories(tree, evaluation, kept, tables);
-  } else {
-    out["too_many"]["stories"] = pieces;
+  if (told.topology) add_topology(evaluation, kept, flat, tables, out);
+  if (told.stories) out["stories"] = stories(tree, evaluation, kept, tables);
+  if (told.classes) {
+    if (std::optional<Selection> all = fates(tree, evaluation, id)) {
+      out["classes"] = classes_data(tree, evaluation, id, std::move(*all), tables);
+    }
   }
-  bool too_many = false;
-  if (std::optional<Selection> all = fates(tree, evaluation, id, limits.classes, too_many)) {
-    out["classes"] = classes_data(tree, evaluation, id, std::move(*all), tables);
-  }
-  if (too_many) out["too_many"]["classes"] = limits.classes;
+  if (!told.topology) out["left_out"].push_back("topology");
+  if (!told.stories) out["left_out"].push_back("stories");
+  if (!told.classes) out["left_out"].push_back("classes");
   return out;
 }
 

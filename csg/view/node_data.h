@@ -32,8 +32,19 @@ struct PageTables {
 /// The texts of a table by their numbers.
 std::vector<std::string> in_order(const std::map<std::string, std::uint32_t>& table);
 
+/// What telling all of a node costs, in the units of PageLimits.
+struct PageCosts {
+  std::size_t stories = 0, topology = 0, classes = 0;
+};
+PageCosts page_costs(const Evaluation& evaluation, const KeptValue& kept, InstanceId id);
+
+/// What is told of a node besides its cells.
+struct Told {
+  bool stories = true, topology = true, classes = true;
+};
+
 /// Of a node that was asked for; `id` is the instance of its value.
 nlohmann::ordered_json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept,
-                                 InstanceId id, const PageLimits& limits, PageTables& tables);
+                                 InstanceId id, const Told& told, PageTables& tables);
 
 }  // namespace cnrg

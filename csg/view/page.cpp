@@ -2,6 +2,7 @@
 #include "csg/view/page.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "csg/operators/node_value.h"
 #include "csg/text/escape.h"
@@ -77,6 +78,31 @@ std::vector<std::pair<InstanceId, const KeptValue*>> shown_nodes(const Evaluatio
   return {found.begin(), found.end()};
 }
 
+/// What is told of each node, within the limits: of the result first, then of nodes of few cells.
+std::vector<Told> told_of(const Evaluation& evaluation,
+                          const std::vector<std::pair<InstanceId, const KeptValue*>>& nodes, PageLimits left) {
+  std::vector<PageCosts> costs;
+  for (const auto& [id, kept] : nodes) costs.push_back(page_costs(evaluation, *kept, id));
+  std::vector<std::size_t> order(nodes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const NodeId result = evaluation.kept.front().node;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const bool first = nodes[a].second->node == result, second = nodes[b].second->node == result;
+    return first != second ? first : costs[a].stories < costs[b].stories;
+  });
+  const auto take = [](std::size_t cost, std::size_t& from) {
+    if (cost > from) return false;
+    from -= cost;
+    return true;
+  };
+  std::vector<Told> out(nodes.size());
+  for (const std::size_t i : order) {
+    out[i] = {take(costs[i].stories, left.stories), take(costs[i].topology, left.topology),
+              take(costs[i].classes, left.classes)};
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string page_data(const Tree& tree, const Evaluation& evaluation, const PageLimits& limits) {
@@ -86,8 +112,9 @@ std::string page_data(const Tree& tree, const Evaluation& evaluation, const Page
   std::map<NodeId, std::size_t> place;
   for (const auto& [id, kept] : nodes) place.emplace(kept->node, place.size());
   Json list = Json::array();
+  const std::vector<Told> told = told_of(evaluation, nodes, limits);
   for (const auto& [id, kept] : nodes) {
-    Json node = node_data(tree, evaluation, *kept, id, limits, tables);
+    Json node = node_data(tree, evaluation, *kept, id, told[list.size()], tables);
     Json operands = Json::array();
     for (const NodeId operand : tree.operands(kept->node)) {
       if (const auto at = place.find(operand); at != place.end()) operands.push_back(at->second);

@@ -15,11 +15,12 @@
 
 namespace cnrg {
 
-/// Up to where a page tells everything. Beyond, it says what it leaves out, and the command that tells it.
+/// How much a page tells in all. Of what would be more, nodes of few cells are told first, the result before all
+/// others; of those that are left out the page says so, and names the command that tells.
 struct PageLimits {
-  std::size_t stories = 400'000;   ///< cells of the refinement that a node unites, times the nodes below it
-  std::size_t topology = 100'000;  ///< cells of the refinement that a node unites
-  std::size_t classes = 400'000;   ///< entities that the steps of a Boolean ask about
+  std::size_t stories = 1'000'000;  ///< cells of the refinement that a node unites, times the nodes below it
+  std::size_t topology = 300'000;   ///< cells of the refinement that a node unites
+  std::size_t classes = 1'000'000;  ///< entities that the steps of a Boolean ask about
 };
 
 /// The data of the page, as JSON that may stand in HTML: no `<` is in it. The evaluation must have kept all values

@@ -78,7 +78,7 @@ TEST_CASE("a command line that makes no sense is bad input", "[app][errors]") {
 TEST_CASE("help lists what there is, and nothing else is a command", "[app][errors]") {
   const Workshop w;
   CHECK_THAT(w.run("--help").out, !Contains("not in this version"));
-  const Outcome o = w.run("view t.yaml -o a.html");
+  const Outcome o = w.run("paint t.yaml -o a.html");
   CHECK(o.status == 2);
   CHECK(lines_in(o.err) == 1);
   CHECK_THAT(o.err, StartsWith("cnrg: error: "));

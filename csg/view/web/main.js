@@ -197,7 +197,7 @@ function showLegend() {
   if (rows.length > most) list.append(h('li', {class: 'soft'}, `and ${rows.length - most} more`));
   const says = [];
   if (state.colour === 'class' && !model.classes) {
-    says.push(h('p', {}, model.node.too_many?.classes ? 'Too many entities to ask the table about each.' : model.node.operands.length ? 'Nothing to tell apart here.' : 'A leaf has no operands.'));
+    says.push(h('p', {}, model.node.left_out?.includes('classes') ? 'Too many entities to ask the table about each.' : model.node.operands.length ? 'Nothing to tell apart here.' : 'A leaf has no operands.'));
   }
   $('legend').replaceChildren(...says, list);
   $('legend').hidden = rows.length === 0 && says.length === 0;

@@ -120,7 +120,7 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
   const told = model.story(cell);
   parts.push(h('h3', {}, 'Story'));
   if (told) parts.push(storyText(told));
-  else parts.push(h('p', {class: 'soft'}, `The node unites ${model.node.too_many.stories} cells of the refinement: too many for all stories to be in a page. This tells the one:`));
+  else parts.push(h('p', {class: 'soft'}, 'All stories of all nodes would be too many for a page, and this node’s are left out. This tells the one:'));
   parts.push(command(['cnrg', 'explain', model.page.tree, '--node', model.node.name, '--cell', nameOf(cell)], copied));
   if (told && model.page.several) parts.push(h('p', {class: 'soft'}, 'The page refines all of its nodes together, the command this node and the result: it may count fewer cells of the refinement.'));
   holder.replaceChildren(...parts.filter(Boolean));
@@ -190,7 +190,7 @@ export function showNode(holder, model, {pick, choose, legend}) {
       h('p', {class: 'soft'}, 'b0 pieces, b1 independent loops, b2 enclosed cavities; the same over Z/2 and Q.'));
     if (!node.euler) parts.push(h('p', {class: 'soft'}, 'Euler–Poincaré is not stated: the set is unbounded.'));
   }
-  if (node.too_many?.topology) parts.push(h('p', {class: 'soft'}, 'Too many cells for its topology to be in a page; `cnrg eval --topology` tells it.'));
+  if (node.left_out?.includes('topology')) parts.push(h('p', {class: 'soft'}, 'Its topology is left out, for the nodes have too many cells; `cnrg eval --topology` tells it.'));
   const odd = new Map();
   for (const kind of ['v', 'e']) model.shapes?.[kind].forEach((w, i) => {
     const word = w && page.words[w - 1];
