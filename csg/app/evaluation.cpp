@@ -55,7 +55,7 @@ Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quie
 void tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
   if (quiet) return;
   constexpr std::size_t kTold = 3;
-  const Certificate certificate = certify(tree, evaluation, kTold);
+  const Certificate certificate = certify(tree, evaluation, kTold, false);
   print(certificate.notices, quiet);
   if (certificate.places <= kTold) return;
   tell(tree.file + ": notice: " + count(certificate.places - kTold, "more place") +

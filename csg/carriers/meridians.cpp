@@ -249,17 +249,15 @@ MeridianPoint MeridianPlane::on_arc(const Arc& arc, const Rational& degrees) con
 
 void MeridianPlane::sample(Arc& arc) const {
   // Of marks that are one point but for what square roots round, that which is nearest to the circle stays.
-  const auto off_circle = [&](const Point& p) -> Rational {
+  std::vector<std::pair<Rational, Point>> by_error;
+  for (const Point& p : arc.marks) {
     const Point off = p - arc.middle;
-    return abs(dot(off, off, square_) - arc.radius * arc.radius);
-  };
-  std::sort(arc.marks.begin(), arc.marks.end(), [&](const Point& a, const Point& b) {
-    const Rational x = off_circle(a), y = off_circle(b);
-    return x != y ? x < y : a < b;
-  });
+    by_error.emplace_back(abs(dot(off, off, square_) - arc.radius * arc.radius), p);
+  }
+  std::sort(by_error.begin(), by_error.end());
   std::vector<Point> kept;
   std::vector<double> marked;
-  for (const Point& p : arc.marks) {
+  for (const auto& [error, p] : by_error) {
     const double angle = angle_of(arc, p);
     const bool known = std::any_of(marked.begin(), marked.end(), [&](double other) {
       return std::abs(std::remainder(angle - other, 360)) < kNear;

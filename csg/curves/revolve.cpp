@@ -58,10 +58,9 @@ Rational check_radii(const std::vector<SampledLine>& lines) {
   return largest;
 }
 
-/// The unit vector along the axis: exact about the axes of coordinates, else to 52 bits.
+/// The unit vector along the axis: exact where it is rational, else to 52 bits.
 RationalPoint unit(const CircleFrame& frame) {
-  const Rational square = 1 / dot(frame.axis(), frame.axis());
-  return round_cosine(0, square, exponent_of_root(square) - 51) * frame.axis();
+  return scaled_cosine(0, 1 / dot(frame.axis(), frame.axis())) * frame.axis();
 }
 
 /// What carries the patches: the profile's pieces in its order, or against it where a line was turned round.

@@ -22,12 +22,13 @@ std::string coordinates(const std::array<double, 3>& p) {
 
 }  // namespace
 
-Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t listed) {
+Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t listed, bool at_vertices) {
   std::vector<char> asked(evaluation.complex->edge_count(), 0);
   for (const KeptValue& kept : evaluation.kept) {
     for (std::size_t e = 0; e < asked.size(); ++e) asked[e] |= kept.simplified->edge_place[e].dimension == 1;
   }
-  const Transversality found = transversality(*evaluation.complex, *evaluation.parameters, listed, asked);
+  const Transversality found =
+      transversality(*evaluation.complex, *evaluation.parameters, listed, asked, at_vertices);
   Certificate result{found.edges, found.places.size(), {}};
   const auto numbers = number_leaves(tree, evaluation.instances);
   std::vector<NodeId> nodes(evaluation.complex->leaf_count);

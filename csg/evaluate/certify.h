@@ -16,7 +16,8 @@ struct Certificate {
   std::vector<Diagnostic> notices;  ///< of the first places, at their leaves
 };
 
-/// Places are told one by one, at most `listed` of them.
-Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t listed = 10);
+/// Places are told one by one, at most `listed` of them. `at_vertices`: as of `transversality`.
+Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t listed = 10,
+                    bool at_vertices = true);
 
 }  // namespace cnrg

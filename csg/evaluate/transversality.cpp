@@ -72,14 +72,22 @@ bool cross_everywhere(const Facet& a, const Facet& b) {
 
 class Examination {
  public:
-  Examination(const Complex& complex, const SurfaceParameters& parameters, const std::vector<char>& asked)
-      : complex_(complex), parameters_(parameters), asked_(asked), surfaces_(parameters) {}
+  Examination(const Complex& complex, const SurfaceParameters& parameters, const std::vector<char>& asked,
+              bool at_vertices)
+      : complex_(complex),
+        parameters_(parameters),
+        asked_(asked),
+        at_vertices_(at_vertices),
+        surfaces_(parameters) {}
 
   Transversality run(std::size_t described) {
     collect();
     Transversality result;
     result.edges = crossing_edges_;
     examine();
+    if (!at_vertices_) {
+      std::erase_if(contacts_, [&](const Contact& contact) { return only_at_a_vertex(contact); });
+    }
     result.places = places();
     for (std::size_t i = 0; i < std::min(described, result.places.size()); ++i) describe(result.places[i]);
     return result;
@@ -314,27 +322,66 @@ class Examination {
     return result;
   }
 
-  /// The least k for which facets 2^k times finer prove a contact transversal; kMostFiner + 1 if none does. Cells
-  /// are quartered, and pairs of them that are apart or nowhere parallel are done with; `at` is where the last
-  /// ones are.
-  int needed(const Contact& contact, Vector<double>& at) const {
-    struct Pair {
-      SurfacePart a, b;
-    };
+  struct Pair {
+    SurfacePart a, b;
+  };
+  std::vector<Pair> pairs_of(const Contact& contact) const {
     std::vector<Pair> pairs;
     for (const SurfacePart& a : parts_of(facets_.at(contact.facets[0]))) {
       for (const SurfacePart& b : parts_of(facets_.at(contact.facets[1]))) pairs.push_back({a, b});
     }
-    for (int k = 1; k <= kMostFiner && pairs.size() < kMostPairs; ++k) {
-      std::vector<Pair> open;
-      for (const Pair& pair : pairs) {
-        const std::vector<SurfacePart> of_b = quarters(pair.b);
-        for (const SurfacePart& a : quarters(pair.a)) {
-          for (const SurfacePart& b : of_b) {
-            if (may_meet(a, b) && !nowhere_parallel(a, b, 2)) open.push_back({a, b});
-          }
+    return pairs;
+  }
+  static std::vector<Pair> uncertain_quarters(const std::vector<Pair>& pairs) {
+    std::vector<Pair> open;
+    for (const Pair& pair : pairs) {
+      const std::vector<SurfacePart> of_b = quarters(pair.b);
+      for (const SurfacePart& a : quarters(pair.a)) {
+        for (const SurfacePart& b : of_b) {
+          if (may_meet(a, b) && !nowhere_parallel(a, b, 2)) open.push_back({a, b});
         }
       }
+    }
+    return open;
+  }
+
+  /// True if both facets have an end of the edge on their boundaries, and the surfaces are transversal but there:
+  /// of quarters of quarters, five times, all that stay uncertain are at most their own size away from it.
+  bool only_at_a_vertex(const Contact& contact) const {
+    constexpr int kTimes = 5;
+    std::vector<VertexId> common;
+    for (const VertexId v : complex_.edge_ends[contact.edge]) {
+      const auto edges = complex_.vertex_edges[v];
+      const auto has = [&](SourceId facet) {
+        return std::any_of(edges.begin(), edges.end(), [&](EdgeId e) { return on_boundary(e, facet); });
+      };
+      if (has(contact.facets[0]) && has(contact.facets[1])) common.push_back(v);
+    }
+    if (common.empty()) return false;
+    std::vector<Pair> pairs = pairs_of(contact);
+    for (int k = 0; k < kTimes && pairs.size() < kMostPairs; ++k) pairs = uncertain_quarters(pairs);
+    const auto near = [&](const SurfacePart& part, VertexId v) {
+      if (part.surface == nullptr) return true;
+      const double* p = complex_.points.lower(v);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double size = part.point[i].sup() - part.point[i].inf();
+        if (p[i] < part.point[i].inf() - size || p[i] > part.point[i].sup() + size) return false;
+      }
+      return true;
+    };
+    return std::all_of(pairs.begin(), pairs.end(), [&](const Pair& pair) {
+      return std::any_of(common.begin(), common.end(),
+                         [&](VertexId v) { return near(pair.a, v) && near(pair.b, v); });
+    });
+  }
+
+  /// The least k for which facets 2^k times finer prove a contact transversal; kMostFiner + 1 if none does. Cells
+  /// are quartered, and pairs of them that are apart or nowhere parallel are done with; `at` is where the last
+  /// ones are.
+  int needed(const Contact& contact, Vector<double>& at) const {
+    std::vector<Pair> pairs = pairs_of(contact);
+    for (int k = 1; k <= kMostFiner && pairs.size() < kMostPairs; ++k) {
+      std::vector<Pair> open = uncertain_quarters(pairs);
       pairs.swap(open);
       const std::vector<Pair>& last = pairs.empty() ? open : pairs;
       const Pair& one = last[last.size() / 2];
@@ -364,6 +411,7 @@ class Examination {
   const Complex& complex_;
   const SurfaceParameters& parameters_;
   const std::vector<char>& asked_;
+  const bool at_vertices_;
   Surfaces surfaces_;
   std::vector<Contact> contacts_;  // by facets, then edges
   std::map<SourceId, Facet> facets_;
@@ -374,8 +422,8 @@ class Examination {
 }  // namespace
 
 Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described,
-                              const std::vector<char>& asked) {
-  return Examination(complex, parameters, asked).run(described);
+                              const std::vector<char>& asked, bool at_vertices) {
+  return Examination(complex, parameters, asked, at_vertices).run(described);
 }
 
 }  // namespace cnrg

@@ -37,8 +37,10 @@ struct Transversality {
 };
 
 /// `at` and `finer` are filled in for the first `described` places. `asked`: whether an edge matters, by EdgeId;
-/// empty: all do.
+/// empty: all do. Without `at_vertices` a contact is left out that is uncertain only next to a vertex that both
+/// tessellations have, as where two equal pipes cross: how surfaces touch in such a point is decided when they are
+/// drawn, though it is not proven here.
 Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described,
-                              const std::vector<char>& asked = {});
+                              const std::vector<char>& asked = {}, bool at_vertices = true);
 
 }  // namespace cnrg

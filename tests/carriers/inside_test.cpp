@@ -199,5 +199,28 @@ TEST_CASE("surfaces that each are inside of the next one, in a circle, are evalu
   CHECK(certify(tree, found).places > 0);
 }
 
+TEST_CASE("where tubes cross and touch in a point, both have it") {
+  std::mt19937_64 random(6031);
+  std::uniform_int_distribution<int> segments(7, 45);
+  for (int i = 0; i < 8; ++i) {
+    const std::string at = i == 0 ? "" : placed(random);
+    const auto tube = [&](const std::string& ends, const std::string& radius) {
+      return "{cylinder: {" + ends + ", radius: " + radius + ", segments: " + number(segments(random)) + "}" + at +
+             "}\n";
+    };
+    // A saddle: the rim of the first one touches the second one in two poles, where its axis meets the other.
+    const std::string saddle = "  n0: " + tube("from: [3, 2, 1], to: [3, 2, 3]", "1") +
+                               "  n1: " + tube("from: [3, 1, 3], to: [3, 4, 3]", "1") +
+                               "  model: {difference: [n0, n1]}\n";
+    INFO(saddle);
+    CHECK(row(saddle).cells == Cells{0, 2, 3, 1});
+    // The smaller one passes through the wall of the larger one, and touches it in one point from inside.
+    const std::string beside = "  n0: " + tube("from: [0, 0, -5], to: [0, 0, 5]", "2") +
+                               "  n1: " + tube("from: [-4, 1, 1], to: [4, 1, 0]", "1") +
+                               "  model: {union: [n0, n1]}\n";
+    CHECK(row(beside).cells == Cells{1, 6, 7, 1});
+  }
+}
+
 }  // namespace
 }  // namespace cnrg

@@ -1,0 +1,185 @@
+// What of a leaf may touch others, and doubles that say where it cannot.
+#include "csg/carriers/round_leaf.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "csg/carriers/sectors.h"
+#include "csg/curves/surface_math.h"
+#include "csg/geometry/exact_vectors.h"
+
+namespace cnrg {
+namespace {
+
+using Point3 = RoundLeaf::Point3;
+using surface_math::difference;
+
+double length(const Point3& a) { return std::sqrt(surface_math::dot(a, a)); }
+double size_of(const Point3& p) { return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]); }
+
+}  // namespace
+
+bool nearly(double a, double b, double size) {
+  return !(std::abs(a - b) > 1e-6 * (size + std::abs(a) + std::abs(b)));
+}
+
+template <class Flats, class Arcs, class Tubes>
+void RoundLeaf::each_piece(const std::vector<std::vector<MeridianPiece>>& lines, const Flats& flat,
+                           const Arcs& arc, const Tubes& tube) const {
+  for (const auto& line : lines) {
+    for (const MeridianPiece& piece : line) {
+      if (piece.flat()) flat(piece.from.t, piece.from.r, piece.to.r);
+      if (piece.kind == MeridianPiece::Kind::arc) arc(piece);
+      if (piece.kind == MeridianPiece::Kind::line && piece.from.r == piece.to.r && piece.from.r > 0) tube(piece);
+    }
+    if (!form_->discs) continue;
+    flat(line.front().from.t, 0, line.front().from.r);
+    flat(line.back().to.t, 0, line.back().to.r);
+  }
+}
+
+RoundLeaf::RoundLeaf(const RevolvedInstance& of, const RevolvedForm& form) : of_(&of), form_(&form) {
+  const Transform& transform = of.transform;
+  const Point3 center = to_doubles(transform.apply(form.center)),
+               step = to_doubles(transform.apply_to_vector(form.axis));
+  double scale = 0;
+  for (const Rational& x : transform.linear[0]) scale += to_double(x) * to_double(x);
+  scale = std::sqrt(scale);
+  along_ = surface_math::scaled(1 / length(step), step);
+  const auto at = [&](const Rational& t) {
+    return surface_math::sum(center, surface_math::scaled(to_double(t), step));
+  };
+  each_piece(
+      form.lines,
+      [&](const Rational& t, const Rational&, const Rational&) {
+        flats_.push_back(surface_math::dot(at(t), along_));
+      },
+      [&](const MeridianPiece& arc) {
+        const Point3 middle = at(arc.middle.t);
+        const double radius = scale * to_double(arc.radius);
+        balls_.emplace_back(middle, radius);
+        if (arc.middle.r > 0) rings_.emplace_back(middle, scale * to_double(arc.middle.r), radius);
+      },
+      [&](const MeridianPiece& tube) { tubes_.emplace_back(center, scale * to_double(tube.from.r)); });
+}
+
+bool RoundLeaf::make_exact() {
+  if (exact_) return true;
+  const std::optional<Rational> scale = stretch(transform());
+  if (!scale) return false;
+  Exact& exact = exact_.emplace();
+  exact.placed = place(*form_, transform(), *scale);
+  const AxisLine& axis = exact.placed.axis;
+  each_piece(
+      exact.placed.lines,
+      [&](const Rational& t, const Rational& r, const Rational& s) {
+        const RationalPoint at = axis.foot + t * axis.direction;
+        const auto [low, high] = std::minmax(r, s);
+        const std::array<Rational, 2> squares{low * low, high * high};
+        exact.flats.push_back({axis.direction, dot(axis.direction, at), {}, at, squares});
+      },
+      [&](const MeridianPiece& arc) {
+        exact.rings.push_back({arc.middle, arc.radius});
+        if (arc.middle.r == 0) exact.balls.push_back({axis.foot + arc.middle.t * axis.direction, arc.radius});
+      },
+      [&](const MeridianPiece& tube) {
+        exact.tubes.push_back({axis.foot, axis.direction, tube.from.r, std::min(tube.from.t, tube.to.t),
+                               std::max(tube.from.t, tube.to.t)});
+      });
+  return true;
+}
+
+bool RoundLeaf::may_touch(const Point3& normal, double offset) const {
+  const auto is_near = [&](const std::pair<Point3, double>& of) {
+    return nearly(std::abs(surface_math::dot(normal, of.first) - offset), of.second, size_of(of.first));
+  };
+  return std::any_of(balls_.begin(), balls_.end(), is_near) || std::any_of(tubes_.begin(), tubes_.end(), is_near);
+}
+/// A meridian of this leaf; all around the axis of b, in a ball of it, or a meridian of it, too.
+bool RoundLeaf::may_share_circle(const RoundLeaf& b) const {
+  const double turn = surface_math::dot(along_, b.along_);
+  for (const auto& [p, r, tube] : rings_) {
+    for (const auto& [q, s] : b.balls_) {
+      const Point3 apart = difference(q, p);
+      if (nearly(length(apart), r, size_of(p))) return true;
+    }
+    for (const auto& [q, s] : b.tubes_) {
+      const Point3 out = surface_math::cross(difference(p, q), b.along_);
+      if (std::abs(turn) < 1e-6 && nearly(length(out), r, size_of(p))) return true;
+    }
+    for (const auto& [q, s, other] : b.rings_) {
+      const Point3 across = surface_math::cross(along_, b.along_), apart = difference(q, p);
+      const double distance = length(apart);
+      if (!nearly(tube, other, tube)) continue;
+      if (surface_math::dot(across, across) > 1e-6
+              ? nearly(surface_math::dot(apart, across), 0, size_of(p) + size_of(q))
+              : nearly(distance, r + s, size_of(p)) || nearly(distance, std::abs(r - s), size_of(p)))
+        return true;
+    }
+  }
+  return false;
+}
+bool RoundLeaf::may_touch(const RoundLeaf& b) const {
+  for (const double offset : b.flats_) {
+    if (may_touch(b.along_, offset)) return true;
+  }
+  for (const double offset : flats_) {
+    if (b.may_touch(along_, offset)) return true;
+  }
+  const auto may_be = [](double distance, double r, double s, double size) {
+    return nearly(distance, r + s, size) || nearly(distance, std::abs(r - s), size);
+  };
+  const auto across = [](const Point3& p, const Point3& foot, const Point3& along) {
+    const Point3 off = difference(p, foot), out = surface_math::cross(off, along);
+    return length(out);
+  };
+  if (may_share_circle(b) || b.may_share_circle(*this)) return true;
+  for (const auto& [p, r] : balls_) {
+    for (const auto& [q, s] : b.balls_) {
+      const Point3 apart = difference(p, q);
+      if (may_be(length(apart), r, s, size_of(p))) return true;
+    }
+    for (const auto& [q, s] : b.tubes_) {
+      if (may_be(across(p, q, b.along_), r, s, size_of(p))) return true;
+    }
+  }
+  for (const auto& [p, r] : tubes_) {
+    for (const auto& [q, s] : b.balls_) {
+      if (may_be(across(q, p, along_), r, s, size_of(p))) return true;
+    }
+    for (const auto& [q, s] : b.tubes_) {
+      const Point3 turn = surface_math::cross(along_, b.along_), apart = difference(q, p);
+      const double sine = length(turn);
+      const double between = std::abs(surface_math::dot(apart, turn)) / sine, size = size_of(p) + size_of(q);
+      if (sine < 1e-3 ? may_be(across(q, p, along_), r, s, size_of(p))
+                      : nearly(between, r + s, size) || nearly(between, std::abs(r - s), size))
+        return true;
+    }
+  }
+  return false;
+}
+
+bool RoundLeaf::covers(const RationalPoint& direction) const {
+  const PlacedForm& placed = exact_->placed;
+  const bool with = placed.along != placed.mirrored;
+  const Sector turn{with ? placed.start : placed.end, with ? placed.end : placed.start, form_->around()};
+  return overlap(turn, {direction, direction, false}, placed.axis.direction);
+}
+
+bool RoundLeaf::goes_around(const MeridianPoint& p) const {
+  const Rational square = exact_->placed.square();
+  for (const auto& line : exact_->placed.lines) {
+    for (const MeridianPiece& piece : line) {
+      if (p == piece.from || p == piece.to) return true;
+      const Rational r = p.r - piece.middle.r, t = p.t - piece.middle.t;
+      if (piece.kind == MeridianPiece::Kind::arc && r * r + square * t * t == piece.radius * piece.radius)
+        return true;
+      if (piece.kind == MeridianPiece::Kind::line && piece.from.r == p.r && piece.to.r == p.r &&
+          (p.t - piece.from.t) * (p.t - piece.to.t) <= 0)
+        return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,80 @@
+// Balls, cylinders, rings and planes of a revolved leaf, in doubles and exactly.
+//
+// Most pairs of leaves are far from a contact, and the numbers of nested rotations are long. So a leaf is asked in
+// doubles first, generously, and has its exact form only once that is asked for.
+#pragma once
+
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "csg/carriers/axes.h"
+#include "csg/carriers/flats.h"
+#include "csg/carriers/tangency.h"
+
+namespace cnrg {
+
+struct Ball3 {
+  RationalPoint center;
+  Rational radius;
+};
+struct Tube {
+  RationalPoint foot, axis;
+  Rational radius, low, high;  ///< from foot + low axis to foot + high axis
+};
+/// An arc: a plane across the axis may touch it in a circle, another leaf may have one of its meridians.
+struct Ring {
+  MeridianPoint middle;
+  Rational radius;
+};
+
+/// Nearly equal lengths, in doubles: what is not certainly is not exactly either.
+bool nearly(double a, double b, double size);
+
+class RoundLeaf {
+ public:
+  using Point3 = std::array<double, 3>;
+  struct Exact {
+    PlacedForm placed;
+    std::vector<Ball3> balls;
+    std::vector<Tube> tubes;
+    std::vector<Ring> rings;
+    std::vector<Flat> flats;  ///< its own planes across the axis
+  };
+
+  RoundLeaf(const RevolvedInstance& of, const RevolvedForm& form);
+
+  /// False if a plane, with a normal of length 1, certainly touches nothing of the leaf.
+  bool may_touch(const Point3& normal, double offset) const;
+  bool may_touch(const RoundLeaf& other) const;
+
+  /// False if it is stretched so that it has no radii, or none that are rational; else `exact` may be asked for.
+  bool make_exact();
+  const Exact& exact() const { return *exact_; }
+  std::uint32_t instance() const { return of_->instance; }
+  const Transform& transform() const { return of_->transform; }
+  const Box& box() const { return of_->box; }
+  bool is_sphere() const { return form_->is_sphere(); }
+  /// True if its turn has the direction; of what is exact.
+  bool covers(const RationalPoint& direction) const;
+  /// True if it has the circle about its axis.
+  bool goes_around(const MeridianPoint& p) const;
+
+ private:
+  bool may_share_circle(const RoundLeaf& other) const;
+  /// Calls `flat(t, r, s)`, `arc(piece)` and `tube(piece)` for the pieces of `lines` that are such.
+  template <class Flats, class Arcs, class Tubes>
+  void each_piece(const std::vector<std::vector<MeridianPiece>>& lines, const Flats& flat, const Arcs& arc,
+                  const Tubes& tube) const;
+
+  const RevolvedInstance* of_;
+  const RevolvedForm* form_;
+  Point3 along_{};                                           ///< of length 1
+  std::vector<std::pair<Point3, double>> balls_{};           ///< centres and radii; of arcs about the axis, too
+  std::vector<std::pair<Point3, double>> tubes_{};           ///< points of the axis and radii
+  std::vector<std::tuple<Point3, double, double>> rings_{};  ///< centres, and radii of circles and of their tubes
+  std::vector<double> flats_{};                              ///< offsets of its planes across the axis
+  std::optional<Exact> exact_{};
+};
+
+}  // namespace cnrg
