@@ -28,7 +28,7 @@ const cnrg = (...words) => execFileSync(program, words, {encoding: 'utf8', stdio
 const browser = await chromium.launch({executablePath, args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
 
 async function open(file, options = {}) {
-  const {hash = '', scheme = 'light', width = 1180, height = 660} = options;
+  const {hash = '', scheme = 'light', width = 1120, height = 600} = options;
   const context = await browser.newContext({viewport: {width, height}, colorScheme: scheme});
   const page = await context.newPage();
   page.on('console', (m) => ['error', 'warning'].includes(m.type()) && !m.text().includes('GPU stall') && check(false, `${file}: console: ${m.text()}`));
