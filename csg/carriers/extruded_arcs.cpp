@@ -6,7 +6,6 @@
 
 #include "csg/geometry/circle.h"
 #include "csg/geometry/exact_vectors.h"
-#include "csg/leaves/parameters.h"
 
 namespace cnrg {
 namespace {
@@ -23,18 +22,17 @@ ExtrudeShape image(const ExtrudeShape& shape, const Transform& transform) {
   return result;
 }
 
-/// The arc that a curve is, swept along `vector`: a curve in a plane across it (revolved.cpp has the same in a
-/// half-plane).
+/// The arc that a curve is, swept along `vector`: a curve in a plane across it.
 std::optional<ExtrudedArc> arc_of(const BezierCurve& curve, const RationalPoint& vector) {
   const ControlRow row = reduced(curve.net);
   if (row.size() != 3) return std::nullopt;
   const RationalPoint p0 = project(row[0]), p1 = project(row[1]), p2 = project(row[2]);
   const RationalPoint middle = Rational(1, 2) * (p0 + p2), normal = cross(p1 - p0, p2 - p0);
-  const Rational side = dot(p1 - p0, p1 - p0), cosine2 = row[1][3] * row[1][3] / (row[0][3] * row[2][3]);
-  if (is_zero(normal) || !is_zero(cross(normal, vector)) || side != dot(p1 - p2, p1 - p2) || cosine2 >= 1 ||
-      cosine2 * side != dot(p0 - middle, p0 - middle))
-    return std::nullopt;
-  const RationalPoint center = p1 + Rational(1 / (1 - cosine2)) * (middle - p1);
+  if (is_zero(normal) || !is_zero(cross(normal, vector))) return std::nullopt;
+  const auto reach =
+      center_of_arc(row, dot(p1 - p0, p1 - p0), dot(p1 - p2, p1 - p2), dot(p0 - middle, p0 - middle));
+  if (!reach) return std::nullopt;
+  const RationalPoint center = p1 + *reach * (middle - p1);
   const std::optional<Rational> radius = rational_root(dot(p0 - center, p0 - center));
   if (!radius) return std::nullopt;
   ExtrudedArc arc;
@@ -47,7 +45,7 @@ std::optional<ExtrudedArc> arc_of(const BezierCurve& curve, const RationalPoint&
   ruling.from = {*radius, arc.placed.axis.place_of(center)};
   ruling.to = {*radius, arc.placed.axis.place_of(center + vector)};
   arc.placed.lines = {{ruling}};
-  const double half = std::acos(std::sqrt(to_double(cosine2)));
+  const double half = std::acos(std::sqrt(to_double(1 - 1 / *reach)));
   arc.degrees = from_double(half * 360 / std::numbers::pi);
   return arc;
 }
@@ -92,13 +90,7 @@ std::unique_ptr<PreparedLeaf> extrude_anew(const ExtrudeForm& form, const Transf
   sweep->mirrored = form.mirrored != (transform.determinant() < 0);
   sweep->steps = form.steps;
   sweep->fixed = std::move(fixed);
-  std::unique_ptr<PreparedLeaf> leaf = tessellate(*sweep, nullptr);
-  leaf->set_parameters([sweep] {
-    auto parameters = std::make_shared<LeafParameters>();
-    tessellate(*sweep, parameters.get());
-    return parameters;
-  });
-  return leaf;
+  return tessellate(sweep);
 }
 
 }  // namespace cnrg

@@ -276,17 +276,12 @@ std::shared_ptr<const PreparedLeaf> PlacedNets::extrusion_anew(const Cuts& cuts,
       ++number;
     }
   }
-  std::shared_ptr<PreparedLeaf> leaf = tessellate(*sweep, nullptr);
+  std::shared_ptr<PreparedLeaf> leaf = tessellate(sweep);
   const auto form = std::make_shared<ExtrudeForm>(sweep->shape);
   form->mirrored = sweep->mirrored;
   form->steps = sweep->steps;
   leaf->set_form(form);
   leaf->set_surfaces(moved(leaf_->surfaces(), transform_));
-  leaf->set_parameters([sweep] {
-    auto parameters = std::make_shared<LeafParameters>();
-    tessellate(*sweep, parameters.get());
-    return parameters;
-  });
   return leaf;
 }
 

@@ -4,7 +4,8 @@
 //             -> one space for all of them    round_spaces.h; mostly that of the tree
 //             -> families                     contacts of meridians, exactly; a sphere has every axis through its
 //             centre
-//             -> directions and meridians     family.h; turns.h, meridians.h, nested_turns.h; shared_balls.h
+//             -> directions and meridians     family.h; turns.h, meridians.h; of families
+//             that touch nested_turns.h, common_circles.h, shared_balls.h
 //             -> leaves
 #include "csg/carriers/revolved_families.h"
 

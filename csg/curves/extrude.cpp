@@ -26,6 +26,7 @@
 #include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
+#include "csg/leaves/parameters.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 
@@ -234,8 +235,14 @@ std::unique_ptr<PreparedLeaf> prepare_extrude(const ExtrudeShape& shape, LeafPar
   return leaf;
 }
 
-std::unique_ptr<PreparedLeaf> tessellate(const CommonSweep& sweep, LeafParameters* record) {
-  return Extrusion(sweep.shape, record, &sweep).prepare();
+std::unique_ptr<PreparedLeaf> tessellate(const std::shared_ptr<const CommonSweep>& sweep) {
+  std::unique_ptr<PreparedLeaf> leaf = Extrusion(sweep->shape, nullptr, sweep.get()).prepare();
+  leaf->set_parameters([sweep] {
+    auto parameters = std::make_shared<LeafParameters>();
+    Extrusion(sweep->shape, parameters.get(), sweep.get()).prepare();
+    return parameters;
+  });
+  return leaf;
 }
 
 }  // namespace cnrg

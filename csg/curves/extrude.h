@@ -33,6 +33,7 @@ struct CommonSweep {
   std::shared_ptr<const AgreedSteps> steps;
   FixedSamples fixed{};  ///< of pieces of its profile that are arcs of cylinders which other leaves share
 };
-std::unique_ptr<PreparedLeaf> tessellate(const CommonSweep& sweep, LeafParameters* record);
+/// With its parameters, which are made when they are asked for.
+std::unique_ptr<PreparedLeaf> tessellate(const std::shared_ptr<const CommonSweep>& sweep);
 
 }  // namespace cnrg

@@ -129,10 +129,9 @@ void make_arc(MeridianPiece& piece, const ControlRow& row, const Rational& squar
   };
   const MeridianPoint p0 = point(0), p1 = point(1), p2 = point(2);
   const MeridianPoint middle{(p0.r + p2.r) / 2, (p0.t + p2.t) / 2};
-  const Rational side = distance2(p0, p1), cosine2 = row[1][3] * row[1][3] / (row[0][3] * row[2][3]);
-  if (side != distance2(p1, p2) || cosine2 >= 1 || cosine2 * side != distance2(p0, middle)) return;
-  const Rational reach = 1 / (1 - cosine2);
-  const MeridianPoint center{p1.r + reach * (middle.r - p1.r), p1.t + reach * (middle.t - p1.t)};
+  const auto reach = center_of_arc(row, distance2(p0, p1), distance2(p1, p2), distance2(p0, middle));
+  if (!reach) return;
+  const MeridianPoint center{p1.r + *reach * (middle.r - p1.r), p1.t + *reach * (middle.t - p1.t)};
   const std::optional<Rational> radius = rational_root(distance2(p0, center));
   if (!radius) return;
   const double axis = std::sqrt(to_double(square));
@@ -145,6 +144,13 @@ void make_arc(MeridianPiece& piece, const ControlRow& row, const Rational& squar
 }
 
 }  // namespace
+
+std::optional<Rational> center_of_arc(const ControlRow& net, const Rational& to_first, const Rational& to_last,
+                                      const Rational& half_chord) {
+  const Rational cosine2 = net[1][3] * net[1][3] / (net[0][3] * net[2][3]);
+  if (to_first != to_last || cosine2 >= 1 || cosine2 * to_first != half_chord) return std::nullopt;
+  return Rational(1 / (1 - cosine2));
+}
 
 MeridianPiece meridian_piece(const BezierCurve& curve, const Span& span, const Rational& square) {
   MeridianPiece piece;

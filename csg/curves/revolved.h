@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +51,11 @@ struct MeridianPiece {
 /// with a rational radius, or any other. `square` is that of the axis' length; `patch` and `steps` stay to be
 /// given.
 MeridianPiece meridian_piece(const BezierCurve& curve, const Span& span, const Rational& square);
+/// For a rational Bézier curve of degree 2, by squares of lengths: from its inner control point to both ends, and
+/// of half the way between the ends. If it is an arc of a circle, where its centre is: from the inner control
+/// point so many times the way to the middle of the ends.
+std::optional<Rational> center_of_arc(const ControlRow& net, const Rational& to_first, const Rational& to_last,
+                                      const Rational& half_chord);
 /// The same piece, run backward.
 MeridianPiece reversed(MeridianPiece piece);
 /// The parameter of an arc at an angle in degrees between its ends.
