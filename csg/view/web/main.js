@@ -74,7 +74,7 @@ function refreshLabels() {
 }
 
 function onDrawn(moving) {
-  if (moving) refreshLabels();
+  if (moving && state.labels) refreshLabels();
   else drawLabels();
   redrawSphere?.(scene.axes());
   if (moving) later();
@@ -84,17 +84,22 @@ function onDrawn(moving) {
 function drawLabels(context = overlay, times = Math.min(devicePixelRatio || 1, 2)) {
   if (!scene) return;
   const canvas = context.canvas;
-  if (context === overlay) [canvas.width, canvas.height] = [scene.width * times, scene.height * times];
+  if (context === overlay) {
+    const size = [Math.round(scene.width * times), Math.round(scene.height * times)];
+    if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
+    context.setTransform(times, 0, 0, times, 0, 0);
+    context.clearRect(0, 0, scene.width, scene.height);
+  }
   context.setTransform(times, 0, 0, times, 0, 0);
   drawAxes(context);
   if (!state.labels) return;
-  const taken = [], inks = {v: css('--ink'), e: css('--ink'), f: css('--ink'), r: css('--ink')};
+  const taken = [];
   context.font = '600 11px ui-sans-serif, system-ui, sans-serif';
   context.textAlign = 'center';
   context.textBaseline = 'middle';
   const order = {f: 1, e: 2, v: 0, r: 3};
   for (const {cell, x, y} of [...places].sort((a, b) => order[a.cell.kind] - order[b.cell.kind] || b.size - a.size)) {
-    if (!(cell.kind in inks)) continue;
+    if (!(cell.kind in order)) continue;
     const word = nameOf(cell), w = context.measureText(word).width + 8, dy = cell.kind === 'v' ? -12 : 0;
     const box = [x - w / 2, y + dy - 8, x + w / 2, y + dy + 8];
     if (box[0] < 2 || box[2] > scene.width - 2 || taken.some((t) => box[0] < t[2] && t[0] < box[2] && box[1] < t[3] && t[1] < box[3])) continue;

@@ -12,11 +12,20 @@ const CAPS = 80;      // regions whose section is filled
 const SMALL = 20000;  // cells that are all drawn, seen or not
 const color = (c) => new THREE.Color(c[0] / 255, c[1] / 255, c[2] / 255);
 
+/** True where the processor draws: there smoothing costs more than everything else. */
+function drawnBySoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2'), info = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
 export class Scene {
   constructor(canvas, changed) {
+    this.software = drawnBySoftware();
     this.canvas = canvas;
     this.changed = changed;
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, stencil: true, preserveDrawingBuffer: false, powerPreference: 'high-performance'});
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: !this.software, stencil: true, preserveDrawingBuffer: false, powerPreference: 'high-performance'});
     this.renderer.setClearColor(0xffffff, 1);
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.camera = new THREE.PerspectiveCamera(32, 1, 0.01, 100);
@@ -307,7 +316,9 @@ export class Scene {
     if (!this.width || !this.model) return;
     const begin = performance.now();
     const coarse = this.moving ? this.quality : 1;
-    const ratio = Math.min(window.devicePixelRatio || 1, 2) * (coarse < 1 ? Math.max(coarse, 0.5) : 1);
+    // Without smoothing the picture at rest is drawn twice as fine, and what moves as fine as the screen.
+    const screen = Math.min(window.devicePixelRatio || 1, 2);
+    const ratio = this.software && !this.moving ? 2 : screen * (coarse < 1 ? Math.max(coarse, 0.5) : 1);
     if (this.renderer.getPixelRatio() !== ratio || this.drawnWidth !== this.width || this.drawnHeight !== this.height) {
       this.renderer.setPixelRatio(ratio);
       this.renderer.setSize(this.width, this.height, false);
