@@ -46,6 +46,15 @@ struct ExplainArguments {
 /// `cnrg explain`: the way of a cell, or of what holds a point, through the tree.
 int run_explain(const ExplainArguments& arguments);
 
+struct ViewArguments {
+  std::string tree, inside, file;
+  std::vector<std::string> nodes;
+  bool open = false, watch = false, quiet = false;
+  int threads = 0, finer = 1;
+};
+/// `cnrg view`: a page of all nodes for a browser. With `watch` it ends when somebody ends it.
+int run_view(const ViewArguments& arguments);
+
 struct MeshArguments {
   std::string tree, inside, node;
   std::vector<std::string> files;

@@ -191,6 +191,25 @@ int run(int argc, char** argv) {
       "Example:\n  cnrg explain model.yaml --node split --cell f12\n  cnrg explain model.yaml --point 1/3,0.5,2");
   sub->callback([&] { command = [&] { return run_explain(explain); }; });
 
+  ViewArguments view;
+  sub = program.add_subcommand("view", "Writes a page for a browser: the tree beside the cells of each node");
+  add_tree(sub, view);
+  sub->add_option("-o", view.file, "Write this file; without it that of the tree's name with .html, here")
+      ->type_name("FILE.html")
+      ->check(name_fault);
+  sub->add_option("--node", view.nodes,
+                  "Show this node, the result and what they are made of; without it all nodes")
+      ->type_name("N")
+      ->check(name_fault)
+      ->expected(1)
+      ->take_all();
+  sub->add_flag("--open", view.open, "Open the page in the browser");
+  sub->add_flag("--watch", view.watch, "Write the page again whenever the tree changes; open pages follow");
+  add_threads(sub, view.threads);
+  sub->add_flag("--quiet", view.quiet, "No line about the page and no notices");
+  sub->footer("Example:\n  cnrg view model.yaml -o model.html --open");
+  sub->callback([&] { command = [&] { return run_view(view); }; });
+
   MeshArguments mesh;
   sub = program.add_subcommand("mesh",
                                "Fills the regions with tetrahedra that conform to every face, wire and point");

@@ -63,8 +63,6 @@ N dot(const Vector<N>& a, const Vector<N>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// False where it may be zero.
-
 /// Radians of a turn.
 template <class N>
 N turn() {

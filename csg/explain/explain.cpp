@@ -120,36 +120,66 @@ RationalPoint point_in(const Complex& complex, const Locator& locator, RegionId 
   }
 }
 
+/// A cell that is asked about.
+struct Question {
+  std::vector<Piece> pieces;
+  Explanation* answer = nullptr;
+  const RationalPoint* asked = nullptr;  ///< the point to tell, of the one piece
+};
+
 /// Makes classes of pieces, and tells those that are shown in full.
 class Classes {
  public:
   Classes(const Tree& tree, const Evaluation& evaluation, NodeId node, const Locator& locator)
       : evaluation_(evaluation),
         value_(*evaluation.value(node).value),
+        made_(value_.is_group() ? components_of(*evaluation.complex, value_.group()) : Components()),
+        components_(value_.is_group() ? made_ : value_.components()),
         locator_(locator),
         lives_(tree, evaluation, node) {}
 
-  /// `asked`: the point to tell, of the one piece.
-  void explain(const std::vector<Piece>& pieces, std::size_t most, Explanation& out,
-               const RationalPoint* asked = nullptr) {
-    std::vector<std::size_t> first, count;
-    const std::vector<std::uint32_t> classes = lives_.classes(pieces);
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-      if (classes[p] == first.size()) {
-        first.push_back(p);
-        count.push_back(0);
+  /// All questions at once, for every life runs the node's Booleans again.
+  void explain(const std::vector<Question>& questions, std::size_t most) {
+    std::vector<Piece> pieces;
+    std::vector<std::uint32_t> cells;
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+      for (const Piece& piece : questions[q].pieces) {
+        pieces.push_back(piece);
+        cells.push_back(static_cast<std::uint32_t>(q));
       }
-      ++count[classes[p]];
+    }
+    struct Class {
+      std::size_t first, count = 0;
+    };
+    std::vector<std::vector<Class>> of_cell(questions.size());
+    const std::vector<std::uint32_t> classes = lives_.classes(pieces, cells);
+    std::size_t known = 0;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      std::vector<Class>& mine = of_cell[cells[p]];
+      if (classes[p] == known) {
+        mine.push_back({p});
+        ++known;
+      }
+      ++mine[classes[p] + mine.size() - known].count;
     }
     std::vector<Piece> examples;
-    for (std::size_t c = 0; c < std::min(most, first.size()); ++c) examples.push_back(pieces[first[c]]);
-    std::vector<Life> told = lives_.of(examples, true);
-    for (std::size_t c = 0; c < examples.size(); ++c) {
-      out.classes.push_back(make(examples[c], std::move(told[c]), count[c], asked));
+    for (const auto& mine : of_cell) {
+      for (std::size_t c = 0; c < std::min(most, mine.size()); ++c) examples.push_back(pieces[mine[c].first]);
     }
-    for (std::size_t c = examples.size(); c < first.size(); ++c) {
-      ++out.classes_left_out;
-      out.pieces_left_out += count[c];
+    std::vector<Life> told = lives_.of(examples, true);
+    std::size_t next = 0;
+    for (std::size_t q = 0; q < questions.size(); ++q) {
+      Explanation& out = *questions[q].answer;
+      const std::vector<Class>& mine = of_cell[q];
+      for (std::size_t c = 0; c < mine.size(); ++c) {
+        if (c < most) {
+          out.classes.push_back(make(examples[next], std::move(told[next]), mine[c].count, questions[q].asked));
+          ++next;
+        } else {
+          ++out.classes_left_out;
+          out.pieces_left_out += mine[c].count;
+        }
+      }
     }
   }
 
@@ -170,7 +200,7 @@ class Classes {
       default: out.point = point_in(complex, locator_, piece.cell.region);
     }
     if (asked != nullptr) out.point = *asked;
-    const std::vector<LeafId> leaves = origins_in(complex, value_, piece.cell);
+    const std::vector<LeafId> leaves = origins_in(components_, piece.cell);
     out.origins = leaf_cells_at(complex, piece.cell, leaves);
     out.mixture = mixture_at(state_in(complex, value_, piece.cell).component, out.point);
     out.patches = first_of_each(evaluation_.parameters->on_patches(out.example, out.point, leaves));
@@ -187,6 +217,8 @@ class Classes {
 
   const Evaluation& evaluation_;
   const NodeValue& value_;
+  const Components made_;  // of a group
+  const Components& components_;
   const Locator& locator_;
   Lives lives_;
 };
@@ -206,13 +238,30 @@ Explanation head(const Tree& tree, const Evaluation& evaluation, NodeId node, co
 
 Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node, const std::string& cell,
                     std::size_t most) {
+  const Place place = parse_cell(cell, tree.nodes[node].name, *evaluation.value(node).simplified);
+  return std::move(explain(tree, evaluation, node, std::vector{place}, most).front());
+}
+
+std::vector<Explanation> explain(const Tree& tree, const Evaluation& evaluation, NodeId node,
+                                 const std::vector<Place>& cells, std::size_t most) {
   const KeptValue& kept = evaluation.value(node);
-  const Place place = parse_cell(cell, tree.nodes[node].name, *kept.simplified);
-  Explanation out = head(tree, evaluation, node, place);
   const Locator locator(*evaluation.complex);
-  const std::vector<Piece> pieces = pieces_of(*kept.simplified, place);
-  out.state = state_in(*evaluation.complex, *kept.value, pieces.front().cell);
-  Classes(tree, evaluation, node, locator).explain(pieces, most, out);
+  Classes classes(tree, evaluation, node, locator);
+  std::vector<Explanation> out(cells.size());
+  // No more pieces at once than memory holds lives of with ease.
+  constexpr std::size_t kPieces = 4096;
+  std::vector<Question> questions;
+  std::size_t pieces = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    out[i] = head(tree, evaluation, node, cells[i]);
+    questions.push_back({pieces_of(*kept.simplified, cells[i]), &out[i], nullptr});
+    out[i].state = state_in(*evaluation.complex, *kept.value, questions.back().pieces.front().cell);
+    pieces += questions.back().pieces.size();
+    if (pieces < kPieces && i + 1 < cells.size()) continue;
+    classes.explain(questions, most);
+    questions.clear();
+    pieces = 0;
+  }
   return out;
 }
 
@@ -240,7 +289,7 @@ Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node,
       if (h.face() == at.face) piece.side = h.side();
     }
   }
-  Classes(tree, evaluation, node, locator).explain({piece}, 1, out, &point);
+  Classes(tree, evaluation, node, locator).explain({{{piece}, &out, &point}}, 1);
   return out;
 }
 

@@ -124,6 +124,11 @@ struct Explanation {
 Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node, const std::string& cell,
                     std::size_t most = 4);
 
+/// What `explain` says of each of some cells of a node, in their order: each Boolean is run again once, not once
+/// per cell. Each place is one of the node's simplified complex.
+std::vector<Explanation> explain(const Tree& tree, const Evaluation& evaluation, NodeId node,
+                                 const std::vector<SimplifiedComplex::Place>& cells, std::size_t most = 4);
+
 /// The life of the cell of the refinement that holds a point, active in the node or not. Throws InputError beyond
 /// the frame of unbounded leaves.
 Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node, const RationalPoint& point);

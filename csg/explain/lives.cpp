@@ -187,9 +187,7 @@ CellState state_in(const Complex& complex, const NodeValue& value, const Locatio
   return value.is_group() ? state_in(complex, value.group(), cell) : component_state(value.components(), cell);
 }
 
-std::vector<LeafId> origins_in(const Complex& complex, const NodeValue& value, const Location& cell) {
-  const Components made = value.is_group() ? components_of(complex, value.group()) : Components();
-  const Components& x = value.is_group() ? made : value.components();
+std::vector<LeafId> origins_in(const Components& x, const Location& cell) {
   bool found = false;
   const std::size_t k = place_of(x.selection, cell, found);
   if (!found) return {};
@@ -197,6 +195,11 @@ std::vector<LeafId> origins_in(const Complex& complex, const NodeValue& value, c
                                            &x.origins.regions};
   const auto leaves = x.origins.sets[(*lists[cell.dimension])[k]];
   return {leaves.begin(), leaves.end()};
+}
+
+std::vector<LeafId> origins_in(const Complex& complex, const NodeValue& value, const Location& cell) {
+  return value.is_group() ? origins_in(components_of(complex, value.group()), cell)
+                          : origins_in(value.components(), cell);
 }
 
 std::vector<LeafCell> leaf_cells_at(const Complex& complex, const Location& cell,
@@ -229,9 +232,8 @@ std::vector<Life> Lives::of(const std::vector<Piece>& pieces, bool named) {
   return out;
 }
 
-std::vector<std::uint32_t> Lives::classes(const std::vector<Piece>& pieces) {
-  std::vector<std::uint32_t> of(pieces.size(), 0);
-  std::size_t count = 1;
+std::vector<std::uint32_t> Lives::classes(const std::vector<Piece>& pieces, std::vector<std::uint32_t> of) {
+  std::size_t count = of.empty() ? 0 : of.back() + 1;
   for (const InstanceId id : below_) {
     std::vector<LifeStep> steps(pieces.size());
     add_steps(id, pieces, false, steps);

@@ -8,6 +8,7 @@
 
 #include "csg/evaluate/operate.h"
 #include "csg/explain/explain.h"
+#include "csg/operators/components.h"
 
 namespace cnrg {
 
@@ -21,8 +22,10 @@ struct Piece {
 CellState state_in(const Complex& complex, const Group& group, const Location& cell);
 CellState state_in(const Complex& complex, const NodeValue& value, const Location& cell);
 
-/// The leaves that a cell of a value came from; empty when it is inactive.
+/// The leaves that a cell of a value came from; empty when it is inactive. Who asks often gives the components of
+/// the value instead.
 std::vector<LeafId> origins_in(const Complex& complex, const NodeValue& value, const Location& cell);
+std::vector<LeafId> origins_in(const Components& components, const Location& cell);
 /// As `leaf_cells` has it, by location.
 std::vector<LeafCell> leaf_cells_at(const Complex& complex, const Location& cell,
                                     const std::vector<LeafId>& leaves);
@@ -35,9 +38,10 @@ class Lives {
   /// The lives of the pieces, in their order. `named`: fill what StarFacts fills for lives that are shown.
   std::vector<Life> of(const std::vector<Piece>& pieces, bool named);
 
-  /// Which pieces live alike: a class for each piece, numbered from 0 in the order of their first pieces. No life
-  /// is held for longer than its node.
-  std::vector<std::uint32_t> classes(const std::vector<Piece>& pieces);
+  /// Which pieces of one cell live alike: a class for each piece, numbered from 0 in the order of their first
+  /// pieces. `cells`: of which cell each piece is, ascending from 0 without gaps. No life is held for longer than
+  /// its node.
+  std::vector<std::uint32_t> classes(const std::vector<Piece>& pieces, std::vector<std::uint32_t> cells);
 
  private:
   void add_steps(InstanceId id, const std::vector<Piece>& pieces, bool named, std::vector<LifeStep>& steps);

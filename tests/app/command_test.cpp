@@ -55,7 +55,7 @@ TEST_CASE("version names the libraries", "[app]") {
 TEST_CASE("every command has help with an example", "[app]") {
   const Workshop w;
   CHECK(w.run("--help").status == 0);
-  for (const std::string name : {"eval", "check", "locate", "tables", "explain", "mesh"}) {
+  for (const std::string name : {"eval", "check", "locate", "tables", "explain", "view", "mesh"}) {
     const Outcome o = w.run(name + " --help");
     CHECK(o.status == 0);
     CHECK_THAT(o.out, Contains("Example") && Contains("cnrg " + name));
@@ -78,7 +78,7 @@ TEST_CASE("a command line that makes no sense is bad input", "[app][errors]") {
 TEST_CASE("help lists what there is, and nothing else is a command", "[app][errors]") {
   const Workshop w;
   CHECK_THAT(w.run("--help").out, !Contains("not in this version"));
-  const Outcome o = w.run("view t.yaml -o a.html");
+  const Outcome o = w.run("paint t.yaml -o a.html");
   CHECK(o.status == 2);
   CHECK(lines_in(o.err) == 1);
   CHECK_THAT(o.err, StartsWith("cnrg: error: "));

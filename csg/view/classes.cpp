@@ -1,0 +1,106 @@
+// The steps of a Boolean are run again, as `explain` does, and each entity asks for its verdict.
+#include "csg/view/classes.h"
+
+#include "csg/evaluate/operate.h"
+#include "csg/operators/node_value.h"
+#include "csg/operators/verdict.h"
+
+namespace cnrg {
+namespace {
+
+constexpr Component kNoTable = 1 + kRelations * 4;
+
+/// A component per cell, 0 where nothing is known yet.
+struct Marks {
+  IdVector<VertexId, Component> vertices;
+  IdVector<EdgeId, Component> edges;
+  IdVector<FaceId, Component> faces;
+
+  explicit Marks(const Complex& complex)
+      : vertices(complex.points.size(), 0), edges(complex.edge_count(), 0), faces(complex.face_count(), 0) {}
+  Component& operator[](VertexId v) { return vertices[v]; }
+  Component& operator[](EdgeId e) { return edges[e]; }
+  Component& operator[](FaceId f) { return faces[f]; }
+};
+
+template <class IdT>
+std::vector<std::pair<IdT, Component>> listed(const IdVector<IdT, Component>& marks) {
+  std::vector<std::pair<IdT, Component>> out;
+  for (const IdT id : IdRange<IdT>(marks.size())) {
+    if (marks[id] != 0) out.emplace_back(id, marks[id]);
+  }
+  return out;
+}
+
+template <class F>
+void for_each_list(const Group& group, F f) {
+  f(group.faces), f(group.edges), f(group.vertices);
+}
+
+void note(const Verdict& verdict, Component& mark) {
+  if (!verdict.entity || verdict.row == nullptr) return;
+  const Fate fate{verdict.relation, verdict.row->standing != Standing::equal, verdict.removed, true};
+  const bool outside = verdict.relation == Relation::a_out_b || verdict.relation == Relation::b_out_a;
+  if (fate.removed || mark == 0 || Fate::of(mark).removed || !outside) mark = fate.component();
+}
+
+void ask_tables(const Complex& complex, const Node& node, const std::vector<Operand>& operands, Marks& marks) {
+  for_each_step(complex, node, operands, [&](const BooleanStep& step) {
+    for (const Group* group : {&step.left, &step.right}) {
+      for_each_list(*group, [&](const auto& cells) {
+        for (const auto cell : cells) {
+          note(verdict(complex, step.op, step.dominance, step.left, step.right, step.result, cell), marks[cell]);
+        }
+      });
+    }
+  });
+}
+
+}  // namespace
+
+Component Fate::component() const {
+  if (!table) return kNoTable;
+  return 1 + static_cast<Component>(relation) * 4 + (dominant ? 2 : 0) + (removed ? 1 : 0);
+}
+
+Fate Fate::of(Component component) {
+  if (component == kNoTable) return {Relation::common, false, true, false};
+  const Component code = component - 1;
+  return {static_cast<Relation>(code / 4), (code & 2) != 0, (code & 1) != 0, true};
+}
+
+std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, InstanceId id) {
+  const Complex& complex = *evaluation.complex;
+  const Instance& instance = evaluation.instances[id];
+  const Node& node = tree.nodes[instance.node];
+  if (instance.operands.empty()) return std::nullopt;
+  Marks marks(complex);
+  std::vector<Operand> operands;
+  for (const InstanceId operand : instance.operands) {
+    operands.push_back({evaluation.values[operand].get(), evaluation.rows[operand.index()].name, nullptr, {}});
+  }
+  const bool boolean =
+      node.op == Operator::unite || node.op == Operator::intersect || node.op == Operator::subtract;
+  if (boolean) ask_tables(complex, node, operands, marks);
+  // What no table was asked about: what the operands have and the value does not.
+  const Selection kept = selection_of(complex, *evaluation.values[id]);
+  const auto lose = [&](const auto& before, const auto& after, auto& mark) {
+    auto at = after.begin();
+    for (const auto& [cell, component] : before) {
+      while (at != after.end() && at->first < cell) ++at;
+      const bool stays = at != after.end() && at->first == cell;
+      if (!stays && (mark[cell] == 0 ? !boolean : !Fate::of(mark[cell]).removed)) mark[cell] = kNoTable;
+    }
+  };
+  for (const Operand& operand : operands) {
+    const Selection before = selection_of(complex, *operand.value);
+    lose(before.vertices, kept.vertices, marks.vertices);
+    lose(before.edges, kept.edges, marks.edges);
+    lose(before.faces, kept.faces, marks.faces);
+  }
+  Selection out{listed(marks.vertices), listed(marks.edges), listed(marks.faces), {}};
+  if (out.vertices.empty() && out.edges.empty() && out.faces.empty()) return std::nullopt;
+  return out;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,428 @@
+// Lists that belong together are columns: `vertices.point[3]` and `vertices.component[3]` are of v3. A column that
+// may have nothing in a place counts from 1 there, and 0 is nothing. Lists of lists are two columns, how many in
+// each and all of them.
+#include "csg/view/node_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "csg/explain/explain.h"
+#include "csg/operators/node_value.h"
+#include "csg/result/result_data.h"
+#include "csg/text/escape.h"
+#include "csg/topology/topology.h"
+#include "csg/view/classes.h"
+#include "kernel/selection/homology.h"
+#include "kernel/selection/manifold.h"
+#include "kernel/selection/measure.h"
+
+namespace cnrg {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Numbers = std::vector<std::uint32_t>;
+using Index = FlatComplex::Index;
+
+/// From 1; 0: none.
+std::uint32_t optional(Index index) { return index == FlatComplex::kNone ? 0 : index + 1; }
+
+/// Lists of numbers as two columns.
+struct Lists {
+  Numbers counts, all;
+  template <class List>
+  void add(const List& list) {
+    counts.push_back(static_cast<std::uint32_t>(list.size()));
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  void into(Json& json, const std::string& name) const {
+    json[name + "_counts"] = packed(counts);
+    json[name] = packed(all);
+  }
+};
+
+/// The cells of a flattened value as columns.
+class Cells {
+ public:
+  Cells(const FlatComplex& flat, PageTables& tables) : flat_(flat), tables_(tables) {}
+
+  /// `origins`: also where cells came from, and what only cells of a result have.
+  Json json(bool origins) {
+    Numbers points;
+    for (const VertexId v : flat_.points) points.push_back(tables_.point(v));
+    Json out;
+    out["points"] = packed(points);
+    out["vertices"] = vertices(origins);
+    out["edges"] = edges(origins);
+    out["faces"] = faces(origins);
+    if (origins) out["regions"] = regions();
+    return out;
+  }
+
+ private:
+  const FlatComplex& flat_;
+  PageTables& tables_;
+
+  std::uint32_t origin(const FlatComplex::Provenance& from) const {
+    return from.cells.empty() ? 0 : number_in(tables_.origins, from.cells) + 1;
+  }
+
+  /// A column: a number of each cell.
+  template <class List, class Of>
+  static std::string column(const List& cells, Of of) {
+    Numbers numbers;
+    for (const auto& cell : cells) numbers.push_back(static_cast<std::uint32_t>(of(cell)));
+    return packed(numbers);
+  }
+  template <class List>
+  void add_common(Json& out, const List& cells, bool origins) const {
+    out["component"] = column(cells, [](const auto& c) { return c.component; });
+    if (origins) out["origin"] = column(cells, [&](const auto& c) { return origin(c.origin); });
+  }
+
+  Json vertices(bool origins) const {
+    Json out;
+    out["point"] = column(flat_.vertices, [](const auto& v) { return v.point; });
+    out["flags"] = column(flat_.vertices, [](const auto& v) { return v.entity | v.feature << 1 | v.free << 2; });
+    out["region"] = column(flat_.vertices, [](const auto& v) { return optional(v.region); });
+    add_common(out, flat_.vertices, origins);
+    return out;
+  }
+
+  Json edges(bool origins) const {
+    Json out;
+    Lists points;
+    for (const auto& e : flat_.edges) points.add(e.points);
+    points.into(out, "points");
+    out["flags"] = column(flat_.edges, [](const auto& e) {
+      return e.closed | e.entity << 1 | e.feature << 2 | e.wire << 3 | e.slit << 4;
+    });
+    out["region"] = column(flat_.edges, [](const auto& e) { return optional(e.region); });
+    add_common(out, flat_.edges, origins);
+    return out;
+  }
+
+  Json faces(bool origins) const {
+    Json out;
+    Lists loops, walks, isolated, triangles;
+    for (const auto& f : flat_.faces) {
+      Numbers lengths, corners;
+      for (const auto& loop : f.loops) {
+        lengths.push_back(static_cast<std::uint32_t>(loop.size()));
+        walks.all.insert(walks.all.end(), loop.begin(), loop.end());
+      }
+      loops.add(lengths);
+      isolated.add(f.isolated);
+      for (const auto& t : f.triangles) corners.insert(corners.end(), t.begin(), t.end());
+      triangles.add(corners);
+    }
+    loops.into(out, "loops");
+    out["walks"] = packed(walks.all);
+    isolated.into(out, "isolated");
+    triangles.into(out, "triangles");
+    out["flags"] = column(flat_.faces, [](const auto& f) { return f.entity | !f.facets.empty() << 1; });
+    add_common(out, flat_.faces, origins);
+    if (!origins) return out;
+    out["front"] = column(flat_.faces, [](const auto& f) { return optional(f.regions[0]); });
+    out["back"] = column(flat_.faces, [](const auto& f) { return optional(f.regions[1]); });
+    std::map<FlatComplex::Patch, std::uint32_t> patches;
+    out["patch"] =
+        column(flat_.faces, [&](const auto& f) { return f.patch ? number_in(patches, *f.patch) + 1 : 0; });
+    return out;
+  }
+
+  Json regions() const {
+    Json out;
+    Lists shells;
+    Numbers sides;
+    Json volumes = Json::array();
+    for (const auto& r : flat_.regions) {
+      Numbers lengths;
+      for (const auto& shell : r.shells) {
+        lengths.push_back(static_cast<std::uint32_t>(shell.size()));
+        sides.insert(sides.end(), shell.begin(), shell.end());
+      }
+      shells.add(lengths);
+      const std::optional<Rational> size =
+          r.bounded && r.component != 0 ? volume(tables_.complex, r.cells) : std::nullopt;
+      volumes.push_back(size ? Json{to_string(*size), to_decimal(*size)} : Json());
+    }
+    shells.into(out, "shells");
+    out["sides"] = packed(sides);
+    out["bounded"] = column(flat_.regions, [](const auto& r) { return r.bounded; });
+    out["volume"] = volumes;
+    add_common(out, flat_.regions, true);
+    return out;
+  }
+};
+
+/// How many cells of the refinement the cells that are shown unite.
+std::size_t pieces_of(const SimplifiedComplex& s) {
+  std::size_t count = s.vertices.size();
+  for (const auto& e : s.edges) count += e.chain.size();
+  for (const auto& f : s.faces) count += f.cells.size();
+  for (const auto& r : s.regions) count += r.cells.size();
+  return count;
+}
+
+/// The faces around each edge of the node, and the region behind each, counter-clockwise as seen with the edge
+/// pointing towards the viewer; at the edge of the refinement where they were asked for, and at what angle from
+/// the first. Faces that simplification took away are passed over: both of their sides are one region.
+Json radial_orders(const Complex& complex, const SimplifiedComplex& s, PageTables& tables) {
+  Json out;
+  Numbers from, to, counts, faces, regions;
+  std::vector<float> angles;
+  for (const SimplifiedComplex::Edge& edge : s.edges) {
+    const EdgeId e = edge.chain.front().edge();
+    const auto& ends = complex.edge_ends[e];
+    from.push_back(tables.point(ends[0]));
+    to.push_back(tables.point(ends[1]));
+    const auto a = complex.points.approx(ends[0]), b = complex.points.approx(ends[1]);
+    const std::array<double, 3> d{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    std::uint32_t count = 0;
+    std::array<double, 3> first{}, across{};
+    double before = 0;
+    for (const FaceUse& use : complex.edge_uses[e]) {
+      const SimplifiedComplex::Place place = s.face_place[use.face.index()];
+      if (place.dimension != 2 || place.index == SimplifiedComplex::kNowhere) continue;
+      // Into the face: its normal times the direction in which it is to the left.
+      const ExactPlane& plane = complex.points.exact_plane(complex.plane(use.face));
+      const Integer size = abs(plane.a) + abs(plane.b) + abs(plane.c);
+      const double sign = use.half_edge.direction() == 0 ? 1 : -1;
+      const std::array<double, 3> n{sign * to_double(Rational(plane.a, size)),
+                                    sign * to_double(Rational(plane.b, size)),
+                                    sign * to_double(Rational(plane.c, size))};
+      const auto cross = [](const std::array<double, 3>& x, const std::array<double, 3>& y) {
+        return std::array<double, 3>{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2],
+                                     x[0] * y[1] - x[1] * y[0]};
+      };
+      const auto dot = [](const std::array<double, 3>& x, const std::array<double, 3>& y) {
+        return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+      };
+      const std::array<double, 3> into = cross(n, d);
+      if (count == 0) {
+        first = into;
+        across = cross(d, into);
+      }
+      double angle = count == 0 ? 0 : std::atan2(dot(into, across) / std::sqrt(dot(d, d)), dot(into, first));
+      if (angle < 0) angle += 2 * M_PI;
+      angle = std::max(angle, before);  // the order is exact, the angle is rounded
+      before = angle;
+      faces.push_back(place.index);
+      const SimplifiedComplex::Place behind = s.region_place[complex.region(use.after()).index()];
+      const bool listed = behind.dimension == 3 && behind.index != SimplifiedComplex::kNowhere;
+      regions.push_back(listed ? behind.index + 1 : 0);
+      angles.push_back(static_cast<float>(angle));
+      ++count;
+    }
+    counts.push_back(count);
+  }
+  out["from"] = packed(from);
+  out["to"] = packed(to);
+  out["counts"] = packed(counts);
+  out["faces"] = packed(faces);
+  out["regions"] = packed(regions);
+  out["angles"] = packed(angles);
+  return out;
+}
+
+bool is_bounded(const FlatComplex& flat) {
+  return flat.frame_points.empty() && std::all_of(flat.regions.begin(), flat.regions.end(),
+                                                  [](const auto& r) { return r.component == 0 || r.bounded; });
+}
+
+template <class IdT>
+const LocalShape* shape_of(const std::vector<std::pair<IdT, LocalShape>>& shapes, IdT cell) {
+  const auto at = std::lower_bound(shapes.begin(), shapes.end(), cell,
+                                   [](const auto& entry, IdT id) { return entry.first < id; });
+  return at == shapes.end() || at->first != cell ? nullptr : &at->second;
+}
+
+/// Euler-Poincare term by term, Betti numbers, and what the set looks like around vertices and edges.
+void add_topology(const Evaluation& evaluation, const KeptValue& kept, const FlatComplex& flat, PageTables& tables,
+                  Json& out) {
+  const Complex& complex = *evaluation.complex;
+  const Selection selection = selection_of(complex, *kept.value);
+  const CellSet set = support(selection);
+  if (set.empty()) return;
+  Neighbourhoods neighbourhoods(complex);
+  if (is_bounded(flat)) {
+    const SimplifiedEuler t = simplified_euler(complex, selection, *kept.simplified);
+    out["euler"] = {{"v", t.v},
+                    {"e", t.e},
+                    {"eh", t.edge_loops},
+                    {"f", t.f},
+                    {"r", t.r},
+                    {"fc", t.closed_faces},
+                    {"V", t.volumes},
+                    {"Vh", t.volume_holes},
+                    {"Vc", t.volume_cavities},
+                    {"C", t.pieces},
+                    {"Ch", t.holes},
+                    {"Cc", t.cavities},
+                    {"closed", subtract(closure(complex, set), set).empty()}};
+  }
+  BettiCounter counter(neighbourhoods);
+  std::vector<Component> components;
+  const auto see = [&](const auto& cells) {
+    for (const auto& [cell, c] : cells) components.push_back(c);
+  };
+  see(selection.vertices), see(selection.edges), see(selection.faces), see(selection.regions);
+  std::sort(components.begin(), components.end());
+  components.erase(std::unique(components.begin(), components.end()), components.end());
+  const std::vector<BettiNumbers> numbers = betti_numbers(selection, components, counter);
+  Json betti = Json::array();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto& [z2, q] = numbers[i];
+    betti.push_back({i == 0 ? 0 : components[i - 1], z2[0], z2[1], z2[2], q[0], q[1], q[2]});
+  }
+  out["betti"] = betti;
+  const Manifoldness shapes = manifoldness(complex, set, neighbourhoods);
+  const auto word = [&](const LocalShape* shape) -> std::uint32_t {
+    if (shape == nullptr) return 0;
+    const std::string form = to_string(shape->form);
+    return number_in(tables.words, shape->reason.empty() ? form : form + ": " + shape->reason) + 1;
+  };
+  Numbers vertices, edges;
+  for (const auto& v : kept.simplified->vertices) vertices.push_back(word(shape_of(shapes.vertices, v.cell)));
+  for (const auto& e : kept.simplified->edges) {
+    edges.push_back(word(shape_of(shapes.edges, e.chain.front().edge())));
+  }
+  out["shapes"] = {{"vertices", packed(vertices)}, {"edges", packed(edges)}};
+}
+
+/// Texts as `cnrg explain` prints them, in lines that all texts share.
+Json stories(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept, PageTables& tables) {
+  const SimplifiedComplex& s = *kept.simplified;
+  std::vector<SimplifiedComplex::Place> cells;
+  const std::size_t sizes[] = {s.vertices.size(), s.edges.size(), s.faces.size(), s.regions.size()};
+  for (int dimension = 0; dimension < 4; ++dimension) {
+    for (std::uint32_t i = 0; i < sizes[dimension]; ++i) cells.push_back({dimension, i});
+  }
+  Lists lists;
+  for (const Explanation& e : explain(tree, evaluation, kept.node, cells)) {
+    const std::string text = explanation_text(tree, evaluation, e);
+    Numbers lines;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      lines.push_back(number_in(tables.lines, text.substr(at, end - at)));
+      at = end + 1;
+    }
+    lists.add(lines);
+  }
+  Json out;
+  lists.into(out, "lines");
+  return out;
+}
+
+/// The fates of the operands' entities, drawn, and which row decided on each.
+Json classes_data(const Tree& tree, const Evaluation& evaluation, InstanceId id, Selection selection,
+                  PageTables& tables) {
+  const Result result(evaluation.complex, std::move(selection));
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+  Json out = Cells(flat, tables).json(false);
+  const Operator op = tree.nodes[evaluation.instances[id].node].op;
+  std::map<Component, std::array<bool, 3>> met;
+  const auto see = [&](const auto& cells, std::size_t dimension) {
+    for (const auto& cell : cells) {
+      if (cell.component != 0) met[cell.component][dimension] = true;
+    }
+  };
+  see(flat.vertices, 0), see(flat.edges, 1), see(flat.faces, 2);
+  Json list = Json::object();
+  for (const auto& [component, dimensions] : met) {
+    const Fate fate = Fate::of(component);
+    Json entry{{"removed", fate.removed}};
+    if (fate.table) {
+      entry["relation"] = name(fate.relation);
+      const BooleanOp boolean = op == Operator::unite       ? BooleanOp::unite
+                                : op == Operator::intersect ? BooleanOp::intersect
+                                                            : BooleanOp::subtract;
+      for (int d = 0; d < 3; ++d) {
+        if (!dimensions[static_cast<std::size_t>(d)]) continue;
+        const TableRow& row = table_rows()[table_row(boolean, fate.dominant, d, fate.relation)];
+        entry["rows"][std::to_string(d)] = {row.id, words(row.condition)};
+      }
+    }
+    list[std::to_string(component)] = entry;
+  }
+  out["fates"] = list;
+  return out;
+}
+
+std::size_t instances_under(const Evaluation& evaluation, InstanceId id) {
+  std::vector<char> below(evaluation.instances.size(), 0);
+  below[id.index()] = 1;
+  std::size_t count = 0;
+  for (std::size_t i = id.index() + 1; i-- > 0;) {
+    if (!below[i]) continue;
+    ++count;
+    for (const InstanceId operand : evaluation.instances[InstanceId(i)].operands) below[operand.index()] = 1;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<std::string> in_order(const std::map<std::string, std::uint32_t>& table) {
+  std::vector<std::string> out(table.size());
+  for (const auto& [text, number] : table) out[number] = text;
+  return out;
+}
+
+PageCosts page_costs(const Evaluation& evaluation, const KeptValue& kept, InstanceId id) {
+  PageCosts out;
+  out.topology = pieces_of(*kept.simplified);
+  out.stories = out.topology * instances_under(evaluation, id);
+  const std::vector<InstanceId>& operands = evaluation.instances[id].operands;
+  for (const InstanceId operand : operands) {
+    const auto& [v, e, f, r] = evaluation.rows[operand.index()].raw_cells;
+    out.classes += (v + e + f) * operands.size();
+  }
+  return out;
+}
+
+Json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept, InstanceId id,
+               const Told& told, PageTables& tables) {
+  const Complex& complex = *evaluation.complex;
+  const NodeRow& row = evaluation.rows[id.index()];
+  const Result result = evaluation.result(kept.node);
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+
+  Json out{{"name", shown(kept.name)}, {"operator", row.operator_name}, {"group", row.is_group}};
+  Json components = Json::array();
+  for (Component c = 1; c <= kept.value->component_count(); ++c) {
+    const RegionAttributes& a = kept.value->attributes(c);
+    Numbers leaves;
+    for (const LeafId leaf : a.leaves) leaves.push_back(leaf.value());
+    components.push_back({{"name", shown(a.name)}, {"material", shown(a.material.name())}, {"leaves", leaves}});
+  }
+  out["components"] = components;
+  out["counts"] = row.cells;
+  out["raw"] = row.raw_cells;
+  out["regions"] = row.regions;
+  out["volume"] = row.total ? Json{to_string(*row.total), to_decimal(*row.total)} : Json();
+  Json removals = Json::array();
+  for (const auto& [number, count] : row.removals) {
+    const TableRow& rule = table_rows()[number];
+    removals.push_back({rule.id, words(rule.condition), count});
+  }
+  out["removed"] = removals;
+  out["cells"] = Cells(flat, tables).json(true);
+  out["radial"] = radial_orders(complex, *kept.simplified, tables);
+
+  if (told.topology) add_topology(evaluation, kept, flat, tables, out);
+  if (told.stories) out["stories"] = stories(tree, evaluation, kept, tables);
+  if (told.classes) {
+    if (std::optional<Selection> all = fates(tree, evaluation, id)) {
+      out["classes"] = classes_data(tree, evaluation, id, std::move(*all), tables);
+    }
+  }
+  if (!told.topology) out["left_out"].push_back("topology");
+  if (!told.stories) out["left_out"].push_back("stories");
+  if (!told.classes) out["left_out"].push_back("classes");
+  return out;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,50 @@
+// What a page knows of one node: its cells, numbered as in files, and what is told of them.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "csg/operators/origins.h"
+#include "csg/result/flat.h"
+#include "csg/view/packed.h"
+#include "csg/view/page.h"
+
+namespace cnrg {
+
+/// What nodes have in common, each thing once: points, origins, lines of stories, words.
+struct PageTables {
+  explicit PageTables(const Complex& complex) : complex(complex) {}
+  const Complex& complex;
+  std::map<VertexId, std::uint32_t> numbers;
+  std::vector<VertexId> points;  ///< by number
+  std::map<std::vector<LeafCell>, std::uint32_t> origins;
+  std::map<std::string, std::uint32_t> lines, words;
+
+  std::uint32_t point(VertexId v) {
+    const std::uint32_t number = number_in(numbers, v);
+    if (number == points.size()) points.push_back(v);
+    return number;
+  }
+};
+
+/// The texts of a table by their numbers.
+std::vector<std::string> in_order(const std::map<std::string, std::uint32_t>& table);
+
+/// What telling all of a node costs, in the units of PageLimits.
+struct PageCosts {
+  std::size_t stories = 0, topology = 0, classes = 0;
+};
+PageCosts page_costs(const Evaluation& evaluation, const KeptValue& kept, InstanceId id);
+
+/// What is told of a node besides its cells.
+struct Told {
+  bool stories = true, topology = true, classes = true;
+};
+
+/// Of a node that was asked for; `id` is the instance of its value.
+nlohmann::ordered_json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept,
+                                 InstanceId id, const Told& told, PageTables& tables);
+
+}  // namespace cnrg

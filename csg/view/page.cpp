@@ -1,0 +1,161 @@
+// The data of all nodes, and the page that it makes with the template.
+#include "csg/view/page.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "csg/operators/node_value.h"
+#include "csg/text/escape.h"
+#include "csg/tree/dag.h"
+#include "csg/view/node_data.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Coordinates rounded, for drawing; and exactly, of the points that no doubles are.
+void add_points(const PageTables& tables, Json& out) {
+  const PointTable& points = tables.complex.points;
+  std::vector<double> rounded;
+  Json exact = Json::array();
+  for (std::size_t i = 0; i < tables.points.size(); ++i) {
+    const VertexId v = tables.points[i];
+    const RationalPoint p = points.rational(v);
+    bool is_rounded = false;
+    for (const Rational& x : p) {
+      const double nearest = to_double(x);
+      rounded.push_back(nearest);
+      is_rounded = is_rounded || from_double(nearest) != x;
+    }
+    if (is_rounded) exact.push_back({i, to_string(p[0]), to_string(p[1]), to_string(p[2])});
+  }
+  out["points"] = packed(rounded);
+  out["exact"] = exact;
+}
+
+/// Each origin as lists of the leaf, the dimension and the numbers of its cells: `[[0, 2, 4, 5]]`.
+Json origins_of(const PageTables& tables) {
+  std::vector<Json> out(tables.origins.size());
+  for (const auto& [cells, number] : tables.origins) {
+    Json lists = Json::array();
+    for (const LeafCell& cell : cells) {
+      if (lists.empty() || lists.back()[0] != cell.leaf.value() || lists.back()[1] != cell.dimension) {
+        lists.push_back({cell.leaf.value(), cell.dimension});
+      }
+      lists.back().push_back(cell.number);
+    }
+    out[number] = std::move(lists);
+  }
+  return out;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
+std::string html(std::string text) {
+  text = replaced(std::move(text), "&", "&amp;");
+  text = replaced(std::move(text), "<", "&lt;");
+  return replaced(std::move(text), "\"", "&quot;");
+}
+
+/// The instance of each kept value, by instance; the value of a node asked for is that of its last instance.
+std::vector<std::pair<InstanceId, const KeptValue*>> shown_nodes(const Evaluation& evaluation) {
+  std::map<InstanceId, const KeptValue*> found;
+  for (const KeptValue& kept : evaluation.kept) {
+    InstanceId of;
+    for (const InstanceId i : IdRange<InstanceId>(evaluation.instances.size())) {
+      if (evaluation.values[i] == kept.value) of = i;
+    }
+    require(of.valid(), "page_data: the evaluation has not kept all values");
+    found.emplace(of, &kept);
+  }
+  return {found.begin(), found.end()};
+}
+
+/// What is told of each node, within the limits: of the result first, then of nodes of few cells.
+std::vector<Told> told_of(const Evaluation& evaluation,
+                          const std::vector<std::pair<InstanceId, const KeptValue*>>& nodes, PageLimits left) {
+  std::vector<PageCosts> costs;
+  for (const auto& [id, kept] : nodes) costs.push_back(page_costs(evaluation, *kept, id));
+  std::vector<std::size_t> order(nodes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const NodeId result = evaluation.kept.front().node;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const bool first = nodes[a].second->node == result, second = nodes[b].second->node == result;
+    return first != second ? first : costs[a].stories < costs[b].stories;
+  });
+  const auto take = [](std::size_t cost, std::size_t& from) {
+    if (cost > from) return false;
+    from -= cost;
+    return true;
+  };
+  std::vector<Told> out(nodes.size());
+  for (const std::size_t i : order) {
+    out[i] = {take(costs[i].stories, left.stories), take(costs[i].topology, left.topology),
+              take(costs[i].classes, left.classes)};
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string page_data(const Tree& tree, const Evaluation& evaluation, const PageLimits& limits) {
+  PageTables tables(*evaluation.complex);
+  Json out{{"format", "cnrg page"}, {"version", 1}, {"tree", shown(tree.file)}};
+  const auto nodes = shown_nodes(evaluation);
+  std::map<NodeId, std::size_t> place;
+  for (const auto& [id, kept] : nodes) place.emplace(kept->node, place.size());
+  Json list = Json::array();
+  const std::vector<Told> told = told_of(evaluation, nodes, limits);
+  for (const auto& [id, kept] : nodes) {
+    Json node = node_data(tree, evaluation, *kept, id, told[list.size()], tables);
+    Json operands = Json::array();
+    for (const NodeId operand : tree.operands(kept->node)) {
+      if (const auto at = place.find(operand); at != place.end()) operands.push_back(at->second);
+    }
+    node["operands"] = operands;
+    list.push_back(std::move(node));
+  }
+  out["result"] = place.at(evaluation.kept.front().node);
+  // True if some node is not below the result: then it is refined with others than alone.
+  const std::vector<char> below = tree.dag->reachable({tree.result});
+  out["several"] =
+      std::any_of(nodes.begin(), nodes.end(), [&](const auto& n) { return !below[n.second->node.index()]; });
+  Json materials = Json::array();
+  for (const auto& m : evaluation.materials) {
+    materials.push_back({{"name", shown(m.name)}, {"color", m.color}});
+  }
+  out["materials"] = materials;
+  Json leaves = Json::array();
+  for (const std::string& leaf : evaluation.leaf_names) leaves.push_back(shown(leaf));
+  out["leaves"] = leaves;
+  add_points(tables, out);
+  out["origins"] = origins_of(tables);
+  out["words"] = in_order(tables.words);
+  out["lines"] = in_order(tables.lines);
+  out["nodes"] = std::move(list);
+  // No text of a tree may end the element that the data stand in, or begin another.
+  return replaced(out.dump(-1, ' ', false, Json::error_handler_t::replace), "<", "\\u003c");
+}
+
+std::string page_text(const std::string& page_template, const std::string& title, const std::string& data,
+                      const std::string& stamp) {
+  std::string out = page_template;
+  const auto put = [&](const std::string& place, const std::string& text) {
+    const std::size_t at = out.find(place);
+    if (at == std::string::npos) throw InputError("the template of the page has no place `" + place + "`");
+    out.replace(at, place.size(), text);
+  };
+  put("<!--cnrg:title-->", html(shown(title)));
+  put("<!--cnrg:stamp-->", html(stamp));
+  put("<!--cnrg:data-->", data);
+  return out;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,79 @@
+// The data of the page as arrays. csg/view/packed.h says how lists of numbers are written.
+
+const KINDS = {1: Uint8Array, 2: Uint16Array, 4: Uint32Array, f: Float32Array, d: Float64Array};
+
+export function unpack(text) {
+  const Kind = KINDS[text[0]];
+  const bytes = Uint8Array.from(atob(text.slice(2)), (c) => c.charCodeAt(0));
+  return new Kind(bytes.buffer);
+}
+
+/** Lists of lists: `lists.of(i)` is the i-th one. */
+export class Lists {
+  constructor(counts, all) {
+    this.all = all;
+    this.starts = new Uint32Array(counts.length + 1);
+    for (let i = 0; i < counts.length; ++i) this.starts[i + 1] = this.starts[i] + counts[i];
+  }
+  get length() { return this.starts.length - 1; }
+  of(i) { return this.all.subarray(this.starts[i], this.starts[i + 1]); }
+}
+
+const lists = (json, name) => new Lists(unpack(json[`${name}_counts`]), unpack(json[name]));
+
+/** Columns of `names`, each unpacked. */
+function columns(json, names) {
+  const out = {};
+  for (const name of names) if (json[name] !== undefined) out[name] = unpack(json[name]);
+  return out;
+}
+
+/** The cells of a node, or of what became of its operands' entities. */
+export function readCells(json) {
+  const cells = {
+    points: unpack(json.points),
+    vertices: columns(json.vertices, ['point', 'flags', 'region', 'component', 'origin']),
+    edges: columns(json.edges, ['flags', 'region', 'component', 'origin']),
+    faces: columns(json.faces, ['flags', 'component', 'origin', 'front', 'back', 'patch']),
+    regions: {component: [], shells: null},
+  };
+  cells.edges.points = lists(json.edges, 'points');
+  const {faces} = cells;
+  const lengths = lists(json.faces, 'loops');
+  const walks = new Lists(lengths.all, unpack(json.faces.walks));
+  faces.loops = (f) => {
+    const out = [];
+    for (let l = lengths.starts[f]; l < lengths.starts[f + 1]; ++l) out.push(walks.of(l));
+    return out;
+  };
+  faces.isolated = lists(json.faces, 'isolated');
+  faces.triangles = lists(json.faces, 'triangles');
+  if (json.regions) {
+    cells.regions = columns(json.regions, ['bounded', 'component', 'origin']);
+    cells.regions.volume = json.regions.volume;
+    const shells = lists(json.regions, 'shells');
+    const sides = new Lists(shells.all, unpack(json.regions.sides));
+    cells.regions.shells = (r) => {
+      const out = [];
+      for (let s = shells.starts[r]; s < shells.starts[r + 1]; ++s) out.push(sides.of(s));
+      return out;
+    };
+  }
+  return cells;
+}
+
+/** The whole page: what is text at once, what is long when it is first asked for. */
+export class Page {
+  constructor(json) {
+    Object.assign(this, {
+      tree: json.tree, result: json.result, several: json.several, materials: json.materials, leaves: json.leaves, nodes: json.nodes,
+      origins: json.origins, words: json.words, lines: json.lines,
+    });
+    // Materials that only results read back name have colours of their own, too.
+    const names = new Set(this.materials.map((m) => m.name));
+    for (const {components} of this.nodes) for (const {material} of components) if (material && !names.has(material)) (names.add(material), this.materials.push({name: material, color: ''}));
+    this.points = unpack(json.points);
+    this.exact = new Map(json.exact.map(([i, ...xyz]) => [i, xyz]));
+    this.models = new Map();
+  }
+}

@@ -1,0 +1,323 @@
+// The data of a page against what the library and the exact .json say.
+#include "csg/view/page.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "csg/explain/explain.h"
+#include "csg/formats/formats.h"
+#include "csg/operators/node_value.h"
+#include "csg/result/result_data.h"
+#include "csg/tree/dag.h"
+#include "csg/view/classes.h"
+#include "csg/view/packed.h"
+#include "kernel/selection/incidence.h"
+
+using namespace cnrg;
+using Catch::Contains;
+using Json = nlohmann::json;
+
+namespace {
+
+std::string bytes_of(const std::string& text) {
+  static const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    out += static_cast<char>(bits >> count & 0xff);
+  }
+  return out;
+}
+
+/// The numbers of a packed column.
+std::vector<std::uint32_t> numbers(const Json& column) {
+  const std::string text = column.get<std::string>();
+  const std::size_t size = static_cast<std::size_t>(text[0] - '0');
+  const std::string bytes = bytes_of(text.substr(2));
+  std::vector<std::uint32_t> out;
+  for (std::size_t i = 0; i + size <= bytes.size(); i += size) {
+    std::uint32_t number = 0;
+    for (std::size_t k = 0; k < size; ++k) {
+      number |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + k])) << (8 * k);
+    }
+    out.push_back(number);
+  }
+  return out;
+}
+
+/// Lists of lists from two columns.
+std::vector<std::vector<std::uint32_t>> lists(const Json& json, const std::string& name) {
+  const std::vector<std::uint32_t> all = numbers(json[name]);
+  std::vector<std::vector<std::uint32_t>> out;
+  std::size_t at = 0;
+  for (const std::uint32_t count : numbers(json[name + "_counts"])) {
+    out.emplace_back(all.begin() + static_cast<std::ptrdiff_t>(at),
+                     all.begin() + static_cast<std::ptrdiff_t>(at + count));
+    at += count;
+  }
+  CHECK(at == all.size());
+  return out;
+}
+
+struct Scene {
+  Tree tree;
+  Evaluation evaluation;
+  Json data;
+
+  explicit Scene(const std::string& text, const PageLimits& limits = {}) : tree(parse_tree(text, "t.yaml")) {
+    EvaluateOptions options;
+    options.keep_all = true;
+    for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) options.nodes.push_back(id);
+    evaluation = evaluate(tree, options);
+    raw = page_data(tree, evaluation, limits);
+    data = Json::parse(raw);
+  }
+  std::string raw;
+
+  const Json& node(const std::string& name) const {
+    for (const Json& n : data["nodes"]) {
+      if (n["name"] == name) return n;
+    }
+    throw std::runtime_error("no node " + name);
+  }
+};
+
+/// A block with an inner wall, a sheet through it, a wire and a point, open sets and a tunnel.
+const char* const kMixed = R"(cnrg: 1
+materials: {rock: {color: "#998877"}}
+nodes:
+  ground: {box: {min: [0, 0, 0], max: [9, 9, 6]}, material: rock, name: ground}
+  fault:  {polygon: [[2, -1, -1], [7, -1, 7], [7, 10, 7], [2, 10, -1]]}
+  bolt:   {polyline: [[6, 5, 3], [6, 5, "29/6"]]}
+  mark:   {points: [[1, 1, 1]]}
+  tunnel: {cylinder: {from: [6, -1, 3], to: [6, 10, 3], radius: 1, segments: 12}}
+  split:  {union: [bolt, mark, fault, ground], dominance: left}
+  model:  {difference: [split, tunnel]}
+  inner:  {interior: model}
+  skin:   {boundary: inner}
+result: model
+)";
+
+}  // namespace
+
+TEST_CASE("numbers are packed in as few bytes as the largest needs", "[view]") {
+  CHECK(base64("") == "");
+  CHECK(base64("f") == "Zg==");
+  CHECK(base64("fo") == "Zm8=");
+  CHECK(base64("foo") == "Zm9v");
+  CHECK(base64("foob") == "Zm9vYg==");
+  CHECK(packed(std::vector<std::uint32_t>{}) == "1:");
+  CHECK(packed(std::vector<std::uint32_t>{1, 255}) == "1:Af8=");
+  CHECK(packed(std::vector<std::uint32_t>{1, 256}) == "2:AQAAAQ==");
+  CHECK(packed(std::vector<std::uint32_t>{65536}) == "4:AAABAA==");
+  CHECK(packed(std::vector<float>{1.0f}) == "f:AACAPw==");
+  CHECK(packed(std::vector<double>{-2.0}) == "d:AAAAAAAAAMA=");
+}
+
+TEST_CASE("a page has the cells of each node with the numbers of its exact file", "[view]") {
+  const Scene scene(kMixed);
+  REQUIRE(scene.data["nodes"].size() == scene.tree.nodes.size());
+  CHECK(scene.data["nodes"][scene.data["result"].get<std::size_t>()]["name"] == "model");
+  for (const Json& node : scene.data["nodes"]) {
+    const std::string name = node["name"];
+    INFO(name);
+    const Result result = scene.evaluation.result(name);
+    const Json exact = Json::parse(json_text(result.data().view()).text);
+    const Json& cells = node["cells"];
+    const auto component = [&](const char* kind) { return numbers(cells[kind]["component"]); };
+    for (const char* kind : {"vertices", "edges", "faces", "regions"}) {
+      std::vector<std::uint32_t> expected;
+      for (const Json& cell : exact[kind]) expected.push_back(cell["component"]);
+      CHECK(component(kind) == expected);
+    }
+    const auto edges = lists(cells["edges"], "points");
+    REQUIRE(edges.size() == exact["edges"].size());
+    for (std::size_t e = 0; e < edges.size(); ++e) CHECK(Json(edges[e]) == exact["edges"][e]["points"]);
+    const auto triangles = lists(cells["faces"], "triangles");
+    const auto front = numbers(cells["faces"]["front"]), back = numbers(cells["faces"]["back"]);
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      std::vector<std::uint32_t> corners;
+      for (const Json& t : exact["faces"][f]["triangles"]) {
+        for (const Json& corner : t) corners.push_back(corner);
+      }
+      CHECK(triangles[f] == corners);
+      const auto region = [](std::uint32_t r) { return r == 0 ? Json() : Json(r - 1); };
+      CHECK(region(front[f]) == exact["faces"][f]["regions"][0]);
+      CHECK(region(back[f]) == exact["faces"][f]["regions"][1]);
+    }
+    for (std::size_t r = 0; r < exact["regions"].size(); ++r) {
+      const Json& volume = cells["regions"]["volume"][r];
+      if (exact["regions"][r]["component"] != 0) {
+        CHECK((volume.is_null() ? volume : volume[0]) == exact["regions"][r]["volume"]);
+      }
+    }
+  }
+}
+
+TEST_CASE("coordinates that no doubles are stand in a page exactly", "[view]") {
+  const Scene scene(kMixed);
+  const Json& cells = scene.node("bolt")["cells"];
+  const std::uint32_t number = numbers(cells["points"])[1];
+  bool found = false;
+  for (const Json& entry : scene.data["exact"]) {
+    if (entry[0] != number) continue;
+    found = true;
+    CHECK(entry == Json({number, "6", "5", "29/6"}));
+  }
+  CHECK(found);
+}
+
+TEST_CASE("every cell's story in a page is what explain says of it", "[view]") {
+  const Scene scene(kMixed);
+  std::size_t told = 0;
+  for (const Json& node : scene.data["nodes"]) {
+    const std::string name = node["name"];
+    const NodeId id = scene.tree.find(name);
+    const SimplifiedComplex& s = *scene.evaluation.value(id).simplified;
+    const auto stories = lists(node["stories"], "lines");
+    std::size_t next = 0;
+    const std::size_t counts[] = {s.vertices.size(), s.edges.size(), s.faces.size(), s.regions.size()};
+    REQUIRE(stories.size() == counts[0] + counts[1] + counts[2] + counts[3]);
+    for (int d = 0; d < 4; ++d) {
+      for (std::uint32_t i = 0; i < counts[d]; ++i) {
+        std::string text;
+        for (const std::uint32_t line : stories[next]) text += scene.data["lines"][line].get<std::string>() + "\n";
+        ++next;
+        if (i % 3 != 0 && d < 3) continue;  // each asks for all of it again
+        CHECK(text == explanation_text(scene.tree, scene.evaluation,
+                                       explain(scene.tree, scene.evaluation, id, cell_name(d, i))));
+        ++told;
+      }
+    }
+  }
+  CHECK(told > 60);
+}
+
+TEST_CASE("faces about an edge of a page are in radial order, at growing angles", "[view]") {
+  const Scene scene(kMixed);
+  const SimplifiedComplex& s = *scene.evaluation.value(scene.tree.find("model")).simplified;
+  const Json& radial = scene.node("model")["radial"];
+  const auto counts = numbers(radial["counts"]), faces = numbers(radial["faces"]);
+  REQUIRE(counts.size() == s.edges.size());
+  std::size_t at = 0, fans = 0;
+  for (std::size_t e = 0; e < counts.size(); ++e) {
+    std::vector<std::uint32_t> expected;
+    for (const RadialStep& step : radial_order(*scene.evaluation.complex, s.edges[e].chain.front().edge())) {
+      const SimplifiedComplex::Place place = s.face_place[step.face.face().index()];
+      if (place.dimension == 2) expected.push_back(place.index);
+    }
+    const std::vector<std::uint32_t> shown(faces.begin() + static_cast<std::ptrdiff_t>(at),
+                                           faces.begin() + static_cast<std::ptrdiff_t>(at + counts[e]));
+    // Around is around: it may begin at any face.
+    REQUIRE(shown.size() == expected.size());
+    std::vector<std::uint32_t> turned = expected;
+    bool same = shown == turned;
+    for (std::size_t k = 0; k < expected.size() && !same; ++k) {
+      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+      same = shown == turned;
+    }
+    CHECK(same);
+    fans += expected.size() > 2;
+    at += counts[e];
+  }
+  CHECK(fans > 0);
+}
+
+TEST_CASE("a page tells Euler-Poincare and Betti numbers, and leaves out the former of what is unbounded",
+          "[view]") {
+  const Scene scene(
+      "cnrg: 1\nnodes:\n  box: {box: {min: [0, 0, 0], max: [2, 2, 2]}}\n"
+      "  hole: {box: {min: [0.5, 0.5, -1], max: [1.5, 1.5, 3]}}\n  ring: {difference: [box, hole]}\n"
+      "  rest: {complement: ring}\nresult: ring\n");
+  const Json& euler = scene.node("ring")["euler"];
+  CHECK(euler["v"] == 16);
+  CHECK(euler["e"] == 24);
+  CHECK(euler["f"] == 10);
+  CHECK(euler["r"] == 2);
+  CHECK(euler["V"] == 1);
+  CHECK(euler["Vh"] == 1);
+  CHECK(euler["Ch"] == 1);
+  CHECK(euler["closed"] == true);
+  CHECK(scene.node("ring")["betti"][0] == Json({0, 1, 1, 0, 1, 1, 0}));
+  CHECK(!scene.node("rest").contains("euler"));
+  CHECK(scene.node("rest")["betti"][0] == Json({0, 1, 1, 1, 1, 1, 1}));
+}
+
+TEST_CASE("what became of the operands' entities is told with relation and row", "[view]") {
+  const Scene scene(
+      "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}\n  b: {box: {min: [1, 1, 1], max: [3, 3, "
+      "3]}}\n"
+      "  c: {difference: [a, b]}\n  i: {interior: c}\nresult: i\n");
+  const Json& classes = scene.node("c")["classes"];
+  std::map<std::string, std::string> rows;
+  for (const Json& fate : classes["fates"]) {
+    const std::string key = fate["relation"].get<std::string>() + (fate["removed"] ? "-" : "+");
+    if (fate["rows"].contains("2")) rows[key] = fate["rows"]["2"][0];
+  }
+  // Three faces of a lose a corner, three stay whole; of b three corners of faces are the new walls.
+  CHECK(rows == std::map<std::string, std::string>{{"AinB-", "difference.face.AinB"},
+                                                   {"AoutB+", "difference.face.AoutB"},
+                                                   {"BinA+", "difference.face.BinA"},
+                                                   {"BoutA-", "difference.face.BoutA"}});
+  // The interior has no table: its boundary went.
+  const Json& fates = scene.node("i")["classes"]["fates"];
+  REQUIRE(fates.size() == 1);
+  CHECK(fates.begin().value() == Json({{"removed", true}}));
+  CHECK(!scene.node("a").contains("classes"));
+}
+
+TEST_CASE("a fate is kept in its component", "[view]") {
+  for (std::size_t r = 0; r < kRelations; ++r) {
+    for (int code = 0; code < 4; ++code) {
+      const Fate fate{static_cast<Relation>(r), (code & 2) != 0, (code & 1) != 0, true};
+      const Fate back = Fate::of(fate.component());
+      CHECK(back.relation == fate.relation);
+      CHECK(back.dominant == fate.dominant);
+      CHECK(back.removed == fate.removed);
+      CHECK(back.table);
+    }
+  }
+  CHECK(!Fate::of(Fate{Relation::common, false, true, false}.component()).table);
+}
+
+TEST_CASE("beyond its limits a page says what it leaves out", "[view]") {
+  const Scene scene(kMixed, {.stories = 60, .topology = 10, .classes = 10});
+  const Json& model = scene.node("model");
+  CHECK(!model.contains("stories"));
+  CHECK(!model.contains("euler"));
+  CHECK(!model.contains("classes"));
+  CHECK(model["left_out"] == Json({"topology", "stories", "classes"}));
+  CHECK(scene.node("bolt").contains("stories"));
+}
+
+TEST_CASE("what a page has no room for is left out of nodes of many cells, not of the result", "[view]") {
+  const Scene some(kMixed, {.stories = 1500, .topology = 200, .classes = 100000});
+  std::size_t with = 0;
+  for (const Json& node : some.data["nodes"]) {
+    with += node.contains("stories");
+    const std::string left_out = node.contains("left_out") ? node["left_out"].dump() : "";
+    CHECK(node.contains("stories") == (left_out.find("stories") == std::string::npos));
+  }
+  CHECK(some.node("model").contains("stories"));
+  CHECK(with > 2);
+  CHECK(with < some.evaluation.kept.size());
+}
+
+TEST_CASE("no text of a tree is HTML in its page", "[view]") {
+  const Scene scene(
+      "cnrg: 1\nnodes:\n  \"</script><b>\": {box: {min: [0, 0, 0], max: [1, 1, 1]}, name: \"<!--<script>\"}\n"
+      "result: \"</script><b>\"\n");
+  CHECK(scene.raw.find('<') == std::string::npos);
+  CHECK(scene.data["nodes"][0]["name"] == "</script><b>");
+  CHECK(scene.data["nodes"][0]["components"][0]["name"] == "<!--<script>");
+  const std::string page =
+      page_text("<t><!--cnrg:title--></t><!--cnrg:stamp-->|<!--cnrg:data-->", "a<b>&\"c\"", scene.raw, "7");
+  CHECK_THAT(page, Catch::StartsWith("<t>a&lt;b>&amp;&quot;c&quot;</t>7|{"));
+  CHECK_THROWS_WITH(page_text("nothing", "a", "b"), Contains("no place `<!--cnrg:title-->`"));
+}
