@@ -142,7 +142,10 @@ const char* const kInstead = "write .json, which holds any result, or .msh, whic
     case Kind::time:
       throw InputError("OpenCASCADE did not end within " + std::to_string(end.seconds) +
                        " s of processor time: " + kInstead);
-    case Kind::memory: throw FileError(std::string("OpenCASCADE ran out of memory, or of room for the file (ulimit -f): free some, or ") + kInstead);
+    case Kind::memory:
+      throw FileError(
+          std::string("OpenCASCADE ran out of memory, or of room for the file (ulimit -f): free some, or ") +
+          kInstead);
     case Kind::signal:
       throw InputError("OpenCASCADE crashed (signal " + std::to_string(end.number) + "): " + kInstead);
     default: throw InputError("OpenCASCADE ended its process (" + std::to_string(end.number) + "): " + kInstead);
