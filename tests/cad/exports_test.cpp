@@ -31,6 +31,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gp_Pln.hxx>
+#include <map>
 #include <numbers>
 #include <random>
 #include <set>
@@ -191,6 +192,61 @@ TEST_CASE("regions share the faces between them, and a wall has two solids", "[e
   const std::vector<double> found = volumes(shape);
   CHECK(found[0] == Approx(32 * kPi / 3).epsilon(1e-9));
   CHECK(found[1] == Approx(108 - 16 * kPi / 3).epsilon(1e-9));
+}
+
+/// The volume of the tetrahedra that Gmsh makes of a CAD model.
+double meshed_by_gmsh(const std::string& file) {
+  const std::string run = "gmsh -3 -format msh2 -clmax 0.4 '" + file + "' -o '" + file + ".msh' >/dev/null 2>&1";
+  REQUIRE(std::system(run.c_str()) == 0);
+  std::ifstream mesh(file + ".msh");
+  std::string line;
+  std::size_t n = 0;
+  while (line != "$Nodes") REQUIRE(std::getline(mesh, line));
+  mesh >> n;
+  std::map<std::size_t, std::array<double, 3>> points;
+  for (std::size_t i = 0, number = 0; i < n; ++i) {
+    mesh >> number;
+    for (double& x : points[number]) mesh >> x;
+  }
+  while (line != "$Elements") REQUIRE(std::getline(mesh, line));
+  mesh >> n;
+  double six = 0;
+  for (std::size_t i = 0; i <= n; ++i) {
+    std::getline(mesh, line);
+    std::istringstream fields(line);
+    std::vector<std::size_t> all;
+    for (std::size_t x = 0; fields >> x;) all.push_back(x);
+    if (all.size() < 4 || all[1] != 4) continue;  // number, kind (4: a tetrahedron), tags, points
+    std::array<std::array<double, 3>, 3> e;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t d = 0; d < 3; ++d)
+        e[k][d] = points.at(all[all.size() - 3 + k])[d] - points.at(all[all.size() - 4])[d];
+    }
+    six += std::abs(e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+                    e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+                    e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]));
+  }
+  return six / 6;
+}
+
+TEST_CASE("Gmsh meshes the files", "[exports]") {
+  if (std::system("command -v gmsh >/dev/null 2>&1") != 0) {
+    WARN("gmsh is not installed: left out");
+    return;
+  }
+  // A bored ball with a ring around it, and a box that it goes into.
+  const Scene scene(
+      "nodes:\n  ball: {sphere: {center: [0, 0, 0], radius: 2}}\n"
+      "  bore: {cylinder: {from: [0, 0, -3], to: [0, 0, 3], radius: 1}}\n"
+      "  bead: {difference: [ball, bore]}\n  box: {box: {min: [0, -3, -3], max: [3, 3, 3]}}\n"
+      "  model: {union: [bead, box], dominance: left}");
+  // What the bore leaves of the ball is 4/3 pi (4 - 1)^(3/2), half of it in the box.
+  const double bead = 4 * kPi * std::sqrt(3.0), in_box = bead / 2;
+  for (const std::string name : {"m.step", "m.brep"}) {
+    INFO(name);
+    scene.write(name);
+    CHECK(meshed_by_gmsh(scene.file(name)) == Approx(bead + 108 - in_box).epsilon(0.01));
+  }
 }
 
 TEST_CASE("curves of intersection are splines within the tolerance, which the notice says", "[exports]") {
