@@ -270,24 +270,16 @@ class Flattener {
   /// The surface of the patch, or else the smallest number that all cells have.
   std::uint32_t surface_of(const SimplifiedComplex::Face& from, const FlatComplex::Face& face) const {
     if (complex_.surface_count == 0) return 0;
-    std::vector<std::uint32_t> common, here, both;
-    for (std::size_t i = 0; i < from.cells.size(); ++i) {
-      here.clear(), both.clear();
-      for (const Cover& cover : complex_.cover(from.cells[i].face())) {
+    if (face.patch) {
+      for (const Cover& cover : complex_.cover(from.cells[0].face())) {
         const Soup::Face& source = complex_.sources[cover.source];
-        if (face.patch && FlatComplex::Patch(source.leaf, source.patch) == *face.patch) return source.surface;
-        if (source.surface != 0 && is_own(face, cover)) here.push_back(source.surface);
+        if (FlatComplex::Patch(source.leaf, source.patch) == *face.patch) return source.surface;
       }
-      sort_unique(here);
-      if (i == 0) {
-        common = here;
-      } else {
-        std::set_intersection(common.begin(), common.end(), here.begin(), here.end(), std::back_inserter(both));
-        common.swap(both);
-      }
-      if (common.empty()) return 0;
     }
-    return common.empty() ? 0 : common[0];
+    const auto all = common_of<std::uint32_t>(from, [&](const Cover& cover, const Soup::Face& source) {
+      return source.surface != 0 && is_own(face, cover) ? std::optional(source.surface) : std::nullopt;
+    });
+    return all.empty() ? 0 : all[0];
   }
 
   void add_cells_of_patches(FlatComplex::Face& face, const SimplifiedComplex::Face& from) const {
@@ -348,16 +340,14 @@ class Flattener {
     return place.dimension == 3 && place.index < simple_.regions.size() ? place.index : kNone;
   }
 
-  /// The first patch of `leaves` that covers all cells of the face. Patches of other leaves made no face one, so a
-  /// reader must not make one of them.
-  std::optional<FlatComplex::Patch> patch_of(const SimplifiedComplex::Face& face,
-                                             const std::vector<LeafId>& leaves) const {
-    std::vector<FlatComplex::Patch> common, here, both;
+  /// What `value` finds at covers of every cell of the face, ascending.
+  template <class T, class Value>
+  std::vector<T> common_of(const SimplifiedComplex::Face& face, Value value) const {
+    std::vector<T> common, here, both;
     for (std::size_t i = 0; i < face.cells.size(); ++i) {
       here.clear(), both.clear();
       for (const Cover& cover : complex_.cover(face.cells[i].face())) {
-        const Soup::Face& source = complex_.sources[cover.source];
-        if (source.leaf != complex_.frame) here.emplace_back(source.leaf, source.patch);
+        if (const std::optional<T> found = value(cover, complex_.sources[cover.source])) here.push_back(*found);
       }
       sort_unique(here);
       if (i == 0) {
@@ -366,8 +356,19 @@ class Flattener {
         std::set_intersection(common.begin(), common.end(), here.begin(), here.end(), std::back_inserter(both));
         common.swap(both);
       }
-      if (common.empty()) return std::nullopt;
+      if (common.empty()) break;
     }
+    return common;
+  }
+
+  /// The first patch of `leaves` that covers all cells of the face. Patches of other leaves made no face one, so a
+  /// reader must not make one of them.
+  std::optional<FlatComplex::Patch> patch_of(const SimplifiedComplex::Face& face,
+                                             const std::vector<LeafId>& leaves) const {
+    const auto common = common_of<FlatComplex::Patch>(face, [&](const Cover&, const Soup::Face& source) {
+      return source.leaf == complex_.frame ? std::nullopt
+                                           : std::optional(FlatComplex::Patch(source.leaf, source.patch));
+    });
     const auto own = std::find_if(common.begin(), common.end(), [&](const FlatComplex::Patch& patch) {
       return std::binary_search(leaves.begin(), leaves.end(), patch.first);
     });
