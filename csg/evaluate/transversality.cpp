@@ -330,6 +330,13 @@ class Examination {
   struct Pair {
     SurfacePart a, b;
   };
+  /// How far the part's box reaches; a plane has no end.
+  static double size_of(const SurfacePart& part) {
+    if (part.surface == nullptr) return HUGE_VAL;
+    double size = 0;
+    for (const Interval& x : part.point) size += x.sup() - x.inf();
+    return size;
+  }
   std::vector<Pair> pairs_of(const Contact& contact) const {
     std::vector<Pair> pairs;
     for (const SurfacePart& a : parts_of(facets_.at(contact.facets[0]))) {
@@ -390,8 +397,8 @@ class Examination {
       pairs.swap(open);
       const std::vector<Pair>& last = pairs.empty() ? open : pairs;
       const Pair& one = last[last.size() / 2];
-      for (std::size_t i = 0; i < 3; ++i)
-        at[i] = constant((one.a.surface != nullptr ? one.a : one.b).point[i]).value;
+      const SurfacePart& small = size_of(one.a) < size_of(one.b) ? one.a : one.b;
+      for (std::size_t i = 0; i < 3; ++i) at[i] = constant(small.point[i]).value;
       if (pairs.empty()) return k;
     }
     return kMostFiner + 1;
