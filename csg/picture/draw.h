@@ -1,0 +1,50 @@
+// From a node's cells to a drawing: cut, pulled apart, seen from a camera, and what hides what decided exactly.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "csg/evaluate/evaluate.h"
+#include "csg/picture/drawing.h"
+#include "csg/tree/tree.h"
+#include "kernel/exact/rational.h"
+
+namespace cnrg {
+
+struct DrawOptions {
+  /// Where the picture is taken from, in degrees: to the right of the negative y-axis, as seen from above, and up
+  /// from the plane of x and y. Nothing: chosen so that what is long in the model lies across the picture.
+  struct Camera {
+    double azimuth = 0, elevation = 0;
+  };
+  std::optional<Camera> camera;
+  /// The part of the model on the camera's side of the plane `normal . p = offset` is taken away.
+  struct Cut {
+    std::array<Rational, 3> normal;
+    Rational offset;
+  };
+  std::vector<Cut> cuts;
+  double apart = 0;    ///< regions are moved away from the middle by this share of their distance from it
+  double opacity = 1;  ///< of faces; below 1 what is behind them shines through, hidden lines as faint ones
+  bool ghosts = false; ///< what operators removed, faintly
+  enum class Colors : std::uint8_t {
+    material,  ///< of its material; by component where there is none
+    region,
+    component,
+    source,  ///< the leaves that a cell came from
+  };
+  Colors colors = Colors::material;
+  /// Which cells have their numbers beside them (`v6`, `e11`, `f2`, `r2`), and whether regions, sheets and wires
+  /// have their names.
+  struct Labels {
+    bool vertices = false, edges = false, faces = false, regions = false, names = false;
+  };
+  Labels labels;
+};
+
+/// The value of an instance. The evaluation must have kept it. Throws InputError for a node that reaches the frame
+/// of unbounded leaves with more than regions.
+Drawing draw(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept, InstanceId id,
+             const DrawOptions& options);
+
+}  // namespace cnrg
