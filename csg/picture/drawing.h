@@ -16,9 +16,10 @@ namespace cnrg {
 
 using Point2 = std::array<double, 2>;
 using Rgb = std::array<double, 3>;  ///< 0 to 1
+inline constexpr Rgb kInk{0.12, 0.13, 0.16};
 
 struct Drawing {
-  /// An area of one color. Areas with `over` false do not overlap and have no gaps between them.
+  /// An area of one color. Areas do not overlap, and there are no gaps between them.
   struct Area {
     std::vector<std::vector<Point2>> loops;  ///< outer and holes: inside where an odd number of them is around
     Rgb color{};
