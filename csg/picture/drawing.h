@@ -12,10 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "csg/result/palette.h"
+
 namespace cnrg {
 
 using Point2 = std::array<double, 2>;
-using Rgb = std::array<double, 3>;  ///< 0 to 1
 inline constexpr Rgb kInk{0.12, 0.13, 0.16};
 
 struct Drawing {

@@ -15,7 +15,8 @@ double room_at(const Loops& loops, const Point2& p) {
   double nearest = INFINITY;
   for (const auto& loop : loops) {
     for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
-      const auto &[ax, ay] = loop[j], &[bx, by] = loop[i];
+      const auto& [ax, ay] = loop[j];
+      const auto& [bx, by] = loop[i];
       if ((ay > p[1]) != (by > p[1]) && p[0] < (bx - ax) * (p[1] - ay) / (by - ay) + ax) inside = !inside;
       const double dx = bx - ax, dy = by - ay, size = dx * dx + dy * dy;
       const double t = size == 0 ? 0 : std::clamp(((p[0] - ax) * dx + (p[1] - ay) * dy) / size, 0.0, 1.0);
