@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "kernel/base/sorted.h"
 #include "kernel/complex/complex.h"
 
 namespace cnrg {
@@ -55,8 +56,10 @@ class Cutter {
     for (const FaceId f : IdRange<FaceId>(complex_->face_count())) keep_face(f);
     for (const EdgeId e : IdRange<EdgeId>(complex_->edge_count())) keep_edge(e);
     for (Index i = 0; i < segments_.size(); ++i) {
-      if (!segments_[i].empty()) out_.edges.push_back({cells_.edges[i].edge, std::move(segments_[i])});
+      const PictureCells::Edge& edge = cells_.edges[i];
+      if (!segments_[i].empty()) out_.edges.push_back({edge.edge, edge.regions, std::move(segments_[i])});
     }
+    for (auto& [regions, segments] : cuts_) out_.edges.push_back({kNone, regions, std::move(segments)});
     return std::move(out_);
   }
 
@@ -70,6 +73,8 @@ class Cutter {
   IdVector<VertexId, Index> number_;
   std::vector<std::vector<std::array<Index, 2>>> segments_;  // by edge of cells_
   std::vector<char> kept_face_;
+  std::map<std::pair<Index, std::array<Index, 2>>, Index> pieces_;        // of a face between two regions, in out_
+  std::map<std::vector<Index>, std::vector<std::array<Index, 2>>> cuts_;  // new lines by the regions about them
   PictureCells out_;
 
   static std::uint32_t label(Index region) { return region == kNone ? 0 : region + 1; }
@@ -135,21 +140,22 @@ class Cutter {
   void keep_face(FaceId f) {
     const int where = side(f);
     if (where > 0) return;
-    PictureCells::Face face;
+    Index of = kNone;
+    std::array<Index, 2> regions{};
     bool is_model = false;
     for (const Cover& cover : complex_->cover(f)) {
       const Soup::Face& source = complex_->sources[cover.source];
       if (source.leaf == knife_) continue;
       is_model = true;
-      face.face = cells_.faces[source.leaf_face].face;
+      of = cells_.faces[source.leaf_face].face;
     }
-    for (const unsigned s : {0U, 1U}) face.regions[s] = region(complex_->region(HalfFace(f, s)));
+    for (const unsigned s : {0U, 1U}) regions[s] = region(complex_->region(HalfFace(f, s)));
     if (where == 0) {
       // The side of the face that looks to what was cut away.
       const ExactPlane& plane = complex_->points.exact_plane(complex_->plane(f));
       const bool front = sgn(normal_[0] * plane.a + normal_[1] * plane.b + normal_[2] * plane.c) > 0;
-      face.regions[front ? 0 : 1] = kNone;
-      if (!is_model && face.regions[front ? 1 : 0] == kNone) return;
+      regions[front ? 0 : 1] = kNone;
+      if (!is_model && regions[front ? 1 : 0] == kNone) return;
     }
     kept_face_[f.index()] = is_model && where != 0 ? 1 : 0;
     std::vector<FlatComplex::Loop> loops;
@@ -157,8 +163,18 @@ class Cutter {
       FlatComplex::Loop& loop = loops.emplace_back();
       for (const HalfEdge h : complex_->loop[l]) loop.push_back(number(complex_->origin(h)));
     }
-    face.facets.push_back(std::move(loops));
-    out_.faces.push_back(std::move(face));
+    // A piece that looks the other way than the first of its face is turned.
+    auto at = pieces_.find({of, regions});
+    if (const auto turned = pieces_.find({of, {regions[1], regions[0]}});
+        at == pieces_.end() && turned != pieces_.end() && regions[0] != regions[1]) {
+      for (FlatComplex::Loop& loop : loops) std::reverse(loop.begin(), loop.end());
+      at = turned;
+    }
+    if (at == pieces_.end()) {
+      at = pieces_.emplace(std::pair(of, regions), static_cast<Index>(out_.faces.size())).first;
+      out_.faces.push_back({of, regions, {}});
+    }
+    out_.faces[at->second].facets.push_back(std::move(loops));
   }
 
   void keep_edge(EdgeId e) {
@@ -174,9 +190,14 @@ class Cutter {
     }
     if (known || side_[a] != 0 || side_[b] != 0) return;
     const auto uses = complex_->edge_uses[e];
-    const bool cut = std::any_of(uses.begin(), uses.end(),
-                                 [&](const FaceUse& use) { return kept_face_[use.face.index()] != 0; });
-    if (cut) out_.edges.push_back({kNone, {{number(a), number(b)}}});
+    std::vector<Index> about;
+    for (const FaceUse& use : uses) {
+      if (kept_face_[use.face.index()] == 0) continue;
+      for (const RegionId r : complex_->face_regions[use.face]) about.push_back(region(r));
+    }
+    if (about.empty()) return;
+    sort_unique(about);
+    cuts_[about].push_back({number(a), number(b)});
   }
 };
 
@@ -189,7 +210,7 @@ PictureCells picture_cells(const Complex& complex, const FlatComplex& flat) {
     const FlatComplex::Face& face = flat.faces[i];
     PictureCells::Face& shown = out.faces.emplace_back();
     shown.face = i;
-    shown.regions = face.regions;
+    for (std::size_t s = 0; s < 2; ++s) shown.regions[s] = flat.active(face.regions[s]) ? face.regions[s] : kNone;
     if (face.facets.empty()) {
       std::vector<FlatComplex::Loop> loops = face.loops;
       const auto slit = [](const FlatComplex::Loop& loop) { return loop.size() < 3; };
@@ -210,7 +231,8 @@ PictureCells picture_cells(const Complex& complex, const FlatComplex& flat) {
   return out;
 }
 
-PictureCells cut(const PictureCells& cells, const DrawOptions::Cut& plane, const RationalPoint& towards, int threads) {
+PictureCells cut(const PictureCells& cells, const DrawOptions::Cut& plane, const RationalPoint& towards,
+                 int threads) {
   if (cells.points.empty()) return cells;
   return Cutter(cells, plane, towards, threads).run();
 }

@@ -16,11 +16,13 @@ struct PictureCells {
 
   struct Face {
     Index face = kNone;              ///< in the node; none: made by a cut through a region
-    std::array<Index, 2> regions{};  ///< of the node, on front and back; kNone also for what was cut away
-    std::vector<std::vector<FlatComplex::Loop>> facets;  ///< loops of each, counter-clockwise as seen from the front
+    std::array<Index, 2> regions{};  ///< active ones of the node, on front and back
+    std::vector<std::vector<FlatComplex::Loop>>
+        facets;  ///< loops of each, counter-clockwise as seen from the front
   };
   struct Edge {
-    Index edge = kNone;  ///< in the node; none: where a face was cut
+    Index edge = kNone;          ///< in the node; none: where a face was cut
+    std::vector<Index> regions;  ///< of one that is none: those about it, as of faces; ascending
     std::vector<std::array<Index, 2>> segments;
   };
   struct Vertex {
@@ -33,11 +35,13 @@ struct PictureCells {
   std::vector<Vertex> vertices;
 };
 
+/// All cells of a flattened value; regions that are not active become none.
 PictureCells picture_cells(const Complex& complex, const FlatComplex& flat);
 
 /// What lies on the other side of the plane than `towards` points to (on that of the normal, if along the plane),
 /// and in the plane the regions that it cuts as faces. Exact: the kernel refines cells and plane together. The
 /// regions of the node must be bounded.
-PictureCells cut(const PictureCells& cells, const DrawOptions::Cut& plane, const RationalPoint& towards, int threads);
+PictureCells cut(const PictureCells& cells, const DrawOptions::Cut& plane, const RationalPoint& towards,
+                 int threads);
 
 }  // namespace cnrg

@@ -19,7 +19,8 @@ using Vector = std::array<double, 3>;
 /// The length of a vector.
 double size_of(const Vector& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
-/// From what is seen to what is painted: colors in light and shade, one above the other; texts where there is room.
+/// From what is seen to what is painted: colors in light and shade, one above the other; texts where there is
+/// room.
 class Finisher {
  public:
   Finisher(const Scene& scene, const SeenScene& seen, const Rational& scale)
@@ -68,7 +69,7 @@ class Finisher {
     constexpr Vector kLight{-0.42, 0.72, 0.55};
     const double turn = n[2] < 0 ? -1 : 1;
     const double cosine = turn * (n[0] * kLight[0] + n[1] * kLight[1] + n[2] * kLight[2]) / size / size_of(kLight);
-    return 0.66 + 0.34 * cosine;
+    return 0.74 + 0.30 * cosine;
   }
 
   static Rgb lit(const Rgb& color, double light) {
@@ -133,8 +134,8 @@ class Finisher {
         find_middle(painted.points, longest[stroke.line]);
       }
       const bool plain = painted.line == Drawing::Line::edge || painted.line == Drawing::Line::border;
+      painted.hidden = stroke.hidden;
       if (ghost) painted.line = Drawing::Line::ghost;
-      else if (stroke.hidden) painted.line = Drawing::Line::hidden;
       else if (stroke.outline && plain) painted.line = Drawing::Line::outline;
       out_.strokes.push_back(std::move(painted));
     }
@@ -180,9 +181,8 @@ class Finisher {
       std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.room > b.room; });
       out_.labels.push_back({scene_.labels[i], std::move(places)});
     }
-    std::stable_sort(out_.labels.begin(), out_.labels.end(), [](const auto& a, const auto& b) {
-      return a.places.front().room > b.places.front().room;
-    });
+    std::stable_sort(out_.labels.begin(), out_.labels.end(),
+                     [](const auto& a, const auto& b) { return a.places.front().room > b.places.front().room; });
   }
 
   void find_box() {

@@ -24,9 +24,9 @@ struct DrawOptions {
     Rational offset;
   };
   std::vector<Cut> cuts;
-  double apart = 0;    ///< regions are moved away from the middle by this share of their distance from it
-  double opacity = 1;  ///< of faces; below 1 what is behind them shines through, hidden lines as faint ones
-  bool ghosts = false; ///< what operators removed, faintly
+  double apart = 0;     ///< regions are moved away from the middle by this share of their distance from it
+  double opacity = 1;   ///< of faces; below 1 what is behind them shines through, hidden lines as faint ones
+  bool ghosts = false;  ///< what operators removed, faintly
   std::optional<ColorBy> colors;  ///< nothing: as palette.h chooses for the node
   /// Which cells have their numbers beside them (`v6`, `e11`, `f2`, `r2`), and whether regions, sheets and wires
   /// have their names.

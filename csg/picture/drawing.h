@@ -1,4 +1,5 @@
-// A picture before it has a size: what is seen, in the plane of the picture and in the order in which it is painted.
+// A picture before it has a size: what is seen, in the plane of the picture and in the order in which it is
+// painted.
 //
 // Everything hard is done when a drawing exists: what hides what was decided exactly (visibility.h), so nothing in
 // it lies behind anything else but what is meant to shine through. Who paints it needs doubles only, and knows no
@@ -33,7 +34,6 @@ struct Drawing {
     outline,  ///< between the model and the ground of the picture
     border,   ///< of a sheet: thick
     wire,     ///< thicker still
-    hidden,   ///< an edge behind something, shown faintly where areas are seen through
     ghost,    ///< of what was removed
   };
   struct Stroke {
@@ -42,6 +42,7 @@ struct Drawing {
     Line line = Line::edge;
     Rgb color{};
     bool missing = false;  ///< an edge that is not of the set: dashed
+    bool hidden = false;   ///< behind something that is seen through: faint
   };
   enum class Mark : std::uint8_t {
     vertex,    ///< where edges end: a dot

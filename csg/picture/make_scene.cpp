@@ -16,8 +16,8 @@ constexpr Index kNone = PictureCells::kNone;
 
 class SceneMaker {
  public:
-  SceneMaker(const ResultView& view, const FlatComplex& flat, const PictureCells& cells, const DrawOptions& options,
-             const Camera& camera)
+  SceneMaker(const ResultView& view, const FlatComplex& flat, const PictureCells& cells,
+             const DrawOptions& options, const Camera& camera)
       : view_(view),
         flat_(flat),
         cells_(cells),
@@ -47,7 +47,7 @@ class SceneMaker {
   const Camera& camera_;
   const CellColors colors_;
   const ColorBy by_;
-  const bool whole_;  ///< closed and not seen through: what is inside of regions is not seen
+  const bool whole_;                  ///< closed and not seen through: what is inside of regions is not seen
   std::vector<RationalPoint> shift_;  // by region, in the camera's space
   std::vector<std::map<Index, Index>> copies_;  // by point: those at the shift of a region (kNone: none)
   std::map<std::string, Index> label_numbers_;
@@ -77,7 +77,9 @@ class SceneMaker {
         empty = false;
         for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
       }
-      RationalPoint middle() const { return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2}; }
+      RationalPoint middle() const {
+        return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
+      }
     };
     std::vector<Box> boxes(flat_.regions.size());
     Box whole;
@@ -137,13 +139,14 @@ class SceneMaker {
   void add_number(std::vector<Index>& labels, int dimension, Index cell, bool wanted) {
     if (wanted && cell != kNone) labels.push_back(label(cell_name(dimension, cell)));
   }
-  /// What the user calls a cell: its component's name or material, or the leaves that it came from.
+  /// What the user calls a cell: by what it is colored, its component's name or material, or its one leaf.
   void add_name(std::vector<Index>& labels, Component component, const FlatComplex::Provenance* origin) {
     if (!options_.labels.names || component == 0) return;
     std::string text;
     if (origin == nullptr) {
       const RegionAttributes& a = attributes_of(view_, component);
-      text = !a.name.empty() ? a.name : a.material.name();
+      const std::string& material = a.material.name();
+      text = a.name.empty() || (by_ == ColorBy::material && !material.empty()) ? material : a.name;
     } else {
       std::set<std::string> names;
       for (const LeafId leaf : origin->leaves) names.insert((*view_.leaves)[leaf.index()].name);
@@ -171,7 +174,8 @@ class SceneMaker {
                         : s.sheet          ? colors_.of(by_, 2, face.face)
                                            : colors_.skin(by_, r, face.face));
       s.opacity = options_.opacity;
-      s.two_sided = !flat_.regions[r].bounded || (options_.opacity < 1 && (!active(beyond) || options_.apart != 0));
+      s.two_sided =
+          !flat_.regions[r].bounded || (options_.opacity < 1 && (!active(beyond) || options_.apart != 0));
       add_number(s.labels, 2, face.face, options_.labels.faces);
       add_number(s.labels, 3, r, options_.labels.regions);
       add_name(s.labels, flat_.regions[r].component, nullptr);
@@ -243,7 +247,7 @@ class SceneMaker {
   void add_edge(const PictureCells::Edge& edge) {
     Scene::Line line;
     line.color = kInk;
-    std::vector<Index> about{kNone};
+    std::vector<Index> about = edge.regions;
     if (edge.edge != kNone) {
       const FlatComplex::Edge& cell = flat_.edges[edge.edge];
       const bool own = cell.component != 0;

@@ -56,7 +56,8 @@ Drawing::Label::Place place_with_room(const Loops& loops) {
     if (at.room > best.room) best = at;
     if (at.most() - best.room <= precision) break;
     for (const double x : {-0.5, 0.5}) {
-      for (const double y : {-0.5, 0.5}) push({at.middle[0] + x * at.half, at.middle[1] + y * at.half}, at.half / 2);
+      for (const double y : {-0.5, 0.5})
+        push({at.middle[0] + x * at.half, at.middle[1] + y * at.half}, at.half / 2);
     }
   }
   return {best.middle, best.room};

@@ -1,8 +1,8 @@
 // What stands before the camera: surfaces made of planar facets, lines and dots, each with its look.
 //
-// A region is shown by its skin: each side of a face that looks into an active region is a surface of that region's,
-// seen from outside. So a wall has two skins, one for each region, and regions can be pulled apart. A face that parts
-// no regions is a sheet, seen from both sides.
+// A region is shown by its skin: each side of a face that looks into an active region is a surface of that
+// region's, seen from outside. So a wall has two skins, one for each region, and regions can be pulled apart. A
+// face that parts no regions is a sheet, seen from both sides.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct Scene {
     Rgb color{};
     double opacity = 1;
     bool missing = false, sheet = false, ghost = false;
-    bool two_sided = false;  ///< seen from its back, too
+    bool two_sided = false;     ///< seen from its back, too
     std::vector<Index> labels;  ///< texts that may stand on it, the first that finds room there or elsewhere
   };
   /// Facets of a scene meet in common points, edges and facets only.

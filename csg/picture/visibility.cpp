@@ -243,7 +243,8 @@ class Map {
 
   /// Edges joined end to end, straight ones into one piece. With `through`, chains pass every vertex at which an
   /// even number of edges end, in any pairs; otherwise only those where two end.
-  std::vector<std::pair<std::vector<Point2>, bool>> chains(const std::vector<HalfEdge>& edges, bool through) const {
+  std::vector<std::pair<std::vector<Point2>, bool>> chains(const std::vector<HalfEdge>& edges,
+                                                           bool through) const {
     std::vector<std::pair<VertexId, std::uint32_t>> ends;
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
       ends.emplace_back(complex_->origin(edges[i]), i);
