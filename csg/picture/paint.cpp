@@ -73,7 +73,8 @@ double text_width(cairo_t* c, const std::string& text) {
   return extents.x_advance;
 }
 
-/// The keys of all panels, each once, unless there is but one or labels name them all.
+/// The keys of all panels, each once; none if there is but one, if labels name them all, or if there are more than
+/// colors.
 std::vector<Figure::Key> keys_of(const std::vector<Panel>& panels) {
   std::vector<Figure::Key> out;
   std::set<std::string> known, labelled;
@@ -85,7 +86,7 @@ std::vector<Figure::Key> keys_of(const std::vector<Panel>& panels) {
   }
   const bool named =
       std::all_of(out.begin(), out.end(), [&](const auto& key) { return labelled.contains(key.text); });
-  if (out.size() < 2 || named) out.clear();
+  if (out.size() < 2 || out.size() > kPaletteSize || named) out.clear();
   return out;
 }
 
