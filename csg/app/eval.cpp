@@ -55,7 +55,7 @@ class FileWriter {
   FileWriter(const Tree& tree, const Evaluation& evaluation, const EvalArguments& arguments)
       : tree_(tree), evaluation_(evaluation), arguments_(arguments) {}
 
-  void write_file(const FileRequest& file, const PictureSize& size) {
+  void write_file(const FileRequest& file, const std::optional<PictureSize>& size) {
     const std::string& path = file.path;
     const NodeId node = file.node;
     if (!file.panels.empty()) {

@@ -107,7 +107,9 @@ void add_picture_options(CLI::App* sub) {
   add("--color-by", "WHAT", "material, region, component or source");
   add("--labels", "LIST", "Numbers of cells, and names: of v,e,f,r,names");
   add("--caption", "TEXT", "Below the panel; the node's name, if there are several");
-  add("--size", "WxH", "No panel is larger, in pixels (480x400; a .png has two for each)");
+  add("--size", "WxH",
+      "No panel is larger, in pixels (without it one fills a page's width, or all of a row do); a .png has two "
+      "for each");
 }
 
 /// The options of pictures and `--node` as they were given, in their order.

@@ -135,8 +135,9 @@ PictureRequest picture_request(const PictureWords& words) {
   return out;
 }
 
-void write_picture(const std::string& path, const std::vector<PanelRequest>& panels, const PictureSize& size,
-                   const Tree& tree, const Evaluation& evaluation, int threads) {
+void write_picture(const std::string& path, const std::vector<PanelRequest>& panels,
+                   const std::optional<PictureSize>& size, const Tree& tree, const Evaluation& evaluation,
+                   int threads) {
   const auto node = [&](const PanelRequest& panel) {
     return panel.node.empty() ? tree.result : node_of(tree, panel.node);
   };
@@ -156,7 +157,7 @@ void write_picture(const std::string& path, const std::vector<PanelRequest>& pan
     const std::string caption = panels[i].has_caption ? panels[i].caption
                                 : panels.size() > 1   ? results[i].name()
                                                       : "";
-    drawn.push_back({std::move(figure), shown(caption)});
+    drawn.push_back({std::move(figure), caption});
   }
   replace_file(path, picture_bytes(path, drawn, size));
 }

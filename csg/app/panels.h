@@ -4,6 +4,7 @@
 // of pictures come here as words in the order in which they were given.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,7 +28,7 @@ struct PanelRequest {
 };
 struct PictureRequest {
   std::vector<PanelRequest> panels;  ///< at least one
-  PictureSize size;
+  std::optional<PictureSize> size;
   bool given = false;  ///< an option of pictures was
 };
 
@@ -35,7 +36,7 @@ struct PictureRequest {
 PictureRequest picture_request(const PictureWords& words);
 
 /// Draws these panels and writes the picture.
-void write_picture(const std::string& path, const std::vector<PanelRequest>& panels, const PictureSize& size,
+void write_picture(const std::string& path, const std::vector<PanelRequest>& panels, const std::optional<PictureSize>& size,
                    const Tree& tree, const Evaluation& evaluation, int threads);
 
 }  // namespace cnrg::app

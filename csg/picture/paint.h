@@ -1,15 +1,10 @@
-// Figures as a picture: panels in rows, captions, texts where there is room, a key of colors; .png, .svg or .pdf.
+// Figures as a picture: panels in rows with captions, texts where there is room, a key of colors; .png, .svg or
+// .pdf.
 //
-// All panels of a picture have one scale, so that what is larger looks larger; the picture is as high as what is
-// in it. Cairo draws all three formats. Areas of a figure abut exactly, and drawn one after the other with soft
-// edges they would let the ground shine through between them: in pixels they are drawn with hard edges, four times
-// as fine, and then made smaller; in .svg and .pdf each has a hair of its own color around it. Colors that shine
-// through are mixed before, against the white ground, so that this cannot darken them.
-//
-// The same figures give the same bytes (of .pdf the date is left out), with the same cairo and the font DejaVu
-// Sans.
+// The same figures give the same bytes on every machine with the same cairo: the font is in the program.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,15 +17,17 @@ struct Panel {
   std::string caption;  ///< may be empty
 };
 
+/// The largest box of a panel without its caption, in pixels of .svg, 96 to an inch; a .png has two for each.
 struct PictureSize {
-  double width = 480, height = 400;  ///< no panel is larger, in pixels of .svg; a .png has two for each
+  double width = 480, height = 360;
 };
 
 /// True for .png .svg .pdf.
 bool is_picture(const std::string& path);
 
-/// The bytes of a picture in the format of the extension of `path`. Throws FileError if it is larger than cairo
-/// can draw.
-std::string picture_bytes(const std::string& path, const std::vector<Panel>& panels, const PictureSize& size = {});
+/// The bytes of a picture in the format of the extension of `path`. Without a size as many panels as there are in
+/// a row fill the width of a page. Throws InputError if it is larger than cairo can draw.
+std::string picture_bytes(const std::string& path, const std::vector<Panel>& panels,
+                          const std::optional<PictureSize>& size = {});
 
 }  // namespace cnrg
