@@ -20,6 +20,15 @@ export class Lists {
   of(i) { return this.all.subarray(this.starts[i], this.starts[i + 1]); }
 }
 
+/** Pairs of numbers as lists: `of(i)` is what stands beside each i, in the order of the pairs. */
+export function pairsAsLists(count, keys, values) {
+  const counts = new Uint32Array(count), next = new Uint32Array(count), all = new Uint32Array(keys.length);
+  for (const i of keys) ++counts[i];
+  for (let i = 1; i < count; ++i) next[i] = next[i - 1] + counts[i - 1];
+  for (let k = 0; k < keys.length; ++k) all[next[keys[k]]++] = values[k];
+  return new Lists(counts, all);
+}
+
 const lists = (json, name) => new Lists(unpack(json[`${name}_counts`]), unpack(json[name]));
 
 /** Columns of `names`, each unpacked. */
@@ -47,6 +56,8 @@ export function readCells(json) {
     for (let l = lengths.starts[f]; l < lengths.starts[f + 1]; ++l) out.push(walks.of(l));
     return out;
   };
+  /** The corners of all loops. */
+  faces.corners = (f) => walks.all.subarray(walks.starts[lengths.starts[f]], walks.starts[lengths.starts[f + 1]]);
   faces.isolated = lists(json.faces, 'isolated');
   faces.triangles = lists(json.faces, 'triangles');
   if (json.regions) {

@@ -432,7 +432,6 @@ function wire() {
       const box = canvas.getBoundingClientRect(), begin = performance.now();
       const cell = scene.at(e.clientX - box.left, e.clientY - box.top, e.shiftKey ? 'r' : state.pick);
       window.cnrg.pickTime = performance.now() - begin;
-      scene.drawNow();
       pick(cell);
     });
     canvas.addEventListener('dblclick', () => scene.fit());

@@ -80,7 +80,7 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
   else if (entity && model.node.group) says.push('entity');
   if (c && kind === 'f' && model.sheet(i)) says.push('sheet');
   if (c && kind === 'e' && flags & 8) says.push('wire');
-  if (c && kind === 'v' && !model.incidence.vertexEdges[i].length) says.push('isolated point');
+  if (c && kind === 'v' && !model.incidence.vertexEdges.of(i).length) says.push('isolated point');
   if (kind === 'r' && !cells.regions.bounded[i]) says.push('unbounded');
   if (kind === 'e' && flags & 1) says.push('closes without a vertex');
   if (kind === 'f' && flags & 2) says.push('curved: of several facets');
@@ -106,15 +106,15 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
     const ends = [...new Set([cells.edges.points.of(i)[0], cells.edges.points.of(i).at(-1)])];
     if (!(flags & 1)) parts.push(h('details', {}, h('summary', {}, 'Ends, exactly'), ...ends.map((p) => coordinates(model, p))));
   }
-  if (kind === 'v' && (model.incidence.vertexEdges[i].length || model.incidence.vertexFaces[i].length)) {
+  if (kind === 'v' && (model.incidence.vertexEdges.of(i).length || model.incidence.vertexFaces.of(i).length)) {
     const drawn = sphere(model, i, tintOf);
     redraw = drawn.redraw;
     parts.push(h('h3', {}, 'Neighbourhood'), drawn.picture, h('p', {class: 'soft'},
       'A small sphere about the vertex, turned as the picture is: edges leave nodes on it, faces leave arcs, regions the pieces between them.'));
   }
   if (kind === 'f') {
-    const corners = model.incidence.faceVertices[i];
-    parts.push(h('details', {}, h('summary', {}, 'Corners, exactly'), ...corners.slice(0, SHOWN).map((v) =>
+    const corners = model.incidence.faceVertices.of(i);
+    parts.push(h('details', {}, h('summary', {}, 'Corners, exactly'), ...Array.from(corners.slice(0, SHOWN), (v) =>
       h('div', {}, cellList([{kind: 'v', i: v}], pick), coordinates(model, cells.vertices.point[v])))));
   }
   const told = model.story(cell);

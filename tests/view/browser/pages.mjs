@@ -5,6 +5,7 @@ import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {setTimeout as sleep} from 'node:timers/promises';
+import {testScale} from './scale.mjs';
 
 const [program, folder, executablePath] = process.argv.slice(2);
 const require = createRequire(join(folder, 'node_modules', 'x.js'));
@@ -186,6 +187,8 @@ for (const [k, [path, wanted]] of MODELS.entries()) {
   check(readFileSync(await download.path()).subarray(1, 4).toString() === 'PNG', 'PNG: a picture');
   await close(wide);
 }
+
+await testScale({cnrg, check, open, close, work});
 
 // No text of a file becomes HTML.
 {
