@@ -177,8 +177,7 @@ std::string page_data(const Tree& tree, const Evaluation& evaluation, const Page
   out["words"] = in_order(tables.words);
   out["lines"] = in_order(tables.lines);
   out["nodes"] = std::move(list);
-  // No text of a tree may end the element that the data stand in, or begin another.
-  return replaced(out.dump(-1, ' ', false, Json::error_handler_t::replace), "<", "\\u003c");
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string page_text(const std::string& page_template, const std::string& title, const std::string& data,
@@ -191,7 +190,7 @@ std::string page_text(const std::string& page_template, const std::string& title
   };
   put("<!--cnrg:title-->", html(shown(title)));
   put("<!--cnrg:stamp-->", html(stamp));
-  put("<!--cnrg:data-->", data);
+  put("<!--cnrg:data-->", compressed(data));  // in base64, so that no text of a tree can end the element
   return out;
 }
 

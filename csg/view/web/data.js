@@ -3,10 +3,17 @@ import {Colours} from './colours.js';
 
 const KINDS = {1: Uint8Array, 2: Uint16Array, 4: Uint32Array, f: Float32Array, d: Float64Array};
 
+/** What the page was made with, until it is read. */
+export const source = {json: null};
+
 export function unpack(text) {
-  const Kind = KINDS[text[0]];
-  const bytes = Uint8Array.from(atob(text.slice(2)), (c) => c.charCodeAt(0));
-  return new Kind(bytes.buffer);
+  const kind = text[0], letters = atob(text.slice(2)), bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  const read = new KINDS[kind](bytes.buffer);
+  if (kind === 'f' || kind === 'd') return read;
+  const out = new Uint32Array(read.length);
+  for (let i = 0, number = 0; i < out.length; ++i) out[i] = number = (number + ((read[i] >>> 1) ^ -(read[i] & 1))) >>> 0;
+  return out;
 }
 
 /** Lists of lists: `lists.of(i)` is the i-th one. */

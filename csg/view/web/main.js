@@ -1,15 +1,14 @@
 // The page: its state, what shows it, and what changes it. The state is in the address, so that a link restores it.
-import './style.css';
 import {rgb} from './colours.js';
 import {Dag} from './dag.js';
-import {Page} from './data.js';
+import {Page, source} from './data.js';
 import {Model, nameOf, WORDS} from './model.js';
 import {h, showCell, showNode, swatch} from './panels.js';
 import {Scene} from './scene.js';
 
 const $ = (id) => document.getElementById(id);
-const page = new Page(JSON.parse($('cnrg-data').textContent));
-$('cnrg-data').remove();
+const page = new Page(source.json);
+source.json = null;
 
 const state = {node: page.result, cell: null, colour: null, show: [true, true, true, true], labels: false, ghosts: false, through: false,
   explode: 0, axis: '', cut: 0.5, flip: false, pick: 'any', theme: null, view: null};
