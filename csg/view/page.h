@@ -21,6 +21,7 @@ struct PageLimits {
   std::size_t stories = 1'000'000;  ///< cells of the refinement that a node unites, times the nodes below it
   std::size_t topology = 300'000;   ///< cells of the refinement that a node unites
   std::size_t classes = 1'000'000;  ///< entities that the steps of a Boolean ask about
+  std::size_t removed = 300'000;    ///< entities that went, times the nodes below
 };
 
 /// The data of the page, as JSON. The evaluation must have kept all values

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "csg/explain/explain.h"
 #include "csg/formats/formats.h"
@@ -260,6 +261,45 @@ TEST_CASE("what became of the operands' entities is told with relation and row",
   REQUIRE(fates.size() == 1);
   CHECK(fates.begin().value() == Json({{"removed", true}}));
   CHECK(!scene.node("a").contains("classes"));
+}
+
+TEST_CASE("what went is told as explain tells a point of it", "[view]") {
+  const Scene scene(
+      "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}\n  b: {box: {min: [1, 1, 1], max: [3, 3, "
+      "3]}}\n  c: {difference: [a, b]}\nresult: c\n");
+  const Json& classes = scene.node("c")["classes"];
+  const auto stories = lists(classes, "lines");
+  const NodeId c = scene.tree.result;
+  std::size_t told = 0;
+  for (std::size_t i = 0; i < stories.size(); ++i) {
+    const std::string at = classes["told_at"][i];
+    CHECK(at.empty() == stories[i].empty());
+    if (at.empty()) continue;
+    ++told;
+    std::string story;
+    for (const std::uint32_t line : stories[i]) story += scene.data["lines"][line].get<std::string>() + "\n";
+    RationalPoint p;
+    std::istringstream words(at);
+    for (Rational& x : p) {
+      std::string word;
+      std::getline(words, word, ',');
+      x = Rational(word);
+    }
+    CHECK(story == explanation_text(scene.tree, scene.evaluation, explain(scene.tree, scene.evaluation, c, p)));
+  }
+  CHECK(told > 10);
+  CHECK(!Scene("cnrg: 1\nnodes: {a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}, b: {interior: a}}\nresult: b\n",
+               {.removed = 10})
+             .node("b")["classes"]
+             .contains("told_at"));
+}
+
+TEST_CASE("a node says how many instances it has", "[view]") {
+  const Scene scene(
+      "cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n  l: {closure: a, translate: [2, 0, 0]}\n"
+      "  r: {closure: a, translate: [4, 0, 0]}\n  b: {union: [l, r]}\nresult: b\n");
+  CHECK(scene.node("a")["instances"] == 2);
+  CHECK(scene.node("b")["instances"] == 1);
 }
 
 TEST_CASE("a fate is kept in its component", "[view]") {

@@ -291,6 +291,10 @@ function find(word) {
     const first = region >= 0 ? {kind: 'r', i: region} : ['f', 'e', 'v'].map((x) => ({kind: x, i: model.column(x).component.indexOf(k + 1)})).find((x) => x.i >= 0);
     if (first) out.push({label: model.componentName(k + 1), kind, go: () => pick(first)});
   });
+  for (const name of new Set(page.leaves.filter(has))) {
+    const from = out.length < 12 && model.fromLeaf(name);
+    if (from) out.push({label: `${nameOf(from)} from ${name}`, kind: 'leaf', go: () => pick(from)});
+  }
   return out.slice(0, 12);
 }
 

@@ -31,7 +31,8 @@ export class Model {
     this.shapes = shapes && {v: unpack(shapes.vertices), e: unpack(shapes.edges)};
     this.colours = {material: {}, component: unpack(colors.component), region: unpack(colors.region)};
     for (const kind of LETTERS) this.colours.material[kind] = unpack(colors.material[kind]);
-    this.classes = classes && {cells: readCells(classes), fates: classes.fates};
+    this.classes = classes && {cells: readCells(classes), fates: classes.fates, told_at: classes.told_at,
+      stories: classes.told_at && new Lists(unpack(classes.lines_counts), unpack(classes.lines))};
   }
 
   static of(page, index) {
@@ -87,6 +88,22 @@ export class Model {
     if (!this.stories) return null;
     const before = {v: 0, e: this.counts.v, f: this.counts.v + this.counts.e, r: this.counts.v + this.counts.e + this.counts.f};
     return Array.from(this.stories.of(before[cell.kind] + cell.i), (line) => this.page.lines[line]);
+  }
+  /** A cell that came from the leaves of a name, of the highest dimension that there is. */
+  fromLeaf(name) {
+    const {leaves, origins} = this.page, numbers = new Set();
+    origins.forEach((lists, i) => lists.some(([leaf]) => leaves[leaf] === name) && numbers.add(i + 1));
+    for (const kind of ['r', 'f', 'e', 'v']) {
+      const i = this.column(kind).origin.findIndex((n) => numbers.has(n));
+      if (i >= 0) return {kind, i};
+    }
+    return null;
+  }
+  /** Of an entity of the operands that went (`{kind: 'F', i}`): what is told of a point in it, and that point. */
+  lost(cell) {
+    const {cells, stories, told_at} = this.classes, v = cells.vertices.point.length, e = cells.edges.flags.length;
+    const i = {V: 0, E: v, F: v + e}[cell.kind] + cell.i;
+    return stories && told_at[i] ? {point: told_at[i], lines: Array.from(stories.of(i), (line) => this.page.lines[line])} : null;
   }
   shape(cell) {
     const word = this.shapes?.[cell.kind]?.[cell.i];

@@ -29,7 +29,7 @@ function cellList(cells, pick) {
   return list;
 }
 
-const quoted = (word) => (/^[\w./#-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`);
+const quoted = (word) => (/^[\w.,/#-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`);
 function command(words, copied) {
   const line = words.map(quoted).join(' ');
   return h('div', {class: 'command'}, h('code', {}, line), h('button', {onclick: () => copied(line), title: 'Copy this command'}, 'copy'));
@@ -133,13 +133,15 @@ function showEntity(holder, model, cell, copied) {
   const from = model.classes.cells, dimension = {V: 0, E: 1, F: 2}[cell.kind];
   const column = [from.vertices, from.edges, from.faces][dimension];
   const fate = model.classes.fates[column.component[cell.i]], row = fate.rows?.[dimension];
+  const lost = model.lost(cell);
   holder.replaceChildren(
     h('p', {class: 'title'}, h('strong', {id: 'picked'}, ['vertex', 'edge', 'face'][dimension]), ' of the operands', h('span', {class: 'tag'}, fate.removed ? 'removed' : 'kept')),
     terms(fate.relation ? ['lies', fate.relation] : null, row ? ['row', h('mark', {}, row[0])] : null, row ? ['removes', row[1]] : null),
     h('p', {class: 'soft'}, fate.relation
-      ? 'What the node’s table was asked of it, in the step that did not merely find it outside. A kept face or edge keeps its boundary, whatever the row says of that. For one point:'
-      : 'This operator has no table: the entity is of an operand and not of the result. For one point:'),
-    command(['cnrg', 'explain', model.page.tree, '--node', model.node.name, '--point', 'X,Y,Z'], copied));
+      ? 'What the node’s table was asked of it, in the step that did not merely find it outside. A kept face or edge keeps its boundary, whatever the row says of that.'
+      : 'This operator has no table: the entity is of an operand and not of the result.'),
+    ...(lost ? [h('h3', {}, 'Story of a point in it'), storyText(lost.lines)] : [h('p', {class: 'soft'}, 'For one point:')]),
+    command(['cnrg', 'explain', model.page.tree, '--node', model.node.name, '--point', lost?.point ?? 'X,Y,Z'], copied));
   return null;
 }
 
@@ -166,7 +168,9 @@ const head = (...names) => h('thead', {}, h('tr', {}, ...names.map((n, k) => h('
 /** The panel of a node. */
 export function showNode(holder, model, {pick, choose, legend}) {
   const {node, page} = model, parts = [];
-  parts.push(h('p', {class: 'title'}, h('strong', {}, node.name), ` ${node.operator}`, h('span', {class: 'tag'}, node.group ? 'group' : 'components')));
+  parts.push(h('p', {class: 'title'}, h('strong', {}, node.name), ` ${node.operator}`, h('span', {class: 'tag'}, node.group ? 'group' : 'components'),
+    node.instances > 1 ? h('span', {class: 'tag'}, `${node.instances} instances`) : null));
+  if (node.instances > 1) parts.push(h('p', {class: 'soft'}, 'It is used with different transforms; shown is the last of its instances.'));
   if (node.operands.length) {
     parts.push(h('p', {}, 'of ', ...node.operands.flatMap((o, k) => [k ? ', ' : '', h('button', {class: 'cellname', onclick: () => choose(o)}, page.nodes[o].name)])));
   }
