@@ -56,9 +56,12 @@ std::vector<std::string> sizes(const Size& size) {
 std::string piece_text(const Piece& piece) {
   const auto& counts = piece.counts;
   std::vector<std::string> parts;
-  if (counts[3] != 0) parts.push_back(some(counts[3], "region") + " of " + volume_text(piece.size.volume));
-  if (counts[2] != 0) parts.push_back(some(counts[2], "face") + " of " + extent_text(piece.size.area, "area"));
-  if (counts[1] != 0) parts.push_back(some(counts[1], "edge") + " of " + extent_text(piece.size.length, "length"));
+  const auto add = [&](std::size_t count, const char* what, const std::string& size) {
+    if (count != 0) parts.push_back(some(count, what) + " of " + size + (count == 1 ? "" : " in all"));
+  };
+  add(counts[3], "region", volume_text(piece.size.volume));
+  add(counts[2], "face", extent_text(piece.size.area, "area"));
+  add(counts[1], "edge", extent_text(piece.size.length, "length"));
   if (counts[0] != 0) parts.push_back(some(counts[0], "point"));
   const bool one_point = piece.dimension() == 0;
   return listed(parts) + (one_point ? " " : " about ") + point_text(piece.at);

@@ -44,7 +44,7 @@ TEST_CASE("The place and size of what only one tree has", "[compare]") {
 TEST_CASE("Open and closed sets differ by what bounds them", "[compare]") {
   CHECK(text("open: {interior: {unify: {box: {min: [0, 0, 0], max: [2, 2, 2]}}}}",
              "solid: {unify: {box: {min: [0, 0, 0], max: [2, 2, 2]}}}") ==
-        "only in B: 6 faces of area 24 about (0, 1, 1)");
+        "only in B: 6 faces of area 24 in all about (0, 1, 1)");
   CHECK(text("halved: {subtract: [{unify: {box: {min: [0, 0, 0], max: [2, 2, 2]}}}, "
              "{polygon: [[1, 0, 0], [1, 2, 0], [1, 2, 2], [1, 0, 2]]}]}",
              "solid: {unify: {box: {min: [0, 0, 0], max: [2, 2, 2]}}}") ==
@@ -145,7 +145,7 @@ TEST_CASE("Lines that only one tree has on its surfaces", "[compare]") {
       "l: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\nr: {box: {min: [1, 0, 0], max: [2, 1, 1]}}\n";
   const std::string whole = "b: {box: {min: [0, 0, 0], max: [2, 1, 1]}}";
   CHECK(text(parts + "u: {union: [l, r]}", whole) ==
-        "a cell of its own only in A: 4 edges of length 4 about (1, 1/2, 0)");
+        "a cell of its own only in A: 4 edges of length 4 in all about (1, 1/2, 0)");
   CompareOptions options;
   options.features = false;
   CHECK(compared(parts + "u: {union: [l, r]}", whole, options).same());
