@@ -38,9 +38,22 @@ class Comparer {
   Comparison run() {
     const CellSet &a = sides_[0].cells, &b = sides_[1].cells;
     const std::array<CellSet, 2> only{subtract(a, b), subtract(b, a)};
-    for (std::size_t side = 0; side < 2; ++side) out_.only[side] = pieces_of(complex_, only[side]);
-    if (!options_.components) return std::move(out_);
+    sets_ = {only[0], only[1]};
+    if (options_.components) compare_components(only);
+    // All at once: to find and to measure pieces takes passes over the complex.
+    std::vector<std::vector<Piece>> pieces = pieces_of(complex_, sets_);
+    for (std::size_t side = 0; side < 2; ++side) out_.only[side] = std::move(pieces[side]);
+    for (std::size_t i = 0; i < out_.moved.size(); ++i) out_.moved[i].pieces = std::move(pieces[2 + i]);
+    for (std::size_t side = 0; side < 2 && features_at_ != 0; ++side) {
+      out_.features[side] = std::move(pieces[features_at_ + side]);
+    }
+    return std::move(out_);
+  }
 
+ private:
+  const NodeValue& value(std::size_t side) const { return *sides_[side].kept->value; }
+
+  void compare_components(const std::array<CellSet, 2>& only) {
     label();
     const Shared shared = shared_cells(sides_[0].selection, sides_[1].selection);
     const bool groups = value(0).is_group() && value(1).is_group();
@@ -64,13 +77,15 @@ class Comparer {
       changed = unite(changed, cells);
       // Where a region goes on in one value, what bounds it in the other is an entity: that goes without saying.
       const bool entity = groups && (pair.first == entities[0]) != (pair.second == entities[1]);
-      std::vector<Piece> pieces = pieces_of(complex_, entity ? subtract(cells, beside) : cells);
-      if (!pieces.empty()) out_.moved.push_back({{pair.first, pair.second}, std::move(pieces)});
+      CellSet told = entity ? subtract(cells, beside) : cells;
+      if (told.empty()) continue;
+      out_.moved.push_back({{pair.first, pair.second}, {}});
+      sets_.push_back(std::move(told));
     }
     for (const auto& [in_a, in_b] : found.pairs) {
       if (!groups || in_a != entities[0]) compare_attributes(in_a, in_b);
     }
-    if (!options_.features) return std::move(out_);
+    if (!options_.features) return;
     // Between components that became one no cell is kept, of a group none but entities, which are compared above.
     if (!groups) {
       for (const auto& family : found.families) {
@@ -82,12 +97,9 @@ class Comparer {
         }
       }
     }
+    features_at_ = sets_.size();
     compare_features(subtract(alike, closure(complex_, changed)));
-    return std::move(out_);
   }
-
- private:
-  const NodeValue& value(std::size_t side) const { return *sides_[side].kept->value; }
 
   void label() {
     for (std::size_t side = 0; side < 2; ++side) {
@@ -138,7 +150,7 @@ class Comparer {
       keep(cells.vertices, kept.vertices, here.vertex_place, there.vertex_place, 0);
       keep(cells.edges, kept.edges, here.edge_place, there.edge_place, 1);
       keep(cells.faces, kept.faces, here.face_place, there.face_place, 2);
-      out_.features[side] = pieces_of(complex_, kept);
+      sets_.push_back(std::move(kept));
     }
   }
 
@@ -147,6 +159,8 @@ class Comparer {
   const Complex& complex_;
   const CompareOptions& options_;
   std::array<Side, 2> sides_;
+  std::vector<CellSet> sets_;    // only in A, only in B, those of `moved`, features of A and of B
+  std::size_t features_at_ = 0;  // where the latter begin; 0: nobody asked
   Comparison out_;
 };
 
@@ -171,16 +185,22 @@ bool Comparison::same() const {
 
 Comparison compare(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const CompareOptions& options) {
   const Together both = together(a, node_a, b, node_b);
+  // A fault of one of them is told as that of the file that it is in.
+  const auto alone = [&] {
+    evaluated(a, node_a, {}, options);
+    evaluated(b, node_b, {}, options);
+  };
   try {
     const Evaluation evaluation = evaluated(both.tree, both.nodes[0], {both.nodes[1]}, options);
     return Comparer(both, evaluation, options).run();
   } catch (const InputError& e) {
-    // A fault of one of them is told as that of the file that it is in.
-    evaluated(a, node_a, {}, options);
-    evaluated(b, node_b, {}, options);
+    alone();
     const auto* const placed = dynamic_cast<const TreeError*>(&e);
     throw InputError(a.file + " and " + b.file + " cannot be refined together: " +
                      Names(both).plain(placed != nullptr ? placed->message() : e.what()));
+  } catch (const FileError&) {
+    alone();
+    throw;
   }
 }
 

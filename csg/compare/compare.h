@@ -6,8 +6,8 @@
 // Therefore both trees are refined together (together.h). Then both values are selections on one complex, and
 // what differs is a set of its cells.
 //
-// What is compared is in csg/SEMANTICS.md#the-same, what is told in csg/FORMATS.md#two-trees-compared. All is symmetric: to exchange A and B exchanges
-// what is said of them.
+// What is compared is in csg/SEMANTICS.md#the-same, what is told in csg/FORMATS.md#two-trees-compared. All is
+// symmetric: to exchange A and B exchanges what is said of them.
 #pragma once
 
 #include <array>

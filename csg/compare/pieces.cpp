@@ -1,5 +1,4 @@
-// Pieces come from disjoint sets over all cells of the set; they are then the components of one selection, which
-// is simplified once for all of them.
+// Pieces of all sets come from one pass; they are then the components of one selection, which is simplified once.
 #include "csg/compare/pieces.h"
 
 #include <algorithm>
@@ -7,36 +6,39 @@
 
 #include "kernel/base/union_find.h"
 #include "kernel/selection/measure.h"
+#include "kernel/selection/scratch.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg {
 namespace {
 
-/// Places of the cells of a set in one list of all: vertices, edges, faces, 3-cells.
+/// Places of the cells of all sets in one list.
 class Places {
  public:
-  Places(const Complex& complex, const CellSet& set)
-      : vertices_(complex.points.size(), kNone),
-        edges_(complex.edge_count(), kNone),
-        faces_(complex.face_count(), kNone),
-        regions_(complex.region_count, kNone) {
-    for (const VertexId v : set.vertices) vertices_[v] = count_++;
-    for (const EdgeId e : set.edges) edges_[e] = count_++;
-    for (const FaceId f : set.faces) faces_[f] = count_++;
-    for (const RegionId r : set.regions) regions_[r] = count_++;
+  Places(const Complex& complex, const std::vector<CellSet>& sets)
+      : vertices_(complex.points.size()),
+        edges_(complex.edge_count()),
+        faces_(complex.face_count()),
+        regions_(complex.region_count) {
+    for (const CellSet& set : sets) {
+      for (const VertexId v : set.vertices) vertices_[v] = ++count_;
+      for (const EdgeId e : set.edges) edges_[e] = ++count_;
+      for (const FaceId f : set.faces) faces_[f] = ++count_;
+      for (const RegionId r : set.regions) regions_[r] = ++count_;
+    }
   }
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-  std::uint32_t of(VertexId v) const { return vertices_[v]; }
-  std::uint32_t of(EdgeId e) const { return edges_[e]; }
-  std::uint32_t of(FaceId f) const { return faces_[f]; }
-  std::uint32_t of(RegionId r) const { return regions_[r]; }
+  static constexpr std::uint32_t kNone = 0xffffffffu;  // of a cell of no set
+  std::uint32_t of(VertexId v) const { return vertices_.get(v) - 1; }
+  std::uint32_t of(EdgeId e) const { return edges_.get(e) - 1; }
+  std::uint32_t of(FaceId f) const { return faces_.get(f) - 1; }
+  std::uint32_t of(RegionId r) const { return regions_.get(r) - 1; }
   std::size_t count() const { return count_; }
 
  private:
-  IdVector<VertexId, std::uint32_t> vertices_;
-  IdVector<EdgeId, std::uint32_t> edges_;
-  IdVector<FaceId, std::uint32_t> faces_;
-  IdVector<RegionId, std::uint32_t> regions_;
+  Scratch<VertexId, std::uint32_t> vertices_;  // 1 + the place
+  Scratch<EdgeId, std::uint32_t> edges_;
+  Scratch<FaceId, std::uint32_t> faces_;
+  Scratch<RegionId, std::uint32_t> regions_;
   std::uint32_t count_ = 0;
 };
 
@@ -189,10 +191,10 @@ class PointFinder {
 
 class Pieces {
  public:
-  Pieces(const Complex& complex, const CellSet& set)
-      : complex_(complex), set_(set), places_(complex, set), bounds_(places_.count(), 0) {}
+  Pieces(const Complex& complex, const std::vector<CellSet>& sets)
+      : complex_(complex), sets_(sets), places_(complex, sets), bounds_(places_.count(), 0) {}
 
-  std::vector<Piece> run() {
+  std::vector<std::vector<Piece>> run() {
     join();
     measure();
     count();
@@ -204,41 +206,40 @@ class Pieces {
   }
 
  private:
-  template <class F>
-  void for_lists(F visit) {
-    visit(set_.vertices, &CellSet::vertices);
-    visit(set_.edges, &CellSet::edges);
-    visit(set_.faces, &CellSet::faces);
-    visit(set_.regions, &CellSet::regions);
-  }
-
   void join() {
-    UnionFind sets(places_.count());
+    std::vector<std::uint32_t> set_of;  // by place
+    for (std::size_t i = 0; i < sets_.size(); ++i)
+      set_of.resize(set_of.size() + sets_[i].size(), static_cast<std::uint32_t>(i));
+    UnionFind parts(places_.count());
     const auto link = [&](const auto& cells) {
       for (const auto cell : cells) {
         const std::uint32_t place = places_.of(cell);
         for_star(complex_, cell, [&](auto larger) {
           const std::uint32_t other = places_.of(larger);
-          if (other == Places::kNone) return;
-          sets.unite(place, other);
+          if (other == Places::kNone || set_of[other] != set_of[place]) return;
+          parts.unite(place, other);
           bounds_[place] = 1;
         });
       }
     };
-    link(set_.vertices), link(set_.edges), link(set_.faces);
+    for (const CellSet& set : sets_) link(set.vertices), link(set.edges), link(set.faces);
     piece_of_.assign(places_.count(), Places::kNone);
-    std::vector<std::uint32_t> number(places_.count(), Places::kNone);
-    for_lists([&](const auto& cells, auto member) {
+    const auto gather = [&](std::size_t set, const auto& cells, auto member) {
       for (const auto cell : cells) {
-        const std::uint32_t place = places_.of(cell), root = static_cast<std::uint32_t>(sets.find(place));
-        if (number[root] == Places::kNone) {
-          number[root] = static_cast<std::uint32_t>(pieces_.size());
+        const std::uint32_t place = places_.of(cell), root = parts.find(place);
+        if (root == place) {  // the smallest of its part
+          piece_of_[root] = static_cast<std::uint32_t>(pieces_.size());
           pieces_.emplace_back();
+          set_of_piece_.push_back(set);
         }
-        piece_of_[place] = number[root];
-        (pieces_[number[root]].cells.*member).push_back(cell);
+        piece_of_[place] = piece_of_[root];
+        (pieces_[piece_of_[root]].cells.*member).push_back(cell);
       }
-    });
+    };
+    for (std::size_t i = 0; i < sets_.size(); ++i) {
+      gather(i, sets_[i].vertices, &CellSet::vertices), gather(i, sets_[i].edges, &CellSet::edges);
+      gather(i, sets_[i].faces, &CellSet::faces), gather(i, sets_[i].regions, &CellSet::regions);
+    }
   }
 
   bool bounds(auto cell) const { return bounds_[places_.of(cell)] != 0; }
@@ -277,8 +278,14 @@ class Pieces {
     const auto list = [&](const auto& cells, auto& out) {
       for (const auto cell : cells) out.emplace_back(cell, piece_of_[places_.of(cell)] + 1);
     };
-    list(set_.vertices, selection.vertices), list(set_.edges, selection.edges);
-    list(set_.faces, selection.faces), list(set_.regions, selection.regions);
+    for (const CellSet& set : sets_) {
+      list(set.vertices, selection.vertices), list(set.edges, selection.edges);
+      list(set.faces, selection.faces), list(set.regions, selection.regions);
+    }
+    std::sort(selection.vertices.begin(), selection.vertices.end());
+    std::sort(selection.edges.begin(), selection.edges.end());
+    std::sort(selection.faces.begin(), selection.faces.end());
+    std::sort(selection.regions.begin(), selection.regions.end());
     const SimplifiedComplex simple = simplify(complex_, selection, {});
     const auto add = [&](Component component, int dimension, bool counts) {
       if (component != 0 && counts) ++pieces_[component - 1].counts[static_cast<std::size_t>(dimension)];
@@ -299,7 +306,7 @@ class Pieces {
     for (const auto& region : simple.regions) add(region.component, 3, true);
   }
 
-  std::vector<Piece> in_order() {
+  std::vector<std::vector<Piece>> in_order() {
     struct Key {
       bool bounded;
       Rational volume;
@@ -327,17 +334,18 @@ class Pieces {
       return pieces_[a.index].at < pieces_[b.index].at;
     };
     std::sort(keys.begin(), keys.end(), before);
-    std::vector<Piece> out;
-    for (const Key& key : keys) out.push_back(std::move(pieces_[key.index]));
+    std::vector<std::vector<Piece>> out(sets_.size());
+    for (const Key& key : keys) out[set_of_piece_[key.index]].push_back(std::move(pieces_[key.index]));
     return out;
   }
 
   const Complex& complex_;
-  const CellSet& set_;
+  const std::vector<CellSet>& sets_;
   Places places_;
   std::vector<char> bounds_;             // by place: a larger cell of the set has the cell on its boundary
   std::vector<std::uint32_t> piece_of_;  // by place
   std::vector<Piece> pieces_;
+  std::vector<std::size_t> set_of_piece_;
 };
 
 }  // namespace
@@ -350,9 +358,8 @@ void Size::add(const Size& other) {
   points += other.points;
 }
 
-std::vector<Piece> pieces_of(const Complex& complex, const CellSet& set) {
-  if (set.empty()) return {};
-  return Pieces(complex, set).run();
+std::vector<std::vector<Piece>> pieces_of(const Complex& complex, const std::vector<CellSet>& sets) {
+  return Pieces(complex, sets).run();
 }
 
 }  // namespace cnrg

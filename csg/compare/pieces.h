@@ -38,8 +38,8 @@ struct Piece {
   int dimension() const { return counts[3] ? 3 : counts[2] ? 2 : counts[1] ? 1 : 0; }
 };
 
-/// The pieces of a set, the largest first: by volume, then area, length and number of points; equal ones by their
-/// point.
-std::vector<Piece> pieces_of(const Complex& complex, const CellSet& set);
+/// The pieces of each of some disjoint sets, the largest first: by volume, then area, length and number of points;
+/// equal ones by their point.
+std::vector<std::vector<Piece>> pieces_of(const Complex& complex, const std::vector<CellSet>& sets);
 
 }  // namespace cnrg

@@ -75,6 +75,8 @@ TEST_CASE("What compare cannot do is one error with a way round", "[compare][com
           "  u: {union: [o, o]}\nresult: u\n");
   refused("a.yaml open.yaml", 2, "open.yaml:4:7: error: `union` of `u` takes closed values and `o` is not closed");
   w.write("far.yaml", "cnrg: 1\nnodes:\n  m: {mesh: {file: ../elsewhere.off}}\nresult: m\n");
+  w.write("gone.yaml", "cnrg: 1\nnodes:\n  m: {mesh: {file: gone.off}}\nresult: m\n");
+  refused("a.yaml gone.yaml", 3, "gone.yaml:3:7: error: there is no file");
   refused("a.yaml far.yaml --inside .", 2, "far.yaml:3:7: error:");
 }
 
