@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "csg/compare/names.h"
 #include "csg/compare/partners.h"
 #include "csg/compare/same_material.h"
+#include "csg/compare/settled.h"
 #include "csg/operators/node_value.h"
 #include "csg/text/escape.h"
 
@@ -25,8 +27,9 @@ struct Side {
 
 class Comparer {
  public:
-  Comparer(const Together& together, const Evaluation& evaluation, const CompareOptions& options)
-      : together_(together), names_(together), complex_(*evaluation.complex), options_(options) {
+  Comparer(const Together& together, const Marks& marks, const Names& names, const Evaluation& evaluation,
+           const CompareOptions& options)
+      : marks_(marks), names_(names), complex_(*evaluation.complex), options_(options) {
     for (std::size_t side = 0; side < 2; ++side) {
       const KeptValue& kept = evaluation.value(together.nodes[side]);
       sides_[side].kept = &kept;
@@ -123,7 +126,7 @@ class Comparer {
       out_.attributes.push_back({{in_a, in_b}, false, {names_.plain(a.name), names_.plain(b.name)}});
     }
     if (!options_.materials) return;
-    const std::string& mark = together_.material_mark;
+    const std::string& mark = marks_.material;
     const std::string word_a = a.material.name();
     const std::string word_b =
         b.material.name().starts_with(mark) ? b.material.name().substr(mark.size()) : b.material.name();
@@ -154,8 +157,8 @@ class Comparer {
     }
   }
 
-  const Together& together_;
-  const Names names_;
+  const Marks& marks_;
+  const Names& names_;
   const Complex& complex_;
   const CompareOptions& options_;
   std::array<Side, 2> sides_;
@@ -184,23 +187,44 @@ bool Comparison::same() const {
 }
 
 Comparison compare(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const CompareOptions& options) {
-  const Together both = together(a, node_a, b, node_b);
-  // A fault of one of them is told as that of the file that it is in.
-  const auto alone = [&] {
-    evaluated(a, node_a, {}, options);
-    evaluated(b, node_b, {}, options);
+  const std::array<const Tree*, 2> trees{&a, &b};
+  std::array<NodeId, 2> nodes{node_a, node_b};
+  const Marks marks(a, b);
+  const Names names(marks.node, {Given(a, node_a), Given(b, node_b)});
+  // A fault of one of the trees is told in its own words, without marks and in the file that it is in.
+  const auto told_alone = [&](const std::vector<std::size_t>& sides, const auto& work) {
+    const auto alone = [&] {
+      for (const std::size_t side : sides) evaluated(*trees[side], side == 0 ? node_a : node_b, {}, options);
+    };
+    try {
+      return work();
+    } catch (const InputError&) {
+      alone();
+      throw;
+    } catch (const FileError&) {
+      alone();
+      throw;
+    }
   };
+  std::array<std::optional<Settled>, 2> settled;
+  std::array<Tree, 2> ready{a, b};
+  for (const std::size_t side : {0, 1}) {
+    if (trees[side]->weld) {
+      told_alone({side}, [&] { settled[side].emplace(*trees[side], nodes[side], marks, options.threads); });
+      ready[side] = settled[side]->tree();
+      nodes[side] = ready[side].result;
+    }
+    ready[side] = marked(std::move(ready[side]), marks);
+  }
+  const Together both = together(ready[0], nodes[0], ready[1], nodes[1], marks);
   try {
-    const Evaluation evaluation = evaluated(both.tree, both.nodes[0], {both.nodes[1]}, options);
-    return Comparer(both, evaluation, options).run();
-  } catch (const InputError& e) {
-    alone();
-    const auto* const placed = dynamic_cast<const TreeError*>(&e);
-    throw InputError(a.file + " and " + b.file + " cannot be refined together: " +
-                     Names(both).plain(placed != nullptr ? placed->message() : e.what()));
-  } catch (const FileError&) {
-    alone();
-    throw;
+    const Evaluation evaluation =
+        told_alone({0, 1}, [&] { return evaluated(both.tree, both.nodes[0], {both.nodes[1]}, options); });
+    return Comparer(both, marks, names, evaluation, options).run();
+  } catch (const TreeError& e) {
+    if (e.file() != a.file && e.file() != b.file) throw;  // a file that a leaf reads
+    if (e.message().find(marks.node) == std::string::npos) throw;
+    throw InputError(a.file + " and " + b.file + " cannot be refined together: " + names.plain(e.message()));
   }
 }
 

@@ -20,8 +20,7 @@ bool is_of_operator(const std::string& word) {
 
 std::string Names::plain(const std::string& name) const {
   std::string out = name;
-  const std::string& mark = together_.node_mark;
-  for (std::size_t at = 0; (at = out.find(mark, at)) != std::string::npos;) out.erase(at, mark.size());
+  for (std::size_t at = 0; (at = out.find(mark_, at)) != std::string::npos;) out.erase(at, mark_.size());
   return out;
 }
 
@@ -31,12 +30,12 @@ bool Names::differ(const std::string& in_a, const std::string& in_b) const {
     for (std::size_t begin = 0; !name.empty() && begin <= name.size();) {
       const std::size_t end = std::min(name.find(" & ", begin), name.size());
       const std::string word = name.substr(begin, end - begin);
-      const bool of_node = word.starts_with(together_.node_mark);
+      const bool of_node = word.starts_with(mark_);
       Origin origin = Origin::given;
       if (of_node) origin = Origin::node;
-      else if (together_.named[side].contains(word)) origin = Origin::given;
+      else if (given_[side].words.contains(word)) origin = Origin::given;
       else if (is_of_operator(word)) origin = Origin::node;
-      else if (together_.reads_result[side]) origin = Origin::file;
+      else if (given_[side].reads_result) origin = Origin::file;
       Origin& known = words.emplace(plain(word), origin).first->second;
       known = std::max(known, origin);
       begin = end + 3;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 #include "csg/compare/together.h"
 
@@ -11,8 +12,8 @@ namespace cnrg {
 
 class Names {
  public:
-  /// `together` must outlive this.
-  explicit Names(const Together& together) : together_(together) {}
+  Names(std::string mark_of_nodes, std::array<Given, 2> given)
+      : mark_(std::move(mark_of_nodes)), given_(std::move(given)) {}
   /// As the program shows it.
   std::string plain(const std::string& name) const;
   /// Two names differ where one of them has a word that the other one has not and that somebody gave: by `name`,
@@ -21,7 +22,8 @@ class Names {
   bool differ(const std::string& in_a, const std::string& in_b) const;
 
  private:
-  const Together& together_;
+  std::string mark_;
+  std::array<Given, 2> given_;
 };
 
 }  // namespace cnrg

@@ -12,48 +12,29 @@
 namespace cnrg {
 namespace {
 
-void refuse_weld(const Tree& tree, NodeId node) {
-  if (!tree.weld) return;
-  throw TreeError(tree.file, tree.weld_at,
-                  "`weld` joins what is near in this tree alone, and here the leaves of two trees are cut by each "
-                  "other; write the result by `cnrg eval " +
-                      tree.file + (node == tree.result ? "" : " --node " + tree.nodes[node].name) +
-                      " -o FILE.json` and compare that file");
+/// Words of a name, as operators join them.
+void add_words(const std::string& name, std::set<std::string>& words) {
+  for (std::size_t begin = 0; !name.empty() && begin <= name.size();) {
+    const std::size_t end = std::min(name.find(" & ", begin), name.size());
+    words.insert(name.substr(begin, end - begin));
+    begin = end + 3;
+  }
 }
 
 class Joiner {
  public:
-  Joiner(const Tree& a, const Tree& b) {
-    // Longer than any run of this character in a name, so that no name can have it by itself.
-    std::size_t longest = 0;
-    const auto look = [&](const std::string& name) {
-      std::size_t run = 0;
-      for (const char c : name) longest = std::max(longest, run = c == '\x01' ? run + 1 : 0);
-    };
-    for (const Tree* tree : {&a, &b}) {
-      for (const Node& node : tree->nodes) look(node.name), look(node.label);
-      for (const Material& material : tree->materials) look(material.name);
-    }
-    out_.node_mark = std::string(longest + 1, '\x01') + "n";
-    out_.material_mark = std::string(longest + 1, '\x01') + "b";
-    out_.tree.file = a.file;
-    out_.tree.nodes_at = a.nodes_at;
-  }
+  explicit Joiner(const Marks& marks) : marks_(marks) {}
 
-  void add(const Tree& tree, NodeId root, int side) {
-    const std::string mark = side == 0 ? "" : out_.material_mark;
-    const auto marked = [&](std::string& name) {
+  void add(const Tree& tree, NodeId root, std::size_t side) {
+    const std::string mark = side == 0 ? "" : marks_.material;
+    const auto mark_it = [&](std::string& name) {
       if (!name.empty()) name.insert(0, mark);
     };
     const std::size_t first = out_.tree.nodes.size();
-    const std::vector<char> used = tree.dag->reachable({root});
-    for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
-      Node node = tree.nodes[id];
-      if (used[id.index()]) note(node, side);
-      node.name.insert(0, out_.node_mark);
-      marked(node.material);
+    for (Node node : tree.nodes) {
+      mark_it(node.material);
       if (auto* group = node.shape ? std::get_if<GroupShape>(&*node.shape) : nullptr) {
-        for (auto& [number, region] : group->regions) marked(region.material);
+        for (auto& [number, region] : group->regions) mark_it(region.material);
       }
       out_.tree.nodes.push_back(std::move(node));
       dag_.add_node();
@@ -65,42 +46,23 @@ class Joiner {
     }
     for (const auto& [name, id] : tree.names) out_.tree.names.emplace(mark + name, NodeId(first + id.index()));
     for (Material material : tree.materials) {
-      marked(material.name);
+      mark_it(material.name);
       auto* const distance = material.grade ? std::get_if<DistanceGrade>(&material.grade->along) : nullptr;
-      if (distance != nullptr) marked(distance->to);
+      if (distance != nullptr) mark_it(distance->to);
       out_.tree.materials.push_back(std::move(material));
     }
-    out_.nodes[static_cast<std::size_t>(side)] = NodeId(first + root.index());
+    out_.nodes[side] = NodeId(first + root.index());
   }
 
-  Together take() {
+  Together take(const std::string& file) {
+    out_.tree.file = file;
     out_.tree.result = out_.nodes[0];
     out_.tree.dag = std::make_shared<const Dag>(std::move(dag_));
     return std::move(out_);
   }
 
  private:
-  /// Words of a name, as operators join them.
-  static void add_words(const std::string& name, std::set<std::string>& words) {
-    for (std::size_t begin = 0; !name.empty() && begin <= name.size();) {
-      const std::size_t end = std::min(name.find(" & ", begin), name.size());
-      words.insert(name.substr(begin, end - begin));
-      begin = end + 3;
-    }
-  }
-
-  void note(const Node& node, int side) {
-    std::set<std::string>& named = out_.named[static_cast<std::size_t>(side)];
-    add_words(node.label, named);
-    if (!node.shape) return;
-    if (std::holds_alternative<ResultShape>(*node.shape)) out_.reads_result[static_cast<std::size_t>(side)] = true;
-    if (const auto* group = std::get_if<GroupShape>(&*node.shape)) {
-      for (const auto& [number, region] : group->regions) {
-        add_words(region.name, named);
-      }
-    }
-  }
-
+  const Marks& marks_;
   Together out_;
   Dag dag_;
 };
@@ -125,6 +87,7 @@ bool is_result(const std::string& path) {
   return key != "cnrg" && key != "nodes" && key != "result" && key != "weld";
 }
 
+/// The leaf, and the key that a tree has for it.
 std::optional<std::pair<Shape, const char*>> shape_of(const std::string& path) {
   const std::string extension = extension_of(path);
   if (extension == ".off" || extension == ".obj" || extension == ".stl" || extension == ".ply") {
@@ -144,24 +107,60 @@ std::optional<std::pair<Shape, const char*>> shape_of(const std::string& path) {
 
 }  // namespace
 
-Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b) {
-  refuse_weld(a, node_a);
-  refuse_weld(b, node_b);
-  Joiner joiner(a, b);
+Marks::Marks(const Tree& a, const Tree& b) {
+  // Longer than any run of this character in a name, so that no name can have it by itself.
+  std::size_t longest = 0;
+  const auto look = [&](const std::string& name) {
+    std::size_t run = 0;
+    for (const char c : name) longest = std::max(longest, run = c == '\x01' ? run + 1 : 0);
+  };
+  for (const Tree* tree : {&a, &b}) {
+    for (const Node& each : tree->nodes) look(each.name), look(each.label);
+    for (const Material& each : tree->materials) look(each.name);
+  }
+  node = std::string(longest + 1, '\x01') + "n";
+  material = std::string(longest + 1, '\x01') + "b";
+}
+
+Given::Given(const Tree& tree, NodeId node) {
+  const std::vector<char> used = tree.dag->reachable({node});
+  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+    const Node& each = tree.nodes[id];
+    if (!used[id.index()]) continue;
+    add_words(each.label, words);
+    if (!each.shape) continue;
+    reads_result = reads_result || std::holds_alternative<ResultShape>(*each.shape);
+    if (const auto* group = std::get_if<GroupShape>(&*each.shape)) {
+      for (const auto& [number, region] : group->regions) add_words(region.name, words);
+    }
+  }
+}
+
+Tree marked(Tree tree, const Marks& marks) {
+  for (Node& node : tree.nodes) node.name.insert(0, marks.node);
+  return tree;
+}
+
+Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const Marks& marks) {
+  Joiner joiner(marks);
   joiner.add(a, node_a, 0);
   joiner.add(b, node_b, 1);
-  return joiner.take();
+  return joiner.take(a.file);
 }
 
 Tree tree_of_file(const std::string& path, const ReadOptions& options) {
   auto found = shape_of(path);
   if (!found) return read_tree(path, options);
+  return tree_of_leaf(path, std::filesystem::path(path).stem().string(), found->second, std::move(found->first));
+}
+
+Tree tree_of_leaf(const std::string& file, const std::string& name, const std::string& key, Shape shape) {
   Tree tree;
-  tree.file = path;
+  tree.file = file;
   Node node;
-  node.name = std::filesystem::path(path).stem().string();
-  node.operator_name = found->second;
-  node.shape = std::move(found->first);
+  node.name = name;
+  node.operator_name = key;
+  node.shape = std::move(shape);
   Dag dag;
   tree.result = dag.add_node();
   tree.names.emplace(node.name, tree.result);

@@ -1,9 +1,8 @@
 // Two trees as one, so that all their leaves are refined together and surfaces that they have in common get common
 // lines: then both results are selections on one complex and can be compared cell by cell.
 //
-// Names of nodes and materials of the two must not meet. Nodes get a mark in front of their names: no two nodes of
-// one tree can then be told apart from before, but a region that is called after a node can be told from one that
-// somebody named. Materials of B have another mark, which goes when they are compared.
+// Names of materials of the two must not meet: those of B get a mark, which goes when they are compared. Names of
+// nodes get another one, so that a region that is called after its node is told from one that somebody named.
 #pragma once
 
 #include <array>
@@ -14,19 +13,36 @@
 
 namespace cnrg {
 
-struct Together {
-  Tree tree;                                   ///< its result is the node of A
-  std::array<NodeId, 2> nodes;                 ///< of A and of B
-  std::array<std::set<std::string>, 2> named;  ///< names that the trees themselves give, by `name` and in groups
-  std::array<bool, 2> reads_result{};          ///< a leaf below the node is a result that was read back
-  std::string node_mark, material_mark;
+/// What no name of two trees has in it.
+struct Marks {
+  Marks(const Tree& a, const Tree& b);
+  std::string node, material;
 };
 
-/// Throws TreeError for a tree with `weld`.
-Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b);
+/// Who gave names in the part of a tree that a node uses.
+struct Given {
+  Given() = default;
+  Given(const Tree& tree, NodeId node);
+  std::set<std::string> words;  ///< of names that the tree itself gives, by `name` and in groups
+  bool reads_result = false;    ///< a leaf is a result that was read back
+};
+
+struct Together {
+  Tree tree;                    ///< its result is the node of A
+  std::array<NodeId, 2> nodes;  ///< of A and of B
+};
+
+/// The trees, whose nodes may have the mark in front of their names already, must have no `weld`.
+Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const Marks& marks);
+
+/// The tree with the mark in front of the names of its nodes.
+Tree marked(Tree tree, const Marks& marks);
 
 /// A tree with one leaf: a mesh, a CAD model or a result, read from a file as the leaf of that kind would. Any
 /// other file is read as a tree. Throws what `read_tree` throws.
 Tree tree_of_file(const std::string& path, const ReadOptions& options);
+
+/// A tree with one node, that leaf.
+Tree tree_of_leaf(const std::string& file, const std::string& name, const std::string& key, Shape shape);
 
 }  // namespace cnrg

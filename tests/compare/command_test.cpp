@@ -66,8 +66,6 @@ TEST_CASE("What compare cannot do is one error with a way round", "[compare][com
   refused("a.yaml none.json", 3, "none.json");
   refused("a.yaml a.yaml --node-b lwo", 2, "--node-b: a.yaml has no node called `lwo`; did you mean `low`?");
   refused("a.yaml a.yaml --ignore colours", 2, "--ignore");
-  w.write("weld.yaml", "cnrg: 1\nweld: 1e-6\n" + kTree.substr(8));
-  refused("a.yaml weld.yaml", 2, "weld.yaml:2:7: error: `weld` joins");
   w.write("bad.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1\n3 0 1 2\n");
   refused("a.yaml bad.off", 2, "bad.off:");
   w.write("open.yaml",

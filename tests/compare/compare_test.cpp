@@ -194,12 +194,43 @@ TEST_CASE("Many pieces are told as some, and how much all are", "[compare]") {
   CHECK(all.ends_with("only in A: and 3 more; all 13 together: 13 points"));
 }
 
-TEST_CASE("A tree with weld is refused with a way round", "[compare]") {
-  const Tree welded = parse_tree("cnrg: 1\nweld: 1e-6\nnodes:\n  " + kBox + "\nresult: box\n", "w.yaml");
-  const Tree plain = test::tree(kBox);
-  CHECK_THROWS_WITH(compare(plain, plain.result, welded, welded.result),
-                    Catch::StartsWith("w.yaml:2:7: error: `weld` joins") &&
-                        Catch::EndsWith("`cnrg eval w.yaml -o FILE.json` and compare that file"));
+TEST_CASE("A tree with weld is compared as it comes out by itself", "[compare]") {
+  const auto near = [](const std::string& weld, const std::string& gap, const std::string& name) {
+    return parse_tree("cnrg: 1\n" + weld + "materials: {rock: {}}\nnodes:\n  " + name +
+                          ": {box: {min: [0, 0, 0], max: [1, 1, 1]}, material: rock}\n" +
+                          "  high: {box: {min: [0, 0, " + gap +
+                          "], max: [1, 1, 2]}, name: upper}\n  u: {union: [" + name + ", high]}\nresult: u\n",
+                      "near.yaml");
+  };
+  const Tree welded = near("weld: 1e-6\n", "1.0000001", "low"),
+             same = near("weld: 0.000001\n", "1.0000001", "other");
+  const Tree plain = near("", "1", "low"), apart = near("", "1.0000001", "low");
+  const auto result = [](const Tree& a, const Tree& b) {
+    return comparison_text(compare(a, a.result, b, b.result));
+  };
+  CHECK(result(welded, welded).empty());
+  CHECK(result(welded, same).empty());
+  // The plane that both got is between the two that they had, so the line between them is elsewhere.
+  CompareOptions options;
+  options.features = false;
+  CHECK(compare(plain, plain.result, welded, welded.result, options).same());
+  CHECK(compare(welded, welded.result, plain, plain.result, options).same());
+  CHECK(result(apart, welded)
+            .starts_with("only in B: a region of volume 1/10000000 about (1/2, 1/2, 20000001/20000000)\n"));
+  CHECK_FALSE(result(plain, apart).empty());
+  const Tree endless = parse_tree(
+      "cnrg: 1\nweld: 1e-6\nnodes:\n  h: {halfspace: {point: [0, 0, 0], normal: [0, 0, 1]}}\n"
+      "result: h\n",
+      "endless.yaml");
+  CHECK_THROWS_WITH(compare(plain, plain.result, endless, endless.result),
+                    Catch::StartsWith("endless.yaml:2:7: error: ") && Catch::EndsWith("cut it with a box"));
+  // Faults of the tree are told as without a comparison.
+  const Tree bad = parse_tree(
+      "cnrg: 1\nweld: 1e-6\nnodes:\n  o: {interior: {box: {min: [0, 0, 0], max: [1, 1, 1]}}}\n"
+      "  u: {union: [o, o]}\nresult: u\n",
+      "bad.yaml");
+  CHECK_THROWS_WITH(compare(plain, plain.result, bad, bad.result),
+                    Catch::StartsWith("bad.yaml:5:7: error: `union` of `u` takes"));
 }
 
 TEST_CASE("A fault is told in the file that has it", "[compare]") {
