@@ -137,7 +137,13 @@ Given::Given(const Tree& tree, NodeId node) {
 }
 
 Tree marked(Tree tree, const Marks& marks) {
-  for (Node& node : tree.nodes) node.name.insert(0, marks.node);
+  constexpr std::string_view kJoint = " & ";  // a name with it looks like several that were joined
+  for (Node& node : tree.nodes) {
+    node.name.insert(0, marks.node);
+    for (std::size_t at = 0; (at = node.name.find(kJoint, at)) != std::string::npos;) {
+      node.name.insert(at += kJoint.size(), marks.node);
+    }
+  }
   return tree;
 }
 

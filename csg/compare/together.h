@@ -35,7 +35,7 @@ struct Together {
 /// The trees, whose nodes may have the mark in front of their names already, must have no `weld`.
 Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const Marks& marks);
 
-/// The tree with the mark in front of the names of its nodes.
+/// The tree with the mark in front of the names of its nodes, and of each word of them.
 Tree marked(Tree tree, const Marks& marks);
 
 /// A tree with one leaf: a mesh, a CAD model or a result, read from a file as the leaf of that kind would. Any

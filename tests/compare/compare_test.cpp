@@ -127,6 +127,9 @@ TEST_CASE("Names that somebody gave count, names of nodes do not", "[compare]") 
   const std::string box = ": {box: {min: [0, 0, 0], max: [2, 2, 2]}";
   CHECK(text("a" + box + "}", "b" + box + "}").empty());
   CHECK(text("a" + box + ", name: rock}", "b" + box + ", name: rock}").empty());
+  CHECK(text("a & b" + box + "}", "c" + box + "}").empty());
+  CHECK(text("a & b" + box + "}", "c" + box + ", name: b & a}").empty());
+  CHECK(text("a & b" + box + "}", "c" + box + ", name: c & a}") == "name of region 1: `a & b` in A, `c & a` in B");
   CHECK(text("rock" + box + "}", "b" + box + ", name: rock}").empty());
   CHECK(text("a" + box + ", name: rock}", "b" + box + "}") == "name of region 1: `rock` in A, `b` in B");
   CHECK(text("a" + box + ", name: rock}", "b" + box + ", name: ore}") ==
