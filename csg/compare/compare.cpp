@@ -68,7 +68,15 @@ class Comparer {
     const Partners found =
         partners(complex_, shared, entities, {value(0).component_count(), value(1).component_count()});
     for (const auto& family : found.families) {
-      if (family[0].size() < 2 || family[1].size() < 2) out_.regrouped.push_back({family});
+      if (family[0].size() < 2 || family[1].size() < 2) {
+        out_.regrouped.push_back({family});
+        continue;
+      }
+      for (const Component in_a : family[0]) {
+        for (const Component in_b : family[1]) {
+          if (found.pairs.contains({in_a, in_b})) out_.mostly.push_back({in_a, in_b});
+        }
+      }
     }
     CellSet changed = unite(only[0], only[1]), alike;
     const CellSet beside = closure(complex_, changed);

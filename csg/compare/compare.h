@@ -47,6 +47,9 @@ struct Comparison {
   };
   std::vector<Regrouped> regrouped;
 
+  /// Where several of one value share cells with several of the other: those that correspond.
+  std::vector<std::array<Component, 2>> mostly;
+
   /// Active in both values, but in components that do not correspond.
   struct Moved {
     std::array<Component, 2> in;

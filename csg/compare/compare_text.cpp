@@ -100,8 +100,9 @@ class Lines {
   std::string text_;
 };
 
-std::string said(const std::string& word, const char* what) {
-  return word.empty() ? std::string("no ") + what : "`" + shown(word) + "`";
+std::string said(const std::string& word, const std::string& what) {
+  if (word.empty()) return "no " + what;
+  return std::string("`").append(shown(word)).append("`");
 }
 
 /// `region 1`, or `region 1 of A, region 2 of B`.
@@ -140,9 +141,9 @@ std::string attribute_text(const Comparison& comparison, const Comparison::Attri
     return "material of " + where + ": " + said(attribute.said[0], "material") +
            " changes otherwise with position in A than in B";
   }
-  const char* const what = attribute.material ? "material" : "name";
-  return std::string(what) + " of " + where + ": " + said(attribute.said[0], what) + " in A, " +
-         said(attribute.said[1], what) + " in B";
+  const std::string what = attribute.material ? "material" : "name";
+  return what + " of " + where + ": " + said(attribute.said[0], what) + " in A, " + said(attribute.said[1], what) +
+         " in B";
 }
 
 }  // namespace
@@ -154,6 +155,10 @@ std::string comparison_text(const Comparison& comparison, std::size_t most) {
   }
   std::vector<std::string> regrouped, attributes;
   for (const auto& one : comparison.regrouped) regrouped.push_back(regrouped_text(comparison, one));
+  for (const auto& [in_a, in_b] : comparison.mostly) {
+    regrouped.push_back(comparison.components[0][in_a - 1] + " of A is mostly " +
+                        comparison.components[1][in_b - 1] + " of B");
+  }
   lines.list(regrouped, "such components");
   for (std::size_t i = 0; i < std::min(most, comparison.moved.size()); ++i) {
     const Comparison::Moved& one = comparison.moved[i];
