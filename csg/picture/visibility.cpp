@@ -16,19 +16,41 @@ namespace {
 using Index = Scene::Index;
 constexpr Index kNone = SeenScene::kNone;
 
-RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// The sum over the loop's corners; it points to where the loop is seen counter-clockwise.
-RationalPoint normal_of(const Scene& scene, const Scene::Loop& loop) {
-  RationalPoint out{0, 0, 0};
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const RationalPoint c = cross(scene.points[loop[i]], scene.points[loop[(i + 1) % loop.size()]]);
-    for (std::size_t k = 0; k < 3; ++k) out[k] += c[k];
+/// Compares what does not cross over one cell of the map. Nowhere in the cell's closure the sign of the difference
+/// is the opposite one: so bounds at any of its corners decide, unless both meet there; then an exact point inside
+/// does.
+class PlaceIn {
+ public:
+  PlaceIn(const Complex& complex, FaceId f) : complex_(complex), face_(f) {
+    for (const HalfEdge h : complex.loop[complex.face_loops[f].front()]) {
+      if (corners_.size() < 8) add(complex.origin(h));
+    }
   }
-  return out;
-}
+  PlaceIn(const Complex& complex, EdgeId e) : complex_(complex), edge_(e) {
+    for (const VertexId v : complex.edge_ends[e]) add(v);
+  }
+  PlaceIn(const Complex& complex, VertexId v) : complex_(complex), inside_(complex.points.exact(v)) { add(v); }
+
+  int compare(const Depth& a, const Depth& b) {
+    for (const auto& corner : corners_) {
+      if (const int nearer = a.compare(b, corner)) return nearer;
+    }
+    if (!inside_) inside_ = face_.valid() ? interior_point(complex_, face_) : interior_point(complex_, edge_);
+    return a.compare(b, *inside_);
+  }
+
+ private:
+  const Complex& complex_;
+  FaceId face_;
+  EdgeId edge_;
+  std::vector<std::array<Depth::Bounds, 2>> corners_;
+  std::optional<ExactPoint> inside_;
+
+  void add(VertexId v) {
+    const PointView p = complex_.points.view(v);
+    corners_.push_back({Depth::Bounds{p.lo[0], p.hi[0]}, Depth::Bounds{p.lo[1], p.hi[1]}});
+  }
+};
 
 /// How well something is seen at a place.
 enum class Sight : std::uint8_t { seen, hidden, gone };
@@ -51,9 +73,14 @@ class Map {
  private:
   const Scene& scene_;
   Soup soup_;
+  LeafId rim_leaf_;
   std::vector<std::optional<Depth>> facet_depth_;  // none: not laid down
   std::vector<char> faces_front_;
   std::vector<std::optional<Depth>> segment_depth_;
+  // Edges of facets by their ends, and the facets that were laid down along each. Where two facets meet in such an
+  // edge they are equally near: that is known without any arithmetic.
+  std::map<std::array<Index, 2>, Index> rim_numbers_;
+  std::vector<std::vector<Index>> rims_;
   std::shared_ptr<const Complex> complex_;
   std::vector<std::vector<Index>> stacks_;  // different lists of facets, front to back; the first is empty
   IdVector<FaceId, Index> stack_of_;
@@ -63,6 +90,7 @@ class Map {
 
   void lay_flat() {
     const LeafId leaf = soup_.add_leaf(Fill::none);
+    rim_leaf_ = soup_.add_leaf(Fill::none);
     std::vector<PointId> flat(scene_.points.size());
     const auto point = [&](Index i) {
       if (!flat[i].valid()) flat[i] = soup_.add_point({scene_.points[i][0], scene_.points[i][1], Rational(0)});
@@ -72,29 +100,38 @@ class Map {
     faces_front_.resize(scene_.facets.size());
     for (Index i = 0; i < scene_.facets.size(); ++i) {
       const Scene::Facet& facet = scene_.facets[i];
-      const RationalPoint normal = normal_of(scene_, facet.loops.front());
-      const int facing = sgn(normal[2]);
-      if (facing == 0 || (facing < 0 && !scene_.surfaces[facet.surface].two_sided)) continue;
-      facet_depth_[i] = Depth::of_plane(normal, scene_.points[facet.loops.front().front()]);
-      faces_front_[i] = facing > 0;
+      Depth::Facing facing{};
+      std::optional<Depth> depth = Depth::of_facet(scene_, facet, facing);
+      if (!depth || (facing == Depth::Facing::back && !scene_.surfaces[facet.surface].two_sided)) continue;
+      facet_depth_[i] = std::move(depth);
+      faces_front_[i] = facing == Depth::Facing::front ? 1 : 0;
       std::vector<std::vector<PointId>> loops;
       for (const Scene::Loop& loop : facet.loops) {
         std::vector<PointId>& corners = loops.emplace_back();
         for (const Index p : loop) corners.push_back(point(p));
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          const std::array<Index, 2> ends = ordered(loop[k], loop[(k + 1) % loop.size()]);
+          const auto [rim, fresh] = rim_numbers_.try_emplace(ends, static_cast<Index>(rims_.size()));
+          if (fresh) {
+            rims_.emplace_back();
+            soup_.add_wire(rim_leaf_, point(ends[0]), point(ends[1]), rim->second);
+          }
+          rims_[rim->second].push_back(i);
+        }
       }
       soup_.add_face(leaf, loops, i, i);
     }
     segment_depth_.resize(scene_.segments.size());
     for (Index i = 0; i < scene_.segments.size(); ++i) {
       const auto& [a, b] = scene_.segments[i].ends;
-      const RationalPoint &p = scene_.points[a], &q = scene_.points[b];
-      if (p[0] == q[0] && p[1] == q[1]) continue;  // seen as a point
-      segment_depth_[i] = Depth::of_line(p, q);
+      segment_depth_[i] = Depth::of_segment(scene_, scene_.segments[i]);
+      if (!segment_depth_[i]) continue;
       soup_.add_wire(leaf, point(a), point(b), i);
     }
     for (const Scene::Dot& dot : scene_.dots) soup_.add_isolated(leaf, point(dot.point));
   }
 
+  static std::array<Index, 2> ordered(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
   const Scene::Surface& surface(Index facet) const { return scene_.surfaces[scene_.facets[facet].surface]; }
 
   /// The facets over each face of the map.
@@ -108,9 +145,9 @@ class Map {
       for (const Cover& cover : complex_->cover(f)) stack.push_back(complex_->sources[cover.source].leaf_face);
       std::sort(stack.begin(), stack.end());
       if (stack.size() > 1) {
-        const PicturePlace at(interior_point(*complex_, f));
+        PlaceIn at(*complex_, f);
         std::stable_sort(stack.begin(), stack.end(), [&](Index a, Index b) {
-          const int nearer = facet_depth_[a]->compare(*facet_depth_[b], at);
+          const int nearer = at.compare(*facet_depth_[a], *facet_depth_[b]);
           return nearer != 0 ? nearer > 0 : faces_front_[a] > faces_front_[b];
         });
       }
@@ -130,11 +167,13 @@ class Map {
     return out;
   }
 
-  /// How well something of this depth is seen through a stack.
-  Sight sight(const Depth& depth, const std::vector<Index>& stack, const PicturePlace& at) const {
+  /// How well something of this depth is seen through a stack. `meets` is true for facets that it is known to lie
+  /// on.
+  template <class Meets>
+  Sight sight(const Depth& depth, const std::vector<Index>& stack, PlaceIn& at, Meets meets) const {
     Sight out = Sight::seen;
     for (const Index facet : stack) {
-      if (facet_depth_[facet]->compare(depth, at) <= 0) break;
+      if (meets(facet) || at.compare(*facet_depth_[facet], depth) <= 0) break;
       if (surface(facet).ghost) continue;
       if (surface(facet).opacity >= 1) return Sight::gone;
       out = Sight::hidden;
@@ -151,38 +190,68 @@ class Map {
     friend auto operator<=>(const Look&, const Look&) = default;
   };
 
-  /// The nearest line along the edge, as well as it is seen.
-  std::pair<Index, Sight> line_along(EdgeId e, const std::array<Index, 2>& seen, const PicturePlace& at) const {
-    Index best = kNone;
+  /// What lies along an edge of the map.
+  struct Along {
+    std::vector<Index> segments, rims;
+    bool has(Index rim) const { return std::find(rims.begin(), rims.end(), rim) != rims.end(); }
+  };
+  Along along(EdgeId e) const {
+    Along out;
     for (const SegmentId s : complex_->edge_segments[e]) {
       for (const WireId w : complex_->segment_wires[s]) {
-        const Index i = complex_->wires[w].leaf_edge;
-        const int nearer = best == kNone ? 1 : segment_depth_[i]->compare(*segment_depth_[best], at);
-        if (nearer > 0 || (nearer == 0 && i < best)) best = i;
+        const Soup::Wire& wire = complex_->wires[w];
+        (wire.leaf == rim_leaf_ ? out.rims : out.segments).push_back(wire.leaf_edge);
       }
     }
+    return out;
+  }
+  static bool contains(const std::vector<Index>& list, Index i) {
+    return std::find(list.begin(), list.end(), i) != list.end();
+  }
+
+  /// The nearest line along the edge, as well as it is seen.
+  std::pair<Index, Sight> line_along(const Along& along, const std::array<Index, 2>& seen, PlaceIn& at) const {
+    Index best = kNone;
+    for (const Index i : along.segments) {
+      const bool same = best != kNone && ordered(scene_.segments[i].ends[0], scene_.segments[i].ends[1]) ==
+                                             ordered(scene_.segments[best].ends[0], scene_.segments[best].ends[1]);
+      const int nearer = best == kNone ? 1 : same ? 0 : at.compare(*segment_depth_[i], *segment_depth_[best]);
+      if (nearer > 0 || (nearer == 0 && i < best)) best = i;
+    }
     if (best == kNone) return {kNone, Sight::gone};
+    const auto& [a, b] = scene_.segments[best].ends;
+    const auto rim = rim_numbers_.find(ordered(a, b));
+    const auto meets = [&](Index facet) {
+      return rim != rim_numbers_.end() && contains(rims_[rim->second], facet);
+    };
     const Depth& depth = *segment_depth_[best];
     return {scene_.segments[best].line,
-            std::min(sight(depth, stacks_[seen[0]], at), sight(depth, stacks_[seen[1]], at))};
+            std::min(sight(depth, stacks_[seen[0]], at, meets), sight(depth, stacks_[seen[1]], at, meets))};
+  }
+
+  /// True if both facets have an edge in common that lies along the edge of the map.
+  bool meet(Index f, Index g, const Along& along) const {
+    return f == g || std::any_of(along.rims.begin(), along.rims.end(),
+                                 [&](Index rim) { return contains(rims_[rim], f) && contains(rims_[rim], g); });
   }
 
   /// The nearest surface that ends or breaks off at the edge.
-  std::pair<Index, Sight> outline_along(const std::array<Index, 2>& seen, const PicturePlace& at) const {
+  std::pair<Index, Sight> outline_along(const Along& along, const std::array<Index, 2>& seen, PlaceIn& at) const {
     Index best = kNone;
     Sight best_sight = Sight::gone;
     for (const std::size_t side : {0U, 1U}) {
       const std::vector<Index>&here = stacks_[seen[side]], &there = stacks_[seen[1 - side]];
       for (const Index facet : here) {
+        const auto meets = [&](Index other) { return meet(facet, other, along); };
         const bool goes_on = std::any_of(there.begin(), there.end(), [&](Index other) {
-          return scene_.facets[other].surface == scene_.facets[facet].surface &&
-                 facet_depth_[other]->compare(*facet_depth_[facet], at) == 0;
+          return scene_.facets[other].surface == scene_.facets[facet].surface && meets(other);
         });
         if (goes_on) continue;
         const Depth& depth = *facet_depth_[facet];
-        const Sight s = std::max(sight(depth, here, at), sight(depth, there, at));
+        const Sight s = std::max(sight(depth, here, at, meets), sight(depth, there, at, meets));
         if (s == Sight::gone) break;
-        if (best == kNone || s < best_sight || (s == best_sight && facet_depth_[best]->compare(depth, at) < 0)) {
+        if (best == kNone || s < best_sight ||
+            (s == best_sight && !meets(best) && at.compare(*facet_depth_[best], depth) < 0)) {
           best = facet;
           best_sight = s;
         }
@@ -198,12 +267,11 @@ class Map {
 
   std::optional<Look> look_of(EdgeId e) const {
     const std::array<Index, 2> seen = sides(e);
-    bool on_line = false;
-    for (const SegmentId s : complex_->edge_segments[e]) on_line |= !complex_->segment_wires[s].empty();
-    if (!on_line && seen[0] == seen[1]) return std::nullopt;
-    const PicturePlace at(interior_point(*complex_, e));
-    const auto [line, line_sight] = line_along(e, seen, at);
-    const auto [surface, outline_sight] = outline_along(seen, at);
+    const Along here = along(e);
+    if (here.segments.empty() && seen[0] == seen[1]) return std::nullopt;
+    PlaceIn at(*complex_, e);
+    const auto [line, line_sight] = line_along(here, seen, at);
+    const auto [surface, outline_sight] = outline_along(here, seen, at);
     const Sight best = std::min(line_sight, outline_sight);
     if (best == Sight::gone) return std::nullopt;
     Look look;
@@ -329,13 +397,14 @@ class Map {
     for (Index i = 0; i < scene_.dots.size(); ++i) {
       const RationalPoint& p = scene_.points[scene_.dots[i].point];
       const VertexId v = vertices.at({p[0], p[1]});
-      const PicturePlace at(complex_->points.exact(v));
-      const Depth depth(0, 0, p[2]);
+      PlaceIn at(*complex_, v);
+      const Depth depth(scene_, scene_.dots[i].point);
       complex_->star_faces(v, star);
       bool open = star.empty();
       for (const EdgeId e : complex_->vertex_edges[v]) open |= complex_->edge_uses[e].size() < 2;
       Sight best = open ? Sight::seen : Sight::gone;
-      for (const FaceId f : star) best = std::min(best, sight(depth, stacks_[stack_of_[f]], at));
+      for (const FaceId f : star)
+        best = std::min(best, sight(depth, stacks_[stack_of_[f]], at, [](Index) { return false; }));
       if (best != Sight::gone) out_.dots.push_back({i, best == Sight::hidden, place(v)});
     }
   }
