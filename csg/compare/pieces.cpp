@@ -166,7 +166,7 @@ class PointFinder {
   template <class Holds>
   static RationalPoint beside_wires(const Holds& holds) {
     for (Rational t = 0;; t += 1) {
-      const RationalPoint p{t, t * t, t * t * t};
+      RationalPoint p{t, t * t, t * t * t};
       if (holds(p)) return p;
     }
   }

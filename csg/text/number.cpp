@@ -53,7 +53,7 @@ NumberText read_number(std::string_view text, std::size_t most) {
 
 std::string number_text(const Rational& value, std::string_view elsewhere) {
   constexpr std::size_t kReadable = 24, kPrinted = 160;
-  const std::string exact = to_string(value);
+  std::string exact = to_string(value);
   if (exact.size() <= kReadable) return exact;
   if (exact.size() <= kPrinted) return exact + " (" + to_decimal(value) + ")";
   return to_decimal(value) + " (the fraction has " + std::to_string(exact.size() - 1) + " digits" +
