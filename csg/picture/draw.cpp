@@ -26,13 +26,13 @@ class Finisher {
   Finisher(const Scene& scene, const SeenScene& seen, const Rational& scale)
       : scene_(scene), seen_(seen), scale_(to_double(scale)) {}
 
-  Drawing run() {
+  Figure run() {
     places_.resize(scene_.labels.size());
     add_areas();
     add_strokes();
     add_dots();
     add_labels();
-    for (const Drawing::Key& key : scene_.keys) out_.keys.push_back(key);
+    for (const Figure::Key& key : scene_.keys) out_.keys.push_back(key);
     find_box();
     return std::move(out_);
   }
@@ -41,8 +41,8 @@ class Finisher {
   const Scene& scene_;
   const SeenScene& seen_;
   const double scale_;
-  Drawing out_;
-  std::vector<std::vector<Drawing::Label::Place>> places_;  // by label
+  Figure out_;
+  std::vector<std::vector<Figure::Label::Place>> places_;  // by label
 
   std::vector<Point2> scaled(const std::vector<Point2>& points) const {
     std::vector<Point2> out;
@@ -79,7 +79,7 @@ class Finisher {
   void add_areas() {
     std::vector<double> light(scene_.facets.size(), -1);
     for (const SeenScene::Area& area : seen_.areas) {
-      Drawing::Area painted;
+      Figure::Area painted;
       double through = 1;
       for (const Index f : area.facets) {
         const Scene::Surface& s = scene_.surfaces[scene_.facets[f].surface];
@@ -108,7 +108,7 @@ class Finisher {
     }
     for (const auto& [surface, areas] : of_surface) {
       if (scene_.surfaces[surface].labels.empty()) continue;
-      std::vector<Drawing::Label::Place> found;
+      std::vector<Figure::Label::Place> found;
       for (const std::size_t i : areas) found.push_back(place_with_room(out_.areas[i].loops));
       std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.room > b.room; });
       found.resize(std::min<std::size_t>(found.size(), 3));
@@ -119,9 +119,9 @@ class Finisher {
   }
 
   void add_strokes() {
-    std::map<Index, std::pair<double, Drawing::Label::Place>> longest;  // by line
+    std::map<Index, std::pair<double, Figure::Label::Place>> longest;  // by line
     for (const SeenScene::Stroke& stroke : seen_.strokes) {
-      Drawing::Stroke painted;
+      Figure::Stroke painted;
       painted.points = scaled(stroke.points);
       painted.closed = stroke.closed;
       const bool ghost = stroke.line == SeenScene::kNone && scene_.surfaces[stroke.surface].ghost;
@@ -133,10 +133,10 @@ class Finisher {
         painted.missing = line.missing;
         find_middle(painted.points, longest[stroke.line]);
       }
-      const bool plain = painted.line == Drawing::Line::edge || painted.line == Drawing::Line::border;
+      const bool plain = painted.line == Figure::Line::edge || painted.line == Figure::Line::border;
       painted.hidden = stroke.hidden;
-      if (ghost) painted.line = Drawing::Line::ghost;
-      else if (stroke.outline && plain) painted.line = Drawing::Line::outline;
+      if (ghost) painted.line = Figure::Line::ghost;
+      else if (stroke.outline && plain) painted.line = Figure::Line::outline;
       out_.strokes.push_back(std::move(painted));
     }
     for (const auto& [line, found] : longest) {
@@ -145,7 +145,7 @@ class Finisher {
   }
 
   /// The middle of a chain, if it is the longest of its line.
-  static void find_middle(const std::vector<Point2>& points, std::pair<double, Drawing::Label::Place>& best) {
+  static void find_middle(const std::vector<Point2>& points, std::pair<double, Figure::Label::Place>& best) {
     double length = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
       length += std::hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]);
@@ -237,20 +237,25 @@ DrawOptions::Camera camera_for(const std::vector<Result>& results) {
   return {x >= y ? 30.0 : 60.0, 24};
 }
 
-Drawing draw(const Result& result, const DrawOptions& options, int threads) {
+Figure draw(const Result& result, const DrawOptions& options, const Result* removed, int threads) {
   const ResultView view = result.data().view();
   const FlatComplex flat = flatten(view);
   const Camera camera(options.camera.value_or(camera_for({result})));
+  const bool moved = !options.cuts.empty() || options.apart != 0;
   const bool unbounded = std::any_of(flat.regions.begin(), flat.regions.end(),
                                      [](const auto& r) { return r.component != 0 && !r.bounded; });
-  if (unbounded && (!options.cuts.empty() || options.apart != 0)) {
-    throw InputError(std::string("it is unbounded, and cannot be ") +
-                     (options.cuts.empty() ? "pulled apart" : "cut") + " in a picture; intersect it with a box");
+  const std::string what = options.cuts.empty() ? "pulled apart" : "cut";
+  if (moved && unbounded) {
+    throw InputError("it is unbounded, and cannot be " + what + " in a picture; intersect it with a box");
+  }
+  if (moved && removed != nullptr) {
+    throw InputError("what was removed can be shown in a picture of the whole only; it is not to be " + what);
   }
   PictureCells cells = picture_cells(result.complex(), flat);
   for (const DrawOptions::Cut& plane : options.cuts) cells = cut(cells, plane, camera.towards(), threads);
   Scene scene = make_scene(view, flat, cells, options, camera);
   if (options.apart != 0) scene = without_crossings(scene, threads);
+  if (removed != nullptr) add_ghosts(removed->complex(), flatten(removed->data().view()), camera, scene);
   return Finisher(scene, see(scene, threads), camera.scale()).run();
 }
 

@@ -1,10 +1,10 @@
-// From a node's cells to a drawing: cut, pulled apart, seen from a camera, and what hides what decided exactly.
+// From a node's cells to a figure: cut, pulled apart, seen from a camera, and what hides what decided exactly.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "csg/picture/drawing.h"
+#include "csg/picture/figure.h"
 #include "csg/result/palette.h"
 #include "csg/result/result.h"
 #include "kernel/exact/rational.h"
@@ -24,9 +24,8 @@ struct DrawOptions {
     Rational offset;
   };
   std::vector<Cut> cuts;
-  double apart = 0;     ///< regions are moved away from the middle by this share of their distance from it
-  double opacity = 1;   ///< of faces; below 1 what is behind them shines through, hidden lines as faint ones
-  bool ghosts = false;  ///< what operators removed, faintly
+  double apart = 0;    ///< regions are moved away from the middle by this share of their distance from it
+  double opacity = 1;  ///< of faces; below 1 what is behind them shines through, hidden lines as faint ones
   std::optional<ColorBy> colors;  ///< nothing: as palette.h chooses for the node
   /// Which cells have their numbers beside them (`v6`, `e11`, `f2`, `r2`), and whether regions, sheets and wires
   /// have their names.
@@ -39,7 +38,9 @@ struct DrawOptions {
 /// From where what is long in all of these lies across the picture, and a flat model is seen from the front.
 DrawOptions::Camera camera_for(const std::vector<Result>& results);
 
-/// Throws InputError if an unbounded result is to be cut or pulled apart.
-Drawing draw(const Result& result, const DrawOptions& options, int threads = 0);
+/// `removed`, which is on the complex of the result, is shown as ghosts: `removed_entities` of
+/// csg/explain/fates.h. Throws InputError if an unbounded result, or one with ghosts, is to be cut or pulled
+/// apart.
+Figure draw(const Result& result, const DrawOptions& options, const Result* removed = nullptr, int threads = 0);
 
 }  // namespace cnrg

@@ -260,11 +260,11 @@ class SceneMaker {
       if (!own && !bounds) return;
       line.missing = !own;
       if (cell.wire && own) {
-        line.look = Drawing::Line::wire;
+        line.look = Figure::Line::wire;
         line.color = painted(colors_.of(by_, 1, edge.edge));
         add_name(line.labels, cell.component, &cell.origin);
       } else if (cell.around.size() == 1) {
-        line.look = Drawing::Line::border;
+        line.look = Figure::Line::border;
       }
       add_number(line.labels, 1, edge.edge, options_.labels.edges);
     }
@@ -296,7 +296,7 @@ class SceneMaker {
       dot.missing = !own;
       dot.color = kInk;
       if (end == ends.end() && own) {
-        dot.mark = Drawing::Mark::isolated;
+        dot.mark = Figure::Mark::isolated;
         dot.color = painted(colors_.of(by_, 0, v.vertex));
         add_name(dot.labels, cell.component, &cell.origin);
       }
@@ -316,6 +316,44 @@ class SceneMaker {
 Scene make_scene(const ResultView& view, const FlatComplex& flat, const PictureCells& cells,
                  const DrawOptions& options, const Camera& camera) {
   return SceneMaker(view, flat, cells, options, camera).run();
+}
+
+void add_ghosts(const Complex& complex, const FlatComplex& flat, const Camera& camera, Scene& scene) {
+  const PictureCells cells = picture_cells(complex, flat);
+  // Points of ghosts that are points of the scene, too: facets and lines that meet there then share them.
+  std::map<RationalPoint, Index> known;
+  for (Index i = 0; i < scene.points.size(); ++i) known.emplace(scene.points[i], i);
+  const auto point = [&](Index p) {
+    RationalPoint at = camera.view(cells.points[p]);
+    const auto [entry, fresh] = known.try_emplace(at, static_cast<Index>(scene.points.size()));
+    if (fresh) scene.points.push_back(std::move(at));
+    return entry->second;
+  };
+  for (const PictureCells::Face& face : cells.faces) {
+    if (flat.faces[face.face].component == 0) continue;
+    Scene::Surface s;
+    s.color = no_color();
+    s.opacity = 0.2;
+    s.ghost = s.two_sided = true;
+    scene.surfaces.push_back(s);
+    for (const auto& facet : face.facets) {
+      Scene::Facet& out = scene.facets.emplace_back();
+      out.surface = static_cast<Index>(scene.surfaces.size() - 1);
+      for (const FlatComplex::Loop& loop : facet) {
+        Scene::Loop& corners = out.loops.emplace_back();
+        for (const Index p : loop) corners.push_back(point(p));
+      }
+    }
+  }
+  for (const PictureCells::Edge& edge : cells.edges) {
+    Scene::Line line;
+    line.look = Figure::Line::ghost;
+    line.color = kInk;
+    scene.lines.push_back(line);
+    for (const auto& [a, b] : edge.segments) {
+      scene.segments.push_back({static_cast<Index>(scene.lines.size() - 1), {point(a), point(b)}});
+    }
+  }
 }
 
 Scene without_crossings(const Scene& scene, int threads) {

@@ -12,6 +12,9 @@ namespace cnrg {
 Scene make_scene(const ResultView& view, const FlatComplex& flat, const PictureCells& cells,
                  const DrawOptions& options, const Camera& camera);
 
+/// Adds cells as ghosts.
+void add_ghosts(const Complex& complex, const FlatComplex& flat, const Camera& camera, Scene& scene);
+
 /// The same with facets that cross, cut where they do.
 Scene without_crossings(const Scene& scene, int threads);
 

@@ -28,7 +28,7 @@ double room_at(const Loops& loops, const Point2& p) {
 
 }  // namespace
 
-Drawing::Label::Place place_with_room(const Loops& loops) {
+Figure::Label::Place place_with_room(const Loops& loops) {
   Point2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
   for (const auto& loop : loops) {
     for (const Point2& p : loop) {

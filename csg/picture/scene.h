@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "csg/picture/drawing.h"
+#include "csg/picture/figure.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
@@ -31,7 +31,7 @@ struct Scene {
     std::vector<Loop> loops;  ///< outer first, counter-clockwise as seen from outside
   };
   struct Line {
-    Drawing::Line look = Drawing::Line::edge;
+    Figure::Line look = Figure::Line::edge;
     Rgb color{};
     bool missing = false;
     std::vector<Index> labels;
@@ -41,7 +41,7 @@ struct Scene {
     std::array<Index, 2> ends{};
   };
   struct Dot {
-    Drawing::Mark mark = Drawing::Mark::vertex;
+    Figure::Mark mark = Figure::Mark::vertex;
     Index point = 0;
     Rgb color{};
     bool missing = false;
@@ -56,7 +56,7 @@ struct Scene {
   std::vector<Segment> segments;
   std::vector<Dot> dots;
   std::vector<std::string> labels;
-  std::vector<Drawing::Key> keys;
+  std::vector<Figure::Key> keys;
 };
 
 }  // namespace cnrg

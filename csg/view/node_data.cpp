@@ -12,7 +12,7 @@
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
 #include "csg/topology/topology.h"
-#include "csg/view/classes.h"
+#include "csg/explain/fates.h"
 #include "kernel/selection/homology.h"
 #include "kernel/selection/manifold.h"
 #include "kernel/selection/measure.h"

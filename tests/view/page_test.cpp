@@ -10,7 +10,7 @@
 #include "csg/result/palette.h"
 #include "csg/result/result_data.h"
 #include "csg/tree/dag.h"
-#include "csg/view/classes.h"
+#include "csg/explain/fates.h"
 #include "csg/view/packed.h"
 #include "kernel/selection/incidence.h"
 

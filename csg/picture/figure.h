@@ -1,9 +1,9 @@
 // A picture before it has a size: what is seen, in the plane of the picture and in the order in which it is
 // painted.
 //
-// Everything hard is done when a drawing exists: what hides what was decided exactly (visibility.h), so nothing in
+// Everything hard is done when a figure exists: what hides what was decided exactly (visibility.h), so nothing in
 // it lies behind anything else but what is meant to shine through. Who paints it needs doubles only, and knows no
-// cells; one drawing becomes pixels, SVG or PDF alike.
+// cells; one figure becomes pixels, SVG or PDF alike.
 //
 // Units are those of the model (the picture is a parallel projection), x to the right, y up.
 #pragma once
@@ -20,7 +20,7 @@ namespace cnrg {
 using Point2 = std::array<double, 2>;
 inline constexpr Rgb kInk{0.12, 0.13, 0.16};
 
-struct Drawing {
+struct Figure {
   /// An area of one color. Areas do not overlap, and there are no gaps between them.
   struct Area {
     std::vector<std::vector<Point2>> loops;  ///< outer and holes: inside where an odd number of them is around
