@@ -197,6 +197,16 @@ TEST_CASE("one lesson is made alone, and one that is not there is refused", "[le
   CHECK_THAT(none.err, Contains("there is no lesson 13"));
 }
 
+TEST_CASE("lessons can be read while the program is being built", "[lessons]") {
+  const Workshop w;
+  const Outcome o =
+      w.shell("PATH=/usr/bin:/bin '" + kLessons.string() + "'/make 1 --waiting --out made >.out 2>.err");
+  INFO(o.err);
+  REQUIRE(o.status == 0);
+  const std::string view = text_of(w.path("made") / folder_of(1).filename() / "cells.html");
+  CHECK_THAT(view, Contains("cnrg is being built") && Contains("location.reload()"));
+}
+
 TEST_CASE("what a page shows is shown as it stands", "[lessons]") {
   const Workshop w;
   REQUIRE(script(w, "make 1 --out made").status == 0);
