@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/app/panels.h"
 #include "csg/mesh/tetrahedra.h"
 
 namespace cnrg::app {
@@ -15,6 +16,7 @@ struct EvalArguments {
   std::string tree, inside;
   std::vector<std::string> nodes;
   std::vector<std::string> files;
+  PictureWords picture;  ///< options of pictures, and `--node`, in their order
   bool trace = false, raw = false, topology = false, snap = false, quiet = false;
   bool parameters = false;  ///< .json and .vtu with the parameters of patches
   bool certify = false;     ///< uncertain crossings of curved patches are an error

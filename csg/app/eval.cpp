@@ -13,23 +13,40 @@
 #include "csg/formats/result_file.h"
 #include "csg/operators/node_value.h"
 #include "csg/text/escape.h"
+#include "csg/text/file.h"
 #include "csg/topology/topology.h"
 
 namespace cnrg::app {
 namespace {
 
-/// Files and the nodes that they show: the result; or the one `--node`; or one `--node` for each file.
-std::vector<NodeId> nodes_of_files(const Tree& tree, const EvalArguments& arguments,
-                                   const std::vector<NodeId>& nodes) {
-  const std::size_t n = arguments.files.size();
-  if (nodes.empty()) return std::vector<NodeId>(n, tree.result);
-  if (nodes.size() == 1) return std::vector<NodeId>(n, nodes[0]);
-  if (n != 0 && nodes.size() != n) {
+/// A file, and what it shows: a node; or of a picture some of its panels.
+struct FileRequest {
+  std::string path;
+  NodeId node;
+  std::vector<PanelRequest> panels;
+};
+
+/// Files show the result; or the one `--node`; or one `--node` each. Of more nodes than that a picture has panels.
+std::vector<FileRequest> requests(const Tree& tree, const EvalArguments& arguments,
+                                  const std::vector<NodeId>& nodes, const PictureRequest& picture) {
+  const std::vector<std::string>& files = arguments.files;
+  const auto pictures = static_cast<std::size_t>(std::count_if(files.begin(), files.end(), is_picture));
+  const bool one_each = nodes.size() > 1 && nodes.size() == files.size();
+  if (nodes.size() > 1 && !one_each && files.size() > pictures) {
     throw InputError(
-        "cnrg: error: " + std::to_string(nodes.size()) + " times --node and " + std::to_string(n) +
+        "cnrg: error: " + std::to_string(nodes.size()) + " times --node and " + std::to_string(files.size()) +
         " times -o; give no --node (the files show the result), one for all files, or one for each file");
   }
-  return nodes;
+  std::vector<FileRequest> out;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    FileRequest& file = out.emplace_back();
+    file.path = files[i];
+    file.node = nodes.empty() ? tree.result : nodes[one_each ? i : 0];
+    if (!is_picture(files[i])) continue;
+    if (one_each) file.panels = {picture.panels[i]};
+    else file.panels = picture.panels;
+  }
+  return out;
 }
 
 /// Writes files, and snaps each node that they show once.
@@ -38,7 +55,14 @@ class FileWriter {
   FileWriter(const Tree& tree, const Evaluation& evaluation, const EvalArguments& arguments)
       : tree_(tree), evaluation_(evaluation), arguments_(arguments) {}
 
-  void write_file(const std::string& path, NodeId node) {
+  void write_file(const FileRequest& file, const PictureSize& size) {
+    const std::string& path = file.path;
+    const NodeId node = file.node;
+    if (!file.panels.empty()) {
+      ProgressBar bar(arguments_.quiet);
+      bar.show("draw " + path, 0, 0);
+      return write_picture(path, file.panels, size, tree_, evaluation_, arguments_.threads);
+    }
     const bool snaps = arguments_.snap && !is_exact(path);
     RoundingReport rounding;
     const Snapped* snapped = nullptr;
@@ -108,7 +132,20 @@ std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vec
 
 int run_eval(const EvalArguments& arguments) {
   require_distinct(arguments.files);
-  for (const std::string& path : arguments.files) check_file_name(path);  // before the work, not after it
+  bool pictures = false;
+  for (const std::string& path : arguments.files) {  // before the work, not after it
+    if (is_picture(path)) {
+      pictures = true;
+      require_no_directory(path);
+    } else {
+      check_file_name(path);
+    }
+  }
+  const PictureRequest picture = picture_request(arguments.picture);
+  if (picture.given && !pictures) {
+    throw InputError(
+        "cnrg: error: options of pictures are given, and no picture; add `-o FILE.svg`, .png or .pdf");
+  }
   const Tree tree = tree_of(arguments);
   require_writable(arguments.files, tree);
   EvaluateOptions options;
@@ -117,7 +154,9 @@ int run_eval(const EvalArguments& arguments) {
   options.rows = !arguments.quiet || std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
   options.region_volumes = arguments.trace;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));
-  const std::vector<NodeId> shown = nodes_of_files(tree, arguments, options.nodes);
+  const std::vector<FileRequest> files = requests(tree, arguments, options.nodes, picture);
+  options.keep_all =
+      std::any_of(picture.panels.begin(), picture.panels.end(), [](const auto& p) { return p.ghosts; });
   std::vector<NodeId> roots = options.nodes;
   roots.push_back(tree.result);
   print(unused_nodes(tree, roots), arguments.quiet);
@@ -131,7 +170,7 @@ int run_eval(const EvalArguments& arguments) {
   std::cout << std::flush;
 
   FileWriter writer(tree, evaluation, arguments);
-  for (std::size_t i = 0; i < arguments.files.size(); ++i) writer.write_file(arguments.files[i], shown[i]);
+  for (const FileRequest& file : files) writer.write_file(file, picture.size);
   return kDone;
 }
 

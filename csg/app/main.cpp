@@ -8,6 +8,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <new>
 #include <stdexcept>
 
@@ -85,6 +86,43 @@ CLI::Validator number_check(double above, double below, const std::string& wante
       "");
 }
 
+/// Options of pictures. Behind a `--node` they are for its panel alone, so their order matters: `picture_words`.
+void add_picture_options(CLI::App* sub) {
+  constexpr const char* kGroup = "Pictures (before the first --node for all panels, behind one for its own)";
+  const auto add = [&](const char* name, const char* type, const char* help) {
+    sub->add_option(std::string(name), CLI::callback_t([](const CLI::results_t&) { return true; }), help)
+        ->type_name(type)
+        ->expected(1)
+        ->take_all()
+        ->group(kGroup);
+  };
+  add("--camera", "A,E", "From where, in degrees: to the right of the negative y-axis, and up; such as 30,20");
+  add("--cut", "PLANE", "Take away what is on the camera's side of x=5, or of NX,NY,NZ,D; several times for more");
+  add("--explode", "F", "Pull regions apart, by F of their distance from the middle");
+  add("--opacity", "F", "See through faces: from 1 (not at all) down to 0.01");
+  sub->add_flag_function(
+         "--ghosts", [](std::int64_t) {}, "Show what the node's operator removed, faintly")
+      ->take_all()
+      ->group(kGroup);
+  add("--color-by", "WHAT", "material, region, component or source");
+  add("--labels", "LIST", "Numbers of cells, and names: of v,e,f,r,names");
+  add("--caption", "TEXT", "Below the panel; the node's name, if there are several");
+  add("--size", "WxH", "No panel is larger, in pixels (480x400; a .png has two for each)");
+}
+
+/// The options of pictures and `--node` as they were given, in their order.
+PictureWords picture_words(const CLI::App& sub) {
+  PictureWords out;
+  std::map<const CLI::Option*, std::size_t> seen;
+  for (const CLI::Option* option : sub.parse_order()) {
+    const std::string name = "--" + (option->get_lnames().empty() ? "" : option->get_lnames().front());
+    const std::size_t i = seen[option]++;
+    if (name != "--node" && option->get_group().rfind("Pictures", 0) != 0) continue;
+    out.emplace_back(name, option->results()[i]);
+  }
+  return out;
+}
+
 /// What is wrong with the command line, what was probably meant, and where to look.
 std::string command_line_fault(const CLI::App& program, const CLI::ParseError& e) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
@@ -130,7 +168,7 @@ int run(int argc, char** argv) {
       ->take_all();
   sub->add_option("-o", eval.files,
                   "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off "
-                  ".stl .ply .step .brep .dot .regions.dot")
+                  ".stl .ply .step .brep .dot .regions.dot; pictures: .svg .png .pdf")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)
@@ -151,8 +189,14 @@ int run(int argc, char** argv) {
       ->excludes(snap);
   add_threads(sub, eval.threads);
   sub->add_flag("--quiet", eval.quiet, "No rows and no notices");
-  sub->footer("Example:\n  cnrg eval model.yaml --node split -o split.vtu --trace");
-  sub->callback([&] { command = [&] { return run_eval(eval); }; });
+  add_picture_options(sub);
+  sub->footer(
+      "Examples:\n  cnrg eval model.yaml --node split -o split.vtu --trace\n"
+      "  cnrg eval model.yaml --node split --node model --cut y=50 -o model.svg");
+  sub->callback([&, sub] {
+    eval.picture = picture_words(*sub);
+    command = [&] { return run_eval(eval); };
+  });
 
   CheckArguments check;
   sub = program.add_subcommand("check", "Reads and validates a tree file without evaluating it");

@@ -1,12 +1,12 @@
-// From a node's cells to a drawing: cut, pulled apart, seen from a camera, and what hides what decided exactly.
+// From a node's cells to a figure: cut, pulled apart, seen from a camera, and what hides what decided exactly.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "csg/evaluate/evaluate.h"
-#include "csg/picture/drawing.h"
-#include "csg/tree/tree.h"
+#include "csg/picture/figure.h"
+#include "csg/result/palette.h"
+#include "csg/result/result.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
@@ -26,14 +26,7 @@ struct DrawOptions {
   std::vector<Cut> cuts;
   double apart = 0;    ///< regions are moved away from the middle by this share of their distance from it
   double opacity = 1;  ///< of faces; below 1 what is behind them shines through, hidden lines as faint ones
-  bool ghosts = false; ///< what operators removed, faintly
-  enum class Colors : std::uint8_t {
-    material,  ///< of its material; by component where there is none
-    region,
-    component,
-    source,  ///< the leaves that a cell came from
-  };
-  Colors colors = Colors::material;
+  std::optional<ColorBy> colors;  ///< nothing: as palette.h chooses for the node
   /// Which cells have their numbers beside them (`v6`, `e11`, `f2`, `r2`), and whether regions, sheets and wires
   /// have their names.
   struct Labels {
@@ -42,9 +35,12 @@ struct DrawOptions {
   Labels labels;
 };
 
-/// The value of an instance. The evaluation must have kept it. Throws InputError for a node that reaches the frame
-/// of unbounded leaves with more than regions.
-Drawing draw(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept, InstanceId id,
-             const DrawOptions& options);
+/// From where what is long in all of these lies across the picture, and a flat model is seen from the front.
+DrawOptions::Camera camera_for(const std::vector<Result>& results);
+
+/// `removed`, which is on the complex of the result, is shown as ghosts: `removed_entities` of
+/// csg/explain/fates.h. Throws InputError if an unbounded result, or one with ghosts, is to be cut or pulled
+/// apart.
+Figure draw(const Result& result, const DrawOptions& options, const Result* removed = nullptr, int threads = 0);
 
 }  // namespace cnrg

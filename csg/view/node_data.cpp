@@ -8,10 +8,11 @@
 
 #include "csg/explain/explain.h"
 #include "csg/operators/node_value.h"
+#include "csg/result/palette.h"
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
 #include "csg/topology/topology.h"
-#include "csg/view/classes.h"
+#include "csg/explain/fates.h"
 #include "kernel/selection/homology.h"
 #include "kernel/selection/manifold.h"
 #include "kernel/selection/measure.h"
@@ -225,6 +226,27 @@ Json radial_orders(const Complex& complex, const SimplifiedComplex& s, PageTable
   return out;
 }
 
+/// Numbers of colors: by material and by component for each component, from 0; by region for each region. By
+/// source a color is of an origin, and the page has it once.
+Json colors(const ResultView& view, const FlatComplex& flat, PageTables& tables) {
+  const CellColors colors(view, flat);
+  const auto number = [&](const CellColor& c) { return number_in(tables.colors, hex(c.color)); };
+  Json out;
+  Numbers material, component, region;
+  std::array<Numbers, 3> lower;
+  for (Component c = 0; c <= view.value->component_count(); ++c) {
+    component.push_back(number(colors.of_component(c)));
+    material.push_back(number(colors.of_material(3, c)));
+    for (int d = 0; d < 3; ++d) lower[static_cast<std::size_t>(d)].push_back(number(colors.of_material(d, c)));
+  }
+  for (Index r = 0; r < flat.regions.size(); ++r) region.push_back(number(colors.of_region(r)));
+  out["material"] = {
+      {"v", packed(lower[0])}, {"e", packed(lower[1])}, {"f", packed(lower[2])}, {"r", packed(material)}};
+  out["component"] = packed(component);
+  out["region"] = packed(region);
+  return out;
+}
+
 bool is_bounded(const FlatComplex& flat) {
   return flat.frame_points.empty() && std::all_of(flat.regions.begin(), flat.regions.end(),
                                                   [](const auto& r) { return r.component == 0 || r.bounded; });
@@ -410,6 +432,7 @@ Json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& 
   }
   out["removed"] = removals;
   out["cells"] = Cells(flat, tables).json(true);
+  out["colors"] = colors(view, flat, tables);
   out["radial"] = radial_orders(complex, *kept.simplified, tables);
 
   if (told.topology) add_topology(evaluation, kept, flat, tables, out);

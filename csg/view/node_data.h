@@ -20,7 +20,7 @@ struct PageTables {
   std::map<VertexId, std::uint32_t> numbers;
   std::vector<VertexId> points;  ///< by number
   std::map<std::vector<LeafCell>, std::uint32_t> origins;
-  std::map<std::string, std::uint32_t> lines, words;
+  std::map<std::string, std::uint32_t> lines, words, colors;
 
   std::uint32_t point(VertexId v) {
     const std::uint32_t number = number_in(numbers, v);

@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "csg/operators/node_value.h"
+#include "csg/result/palette.h"
+#include "csg/result/result_data.h"
 #include "csg/text/escape.h"
 #include "csg/tree/dag.h"
 #include "csg/view/node_data.h"
@@ -47,6 +49,37 @@ Json origins_of(const PageTables& tables) {
       lists.back().push_back(cell.number);
     }
     out[number] = std::move(lists);
+  }
+  return out;
+}
+
+/// The colors of origins, by number; of no origin at 0.
+std::string source_colors(const Evaluation& evaluation, PageTables& tables) {
+  std::vector<LeafInfo> infos;
+  for (const std::string& name : evaluation.leaf_names) infos.push_back({name});
+  const LeafColors colors(infos);
+  std::vector<std::uint32_t> out(tables.origins.size() + 1);
+  const auto number = [&](const std::vector<LeafId>& leaves) {
+    return number_in(tables.colors, hex(colors.of(leaves).color));
+  };
+  out[0] = number({});
+  for (const auto& [cells, i] : tables.origins) {
+    std::vector<LeafId> leaves;
+    for (const LeafCell& cell : cells) leaves.push_back(cell.leaf);
+    out[i + 1] = number(leaves);
+  }
+  return packed(out);
+}
+
+/// Colors that mean the same on all pages.
+Json fixed_colors() {
+  Json out{{"sheet", hex(sheet_color())},
+           {"wire", hex(wire_color())},
+           {"point", hex(point_color())},
+           {"none", hex(no_color())}};
+  for (std::size_t r = 0; r < kRelations; ++r) {
+    const auto relation = static_cast<Relation>(r);
+    out["relations"][name(relation)] = hex(relation_color(relation));
   }
   return out;
 }
@@ -127,11 +160,15 @@ std::string page_data(const Tree& tree, const Evaluation& evaluation, const Page
   const std::vector<char> below = tree.dag->reachable({tree.result});
   out["several"] =
       std::any_of(nodes.begin(), nodes.end(), [&](const auto& n) { return !below[n.second->node.index()]; });
-  Json materials = Json::array();
-  for (const auto& m : evaluation.materials) {
-    materials.push_back({{"name", shown(m.name)}, {"color", m.color}});
+  const Result result = evaluation.result(evaluation.kept.front().node);
+  switch (default_colors(result.data().view())) {
+    case ColorBy::material: out["color_by"] = "material"; break;
+    case ColorBy::region: out["color_by"] = "region"; break;
+    default: out["color_by"] = "component";
   }
-  out["materials"] = materials;
+  out["fixed_colors"] = fixed_colors();
+  out["source_colors"] = source_colors(evaluation, tables);
+  out["colors"] = in_order(tables.colors);
   Json leaves = Json::array();
   for (const std::string& leaf : evaluation.leaf_names) leaves.push_back(shown(leaf));
   out["leaves"] = leaves;

@@ -7,9 +7,10 @@
 #include "csg/explain/explain.h"
 #include "csg/formats/formats.h"
 #include "csg/operators/node_value.h"
+#include "csg/result/palette.h"
 #include "csg/result/result_data.h"
 #include "csg/tree/dag.h"
-#include "csg/view/classes.h"
+#include "csg/explain/fates.h"
 #include "csg/view/packed.h"
 #include "kernel/selection/incidence.h"
 
@@ -284,6 +285,38 @@ TEST_CASE("a fate is kept in its component", "[view]") {
     }
   }
   CHECK(!Fate::of(Fate{Relation::common, false, true, false}.component()).table);
+}
+
+TEST_CASE("a page has the colors that stills have", "[view]") {
+  const Scene scene(kMixed);
+  CHECK(scene.data["color_by"] == "material");
+  CHECK(scene.data["fixed_colors"]["sheet"] == hex(sheet_color()));
+  CHECK(scene.data["fixed_colors"]["relations"]["INTERS"] == hex(relation_color(Relation::common)));
+  const auto color = [&](std::uint32_t number) { return scene.data["colors"][number].get<std::string>(); };
+  const std::vector<std::uint32_t> sources = numbers(scene.data["source_colors"]);
+  for (const KeptValue& kept : scene.evaluation.kept) {
+    const Json& node = scene.node(kept.name);
+    const Result result = scene.evaluation.result(kept.node);
+    const ResultView view = result.data().view();
+    const FlatComplex flat = flatten(view);
+    const CellColors colors(view, flat);
+    const std::array<std::size_t, 4> counts{flat.vertices.size(), flat.edges.size(), flat.faces.size(),
+                                            flat.regions.size()};
+    const std::array<std::string, 4> names{"vertices", "edges", "faces", "regions"}, kinds{"v", "e", "f", "r"};
+    for (std::size_t d = 0; d < 4; ++d) {
+      const Json& columns = node["cells"][names[d]];
+      const auto component = numbers(columns["component"]), origin = numbers(columns["origin"]);
+      const auto by_material = numbers(node["colors"]["material"][kinds[d]]);
+      const auto by_component = numbers(node["colors"]["component"]);
+      for (FlatComplex::Index i = 0; i < counts[d]; ++i) {
+        const auto expect = [&](ColorBy by) { return hex(colors.of(by, static_cast<int>(d), i).color); };
+        CHECK(color(by_material[component[i]]) == expect(ColorBy::material));
+        CHECK(color(by_component[component[i]]) == expect(ColorBy::component));
+        CHECK(color(sources[origin[i]]) == expect(ColorBy::source));
+        if (d == 3) CHECK(color(numbers(node["colors"]["region"])[i]) == expect(ColorBy::region));
+      }
+    }
+  }
 }
 
 TEST_CASE("beyond its limits a page says what it leaves out", "[view]") {

@@ -8,7 +8,7 @@
 // What lies between regions all around cannot be seen while these are closed, together and whole: in a large model
 // it is left out until regions are pulled apart, cut or seen through. That is most of a model of many regions.
 import * as THREE from 'three';
-import {colour, mix, NONE, POINT, RELATIONS, rgb, SHEET, WIRE} from './colours.js';
+import {mix} from './colours.js';
 
 const HATCHED = 1, SHEETS = 2;
 
@@ -68,7 +68,8 @@ export class Geometry {
       ['V', classes?.vertices.point.length ?? 0], ['E', classes?.edges.flags.length ?? 0], ['F', classes?.faces.flags.length ?? 0]]);
     this.legend = new Map();
     this.classes = look.colour === 'class' && model.classes;
-    this.prepareColours();
+    const {colours} = model.page;
+    [this.none, this.sheet, this.wire, this.point] = [colours.none, colours.sheet, colours.wire, colours.point];
     this.centres = this.regionCentres();
     this.skins = this.columns();
     this.sheets = this.columns();
@@ -102,41 +103,22 @@ export class Geometry {
 
   // --- colours
 
-  prepareColours() {
-    const {model, look} = this, {regions} = model.cells;
-    const number = (map, key) => map.get(key) ?? (map.set(key, map.size), map.size - 1);
-    const activeRegions = new Map(), sources = new Map();
-    for (let r = 0; r < model.counts.r; ++r) if (regions.component[r]) number(activeRegions, r);
-    const materials = model.page.materials;
-    const enter = (label, tint, sign = 'face') => (this.legend.set(label, {label, tint, sign}), tint);
-    const ofMaterial = (name) => {
-      if (!name) return enter('no material', NONE);
-      const i = materials.findIndex((m) => m.name === name);
-      return enter(name, materials[i]?.color ? rgb(materials[i].color) : colour(i));
-    };
-    const ofSource = (cell) => {
-      const origin = model.origin(cell);
-      if (!origin.length) return enter('no leaf', NONE);
-      const names = [...new Set(origin.map((o) => model.page.leaves[o.leaf]))].join(' + ');
-      return enter(names, colour(number(sources, names)));
-    };
-    const ofComponent = (c) => (c ? enter(model.componentName(c), colour(c - 1)) : NONE);
-    this.tintOf = (cell) => {
-      const c = model.component(cell);
-      switch (look.colour) {
-        case 'material': {
-          const name = model.node.components[c - 1]?.material;
-          return name || cell.kind === 'r' ? ofMaterial(name) : cell.kind === 'f' ? SHEET : WIRE;
-        }
-        case 'component': return ofComponent(c);
-        case 'source': return ofSource(cell);
-        default: {
-          if (cell.kind !== 'r') return SHEET;
-          const name = model.node.components[c - 1]?.name;
-          return c ? enter(`r${cell.i}${name ? ' ' + name : ''}`, colour(activeRegions.get(cell.i))) : NONE;
-        }
-      }
-    };
+  /** The colour of a cell; what it means is in the legend from then on. */
+  tintOf(cell) {
+    const {model, look} = this, by = look.colour === 'class' ? 'region' : look.colour, c = model.component(cell);
+    const tint = model.colour(by, cell), label = this.meaning(by, cell, c);
+    if (label) this.legend.set(label, {label, tint, sign: 'face'});
+    return tint;
+  }
+  meaning(by, cell, c) {
+    const {model} = this, {name, material} = model.node.components[c - 1] ?? {};
+    if (by === 'source') return [...new Set(model.origin(cell).map((o) => model.page.leaves[o.leaf] || 'frame'))].join(' + ') || 'no leaf';
+    if (!c) return '';
+    if (by === 'component') return model.componentName(c);
+    if (by === 'material' && material) return material;
+    if (cell.kind !== 'r') return '';
+    if (by === 'region') return `r${cell.i}${name ? ' ' + name : ''}`;
+    return model.node.components.some((x) => x.material) ? 'no material' : model.componentName(c);
   }
 
   // --- geometry
@@ -221,8 +203,8 @@ export class Geometry {
       if (!model.sheet(f)) continue;
       const own = faces.component[f];
       if (!own && !model.active(faces.front[f])) continue;  // bounds nothing that is there
-      const tint = own ? this.tintOf({kind: 'f', i: f}) : NONE;
-      if (own) this.legend.set('sheet', {label: 'sheet', sign: 'sheet', tint: SHEET});
+      const tint = own ? this.tintOf({kind: 'f', i: f}) : this.none;
+      if (own) this.legend.set('sheet', {label: 'sheet', sign: 'sheet', tint: this.sheet});
       const owner = model.active(faces.front[f]) ? numbering.bytes('r', faces.front[f] - 1) : none;
       this.push(this.sheets, this.corners(model.cells, f), false, tint, numbering.bytes('f', f), owner, this.shift(faces.front[f]), own ? SHEETS : HATCHED);
     }
@@ -268,10 +250,10 @@ export class Geometry {
       const cell = {kind: 'e', i: e}, own = edges.component[e], wire = faceless[e] && own;
       if (!look.inner && !wire && this.enclosed(e)) continue;
       if (!own && !model.radial.uses.of(e).some((f) => model.cells.faces.component[f] || model.active(model.cells.faces.front[f]) || model.active(model.cells.faces.back[f]))) continue;
-      if (wire) this.legend.set('wire', {label: 'wire', sign: 'wire', tint: WIRE});
+      if (wire) this.legend.set('wire', {label: 'wire', sign: 'wire', tint: this.wire});
       if (!own) this.legend.set('dashed', {label: 'missing edge', sign: 'dash', tint: look.ink});
       const plain = look.colour === 'region' || (look.colour === 'material' && !model.node.components[own - 1]?.material);
-      const tint = wire && plain ? (look.dark ? mix(WIRE, [255, 255, 255], 0.35) : WIRE)
+      const tint = wire && plain ? (look.dark ? mix(this.wire, [255, 255, 255], 0.35) : this.wire)
         : painted && own && (wire || look.colour !== 'material') ? mix(this.tintOf(cell), look.ink, 0.4) : look.ink;
       const width = wire ? 3.2 : border[e] ? 2.0 : 1;
       for (const shift of this.shiftsOf(cell)) {
@@ -291,9 +273,9 @@ export class Geometry {
     for (let v = 0; v < model.counts.v; ++v) {
       const cell = {kind: 'v', i: v}, p = vertices.point[v], own = vertices.component[v], alone = !ends[p] && own;
       if (ends[p] === 1) continue;
-      if (alone) this.legend.set('point', {label: 'isolated point', sign: 'point', tint: POINT});
+      if (alone) this.legend.set('point', {label: 'isolated point', sign: 'point', tint: this.point});
       if (!own) this.legend.set('hollow', {label: 'missing vertex', sign: 'hollow', tint: look.ink});
-      const tint = alone ? (look.dark ? mix(POINT, [255, 255, 255], 0.35) : POINT) : look.ink;
+      const tint = alone ? (look.dark ? mix(this.point, [255, 255, 255], 0.35) : this.point) : look.ink;
       for (const shift of this.shiftsOf(cell)) {
         this.points.position.push(...this.place(model.at(p)));
         this.points.shift.push(...shift);
@@ -339,11 +321,11 @@ export class Geometry {
       return found && found.removed === removed ? found : null;
     };
     const tint = (f) => {
-      const t = RELATIONS[f.relation ?? ''];
+      const t = model.page.colours.relations[f.relation] ?? this.none;
       if (this.classes) this.legend.set(f.relation ?? '', {label: f.relation ?? 'no table', tint: t, sign: 'face'});
-      return this.classes || look.colour === 'class' ? t : NONE;
+      return this.classes || look.colour === 'class' ? t : this.none;
     };
-    if (removed) this.legend.set('ghost', {label: 'removed', sign: 'ghost', tint: NONE});
+    if (removed) this.legend.set('ghost', {label: 'removed', sign: 'ghost', tint: this.none});
     const zero = [0, 0, 0], none = [0, 0, 0, 0];
     for (let i = 0; i < cells.faces.flags.length; ++i) {
       const f = fate(cells.faces.component[i]);
@@ -354,7 +336,7 @@ export class Geometry {
       for (let i = 0; i < cells.edges.flags.length; ++i) {
         const f = fate(cells.edges.component[i]);
         if (f) this.pushChain(removed ? this.ghostEdges : this.edges, cells, cells.edges.points.of(i), cells.edges.flags[i] & 1,
-          this.classes ? mix(tint(f), look.ink, 0.35) : mix(look.ink, NONE, 0.6), numbering.bytes('E', i), zero, removed ? 1 : 1.4, removed ? 1 : 0);
+          this.classes ? mix(tint(f), look.ink, 0.35) : mix(look.ink, this.none, 0.6), numbering.bytes('E', i), zero, removed ? 1 : 1.4, removed ? 1 : 0);
       }
     }
     if (!look.show[0] || removed) return;

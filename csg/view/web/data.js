@@ -1,4 +1,5 @@
 // The data of the page as arrays. csg/view/packed.h says how lists of numbers are written.
+import {Colours} from './colours.js';
 
 const KINDS = {1: Uint8Array, 2: Uint16Array, 4: Uint32Array, f: Float32Array, d: Float64Array};
 
@@ -66,12 +67,10 @@ export function readCells(json) {
 export class Page {
   constructor(json) {
     Object.assign(this, {
-      tree: json.tree, result: json.result, several: json.several, materials: json.materials, leaves: json.leaves, nodes: json.nodes,
+      tree: json.tree, result: json.result, several: json.several, colour_by: json.color_by, leaves: json.leaves, nodes: json.nodes,
       origins: json.origins, words: json.words, lines: json.lines,
     });
-    // Materials that only results read back name have colours of their own, too.
-    const names = new Set(this.materials.map((m) => m.name));
-    for (const {components} of this.nodes) for (const {material} of components) if (material && !names.has(material)) (names.add(material), this.materials.push({name: material, color: ''}));
+    this.colours = new Colours(json, unpack);
     this.points = unpack(json.points);
     this.exact = new Map(json.exact.map(([i, ...xyz]) => [i, xyz]));
     this.models = new Map();

@@ -1,9 +1,9 @@
 // The page: its state, what shows it, and what changes it. The state is in the address, so that a link restores it.
 import './style.css';
-import {mix, RELATIONS, rgb} from './colours.js';
+import {rgb} from './colours.js';
 import {Dag} from './dag.js';
 import {Page} from './data.js';
-import {LETTERS, Model, nameOf, WORDS} from './model.js';
+import {Model, nameOf, WORDS} from './model.js';
 import {h, showCell, showNode, swatch} from './panels.js';
 import {Scene} from './scene.js';
 
@@ -452,14 +452,14 @@ function signs() {
     ['arrows  + −  0', 'turn, zoom, fit'], ['Shift + click', 'pick the region'], ['Esc', 'pick nothing'], ['d', 'light or dark']];
   $('keylist').replaceChildren(...keys.flatMap(([k, words]) => [h('dt', {}, h('kbd', {}, k)), h('dd', {}, words)]));
   const ink = css('--ink');
-  const list = [['face', 'skin of a region', [120, 180, 220]], ['hatch', 'missing face: the region is open there', [120, 180, 220]], ['sheet', 'sheet: a face without a region of its own', rgb('#d55e00')], ['line', 'edge; thicker where a sheet ends', ink],
-    ['dash', 'missing edge', ink], ['wire', 'wire', rgb('#a5460a')], ['dot', 'vertex', ink], ['hollow', 'missing vertex', ink], ['point', 'isolated point', rgb('#a5460a')], ['ghost', 'removed by the node', [150, 150, 150]]];
+  const list = [['face', 'skin of a region', [120, 180, 220]], ['hatch', 'missing face: the region is open there', [120, 180, 220]], ['sheet', 'sheet: a face without a region of its own', page.colours.sheet], ['line', 'edge; thicker where a sheet ends', ink],
+    ['dash', 'missing edge', ink], ['wire', 'wire', page.colours.wire], ['dot', 'vertex', ink], ['hollow', 'missing vertex', ink], ['point', 'isolated point', page.colours.wire], ['ghost', 'removed by the node', [150, 150, 150]]];
   $('signs').replaceChildren(...list.flatMap(([sign, words, tint]) => [h('dt', {}, swatch(tint, sign)), h('dd', {}, words)]));
 }
 
 function begin() {
   const cell = restore();
-  state.colour ??= page.materials.some((m) => m.color) && page.nodes[page.result].components.some((c) => c.material) ? 'material' : page.nodes[page.result].group ? 'region' : 'component';
+  state.colour ??= page.colour_by;
   applyTheme();
   showControls();
   if (scene) scene.setExplode(state.explode);
@@ -471,7 +471,7 @@ function begin() {
   }
 }
 
-window.cnrg = {page, state, get scene() { return scene; }, get model() { return model; }, LETTERS, RELATIONS, mix};
+window.cnrg = {page, state, get scene() { return scene; }, get model() { return model; }};
 scene?.setExtent(...extent());
 signs();
 wire();

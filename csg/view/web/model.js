@@ -24,11 +24,13 @@ export class Model {
     this.cells = readCells(this.node.cells);
     const {vertices, edges, faces, regions} = this.cells;
     this.counts = {v: vertices.point.length, e: edges.flags.length, f: faces.flags.length, r: regions.component.length};
-    const {radial, stories, shapes, classes} = this.node;
+    const {radial, stories, shapes, classes, colors} = this.node;
     this.radial = {from: unpack(radial.from), to: unpack(radial.to), uses: new Lists(unpack(radial.counts), unpack(radial.faces)),
       regions: unpack(radial.regions), angles: unpack(radial.angles)};
     this.stories = stories && new Lists(unpack(stories.lines_counts), unpack(stories.lines));
     this.shapes = shapes && {v: unpack(shapes.vertices), e: unpack(shapes.edges)};
+    this.colours = {material: {}, component: unpack(colors.component), region: unpack(colors.region)};
+    for (const kind of LETTERS) this.colours.material[kind] = unpack(colors.material[kind]);
     this.classes = classes && {cells: readCells(classes), fates: classes.fates};
   }
 
@@ -45,6 +47,16 @@ export class Model {
     if (c === 0) return 'outside';
     const {name} = this.node.components[c - 1] ?? {};
     return name ? `${c} ${name}` : `component ${c}`;
+  }
+  /** The colour of a cell by `region`, `material`, `component` or `source`. */
+  colour(by, cell) {
+    const {page: {colours}, colours: mine} = this;
+    if (by === 'region' && cell.kind !== 'r') return {v: colours.point, e: colours.wire, f: colours.sheet}[cell.kind];
+    const number = by === 'region' ? mine.region[cell.i]
+      : by === 'material' ? mine.material[cell.kind][this.component(cell)]
+      : by === 'source' ? colours.sources[this.column(cell.kind).origin[cell.i]]
+      : mine.component[this.component(cell)];
+    return colours.all[number];
   }
   active(region) { return region > 0 && this.cells.regions.component[region - 1] !== 0; }
 

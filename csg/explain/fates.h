@@ -28,5 +28,9 @@ struct Fate {
 /// An entity that several steps of a fold ask about has the fate of the last that did not merely find it outside.
 /// Nothing for leaves and where no table was asked and nothing went.
 std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, InstanceId id);
+/// Those of them that went, all in component 1. The evaluation must have kept all values.
+Selection removed_entities(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept);
+/// The instance that has this value: the last one of its node.
+InstanceId instance_of(const Evaluation& evaluation, const KeptValue& kept);
 
 }  // namespace cnrg

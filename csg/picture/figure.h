@@ -1,8 +1,9 @@
-// A picture before it has a size: what is seen, in the plane of the picture and in the order in which it is painted.
+// A picture before it has a size: what is seen, in the plane of the picture and in the order in which it is
+// painted.
 //
-// Everything hard is done when a drawing exists: what hides what was decided exactly (visibility.h), so nothing in
+// Everything hard is done when a figure exists: what hides what was decided exactly (visibility.h), so nothing in
 // it lies behind anything else but what is meant to shine through. Who paints it needs doubles only, and knows no
-// cells; one drawing becomes pixels, SVG or PDF alike.
+// cells; one figure becomes pixels, SVG or PDF alike.
 //
 // Units are those of the model (the picture is a parallel projection), x to the right, y up.
 #pragma once
@@ -12,13 +13,15 @@
 #include <string>
 #include <vector>
 
+#include "csg/result/palette.h"
+
 namespace cnrg {
 
 using Point2 = std::array<double, 2>;
-using Rgb = std::array<double, 3>;  ///< 0 to 1
+inline constexpr Rgb kInk{0.12, 0.13, 0.16};
 
-struct Drawing {
-  /// An area of one color. Areas with `over` false do not overlap and have no gaps between them.
+struct Figure {
+  /// An area of one color. Areas do not overlap, and there are no gaps between them.
   struct Area {
     std::vector<std::vector<Point2>> loops;  ///< outer and holes: inside where an odd number of them is around
     Rgb color{};
@@ -31,7 +34,6 @@ struct Drawing {
     outline,  ///< between the model and the ground of the picture
     border,   ///< of a sheet: thick
     wire,     ///< thicker still
-    hidden,   ///< an edge behind something, shown faintly where areas are seen through
     ghost,    ///< of what was removed
   };
   struct Stroke {
@@ -40,6 +42,7 @@ struct Drawing {
     Line line = Line::edge;
     Rgb color{};
     bool missing = false;  ///< an edge that is not of the set: dashed
+    bool hidden = false;   ///< behind something that is seen through: faint
   };
   enum class Mark : std::uint8_t {
     vertex,    ///< where edges end: a dot

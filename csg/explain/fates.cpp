@@ -1,9 +1,10 @@
 // The steps of a Boolean are run again, as `explain` does, and each entity asks for its verdict.
-#include "csg/view/classes.h"
+#include "csg/explain/fates.h"
 
 #include "csg/evaluate/operate.h"
 #include "csg/operators/node_value.h"
 #include "csg/operators/verdict.h"
+#include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {
@@ -101,6 +102,26 @@ std::optional<Selection> fates(const Tree& tree, const Evaluation& evaluation, I
   Selection out{listed(marks.vertices), listed(marks.edges), listed(marks.faces), {}};
   if (out.vertices.empty() && out.edges.empty() && out.faces.empty()) return std::nullopt;
   return out;
+}
+
+InstanceId instance_of(const Evaluation& evaluation, const KeptValue& kept) {
+  InstanceId of;
+  for (const InstanceId i : IdRange<InstanceId>(evaluation.values.size())) {
+    if (evaluation.values[i] == kept.value) of = i;
+  }
+  require(of.valid(), "the evaluation has not kept all values");
+  return of;
+}
+
+Selection removed_entities(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept) {
+  std::optional<Selection> all = fates(tree, evaluation, instance_of(evaluation, kept));
+  if (!all) return {};
+  const auto keep_removed = [](auto& cells) {
+    std::erase_if(cells, [](const auto& cell) { return !Fate::of(cell.second).removed; });
+    for (auto& cell : cells) cell.second = 1;
+  };
+  keep_removed(all->vertices), keep_removed(all->edges), keep_removed(all->faces);
+  return std::move(*all);
 }
 
 }  // namespace cnrg

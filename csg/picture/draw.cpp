@@ -1,0 +1,262 @@
+#include "csg/picture/draw.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "csg/picture/make_scene.h"
+#include "csg/picture/room.h"
+#include "csg/picture/visibility.h"
+#include "csg/result/result_data.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Scene::Index;
+using Vector = std::array<double, 3>;
+
+/// The length of a vector.
+double size_of(const Vector& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+/// From what is seen to what is painted: colors in light and shade, one above the other; texts where there is
+/// room.
+class Finisher {
+ public:
+  Finisher(const Scene& scene, const SeenScene& seen, const Rational& scale)
+      : scene_(scene), seen_(seen), scale_(to_double(scale)) {}
+
+  Figure run() {
+    places_.resize(scene_.labels.size());
+    add_areas();
+    add_strokes();
+    add_dots();
+    add_labels();
+    for (const Figure::Key& key : scene_.keys) out_.keys.push_back(key);
+    find_box();
+    return std::move(out_);
+  }
+
+ private:
+  const Scene& scene_;
+  const SeenScene& seen_;
+  const double scale_;
+  Figure out_;
+  std::vector<std::vector<Figure::Label::Place>> places_;  // by label
+
+  std::vector<Point2> scaled(const std::vector<Point2>& points) const {
+    std::vector<Point2> out;
+    for (const Point2& p : points) out.push_back({p[0] / scale_, p[1] / scale_});
+    return out;
+  }
+
+  /// How light a facet is: the light comes over the left shoulder of who looks.
+  double light_on(const Scene::Facet& facet) const {
+    std::vector<Vector> corners;
+    for (const Index i : facet.loops.front()) {
+      const RationalPoint& p = scene_.points[i];
+      corners.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+    }
+    const Vector o = corners.front();
+    Vector n{};
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      const Vector a{corners[i][0] - o[0], corners[i][1] - o[1], corners[i][2] - o[2]};
+      const Vector b{corners[i + 1][0] - o[0], corners[i + 1][1] - o[1], corners[i + 1][2] - o[2]};
+      n[0] += a[1] * b[2] - a[2] * b[1], n[1] += a[2] * b[0] - a[0] * b[2], n[2] += a[0] * b[1] - a[1] * b[0];
+    }
+    const double size = size_of(n);
+    if (!(size > 0)) return 1;
+    constexpr Vector kLight{-0.42, 0.72, 0.55};
+    const double turn = n[2] < 0 ? -1 : 1;
+    const double cosine = turn * (n[0] * kLight[0] + n[1] * kLight[1] + n[2] * kLight[2]) / size / size_of(kLight);
+    return 0.74 + 0.30 * cosine;
+  }
+
+  static Rgb lit(const Rgb& color, double light) {
+    return light <= 1 ? mix({0.10, 0.10, 0.16}, color, light) : color;
+  }
+
+  void add_areas() {
+    std::vector<double> light(scene_.facets.size(), -1);
+    for (const SeenScene::Area& area : seen_.areas) {
+      Figure::Area painted;
+      double through = 1;
+      for (const Index f : area.facets) {
+        const Scene::Surface& s = scene_.surfaces[scene_.facets[f].surface];
+        if (light[f] < 0) light[f] = light_on(scene_.facets[f]);
+        const Rgb color = lit(s.color, light[f]);
+        for (std::size_t k = 0; k < 3; ++k) painted.color[k] += through * s.opacity * color[k];
+        through *= 1 - s.opacity;
+      }
+      painted.opacity = 1 - through;
+      for (double& x : painted.color) x /= painted.opacity;
+      for (const auto& loop : area.loops) painted.loops.push_back(scaled(loop));
+      const Scene::Surface& front = scene_.surfaces[scene_.facets[area.facets.front()].surface];
+      painted.missing = front.missing;
+      painted.sheet = front.sheet;
+      out_.areas.push_back(std::move(painted));
+    }
+    place_texts_in_areas();
+  }
+
+  /// A text stands in what is seen in front of one surface, facets and what shines through taken together.
+  void place_texts_in_areas() {
+    if (scene_.labels.empty()) return;
+    std::map<Index, std::vector<std::size_t>> of_surface;
+    for (std::size_t i = 0; i < seen_.areas.size(); ++i) {
+      of_surface[scene_.facets[seen_.areas[i].facets.front()].surface].push_back(i);
+    }
+    for (const auto& [surface, areas] : of_surface) {
+      if (scene_.surfaces[surface].labels.empty()) continue;
+      std::vector<Figure::Label::Place> found;
+      for (const std::size_t i : areas) found.push_back(place_with_room(out_.areas[i].loops));
+      std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.room > b.room; });
+      found.resize(std::min<std::size_t>(found.size(), 3));
+      for (const Index label : scene_.surfaces[surface].labels) {
+        places_[label].insert(places_[label].end(), found.begin(), found.end());
+      }
+    }
+  }
+
+  void add_strokes() {
+    std::map<Index, std::pair<double, Figure::Label::Place>> longest;  // by line
+    for (const SeenScene::Stroke& stroke : seen_.strokes) {
+      Figure::Stroke painted;
+      painted.points = scaled(stroke.points);
+      painted.closed = stroke.closed;
+      const bool ghost = stroke.line == SeenScene::kNone && scene_.surfaces[stroke.surface].ghost;
+      painted.color = kInk;
+      if (stroke.line != SeenScene::kNone) {
+        const Scene::Line& line = scene_.lines[stroke.line];
+        painted.line = line.look;
+        painted.color = line.color;
+        painted.missing = line.missing;
+        find_middle(painted.points, longest[stroke.line]);
+      }
+      const bool plain = painted.line == Figure::Line::edge || painted.line == Figure::Line::border;
+      painted.hidden = stroke.hidden;
+      if (ghost) painted.line = Figure::Line::ghost;
+      else if (stroke.outline && plain) painted.line = Figure::Line::outline;
+      out_.strokes.push_back(std::move(painted));
+    }
+    for (const auto& [line, found] : longest) {
+      for (const Index label : scene_.lines[line].labels) places_[label].push_back(found.second);
+    }
+  }
+
+  /// The middle of a chain, if it is the longest of its line.
+  static void find_middle(const std::vector<Point2>& points, std::pair<double, Figure::Label::Place>& best) {
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      length += std::hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]);
+    }
+    if (length <= best.first) return;
+    double left = length / 2;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const auto &a = points[i - 1], &b = points[i];
+      const double step = std::hypot(b[0] - a[0], b[1] - a[1]);
+      if (left <= step) {
+        const double t = step > 0 ? left / step : 0;
+        best = {length, {{a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])}, 0}};
+        return;
+      }
+      left -= step;
+    }
+  }
+
+  void add_dots() {
+    for (const SeenScene::Dot& seen : seen_.dots) {
+      const Scene::Dot& dot = scene_.dots[seen.dot];
+      const Point2 at{seen.at[0] / scale_, seen.at[1] / scale_};
+      out_.dots.push_back({at, dot.mark, dot.color, dot.missing, seen.hidden});
+      for (const Index label : dot.labels) places_[label].push_back({at, 0});
+    }
+  }
+
+  /// Names and regions first, since each has few places where it may stand.
+  void add_labels() {
+    for (Index i = 0; i < scene_.labels.size(); ++i) {
+      auto& places = places_[i];
+      if (places.empty()) continue;
+      std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.room > b.room; });
+      out_.labels.push_back({scene_.labels[i], std::move(places)});
+    }
+    std::stable_sort(out_.labels.begin(), out_.labels.end(),
+                     [](const auto& a, const auto& b) { return a.places.front().room > b.places.front().room; });
+  }
+
+  void find_box() {
+    out_.low = {INFINITY, INFINITY};
+    out_.high = {-INFINITY, -INFINITY};
+    const auto add = [&](const Point2& p) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        out_.low[k] = std::min(out_.low[k], p[k]);
+        out_.high[k] = std::max(out_.high[k], p[k]);
+      }
+    };
+    for (const auto& area : out_.areas) {
+      for (const auto& loop : area.loops) std::for_each(loop.begin(), loop.end(), add);
+    }
+    for (const auto& stroke : out_.strokes) std::for_each(stroke.points.begin(), stroke.points.end(), add);
+    for (const auto& dot : out_.dots) add(dot.at);
+    if (out_.low[0] > out_.high[0]) out_.low = out_.high = {0, 0};
+  }
+};
+
+/// The box around the points of results.
+struct Extent {
+  Vector low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+};
+Extent extent_of(const std::vector<Result>& results) {
+  Extent out;
+  for (const Result& result : results) {
+    const Complex& complex = result.complex();
+    const auto add = [&](VertexId v) {
+      const auto p = complex.points.approx(v);
+      for (std::size_t k = 0; k < 3; ++k) {
+        out.low[k] = std::min(out.low[k], p[k]);
+        out.high[k] = std::max(out.high[k], p[k]);
+      }
+    };
+    for (const auto& vertex : result.cells().vertices) add(vertex.cell);
+    for (const auto& edge : result.cells().edges) {
+      for (const HalfEdge h : edge.chain) add(complex.origin(h));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+DrawOptions::Camera camera_for(const std::vector<Result>& results) {
+  const Extent box = extent_of(results);
+  const double x = box.high[0] - box.low[0], y = box.high[1] - box.low[1], z = box.high[2] - box.low[2];
+  if (z == 0) return {0, 90};
+  if (y == 0) return {0, 0};
+  if (x == 0) return {90, 0};
+  return {x >= y ? 30.0 : 60.0, 24};
+}
+
+Figure draw(const Result& result, const DrawOptions& options, const Result* removed, int threads) {
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+  const Camera camera(options.camera.value_or(camera_for({result})));
+  const bool moved = !options.cuts.empty() || options.apart != 0;
+  const bool unbounded = std::any_of(flat.regions.begin(), flat.regions.end(),
+                                     [](const auto& r) { return r.component != 0 && !r.bounded; });
+  const std::string what = options.cuts.empty() ? "pulled apart" : "cut";
+  if (moved && unbounded) {
+    throw InputError("it is unbounded, and cannot be " + what + " in a picture; intersect it with a box");
+  }
+  if (moved && removed != nullptr) {
+    throw InputError("what was removed can be shown in a picture of the whole only; it is not to be " + what);
+  }
+  PictureCells cells = picture_cells(result.complex(), flat);
+  for (const DrawOptions::Cut& plane : options.cuts) cells = cut(cells, plane, camera.towards(), threads);
+  Scene scene = make_scene(view, flat, cells, options, camera);
+  if (options.apart != 0) scene = without_crossings(scene, threads);
+  if (removed != nullptr) add_ghosts(removed->complex(), flatten(removed->data().view()), camera, scene);
+  return Finisher(scene, see(scene, threads), camera.scale()).run();
+}
+
+}  // namespace cnrg

@@ -1,0 +1,21 @@
+// From the cells of a node to what stands before the camera: which of them are shown, where, and how they look.
+#pragma once
+
+#include "csg/picture/camera.h"
+#include "csg/picture/cells.h"
+#include "csg/picture/scene.h"
+#include "csg/result/palette.h"
+
+namespace cnrg {
+
+/// In the camera's space. Facets of it may cross where regions were pulled apart (options.apart).
+Scene make_scene(const ResultView& view, const FlatComplex& flat, const PictureCells& cells,
+                 const DrawOptions& options, const Camera& camera);
+
+/// Adds cells as ghosts.
+void add_ghosts(const Complex& complex, const FlatComplex& flat, const Camera& camera, Scene& scene);
+
+/// The same with facets that cross, cut where they do.
+Scene without_crossings(const Scene& scene, int threads);
+
+}  // namespace cnrg

@@ -1,0 +1,185 @@
+// The seven colors are those of Okabe and Ito (2008) without black.
+#include "csg/result/palette.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+constexpr std::size_t kHues = 7;
+
+/// The color of a kind of cell.
+CellColor of_kind(int dimension) {
+  return {dimension == 3   ? no_color()
+          : dimension == 2 ? sheet_color()
+          : dimension == 1 ? wire_color()
+                           : point_color(),
+          {}};
+}
+
+/// 2^n modulo the size of the palette.
+std::size_t power_of_two(std::size_t n) {
+  std::size_t out = 1;
+  for (std::size_t base = 2; n != 0; n /= 2, base = base * base % kPaletteSize) {
+    if (n % 2 == 1) out = out * base % kPaletteSize;
+  }
+  return out;
+}
+
+}  // namespace
+
+Rgb rgb(const std::string& hex) {
+  Rgb out{};
+  bool good = hex.size() == 7 && hex[0] == '#';
+  for (std::size_t k = 0; k < 3 && good; ++k) {
+    unsigned byte = 0;
+    const char* begin = hex.data() + 1 + 2 * k;
+    good = std::from_chars(begin, begin + 2, byte, 16).ptr == begin + 2;
+    out[k] = byte / 255.0;
+  }
+  require(good, "rgb: a color is `#` and six hexadecimal digits");
+  return out;
+}
+
+std::string hex(const Rgb& color) {
+  char text[8];
+  const auto byte = [](double x) { return static_cast<unsigned>(std::lround(std::clamp(x, 0.0, 1.0) * 255)); };
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color[0]), byte(color[1]), byte(color[2]));
+  return text;
+}
+
+Rgb mix(const Rgb& a, const Rgb& b, double t) {
+  Rgb out{};
+  for (std::size_t k = 0; k < 3; ++k) out[k] = a[k] + (b[k] - a[k]) * t;
+  return out;
+}
+
+Rgb palette_color(std::size_t i) {
+  static const std::array<Rgb, kHues> hues{rgb("#56b4e9"), rgb("#e69f00"), rgb("#009e73"), rgb("#cc79a7"),
+                                           rgb("#f0e442"), rgb("#0072b2"), rgb("#d55e00")};
+  static const std::array<Rgb, 3> towards{rgb("#ffffff"), rgb("#ffffff"), rgb("#282832")};
+  constexpr std::array<double, 3> share{0.22, 0.55, 0.32};
+  const std::size_t round = i / kHues % share.size();
+  return mix(hues[i % kHues], towards[round], share[round]);
+}
+
+Rgb sheet_color() { return rgb("#d55e00"); }
+Rgb wire_color() { return rgb("#a5460a"); }
+Rgb point_color() { return rgb("#a5460a"); }
+Rgb no_color() { return rgb("#b0b4ba"); }
+
+Rgb relation_color(Relation relation) {
+  static const std::array<Rgb, kRelations> colors{rgb("#0072b2"), rgb("#56b4e9"), rgb("#e69f00"), rgb("#009e73"),
+                                                  rgb("#cc79a7")};
+  return colors[static_cast<std::size_t>(relation)];
+}
+
+ColorBy default_colors(const ResultView& view) {
+  const auto& materials = view.materials;
+  if (std::any_of(materials.begin(), materials.end(), [](const auto& m) { return !m.color.empty(); })) {
+    for (Component c = 1; c <= view.value->component_count(); ++c) {
+      if (!view.value->attributes(c).material.empty()) return ColorBy::material;
+    }
+  }
+  return view.value->is_group() || view.of_group ? ColorBy::region : ColorBy::component;
+}
+
+LeafColors::LeafColors(const std::vector<LeafInfo>& leaves) {
+  std::map<std::string, std::size_t> numbers;
+  for (const LeafInfo& leaf : leaves) {
+    const auto [at, is_new] = numbers.try_emplace(leaf.name, numbers.size());
+    if (is_new) names_.push_back(leaf.name);
+    numbers_.push_back(at->second);
+  }
+}
+
+CellColor LeafColors::of(const std::vector<LeafId>& leaves) const {
+  std::set<std::size_t> numbers;
+  for (const LeafId leaf : leaves) numbers.insert(numbers_[leaf.index()]);
+  if (numbers.empty()) return {no_color(), "no leaf"};
+  std::string text;
+  std::size_t sets = 0;  // of all sets of leaves up to this one, as binary numbers
+  for (const std::size_t n : numbers) {
+    const std::string& name = names_[n];
+    if (!text.empty()) text += " + ";
+    text += name.empty() ? "frame" : name;
+    sets = (sets + power_of_two(n)) % kPaletteSize;
+  }
+  const std::size_t last = *numbers.rbegin();
+  if (numbers.size() == 1) return {palette_color(last), text};
+  // Sets of one leaf are not counted: those up to this one are last + 1, and the empty set is one more.
+  const std::size_t less = (last + 2) % kPaletteSize;
+  return {palette_color(names_.size() + sets + kPaletteSize - less), text};
+}
+
+CellColors::CellColors(const ResultView& view, const FlatComplex& flat)
+    : view_(view), flat_(flat), leaves_(*view.leaves), attributes_(view.value->attributes()) {
+  materials_ = std::any_of(attributes_.begin(), attributes_.end(),
+                           [](const RegionAttributes& a) { return !a.material.empty(); });
+  std::size_t active = 0;
+  for (const FlatComplex::Region& region : flat.regions) {
+    rank_.push_back(active);
+    active += region.component != 0;
+  }
+}
+
+CellColor CellColors::of_material(int dimension, Component component) const {
+  if (component == 0) return {no_color(), {}};
+  const std::string& name = attributes_[component - 1].material.name();
+  if (name.empty()) {
+    if (dimension < 3) return of_kind(dimension);
+    return materials_ ? CellColor{no_color(), "no material"} : of_component(component);
+  }
+  const auto& all = view_.materials;
+  const auto at = std::find_if(all.begin(), all.end(), [&](const auto& m) { return m.name == name; });
+  const bool colored = at != all.end() && !at->color.empty();
+  return {colored ? rgb(at->color) : palette_color(static_cast<std::size_t>(at - all.begin())), name};
+}
+
+CellColor CellColors::of_component(Component component) const {
+  if (component == 0) return {no_color(), {}};
+  const std::string& name = attributes_[component - 1].name;
+  const std::string number = std::to_string(component);
+  return {palette_color(component - 1), name.empty() ? "component " + number : number + " " + name};
+}
+
+CellColor CellColors::of_region(FlatComplex::Index region) const {
+  const Component component = flat_.regions[region].component;
+  if (component == 0) return {no_color(), {}};
+  const std::string& name = attributes_[component - 1].name;
+  std::string text(1, 'r');
+  text += std::to_string(region);
+  if (!name.empty()) text += " " + name;
+  return {palette_color(rank_[region]), text};
+}
+
+CellColor CellColors::of(ColorBy by, int dimension, FlatComplex::Index i) const {
+  const auto cell = [&](auto&& ask) {
+    switch (dimension) {
+      case 0: return ask(flat_.vertices[i]);
+      case 1: return ask(flat_.edges[i]);
+      case 2: return ask(flat_.faces[i]);
+      default: return ask(flat_.regions[i]);
+    }
+  };
+  switch (by) {
+    case ColorBy::region: return dimension == 3 ? of_region(i) : of_kind(dimension);
+    case ColorBy::material: return of_material(dimension, cell([](const auto& c) { return c.component; }));
+    case ColorBy::component: return of_component(cell([](const auto& c) { return c.component; }));
+    default: return leaves_.of(cell([](const auto& c) { return c.origin.leaves; }));
+  }
+}
+
+CellColor CellColors::skin(ColorBy by, FlatComplex::Index region, FlatComplex::Index face) const {
+  const bool own = flat_.faces[face].component != 0 && (by == ColorBy::component || by == ColorBy::source);
+  return own ? of(by, 2, face) : of(by, 3, region);
+}
+
+}  // namespace cnrg
