@@ -234,6 +234,22 @@ Explanation head(const Tree& tree, const Evaluation& evaluation, NodeId node, co
   return out;
 }
 
+/// About one cell of the refinement, active in the node or not.
+Question ask(const Tree& tree, const Evaluation& evaluation, NodeId node, const Location& at, Explanation& out) {
+  const KeptValue& kept = evaluation.value(node);
+  const Complex& complex = *evaluation.complex;
+  const Place place = kept.simplified->place(complex, at);
+  out = head(tree, evaluation, node, place);
+  out.state = state_in(complex, *kept.value, at);
+  Piece piece{at, 0};
+  if (at.dimension == 2 && place.dimension == 2) {
+    for (const HalfFace h : kept.simplified->faces[place.index].cells) {
+      if (h.face() == at.face) piece.side = h.side();
+    }
+  }
+  return {{piece}, &out, nullptr};
+}
+
 }  // namespace
 
 Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node, const std::string& cell,
@@ -266,7 +282,6 @@ std::vector<Explanation> explain(const Tree& tree, const Evaluation& evaluation,
 }
 
 Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node, const RationalPoint& point) {
-  const KeptValue& kept = evaluation.value(node);
   const Complex& complex = *evaluation.complex;
   const Locator locator(complex);
   const Location at = locator.locate(point);
@@ -279,17 +294,23 @@ Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node,
         "the point lies beyond the box to which planes and half-spaces are cut, where nothing is "
         "computed; ask for a point nearer to the other leaves");
   }
-  const Place place = kept.simplified->place(complex, at);
-  Explanation out = head(tree, evaluation, node, place);
+  Explanation out;
+  const Question question = ask(tree, evaluation, node, at, out);
   out.asked = point;
-  out.state = state_in(complex, *kept.value, at);
-  Piece piece{at, 0};
-  if (at.dimension == 2 && place.dimension == 2) {
-    for (const HalfFace h : kept.simplified->faces[place.index].cells) {
-      if (h.face() == at.face) piece.side = h.side();
-    }
+  Classes(tree, evaluation, node, locator).explain({{question.pieces, &out, &point}}, 1);
+  return out;
+}
+
+std::vector<Explanation> explain(const Tree& tree, const Evaluation& evaluation, NodeId node,
+                                 const std::vector<Location>& cells) {
+  const Locator locator(*evaluation.complex);
+  std::vector<Explanation> out(cells.size());
+  std::vector<Question> questions;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    questions.push_back(ask(tree, evaluation, node, cells[i], out[i]));
   }
-  Classes(tree, evaluation, node, locator).explain({{{piece}, &out, &point}}, 1);
+  Classes(tree, evaluation, node, locator).explain(questions, 1);
+  for (Explanation& e : out) e.asked = e.classes.front().point;
   return out;
 }
 

@@ -133,6 +133,11 @@ std::vector<Explanation> explain(const Tree& tree, const Evaluation& evaluation,
 /// the frame of unbounded leaves.
 Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node, const RationalPoint& point);
 
+/// Likewise of each of some cells of the refinement, in their order, as of a point in it: each Boolean is run
+/// again once.
+std::vector<Explanation> explain(const Tree& tree, const Evaluation& evaluation, NodeId node,
+                                 const std::vector<Location>& cells);
+
 /// The explanation for people: one block per node, below it what decided.
 std::string explanation_text(const Tree& tree, const Evaluation& evaluation, const Explanation& explanation);
 

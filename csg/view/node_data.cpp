@@ -312,6 +312,17 @@ void add_topology(const Evaluation& evaluation, const KeptValue& kept, const Fla
   out["shapes"] = {{"vertices", packed(vertices)}, {"edges", packed(edges)}};
 }
 
+/// The lines of a text by their numbers.
+Numbers lines_of(const std::string& text, PageTables& tables) {
+  Numbers lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(number_in(tables.lines, text.substr(at, end - at)));
+    at = end + 1;
+  }
+  return lines;
+}
+
 /// Texts as `cnrg explain` prints them, in lines that all texts share.
 Json stories(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept, PageTables& tables) {
   const SimplifiedComplex& s = *kept.simplified;
@@ -322,23 +333,65 @@ Json stories(const Tree& tree, const Evaluation& evaluation, const KeptValue& ke
   }
   Lists lists;
   for (const Explanation& e : explain(tree, evaluation, kept.node, cells)) {
-    const std::string text = explanation_text(tree, evaluation, e);
-    Numbers lines;
-    for (std::size_t at = 0; at < text.size();) {
-      const std::size_t end = std::min(text.find('\n', at), text.size());
-      lines.push_back(number_in(tables.lines, text.substr(at, end - at)));
-      at = end + 1;
-    }
-    lists.add(lines);
+    lists.add(lines_of(explanation_text(tree, evaluation, e), tables));
   }
   Json out;
   lists.into(out, "lines");
   return out;
 }
 
+std::size_t instances_under(const Evaluation& evaluation, InstanceId id) {
+  std::vector<char> below(evaluation.instances.size(), 0);
+  below[id.index()] = 1;
+  std::size_t count = 0;
+  for (std::size_t i = id.index() + 1; i-- > 0;) {
+    if (!below[i]) continue;
+    ++count;
+    for (const InstanceId operand : evaluation.instances[InstanceId(i)].operands) below[operand.index()] = 1;
+  }
+  return count;
+}
+
+/// What `cnrg explain --point` says of each entity that went, at a point in it, and that point; vertices, then
+/// edges, then faces.
+void add_removed(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept, InstanceId id,
+                 const SimplifiedComplex& s, std::size_t& left, PageTables& tables, Json& out) {
+  std::vector<Location> cells;
+  std::vector<char> removed;
+  const auto see = [&](const auto& entities, auto location) {
+    for (const auto& entity : entities) {
+      removed.push_back(entity.component != 0 && Fate::of(entity.component).removed);
+      if (removed.back()) cells.push_back(location(entity));
+    }
+  };
+  see(s.vertices, [](const auto& v) { return Location{0, v.cell, {}, {}, {}}; });
+  see(s.edges, [](const auto& e) { return Location{1, {}, e.chain.front().edge(), {}, {}}; });
+  see(s.faces, [](const auto& f) { return Location{2, {}, {}, f.cells.front().face(), {}}; });
+  const std::size_t cost = cells.size() * instances_under(evaluation, id);
+  if (cells.empty() || cost > left) return;
+  left -= cost;
+  const std::vector<Explanation> told = explain(tree, evaluation, kept.node, cells);
+  Lists lists;
+  Json points = Json::array();
+  std::size_t next = 0;
+  for (const char is_removed : removed) {
+    if (is_removed == 0) {
+      lists.add(Numbers{});
+      points.push_back("");
+      continue;
+    }
+    const Explanation& e = told[next++];
+    lists.add(lines_of(explanation_text(tree, evaluation, e), tables));
+    const RationalPoint& p = *e.asked;
+    points.push_back(to_string(p[0]) + "," + to_string(p[1]) + "," + to_string(p[2]));
+  }
+  lists.into(out, "lines");
+  out["told_at"] = points;
+}
+
 /// The fates of the operands' entities, drawn, and which row decided on each.
-Json classes_data(const Tree& tree, const Evaluation& evaluation, InstanceId id, Selection selection,
-                  PageTables& tables) {
+Json classes_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept, InstanceId id,
+                  Selection selection, std::size_t& removed_left, PageTables& tables) {
   const Result result(evaluation.complex, std::move(selection));
   const ResultView view = result.data().view();
   const FlatComplex flat = flatten(view);
@@ -369,19 +422,8 @@ Json classes_data(const Tree& tree, const Evaluation& evaluation, InstanceId id,
     list[std::to_string(component)] = entry;
   }
   out["fates"] = list;
+  add_removed(tree, evaluation, kept, id, *view.simplified, removed_left, tables, out);
   return out;
-}
-
-std::size_t instances_under(const Evaluation& evaluation, InstanceId id) {
-  std::vector<char> below(evaluation.instances.size(), 0);
-  below[id.index()] = 1;
-  std::size_t count = 0;
-  for (std::size_t i = id.index() + 1; i-- > 0;) {
-    if (!below[i]) continue;
-    ++count;
-    for (const InstanceId operand : evaluation.instances[InstanceId(i)].operands) below[operand.index()] = 1;
-  }
-  return count;
 }
 
 }  // namespace
@@ -405,7 +447,7 @@ PageCosts page_costs(const Evaluation& evaluation, const KeptValue& kept, Instan
 }
 
 Json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept, InstanceId id,
-               const Told& told, PageTables& tables) {
+               const Told& told, std::size_t& removed_left, PageTables& tables) {
   const Complex& complex = *evaluation.complex;
   const NodeRow& row = evaluation.rows[id.index()];
   const Result result = evaluation.result(kept.node);
@@ -439,7 +481,7 @@ Json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& 
   if (told.stories) out["stories"] = stories(tree, evaluation, kept, tables);
   if (told.classes) {
     if (std::optional<Selection> all = fates(tree, evaluation, id)) {
-      out["classes"] = classes_data(tree, evaluation, id, std::move(*all), tables);
+      out["classes"] = classes_data(tree, evaluation, kept, id, std::move(*all), removed_left, tables);
     }
   }
   if (!told.topology) out["left_out"].push_back("topology");

@@ -43,8 +43,9 @@ struct Told {
   bool stories = true, topology = true, classes = true;
 };
 
-/// Of a node that was asked for; `id` is the instance of its value.
+/// Of a node that was asked for; `removed_left` is how much may still be told of what went, as PageLimits counts
+/// it; `id` is the instance of its value.
 nlohmann::ordered_json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& kept,
-                                 InstanceId id, const Told& told, PageTables& tables);
+                                 InstanceId id, const Told& told, std::size_t& removed_left, PageTables& tables);
 
 }  // namespace cnrg

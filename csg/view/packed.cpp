@@ -1,6 +1,11 @@
 #include "csg/view/packed.h"
 
+#include <zlib.h>
+
 #include <algorithm>
+#include <new>
+
+#include "kernel/base/error.h"
 
 namespace cnrg {
 namespace {
@@ -43,9 +48,17 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string packed(const std::vector<std::uint32_t>& numbers) {
-  const std::uint32_t most = numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end());
+  std::vector<std::uint32_t> steps;
+  steps.reserve(numbers.size());
+  std::uint32_t before = 0, most = 0;
+  for (const std::uint32_t number : numbers) {
+    const std::uint32_t step = number - before;
+    steps.push_back(step >> 31 ? ~(step << 1) : step << 1);
+    most = std::max(most, steps.back());
+    before = number;
+  }
   const std::size_t size = most <= 0xff ? 1 : most <= 0xffff ? 2 : 4;
-  return std::to_string(size) + ":" + base64(bytes_of(numbers, size));
+  return std::to_string(size) + ":" + base64(bytes_of(steps, size));
 }
 
 std::string packed(const std::vector<float>& numbers) {
@@ -54,6 +67,17 @@ std::string packed(const std::vector<float>& numbers) {
 
 std::string packed(const std::vector<double>& numbers) {
   return "d:" + base64(bytes_of(bits_of<std::uint64_t>(numbers), 8));
+}
+
+std::string compressed(const std::string& text) {
+  uLongf size = compressBound(text.size());
+  std::string bytes(size, '\0');
+  const int done = compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                             reinterpret_cast<const Bytef*>(text.data()), text.size(), Z_BEST_COMPRESSION);
+  if (done == Z_MEM_ERROR) throw std::bad_alloc();
+  require(done == Z_OK, "compressed: zlib failed");
+  bytes.resize(size);
+  return base64(bytes);
 }
 
 }  // namespace cnrg

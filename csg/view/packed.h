@@ -1,7 +1,9 @@
-// Lists of numbers as text: bytes in base64, as few per number as the largest one needs.
+// Lists of numbers as text, and all data of a page compressed.
 //
-// A page of a model holds hundreds of thousands of small numbers. Written in digits and commas they are twice as
-// long, and a browser takes longer to read them than to draw what they say.
+// A page holds a table of cells for every node of a tree, and from node to node these repeat each other: the same
+// numbers, or larger by the same. A general compressor does not see that in digits, nor in numbers whose bytes
+// change from row to row. Differences between neighbours are small and come again and again: with them the page of
+// a chain of 300 unions has a thirtieth of its size, and a browser reads it faster.
 #pragma once
 
 #include <array>
@@ -17,11 +19,15 @@ namespace cnrg {
 /// Bytes in base64 (RFC 4648), padded.
 std::string base64(std::string_view bytes);
 
-/// `1:`, `2:` or `4:`, then the numbers in base64, so many bytes each, the lowest first.
+/// `1:`, `2:` or `4:`, then base64 of so many bytes for each number, the lowest first: twice the difference from
+/// the number before it, or from 0; below 0 twice its size less 1. It wraps around at 2^32.
 std::string packed(const std::vector<std::uint32_t>& numbers);
 /// `f:` and floats, `d:` and doubles.
 std::string packed(const std::vector<float>& numbers);
 std::string packed(const std::vector<double>& numbers);
+
+/// Compressed by zlib (RFC 1950), in base64.
+std::string compressed(const std::string& text);
 
 /// The number of each of different values, from 0 in the order in which they come.
 template <class Map>

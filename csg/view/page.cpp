@@ -136,6 +136,20 @@ std::vector<Told> told_of(const Evaluation& evaluation,
   return out;
 }
 
+/// How many instances each node has below another one's.
+std::map<NodeId, std::size_t> instances_below(const Evaluation& evaluation, InstanceId root) {
+  std::vector<char> below(evaluation.instances.size(), 0);
+  below[root.index()] = 1;
+  std::map<NodeId, std::size_t> out;
+  for (std::size_t i = root.index() + 1; i-- > 0;) {
+    if (!below[i]) continue;
+    const Instance& instance = evaluation.instances[InstanceId(i)];
+    ++out[instance.node];
+    for (const InstanceId operand : instance.operands) below[operand.index()] = 1;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string page_data(const Tree& tree, const Evaluation& evaluation, const PageLimits& limits) {
@@ -146,13 +160,18 @@ std::string page_data(const Tree& tree, const Evaluation& evaluation, const Page
   for (const auto& [id, kept] : nodes) place.emplace(kept->node, place.size());
   Json list = Json::array();
   const std::vector<Told> told = told_of(evaluation, nodes, limits);
+  const auto of_result = std::find_if(
+      nodes.begin(), nodes.end(), [&](const auto& n) { return n.second->node == evaluation.kept.front().node; });
+  std::map<NodeId, std::size_t> instances = instances_below(evaluation, of_result->first);
+  std::size_t removed_left = limits.removed;
   for (const auto& [id, kept] : nodes) {
-    Json node = node_data(tree, evaluation, *kept, id, told[list.size()], tables);
+    Json node = node_data(tree, evaluation, *kept, id, told[list.size()], removed_left, tables);
     Json operands = Json::array();
     for (const NodeId operand : tree.operands(kept->node)) {
       if (const auto at = place.find(operand); at != place.end()) operands.push_back(at->second);
     }
     node["operands"] = operands;
+    node["instances"] = instances[kept->node];
     list.push_back(std::move(node));
   }
   out["result"] = place.at(evaluation.kept.front().node);
@@ -177,8 +196,7 @@ std::string page_data(const Tree& tree, const Evaluation& evaluation, const Page
   out["words"] = in_order(tables.words);
   out["lines"] = in_order(tables.lines);
   out["nodes"] = std::move(list);
-  // No text of a tree may end the element that the data stand in, or begin another.
-  return replaced(out.dump(-1, ' ', false, Json::error_handler_t::replace), "<", "\\u003c");
+  return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string page_text(const std::string& page_template, const std::string& title, const std::string& data,
@@ -191,7 +209,7 @@ std::string page_text(const std::string& page_template, const std::string& title
   };
   put("<!--cnrg:title-->", html(shown(title)));
   put("<!--cnrg:stamp-->", html(stamp));
-  put("<!--cnrg:data-->", data);
+  put("<!--cnrg:data-->", compressed(data));  // in base64, so that no text of a tree can end the element
   return out;
 }
 

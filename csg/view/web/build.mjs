@@ -19,7 +19,7 @@ async function bundle(entry) {
   return {script: of('.js').replaceAll('</script', '<\\/script'), style: of('.css').replaceAll('</style', '<\\/style')};
 }
 
-const main = await bundle('main.js'), watch = await bundle('watch.js');
+const main = await bundle('start.js'), watch = await bundle('watch.js');
 // Nothing is loaded from anywhere; a watched page may show itself in a frame.
 const policy = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:; frame-src file:; base-uri 'none'; form-action 'none'";
 const parts = {

@@ -7,34 +7,12 @@
 //
 // What lies between regions all around cannot be seen while these are closed, together and whole: in a large model
 // it is left out until regions are pulled apart, cut or seen through. That is most of a model of many regions.
-import * as THREE from 'three';
 import {mix} from './colours.js';
+import {EDGES, Faces, POINTS, put3, put4, Table} from './tables.js';
 
-const HATCHED = 1, SHEETS = 2;
-
-/** A growing array of numbers. */
-class Column {
-  constructor(Kind, width) {
-    this.array = new Kind(1024 * width);
-    this.Kind = Kind;
-    this.width = width;
-    this.length = 0;
-  }
-  push(a, b, c, d) {
-    if (this.length + 4 > this.array.length) {
-      const larger = new this.Kind(this.array.length * 2);
-      larger.set(this.array);
-      this.array = larger;
-    }
-    const {array, length} = this;
-    array[length] = a;
-    if (b !== undefined) array[length + 1] = b;
-    if (c !== undefined) array[length + 2] = c;
-    if (d !== undefined) array[length + 3] = d;
-    this.length = length + this.width;
-  }
-  get done() { return this.array.slice(0, this.length); }
-}
+export const HATCHED = 1, SHEETS = 2;
+const NOTHING = [0, 0, 0, 0], STILL = [0, 0, 0];
+const MANY = 20000;  // plain edges that are drawn as ribbons; more are lines of one pixel
 
 /** Numbers of cells as colours of a picture: 0 is no cell. */
 export class Numbering {
@@ -71,12 +49,14 @@ export class Geometry {
     const {colours} = model.page;
     [this.none, this.sheet, this.wire, this.point] = [colours.none, colours.sheet, colours.wire, colours.point];
     this.centres = this.regionCentres();
-    this.skins = this.columns();
-    this.sheets = this.columns();
-    this.ghosts = this.columns();
-    this.edges = this.edgeColumns();
-    this.points = this.pointColumns();
-    this.ghostEdges = this.edgeColumns();
+    this.skins = new Faces();
+    this.sheets = new Faces();
+    this.ghosts = new Faces();
+    this.edges = new Table(EDGES);  // those of a width of their own, or dashed
+    this.plain = new Table(EDGES);
+    this.points = new Table(POINTS);
+    this.ghostEdges = new Table(EDGES);
+    /** `{r, begin, end, tint}`: the triangles of `skins` that are region r's. */
     this.ranges = [];
     if (this.classes) {
       this.addClasses(false);
@@ -87,19 +67,8 @@ export class Geometry {
     }
     if (look.ghosts && model.classes) this.addClasses(true);
   }
-
-  columns() {
-    return {position: new Column(Float32Array, 3), normal: new Column(Float32Array, 3), tint: new Column(Uint8Array, 3),
-      ident: new Column(Uint8Array, 4), owner: new Column(Uint8Array, 4), shift: new Column(Float32Array, 3), kind: new Column(Uint8Array, 1)};
-  }
-  edgeColumns() {
-    return {a: new Column(Float32Array, 3), b: new Column(Float32Array, 3), shift: new Column(Float32Array, 3), tint: new Column(Uint8Array, 3),
-      ident: new Column(Uint8Array, 4), look: new Column(Float32Array, 3)};
-  }
-  pointColumns() {
-    return {position: new Column(Float32Array, 3), shift: new Column(Float32Array, 3), tint: new Column(Uint8Array, 3),
-      ident: new Column(Uint8Array, 4), look: new Column(Float32Array, 2)};
-  }
+  get plainAsLines() { return this.plain.length > MANY; }
+  get triangles() { return this.skins.triangles.length + this.sheets.triangles.length; }
 
   // --- colours
 
@@ -123,67 +92,83 @@ export class Geometry {
 
   // --- geometry
 
+  /** Where the points of the cells are in the scene. */
+  placed(cells) {
+    if (cells.placed) return cells.placed;
+    const out = (cells.placed = new Float64Array(3 * cells.points.length));
+    for (let p = 0; p < cells.points.length; ++p) put3(out, p, this.place(this.model.at(p, cells)));
+    return out;
+  }
+
+  /** The middle of each region's box, from the middle of them all. */
   regionCentres() {
-    const {model, place} = this, {faces} = model.cells;
-    const boxes = [];
+    const {model} = this, {faces} = model.cells, at = this.placed(model.cells), n = model.counts.r;
+    const low = new Float64Array(3 * n).fill(Infinity), high = new Float64Array(3 * n).fill(-Infinity);
     for (let f = 0; f < model.counts.f; ++f) {
       for (const r of [faces.front[f], faces.back[f]]) {
         if (!model.active(r)) continue;
-        const box = (boxes[r - 1] ??= new THREE.Box3());
-        for (const p of faces.triangles.of(f)) box.expandByPoint(new THREE.Vector3(...place(model.at(p))));
+        for (const p of faces.triangles.of(f)) {
+          for (let k = 0; k < 3; ++k) {
+            const x = at[3 * p + k], b = 3 * (r - 1) + k;
+            if (x < low[b]) low[b] = x;
+            if (x > high[b]) high[b] = x;
+          }
+        }
       }
     }
-    const whole = new THREE.Box3();
-    boxes.forEach((b) => whole.union(b));
-    const middle = whole.getCenter(new THREE.Vector3());
-    return boxes.map((b) => b.getCenter(new THREE.Vector3()).sub(middle).toArray());
+    const middle = [0, 1, 2].map((k) => {
+      let a = Infinity, b = -Infinity;
+      for (let i = k; i < 3 * n; i += 3) (a = Math.min(a, low[i])), (b = Math.max(b, high[i]));
+      return (a + b) / 2;
+    });
+    [this.low, this.high] = [low, high];
+    return low.map((x, i) => (x <= high[i] ? (x + high[i]) / 2 - middle[i % 3] : 0));
   }
   /** How far what belongs to region r (from 1; 0: none) moves when regions are pulled apart. */
-  shift(r) { return (r && this.centres[r - 1]) || [0, 0, 0]; }
+  shift(r) { return r ? this.centres.subarray(3 * r - 3, 3 * r) : STILL; }
 
-  /** Places and normals at the corners of a face's triangles, front side. */
-  corners(cells, f) {
-    const {model, place} = this, triangles = cells.faces.triangles.of(f), n = triangles.length;
-    const at = new Float64Array(n * 3), normals = new Float32Array(n * 3);
-    for (let k = 0; k < n; ++k) at.set(place(model.at(triangles[k], cells)), 3 * k);
-    const sum = cells.faces.flags[f] & 2 ? new Map() : null, whole = [0, 0, 0];
-    for (let k = 0; k < n; k += 3) {
-      const [ax, ay, az, bx, by, bz, cx, cy, cz] = at.subarray(3 * k, 3 * k + 9);
-      const x = (by - ay) * (cz - az) - (bz - az) * (cy - ay), y = (bz - az) * (cx - ax) - (bx - ax) * (cz - az),
-        z = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
-      for (const list of sum ? [0, 1, 2].map((j) => sum.get(triangles[k + j]) ?? sum.set(triangles[k + j], [0, 0, 0]).get(triangles[k + j])) : [whole]) {
-        list[0] += x; list[1] += y; list[2] += z;
-      }
-    }
+  /** A face as triangles; `turned`: its back. A corner is shared by the triangles of a face. */
+  pushFace(into, cells, f, turned, tint, ident, owner, shift, kind) {
+    const at = this.placed(cells), triangles = cells.faces.triangles.of(f), {corners} = into, n = triangles.length;
+    const local = (cells.local ??= new Int32Array(cells.points.length).fill(-1)), first = corners.length;
     for (let k = 0; k < n; ++k) {
-      const v = sum ? sum.get(triangles[k]) : whole, size = Math.hypot(...v) || 1;
-      normals.set([v[0] / size, v[1] / size, v[2] / size], 3 * k);
+      const p = triangles[k];
+      if (local[p] >= 0) continue;
+      const row = (local[p] = corners.add());
+      for (let j = 0; j < 3; ++j) corners.position[3 * row + j] = at[3 * p + j];
+      put3(corners.shift, row, shift);
+      put4(corners.tint, row, tint, kind);
+      put4(corners.ident, row, ident);
+      put4(corners.owner, row, owner);
     }
-    return {at, normals, n};
-  }
-
-  push(into, {at, normals, n}, turned, tint, ident, owner, shift, kind) {
+    const {normal} = corners, last = corners.length, smooth = cells.faces.flags[f] & 2, s = turned ? -1 : 1;
     for (let k = 0; k < n; k += 3) {
-      for (const j of turned ? [k, k + 2, k + 1] : [k, k + 1, k + 2]) {
-        into.position.push(at[3 * j], at[3 * j + 1], at[3 * j + 2]);
-        const s = turned ? -1 : 1;
-        into.normal.push(s * normals[3 * j], s * normals[3 * j + 1], s * normals[3 * j + 2]);
-        into.tint.push(...tint);
-        into.ident.push(...ident);
-        into.owner.push(...owner);
-        into.shift.push(...shift);
-        into.kind.push(kind);
+      const a = triangles[k], b = triangles[k + 1], c = triangles[k + 2], row = into.triangles.add();
+      put3(into.triangles.corner, row, turned ? [local[a], local[c], local[b]] : [local[a], local[b], local[c]]);
+      const ux = at[3 * b] - at[3 * a], uy = at[3 * b + 1] - at[3 * a + 1], uz = at[3 * b + 2] - at[3 * a + 2];
+      const vx = at[3 * c] - at[3 * a], vy = at[3 * c + 1] - at[3 * a + 1], vz = at[3 * c + 2] - at[3 * a + 2];
+      const x = s * (uy * vz - uz * vy), y = s * (uz * vx - ux * vz), z = s * (ux * vy - uy * vx);
+      // Of a flat face all triangles have one normal; the first corner gathers it.
+      for (const i of smooth ? [local[a], local[b], local[c]] : [first]) {
+        normal[3 * i] += x;
+        normal[3 * i + 1] += y;
+        normal[3 * i + 2] += z;
       }
     }
+    for (let i = first; i < last; ++i) {
+      const from = smooth ? i : first, x = normal[3 * from], y = normal[3 * from + 1], z = normal[3 * from + 2];
+      const size = i === first || smooth ? Math.hypot(x, y, z) || 1 : 1;
+      put3(normal, i, [x / size, y / size, z / size]);
+    }
+    for (let k = 0; k < n; ++k) local[triangles[k]] = -1;
   }
 
   addFaces() {
     const {model, look, numbering} = this, {faces, regions} = model.cells;
-    const none = [0, 0, 0, 0];
     if (look.show[3]) {
       for (let r = 0; r < model.counts.r; ++r) {
         if (!regions.component[r]) continue;
-        const begin = this.skins.kind.length, tint = this.tintOf({kind: 'r', i: r}), owner = numbering.bytes('r', r);
+        const begin = this.skins.triangles.length, tint = this.tintOf({kind: 'r', i: r}), owner = numbering.bytes('r', r);
         for (const shell of regions.shells(r)) {
           for (const code of shell) {
             const f = code >> 1, front = (code & 1) === 0;
@@ -192,10 +177,10 @@ export class Geometry {
             const own = faces.component[f];
             const painted = own && ['component', 'source'].includes(look.colour) ? this.tintOf({kind: 'f', i: f}) : tint;
             if (!own) this.legend.set('open', {label: 'missing face', sign: 'hatch', tint});
-            this.push(this.skins, this.corners(model.cells, f), front, painted, numbering.bytes('f', f), owner, this.shift(r + 1), own ? 0 : HATCHED);
+            this.pushFace(this.skins, model.cells, f, front, painted, numbering.bytes('f', f), owner, this.shift(r + 1), own ? 0 : HATCHED);
           }
         }
-        this.ranges.push({r, begin, count: this.skins.kind.length - begin, tint});
+        this.ranges.push({r, begin, end: this.skins.triangles.length, tint});
       }
     }
     if (!look.show[2]) return;
@@ -205,30 +190,42 @@ export class Geometry {
       if (!own && !model.active(faces.front[f])) continue;  // bounds nothing that is there
       const tint = own ? this.tintOf({kind: 'f', i: f}) : this.none;
       if (own) this.legend.set('sheet', {label: 'sheet', sign: 'sheet', tint: this.sheet});
-      const owner = model.active(faces.front[f]) ? numbering.bytes('r', faces.front[f] - 1) : none;
-      this.push(this.sheets, this.corners(model.cells, f), false, tint, numbering.bytes('f', f), owner, this.shift(faces.front[f]), own ? SHEETS : HATCHED);
+      const owner = model.active(faces.front[f]) ? numbering.bytes('r', faces.front[f] - 1) : NOTHING;
+      this.pushFace(this.sheets, model.cells, f, false, tint, numbering.bytes('f', f), owner, this.shift(faces.front[f]), own ? SHEETS : HATCHED);
     }
   }
 
   pushChain(into, cells, chain, closed, tint, ident, shift, width, dashed) {
+    const at = this.placed(cells), n = chain.length + (closed ? 1 : 0);
     let along = 0;
-    for (let k = 0; k + 1 < chain.length + (closed ? 1 : 0); ++k) {
-      const a = this.place(this.model.at(chain[k], cells)), b = this.place(this.model.at(chain[(k + 1) % chain.length], cells));
-      into.a.push(...a);
-      into.b.push(...b);
-      into.shift.push(...shift);
-      into.tint.push(...tint);
-      into.ident.push(...ident);
-      into.look.push(width, dashed, along);
-      along += Math.hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+    for (let k = 0; k + 1 < n; ++k) {
+      const p = 3 * chain[k], q = 3 * chain[(k + 1) % chain.length], row = into.add();
+      for (let j = 0; j < 3; ++j) {
+        into.a[3 * row + j] = at[p + j];
+        into.b[3 * row + j] = at[q + j];
+      }
+      put3(into.shift, row, shift);
+      put4(into.tint, row, tint, 255);
+      put4(into.ident, row, ident);
+      put3(into.look, row, [width, dashed, along]);
+      along += Math.hypot(at[q] - at[p], at[q + 1] - at[p + 1], at[q + 2] - at[p + 2]);
     }
+  }
+  pushPoint(into, cells, p, tint, ident, shift, size, hollow) {
+    const at = this.placed(cells), row = into.add();
+    for (let j = 0; j < 3; ++j) into.position[3 * row + j] = at[3 * p + j];
+    put3(into.shift, row, shift);
+    put4(into.tint, row, tint, 255);
+    put4(into.ident, row, ident);
+    into.look[2 * row] = size;
+    into.look[2 * row + 1] = hollow;
   }
 
   /** Shifts at which a cell of lower dimension is drawn: at each region that it bounds, when they are apart. */
   shiftsOf(cell) {
-    if (!this.look.apart) return [[0, 0, 0]];
+    if (!this.look.apart) return [STILL];
     const regions = this.model.regionsAt(cell).filter((r) => this.model.active(r + 1));
-    return regions.length ? regions.map((r) => this.shift(r + 1)) : [[0, 0, 0]];
+    return regions.length ? regions.map((r) => this.shift(r + 1)) : [STILL];
   }
 
   /** True if every sector about an edge is of an active region. */
@@ -257,7 +254,7 @@ export class Geometry {
         : painted && own && (wire || look.colour !== 'material') ? mix(this.tintOf(cell), look.ink, 0.4) : look.ink;
       const width = wire ? 3.2 : border[e] ? 2.0 : 1;
       for (const shift of this.shiftsOf(cell)) {
-        this.pushChain(this.edges, model.cells, edges.points.of(e), edges.flags[e] & 1, tint, numbering.bytes('e', e), shift, width, own ? 0 : 1);
+        this.pushChain(width === 1 && own ? this.plain : this.edges, model.cells, edges.points.of(e), edges.flags[e] & 1, tint, numbering.bytes('e', e), shift, width, own ? 0 : 1);
       }
     }
   }
@@ -277,40 +274,9 @@ export class Geometry {
       if (!own) this.legend.set('hollow', {label: 'missing vertex', sign: 'hollow', tint: look.ink});
       const tint = alone ? (look.dark ? mix(this.point, [255, 255, 255], 0.35) : this.point) : look.ink;
       for (const shift of this.shiftsOf(cell)) {
-        this.points.position.push(...this.place(model.at(p)));
-        this.points.shift.push(...shift);
-        this.points.tint.push(...tint);
-        this.points.ident.push(...numbering.bytes('v', v));
-        this.points.look.push(alone ? 2 : 1, alone ? 2 : own ? 0 : 1);
+        this.pushPoint(this.points, model.cells, p, tint, numbering.bytes('v', v), shift, alone ? 2 : 1, alone ? 2 : own ? 0 : 1);
       }
     }
-  }
-
-  /** The lines in which a plane n·p + d = 0 cuts what is drawn, as edges a little on the side where n points. */
-  cutLines(n, d, explode, ink) {
-    const out = this.edgeColumns(), zero = [0, 0, 0], none = [0, 0, 0, 0];
-    for (const {position, shift} of [this.skins, this.sheets]) {
-      const p = position.array, s = shift.array, at = (i) => p[i] + s[i] * explode;
-      for (let t = 0; t < position.length; t += 9) {
-        const corners = [0, 3, 6].map((k) => [at(t + k), at(t + k + 1), at(t + k + 2)]);
-        const far = corners.map((c) => n[0] * c[0] + n[1] * c[1] + n[2] * c[2] + d);
-        const ends = [];
-        for (let k = 0; k < 3; ++k) {
-          const j = (k + 1) % 3;
-          if (far[k] < 0 === far[j] < 0) continue;
-          const w = far[k] / (far[k] - far[j]);
-          ends.push(corners[k].map((x, i) => x + (corners[j][i] - x) * w + n[i] * 2e-4));
-        }
-        if (ends.length !== 2) continue;
-        out.a.push(...ends[0]);
-        out.b.push(...ends[1]);
-        out.shift.push(...zero);
-        out.tint.push(...ink);
-        out.ident.push(...none);
-        out.look.push(1, 0, 0);
-      }
-    }
-    return out;
   }
 
   /** What became of the operands' entities: those that were kept, or those that were removed, as ghosts. */
@@ -326,43 +292,23 @@ export class Geometry {
       return this.classes || look.colour === 'class' ? t : this.none;
     };
     if (removed) this.legend.set('ghost', {label: 'removed', sign: 'ghost', tint: this.none});
-    const zero = [0, 0, 0], none = [0, 0, 0, 0];
     for (let i = 0; i < cells.faces.flags.length; ++i) {
       const f = fate(cells.faces.component[i]);
       if (!f || !(look.show[2] || look.show[3])) continue;
-      this.push(removed ? this.ghosts : this.sheets, this.corners(cells, i), false, tint(f), numbering.bytes('F', i), none, zero, 0);
+      this.pushFace(removed ? this.ghosts : this.sheets, cells, i, false, tint(f), numbering.bytes('F', i), NOTHING, STILL, 0);
     }
     if (look.show[1]) {
       for (let i = 0; i < cells.edges.flags.length; ++i) {
         const f = fate(cells.edges.component[i]);
         if (f) this.pushChain(removed ? this.ghostEdges : this.edges, cells, cells.edges.points.of(i), cells.edges.flags[i] & 1,
-          this.classes ? mix(tint(f), look.ink, 0.35) : mix(look.ink, this.none, 0.6), numbering.bytes('E', i), zero, removed ? 1 : 1.4, removed ? 1 : 0);
+          this.classes ? mix(tint(f), look.ink, 0.35) : mix(look.ink, this.none, 0.6), numbering.bytes('E', i), STILL, removed ? 1 : 1.4, removed ? 1 : 0);
       }
     }
     if (!look.show[0] || removed) return;
     for (let i = 0; i < cells.vertices.point.length; ++i) {
       const f = fate(cells.vertices.component[i]);
       if (!f) continue;
-      this.points.position.push(...this.place(model.at(cells.vertices.point[i], cells)));
-      this.points.shift.push(...zero);
-      this.points.tint.push(...mix(tint(f), look.ink, 0.35));
-      this.points.ident.push(...numbering.bytes('V', i));
-      this.points.look.push(1, 0);
+      this.pushPoint(this.points, cells, cells.vertices.point[i], mix(tint(f), look.ink, 0.35), numbering.bytes('V', i), STILL, 1, 0);
     }
   }
-}
-
-const NORMALIZED = new Set(['tint', 'ident', 'owner']);
-export function buffers(columns, instanced = false) {
-  const geometry = instanced ? new THREE.InstancedBufferGeometry() : new THREE.BufferGeometry();
-  const Attribute = instanced ? THREE.InstancedBufferAttribute : THREE.BufferAttribute;
-  for (const [name, column] of Object.entries(columns)) {
-    geometry.setAttribute(name, new Attribute(column.done, column.width, NORMALIZED.has(name)));
-  }
-  if (instanced) {
-    geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0]), 3));
-    geometry.setIndex([0, 1, 2, 2, 1, 3]);
-    geometry.instanceCount = columns.a.length / 3;
-  }
-  return geometry;
 }

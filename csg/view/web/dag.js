@@ -61,9 +61,10 @@ export class Dag {
       button.style.top = `${y}px`;
       const name = document.createElement('b'), op = document.createElement('span');
       name.textContent = node.name;
-      op.textContent = node.operator;
+      const often = node.instances > 1 ? ` × ${node.instances}` : '';
+      op.textContent = node.operator + often;
       button.append(name, op);
-      button.title = `${node.name}: ${node.operator}`;
+      button.title = `${node.name}: ${node.operator}${often && `, ${node.instances} instances`}`;
       button.addEventListener('click', () => choose(i));
       inner.append(button);
       return button;

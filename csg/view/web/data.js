@@ -3,10 +3,17 @@ import {Colours} from './colours.js';
 
 const KINDS = {1: Uint8Array, 2: Uint16Array, 4: Uint32Array, f: Float32Array, d: Float64Array};
 
+/** What the page was made with, until it is read. */
+export const source = {json: null};
+
 export function unpack(text) {
-  const Kind = KINDS[text[0]];
-  const bytes = Uint8Array.from(atob(text.slice(2)), (c) => c.charCodeAt(0));
-  return new Kind(bytes.buffer);
+  const kind = text[0], letters = atob(text.slice(2)), bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  const read = new KINDS[kind](bytes.buffer);
+  if (kind === 'f' || kind === 'd') return read;
+  const out = new Uint32Array(read.length);
+  for (let i = 0, number = 0; i < out.length; ++i) out[i] = number = (number + ((read[i] >>> 1) ^ -(read[i] & 1))) >>> 0;
+  return out;
 }
 
 /** Lists of lists: `lists.of(i)` is the i-th one. */
@@ -18,6 +25,15 @@ export class Lists {
   }
   get length() { return this.starts.length - 1; }
   of(i) { return this.all.subarray(this.starts[i], this.starts[i + 1]); }
+}
+
+/** Pairs of numbers as lists: `of(i)` is what stands beside each i, in the order of the pairs. */
+export function pairsAsLists(count, keys, values) {
+  const counts = new Uint32Array(count), next = new Uint32Array(count), all = new Uint32Array(keys.length);
+  for (const i of keys) ++counts[i];
+  for (let i = 1; i < count; ++i) next[i] = next[i - 1] + counts[i - 1];
+  for (let k = 0; k < keys.length; ++k) all[next[keys[k]]++] = values[k];
+  return new Lists(counts, all);
 }
 
 const lists = (json, name) => new Lists(unpack(json[`${name}_counts`]), unpack(json[name]));
@@ -47,6 +63,8 @@ export function readCells(json) {
     for (let l = lengths.starts[f]; l < lengths.starts[f + 1]; ++l) out.push(walks.of(l));
     return out;
   };
+  /** The corners of all loops. */
+  faces.corners = (f) => walks.all.subarray(walks.starts[lengths.starts[f]], walks.starts[lengths.starts[f + 1]]);
   faces.isolated = lists(json.faces, 'isolated');
   faces.triangles = lists(json.faces, 'triangles');
   if (json.regions) {

@@ -50,13 +50,13 @@ const minus = (a, b) => a.map((x, k) => x - b[k]);
 export function sphere(model, v, tintOf) {
   const {cells, incidence} = model, p = cells.vertices.point[v], centre = model.at(p);
   const nodes = [], arcs = [];
-  for (const e of incidence.vertexEdges[v]) {
+  for (const e of incidence.vertexEdges.of(v)) {
     const chain = cells.edges.points.of(e);
     const add = (other) => nodes.push({e, at: unit(minus(model.at(other), centre))});
     if (chain[0] === p) add(chain[1]);
     if (chain[chain.length - 1] === p && chain.length > 1) add(chain[chain.length - 2]);
   }
-  for (const f of incidence.vertexFaces[v]) {
+  for (const f of incidence.vertexFaces.of(v)) {
     const t = cells.faces.triangles.of(f);
     for (let k = 0; k < t.length; k += 3) {
       const j = [0, 1, 2].find((x) => t[k + x] === p);

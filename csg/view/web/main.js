@@ -1,15 +1,14 @@
 // The page: its state, what shows it, and what changes it. The state is in the address, so that a link restores it.
-import './style.css';
 import {rgb} from './colours.js';
 import {Dag} from './dag.js';
-import {Page} from './data.js';
+import {Page, source} from './data.js';
 import {Model, nameOf, WORDS} from './model.js';
 import {h, showCell, showNode, swatch} from './panels.js';
 import {Scene} from './scene.js';
 
 const $ = (id) => document.getElementById(id);
-const page = new Page(JSON.parse($('cnrg-data').textContent));
-$('cnrg-data').remove();
+const page = new Page(source.json);
+source.json = null;
 
 const state = {node: page.result, cell: null, colour: null, show: [true, true, true, true], labels: false, ghosts: false, through: false,
   explode: 0, axis: '', cut: 0.5, flip: false, pick: 'any', theme: null, view: null};
@@ -292,6 +291,10 @@ function find(word) {
     const first = region >= 0 ? {kind: 'r', i: region} : ['f', 'e', 'v'].map((x) => ({kind: x, i: model.column(x).component.indexOf(k + 1)})).find((x) => x.i >= 0);
     if (first) out.push({label: model.componentName(k + 1), kind, go: () => pick(first)});
   });
+  for (const name of new Set(page.leaves.filter(has))) {
+    const from = out.length < 12 && model.fromLeaf(name);
+    if (from) out.push({label: `${nameOf(from)} from ${name}`, kind: 'leaf', go: () => pick(from)});
+  }
   return out.slice(0, 12);
 }
 
@@ -432,7 +435,6 @@ function wire() {
       const box = canvas.getBoundingClientRect(), begin = performance.now();
       const cell = scene.at(e.clientX - box.left, e.clientY - box.top, e.shiftKey ? 'r' : state.pick);
       window.cnrg.pickTime = performance.now() - begin;
-      scene.drawNow();
       pick(cell);
     });
     canvas.addEventListener('dblclick', () => scene.fit());

@@ -1,6 +1,6 @@
 // One node of the page: its cells, who bounds whom, and what is told of each. Cells are called as files call them;
 // here a cell is a letter and a number, `{kind: 'f', i: 12}`.
-import {Lists, readCells, unpack} from './data.js';
+import {Lists, pairsAsLists, readCells, unpack} from './data.js';
 
 export const LETTERS = ['v', 'e', 'f', 'r'];
 export const WORDS = {v: 'vertex', e: 'edge', f: 'face', r: 'region'};
@@ -31,7 +31,8 @@ export class Model {
     this.shapes = shapes && {v: unpack(shapes.vertices), e: unpack(shapes.edges)};
     this.colours = {material: {}, component: unpack(colors.component), region: unpack(colors.region)};
     for (const kind of LETTERS) this.colours.material[kind] = unpack(colors.material[kind]);
-    this.classes = classes && {cells: readCells(classes), fates: classes.fates};
+    this.classes = classes && {cells: readCells(classes), fates: classes.fates, told_at: classes.told_at,
+      stories: classes.told_at && new Lists(unpack(classes.lines_counts), unpack(classes.lines))};
   }
 
   static of(page, index) {
@@ -88,6 +89,22 @@ export class Model {
     const before = {v: 0, e: this.counts.v, f: this.counts.v + this.counts.e, r: this.counts.v + this.counts.e + this.counts.f};
     return Array.from(this.stories.of(before[cell.kind] + cell.i), (line) => this.page.lines[line]);
   }
+  /** A cell that came from the leaves of a name, of the highest dimension that there is. */
+  fromLeaf(name) {
+    const {leaves, origins} = this.page, numbers = new Set();
+    origins.forEach((lists, i) => lists.some(([leaf]) => leaves[leaf] === name) && numbers.add(i + 1));
+    for (const kind of ['r', 'f', 'e', 'v']) {
+      const i = this.column(kind).origin.findIndex((n) => numbers.has(n));
+      if (i >= 0) return {kind, i};
+    }
+    return null;
+  }
+  /** Of an entity of the operands that went (`{kind: 'F', i}`): what is told of a point in it, and that point. */
+  lost(cell) {
+    const {cells, stories, told_at} = this.classes, v = cells.vertices.point.length, e = cells.edges.flags.length;
+    const i = {V: 0, E: v, F: v + e}[cell.kind] + cell.i;
+    return stories && told_at[i] ? {point: told_at[i], lines: Array.from(stories.of(i), (line) => this.page.lines[line])} : null;
+  }
   shape(cell) {
     const word = this.shapes?.[cell.kind]?.[cell.i];
     return word ? this.page.words[word - 1] : null;
@@ -102,56 +119,68 @@ export class Model {
     }));
   }
 
+  /** The vertex at each point of the node, from 1; 0: none. */
+  get vertexAt() {
+    if (this._vertexAt) return this._vertexAt;
+    const at = (this._vertexAt = new Uint32Array(this.cells.points.length)), {point} = this.cells.vertices;
+    for (let v = 0; v < point.length; ++v) at[point[v]] = v + 1;
+    return at;
+  }
+  /** The vertices at which an edge ends, each once (from 1). */
+  ends(e) {
+    const {edges} = this.cells, {starts, all} = edges.points, {vertexAt} = this;
+    if (edges.flags[e] & 1) return [];
+    const a = vertexAt[all[starts[e]]], b = vertexAt[all[starts[e + 1] - 1]];
+    return [a, a === b ? 0 : b].filter((v) => v);
+  }
+
   /** Who bounds whom, made when it is first asked for. */
   get incidence() {
     if (this._incidence) return this._incidence;
-    const {vertices, edges, faces} = this.cells;
-    const vertexAt = new Map();
-    vertices.point.forEach((p, i) => vertexAt.set(p, i));
-    const segment = new Map();
-    const key = (a, b) => (a < b ? a * 0x2000000 + b : b * 0x2000000 + a);
-    const edgeEnds = [], vertexEdges = Array.from({length: this.counts.v}, () => []);
-    for (let e = 0; e < this.counts.e; ++e) {
-      const chain = edges.points.of(e), closed = edges.flags[e] & 1;
-      for (let k = 0; k + 1 < chain.length + closed; ++k) segment.set(key(chain[k], chain[(k + 1) % chain.length]), e);
-      const ends = closed ? [] : [chain[0], chain[chain.length - 1]].map((p) => vertexAt.get(p)).filter((v) => v !== undefined);
-      edgeEnds.push(ends);
-      for (const v of new Set(ends)) vertexEdges[v].push(e);
-    }
-    const faceEdges = [], faceVertices = [];
-    const edgeFaces = Array.from({length: this.counts.e}, () => []), vertexFaces = Array.from({length: this.counts.v}, () => []);
-    for (let f = 0; f < this.counts.f; ++f) {
-      const found = new Set(), corners = new Set();
-      for (const loop of faces.loops(f)) {
-        for (let k = 0; k < loop.length; ++k) {
-          const e = segment.get(key(loop[k], loop[(k + 1) % loop.length]));
-          if (e !== undefined) found.add(e);
-          const v = vertexAt.get(loop[k]);
-          if (v !== undefined) corners.add(v);
-        }
+    const {faces} = this.cells, {counts, vertexAt} = this, {uses} = this.radial;
+    const lists = (n, m, each) => {
+      const keys = [], values = [];
+      each((a, b) => (keys.push(a), values.push(b)));
+      return [pairsAsLists(n, keys, values), pairsAsLists(m, values, keys)];
+    };
+    const [edgeEnds, vertexEdges] = lists(counts.e, counts.v, (pair) => {
+      for (let e = 0; e < counts.e; ++e) for (const v of this.ends(e)) pair(e, v - 1);
+    });
+    const [edgeFaces, faceEdges] = lists(counts.e, counts.f, (pair) => {
+      const last = new Int32Array(counts.f).fill(-1);  // a slit has a face twice
+      for (let e = 0; e < counts.e; ++e) for (const f of uses.of(e)) if (last[f] !== e) (last[f] = e), pair(e, f);
+    });
+    const [faceVertices, vertexFaces] = lists(counts.f, counts.v, (pair) => {
+      const last = new Int32Array(counts.v).fill(-1);
+      const see = (f, p) => {
+        const v = vertexAt[p] - 1;
+        if (v >= 0 && last[v] !== f) (last[v] = f), pair(f, v);
+      };
+      for (let f = 0; f < counts.f; ++f) {
+        for (const p of faces.corners(f)) see(f, p);
+        for (const p of faces.isolated.of(f)) see(f, p);
       }
-      for (const p of faces.isolated.of(f)) if (vertexAt.has(p)) corners.add(vertexAt.get(p));
-      faceEdges.push([...found]);
-      faceVertices.push([...corners]);
-      for (const e of found) edgeFaces[e].push(f);
-      for (const v of corners) vertexFaces[v].push(f);
-    }
+    });
     this._incidence = {edgeEnds, vertexEdges, faceEdges, faceVertices, edgeFaces, vertexFaces};
     return this._incidence;
   }
 
   /** Regions (from 0) that a cell bounds or hangs in. */
   regionsAt(cell) {
-    const {vertices, edges, faces} = this.cells, {edgeFaces, vertexFaces, vertexEdges} = this.incidence;
-    const out = new Set();
+    const {vertices, edges, faces} = this.cells, out = new Set();
     const add = (r) => r > 0 && out.add(r - 1);
-    const addFaces = (list) => list.forEach((f) => (add(faces.front[f]), add(faces.back[f])));
-    if (cell.kind === 'f') addFaces([cell.i]);
-    if (cell.kind === 'e') (addFaces(edgeFaces[cell.i]), add(edges.region[cell.i]));
+    const ofEdge = (e) => {
+      const {uses, regions} = this.radial;
+      for (let k = uses.starts[e]; k < uses.starts[e + 1]; ++k) add(regions[k]);
+      add(edges.region[e]);
+    };
+    if (cell.kind === 'f') (add(faces.front[cell.i]), add(faces.back[cell.i]));
+    if (cell.kind === 'e') ofEdge(cell.i);
     if (cell.kind === 'v') {
-      addFaces(vertexFaces[cell.i]);
+      const {vertexFaces, vertexEdges} = this.incidence;
+      for (const f of vertexFaces.of(cell.i)) (add(faces.front[f]), add(faces.back[f]));
       add(vertices.region[cell.i]);
-      for (const e of vertexEdges[cell.i]) (addFaces(edgeFaces[e]), add(edges.region[e]));
+      for (const e of vertexEdges.of(cell.i)) ofEdge(e);
     }
     return [...out].sort((a, b) => a - b);
   }
@@ -161,12 +190,12 @@ export class Model {
     const n = this.incidence, as = (k) => (list) => [...list].sort((a, b) => a - b).map((x) => ({kind: k, i: x}));
     const regions = as('r')(this.regionsAt({kind, i}));
     switch (kind) {
-      case 'v': return [['ends edges', as('e')(n.vertexEdges[i])], ['on faces', as('f')(n.vertexFaces[i])], ['touches regions', regions]];
-      case 'e': return [['ends', as('v')(n.edgeEnds[i])], ['bounds faces', as('f')(n.edgeFaces[i])], ['touches regions', regions]];
+      case 'v': return [['ends edges', as('e')(n.vertexEdges.of(i))], ['on faces', as('f')(n.vertexFaces.of(i))], ['touches regions', regions]];
+      case 'e': return [['ends', as('v')(n.edgeEnds.of(i))], ['bounds faces', as('f')(n.edgeFaces.of(i))], ['touches regions', regions]];
       case 'f': {
         const {front, back} = this.cells.faces;
         const side = (r) => (r > 0 ? [{kind: 'r', i: r - 1}] : []);
-        return [['edges', as('e')(n.faceEdges[i])], ['vertices', as('v')(n.faceVertices[i])], ['in front', side(front[i])], ['behind', side(back[i])]];
+        return [['edges', as('e')(n.faceEdges.of(i))], ['vertices', as('v')(n.faceVertices.of(i))], ['in front', side(front[i])], ['behind', side(back[i])]];
       }
       default: {
         const shells = this.cells.regions.shells(i).map((s, k, all) =>

@@ -29,7 +29,7 @@ function cellList(cells, pick) {
   return list;
 }
 
-const quoted = (word) => (/^[\w./#-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`);
+const quoted = (word) => (/^[\w.,/#-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`);
 function command(words, copied) {
   const line = words.map(quoted).join(' ');
   return h('div', {class: 'command'}, h('code', {}, line), h('button', {onclick: () => copied(line), title: 'Copy this command'}, 'copy'));
@@ -80,7 +80,7 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
   else if (entity && model.node.group) says.push('entity');
   if (c && kind === 'f' && model.sheet(i)) says.push('sheet');
   if (c && kind === 'e' && flags & 8) says.push('wire');
-  if (c && kind === 'v' && !model.incidence.vertexEdges[i].length) says.push('isolated point');
+  if (c && kind === 'v' && !model.incidence.vertexEdges.of(i).length) says.push('isolated point');
   if (kind === 'r' && !cells.regions.bounded[i]) says.push('unbounded');
   if (kind === 'e' && flags & 1) says.push('closes without a vertex');
   if (kind === 'f' && flags & 2) says.push('curved: of several facets');
@@ -106,15 +106,15 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
     const ends = [...new Set([cells.edges.points.of(i)[0], cells.edges.points.of(i).at(-1)])];
     if (!(flags & 1)) parts.push(h('details', {}, h('summary', {}, 'Ends, exactly'), ...ends.map((p) => coordinates(model, p))));
   }
-  if (kind === 'v' && (model.incidence.vertexEdges[i].length || model.incidence.vertexFaces[i].length)) {
+  if (kind === 'v' && (model.incidence.vertexEdges.of(i).length || model.incidence.vertexFaces.of(i).length)) {
     const drawn = sphere(model, i, tintOf);
     redraw = drawn.redraw;
     parts.push(h('h3', {}, 'Neighbourhood'), drawn.picture, h('p', {class: 'soft'},
       'A small sphere about the vertex, turned as the picture is: edges leave nodes on it, faces leave arcs, regions the pieces between them.'));
   }
   if (kind === 'f') {
-    const corners = model.incidence.faceVertices[i];
-    parts.push(h('details', {}, h('summary', {}, 'Corners, exactly'), ...corners.slice(0, SHOWN).map((v) =>
+    const corners = model.incidence.faceVertices.of(i);
+    parts.push(h('details', {}, h('summary', {}, 'Corners, exactly'), ...Array.from(corners.slice(0, SHOWN), (v) =>
       h('div', {}, cellList([{kind: 'v', i: v}], pick), coordinates(model, cells.vertices.point[v])))));
   }
   const told = model.story(cell);
@@ -133,13 +133,15 @@ function showEntity(holder, model, cell, copied) {
   const from = model.classes.cells, dimension = {V: 0, E: 1, F: 2}[cell.kind];
   const column = [from.vertices, from.edges, from.faces][dimension];
   const fate = model.classes.fates[column.component[cell.i]], row = fate.rows?.[dimension];
+  const lost = model.lost(cell);
   holder.replaceChildren(
     h('p', {class: 'title'}, h('strong', {id: 'picked'}, ['vertex', 'edge', 'face'][dimension]), ' of the operands', h('span', {class: 'tag'}, fate.removed ? 'removed' : 'kept')),
     terms(fate.relation ? ['lies', fate.relation] : null, row ? ['row', h('mark', {}, row[0])] : null, row ? ['removes', row[1]] : null),
     h('p', {class: 'soft'}, fate.relation
-      ? 'What the node’s table was asked of it, in the step that did not merely find it outside. A kept face or edge keeps its boundary, whatever the row says of that. For one point:'
-      : 'This operator has no table: the entity is of an operand and not of the result. For one point:'),
-    command(['cnrg', 'explain', model.page.tree, '--node', model.node.name, '--point', 'X,Y,Z'], copied));
+      ? 'What the node’s table was asked of it, in the step that did not merely find it outside. A kept face or edge keeps its boundary, whatever the row says of that.'
+      : 'This operator has no table: the entity is of an operand and not of the result.'),
+    ...(lost ? [h('h3', {}, 'Story of a point in it'), storyText(lost.lines)] : [h('p', {class: 'soft'}, 'For one point:')]),
+    command(['cnrg', 'explain', model.page.tree, '--node', model.node.name, '--point', lost?.point ?? 'X,Y,Z'], copied));
   return null;
 }
 
@@ -166,7 +168,9 @@ const head = (...names) => h('thead', {}, h('tr', {}, ...names.map((n, k) => h('
 /** The panel of a node. */
 export function showNode(holder, model, {pick, choose, legend}) {
   const {node, page} = model, parts = [];
-  parts.push(h('p', {class: 'title'}, h('strong', {}, node.name), ` ${node.operator}`, h('span', {class: 'tag'}, node.group ? 'group' : 'components')));
+  parts.push(h('p', {class: 'title'}, h('strong', {}, node.name), ` ${node.operator}`, h('span', {class: 'tag'}, node.group ? 'group' : 'components'),
+    node.instances > 1 ? h('span', {class: 'tag'}, `${node.instances} instances`) : null));
+  if (node.instances > 1) parts.push(h('p', {class: 'soft'}, 'It is used with different transforms; shown is the last of its instances.'));
   if (node.operands.length) {
     parts.push(h('p', {}, 'of ', ...node.operands.flatMap((o, k) => [k ? ', ' : '', h('button', {class: 'cellname', onclick: () => choose(o)}, page.nodes[o].name)])));
   }

@@ -1,14 +1,21 @@
 // The cells in space: camera, drawing on demand, and what is under a place of the picture.
 //
 // Nothing is drawn while nothing changes. While the camera moves and a frame takes too long, the picture gets
-// coarser, then edges and vertices wait until it rests: a lecture room's projector runs on software rendering.
+// coarser, then edges and vertices wait until it rests, then regions deep inside: a lecture room's projector runs on
+// software rendering. The picture at rest of many cells is made bit by bit, so that the page answers meanwhile, and
+// kept: a picked cell is drawn over it (still.js).
 import * as THREE from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
-import {buffers, Geometry} from './build_geometry.js';
+import {Geometry} from './build_geometry.js';
+import {clusters, facing} from './clusters.js';
+import {Pointer, targets, under} from './pick.js';
+import {cutBy} from './section.js';
 import {material, shared} from './shaders.js';
+import {Still} from './still.js';
+import {EDGES, faceBuffers, Faces, lineBuffers, pointBuffers, POINTS, ribbonBuffers, Table} from './tables.js';
 
 const SLOW = 45;      // milliseconds of a frame that is not fluent
-const CAPS = 80;      // regions whose section is filled
+const HEAVY = 60000;  // triangles, edges and points of a picture that is made bit by bit
 const SMALL = 20000;  // cells that are all drawn, seen or not
 const color = (c) => new THREE.Color(c[0] / 255, c[1] / 255, c[2] / 255);
 
@@ -46,16 +53,15 @@ export class Scene {
       sheet: material('FACE', {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}),
       ghost: material('FACE', {side: THREE.DoubleSide, transparent: true, depthWrite: false}, {opacity: {value: 0.16}}),
       edge: material('EDGE', {side: THREE.DoubleSide}, {lift: {value: 1e-4}}),
+      line: material('LINE', {}, {lift: {value: 1e-4}}),
       ghostEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true}, {opacity: {value: 0.8}, lift: {value: 5e-5}}),
       point: material('POINT', {}, {lift: {value: 1.6e-4}}),
       overFace: material('FACE', {side: THREE.DoubleSide, transparent: true, depthTest: false, depthWrite: false}, {opacity: {value: 0.45}, solid: {value: 1}}),
       overEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true, depthTest: false}),
       overPoint: material('POINT', {transparent: true, depthTest: false}),
     };
-    const stencil = {colorWrite: false, depthWrite: false, depthTest: false, stencilWrite: true, stencilFunc: THREE.AlwaysStencilFunc};
-    const solid = {solid: {value: 1}};
-    this.materials.capBack = material('FACE', {...stencil, side: THREE.BackSide, stencilZPass: THREE.IncrementWrapStencilOp}, solid);
-    this.materials.capFront = material('FACE', {...stencil, side: THREE.FrontSide, stencilZPass: THREE.DecrementWrapStencilOp}, solid);
+    this.still = new Still(this);
+    this.budget = this.software ? 60000 : Infinity;  // triangles of skins while the camera moves
     this.centre = [0, 0, 0];
     this.radius = 1;
     this.section = null;
@@ -86,7 +92,7 @@ export class Scene {
 
   /** Whether what lies between regions can be seen; small models always have it, and so need no second drawing. */
   needsInner(model, look) {
-    return model.size < SMALL || look.apart || look.through || !look.show[3] || Boolean(this.section) || model.open;
+    return model.size < SMALL || look.apart || look.through || !look.show[3] || model.open;
   }
 
   /** Draws the cells of a model. `look` is what Geometry asks for, and {through, paper}. */
@@ -94,39 +100,33 @@ export class Scene {
     this.model = model;
     this.look = {...look, inner: this.needsInner(model, look)};
     look = this.look;
-    this.outline = null;
+    this.cut = null;
     this.dispose(this.world);
     const g = (this.geometry = new Geometry(model, look, this.place));
-    const add = (columns, kind, instanced = false, order = 0) => {
-      const size = instanced ? columns.a.length : columns.position.length;
-      if (size === 0) return null;
-      const object = new (kind === this.materials.point ? THREE.Points : THREE.Mesh)(buffers(columns, instanced), kind);
-      object.frustumCulled = false;
-      object.renderOrder = order;
-      this.world.add(object);
-      return object;
-    };
     const {materials} = this;
     for (const m of [materials.skin, materials.sheet, materials.inner]) {
       m.uniforms.opacity.value = look.through ? 0.28 : 1;
       m.transparent = look.through;
       m.depthWrite = !look.through;
     }
-    const skin = add(g.skins, materials.skin);
-    this.skin = skin;
-    this.inner = skin && new THREE.Mesh(skin.geometry, materials.inner);
-    if (this.inner) {
-      this.inner.frustumCulled = false;
-      this.world.add(this.inner);
+    this.clusters = [];
+    this.skin = this.inner = null;
+    if (g.skins.triangles.length) {
+      const {index, list} = clusters(g);
+      this.clusters = list;
+      this.skin = this.add(faceBuffers(g.skins, index), [materials.skin]);
+      const whole = new THREE.BufferGeometry();
+      for (const [name, attribute] of Object.entries(this.skin.geometry.attributes)) whole.setAttribute(name, attribute);
+      this.inner = this.add(whole.setIndex(this.skin.geometry.index), materials.inner);
     }
-    this.caps = new THREE.Group();
-    this.world.add(this.caps);
-    if (skin && g.ranges.length <= CAPS) this.addCaps(skin.geometry, g.ranges);
-    add(g.sheets, materials.sheet);
-    this.edges = add(g.edges, materials.edge, true, 50);
-    this.points = add(g.points, materials.point, false, 60);
-    add(g.ghosts, materials.ghost, false, 70);
-    add(g.ghostEdges, materials.ghostEdge, true, 71);
+    this.targets = targets(g);
+    if (g.sheets.triangles.length) this.add(faceBuffers(g.sheets), materials.sheet);
+    const plain = g.plainAsLines ? this.add(lineBuffers(g.plain), materials.line, 50, THREE.LineSegments) : this.add(ribbonBuffers(g.plain), materials.edge, 50);
+    this.edges = [plain, this.add(ribbonBuffers(g.edges), materials.edge, 50)];
+    this.points = this.add(pointBuffers(g.points), materials.point, 60, THREE.Points);
+    if (g.ghosts.triangles.length) this.add(faceBuffers(g.ghosts), materials.ghost, 70);
+    this.add(ribbonBuffers(g.ghostEdges), materials.ghostEdge, 71);
+    this.heavy = g.triangles + g.plain.length + g.edges.length + g.points.length > HEAVY;
     // Where there are many cells, thick lines would cover them.
     [shared.edge.value, shared.points.value] = model.size < SMALL ? [1.3, 6] : [0.8, 2.5];
     shared.paper.value.copy(color(look.paper));
@@ -135,34 +135,18 @@ export class Scene {
     this.pick(null);
   }
 
-  /** The plane of the section is filled where a region is cut: front faces are counted against back faces. */
-  addCaps(geometry, ranges) {
-    ranges.forEach(({r, begin, count, tint}, k) => {
-      const part = new THREE.BufferGeometry();
-      for (const [name, attribute] of Object.entries(geometry.attributes)) part.setAttribute(name, attribute);
-      part.setDrawRange(begin, count);
-      for (const m of [this.materials.capBack, this.materials.capFront]) {
-        const mesh = new THREE.Mesh(part, m);
-        mesh.frustumCulled = false;
-        mesh.renderOrder = 10 + k * 0.1;
-        this.caps.add(mesh);
-      }
-      const zero = THREE.ZeroStencilOp;
-      const [x, y, z, w] = this.geometry.numbering.bytes('r', r).map((b) => b / 255);
-      const plane = new THREE.Mesh(new THREE.PlaneGeometry(8, 8), material('CAP', {
-        side: THREE.DoubleSide, stencilWrite: true, stencilRef: 0, stencilFunc: THREE.NotEqualStencilFunc, stencilFail: zero,
-        stencilZFail: zero, stencilZPass: zero, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
-      }, {tint: {value: color(tint).multiplyScalar(0.94)}, ident: {value: new THREE.Vector4(x, y, z, w)}}));
-      plane.renderOrder = 10.05 + k * 0.1;
-      plane.userData.cap = true;
-      this.caps.add(plane);
-    });
+  add(geometry, kind, order = 0, Kind = THREE.Mesh) {
+    const object = new Kind(geometry, kind);
+    object.frustumCulled = false;
+    object.renderOrder = order;
+    object.visible = geometry.attributes.position.count > 0;
+    this.world.add(object);
+    return object;
   }
 
   /** `{axis: 0..2, at: 0..1, flip}` or null. */
   setSection(section) {
     this.section = section;
-    if (this.model && this.needsInner(this.model, this.look) && !this.look.inner) return this.show(this.model, this.look);
     const plane = shared.plane.value;
     if (section) {
       const n = [0, 0, 0], sign = (section.axis === 1) === section.flip ? -1 : 1;  // unflipped, the cut faces the first view
@@ -170,40 +154,30 @@ export class Scene {
       const near = this.place(this.low)[section.axis], far = this.place(this.high)[section.axis];
       const at = near + (far - near) * section.at;
       plane.set(...n, -sign * at);
-      const quaternion = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 0, 1), new THREE.Vector3(...n));
-      for (const object of this.caps?.children ?? []) {
-        if (!object.userData.cap) continue;
-        object.quaternion.copy(quaternion);
-        object.position.set(0, 0, 0).setComponent(section.axis, at);
-      }
     } else {
       plane.set(0, 0, 0, 1);
     }
-    if (this.caps) this.caps.visible = Boolean(section);
-    this.outlineSection();
+    this.fillSection();
     this.draw();
   }
 
-  /** The lines of the section, where there are not so many that they could not follow the hand. */
-  outlineSection() {
-    if (this.outline) {
-      this.outline.removeFromParent();
-      this.outline.geometry.dispose();
-      this.outline = null;
+  /** Fills what the section cuts, and outlines it. */
+  fillSection() {
+    for (const object of this.cut?.objects ?? []) {
+      object.removeFromParent();
+      object.geometry.dispose();
     }
-    const g = this.geometry, plane = shared.plane.value;
-    if (!this.section || !g || g.skins.kind.length + g.sheets.kind.length > 200000) return;
-    const lines = g.cutLines([plane.x, plane.y, plane.z], plane.w, shared.explode.value, this.look.ink);
-    if (!lines.a.length) return;
-    this.outline = new THREE.Mesh(buffers(lines, true), this.materials.edge);
-    this.outline.frustumCulled = false;
-    this.outline.renderOrder = 51;
-    this.world.add(this.outline);
+    this.cut = null;
+    if (!this.section || !this.geometry) return;
+    const {x, y, z, w} = shared.plane.value;
+    this.cut = cutBy(this.geometry, this.section.axis, [x, y, z], w, shared.explode.value, this.look.ink);
+    const {filled, lines} = this.cut;
+    this.cut.objects = [this.add(faceBuffers(filled), this.materials.sheet), this.add(ribbonBuffers(lines), this.materials.edge, 51)];
   }
 
   setExplode(t) {
     shared.explode.value = t;
-    this.outlineSection();
+    this.fillSection();
     this.draw();
   }
 
@@ -211,30 +185,25 @@ export class Scene {
   pick(cell, accent = [0, 0, 0]) {
     this.dispose(this.over);
     if (cell && this.model) {
-      const g = this.geometry, columns = {f: g.columns(), e: g.edgeColumns(), v: g.pointColumns()}, none = [0, 0, 0, 0];
+      const g = this.geometry, faces = new Faces(), edges = new Table(EDGES), points = new Table(POINTS), none = [0, 0, 0, 0], still = [0, 0, 0];
       const {model} = this, {cells} = model;
       const face = (f, shift) => {
-        g.push(columns.f, g.corners(cells, f), false, accent, none, none, shift, 0);
-        for (const loop of cells.faces.loops(f)) g.pushChain(columns.e, cells, loop, true, accent, none, shift, 2, 0);
+        g.pushFace(faces, cells, f, false, accent, none, none, shift, 0);
+        for (const loop of cells.faces.loops(f)) g.pushChain(edges, cells, loop, true, accent, none, shift, 2, 0);
       };
-      const upper = cell.kind === cell.kind.toUpperCase();
-      if (upper) {
+      const edge = (from, i, shift, width) => g.pushChain(edges, from, from.edges.points.of(i), from.edges.flags[i] & 1, accent, none, shift, width, 0);
+      if (cell.kind === cell.kind.toUpperCase()) {
         const from = model.classes.cells;
-        if (cell.kind === 'F') g.push(columns.f, g.corners(from, cell.i), false, accent, none, none, [0, 0, 0], 0);
-        if (cell.kind === 'E') g.pushChain(columns.e, from, from.edges.points.of(cell.i), from.edges.flags[cell.i] & 1, accent, none, [0, 0, 0], 4, 0);
+        if (cell.kind === 'F') g.pushFace(faces, from, cell.i, false, accent, none, none, still, 0);
+        if (cell.kind === 'E') edge(from, cell.i, still, 4);
+        if (cell.kind === 'V') g.pushPoint(points, from, from.vertices.point[cell.i], accent, none, still, 2.4, 1);
       } else if (cell.kind === 'r') {
         for (const shell of cells.regions.shells(cell.i)) for (const side of shell) face(side >> 1, g.shift(cell.i + 1));
       } else {
         for (const shift of g.shiftsOf(cell)) {
           if (cell.kind === 'f') face(cell.i, shift);
-          if (cell.kind === 'e') g.pushChain(columns.e, cells, cells.edges.points.of(cell.i), cells.edges.flags[cell.i] & 1, accent, none, shift, 3.6, 0);
-          if (cell.kind === 'v') {
-            columns.v.position.push(...this.place(model.at(cells.vertices.point[cell.i])));
-            columns.v.shift.push(...shift);
-            columns.v.tint.push(...accent);
-            columns.v.ident.push(...none);
-            columns.v.look.push(2.4, 1);
-          }
+          if (cell.kind === 'e') edge(cells, cell.i, shift, 3.6);
+          if (cell.kind === 'v') g.pushPoint(points, cells, cells.vertices.point[cell.i], accent, none, shift, 2.4, 1);
         }
       }
       const add = (object, order) => {
@@ -242,11 +211,11 @@ export class Scene {
         object.renderOrder = order;
         this.over.add(object);
       };
-      if (columns.f.position.length) add(new THREE.Mesh(buffers(columns.f), this.materials.overFace), 90);
-      if (columns.e.a.length) add(new THREE.Mesh(buffers(columns.e, true), this.materials.overEdge), 91);
-      if (columns.v.position.length) add(new THREE.Points(buffers(columns.v), this.materials.overPoint), 92);
+      if (faces.triangles.length) add(new THREE.Mesh(faceBuffers(faces), this.materials.overFace), 90);
+      if (edges.length) add(new THREE.Mesh(ribbonBuffers(edges), this.materials.overEdge), 91);
+      if (points.length) add(new THREE.Points(pointBuffers(points), this.materials.overPoint), 92);
     }
-    this.draw();
+    this.draw(false);
   }
 
   // --- camera
@@ -293,7 +262,9 @@ export class Scene {
 
   // --- drawing
 
-  draw() {
+  /** `anew`: something else has changed than what is picked. */
+  draw(anew = true) {
+    if (anew) this.still.stop();
     if (this.waiting) return;
     this.waiting = true;
     requestAnimationFrame(() => {
@@ -312,51 +283,71 @@ export class Scene {
     this.camera.updateProjectionMatrix();
   }
 
+  /** Pixels of the canvas per pixel of the page: without smoothing the picture at rest is drawn twice as fine. */
+  ratioOf(moving) {
+    const screen = Math.min(window.devicePixelRatio || 1, 2), coarse = moving ? this.quality : 1;
+    return this.software && !moving ? 2 : screen * (coarse < 1 ? Math.max(coarse, 0.5) : 1);
+  }
+  setRatio(ratio) {
+    if (this.renderer.getPixelRatio() === ratio && this.drawnWidth === this.width && this.drawnHeight === this.height) return;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(this.width, this.height, false);
+    [this.drawnWidth, this.drawnHeight] = [this.width, this.height];
+  }
+
+  /** What of the scene is drawn: skins that may be seen, `most` triangles of them, the outer regions first. */
+  choose(lower, most) {
+    for (const object of this.edges) object.visible = lower;
+    this.points.visible = lower;
+    // Inside of regions something is to be seen only through a missing face.
+    if (this.inner) this.inner.visible = !this.look.through && this.geometry.legend.has('open');
+    if (!this.skin) return;
+    this.facing = facing(this.clusters, this.camera.position.toArray(), shared.explode.value, most);
+    const {geometry} = this.skin;
+    geometry.clearGroups();
+    for (const {start, count} of this.facing) geometry.addGroup(3 * start, 3 * count, 0);
+  }
+
   render() {
     if (!this.width || !this.model) return;
-    const begin = performance.now();
-    const coarse = this.moving ? this.quality : 1;
-    // Without smoothing the picture at rest is drawn twice as fine, and what moves as fine as the screen.
-    const screen = Math.min(window.devicePixelRatio || 1, 2);
-    const ratio = this.software && !this.moving ? 2 : screen * (coarse < 1 ? Math.max(coarse, 0.5) : 1);
-    if (this.renderer.getPixelRatio() !== ratio || this.drawnWidth !== this.width || this.drawnHeight !== this.height) {
-      this.renderer.setPixelRatio(ratio);
-      this.renderer.setSize(this.width, this.height, false);
-      [this.drawnWidth, this.drawnHeight] = [this.width, this.height];
+    const {moving} = this, rests = this.heavy && !moving;
+    if (rests && this.still.done) return this.still.show();
+    const begin = performance.now(), coarse = moving || rests ? this.quality : 1, ratio = this.ratioOf(moving || rests);
+    // A heavy picture at rest is on its way; where there is none yet, or another size, it begins as if it moved.
+    if (!rests || !this.shown || this.drawnWidth !== this.width || this.drawnHeight !== this.height) {
+      this.setRatio(ratio);
+      this.choose(this.heavy ? !rests && coarse > 0.4 && !this.software : coarse > 0.4 || this.model.size < SMALL, moving || rests ? this.budget : Infinity);
+      this.prepare(ratio, this.width * ratio, this.height * ratio);
+      this.renderer.render(this.root, this.camera);
+      this.shown = true;
     }
-    const lower = coarse > 0.4 || this.model.size < SMALL;
-    if (this.edges) this.edges.visible = lower;
-    if (this.points) this.points.visible = lower;
-    // Inside of regions something is to be seen only through a missing face or a section.
-    if (this.inner) this.inner.visible = !this.look.through && (this.geometry.legend.has('open') || (this.section && this.geometry.ranges.length > CAPS));
-    this.prepare(ratio, this.width * ratio, this.height * ratio);
-    this.renderer.render(this.root, this.camera);
-    if (this.moving) {
+    if (moving) {
       // What the frame took is known when a pixel of it is there.
       const gl = this.renderer.getContext();
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
       this.frameTime = performance.now() - begin;
-      if (this.frameTime > SLOW) this.quality = Math.max(this.quality * 0.6, 0.3);
+      if (this.frameTime > SLOW) {
+        this.quality = Math.max(this.quality * 0.6, 0.3);
+        this.budget = Math.max(Math.min(this.budget, this.geometry.triangles) * 0.8, 5000);
+      }
+    } else if (rests) {
+      this.still.begin();
     }
-    this.changed(this.moving);
+    this.changed(moving);
   }
 
-  /** A picture of numbers of cells: `scale` pixels per CSS pixel, or a window of it about a place. */
-  numbers(width, height, about, regions) {
-    const target = new THREE.WebGLRenderTarget(width, height, {stencilBuffer: true, depthBuffer: true});
-    const hidden = [this.over];
-    if (about) this.camera.setViewOffset(this.width, this.height, about[0] - (width >> 1), about[1] - (height >> 1), width, height);
-    this.prepare(about ? 1 : width / this.width, width, height);
-    shared.ids.value = regions ? 2 : 1;
-    for (const object of hidden) object.visible = false;
-    if (this.edges) this.edges.visible = true;
-    if (this.points) this.points.visible = true;
-    if (this.outline) this.outline.visible = false;
+  /** A picture of numbers of cells. */
+  numbers(width, height) {
+    const target = new THREE.WebGLRenderTarget(width, height);
+    this.choose(true, Infinity);
+    this.prepare(width / this.width, width, height);
+    shared.ids.value = 1;
+    this.over.visible = false;
     const seen = [];
     for (const m of Object.values(this.materials)) {
       seen.push([m, m.blending, m.transparent, m.depthWrite]);
       m.blending = THREE.NoBlending;
-      if (!m.stencilWrite) m.depthWrite = true;
+      m.depthWrite = true;
     }
     this.renderer.setClearColor(0x000000, 0);
     this.renderer.setRenderTarget(target);
@@ -368,9 +359,7 @@ export class Scene {
     this.renderer.setClearColor(color(this.look.paper), 1);
     for (const [m, blending, transparent, depthWrite] of seen) Object.assign(m, {blending, transparent, depthWrite});
     shared.ids.value = 0;
-    if (this.outline) this.outline.visible = true;
-    for (const object of hidden) object.visible = true;
-    if (about) this.camera.clearViewOffset();
+    this.over.visible = true;
     target.dispose();
     return bytes;
   }
@@ -378,23 +367,23 @@ export class Scene {
   /** The cell at a place of the picture, in CSS pixels; vertices before edges before faces. `kinds`: `any` or a letter. */
   at(x, y, kinds) {
     if (!this.model) return null;
-    const n = 9, bytes = this.numbers(n, n, [Math.round(x), Math.round(y)], kinds === 'r');
-    let best = null, bestRank = Infinity;
-    const rank = {v: 0, V: 0, e: 10, E: 10, f: 30, F: 30, r: 31};
-    for (let k = 0; k < n * n; ++k) {
-      const cell = this.geometry.numbering.cell(bytes[4 * k], bytes[4 * k + 1], bytes[4 * k + 2]);
-      if (!cell || (kinds !== 'any' && cell.kind.toLowerCase() !== kinds)) continue;
-      const far = Math.hypot((k % n) - 4, Math.floor(k / n) - 4);
-      const mine = rank[cell.kind] + (far <= (cell.kind.toLowerCase() === 'f' || cell.kind === 'r' ? 1 : 4.5) ? far : 100);
-      if (mine < bestRank) [best, bestRank] = [cell, mine];
-    }
-    return best;
+    const {camera, geometry, section, look} = this, eye = camera.position.toArray();
+    const v = new THREE.Vector3((2 * x) / this.width - 1, 1 - (2 * y) / this.height, 0.5);
+    this.prepare(1, this.width, this.height);
+    camera.updateMatrixWorld();
+    const ray = v.unproject(camera).sub(camera.position).normalize().toArray();
+    const stripe = (((x + this.height - y) % 9) + 9) % 9;
+    const pointer = new Pointer({eye, ray, near: camera.near, explode: shared.explode.value, hatch: stripe < 3 || stripe > 8,
+      pixel: (2 * Math.tan(THREE.MathUtils.degToRad(camera.fov / 2))) / this.height, plane: section && shared.plane.value.toArray()});
+    const found = under(pointer, {geometry, targets: this.targets, cut: this.cut, inner: !look.through && geometry.legend.has('open')}, kinds);
+    this.looked = pointer.looked;
+    return found;
   }
 
   /** Where labels may stand: of each cell that is seen a pixel of it near the middle of what is seen of it. */
   labelPlaces() {
     const w = Math.min(Math.round(this.width / 2), 700), h = Math.max(Math.round((w * this.height) / this.width), 1);
-    const bytes = this.numbers(w, h, null, false), sums = new Map();
+    const bytes = this.numbers(w, h), sums = new Map();
     const each = (f) => {
       for (let k = 0; k < w * h; ++k) {
         const n = bytes[4 * k] | (bytes[4 * k + 1] << 8) | (bytes[4 * k + 2] << 16);
@@ -415,28 +404,20 @@ export class Scene {
       const cell = this.geometry.numbering.cell(n & 255, (n >> 8) & 255, n >> 16);
       if (cell) places.push({cell, x: ((s[4] + 0.5) / w) * this.width, y: ((s[5] + 0.5) / h) * this.height, size: s[2]});
     }
-    this.drawNow();
     return places;
-  }
-  drawNow() {
-    const ratio = this.renderer.getPixelRatio();
-    this.prepare(ratio, this.width * ratio, this.height * ratio);
-    this.renderer.render(this.root, this.camera);
   }
 
   /** The picture as a canvas, `times` as fine as the screen. */
   picture(times) {
-    const ratio = this.renderer.getPixelRatio();
-    this.renderer.setPixelRatio(times);
-    this.renderer.setSize(this.width, this.height, false);
+    this.setRatio(times);
+    this.choose(true, Infinity);
     this.prepare(times, this.width * times, this.height * times);
     this.renderer.render(this.root, this.camera);
     const copy = document.createElement('canvas');
     [copy.width, copy.height] = [this.canvas.width, this.canvas.height];
     copy.getContext('2d').drawImage(this.canvas, 0, 0);
-    this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(this.width, this.height, false);
-    this.drawNow();
+    this.shown = false;
+    this.render();
     return copy;
   }
 

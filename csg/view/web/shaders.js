@@ -1,6 +1,6 @@
 // What is drawn with: faces, edges as ribbons of pixels (lines of WebGL have one width), points as disks and rings,
-// and the plane of a section. Each can draw the number of its cell instead of its colour: what is under the pointer
-// is read off a picture, so a pick costs what a frame costs, however many cells there are.
+// or lines where there are many. Each can draw the number of its cell instead of its colour: where labels may stand
+// is read off such a picture.
 import * as THREE from 'three';
 
 /** What all materials share; set once for all. */
@@ -27,11 +27,11 @@ const SIDE = 'float side(vec3 p) { return dot(p, plane.xyz) + plane.w; }';
 
 const FACE = {
   vertexShader: `${COMMON}
-    attribute vec3 tint; attribute vec4 ident; attribute vec4 owner; attribute vec3 shift; attribute float kind;
+    attribute vec4 tint; attribute vec4 ident; attribute vec4 owner; attribute vec3 shift;
     varying vec3 colour; varying vec4 number; varying vec3 outward; varying vec3 world; varying float style;
     void main() {
       world = position + shift * explode;
-      colour = tint; style = kind;
+      colour = tint.rgb; style = floor(tint.a * 255.0 + 0.5);
       number = ids > 1.5 ? owner : ident;
       outward = normalMatrix * normal;
       gl_Position = projectionMatrix * modelViewMatrix * vec4(world, 1.0);
@@ -40,12 +40,13 @@ const FACE = {
     varying vec3 colour; varying vec4 number; varying vec3 outward; varying vec3 world; varying float style;
     ${SIDE}
     void main() {
-      ${CLIP}
+      if (style < 2.5) { ${CLIP} }
       // What is missing is hatched: one sees between the lines.
       if (style > 0.5 && style < 1.5 && solid < 0.5) {
         if (mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * ratio) > 2.0 * ratio) discard;
       }
       if (ids > 0.5) { gl_FragColor = number; return; }
+      if (style > 2.5) { gl_FragColor = vec4(colour, 1.0); return; }
       vec3 n = normalize(outward) * (gl_FrontFacing ? 1.0 : -1.0);
       float light = 0.62 + 0.30 * max(0.0, n.z) + 0.12 * n.y - 0.05 * n.x;
       // A sheet has a fine weave, so that nobody takes it for the skin of a solid.
@@ -56,7 +57,7 @@ const FACE = {
 
 const EDGE = {
   vertexShader: `${COMMON}
-    attribute vec3 a; attribute vec3 b; attribute vec3 shift; attribute vec3 tint; attribute vec4 ident; attribute vec3 look;
+    attribute vec3 a; attribute vec3 b; attribute vec3 shift; attribute vec4 tint; attribute vec4 ident; attribute vec3 look;
     uniform float lift;
     varying vec3 colour; varying vec4 number; varying vec3 world; varying float along; varying float dashed;
     void main() {
@@ -75,7 +76,7 @@ const EDGE = {
       at.z -= lift * at.w;
       world = position.x < 0.5 ? p : q;
       along = look.z + position.x * length(q - p);
-      dashed = look.y; colour = tint; number = ident;
+      dashed = look.y; colour = tint.rgb; number = ident;
       gl_Position = at;
     }`,
   fragmentShader: `${COMMON}
@@ -92,7 +93,7 @@ const EDGE = {
 
 const POINT = {
   vertexShader: `${COMMON}
-    attribute vec3 shift; attribute vec3 tint; attribute vec4 ident; attribute vec2 look;
+    attribute vec3 shift; attribute vec4 tint; attribute vec4 ident; attribute vec2 look;
     uniform float lift;
     varying vec3 colour; varying vec4 number; varying vec3 world; varying float hollow;
     void main() {
@@ -100,7 +101,7 @@ const POINT = {
       gl_Position = projectionMatrix * modelViewMatrix * vec4(world, 1.0);
       gl_Position.z -= lift * gl_Position.w;
       gl_PointSize = (ids > 0.5 ? max(look.x * points, 9.0) : look.x * points) * ratio;
-      hollow = look.y; colour = tint; number = ident;
+      hollow = look.y; colour = tint.rgb; number = ident;
     }`,
   fragmentShader: `${COMMON}
     uniform float opacity;
@@ -116,14 +117,34 @@ const POINT = {
     }`,
 };
 
-const CAP = {
-  vertexShader: `void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`,
-  fragmentShader: `uniform float ids; uniform vec3 tint; uniform vec4 ident;
-    void main() { gl_FragColor = ids > 0.5 ? ident : vec4(tint, 1.0); }`,
+const LINE = {
+  vertexShader: `${COMMON}
+    attribute vec3 shift; attribute vec4 tint; attribute vec4 ident;
+    uniform float lift;
+    varying vec3 colour; varying vec4 number; varying vec3 world;
+    void main() {
+      world = position + shift * explode;
+      gl_Position = projectionMatrix * modelViewMatrix * vec4(world, 1.0);
+      gl_Position.z -= lift * gl_Position.w;
+      colour = tint.rgb; number = ident;
+    }`,
+  fragmentShader: `${COMMON}
+    varying vec3 colour; varying vec4 number; varying vec3 world;
+    ${SIDE}
+    void main() {
+      ${CLIP}
+      gl_FragColor = ids > 0.5 ? number : vec4(colour, 1.0);
+    }`,
+};
+
+/** A picture made before, over all of the canvas. */
+const STILL = {
+  vertexShader: 'void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }',
+  fragmentShader: 'uniform sampler2D image; void main() { gl_FragColor = texelFetch(image, ivec2(gl_FragCoord.xy), 0); }',
 };
 
 export function material(kind, options = {}, uniforms = {}) {
-  const source = {FACE, EDGE, POINT, CAP}[kind];
+  const source = {FACE, EDGE, LINE, POINT, STILL}[kind];
   return new THREE.ShaderMaterial({
     vertexShader: source.vertexShader,
     fragmentShader: source.fragmentShader,

@@ -5,6 +5,7 @@ import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {setTimeout as sleep} from 'node:timers/promises';
+import {testScale} from './scale.mjs';
 
 const [program, folder, executablePath] = process.argv.slice(2);
 const require = createRequire(join(folder, 'node_modules', 'x.js'));
@@ -88,6 +89,7 @@ async function compare(page, tree, node, result, expected) {
   return name;
 }
 
+let removed = 0;
 const MODELS = [['pereira2012/fig10', 'model'], ['weiler1986/edge', 'around'], ['rossignac1991/operators', 'rock'], ['pereira2012/fig07', 'difference'], ['pereira2012/fig04', 'union_G1']];
 
 for (const [k, [path, wanted]] of MODELS.entries()) {
@@ -145,6 +147,26 @@ for (const [k, [path, wanted]] of MODELS.entries()) {
     equal(faces(drawn), faces(order), `${tree} ${node} ${e}: radial order`);
   }
 
+  // What the node has removed says why.
+  await page.check('#ghosts');
+  await page.uncheck('#show3');
+  await page.check('[name=pick][value=f]');
+  if (await click(page, 'F')) {
+    const line = await page.locator('#cell .command code').textContent(), point = /--point (\S+)/.exec(line)?.[1];
+    equal((await page.locator('.story').textContent()) + '\n', cnrg('explain', tree, '--node', node, '--point', point), `${tree} ${node}: story of what went at ${point}`);
+    ++removed;
+  }
+  await page.check('#show3');
+  await page.check('[name=pick][value=any]');
+
+  // A leaf is found by its name, in a cell that came from it.
+  const leaf = await page.evaluate(() => window.cnrg.page.leaves.find((name) => window.cnrg.model.fromLeaf(name)));
+  await page.fill('#search', leaf);
+  const entry = page.locator('#found li', {has: page.locator('small', {hasText: /^leaf$/})}).first(), found = (await entry.locator('span').textContent()).split(' ')[0];
+  await entry.click();
+  equal(await page.locator('#picked').textContent(), found, `${tree}: a cell of the leaf ${leaf}`);
+  check((await page.locator('#cell').innerText()).includes(`${leaf}: `), `${tree}: ${found} came from ${leaf}`);
+
   // A link restores the view.
   await page.selectOption('#colour', 'class');
   await page.check('#ghosts');
@@ -159,6 +181,8 @@ for (const [k, [path, wanted]] of MODELS.entries()) {
   await close(again);
   await close(page);
 }
+
+check(removed >= 3, `of ${removed} models removed cells were picked`);
 
 // On a telephone, and by keyboard alone.
 {
@@ -186,6 +210,8 @@ for (const [k, [path, wanted]] of MODELS.entries()) {
   check(readFileSync(await download.path()).subarray(1, 4).toString() === 'PNG', 'PNG: a picture');
   await close(wide);
 }
+
+await testScale({cnrg, check, open, close, work});
 
 // No text of a file becomes HTML.
 {
