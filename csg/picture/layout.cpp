@@ -370,8 +370,8 @@ class Layout {
     return width;
   }
 
-  /// The colors of all panels, unless there is only one, labels name them all, or colors come again; makes `whole`
-  /// as wide as they are.
+  /// The colors of all panels, unless there is only one, labels name them all, or one stands for two things; makes
+  /// `whole` as wide as they are.
   std::vector<std::vector<Figure::Key>> key_rows(double width, Sheet& whole) const {
     std::vector<Figure::Key> keys;
     for (const Panel& panel : panels_) {
@@ -381,8 +381,11 @@ class Layout {
       }
     }
     const auto named = [&](const Figure::Key& key) { return named_.count(key.text) != 0; };
+    std::set<Rgb> colors;
+    for (const Figure::Key& key : keys) colors.insert(key.color);
     std::vector<std::vector<Figure::Key>> rows;
-    if (keys.size() < 2 || keys.size() > kPaletteSize || std::all_of(keys.begin(), keys.end(), named)) return rows;
+    const bool come_again = colors.size() < keys.size();
+    if (keys.size() < 2 || come_again || std::all_of(keys.begin(), keys.end(), named)) return rows;
     for (const Figure::Key& key : keys) {
       if (!rows.empty()) {
         rows.back().push_back(key);
