@@ -264,8 +264,8 @@ class Painter {
     double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     cairo_clip_extents(c_, &x0, &y0, &x1, &y1);
     const double step = area.missing ? 6 : 4, slope = area.missing ? 1 : -1;
-    for (double k = std::floor((x0 - slope * y1) / step) - 1;
-         k * step < x1 - std::min(slope * y0, slope * y1) + step; ++k) {
+    const double first = std::floor((x0 - std::max(slope * y0, slope * y1)) / step);
+    for (double k = first; k * step + std::min(slope * y0, slope * y1) <= x1; ++k) {
       cairo_move_to(c_, k * step + slope * y0, y0);
       cairo_line_to(c_, k * step + slope * y1, y1);
     }
