@@ -222,6 +222,18 @@ TEST_CASE("lessons can be read while the program is being built", "[lessons]") {
   CHECK_THAT(view, Contains("cnrg is being built") && Contains("location.reload()"));
 }
 
+TEST_CASE("where views cannot be made, pages are, and the reason is told", "[lessons]") {
+  const Workshop w;
+  w.write("cnrg", "#!/bin/sh\necho 'cnrg: error: no page to fill in' >&2\nexit 3\n");
+  fs::permissions(w.path("cnrg"), fs::perms::owner_all);
+  const Outcome o = w.shell("PATH=\"$PWD:$PATH\" '" + kLessons.string() + "'/make 1 --out made >.out 2>.err");
+  CHECK(o.status == 2);
+  CHECK(o.out == "");
+  CHECK_THAT(o.err, StartsWith("papers/lessons/make: error: ") &&
+                        Contains("cells.yaml: cnrg: error: no page to fill in"));
+  CHECK(fs::exists(w.path("made") / folder_of(1).filename() / "slides.html"));
+}
+
 TEST_CASE("what a page shows is shown as it stands", "[lessons]") {
   const Workshop w;
   REQUIRE(script(w, "make 1 --out made").status == 0);
