@@ -52,10 +52,10 @@ export class Scene {
       inner: material('FACE', {side: THREE.BackSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2}),
       sheet: material('FACE', {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}),
       ghost: material('FACE', {side: THREE.DoubleSide, transparent: true, depthWrite: false}, {opacity: {value: 0.16}}),
-      edge: material('EDGE', {side: THREE.DoubleSide}, {lift: {value: 1e-4}}),
-      line: material('LINE', {}, {lift: {value: 1e-4}}),
-      ghostEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true}, {opacity: {value: 0.8}, lift: {value: 5e-5}}),
-      point: material('POINT', {}, {lift: {value: 1.6e-4}}),
+      edge: material('EDGE', {side: THREE.DoubleSide}, {lift: {value: 1.5e-3}}),
+      line: material('LINE', {}, {lift: {value: 1.5e-3}}),
+      ghostEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true}, {opacity: {value: 0.8}, lift: {value: 1e-3}}),
+      point: material('POINT', {}, {lift: {value: 6e-3}}),
       overFace: material('FACE', {side: THREE.DoubleSide, transparent: true, depthTest: false, depthWrite: false}, {opacity: {value: 0.45}, solid: {value: 1}}),
       overEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true, depthTest: false}),
       overPoint: material('POINT', {transparent: true, depthTest: false}),
@@ -278,8 +278,9 @@ export class Scene {
     shared.size.value.set(width / 2, height / 2);
     const far = this.camera.position.distanceTo(this.controls.target);
     shared.dash.value = far * 0.012;
-    this.camera.near = Math.max(0.002, far - 4);
-    this.camera.far = far + 6;
+    const reach = (this.geometry?.reach ?? 1) + shared.explode.value * (this.geometry?.reachApart ?? 0), middle = this.camera.position.length();
+    this.camera.near = Math.max(0.005, 0.95 * (middle - reach));
+    this.camera.far = 1.05 * (middle + reach);
     this.camera.updateProjectionMatrix();
   }
 
