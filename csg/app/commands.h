@@ -69,6 +69,15 @@ struct MeshArguments {
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.
 int run_mesh(const MeshArguments& arguments);
 
+struct CompareArguments {
+  std::string a, b, inside, node_a, node_b;
+  std::vector<std::string> ignored;  ///< components, materials, names, features
+  bool quiet = false;
+  int threads = 0, finer = 1;
+};
+/// `cnrg compare`: what two trees differ in; kDone if they mean the same, else kDifferent.
+int run_compare(const CompareArguments& arguments);
+
 /// `cnrg tables`: the tables as the code has them.
 int run_tables();
 

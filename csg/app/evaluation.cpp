@@ -15,9 +15,14 @@
 namespace cnrg::app {
 namespace {
 
-/// No more threads than asked for until the program ends, so that files are made with no more, too. It is never
-/// undone: where a limit of oneTBB goes, threads that waited for it are started, and if the system gives none the
-/// program ends in the middle of a destructor.
+std::string count(std::size_t n, const std::string& what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+}  // namespace
+
+// So that files are made with no more, too. It is never undone: where a limit of oneTBB goes, threads that waited
+// for it are started, and if the system gives none the program ends in the middle of a destructor.
 void limit_threads(int threads) {
   static const tbb::global_control* limit = nullptr;
   if (threads > 0 && limit == nullptr) {
@@ -26,17 +31,11 @@ void limit_threads(int threads) {
   }
 }
 
-std::string count(std::size_t n, const std::string& what) {
-  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
-
-}  // namespace
-
-NodeId node_of(const Tree& tree, const std::string& name) {
+NodeId node_of(const Tree& tree, const std::string& name, const char* option) {
   try {
     return name.empty() ? tree.result : tree.find(name);
   } catch (const InputError& e) {
-    throw InputError(std::string("--node: ") + e.what());
+    throw InputError(std::string(option) + ": " + e.what());
   }
 }
 

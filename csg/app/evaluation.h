@@ -18,8 +18,11 @@ Tree tree_of(const Arguments& arguments) {
   return tree;
 }
 
-/// The node that `--node` names; the result where it is not given.
-NodeId node_of(const Tree& tree, const std::string& name);
+/// The node that an option names; the result where it is not given.
+NodeId node_of(const Tree& tree, const std::string& name, const char* option = "--node");
+
+/// No more threads than asked for until the program ends; 0: as many as there are.
+void limit_threads(int threads);
 
 /// Evaluates behind a progress bar and prints the diagnostics; `quiet`: no bar, warnings only.
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet);

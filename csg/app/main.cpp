@@ -56,10 +56,9 @@ int guarded(const std::function<int()>& program) {
 /// What is wrong with the name of a file, a folder or a node.
 std::string name_fault(const std::string& name) { return name.empty() ? "the name is empty" : ""; }
 
-/// What all commands have that read a tree.
+/// How a tree is read.
 template <class Arguments>
-void add_tree(CLI::App* sub, Arguments& arguments) {
-  sub->add_option("TREE", arguments.tree, "Tree file (YAML or JSON)")->required()->check(name_fault);
+void add_fineness(CLI::App* sub, Arguments& arguments) {
   sub->add_option("--finer", arguments.finer,
                   "Curved leaves are K times finer than the tree says: segments times K, chord by K squared")
       ->type_name("K")
@@ -68,6 +67,13 @@ void add_tree(CLI::App* sub, Arguments& arguments) {
                   "For a tree that is not trusted: refuse every file that it names outside of this folder")
       ->type_name("FOLDER")
       ->check(name_fault);
+}
+
+/// What all commands have that read a tree.
+template <class Arguments>
+void add_tree(CLI::App* sub, Arguments& arguments) {
+  sub->add_option("TREE", arguments.tree, "Tree file (YAML or JSON)")->required()->check(name_fault);
+  add_fineness(sub, arguments);
 }
 
 /// What all commands have that evaluate.
@@ -153,7 +159,7 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   program.footer(
       "Example:\n  cnrg eval model.yaml -o model.vtu\n\nExit status: 0 done, 2 bad input, 3 a file could not be "
-      "read or written or memory\nran out, 1 a bug.");
+      "read or written or memory\nran out, 4 of `cnrg compare`: different, 1 a bug.");
   std::function<int()> command;
 
   EvalArguments eval;
@@ -289,6 +295,32 @@ int run(int argc, char** argv) {
   sub->add_flag("--quiet", mesh.quiet, "No table and no notices");
   sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");
   sub->callback([&] { command = [&] { return run_mesh(mesh); }; });
+
+  CompareArguments compared;
+  sub = program.add_subcommand("compare", "Says whether two trees mean the same, and if not, what differs");
+  sub->add_option("A", compared.a, "Tree, exact result (.json), mesh or CAD model")->required()->check(name_fault);
+  sub->add_option("B", compared.b, "Another one")->required()->check(name_fault);
+  sub->add_option("--node-a", compared.node_a, "Node of A; its result without it")
+      ->type_name("N")
+      ->check(name_fault);
+  sub->add_option("--node-b", compared.node_b, "Node of B; its result without it")
+      ->type_name("N")
+      ->check(name_fault);
+  sub->add_option(
+         "--ignore", compared.ignored,
+         "More than once: `names` or `materials` of components; `features`, that is lines and points that "
+         "parts of one surface or line have by themselves; `components`, that is all but the point sets")
+      ->type_name("WHAT")
+      ->check(CLI::IsMember({"names", "materials", "features", "components"}))
+      ->expected(1)
+      ->take_all();
+  add_fineness(sub, compared);
+  add_threads(sub, compared.threads);
+  sub->add_flag("--quiet", compared.quiet, "Only the exit status");
+  sub->footer(
+      "Example:\n  cnrg compare answer.yaml solution.yaml\n\nExit status: 0 the same, 4 different, else as of all "
+      "commands.");
+  sub->callback([&] { command = [&] { return run_compare(compared); }; });
 
   sub = program.add_subcommand("tables", "Prints the tables of the Booleans in Markdown");
   sub->footer("Example:\n  cnrg tables > tables.md");

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "csg/text/escape.h"
+#include "csg/text/number.h"
 #include "csg/text/table.h"
 
 namespace cnrg::app {
@@ -17,15 +18,8 @@ std::string seconds_text(double seconds) {
   return text;
 }
 
-/// The exact value, and a decimal after one that is too long to be read; of a fraction that would fill the screen
-/// the decimal and how long it is.
 std::string volume_text(const std::optional<Rational>& volume) {
-  if (!volume) return "unbounded";
-  constexpr std::size_t kReadable = 24, kPrinted = 160;
-  const std::string exact = to_string(*volume);
-  if (exact.size() <= kReadable) return exact;
-  if (exact.size() <= kPrinted) return exact + " (" + to_decimal(*volume) + ")";
-  return to_decimal(*volume) + " (the fraction has " + std::to_string(exact.size() - 1) + " digits; -o FILE.json)";
+  return volume ? number_text(*volume, "; -o FILE.json") : "unbounded";
 }
 
 std::string details(const NodeRow& row) {

@@ -163,6 +163,7 @@ class Cutter {
       FlatComplex::Loop& loop = loops.emplace_back();
       for (const HalfEdge h : complex_->loop[l]) loop.push_back(number(complex_->origin(h)));
     }
+    drop_slits(loops);
     // A piece that looks the other way than the first of its face is turned.
     auto at = pieces_.find({of, regions});
     if (const auto turned = pieces_.find({of, {regions[1], regions[0]}});
@@ -203,6 +204,10 @@ class Cutter {
 
 }  // namespace
 
+void drop_slits(std::vector<FlatComplex::Loop>& loops) {
+  std::erase_if(loops, [](const FlatComplex::Loop& loop) { return loop.size() < 3; });
+}
+
 PictureCells picture_cells(const Complex& complex, const FlatComplex& flat) {
   PictureCells out;
   for (const VertexId v : flat.points) out.points.push_back(complex.points.rational(v));
@@ -213,8 +218,7 @@ PictureCells picture_cells(const Complex& complex, const FlatComplex& flat) {
     for (std::size_t s = 0; s < 2; ++s) shown.regions[s] = flat.active(face.regions[s]) ? face.regions[s] : kNone;
     if (face.facets.empty()) {
       std::vector<FlatComplex::Loop> loops = face.loops;
-      const auto slit = [](const FlatComplex::Loop& loop) { return loop.size() < 3; };
-      std::erase_if(loops, slit);
+      drop_slits(loops);
       shown.facets.push_back(std::move(loops));
     }
     for (const FlatComplex::Facet& facet : face.facets) shown.facets.push_back(facet.loops);

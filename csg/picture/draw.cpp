@@ -19,6 +19,30 @@ using Vector = std::array<double, 3>;
 /// The length of a vector.
 double size_of(const Vector& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
+constexpr double kLights = 40;  // steps from dark to light
+
+/// How light a facet is, in steps: the light comes over the left shoulder of who looks.
+int light_on(const Scene& scene, const Scene::Facet& facet) {
+  std::vector<Vector> corners;
+  for (const Index i : facet.loops.front()) {
+    const RationalPoint& p = scene.points[i];
+    corners.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+  }
+  const Vector o = corners.front();
+  Vector n{};
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const Vector a{corners[i][0] - o[0], corners[i][1] - o[1], corners[i][2] - o[2]};
+    const Vector b{corners[i + 1][0] - o[0], corners[i + 1][1] - o[1], corners[i + 1][2] - o[2]};
+    n[0] += a[1] * b[2] - a[2] * b[1], n[1] += a[2] * b[0] - a[0] * b[2], n[2] += a[0] * b[1] - a[1] * b[0];
+  }
+  const double size = size_of(n);
+  if (!(size > 0)) return static_cast<int>(kLights);
+  constexpr Vector kLight{-0.42, 0.72, 0.55};
+  const double turn = n[2] < 0 ? -1 : 1;
+  const double cosine = turn * (n[0] * kLight[0] + n[1] * kLight[1] + n[2] * kLight[2]) / size / size_of(kLight);
+  return static_cast<int>(std::lround(kLights * (0.74 + 0.30 * cosine)));
+}
+
 /// From what is seen to what is painted: colors in light and shade, one above the other; texts where there is
 /// room.
 class Finisher {
@@ -50,41 +74,18 @@ class Finisher {
     return out;
   }
 
-  /// How light a facet is: the light comes over the left shoulder of who looks.
-  double light_on(const Scene::Facet& facet) const {
-    std::vector<Vector> corners;
-    for (const Index i : facet.loops.front()) {
-      const RationalPoint& p = scene_.points[i];
-      corners.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
-    }
-    const Vector o = corners.front();
-    Vector n{};
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-      const Vector a{corners[i][0] - o[0], corners[i][1] - o[1], corners[i][2] - o[2]};
-      const Vector b{corners[i + 1][0] - o[0], corners[i + 1][1] - o[1], corners[i + 1][2] - o[2]};
-      n[0] += a[1] * b[2] - a[2] * b[1], n[1] += a[2] * b[0] - a[0] * b[2], n[2] += a[0] * b[1] - a[1] * b[0];
-    }
-    const double size = size_of(n);
-    if (!(size > 0)) return 1;
-    constexpr Vector kLight{-0.42, 0.72, 0.55};
-    const double turn = n[2] < 0 ? -1 : 1;
-    const double cosine = turn * (n[0] * kLight[0] + n[1] * kLight[1] + n[2] * kLight[2]) / size / size_of(kLight);
-    return 0.74 + 0.30 * cosine;
-  }
-
-  static Rgb lit(const Rgb& color, double light) {
+  static Rgb lit(const Rgb& color, int steps) {
+    const double light = steps / kLights;
     return light <= 1 ? mix({0.10, 0.10, 0.16}, color, light) : color;
   }
 
   void add_areas() {
-    std::vector<double> light(scene_.facets.size(), -1);
     for (const SeenScene::Area& area : seen_.areas) {
       Figure::Area painted;
       double through = 1;
       for (const Index f : area.facets) {
         const Scene::Surface& s = scene_.surfaces[scene_.facets[f].surface];
-        if (light[f] < 0) light[f] = light_on(scene_.facets[f]);
-        const Rgb color = lit(s.color, light[f]);
+        const Rgb color = lit(s.color, scene_.facets[f].light);
         for (std::size_t k = 0; k < 3; ++k) painted.color[k] += through * s.opacity * color[k];
         through *= 1 - s.opacity;
       }
@@ -252,10 +253,16 @@ Figure draw(const Result& result, const DrawOptions& options, const Result* remo
     throw InputError("what was removed can be shown in a picture of the whole only; it is not to be " + what);
   }
   PictureCells cells = picture_cells(result.complex(), flat);
+  const Rational most("1" + std::string(250, '0'));
+  for (const RationalPoint& p : cells.points) {
+    const bool far = std::any_of(p.begin(), p.end(), [&](const Rational& x) { return abs(x) > most; });
+    if (far) throw InputError("a picture has no coordinates beyond 1e250; make the model smaller with `scale`");
+  }
   for (const DrawOptions::Cut& plane : options.cuts) cells = cut(cells, plane, camera.towards(), threads);
   Scene scene = make_scene(view, flat, cells, options, camera);
   if (options.apart != 0) scene = without_crossings(scene, threads);
   if (removed != nullptr) add_ghosts(removed->complex(), flatten(removed->data().view()), camera, scene);
+  for (Scene::Facet& facet : scene.facets) facet.light = light_on(scene, facet);
   return Finisher(scene, see(scene, threads), camera.scale()).run();
 }
 

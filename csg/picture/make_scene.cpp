@@ -391,6 +391,7 @@ Scene without_crossings(const Scene& scene, int threads) {
       Scene::Loop& loop = loops.emplace_back();
       for (const HalfEdge h : complex->loop[l]) loop.push_back(number(complex->origin(h)));
     }
+    drop_slits(loops);
     for (const Cover& cover : complex->cover(f)) {
       Scene::Facet facet{scene.facets[complex->sources[cover.source].leaf_face].surface, loops};
       if (!cover.same) {

@@ -14,11 +14,15 @@
 namespace cnrg {
 namespace {
 
-constexpr double kMargin = 12, kBetween = 28, kFont = 12, kKeyGap = 18;
+constexpr double kMargin = 16, kBetween = 28, kFont = 12, kKeyGap = 18;
 constexpr std::size_t kColumns = 4;  // panels in a row
 
 struct Box {
   double x = 0, y = 0, width = 0, height = 0;
+  bool inside(const Box& other) const {
+    return x >= other.x && y >= other.y && x + width <= other.x + other.width &&
+           y + height <= other.y + other.height;
+  }
   bool meets(const Box& other) const {
     return x < other.x + other.width && other.x < x + width && y < other.y + other.height && other.y < y + height;
   }
@@ -69,7 +73,8 @@ double text_width(cairo_t* c, const std::string& text) {
   return extents.x_advance;
 }
 
-/// The keys of all panels, each once, unless there is but one or labels name them all.
+/// The keys of all panels, each once; none if there is but one, if labels name them all, or if there are more than
+/// colors.
 std::vector<Figure::Key> keys_of(const std::vector<Panel>& panels) {
   std::vector<Figure::Key> out;
   std::set<std::string> known, labelled;
@@ -81,7 +86,7 @@ std::vector<Figure::Key> keys_of(const std::vector<Panel>& panels) {
   }
   const bool named =
       std::all_of(out.begin(), out.end(), [&](const auto& key) { return labelled.contains(key.text); });
-  if (out.size() < 2 || named) out.clear();
+  if (out.size() < 2 || out.size() > kPaletteSize || named) out.clear();
   return out;
 }
 
@@ -146,8 +151,8 @@ Rgb on_white(const Rgb& color, double opacity) { return mix({1, 1, 1}, color, op
 /// One panel on a sheet.
 class Painter {
  public:
-  Painter(cairo_t* c, const Panel& panel, const Box& box, double scale)
-      : c_(c), figure_(panel.figure), box_(box), scale_(scale) {}
+  Painter(cairo_t* c, const Panel& panel, const Box& box, const Layout& layout)
+      : c_(c), figure_(panel.figure), box_(box), scale_(layout.scale), sheet_{0, 0, layout.width, layout.height} {}
 
   /// With `pixels`, which is for hard edges; else each with a hair of its own color.
   void areas(bool pixels) {
@@ -206,7 +211,8 @@ class Painter {
     for (const auto& label : figure_.labels) {
       const double width = text_width(c_, label.text);
       for (const Box& box : candidates(label, width)) {
-        if (std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); })) continue;
+        const auto met = [&](const Box& other) { return box.meets(other); };
+        if (!box.inside(sheet_) || std::any_of(taken.begin(), taken.end(), met)) continue;
         taken.push_back(box);
         write(label.text, box.x, box.y + box.height - 0.22 * kFont);
         break;
@@ -231,6 +237,7 @@ class Painter {
   const Figure& figure_;
   Box box_;
   double scale_;
+  Box sheet_;
 
   void set(const Rgb& color, double opacity = 1) {
     cairo_set_source_rgba(c_, color[0], color[1], color[2], opacity);
@@ -257,8 +264,8 @@ class Painter {
     double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     cairo_clip_extents(c_, &x0, &y0, &x1, &y1);
     const double step = area.missing ? 6 : 4, slope = area.missing ? 1 : -1;
-    for (double k = std::floor((x0 - slope * y1) / step) - 1;
-         k * step < x1 - std::min(slope * y0, slope * y1) + step; ++k) {
+    const double first = std::floor((x0 - std::max(slope * y0, slope * y1)) / step);
+    for (double k = first; k * step + std::min(slope * y0, slope * y1) <= x1; ++k) {
       cairo_move_to(c_, k * step + slope * y0, y0);
       cairo_line_to(c_, k * step + slope * y1, y1);
     }
@@ -348,7 +355,7 @@ void paint_areas_in_pixels(cairo_t* c, const std::vector<Panel>& panels, const L
     cairo_scale(onto.get(), kFine, kFine);
     cairo_translate(onto.get(), -x0, -y0);
     cairo_scale(onto.get(), per_unit, per_unit);
-    Painter(onto.get(), panels[i], box, layout.scale).areas(true);
+    Painter(onto.get(), panels[i], box, layout).areas(true);
     cairo_save(c);
     cairo_identity_matrix(c);
     cairo_translate(c, x0, y0);
@@ -365,7 +372,7 @@ void paint(cairo_t* c, const std::vector<Panel>& panels, const Layout& layout, d
   cairo_paint(c);
   if (pixels_per_unit > 0) paint_areas_in_pixels(c, panels, layout, pixels_per_unit);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    Painter painter(c, panels[i], layout.panels[i], layout.scale);
+    Painter painter(c, panels[i], layout.panels[i], layout);
     if (pixels_per_unit <= 0) painter.areas(false);
     painter.strokes();
     painter.dots();

@@ -29,6 +29,7 @@ struct Scene {
   struct Facet {
     Index surface = 0;
     std::vector<Loop> loops;  ///< outer first, counter-clockwise as seen from outside
+    int light = 0;            ///< how light it is, in steps (draw.cpp)
   };
   struct Line {
     Figure::Line look = Figure::Line::edge;

@@ -296,17 +296,28 @@ class Map {
   // --- areas
 
   void add_areas() {
-    std::vector<std::vector<HalfEdge>> borders(stacks_.size());
+    // Stacks that look alike are one area.
+    std::map<std::vector<std::pair<Index, int>>, Index> known;
+    std::vector<Index> area_of;
+    for (const std::vector<Index>& stack : stacks_) {
+      std::vector<std::pair<Index, int>> looks;
+      for (const Index f : stack) looks.emplace_back(scene_.facets[f].surface, scene_.facets[f].light);
+      const auto [area, fresh] = known.try_emplace(looks, static_cast<Index>(known.size()));
+      if (fresh) out_.areas.push_back({stack, {}});
+      area_of.push_back(area->second);
+    }
+    std::vector<std::vector<HalfEdge>> borders(out_.areas.size());
     for (const EdgeId e : IdRange<EdgeId>(complex_->edge_count())) {
       const std::array<Index, 2> seen = sides(e);
-      if (seen[0] == seen[1]) continue;
-      for (const Index s : seen) borders[s].push_back(HalfEdge(e, 0));
+      const Index one = area_of[seen[0]], other = area_of[seen[1]];
+      if (one == other) continue;
+      borders[one].push_back(HalfEdge(e, 0));
+      borders[other].push_back(HalfEdge(e, 0));
     }
-    for (Index s = 1; s < stacks_.size(); ++s) {
-      SeenScene::Area area{stacks_[s], {}};
-      for (auto& [points, closed] : chains(borders[s], true)) area.loops.push_back(std::move(points));
-      out_.areas.push_back(std::move(area));
+    for (std::size_t i = 0; i < borders.size(); ++i) {
+      for (auto& [points, closed] : chains(borders[i], true)) out_.areas[i].loops.push_back(std::move(points));
     }
+    out_.areas.erase(out_.areas.begin());  // where nothing is
   }
 
   /// Edges joined end to end, straight ones into one piece. With `through`, chains pass every vertex at which an

@@ -20,9 +20,9 @@ struct SeenScene {
   using Index = Scene::Index;
   static constexpr Index kNone = 0xffffffffu;
 
-  /// Where the same facets are seen through each other.
+  /// Where surfaces are seen through each other in one light.
   struct Area {
-    std::vector<Index> facets;               ///< from front to back, down to the first that hides what is behind
+    std::vector<Index> facets;  ///< one of each, from front to back, down to the first that hides the rest
     std::vector<std::vector<Point2>> loops;  ///< inside where an odd number of them is around
   };
   /// A piece of a line, or of an outline of the surface `surface`.

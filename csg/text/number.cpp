@@ -51,4 +51,13 @@ NumberText read_number(std::string_view text, std::size_t most) {
   return {{}, fault_of(text)};
 }
 
+std::string number_text(const Rational& value, std::string_view elsewhere) {
+  constexpr std::size_t kReadable = 24, kPrinted = 160;
+  std::string exact = to_string(value);
+  if (exact.size() <= kReadable) return exact;
+  if (exact.size() <= kPrinted) return exact + " (" + to_decimal(value) + ")";
+  return to_decimal(value) + " (the fraction has " + std::to_string(exact.size() - 1) + " digits" +
+         std::string(elsewhere) + ")";
+}
+
 }  // namespace cnrg

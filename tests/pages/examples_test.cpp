@@ -32,6 +32,15 @@ Lines lines_between(const Page& page, std::size_t begin, std::size_t end) {
           page.lines.begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
+/// Folders of the lessons, whose pages have a folder each for their commands and files.
+const fs::path kLessons = "papers/lessons";
+
+/// The folder in which the commands of a page run: of a lesson its own, else the root.
+fs::path folder_of(const Page& page) {
+  const fs::path folder = fs::relative(page.path.parent_path(), root());
+  return folder.parent_path() == kLessons ? folder : fs::path(".");
+}
+
 /// Where the commands of a page run: `cnrg` is the program, papers/ is a copy.
 void furnish(const Workshop& w, const Page& page) {
   fs::create_directory(w.path(".bin"));
@@ -41,25 +50,28 @@ void furnish(const Workshop& w, const Page& page) {
 }
 
 /// What the command prints on standard output and then on standard error, and its status.
-Outcome run(const Workshop& w, const std::string& command) {
-  return w.shell("{ PATH=\"$PWD/.bin:$PATH\"\n" + command + "\n} </dev/null >.out 2>.err");
+Outcome run(const Workshop& w, const fs::path& folder, const std::string& command) {
+  return w.shell("{ PATH=\"$PWD/.bin:$PATH\"\ncd '" + folder.string() + "'\n" + command +
+                 "\n} </dev/null >.out 2>.err");
 }
 
 /// Runs the examples of a page.
 void check_examples(const Page& page) {
   const Workshop w;
   furnish(w, page);
+  const fs::path folder = folder_of(page);
   Lines text = page.lines;
   std::ptrdiff_t grown = 0;  // lines by which `text` is longer than the page so far
   for (const CodeBlock& block : page.blocks) {
     const Lines lines = lines_between(page, block.begin, block.end);
     if (!block.file.empty()) {
       INFO(name_of(page.path) << ":" << block.begin + 1 << ": " << block.file);
-      if (fs::exists(w.path(block.file))) CHECK(lines_of(w.read(block.file)) == lines);
-      else w.write(block.file, joined(lines));
+      const std::string file = (folder / block.file).string();
+      if (fs::exists(w.path(file))) CHECK(lines_of(w.read(file)) == lines);
+      else w.write(file, joined(lines));
     }
     for (const Claim& claim : claims_of(page, block)) {
-      const Outcome o = run(w, claim.command);
+      const Outcome o = run(w, folder, claim.command);
       const Lines shown = lines_between(page, claim.begin, claim.end), printed = lines_of(o.out + o.err);
       if (std::getenv("CNRG_WRITE_PAGES") != nullptr) {
         const Lines right = corrected(shown, printed);
@@ -115,27 +127,37 @@ TEST_CASE("what the pages show is what the program prints", "[pages]") {
   }
 }
 
-TEST_CASE("each tree of a paper is shown on its page", "[pages]") {
-  std::size_t folders = 0;
-  for (const fs::directory_entry& folder : fs::directory_iterator(root() / "papers")) {
-    if (!folder.is_directory()) continue;
-    ++folders;
-    const Page page = read_page(folder.path() / "README.md");
-    std::set<std::string> words;  // of commands of which something is shown
-    for (const CodeBlock& block : page.blocks) {
-      for (const Claim& claim : claims_of(page, block)) {
-        std::istringstream stream(claim.command);
-        for (std::string word; claim.begin < claim.end && stream >> word;) words.insert(word);
-      }
+/// Words of the commands of a page of which something is shown.
+std::set<std::string> words_shown(const Page& page) {
+  std::set<std::string> words;
+  for (const CodeBlock& block : page.blocks) {
+    for (const Claim& claim : claims_of(page, block)) {
+      std::istringstream stream(claim.command);
+      for (std::string word; claim.begin < claim.end && stream >> word;) words.insert(word);
     }
-    for (const fs::directory_entry& tree : fs::directory_iterator(folder)) {
+  }
+  return words;
+}
+
+TEST_CASE("each tree of a paper and of a lesson is shown on its page", "[pages]") {
+  std::size_t papers = 0, lessons = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root() / "papers")) {
+    if (entry.path().filename() != "README.md" || entry.path() == root() / "papers" / "README.md") continue;
+    const Page page = read_page(entry.path());
+    const fs::path folder = folder_of(page);
+    ++(folder == "." ? papers : lessons);
+    const std::set<std::string> words = words_shown(page);
+    for (const fs::directory_entry& tree : fs::directory_iterator(entry.path().parent_path())) {
       if (tree.path().extension() != ".yaml") continue;
-      const std::string name = name_of(tree.path());
-      INFO(name << ": its page has no block with a line `$ cnrg eval " << name << " ...` and its output");
+      // Exercises and their answers are tested with the lessons.
+      if (tree.path().stem() == "exercise" || tree.path().stem() == "answer") continue;
+      const std::string name = fs::relative(tree.path(), root() / folder).generic_string();
+      INFO(name_of(tree.path()) << ": its page has no block with a command on it and its output");
       CHECK(words.contains(name));
     }
   }
-  CHECK(folders >= 14);
+  CHECK(papers >= 14);
+  CHECK(lessons == 12);
 }
 
 }  // namespace

@@ -177,7 +177,7 @@ TEST_CASE("csg/FORMATS.md has the extensions that the program writes and reads",
 TEST_CASE("csg/FORMATS.md names options that there are", "[pages][formats]") {
   const Workshop w;
   std::string help;
-  for (const std::string command : {"eval", "check", "locate", "explain", "view", "mesh", "tables"}) {
+  for (const std::string command : {"eval", "check", "locate", "explain", "view", "mesh", "compare", "tables"}) {
     help += w.run(command + " --help").out;
   }
   help += w.run("--help").out;

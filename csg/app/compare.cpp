@@ -1,0 +1,60 @@
+// `cnrg compare`: do two trees mean the same, and if not, what differs.
+#include "csg/compare/compare.h"
+
+#include <iostream>
+
+#include "csg/app/commands.h"
+#include "csg/app/evaluation.h"
+#include "csg/app/exit_status.h"
+#include "csg/app/progress_bar.h"
+#include "csg/text/escape.h"
+
+namespace cnrg::app {
+namespace {
+
+struct Input {
+  Tree tree;
+  NodeId node;
+};
+
+Input read(const std::string& path, const std::string& node, const char* option,
+           const CompareArguments& arguments) {
+  Input input{tree_of_file(path, {.inside = arguments.inside}), {}};
+  make_finer(input.tree, arguments.finer);
+  input.node = node_of(input.tree, node, option);
+  return input;
+}
+
+}  // namespace
+
+int run_compare(const CompareArguments& arguments) {
+  const Input a = read(arguments.a, arguments.node_a, "--node-a", arguments);
+  const Input b = read(arguments.b, arguments.node_b, "--node-b", arguments);
+  limit_threads(arguments.threads);
+  CompareOptions options;
+  options.threads = arguments.threads;
+  for (const std::string& what : arguments.ignored) {
+    if (what == "components") options.components = false;
+    else if (what == "materials") options.materials = false;
+    else if (what == "names") options.names = false;
+    else options.features = false;
+  }
+  ProgressBar bar(arguments.quiet);
+  options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
+    bar.show(stage, done, total);
+  };
+  const Comparison comparison = compare(a.tree, a.node, b.tree, b.node, options);
+  bar.clear();
+  const bool same = comparison.same();
+  if (!arguments.quiet) {
+    std::string text;
+    for (const auto& [letter, input] : {std::pair("A", &a), std::pair("B", &b)}) {
+      append_line(text, std::string(letter) + ": `" + shown(input->tree.nodes[input->node].name) + "` of " +
+                            shown(input->tree.file));
+    }
+    std::cout << text << (same ? "the same\n" : "different\n") << comparison_text(comparison);
+  }
+  return same ? kDone : kDifferent;
+}
+
+}  // namespace cnrg::app

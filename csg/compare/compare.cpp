@@ -1,0 +1,239 @@
+// One evaluation of both trees, then sets of cells: what is active in one value alone; what is in both, by pair of
+// components; which components are partners; and of what has the same place in both, which cells simplification
+// keeps.
+#include "csg/compare/compare.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "csg/compare/names.h"
+#include "csg/compare/partners.h"
+#include "csg/compare/same_material.h"
+#include "csg/compare/settled.h"
+#include "csg/operators/node_value.h"
+#include "csg/text/escape.h"
+
+namespace cnrg {
+namespace {
+
+/// One of the two values on the complex.
+struct Side {
+  const KeptValue* kept;
+  Selection selection;
+  CellSet cells;
+};
+
+class Comparer {
+ public:
+  Comparer(const Together& together, const Marks& marks, const Names& names, const Evaluation& evaluation,
+           const CompareOptions& options)
+      : marks_(marks), names_(names), complex_(*evaluation.complex), options_(options) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      const KeptValue& kept = evaluation.value(together.nodes[side]);
+      sides_[side].kept = &kept;
+      sides_[side].selection = selection_of(complex_, *kept.value);
+      sides_[side].cells = support(sides_[side].selection);
+    }
+  }
+
+  Comparison run() {
+    const CellSet &a = sides_[0].cells, &b = sides_[1].cells;
+    const std::array<CellSet, 2> only{subtract(a, b), subtract(b, a)};
+    sets_ = {only[0], only[1]};
+    if (options_.components) compare_components(only);
+    // All at once: to find and to measure pieces takes passes over the complex.
+    std::vector<std::vector<Piece>> pieces = pieces_of(complex_, sets_);
+    for (std::size_t side = 0; side < 2; ++side) out_.only[side] = std::move(pieces[side]);
+    for (std::size_t i = 0; i < out_.moved.size(); ++i) out_.moved[i].pieces = std::move(pieces[2 + i]);
+    for (std::size_t side = 0; side < 2 && features_at_ != 0; ++side) {
+      out_.features[side] = std::move(pieces[features_at_ + side]);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  const NodeValue& value(std::size_t side) const { return *sides_[side].kept->value; }
+
+  void compare_components(const std::array<CellSet, 2>& only) {
+    label();
+    const Shared shared = shared_cells(sides_[0].selection, sides_[1].selection);
+    const bool groups = value(0).is_group() && value(1).is_group();
+    std::array<Component, 2> entities{};
+    for (std::size_t side = 0; groups && side < 2; ++side) {
+      if (value(side).group().has_entities())
+        entities[side] = static_cast<Component>(value(side).component_count());
+    }
+    const Partners found =
+        partners(complex_, shared, entities, {value(0).component_count(), value(1).component_count()});
+    for (const auto& family : found.families) {
+      if (family[0].size() < 2 || family[1].size() < 2) {
+        out_.regrouped.push_back({family});
+        continue;
+      }
+      for (const Component in_a : family[0]) {
+        for (const Component in_b : family[1]) {
+          if (found.pairs.contains({in_a, in_b})) out_.mostly.push_back({in_a, in_b});
+        }
+      }
+    }
+    CellSet changed = unite(only[0], only[1]), alike;
+    const CellSet beside = closure(complex_, changed);
+    for (const auto& [pair, cells] : shared) {
+      if (found.pairs.contains(pair)) {
+        alike = unite(alike, cells);
+        continue;
+      }
+      changed = unite(changed, cells);
+      // Where a region goes on in one value, what bounds it in the other is an entity: that goes without saying.
+      const bool entity = groups && (pair.first == entities[0]) != (pair.second == entities[1]);
+      CellSet told = entity ? subtract(cells, beside) : cells;
+      if (told.empty()) continue;
+      out_.moved.push_back({{pair.first, pair.second}, {}});
+      sets_.push_back(std::move(told));
+    }
+    for (const auto& [in_a, in_b] : found.pairs) {
+      if (!groups || in_a != entities[0]) compare_attributes(in_a, in_b);
+    }
+    if (!options_.features) return;
+    // Between components that became one no cell is kept, of a group none but entities, which are compared above.
+    if (!groups) {
+      for (const auto& family : found.families) {
+        for (const Component in_a : family[0]) {
+          for (const Component in_b : family[1]) {
+            if (const auto it = shared.find({in_a, in_b}); it != shared.end())
+              changed = unite(changed, it->second);
+          }
+        }
+      }
+    }
+    features_at_ = sets_.size();
+    compare_features(subtract(alike, closure(complex_, changed)));
+  }
+
+  void label() {
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::size_t regions =
+          value(side).is_group() ? value(side).group().regions.size() : value(side).component_count();
+      for (Component i = 1; i <= value(side).component_count(); ++i) {
+        if (i > regions) {
+          out_.components[side].push_back(kEntitiesLabel);
+          continue;
+        }
+        const std::string name = shown(names_.plain(value(side).attributes(i).name));
+        out_.components[side].push_back((value(side).is_group() ? "region " : "component ") + std::to_string(i) +
+                                        (name.empty() ? "" : " `" + name + "`"));
+      }
+    }
+  }
+
+  void compare_attributes(Component in_a, Component in_b) {
+    const RegionAttributes &a = value(0).attributes(in_a), &b = value(1).attributes(in_b);
+    if (options_.names && names_.differ(a.name, b.name)) {
+      out_.attributes.push_back({{in_a, in_b}, false, {names_.plain(a.name), names_.plain(b.name)}});
+    }
+    if (!options_.materials) return;
+    const std::string& mark = marks_.material;
+    const std::string word_a = a.material.name();
+    const std::string word_b =
+        b.material.name().starts_with(mark) ? b.material.name().substr(mark.size()) : b.material.name();
+    const PlacedGrade *grade_a = a.material.grade(), *grade_b = b.material.grade();
+    const bool same_grades =
+        grade_a == nullptr || grade_b == nullptr ? grade_a == grade_b : same_grade(*grade_a, *grade_b);
+    if (word_a == word_b && same_grades) return;
+    out_.attributes.push_back({{in_a, in_b}, true, {word_a, word_b}, word_a == word_b});
+  }
+
+  /// Cells that are a cell of their own in one simplified value, and within a larger one in the other.
+  void compare_features(const CellSet& cells) {
+    const SimplifiedComplex &a = *sides_[0].kept->simplified, &b = *sides_[1].kept->simplified;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const SimplifiedComplex &here = side == 0 ? a : b, &there = side == 0 ? b : a;
+      CellSet kept;
+      const auto keep = [](const auto& list, auto& out, const auto& place_here, const auto& place_there,
+                           int dimension) {
+        std::copy_if(list.begin(), list.end(), std::back_inserter(out), [&](auto cell) {
+          return place_here[cell.index()].dimension == dimension &&
+                 place_there[cell.index()].dimension != dimension;
+        });
+      };
+      keep(cells.vertices, kept.vertices, here.vertex_place, there.vertex_place, 0);
+      keep(cells.edges, kept.edges, here.edge_place, there.edge_place, 1);
+      keep(cells.faces, kept.faces, here.face_place, there.face_place, 2);
+      sets_.push_back(std::move(kept));
+    }
+  }
+
+  const Marks& marks_;
+  const Names& names_;
+  const Complex& complex_;
+  const CompareOptions& options_;
+  std::array<Side, 2> sides_;
+  std::vector<CellSet> sets_;    // only in A, only in B, those of `moved`, features of A and of B
+  std::size_t features_at_ = 0;  // where the latter begin; 0: nobody asked
+  Comparison out_;
+};
+
+Evaluation evaluated(const Tree& tree, NodeId node, const std::vector<NodeId>& more,
+                     const CompareOptions& options) {
+  EvaluateOptions all;
+  all.threads = options.threads;
+  all.rows = false;
+  all.nodes = more;
+  all.progress = options.progress;
+  Tree asked = tree;
+  asked.result = node;
+  return evaluate(asked, all);
+}
+
+}  // namespace
+
+bool Comparison::same() const {
+  return only[0].empty() && only[1].empty() && regrouped.empty() && moved.empty() && attributes.empty() &&
+         features[0].empty() && features[1].empty();
+}
+
+Comparison compare(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const CompareOptions& options) {
+  const std::array<const Tree*, 2> trees{&a, &b};
+  std::array<NodeId, 2> nodes{node_a, node_b};
+  const Marks marks(a, b);
+  const Names names(marks.node, {Given(a, node_a), Given(b, node_b)});
+  // A fault of one of the trees is told in its own words, without marks and in the file that it is in.
+  const auto told_alone = [&](const std::vector<std::size_t>& sides, const auto& work) {
+    const auto alone = [&] {
+      for (const std::size_t side : sides) evaluated(*trees[side], side == 0 ? node_a : node_b, {}, options);
+    };
+    try {
+      return work();
+    } catch (const InputError&) {
+      alone();
+      throw;
+    } catch (const FileError&) {
+      alone();
+      throw;
+    }
+  };
+  std::array<std::optional<Settled>, 2> settled;
+  std::array<Tree, 2> ready{a, b};
+  for (const std::size_t side : {0, 1}) {
+    if (trees[side]->weld) {
+      told_alone({side}, [&] { settled[side].emplace(*trees[side], nodes[side], marks, options.threads); });
+      ready[side] = settled[side]->tree();
+      nodes[side] = ready[side].result;
+    }
+    ready[side] = marked(std::move(ready[side]), marks);
+  }
+  const Together both = together(ready[0], nodes[0], ready[1], nodes[1], marks);
+  try {
+    const Evaluation evaluation =
+        told_alone({0, 1}, [&] { return evaluated(both.tree, both.nodes[0], {both.nodes[1]}, options); });
+    return Comparer(both, marks, names, evaluation, options).run();
+  } catch (const TreeError& e) {
+    if (e.file() != a.file && e.file() != b.file) throw;  // a file that a leaf reads
+    if (e.message().find(marks.node) == std::string::npos) throw;
+    throw InputError(a.file + " and " + b.file + " cannot be refined together: " + names.plain(e.message()));
+  }
+}
+
+}  // namespace cnrg

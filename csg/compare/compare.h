@@ -1,0 +1,82 @@
+// Do two values mean the same? The same point set, the same components with the same names and materials, and the
+// same cells after simplification: and if not, what differs, where and by how much.
+//
+// Files of results cannot be laid side by side for this: a face that one tree cuts in two has other numbers in the
+// other, numbers of regions follow the order of leaves, and facets of a surface depend on who else lies on it.
+// Therefore both trees are refined together (together.h). Then both values are selections on one complex, and
+// what differs is a set of its cells.
+//
+// What is compared is in csg/SEMANTICS.md#the-same, what is told in csg/FORMATS.md#two-trees-compared. All is
+// symmetric: to exchange A and B exchanges what is said of them.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "csg/compare/pieces.h"
+#include "csg/compare/together.h"
+#include "csg/evaluate/evaluate.h"
+
+namespace cnrg {
+
+struct CompareOptions {
+  int threads = 0;
+  bool components = true;  ///< false: the point sets alone
+  bool materials = true;
+  bool names = true;
+  bool features = true;  ///< which cells are left after simplification
+  Progress progress{};
+};
+
+/// What the entities of a group are called as one of its components.
+inline constexpr const char* kEntitiesLabel = "the entities";
+
+/// What two values differ in. Of each pair the first is of A, the second of B.
+struct Comparison {
+  /// Of component i at i - 1, in words: "region 1 `ground`", "component 2", "the entities".
+  std::array<std::vector<std::string>, 2> components;
+
+  /// Active in one value alone.
+  std::array<std::vector<Piece>, 2> only;
+
+  /// Components that are made of each other and are not one and one: {1}, {1, 2} where one of A is two of B.
+  /// With an empty list: those that share no cell with the other value.
+  struct Regrouped {
+    std::array<std::vector<Component>, 2> of;
+  };
+  std::vector<Regrouped> regrouped;
+
+  /// Where several of one value share cells with several of the other: those that correspond.
+  std::vector<std::array<Component, 2>> mostly;
+
+  /// Active in both values, but in components that do not correspond.
+  struct Moved {
+    std::array<Component, 2> in;
+    std::vector<Piece> pieces;
+  };
+  std::vector<Moved> moved;
+
+  struct Attribute {
+    std::array<Component, 2> of;
+    bool material = false;            ///< else the name
+    std::array<std::string, 2> said;  ///< empty: none
+    bool same_word = false;           ///< materials of one name that change otherwise with position
+  };
+  std::vector<Attribute> attributes;
+
+  /// Vertices, edges and faces of the simplified value that the other one has within a larger cell, where nothing
+  /// else differs.
+  std::array<std::vector<Piece>, 2> features;
+
+  bool same() const;
+};
+
+/// The values of two nodes compared. Throws what `evaluate` does, faults of a tree as if it were evaluated alone.
+Comparison compare(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const CompareOptions& options = {});
+
+/// The differences, a line each, the largest first: of each kind `most` at most and how many more there are.
+/// Empty when there are none.
+std::string comparison_text(const Comparison& comparison, std::size_t most = 10);
+
+}  // namespace cnrg

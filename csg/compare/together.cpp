@@ -1,0 +1,178 @@
+// Nodes of B come behind those of A; positions, and so messages, are those of the files apart, and who evaluates
+// the two together asks each alone for its faults.
+#include "csg/compare/together.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "csg/text/file.h"
+#include "csg/text/input_file.h"
+#include "csg/tree/dag.h"
+
+namespace cnrg {
+namespace {
+
+/// Words of a name, as operators join them.
+void add_words(const std::string& name, std::set<std::string>& words) {
+  for (std::size_t begin = 0; !name.empty() && begin <= name.size();) {
+    const std::size_t end = std::min(name.find(" & ", begin), name.size());
+    words.insert(name.substr(begin, end - begin));
+    begin = end + 3;
+  }
+}
+
+class Joiner {
+ public:
+  explicit Joiner(const Marks& marks) : marks_(marks) {}
+
+  void add(const Tree& tree, NodeId root, std::size_t side) {
+    const std::string mark = side == 0 ? "" : marks_.material;
+    const auto mark_it = [&](std::string& name) {
+      if (!name.empty()) name.insert(0, mark);
+    };
+    const std::size_t first = out_.tree.nodes.size();
+    for (Node node : tree.nodes) {
+      mark_it(node.material);
+      if (auto* group = node.shape ? std::get_if<GroupShape>(&*node.shape) : nullptr) {
+        for (auto& [number, region] : group->regions) mark_it(region.material);
+      }
+      out_.tree.nodes.push_back(std::move(node));
+      dag_.add_node();
+    }
+    for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+      for (const NodeId operand : tree.operands(id)) {
+        dag_.add_operand(NodeId(first + id.index()), NodeId(first + operand.index()), {});
+      }
+    }
+    for (const auto& [name, id] : tree.names) out_.tree.names.emplace(mark + name, NodeId(first + id.index()));
+    for (Material material : tree.materials) {
+      mark_it(material.name);
+      auto* const distance = material.grade ? std::get_if<DistanceGrade>(&material.grade->along) : nullptr;
+      if (distance != nullptr) mark_it(distance->to);
+      out_.tree.materials.push_back(std::move(material));
+    }
+    out_.nodes[side] = NodeId(first + root.index());
+  }
+
+  Together take(const std::string& file) {
+    out_.tree.file = file;
+    out_.tree.result = out_.nodes[0];
+    out_.tree.dag = std::make_shared<const Dag>(std::move(dag_));
+    return std::move(out_);
+  }
+
+ private:
+  const Marks& marks_;
+  Together out_;
+  Dag dag_;
+};
+
+/// A tree may be JSON, too. What tells it from a result is the first key: those of a result are others, but for
+/// `materials`, which is a list there.
+bool is_result(const std::string& path) {
+  constexpr std::size_t kEnough = 4096;
+  const std::string whole = read_file(path);
+  const std::string text(without_mark(whole).substr(0, kEnough));
+  const std::size_t open = text.find_first_not_of(" \t\r\n");
+  if (open == std::string::npos || text[open] != '{') return false;
+  const std::size_t quote = text.find_first_not_of(" \t\r\n", open + 1);
+  if (quote == std::string::npos || text[quote] != '"') return false;
+  const std::size_t end = text.find('"', quote + 1);
+  if (end == std::string::npos) return false;
+  const std::string key = text.substr(quote + 1, end - quote - 1);
+  if (key == "materials") {
+    const std::size_t value = text.find_first_not_of(" \t\r\n:", end + 1);
+    return value != std::string::npos && text[value] == '[';
+  }
+  return key != "cnrg" && key != "nodes" && key != "result" && key != "weld";
+}
+
+/// The leaf, and the key that a tree has for it.
+std::optional<std::pair<Shape, const char*>> shape_of(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".off" || extension == ".obj" || extension == ".stl" || extension == ".ply") {
+    MeshShape mesh;
+    mesh.file = path;
+    return std::pair(Shape(mesh), "mesh");
+  }
+  if (extension == ".step" || extension == ".stp" || extension == ".brep") {
+    CadShape cad;
+    cad.format = extension == ".brep" ? CadShape::Format::brep : CadShape::Format::step;
+    cad.file = path;
+    return std::pair(Shape(cad), cad.name());
+  }
+  if (extension == ".json" && is_result(path)) return std::pair(Shape(ResultShape{path}), "cnrg");
+  return std::nullopt;
+}
+
+}  // namespace
+
+Marks::Marks(const Tree& a, const Tree& b) {
+  // Longer than any run of this character in a name, so that no name can have it by itself.
+  std::size_t longest = 0;
+  const auto look = [&](const std::string& name) {
+    std::size_t run = 0;
+    for (const char c : name) longest = std::max(longest, run = c == '\x01' ? run + 1 : 0);
+  };
+  for (const Tree* tree : {&a, &b}) {
+    for (const Node& each : tree->nodes) look(each.name), look(each.label);
+    for (const Material& each : tree->materials) look(each.name);
+  }
+  node = std::string(longest + 1, '\x01') + "n";
+  material = std::string(longest + 1, '\x01') + "b";
+}
+
+Given::Given(const Tree& tree, NodeId node) {
+  const std::vector<char> used = tree.dag->reachable({node});
+  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+    const Node& each = tree.nodes[id];
+    if (!used[id.index()]) continue;
+    add_words(each.label, words);
+    if (!each.shape) continue;
+    reads_result = reads_result || std::holds_alternative<ResultShape>(*each.shape);
+    if (const auto* group = std::get_if<GroupShape>(&*each.shape)) {
+      for (const auto& [number, region] : group->regions) add_words(region.name, words);
+    }
+  }
+}
+
+Tree marked(Tree tree, const Marks& marks) {
+  constexpr std::string_view kJoint = " & ";  // a name with it looks like several that were joined
+  for (Node& node : tree.nodes) {
+    node.name.insert(0, marks.node);
+    for (std::size_t at = 0; (at = node.name.find(kJoint, at)) != std::string::npos;) {
+      node.name.insert(at += kJoint.size(), marks.node);
+    }
+  }
+  return tree;
+}
+
+Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const Marks& marks) {
+  Joiner joiner(marks);
+  joiner.add(a, node_a, 0);
+  joiner.add(b, node_b, 1);
+  return joiner.take(a.file);
+}
+
+Tree tree_of_file(const std::string& path, const ReadOptions& options) {
+  auto found = shape_of(path);
+  if (!found) return read_tree(path, options);
+  return tree_of_leaf(path, std::filesystem::path(path).stem().string(), found->second, std::move(found->first));
+}
+
+Tree tree_of_leaf(const std::string& file, const std::string& name, const std::string& key, Shape shape) {
+  Tree tree;
+  tree.file = file;
+  Node node;
+  node.name = name;
+  node.operator_name = key;
+  node.shape = std::move(shape);
+  Dag dag;
+  tree.result = dag.add_node();
+  tree.names.emplace(node.name, tree.result);
+  tree.nodes.push_back(std::move(node));
+  tree.dag = std::make_shared<const Dag>(std::move(dag));
+  return tree;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,95 @@
+// Opens the lessons in a browser, from files: nothing asks the network or complains, the interactive view of each comes
+// up in its frame with the node and cell that the lesson names, slides turn by keys and hold all that they show, with
+// answers folded and open, and axe-core finds no fault in pages and slides, light and dark.
+import {execFileSync} from 'node:child_process';
+import {readdirSync, readFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {dirname, join} from 'node:path';
+
+const [program, folder, executablePath] = process.argv.slice(2);
+const require = createRequire(join(folder, 'node_modules', 'x.js'));
+const {chromium} = require('playwright-core');
+const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
+const work = join(folder, 'lessons');
+execFileSync('papers/lessons/make', ['--out', work], {env: {...process.env, PATH: `${dirname(program)}:${process.env.PATH}`}});
+
+let checks = 0, faults = 0;
+function check(holds, what) {
+  ++checks;
+  if (!holds) {
+    ++faults;
+    console.log(`FAULT: ${what}`);
+  }
+}
+
+const browser = await chromium.launch({executablePath, args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']});
+
+async function open(file, colorScheme) {
+  const context = await browser.newContext({viewport: {width: 1280, height: 720}, colorScheme});
+  const page = await context.newPage();
+  page.on('console', (m) => ['error', 'warning'].includes(m.type()) && !m.text().includes('GPU stall') && check(false, `${file}: console: ${m.text()}`));
+  page.on('pageerror', (e) => check(false, `${file}: ${e}`));
+  page.on('request', (r) => check(/^(file|data|blob):/.test(r.url()), `${file}: asks the network for ${r.url()}`));
+  await page.goto(`file://${file}`);
+  return page;
+}
+
+async function accessible(page, what) {
+  await page.evaluate(axe);
+  const {violations} = await page.evaluate(() => window.axe.run(document, {resultTypes: ['violations'], iframes: false}));
+  for (const v of violations) check(false, `${what}: axe: ${v.id}: ${v.nodes.slice(0, 3).map((n) => `${n.html.slice(0, 120)} ${n.any[0]?.message ?? ''}`).join(' | ')}`);
+  ++checks;
+}
+
+/** The view in the frame of a page: it is up, and shows what its address asks for. */
+async function viewed(page, what) {
+  const frame = page.frameLocator('.view iframe');
+  await page.locator('.view iframe').scrollIntoViewIfNeeded();
+  await frame.locator('html[data-ready]').waitFor({state: 'attached', timeout: 20000}).catch(() => check(false, `${what}: the view does not come up`));
+  const wanted = new URLSearchParams((await page.locator('.view iframe').getAttribute('src')).split('#')[1]);
+  const node = await frame.locator('#node').innerText();
+  check(node.includes(wanted.get('node')), `${what}: the view shows ${wanted.get('node')}, not ${node.slice(0, 40)}`);
+  if (wanted.has('cell')) check((await frame.locator('#picked').textContent()) === wanted.get('cell'), `${what}: ${wanted.get('cell')} is picked`);
+}
+
+/** What does not fit on the slide that is shown; empty if all does. */
+const overflow = (page) => page.evaluate(() => {
+  const slide = document.querySelector('.slide.here'), inner = slide.querySelector('.fit');
+  const over = [];
+  if (inner.scrollHeight > 900 - 140) over.push(`${inner.scrollHeight} high at ${inner.style.fontSize}`);
+  if (inner.scrollWidth > 1600 - 180) over.push(`${inner.scrollWidth} wide`);
+  for (const e of inner.querySelectorAll('pre')) if (e.scrollWidth > e.clientWidth + 1) over.push(`cut off: ${e.textContent.slice(0, 40)}`);
+  return over.join(', ');
+});
+
+for (const lesson of readdirSync(work).filter((name) => /^\d\d-/.test(name))) {
+  for (const scheme of lesson.startsWith('01') ? ['light', 'dark'] : ['light']) {
+    const page = await open(join(work, lesson, 'index.html'), scheme);
+    await viewed(page, lesson);
+    await accessible(page, `${lesson} ${scheme}`);
+    await page.context().close();
+  }
+  const page = await open(join(work, lesson, 'slides.html'), 'light');
+  const count = await page.locator('.slide').count();
+  check(count >= 6, `${lesson}: ${count} slides`);
+  for (let i = 1; i <= count; ++i) {
+    await page.locator('#place', {hasText: `${i} / ${count}`}).waitFor({timeout: 5000}).catch(() => check(false, `${lesson}: slide ${i} is not shown`));
+    check((await overflow(page)) === '', `${lesson}, slide ${i}: ${await overflow(page)}`);
+    if (await page.locator('.slide.here iframe').count()) await viewed(page, `${lesson}, slide ${i}`);
+    if (await page.locator('.slide.here details').count()) {
+      await page.keyboard.press('a');
+      await page.waitForTimeout(50);
+      check((await page.locator('.slide.here details[open]').count()) === 1, `${lesson}: answers are open`);
+      check((await overflow(page)) === '', `${lesson}, answers: ${await overflow(page)}`);
+    }
+    if (i === 1) await accessible(page, `${lesson}, slides`);
+    await page.keyboard.press(i % 2 ? 'ArrowRight' : ' ');
+  }
+  await page.keyboard.press('Home');
+  await page.locator('#place', {hasText: `1 / ${count}`}).waitFor({timeout: 5000}).catch(() => check(false, `${lesson}: Home`));
+  await page.context().close();
+}
+
+await browser.close();
+console.log(faults ? `${faults} of ${checks} checks failed` : `${checks} checks`);
+process.exit(faults ? 1 : 0);
