@@ -51,6 +51,7 @@ export class Scene {
       skin: material('FACE', {side: THREE.FrontSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}),
       inner: material('FACE', {side: THREE.BackSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2}),
       sheet: material('FACE', {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}),
+      cut: material('FACE', {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}),
       ghost: material('FACE', {side: THREE.DoubleSide, transparent: true, depthWrite: false}, {opacity: {value: 0.16}}),
       edge: material('EDGE', {side: THREE.DoubleSide}, {lift: {value: 1.5e-3}}),
       line: material('LINE', {}, {lift: {value: 1.5e-3}}),
@@ -172,7 +173,7 @@ export class Scene {
     const {x, y, z, w} = shared.plane.value;
     this.cut = cutBy(this.geometry, this.section.axis, [x, y, z], w, shared.explode.value, this.look.ink);
     const {filled, lines} = this.cut;
-    this.cut.objects = [this.add(faceBuffers(filled), this.materials.sheet), this.add(ribbonBuffers(lines), this.materials.edge, 51)];
+    this.cut.objects = [this.add(faceBuffers(filled), this.materials.cut), this.add(ribbonBuffers(lines), this.materials.edge, 51)];
   }
 
   setExplode(t) {
