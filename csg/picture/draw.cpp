@@ -21,26 +21,51 @@ double size_of(const Vector& v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v
 
 constexpr double kLights = 40;  // steps from dark to light
 
-/// How light a facet is, in steps: the light comes over the left shoulder of who looks.
-int light_on(const Scene& scene, const Scene::Facet& facet) {
-  std::vector<Vector> corners;
-  for (const Index i : facet.loops.front()) {
-    const RationalPoint& p = scene.points[i];
-    corners.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
-  }
-  const Vector o = corners.front();
+/// The area of a facet as a vector, in units of the largest coordinate.
+Vector area_of(const std::vector<Vector>& points, const Scene::Loop& loop) {
+  const Vector& o = points[loop.front()];
   Vector n{};
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    const Vector a{corners[i][0] - o[0], corners[i][1] - o[1], corners[i][2] - o[2]};
-    const Vector b{corners[i + 1][0] - o[0], corners[i + 1][1] - o[1], corners[i + 1][2] - o[2]};
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
+    Vector a{}, b{};
+    for (std::size_t k = 0; k < 3; ++k) a[k] = points[loop[i]][k] - o[k], b[k] = points[loop[i + 1]][k] - o[k];
     n[0] += a[1] * b[2] - a[2] * b[1], n[1] += a[2] * b[0] - a[0] * b[2], n[2] += a[0] * b[1] - a[1] * b[0];
   }
-  const double size = size_of(n);
-  if (!(size > 0)) return static_cast<int>(kLights);
-  constexpr Vector kLight{-0.42, 0.72, 0.55};
-  const double turn = n[2] < 0 ? -1 : 1;
-  const double cosine = turn * (n[0] * kLight[0] + n[1] * kLight[1] + n[2] * kLight[2]) / size / size_of(kLight);
-  return static_cast<int>(std::lround(kLights * (0.74 + 0.30 * cosine)));
+  return n;
+}
+
+/// How light each facet is, in steps: the light comes over the left shoulder of who looks. A facet of a curved
+/// surface leans towards its neighbours, so that the triangles of one quadrangle do not show.
+void set_light(Scene& scene) {
+  Rational most = 0;
+  for (const RationalPoint& p : scene.points) {
+    for (const Rational& x : p) most = std::max<Rational>(most, abs(x));
+  }
+  if (most == 0) return;
+  std::vector<Vector> points;
+  for (const RationalPoint& p : scene.points) {
+    points.push_back({to_double(p[0] / most), to_double(p[1] / most), to_double(p[2] / most)});
+  }
+  std::vector<Vector> areas;
+  std::map<std::pair<Index, Index>, Vector> at;  // by surface and point
+  for (const Scene::Facet& facet : scene.facets) {
+    areas.push_back(area_of(points, facet.loops.front()));
+    for (const Index p : facet.loops.front()) {
+      for (std::size_t k = 0; k < 3; ++k) at[{facet.surface, p}][k] += areas.back()[k];
+    }
+  }
+  for (std::size_t f = 0; f < scene.facets.size(); ++f) {
+    Scene::Facet& facet = scene.facets[f];
+    Vector n{};
+    for (const Index p : facet.loops.front()) {
+      const Vector& sum = at[{facet.surface, p}];
+      const double size = size_of(sum);
+      for (std::size_t k = 0; k < 3 && size > 0; ++k) n[k] += sum[k] / size;
+    }
+    constexpr Vector kLight{-0.42, 0.72, 0.55};
+    const double turn = areas[f][2] < 0 ? -1 : 1, size = size_of(n) * size_of(kLight);
+    const double cosine = size > 0 ? turn * (n[0] * kLight[0] + n[1] * kLight[1] + n[2] * kLight[2]) / size : 0;
+    facet.light = static_cast<int>(std::lround(kLights * (0.74 + 0.30 * cosine)));
+  }
 }
 
 /// From what is seen to what is painted: colors in light and shade, one above the other; texts where there is
@@ -262,7 +287,7 @@ Figure draw(const Result& result, const DrawOptions& options, const Result* remo
   Scene scene = make_scene(view, flat, cells, options, camera);
   if (options.apart != 0) scene = without_crossings(scene, threads);
   if (removed != nullptr) add_ghosts(removed->complex(), flatten(removed->data().view()), camera, scene);
-  for (Scene::Facet& facet : scene.facets) facet.light = light_on(scene, facet);
+  set_light(scene);
   return Finisher(scene, see(scene, threads), camera.scale()).run();
 }
 
