@@ -81,7 +81,7 @@ TEST_CASE("a picture shows materials where they are, on white", "[picture]") {
   const Studio s;
   const Png p = s.png("--node both --camera 0,0 --size 200x200");
   // Two layers of 200 by 100 pixels of .svg, seen from the front.
-  CHECK(p.width() == p.height());
+  CHECK(p.height() > p.width());  // and the key of colors
   const int half = p.width() / 2, quarter = p.width() / 4;
   const std::array<int, 3> upper = p.at(half, quarter), lower = p.at(half, 3 * quarter), corner = p.at(2, 2);
   CHECK((upper[2] > 120 && upper[0] < 40));
@@ -89,7 +89,7 @@ TEST_CASE("a picture shows materials where they are, on white", "[picture]") {
   CHECK(corner == std::array<int, 3>{255, 255, 255});
   // From below the lower one alone.
   const Png below = s.png("--node both --camera 0,-90 --size 200x200");
-  CHECK(below.count({0, 0, 100}, {60, 60, 255}) == 0);
+  CHECK(below.count({0, 0, 100}, {60, 60, 255}) < 1000);  // in the key alone
   CHECK(below.count({100, 0, 0}, {255, 60, 60}) > 10000);
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("options are for all panels, or for that of their node", "[picture]") 
   CHECK(Png(s.w.path("b.png").string()).count(blue, blues) > 1000);
   // From below blue is hidden by red: in both panels, or in the second alone.
   const std::string two = "--node both --node both --camera 0,90 --size 200x200";
-  CHECK(s.png("--camera 0,-90 " + std::string("--node both --node both")).count(blue, blues) == 0);
+  CHECK(s.png("--camera 0,-90 " + std::string("--node both --node both")).count(blue, blues) < 1000);
   const Png second = s.png("--node both --camera 0,-90 " + two);
   CHECK(second.count(blue, blues) > 1000);
   CHECK(second.count(red, reds) > 1000);
