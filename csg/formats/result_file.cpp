@@ -32,7 +32,7 @@ void check_file_name(const std::string& path) {
   try {
     check_extension(path);
   } catch (const InputError& e) {
-    throw InputError(std::string(e.what()) + " .dot .regions.dot .svg .png .pdf");
+    throw InputError(std::string(e.what()) + " .dot .regions.dot");
   }
   if (is_cad_file(path)) require_cad_writer(path);
 }

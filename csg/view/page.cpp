@@ -160,21 +160,27 @@ std::string page_data(const Tree& tree, const Evaluation& evaluation, const Page
   for (const auto& [id, kept] : nodes) place.emplace(kept->node, place.size());
   Json list = Json::array();
   const std::vector<Told> told = told_of(evaluation, nodes, limits);
-  const auto of_result = std::find_if(
-      nodes.begin(), nodes.end(), [&](const auto& n) { return n.second->node == evaluation.kept.front().node; });
-  std::map<NodeId, std::size_t> instances = instances_below(evaluation, of_result->first);
+  const std::size_t of_result = place.at(evaluation.kept.front().node);
+  std::map<NodeId, std::size_t> instances = instances_below(evaluation, nodes[of_result].first);
+  // The result is told first: what others leave for it would depend on them.
+  std::vector<std::size_t> order(nodes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto first = order.begin() + static_cast<std::ptrdiff_t>(of_result);
+  std::rotate(order.begin(), first, first + 1);
+  list.get_ref<Json::array_t&>().resize(nodes.size());
   std::size_t removed_left = limits.removed;
-  for (const auto& [id, kept] : nodes) {
-    Json node = node_data(tree, evaluation, *kept, id, told[list.size()], removed_left, tables);
+  for (const std::size_t i : order) {
+    const auto& [id, kept] = nodes[i];
+    Json node = node_data(tree, evaluation, *kept, id, told[i], removed_left, tables);
     Json operands = Json::array();
     for (const NodeId operand : tree.operands(kept->node)) {
       if (const auto at = place.find(operand); at != place.end()) operands.push_back(at->second);
     }
     node["operands"] = operands;
     node["instances"] = instances[kept->node];
-    list.push_back(std::move(node));
+    list[i] = std::move(node);
   }
-  out["result"] = place.at(evaluation.kept.front().node);
+  out["result"] = of_result;
   // True if some node is not below the result: then it is refined with others than alone.
   const std::vector<char> below = tree.dag->reachable({tree.result});
   out["several"] =

@@ -1,131 +1,203 @@
-// `cnrg eval -o picture`: panels, their options by place, and what is refused.
+// Pictures as people ask for them: what is in the files, which options are whose, what is refused.
+#include <cairo/cairo.h>
+
 #include <catch2/catch.hpp>
-#include <regex>
+#include <cmath>
+#include <memory>
 
 #include "tests/app/program.h"
 
 using namespace cnrg;
+using Catch::Contains;
 
 namespace {
 
-constexpr const char* kTree = R"(cnrg: 1
-materials: {clay: {color: "#aa3311"}, sand: {color: "#1133aa"}}
-nodes:
-  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: clay}
-  b: {box: {min: [4, 0, 0], max: [8, 4, 4]}, material: sand}
-  both: {union: [a, b]}
-  all: {complement: both}
-result: both
-)";
+const char* const kTree =
+    "cnrg: 1\n"
+    "materials: {red: {color: \"#ff0000\"}, blue: {color: \"#0000ff\"}}\n"
+    "nodes:\n"
+    "  low:  {box: {min: [0, 0, 0], max: [2, 2, 1]}, material: red}\n"
+    "  high: {box: {min: [0, 0, 1], max: [2, 2, 2]}, material: blue}\n"
+    "  pin:  {polyline: [[1, 1, 1/2], [1, 1, 3]]}\n"
+    "  both: {union: [low, high], dominance: left}\n"
+    "  all:  {union: [both, pin]}\n"
+    "  less: {difference: [low, {box: {min: [1, 1, -1], max: [3, 3, 3]}}]}\n"
+    "  open: {halfspace: {point: [0, 0, 0], normal: [0, 0, 1]}}\n"
+    "  none: {intersection: [low, {box: {min: [7, 7, 7], max: [8, 8, 8]}}]}\n"
+    "  spot: {points: [[1, 2, 3]]}\n"
+    "result: all\n";
 
-int count(const std::string& text, const std::string& word) {
-  int n = 0;
-  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += word.size()) ++n;
-  return n;
-}
+struct Png {
+  std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface;
+  explicit Png(const std::string& path)
+      : surface(cairo_image_surface_create_from_png(path.c_str()), cairo_surface_destroy) {
+    REQUIRE(cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS);
+  }
+  int width() const { return cairo_image_surface_get_width(surface.get()); }
+  int height() const { return cairo_image_surface_get_height(surface.get()); }
+  std::array<int, 3> at(int x, int y) const {
+    const unsigned char* row = cairo_image_surface_get_data(surface.get()) +
+                               static_cast<std::ptrdiff_t>(y) * cairo_image_surface_get_stride(surface.get());
+    const unsigned char* p = row + static_cast<std::ptrdiff_t>(4) * x;
+    return {p[2], p[1], p[0]};
+  }
+  /// How many pixels are of a color between these.
+  int count(const std::array<int, 3>& low, const std::array<int, 3>& high) const {
+    int n = 0;
+    for (int y = 0; y < height(); ++y) {
+      for (int x = 0; x < width(); ++x) {
+        const std::array<int, 3> c = at(x, y);
+        bool in = true;
+        for (std::size_t k = 0; k < 3; ++k) in = in && c[k] >= low[k] && c[k] <= high[k];
+        n += in ? 1 : 0;
+      }
+    }
+    return n;
+  }
+};
 
-/// The picture of these arguments.
-std::string svg(const Workshop& w, const std::string& arguments) {
-  const Outcome o = w.run("eval t.yaml --quiet -o p.svg " + arguments);
-  INFO(arguments << o.err);
-  REQUIRE(o.status == 0);
-  return w.read("p.svg");
-}
+struct Studio {
+  Workshop w;
+  Studio() { w.write("t.yaml", kTree); }
+  Outcome eval(const std::string& rest) const { return w.run("eval t.yaml --quiet " + rest); }
+  std::string refusal(const std::string& rest) const {
+    const Outcome o = eval(rest);
+    CHECK(o.status == 2);
+    CHECK(o.out.empty());
+    CHECK(std::count(o.err.begin(), o.err.end(), '\n') >= 1);
+    return o.err;
+  }
+  Png png(const std::string& rest) const {
+    const Outcome o = eval(rest + " -o p.png");
+    INFO(o.err);
+    REQUIRE(o.status == 0);
+    return Png(w.path("p.png").string());
+  }
+};
 
 }  // namespace
 
-TEST_CASE("several nodes are the panels of a picture, with their names or captions below", "[picture][command]") {
-  const Workshop w;
-  w.write("t.yaml", kTree);
-  const std::string text = svg(w, "--node a --node both --caption 'the two' --node a --caption ''");
-  CHECK(count(text, ">a<") == 1);
-  CHECK(count(text, ">the two<") == 1);
-  CHECK(count(text, ">both<") == 0);
-  CHECK(text.find("aria-label=\"a; the two\"") != std::string::npos);
-  CHECK(count(svg(w, ""), "aria-label") == 0);  // one panel needs no name
-  CHECK(count(svg(w, "--caption x --node a --node b"), ">x<") == 2);
+TEST_CASE("a picture shows materials where they are, on white", "[picture]") {
+  const Studio s;
+  const Png p = s.png("--node both --camera 0,0 --size 200x200");
+  // Two layers of 200 by 100 pixels of .svg, seen from the front.
+  CHECK(p.height() > p.width());  // and the key of colors
+  const int half = p.width() / 2, quarter = p.width() / 4;
+  const std::array<int, 3> upper = p.at(half, quarter), lower = p.at(half, 3 * quarter), corner = p.at(2, 2);
+  CHECK((upper[2] > 120 && upper[0] < 40));
+  CHECK((lower[0] > 120 && lower[2] < 40));
+  CHECK(corner == std::array<int, 3>{255, 255, 255});
+  // From below the lower one alone.
+  const Png below = s.png("--node both --camera 0,-90 --size 200x200");
+  CHECK(below.count({0, 0, 100}, {60, 60, 255}) < 1000);  // in the key alone
+  CHECK(below.count({100, 0, 0}, {255, 60, 60}) > 10000);
 }
 
-TEST_CASE("an option is for the panels of its place", "[picture][command]") {
-  const Workshop w;
-  w.write("t.yaml", kTree);
-  const auto names = [&](const std::string& arguments) { return count(svg(w, arguments), ">v0<"); };
-  CHECK(names("--labels v --node a --node b") == 2);
-  CHECK(names("--node a --labels v --node b") == 1);
-  CHECK(names("--labels v --node a --labels e --node b") == 1);
-  CHECK(names("--labels v --node a --labels '' --node b --labels ''") == 0);
-  CHECK(svg(w, "--labels v,e --labels f") == svg(w, "--labels f"));
+TEST_CASE("a cut shows what is inside, a wire in it too", "[picture]") {
+  const Studio s;
+  const std::string small = " --size 200x200 --camera 0,10";
+  const int whole = s.png("--node all" + small).count({150, 50, 0}, {180, 90, 20});
+  const int open = s.png("--node all --cut y=1" + small).count({150, 50, 0}, {180, 90, 20});
+  CHECK(whole > 50);          // the part of the pin above the box
+  CHECK(open > 1.2 * whole);  // and that in the plane of the cut
 }
 
-TEST_CASE("cameras, cuts and sizes do what they say", "[picture][command]") {
-  const Workshop w;
-  w.write("t.yaml", kTree);
-  const auto width = [&](const std::string& arguments) {
-    const std::string text = svg(w, arguments);
-    std::smatch match;
-    REQUIRE(std::regex_search(text, match, std::regex("width=\"([0-9]+)\" height=\"([0-9]+)\"")));
-    return std::stod(match[1]) / std::stod(match[2]);
-  };
-  const std::string front = "--camera 0,0 --size 400x400";
-  CHECK(width(front) > 1.5);
-  CHECK(width("--camera 90,0 --size 400x400") < 1.5);
-  CHECK(svg(w, "--cut y=2") == svg(w, "--cut 0,3,0,6"));
-  CHECK(svg(w, "--cut y=2") != svg(w, ""));
-  CHECK(svg(w, "--cut z=1 --node both --cut y=2") == svg(w, "--node both --cut y=2"));
-  CHECK(svg(w, "--explode 1/2") != svg(w, ""));
-  CHECK(svg(w, "--color-by region").find(">r0 a<") != std::string::npos);
+TEST_CASE("the same tree gives the same picture", "[picture]") {
+  const Studio s;
+  for (const std::string extension : {"svg", "png", "pdf"}) {
+    CHECK(s.eval("--opacity 0.5 --labels names,v -o a." + extension + " --threads 1").status == 0);
+    CHECK(s.eval("--opacity 0.5 --labels names,v -o b." + extension + " --threads 3").status == 0);
+    CHECK(!s.w.read("a." + extension).empty());
+    CHECK((s.w.read("a." + extension) == s.w.read("b." + extension)));
+  }
+  CHECK_THAT(s.w.read("a.svg"), Catch::StartsWith("<svg") && Catch::EndsWith("</svg>\n"));
+  CHECK_THAT(s.w.read("a.pdf"), Catch::StartsWith("%PDF"));
 }
 
-TEST_CASE("each file has its node if there are as many", "[picture][command]") {
-  const Workshop w;
-  w.write("t.yaml", kTree);
-  const std::string a = svg(w, "--node a"), b = svg(w, "--node b");
-  REQUIRE(w.run("eval t.yaml --quiet --node a -o 1.svg --node b -o 2.svg").status == 0);
-  CHECK(w.read("1.svg") == a);
-  CHECK(w.read("2.svg") == b);
-  REQUIRE(w.run("eval t.yaml --quiet --node a --node b -o 3.vtu -o 4.svg").status == 0);
-  CHECK(w.read("4.svg") == b);
-  REQUIRE(w.run("eval t.yaml --quiet --threads 1 -o 5.pdf -o 5.png").status == 0);
-  REQUIRE(w.run("eval t.yaml --quiet --threads 4 -o 6.pdf -o 6.png").status == 0);
-  CHECK(w.read("5.pdf") == w.read("6.pdf"));
-  CHECK(w.read("5.png") == w.read("6.png"));
+TEST_CASE("options are for all panels, or for that of their node", "[picture]") {
+  const Studio s;
+  // One panel, two panels, two files with one each.
+  const int one = s.png("--node both --size 200x200").width();
+  CHECK(s.png("--node both --node both --size 200x200").width() > 3 * one / 2);
+  CHECK(s.eval("--size 200x200 --node low -o a.png --node high -o b.png").status == 0);
+  const std::array<int, 3> red{100, 0, 0}, reds{255, 60, 60}, blue{0, 0, 100}, blues{60, 60, 255};
+  CHECK(Png(s.w.path("a.png").string()).count(red, reds) > 1000);
+  CHECK(Png(s.w.path("a.png").string()).count(blue, blues) == 0);
+  CHECK(Png(s.w.path("b.png").string()).count(blue, blues) > 1000);
+  // From below blue is hidden by red: in both panels, or in the second alone.
+  const std::string two = "--node both --node both --camera 0,90 --size 200x200";
+  CHECK(s.png("--camera 0,-90 " + std::string("--node both --node both")).count(blue, blues) < 1000);
+  const Png second = s.png("--node both --camera 0,-90 " + two);
+  CHECK(second.count(blue, blues) > 1000);
+  CHECK(second.count(red, reds) > 1000);
+  // Six panels have two rows.
+  const Png six = s.png("--size 100x100 --node low --node low --node low --node low --node low --node low");
+  CHECK(six.height() > 2 * s.png("--size 100x100 --node low --node low").height() - 100);
 }
 
-TEST_CASE("bad options of pictures are one error, before the work", "[picture][command]") {
-  const Workshop w;
-  w.write("t.yaml", kTree);
-  const auto refused = [&](const std::string& arguments, const std::string& why) {
-    const Outcome o = w.run("eval t.yaml -o p.svg " + arguments);
-    INFO(arguments << "\n" << o.err);
-    CHECK(o.status == 2);
-    CHECK(o.out.empty());
-    CHECK(o.err.find(why) != std::string::npos);
-    CHECK(count(o.err, "\n") == 1);
-    CHECK_FALSE(std::filesystem::exists(w.path("p.svg")));
-  };
-  refused("--camera 1", "--camera");
-  refused("--camera 1,91", "--camera");
-  refused("--camera 1,2,3", "--camera");
-  refused("--cut w=1", "--cut");
-  refused("--cut 0,0,0,1", "--cut");
-  refused("--cut 1,2,3", "--cut");
-  refused("--explode -1", "--explode");
-  refused("--opacity 0", "--opacity");
-  refused("--opacity 2", "--opacity");
-  refused("--color-by mood", "--color-by");
-  refused("--labels v,x", "--labels");
-  refused("--size 640", "--size");
-  refused("--size 640x1", "--size");
-  refused("--size 640x480x1", "--size");
-  const Outcome none = w.run("eval t.yaml --opacity 0.5 -o p.vtu");
-  CHECK(none.status == 2);
-  CHECK(none.err.find("no picture") != std::string::npos);
-  const Outcome many = w.run("eval t.yaml --node a --node b --node both -o p.vtu -o p.svg");
-  CHECK(many.status == 2);
-  const Outcome folder = w.run("eval t.yaml -o none/p.svg");
-  CHECK(folder.status == 3);
-  const Outcome endless = w.run("eval t.yaml --node all -o p.svg --cut x=5");
-  CHECK(endless.status == 2);
-  CHECK(endless.err.find("t.yaml:") != std::string::npos);
-  CHECK(endless.err.find("unbounded") != std::string::npos);
+TEST_CASE("captions are texts, whatever is in them", "[picture]") {
+  const Studio s;
+  const std::string plain = "--size 100x100 --node low --node low ";
+  const int without = s.png(plain + "--caption ''").height();
+  CHECK(s.png("--size 100x100 --node low --caption '' --node low --caption ''").height() < without);
+  for (const std::string text : {"'<b>&amp;\"'", "$'a\\x01\\x1b[31mb'", "$'\\xff\\xfe'", "'äöü ∪ ∩'"}) {
+    INFO(text);
+    const Outcome o = s.w.shell("bash -c \"" CNRG_PROGRAM " eval t.yaml --quiet --node low --caption " + [&] {
+      std::string out;
+      for (const char c : text) {
+        if (c == '"' || c == '\\' || c == '$') out += '\\';
+        out += c;
+      }
+      return out;
+    }() + " -o p.svg -o p.png -o p.pdf\" >.out 2>.err");
+    CHECK(o.err.find("error") == std::string::npos);
+    CHECK(o.status == 0);
+    const std::string svg = s.w.read("p.svg");
+    CHECK_THAT(svg, Catch::EndsWith("</svg>\n"));
+    CHECK(std::none_of(svg.begin(), svg.end(),
+                       [](char c) { return static_cast<unsigned char>(c) < 32 && c != '\n'; }));
+  }
+}
+
+TEST_CASE("ghosts are what a difference took away", "[picture]") {
+  const Studio s;
+  const std::string grey = "--node less --camera 30,30 --size 200x200";
+  const Png plain = s.png(grey), ghosts = s.png(grey + " --ghosts");
+  const std::array<int, 3> pale{200, 200, 200}, white{250, 252, 254};
+  CHECK(ghosts.count(pale, white) > plain.count(pale, white) + 1000);
+}
+
+TEST_CASE("pictures of nothing, and of next to nothing", "[picture]") {
+  const Studio s;
+  CHECK(s.png("--node none").width() > 0);
+  const Png spot = s.png("--node spot");
+  CHECK(spot.count({150, 50, 0}, {180, 90, 20}) > 20);
+  CHECK(s.eval("--node open -o open.svg").status == 0);
+  s.w.write("far.yaml",
+            "cnrg: 1\nnodes: {b: {box: {min: [0, 0, 0], max: [\"1e240\", \"1e-240\", 1]}}}\nresult: b\n");
+  const Outcome far = s.w.run("eval far.yaml --quiet -o far.svg");
+  INFO(far.err);
+  CHECK(far.status == 0);
+  s.w.write("far.yaml", "cnrg: 1\nnodes: {b: {box: {min: [0, 0, 0], max: [\"1e260\", 1, 1]}}}\nresult: b\n");
+  CHECK_THAT(s.w.run("eval far.yaml --quiet -o far.svg").err, Contains("far.yaml:2:") && Contains("1e250"));
+}
+
+TEST_CASE("what is no picture is refused in one line", "[picture]") {
+  const Studio s;
+  CHECK_THAT(s.refusal("--camera 1,2 -o x.vtu"), Contains("options of pictures are given, and no picture"));
+  CHECK_THAT(s.refusal("-o x.svg --camera 1"), Contains("--camera: `1` is not two angles"));
+  CHECK_THAT(s.refusal("-o x.svg --camera 1,95"), Contains("--camera: `95` is not two angles"));
+  CHECK_THAT(s.refusal("-o x.svg --cut w=1"), Contains("--cut: `w=1` is not a plane"));
+  CHECK_THAT(s.refusal("-o x.svg --cut 0,0,0,1"), Contains("--cut: `0,0,0,1` is not a plane"));
+  CHECK_THAT(s.refusal("-o x.svg --size 10x10"), Contains("--size: `10` is not a size"));
+  CHECK_THAT(s.refusal("-o x.svg --size big"), Contains("--size: `big` is not a size"));
+  CHECK_THAT(s.refusal("-o x.svg --labels v,q"), Contains("--labels: `v,q` is not a list"));
+  CHECK_THAT(s.refusal("-o x.svg --opacity 0"), Contains("--opacity: `0` is not a number"));
+  CHECK_THAT(s.refusal("-o x.svg --explode nan"), Contains("--explode: `nan` is not a number"));
+  CHECK_THAT(s.refusal("-o x.svg --color-by moon"), Contains("--color-by: `moon` is not material"));
+  CHECK_THAT(s.refusal("-o x.svg --node open --cut z=0"), Contains("t.yaml:") && Contains("it is unbounded"));
+  CHECK_THAT(s.refusal("-o x.svg --node less --ghosts --cut z=0"), Contains("t.yaml:") && Contains("removed"));
+  CHECK_THAT(s.refusal("-o x.svg -o x.vtu --node low --node high --node both"), Contains("3 times --node"));
+  CHECK_THAT(s.refusal("-o x.tiff"), Contains("use one of") && Contains(".svg .png .pdf"));
+  CHECK_THAT(s.refusal("-o t.yaml"), Contains("t.yaml"));
 }

@@ -66,6 +66,9 @@ export class Geometry {
       if (look.show[0]) this.addVertices();
     }
     if (look.ghosts && model.classes) this.addClasses(true);
+    /** How far from the middle of the scene anything is, and how much farther when regions are pulled apart by 1. */
+    this.reach = Math.max(model.cells.reach, classes?.reach ?? 0);
+    this.reachApart = this.centres.reduce((most, _, i, all) => (i % 3 ? most : Math.max(most, Math.hypot(all[i], all[i + 1], all[i + 2]))), 0);
   }
   get plainAsLines() { return this.plain.length > MANY; }
   get triangles() { return this.skins.triangles.length + this.sheets.triangles.length; }
@@ -96,7 +99,12 @@ export class Geometry {
   placed(cells) {
     if (cells.placed) return cells.placed;
     const out = (cells.placed = new Float64Array(3 * cells.points.length));
-    for (let p = 0; p < cells.points.length; ++p) put3(out, p, this.place(this.model.at(p, cells)));
+    cells.reach = 0;
+    for (let p = 0; p < cells.points.length; ++p) {
+      const at = this.place(this.model.at(p, cells));
+      put3(out, p, at);
+      cells.reach = Math.max(cells.reach, Math.hypot(...at));
+    }
     return out;
   }
 

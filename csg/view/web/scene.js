@@ -51,11 +51,12 @@ export class Scene {
       skin: material('FACE', {side: THREE.FrontSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}),
       inner: material('FACE', {side: THREE.BackSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2}),
       sheet: material('FACE', {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}),
+      cut: material('FACE', {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}),
       ghost: material('FACE', {side: THREE.DoubleSide, transparent: true, depthWrite: false}, {opacity: {value: 0.16}}),
-      edge: material('EDGE', {side: THREE.DoubleSide}, {lift: {value: 1e-4}}),
-      line: material('LINE', {}, {lift: {value: 1e-4}}),
-      ghostEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true}, {opacity: {value: 0.8}, lift: {value: 5e-5}}),
-      point: material('POINT', {}, {lift: {value: 1.6e-4}}),
+      edge: material('EDGE', {side: THREE.DoubleSide}, {lift: {value: 1.5e-3}}),
+      line: material('LINE', {}, {lift: {value: 1.5e-3}}),
+      ghostEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true}, {opacity: {value: 0.8}, lift: {value: 1e-3}}),
+      point: material('POINT', {}, {lift: {value: 6e-3}}),
       overFace: material('FACE', {side: THREE.DoubleSide, transparent: true, depthTest: false, depthWrite: false}, {opacity: {value: 0.45}, solid: {value: 1}}),
       overEdge: material('EDGE', {side: THREE.DoubleSide, transparent: true, depthTest: false}),
       overPoint: material('POINT', {transparent: true, depthTest: false}),
@@ -172,7 +173,7 @@ export class Scene {
     const {x, y, z, w} = shared.plane.value;
     this.cut = cutBy(this.geometry, this.section.axis, [x, y, z], w, shared.explode.value, this.look.ink);
     const {filled, lines} = this.cut;
-    this.cut.objects = [this.add(faceBuffers(filled), this.materials.sheet), this.add(ribbonBuffers(lines), this.materials.edge, 51)];
+    this.cut.objects = [this.add(faceBuffers(filled), this.materials.cut), this.add(ribbonBuffers(lines), this.materials.edge, 51)];
   }
 
   setExplode(t) {
@@ -278,8 +279,9 @@ export class Scene {
     shared.size.value.set(width / 2, height / 2);
     const far = this.camera.position.distanceTo(this.controls.target);
     shared.dash.value = far * 0.012;
-    this.camera.near = Math.max(0.002, far - 4);
-    this.camera.far = far + 6;
+    const reach = (this.geometry?.reach ?? 1) + shared.explode.value * (this.geometry?.reachApart ?? 0), middle = this.camera.position.length();
+    this.camera.near = Math.max(0.005, 0.95 * (middle - reach));
+    this.camera.far = 1.05 * (middle + reach);
     this.camera.updateProjectionMatrix();
   }
 

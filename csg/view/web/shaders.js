@@ -23,6 +23,10 @@ const COMMON = `
   uniform vec3 paper;
 `;
 const CLIP = 'if (side(world) < 0.0) discard;';
+// Nearer to the eye by a share of the distance, at the same place of the picture: edges lie before faces, points
+// before edges, whatever the camera's range of depth is.
+const LIFTED = `uniform float lift;
+    vec4 lifted(vec3 p) { return projectionMatrix * vec4((modelViewMatrix * vec4(p, 1.0)).xyz * (1.0 - lift), 1.0); }`;
 const SIDE = 'float side(vec3 p) { return dot(p, plane.xyz) + plane.w; }';
 
 const FACE = {
@@ -58,11 +62,11 @@ const FACE = {
 const EDGE = {
   vertexShader: `${COMMON}
     attribute vec3 a; attribute vec3 b; attribute vec3 shift; attribute vec4 tint; attribute vec4 ident; attribute vec3 look;
-    uniform float lift;
     varying vec3 colour; varying vec4 number; varying vec3 world; varying float along; varying float dashed;
+    ${LIFTED}
     void main() {
       vec3 p = a + shift * explode, q = b + shift * explode;
-      vec4 A = projectionMatrix * modelViewMatrix * vec4(p, 1.0), B = projectionMatrix * modelViewMatrix * vec4(q, 1.0);
+      vec4 A = lifted(p), B = lifted(q);
       float least = 0.001;
       if (A.w < least && B.w > least) A = mix(A, B, (least - A.w) / (B.w - A.w));
       if (B.w < least && A.w > least) B = mix(B, A, (least - B.w) / (A.w - B.w));
@@ -73,7 +77,6 @@ const EDGE = {
       vec4 at = position.x < 0.5 ? A : B;
       vec2 out_ = vec2(-run.y, run.x) * position.y + run * (position.x - 0.5) * min(1.0, far);
       at.xy += out_ * width / size * at.w;
-      at.z -= lift * at.w;
       world = position.x < 0.5 ? p : q;
       along = look.z + position.x * length(q - p);
       dashed = look.y; colour = tint.rgb; number = ident;
@@ -94,12 +97,11 @@ const EDGE = {
 const POINT = {
   vertexShader: `${COMMON}
     attribute vec3 shift; attribute vec4 tint; attribute vec4 ident; attribute vec2 look;
-    uniform float lift;
     varying vec3 colour; varying vec4 number; varying vec3 world; varying float hollow;
+    ${LIFTED}
     void main() {
       world = position + shift * explode;
-      gl_Position = projectionMatrix * modelViewMatrix * vec4(world, 1.0);
-      gl_Position.z -= lift * gl_Position.w;
+      gl_Position = lifted(world);
       gl_PointSize = (ids > 0.5 ? max(look.x * points, 9.0) : look.x * points) * ratio;
       hollow = look.y; colour = tint.rgb; number = ident;
     }`,
@@ -120,12 +122,11 @@ const POINT = {
 const LINE = {
   vertexShader: `${COMMON}
     attribute vec3 shift; attribute vec4 tint; attribute vec4 ident;
-    uniform float lift;
     varying vec3 colour; varying vec4 number; varying vec3 world;
+    ${LIFTED}
     void main() {
       world = position + shift * explode;
-      gl_Position = projectionMatrix * modelViewMatrix * vec4(world, 1.0);
-      gl_Position.z -= lift * gl_Position.w;
+      gl_Position = lifted(world);
       colour = tint.rgb; number = ident;
     }`,
   fragmentShader: `${COMMON}

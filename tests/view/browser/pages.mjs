@@ -5,6 +5,7 @@ import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {join} from 'node:path';
 import {setTimeout as sleep} from 'node:timers/promises';
+import {testPictures} from './pictures.mjs';
 import {testScale} from './scale.mjs';
 
 const [program, folder, executablePath] = process.argv.slice(2);
@@ -211,6 +212,7 @@ check(removed >= 3, `of ${removed} models removed cells were picked`);
   await close(wide);
 }
 
+await testPictures({cnrg, check, open, close, work});
 await testScale({cnrg, check, open, close, work});
 
 // No text of a file becomes HTML.
