@@ -35,8 +35,12 @@ double Font::width(std::string_view text, double size) const {
     const Character c = first_character(text.substr(i));
     i += c.length;
     const FT_UInt glyph = FT_Get_Char_Index(face, c.code);
-    if (glyph != 0 && FT_Load_Glyph(face, glyph, FT_LOAD_NO_SCALE) == 0) units += face->glyph->advance.x;
-    else units += face->units_per_EM;
+    if (glyph == 0) {
+      units += face->units_per_EM;
+    } else {
+      if (FT_Load_Glyph(face, glyph, FT_LOAD_NO_SCALE) != 0) throw std::bad_alloc();
+      units += face->glyph->advance.x;
+    }
   }
   return size * static_cast<double>(units) / face->units_per_EM;
 }

@@ -22,7 +22,8 @@ constexpr double kMostPixels = 32767;    // that cairo can
 
 void require(cairo_status_t status) {
   if (status == CAIRO_STATUS_SUCCESS) return;
-  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
+  // Where libpng gets no memory, cairo speaks of an error in it; here it reads and writes memory only.
+  if (status == CAIRO_STATUS_NO_MEMORY || status == CAIRO_STATUS_PNG_ERROR) throw std::bad_alloc();
   throw InvariantError(std::string("cairo: ") + cairo_status_to_string(status));
 }
 
@@ -196,9 +197,7 @@ void paint(cairo_surface_t* surface, const Sheet& sheet, double scale, bool as_t
 
 using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
 
-}  // namespace
-
-std::string pdf_bytes(const Sheet& sheet) {
+std::string pdf_bytes_once(const Sheet& sheet) {
   std::string bytes;
   const Surface surface(
       cairo_pdf_surface_create_for_stream(append, &bytes, sheet.width * kPoints, sheet.height * kPoints),
@@ -211,6 +210,15 @@ std::string pdf_bytes(const Sheet& sheet) {
   paint(surface.get(), sheet, kPoints, true);
   cairo_surface_finish(surface.get());
   require(cairo_surface_status(surface.get()));
+  return bytes;
+}
+
+}  // namespace
+
+std::string pdf_bytes(const Sheet& sheet) {
+  // Where cairo 1.16 gets no memory while it ends a .pdf, it may leave out what needed it and say nothing.
+  std::string bytes = pdf_bytes_once(sheet);
+  if (bytes != pdf_bytes_once(sheet)) throw std::bad_alloc();
   return bytes;
 }
 
