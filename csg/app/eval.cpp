@@ -137,8 +137,13 @@ int run_eval(const EvalArguments& arguments) {
     if (is_picture(path)) {
       pictures = true;
       require_no_directory(path);
-    } else {
+      continue;
+    }
+    try {
       check_file_name(path);
+    } catch (const InputError& e) {
+      const std::string what = e.what();
+      throw InputError(what.find("use one of") == std::string::npos ? what : what + " .svg .png .pdf");
     }
   }
   const PictureRequest picture = picture_request(arguments.picture);

@@ -165,10 +165,9 @@ TEST_CASE("the lessons are made, and all links in them lead somewhere", "[lesson
   std::set<std::string> views;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(w.path("made"))) {
     if (entry.path().extension() != ".html") continue;
-    const std::string text = text_of(entry.path());
-    // Pages of `cnrg view` have tests of their own; here only that they are what is framed.
-    if (text.find("\"format\":\"cnrg page\"") != std::string::npos) views.insert(entry.path().string());
-    else pages.emplace(entry.path().string(), read_made(text));
+    // What has the name of a tree is a page of `cnrg view`, which has tests of its own.
+    if (fs::exists(fs::path(entry.path()).replace_extension(".yaml"))) views.insert(entry.path().string());
+    else pages.emplace(entry.path().string(), read_made(text_of(entry.path())));
   }
   CHECK(views.size() == kCount);
   std::size_t links = 0, framed = 0;
@@ -190,10 +189,11 @@ TEST_CASE("the lessons are made, and all links in them lead somewhere", "[lesson
       INFO(path << ": " << address);
       const fs::path target = fs::path(path).parent_path() / address.substr(0, address.find('#'));
       CHECK(views.contains(target.string()));
-      // The view opens with a node, and perhaps with a cell, that there is.
+      // The view opens with a node that there is.
       std::smatch node;
       REQUIRE(std::regex_search(address, node, std::regex("#node=([a-z_]+)")));
-      CHECK_THAT(text_of(target), Contains("\"name\":\"" + node.str(1) + "\""));
+      const std::string tree = fs::path(target).replace_extension(".yaml").string();
+      CHECK(w.run("eval '" + tree + "' --quiet --node " + node.str(1)).status == 0);
       ++framed;
     }
   }
@@ -220,6 +220,18 @@ TEST_CASE("lessons can be read while the program is being built", "[lessons]") {
   REQUIRE(o.status == 0);
   const std::string view = text_of(w.path("made") / folder_of(1).filename() / "cells.html");
   CHECK_THAT(view, Contains("cnrg is being built") && Contains("location.reload()"));
+}
+
+TEST_CASE("where views cannot be made, pages are, and the reason is told", "[lessons]") {
+  const Workshop w;
+  w.write("cnrg", "#!/bin/sh\necho 'cnrg: error: no page to fill in' >&2\nexit 3\n");
+  fs::permissions(w.path("cnrg"), fs::perms::owner_all);
+  const Outcome o = w.shell("PATH=\"$PWD:$PATH\" '" + kLessons.string() + "'/make 1 --out made >.out 2>.err");
+  CHECK(o.status == 2);
+  CHECK(o.out == "");
+  CHECK_THAT(o.err, StartsWith("papers/lessons/make: error: ") &&
+                        Contains("cells.yaml: cnrg: error: no page to fill in"));
+  CHECK(fs::exists(w.path("made") / folder_of(1).filename() / "slides.html"));
 }
 
 TEST_CASE("what a page shows is shown as it stands", "[lessons]") {

@@ -55,11 +55,52 @@ Outcome run(const Workshop& w, const fs::path& folder, const std::string& comman
                  "\n} </dev/null >.out 2>.err");
 }
 
+bool is_picture(const fs::path& file) { return file.extension() == ".png" || file.extension() == ".svg"; }
+
+/// The pictures in a folder.
+std::vector<fs::path> pictures_in(const fs::path& folder) {
+  std::vector<fs::path> out;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (is_picture(entry.path())) out.push_back(entry.path());
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The pictures beside a page of papers/ are those that its commands have made, and no others.
+void check_pictures(const Workshop& w, const Page& page) {
+  const fs::path folder = fs::relative(page.path.parent_path(), root());
+  if (*folder.begin() != "papers") return;
+  const std::vector<fs::path> made = pictures_in(w.path(folder.string()));
+  if (std::getenv("CNRG_WRITE_PAGES") != nullptr) {
+    for (const fs::path& file : made) {
+      fs::copy_file(file, root() / folder / file.filename(), fs::copy_options::overwrite_existing);
+    }
+  }
+  std::vector<std::string> names, kept;
+  for (const fs::path& file : made) names.push_back(file.filename().string());
+  for (const fs::path& file : pictures_in(root() / folder)) kept.push_back(file.filename().string());
+  CHECK(kept == names);
+  for (const fs::path& file : made) {
+    INFO(name_of(page.path) << ": " << file.filename() << " is not what its command makes");
+    CHECK((bytes_of(file) == bytes_of(root() / folder / file.filename())));
+  }
+}
+
 /// Runs the examples of a page.
 void check_examples(const Page& page) {
   const Workshop w;
   furnish(w, page);
   const fs::path folder = folder_of(page);
+  const fs::path own = w.path(fs::relative(page.path.parent_path(), root()).string());
+  if (fs::exists(own)) {  // papers/ is there as a copy: its pictures are to be made
+    for (const fs::path& picture : pictures_in(own)) fs::remove(picture);
+  }
   Lines text = page.lines;
   std::ptrdiff_t grown = 0;  // lines by which `text` is longer than the page so far
   for (const CodeBlock& block : page.blocks) {
@@ -90,6 +131,7 @@ void check_examples(const Page& page) {
       }
     }
   }
+  check_pictures(w, page);
   if (text != page.lines) std::ofstream(page.path) << joined(text);
 }
 
