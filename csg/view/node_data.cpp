@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "csg/explain/explain.h"
+#include "csg/explain/fates.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/palette.h"
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
 #include "csg/topology/topology.h"
-#include "csg/explain/fates.h"
 #include "kernel/selection/homology.h"
 #include "kernel/selection/manifold.h"
 #include "kernel/selection/measure.h"

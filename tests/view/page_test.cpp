@@ -6,12 +6,12 @@
 #include <sstream>
 
 #include "csg/explain/explain.h"
+#include "csg/explain/fates.h"
 #include "csg/formats/formats.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/palette.h"
 #include "csg/result/result_data.h"
 #include "csg/tree/dag.h"
-#include "csg/explain/fates.h"
 #include "csg/view/packed.h"
 #include "kernel/selection/incidence.h"
 #include "tests/view/inflated.h"
