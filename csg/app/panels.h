@@ -36,7 +36,8 @@ struct PictureRequest {
 PictureRequest picture_request(const PictureWords& words);
 
 /// Draws these panels and writes the picture.
-void write_picture(const std::string& path, const std::vector<PanelRequest>& panels, const std::optional<PictureSize>& size,
-                   const Tree& tree, const Evaluation& evaluation, int threads);
+void write_picture(const std::string& path, const std::vector<PanelRequest>& panels,
+                   const std::optional<PictureSize>& size, const Tree& tree, const Evaluation& evaluation,
+                   int threads);
 
 }  // namespace cnrg::app
