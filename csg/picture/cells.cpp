@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
+#include "csg/picture/loops.h"
 #include "kernel/base/sorted.h"
-#include "kernel/complex/complex.h"
 
 namespace cnrg {
 namespace {
@@ -32,12 +32,8 @@ class Cutter {
     for (Index i = 0; i < cells.faces.size(); ++i) {
       const PictureCells::Face& face = cells.faces[i];
       for (const auto& facet : face.facets) {
-        std::vector<std::vector<PointId>> loops;
-        for (const auto& loop : facet) {
-          std::vector<PointId>& corners = loops.emplace_back();
-          for (const Index p : loop) corners.push_back(points[p]);
-        }
-        soup.add_face(model, loops, i, i, label(face.regions[0]), label(face.regions[1]));
+        soup.add_face(model, soup_loops(facet, [&](Index p) { return points[p]; }), i, i, label(face.regions[0]),
+                      label(face.regions[1]));
       }
     }
     for (Index i = 0; i < cells.edges.size(); ++i) {
@@ -158,17 +154,12 @@ class Cutter {
       if (!is_model && regions[front ? 1 : 0] == kNone) return;
     }
     kept_face_[f.index()] = is_model && where != 0 ? 1 : 0;
-    std::vector<FlatComplex::Loop> loops;
-    for (const LoopId l : complex_->face_loops[f]) {
-      FlatComplex::Loop& loop = loops.emplace_back();
-      for (const HalfEdge h : complex_->loop[l]) loop.push_back(number(complex_->origin(h)));
-    }
-    drop_slits(loops);
+    std::vector<FlatComplex::Loop> loops = facet_loops(*complex_, f, [&](VertexId v) { return number(v); });
     // A piece that looks the other way than the first of its face is turned.
     auto at = pieces_.find({of, regions});
     if (const auto turned = pieces_.find({of, {regions[1], regions[0]}});
         at == pieces_.end() && turned != pieces_.end() && regions[0] != regions[1]) {
-      for (FlatComplex::Loop& loop : loops) std::reverse(loop.begin(), loop.end());
+      turn(loops);
       at = turned;
     }
     if (at == pieces_.end()) {
@@ -203,10 +194,6 @@ class Cutter {
 };
 
 }  // namespace
-
-void drop_slits(std::vector<FlatComplex::Loop>& loops) {
-  std::erase_if(loops, [](const FlatComplex::Loop& loop) { return loop.size() < 3; });
-}
 
 PictureCells picture_cells(const Complex& complex, const FlatComplex& flat) {
   PictureCells out;

@@ -35,9 +35,6 @@ struct PictureCells {
   std::vector<Vertex> vertices;
 };
 
-/// Takes away loops that enclose nothing: an edge inside of a face, walked there and back.
-void drop_slits(std::vector<FlatComplex::Loop>& loops);
-
 /// All cells of a flattened value; regions that are not active become none.
 PictureCells picture_cells(const Complex& complex, const FlatComplex& flat);
 

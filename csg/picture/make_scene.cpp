@@ -4,9 +4,9 @@
 #include <map>
 #include <set>
 
+#include "csg/picture/loops.h"
 #include "csg/text/escape.h"
 #include "kernel/base/sorted.h"
-#include "kernel/complex/complex.h"
 
 namespace cnrg {
 namespace {
@@ -362,12 +362,7 @@ Scene without_crossings(const Scene& scene, int threads) {
   std::vector<PointId> points;
   for (const RationalPoint& p : scene.points) points.push_back(soup.add_point(p));
   for (Index i = 0; i < scene.facets.size(); ++i) {
-    std::vector<std::vector<PointId>> loops;
-    for (const Scene::Loop& loop : scene.facets[i].loops) {
-      std::vector<PointId>& corners = loops.emplace_back();
-      for (const Index p : loop) corners.push_back(points[p]);
-    }
-    soup.add_face(leaf, loops, i, i);
+    soup.add_face(leaf, soup_loops(scene.facets[i].loops, [&](Index p) { return points[p]; }), i, i);
   }
   for (Index i = 0; i < scene.segments.size(); ++i) {
     soup.add_wire(leaf, points[scene.segments[i].ends[0]], points[scene.segments[i].ends[1]], i);
@@ -386,17 +381,10 @@ Scene without_crossings(const Scene& scene, int threads) {
     return n;
   };
   for (const FaceId f : IdRange<FaceId>(complex->face_count())) {
-    std::vector<Scene::Loop> loops;
-    for (const LoopId l : complex->face_loops[f]) {
-      Scene::Loop& loop = loops.emplace_back();
-      for (const HalfEdge h : complex->loop[l]) loop.push_back(number(complex->origin(h)));
-    }
-    drop_slits(loops);
+    const std::vector<Scene::Loop> loops = facet_loops(*complex, f, number);
     for (const Cover& cover : complex->cover(f)) {
       Scene::Facet facet{scene.facets[complex->sources[cover.source].leaf_face].surface, loops};
-      if (!cover.same) {
-        for (Scene::Loop& loop : facet.loops) std::reverse(loop.begin(), loop.end());
-      }
+      if (!cover.same) turn(facet.loops);
       out.facets.push_back(std::move(facet));
     }
   }

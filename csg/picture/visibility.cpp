@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "csg/picture/depth.h"
-#include "kernel/complex/complex.h"
+#include "csg/picture/loops.h"
 
 namespace cnrg {
 namespace {
@@ -105,10 +105,7 @@ class Map {
       if (!depth || (facing == Depth::Facing::back && !scene_.surfaces[facet.surface].two_sided)) continue;
       facet_depth_[i] = std::move(depth);
       faces_front_[i] = facing == Depth::Facing::front ? 1 : 0;
-      std::vector<std::vector<PointId>> loops;
       for (const Scene::Loop& loop : facet.loops) {
-        std::vector<PointId>& corners = loops.emplace_back();
-        for (const Index p : loop) corners.push_back(point(p));
         for (std::size_t k = 0; k < loop.size(); ++k) {
           const std::array<Index, 2> ends = ordered(loop[k], loop[(k + 1) % loop.size()]);
           const auto [rim, fresh] = rim_numbers_.try_emplace(ends, static_cast<Index>(rims_.size()));
@@ -119,7 +116,7 @@ class Map {
           rims_[rim->second].push_back(i);
         }
       }
-      soup_.add_face(leaf, loops, i, i);
+      soup_.add_face(leaf, soup_loops(facet.loops, point), i, i);
     }
     segment_depth_.resize(scene_.segments.size());
     for (Index i = 0; i < scene_.segments.size(); ++i) {
