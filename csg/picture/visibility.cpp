@@ -295,14 +295,18 @@ class Map {
   void add_areas() {
     // Stacks that look alike are one area.
     std::map<std::vector<std::pair<Index, int>>, Index> known;
-    std::vector<Index> area_of;
-    for (const std::vector<Index>& stack : stacks_) {
-      std::vector<std::pair<Index, int>> looks;
-      for (const Index f : stack) looks.emplace_back(scene_.facets[f].surface, scene_.facets[f].light);
-      const auto [area, fresh] = known.try_emplace(looks, static_cast<Index>(known.size()));
-      if (fresh) out_.areas.push_back({stack, {}});
-      area_of.push_back(area->second);
+    std::vector<Index> area_of(stacks_.size());
+    std::vector<std::vector<std::pair<Index, int>>> looks(stacks_.size());
+    for (std::size_t i = 0; i < stacks_.size(); ++i) {
+      for (const Index f : stacks_[i]) looks[i].emplace_back(scene_.facets[f].surface, scene_.facets[f].light);
+      known.try_emplace(looks[i], static_cast<Index>(i));
     }
+    Index number = 0;
+    for (auto& [look, area] : known) {
+      out_.areas.push_back({stacks_[area], {}});
+      area = number++;
+    }
+    for (std::size_t i = 0; i < stacks_.size(); ++i) area_of[i] = known.at(looks[i]);
     std::vector<std::vector<HalfEdge>> borders(out_.areas.size());
     for (const EdgeId e : IdRange<EdgeId>(complex_->edge_count())) {
       const std::array<Index, 2> seen = sides(e);
@@ -366,7 +370,22 @@ class Map {
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
       if (!used[i]) walk(i, complex_->origin(edges[i]));
     }
+    put_in_order(out);
     return out;
+  }
+
+  /// In an order, and from ends, that follow from the places alone: so a picture does not depend on numbers of
+  /// cells.
+  static void put_in_order(std::vector<std::pair<std::vector<Point2>, bool>>& chains) {
+    for (auto& [points, closed] : chains) {
+      if (closed) {
+        std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
+        if (points.size() > 2 && points.back() < points[1]) std::reverse(points.begin() + 1, points.end());
+      } else if (points.back() < points.front()) {
+        std::reverse(points.begin(), points.end());
+      }
+    }
+    std::sort(chains.begin(), chains.end());
   }
 
   /// True if both lie on one input segment.
