@@ -102,12 +102,12 @@ void add_picture_options(CLI::App* sub) {
         ->take_all()
         ->group(kGroup);
   };
-  add("--camera", "A,E", "From where, in degrees: to the right of the negative y-axis, and up; such as 30,20");
+  add("--camera", "A,E", "From where, in degrees: 0,0 looks along +y; around to the right, and up; such as 30,20");
   add("--cut", "PLANE", "Take away what is on the camera's side of x=5, or of NX,NY,NZ,D; several times for more");
   add("--explode", "F", "Pull regions apart, by F of their distance from the middle");
   add("--opacity", "F", "See through faces: from 1 (not at all) down to 0.01");
   sub->add_flag_function(
-         "--ghosts", [](std::int64_t) {}, "Show what the node's operator removed, faintly")
+         "--ghosts", [](std::int64_t) {}, "Show what the node's operator removed, faintly; not with --cut or --explode")
       ->take_all()
       ->group(kGroup);
   add("--color-by", "WHAT", "material, region, component or source");
@@ -229,7 +229,7 @@ int run(int argc, char** argv) {
 
   ExplainArguments explain;
   sub = program.add_subcommand("explain",
-                               "Tells the way of a cell through the tree: what kept or removed it, and why");
+                               "Tells of one cell, at every node, what kept or removed it, and why");
   add_tree(sub, explain);
   sub->add_option("--node", explain.node, "Node to look into; the result without it")
       ->type_name("N")
@@ -246,7 +246,7 @@ int run(int argc, char** argv) {
   ViewArguments view;
   sub = program.add_subcommand("view", "Writes a page for a browser: the tree beside the cells of each node");
   add_tree(sub, view);
-  sub->add_option("-o", view.file, "Write this file; without it that of the tree's name with .html, here")
+  sub->add_option("-o", view.file, "Write this file; without it the tree's name with .html, in the current folder")
       ->type_name("FILE.html")
       ->check(name_fault);
   sub->add_option("--node", view.nodes,

@@ -38,7 +38,7 @@ DrawOptions::Camera camera(const std::string& value) {
   const std::vector<std::string> parts = parts_of(value, ',');
   if (parts.size() != 2) refuse("--camera", value, wanted);
   return {number_within("--camera", parts[0], -360, 360, wanted),
-          number_within("--camera", parts[1], -90, 90, wanted)};
+          number_within("--camera", parts[1], -90, 90, "an angle from -90 to 90 degrees, upwards")};
 }
 
 DrawOptions::Cut cut(const std::string& value) {
@@ -132,6 +132,13 @@ PictureRequest picture_request(const PictureWords& words) {
     else apply(option, value, first_cut, out.panels.empty() ? common : out.panels.back());
   }
   if (out.panels.empty()) out.panels.push_back(common);
+  for (const PanelRequest& panel : out.panels) {
+    if (panel.ghosts && (!panel.draw.cuts.empty() || panel.draw.apart != 0)) {
+      throw InputError(
+          "cnrg: error: --ghosts shows what was removed of the whole, and goes neither with --cut nor " +
+          std::string("with --explode; leave one out"));
+    }
+  }
   return out;
 }
 

@@ -274,9 +274,7 @@ Figure draw(const Result& result, const DrawOptions& options, const Result* remo
   if (moved && unbounded) {
     throw InputError("it is unbounded, and cannot be " + what + " in a picture; intersect it with a box");
   }
-  if (moved && removed != nullptr) {
-    throw InputError("what was removed can be shown in a picture of the whole only; it is not to be " + what);
-  }
+  require(!moved || removed == nullptr, "draw: ghosts of a model that is cut or pulled apart");
   PictureCells cells = picture_cells(result.complex(), flat);
   const Rational most("1" + std::string(250, '0'));
   for (const RationalPoint& p : cells.points) {
@@ -284,6 +282,9 @@ Figure draw(const Result& result, const DrawOptions& options, const Result* remo
     if (far) throw InputError("a picture has no coordinates beyond 1e250; make the model smaller with `scale`");
   }
   for (const DrawOptions::Cut& plane : options.cuts) cells = cut(cells, plane, camera.towards(), threads);
+  if (cells.points.empty() && !flat.points.empty()) {
+    throw InputError("the cut takes away all of it; turn the camera to the other side, or move the plane");
+  }
   Scene scene = make_scene(view, flat, cells, options, camera);
   if (options.apart != 0) scene = without_crossings(scene, threads);
   if (removed != nullptr) add_ghosts(removed->complex(), flatten(removed->data().view()), camera, scene);

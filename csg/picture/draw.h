@@ -38,9 +38,9 @@ struct DrawOptions {
 /// From where what is long in all of these lies across the picture, and a flat model is seen from the front.
 DrawOptions::Camera camera_for(const std::vector<Result>& results);
 
-/// `removed`, which is on the complex of the result, is shown as ghosts: `removed_entities` of
-/// csg/explain/fates.h. Throws InputError if an unbounded result, or one with ghosts, is to be cut or pulled
-/// apart.
+/// `removed`, which is on the complex of the result, is shown as ghosts (`removed_entities` of
+/// csg/explain/fates.h), not with cuts or `apart`. Throws InputError if an unbounded result is to be cut or pulled
+/// apart, if cuts leave nothing, and for coordinates beyond 1e250.
 Figure draw(const Result& result, const DrawOptions& options, const Result* removed = nullptr, int threads = 0);
 
 }  // namespace cnrg

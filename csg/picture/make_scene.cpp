@@ -24,7 +24,7 @@ class SceneMaker {
         options_(options),
         camera_(camera),
         colors_(view, flat),
-        by_(options.colors.value_or(default_colors(view))),
+        by_(colors_by(view, options)),
         whole_(options.apart == 0 && options.opacity >= 1) {}
 
   Scene run() {
@@ -50,13 +50,19 @@ class SceneMaker {
   const bool whole_;                  ///< closed and not seen through: what is inside of regions is not seen
   std::vector<RationalPoint> shift_;  // by region, in the camera's space
   std::vector<std::map<Index, Index>> copies_;  // by point: those at the shift of a region (kNone: none)
-  std::map<std::string, Index> label_numbers_;
+  std::map<std::pair<std::string, Index>, Index> label_numbers_;
   std::set<std::string> known_keys_;
   // By edge and by point: active regions about it, kNone for what is not active.
   std::vector<std::vector<Index>> about_edge_;
   std::map<Index, std::vector<Index>> about_point_;
   Scene scene_;
 
+  /// The components of a group are its regions and, as one more, all of its entities: a color for each region.
+  static ColorBy colors_by(const ResultView& view, const DrawOptions& options) {
+    const ColorBy by = options.colors.value_or(default_colors(view));
+    const bool group = view.value->is_group() || view.of_group;
+    return group && by == ColorBy::component ? ColorBy::region : by;
+  }
   bool active(Index region) const { return flat_.active(region); }
   /// Its skin hides what is in it.
   bool closed(Index region) const { return whole_ && active(region) && flat_.regions[region].bounded; }
@@ -131,28 +137,31 @@ class SceneMaker {
 
   // --- looks
 
-  Index label(const std::string& text) {
-    const auto [entry, fresh] = label_numbers_.try_emplace(text, static_cast<Index>(scene_.labels.size()));
+  /// A text that stands once in the picture; of a region once for each.
+  Index label(const std::string& text, Index region = kNone) {
+    const auto [entry, fresh] =
+        label_numbers_.try_emplace({text, region}, static_cast<Index>(scene_.labels.size()));
     if (fresh) scene_.labels.push_back(text);
     return entry->second;
   }
   void add_number(std::vector<Index>& labels, int dimension, Index cell, bool wanted) {
     if (wanted && cell != kNone) labels.push_back(label(cell_name(dimension, cell)));
   }
-  /// What the user calls a cell: by what it is colored, its component's name or material, or its one leaf.
-  void add_name(std::vector<Index>& labels, Component component, const FlatComplex::Provenance* origin) {
-    if (!options_.labels.names || component == 0) return;
-    std::string text;
-    if (origin == nullptr) {
-      const RegionAttributes& a = attributes_of(view_, component);
-      const std::string& material = a.material.name();
-      text = a.name.empty() || (by_ == ColorBy::material && !material.empty()) ? material : a.name;
-    } else {
-      std::set<std::string> names;
-      for (const LeafId leaf : origin->leaves) names.insert((*view_.leaves)[leaf.index()].name);
-      if (names.size() == 1) text = *names.begin();
-    }
-    if (!text.empty()) labels.push_back(label(shown(text)));
+  /// A region's material where that is its color, else its name.
+  void add_name_of_region(std::vector<Index>& labels, Index region) {
+    if (!options_.labels.names) return;
+    const RegionAttributes& a = attributes_of(view_, flat_.regions[region].component);
+    const std::string& material = a.material.name();
+    const bool by_material = a.name.empty() || (by_ == ColorBy::material && !material.empty());
+    const std::string& text = by_material ? material : a.name;
+    if (!text.empty()) labels.push_back(label(shown(text), region));
+  }
+  /// The one leaf that a sheet, a wire or a point came from.
+  void add_name_of_leaf(std::vector<Index>& labels, const FlatComplex::Provenance& origin) {
+    if (!options_.labels.names) return;
+    std::set<std::string> names;
+    for (const LeafId leaf : origin.leaves) names.insert((*view_.leaves)[leaf.index()].name);
+    if (names.size() == 1 && !names.begin()->empty()) labels.push_back(label(shown(*names.begin())));
   }
   Rgb painted(const CellColor& color) {
     if (!color.text.empty() && known_keys_.insert(color.text).second) {
@@ -178,7 +187,7 @@ class SceneMaker {
           !flat_.regions[r].bounded || (options_.opacity < 1 && (!active(beyond) || options_.apart != 0));
       add_number(s.labels, 2, face.face, options_.labels.faces);
       add_number(s.labels, 3, r, options_.labels.regions);
-      add_name(s.labels, flat_.regions[r].component, nullptr);
+      add_name_of_region(s.labels, r);
       scene_.surfaces.push_back(s);
       add_facets(face, static_cast<Index>(scene_.surfaces.size() - 1), r, side == 0);
     }
@@ -196,7 +205,7 @@ class SceneMaker {
     s.opacity = options_.opacity;
     s.two_sided = true;
     add_number(s.labels, 2, face.face, options_.labels.faces);
-    if (own) add_name(s.labels, cell.component, &cell.origin);
+    if (own) add_name_of_leaf(s.labels, cell.origin);
     scene_.surfaces.push_back(s);
     add_facets(face, static_cast<Index>(scene_.surfaces.size() - 1), r, false);
   }
@@ -262,7 +271,7 @@ class SceneMaker {
       if (cell.wire && own) {
         line.look = Figure::Line::wire;
         line.color = painted(colors_.of(by_, 1, edge.edge));
-        add_name(line.labels, cell.component, &cell.origin);
+        add_name_of_leaf(line.labels, cell.origin);
       } else if (cell.around.size() == 1) {
         line.look = Figure::Line::border;
       }
@@ -298,7 +307,7 @@ class SceneMaker {
       if (end == ends.end() && own) {
         dot.mark = Figure::Mark::isolated;
         dot.color = painted(colors_.of(by_, 0, v.vertex));
-        add_name(dot.labels, cell.component, &cell.origin);
+        add_name_of_leaf(dot.labels, cell.origin);
       }
       dot.drawn = !own || end == ends.end() || end->second == 2 || options_.labels.vertices;
       add_number(dot.labels, 0, v.vertex, options_.labels.vertices);

@@ -186,7 +186,7 @@ TEST_CASE("what is no picture is refused in one line", "[picture]") {
   const Studio s;
   CHECK_THAT(s.refusal("--camera 1,2 -o x.vtu"), Contains("options of pictures are given, and no picture"));
   CHECK_THAT(s.refusal("-o x.svg --camera 1"), Contains("--camera: `1` is not two angles"));
-  CHECK_THAT(s.refusal("-o x.svg --camera 1,95"), Contains("--camera: `95` is not two angles"));
+  CHECK_THAT(s.refusal("-o x.svg --camera 1,95"), Contains("--camera: `95` is not an angle from -90 to 90"));
   CHECK_THAT(s.refusal("-o x.svg --cut w=1"), Contains("--cut: `w=1` is not a plane"));
   CHECK_THAT(s.refusal("-o x.svg --cut 0,0,0,1"), Contains("--cut: `0,0,0,1` is not a plane"));
   CHECK_THAT(s.refusal("-o x.svg --size 10x10"), Contains("--size: `10` is not a size"));
@@ -196,7 +196,9 @@ TEST_CASE("what is no picture is refused in one line", "[picture]") {
   CHECK_THAT(s.refusal("-o x.svg --explode nan"), Contains("--explode: `nan` is not a number"));
   CHECK_THAT(s.refusal("-o x.svg --color-by moon"), Contains("--color-by: `moon` is not material"));
   CHECK_THAT(s.refusal("-o x.svg --node open --cut z=0"), Contains("t.yaml:") && Contains("it is unbounded"));
-  CHECK_THAT(s.refusal("-o x.svg --node less --ghosts --cut z=0"), Contains("t.yaml:") && Contains("removed"));
+  CHECK_THAT(s.refusal("-o x.svg --node less --ghosts --cut z=0"),
+             Contains("neither with --cut nor with --explode"));
+  CHECK_THAT(s.refusal("-o x.svg --node low --cut y=9"), Contains("t.yaml:") && Contains("takes away all"));
   CHECK_THAT(s.refusal("-o x.svg -o x.vtu --node low --node high --node both"), Contains("3 times --node"));
   CHECK_THAT(s.refusal("-o x.tiff"), Contains("use one of") && Contains(".svg .png .pdf"));
   CHECK_THAT(s.refusal("-o t.yaml"), Contains("t.yaml"));

@@ -31,7 +31,7 @@ const overlay = $('labelled').getContext('2d');
 try {
   scene = new Scene($('scene'), onDrawn);
 } catch (fault) {
-  tell('This browser gives no WebGL: the picture is missing, everything else is here.');
+  tell('This browser gives no WebGL: the picture is missing, everything else is here. `cnrg eval TREE -o FILE.svg` makes a still.', true);
 }
 
 function extent() {
@@ -174,11 +174,11 @@ function panel(name) {
 }
 
 let noteTimer = 0;
-function tell(text) {
+function tell(text, stays = false) {
   $('note').textContent = text;
   $('note').hidden = false;
   clearTimeout(noteTimer);
-  noteTimer = setTimeout(() => ($('note').hidden = true), 3500);
+  if (!stays) noteTimer = setTimeout(() => ($('note').hidden = true), 3500);
 }
 async function copied(text) {
   try {
