@@ -8,6 +8,7 @@
 
 #include "csg/mesh/material_field.h"
 #include "csg/text/escape.h"
+#include "csg/text/xml.h"
 #include "kernel/base/parallel.h"
 
 namespace cnrg {
@@ -39,23 +40,8 @@ std::string little_endian(const std::vector<T>& values) {
   return bytes;
 }
 
-/// A name in XML, which has no way to write control characters.
-std::string escaped(const std::string& name) {
-  std::string result;
-  for (const char c : shown(name)) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
-    }
-  }
-  return result;
-}
-
 std::string comment(const ResultView& view) {
-  std::string name = escaped(view.node);
+  std::string name = in_xml(view.node);
   for (std::size_t at; (at = name.find("--")) != std::string::npos;) name.replace(at, 2, "- -");
   return "node " + name + ", written by cnrg";
 }
@@ -150,7 +136,7 @@ void VtuGrid::append_fractions(std::string& text, const ResultView& view,
     for (std::size_t k = 0; k < here.size(); ++k) fractions[k].push_back(here[k]);
   }
   for (std::size_t k = 0; k < fractions.size(); ++k) {
-    append_array(text, escaped("fraction of " + field.names()[k]).c_str(), "Float64", fractions[k]);
+    append_array(text, in_xml("fraction of " + field.names()[k]).c_str(), "Float64", fractions[k]);
   }
 }
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "csg/picture/sheet.h"
-#include "csg/text/escape.h"
+#include "csg/text/xml.h"
 
 namespace cnrg {
 namespace {
@@ -26,20 +26,6 @@ std::string color_text(const Rgb& color) {
 std::string share(double x) {
   const std::string digits = std::to_string(std::lround(x * 100));
   return (digits.size() < 2 ? ".0" : ".") + digits;
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : shown(text)) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
-    }
-  }
-  return result;
 }
 
 /// Data of a path, all of it relative. Each subpath begins where the last one did, if that was closed, and else
@@ -114,7 +100,7 @@ class Writer {
     std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
                        "\" viewBox=\"0 0 " + std::to_string(units(sheet_.width)) + " " +
                        std::to_string(units(sheet_.height)) + "\" role=\"img\"";
-    if (!sheet_.title.empty()) text += " aria-label=\"" + escaped(sheet_.title) + "\"";
+    if (!sheet_.title.empty()) text += " aria-label=\"" + in_xml(sheet_.title) + "\"";
     text += ">\n";
     if (!patterns_.empty()) text += "<defs>\n" + patterns_ + "</defs>\n";
     return text + "<path d=\"M0 0h" + std::to_string(units(sheet_.width)) + "v" +
@@ -216,7 +202,7 @@ class Writer {
              std::to_string(units(text.middle[1] + kHalfLetter * text.size)) + "\" font-size=\"" +
              std::to_string(units(text.size)) + "\"" +
              (text.halo ? " stroke=\"" + color_text(kPaper) + "\" stroke-opacity=\".8\"" : "") + ">" +
-             escaped(text.text) + "</text>\n";
+             in_xml(text.text) + "</text>\n";
     }
     out += "</g>\n";
   }

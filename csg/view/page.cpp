@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "csg/explain/fates.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/palette.h"
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
+#include "csg/text/xml.h"
 #include "csg/tree/dag.h"
 #include "csg/view/node_data.h"
 #include "kernel/base/error.h"
@@ -84,29 +86,11 @@ Json fixed_colors() {
   return out;
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
-    text.replace(at, what.size(), by);
-  }
-  return text;
-}
-
-std::string html(std::string text) {
-  text = replaced(std::move(text), "&", "&amp;");
-  text = replaced(std::move(text), "<", "&lt;");
-  return replaced(std::move(text), "\"", "&quot;");
-}
-
 /// The instance of each kept value, by instance; the value of a node asked for is that of its last instance.
 std::vector<std::pair<InstanceId, const KeptValue*>> shown_nodes(const Evaluation& evaluation) {
   std::map<InstanceId, const KeptValue*> found;
   for (const KeptValue& kept : evaluation.kept) {
-    InstanceId of;
-    for (const InstanceId i : IdRange<InstanceId>(evaluation.instances.size())) {
-      if (evaluation.values[i] == kept.value) of = i;
-    }
-    require(of.valid(), "page_data: the evaluation has not kept all values");
-    found.emplace(of, &kept);
+    found.emplace(instance_of(evaluation, kept), &kept);
   }
   return {found.begin(), found.end()};
 }
@@ -213,8 +197,8 @@ std::string page_text(const std::string& page_template, const std::string& title
     if (at == std::string::npos) throw InputError("the template of the page has no place `" + place + "`");
     out.replace(at, place.size(), text);
   };
-  put("<!--cnrg:title-->", html(shown(title)));
-  put("<!--cnrg:stamp-->", html(stamp));
+  put("<!--cnrg:title-->", in_xml(title));
+  put("<!--cnrg:stamp-->", in_xml(stamp));
   put("<!--cnrg:data-->", compressed(data));  // in base64, so that no text of a tree can end the element
   return out;
 }

@@ -402,7 +402,7 @@ TEST_CASE("no text of a tree is HTML in its page", "[view]") {
   CHECK(scene.data["nodes"][0]["components"][0]["name"] == "<!--<script>");
   const std::string page =
       page_text("<t><!--cnrg:title--></t><!--cnrg:stamp-->|<!--cnrg:data-->", "a<b>&\"c\"", scene.raw, "7");
-  CHECK(page == "<t>a&lt;b>&amp;&quot;c&quot;</t>7|" + compressed(scene.raw));
+  CHECK(page == "<t>a&lt;b&gt;&amp;&quot;c&quot;</t>7|" + compressed(scene.raw));
   CHECK(page.find("script") == std::string::npos);
   CHECK_THROWS_WITH(page_text("nothing", "a", "b"), Contains("no place `<!--cnrg:title-->`"));
 }
