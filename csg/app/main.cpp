@@ -107,7 +107,8 @@ void add_picture_options(CLI::App* sub) {
   add("--explode", "F", "Pull regions apart, by F of their distance from the middle");
   add("--opacity", "F", "See through faces: from 1 (not at all) down to 0.01");
   sub->add_flag_function(
-         "--ghosts", [](std::int64_t) {}, "Show what the node's operator removed, faintly; not with --cut or --explode")
+         "--ghosts", [](std::int64_t) {},
+         "Show what the node's operator removed, faintly; not with --cut or --explode")
       ->take_all()
       ->group(kGroup);
   add("--color-by", "WHAT", "material, region, component or source");
@@ -228,8 +229,7 @@ int run(int argc, char** argv) {
   sub->callback([&] { command = [&] { return run_locate(locate); }; });
 
   ExplainArguments explain;
-  sub = program.add_subcommand("explain",
-                               "Tells of one cell, at every node, what kept or removed it, and why");
+  sub = program.add_subcommand("explain", "Tells of one cell, at every node, what kept or removed it, and why");
   add_tree(sub, explain);
   sub->add_option("--node", explain.node, "Node to look into; the result without it")
       ->type_name("N")
