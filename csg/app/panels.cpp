@@ -16,9 +16,11 @@ namespace {
   throw InputError("cnrg: error: " + option + ": `" + shown(value) + "` is not " + wanted);
 }
 
+/// What is between separators, also where that is nothing; of an empty text no part.
 std::vector<std::string> parts_of(const std::string& text, char separator) {
   std::vector<std::string> out;
-  std::istringstream stream(text);
+  if (text.empty()) return out;
+  std::istringstream stream(text + separator);
   for (std::string part; std::getline(stream, part, separator);) out.push_back(part);
   return out;
 }

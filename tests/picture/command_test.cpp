@@ -191,6 +191,11 @@ TEST_CASE("what is no picture is refused in one line", "[picture]") {
   CHECK_THAT(s.refusal("-o x.svg --cut 0,0,0,1"), Contains("--cut: `0,0,0,1` is not a plane"));
   CHECK_THAT(s.refusal("-o x.svg --size 10x10"), Contains("--size: `10` is not a size"));
   CHECK_THAT(s.refusal("-o x.svg --size big"), Contains("--size: `big` is not a size"));
+  // Nothing behind the last separator is a part that is missing, not one that is not there.
+  CHECK_THAT(s.refusal("-o x.svg --camera 1,2,"), Contains("--camera: `1,2,` is not two angles"));
+  CHECK_THAT(s.refusal("-o x.svg --cut 1,2,3,4,"), Contains("--cut: `1,2,3,4,` is not a plane"));
+  CHECK_THAT(s.refusal("-o x.svg --size 64x48x"), Contains("--size: `64x48x` is not a size"));
+  CHECK_THAT(s.refusal("-o x.svg --labels v,"), Contains("--labels: `v,` is not a list"));
   CHECK_THAT(s.refusal("-o x.svg --labels v,q"), Contains("--labels: `v,q` is not a list"));
   CHECK_THAT(s.refusal("-o x.svg --opacity 0"), Contains("--opacity: `0` is not a number"));
   CHECK_THAT(s.refusal("-o x.svg --explode nan"), Contains("--explode: `nan` is not a number"));
