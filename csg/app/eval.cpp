@@ -137,13 +137,8 @@ int run_eval(const EvalArguments& arguments) {
     if (is_picture(path)) {
       pictures = true;
       require_no_directory(path);
-      continue;
-    }
-    try {
-      check_file_name(path);
-    } catch (const InputError& e) {
-      const std::string what = e.what();
-      throw InputError(what.find("use one of") == std::string::npos ? what : what + " .svg .png .pdf");
+    } else {
+      check_file_name(path, " .svg .png .pdf");
     }
   }
   const PictureRequest picture = picture_request(arguments.picture);

@@ -1,6 +1,5 @@
 #include "csg/app/panels.h"
 
-#include <charconv>
 #include <sstream>
 
 #include "csg/app/evaluation.h"
@@ -25,12 +24,9 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
   return out;
 }
 
-/// The number that is all of the text.
-std::optional<Rational> number(const std::string& text) { return parse_rational(text); }
-
 double number_within(const std::string& option, const std::string& value, double low, double high,
                      const std::string& wanted) {
-  const std::optional<Rational> x = number(value);
+  const std::optional<Rational> x = parse_rational(value);
   if (!x || to_double(*x) < low || to_double(*x) > high) refuse(option, value, wanted);
   return to_double(*x);
 }
@@ -47,7 +43,7 @@ DrawOptions::Cut cut(const std::string& value) {
   const std::string wanted = "a plane such as x=5, or NX,NY,NZ,D for NX x + NY y + NZ z = D";
   DrawOptions::Cut out{{Rational(0), Rational(0), Rational(0)}, Rational(0)};
   if (value.size() > 2 && value[1] == '=' && value[0] >= 'x' && value[0] <= 'z') {
-    const std::optional<Rational> offset = number(value.substr(2));
+    const std::optional<Rational> offset = parse_rational(value.substr(2));
     if (!offset) refuse("--cut", value, wanted);
     out.normal[static_cast<std::size_t>(value[0] - 'x')] = 1;
     out.offset = *offset;
@@ -56,7 +52,7 @@ DrawOptions::Cut cut(const std::string& value) {
   const std::vector<std::string> parts = parts_of(value, ',');
   std::vector<Rational> numbers;
   for (const std::string& part : parts) {
-    if (const std::optional<Rational> x = number(part)) numbers.push_back(*x);
+    if (const std::optional<Rational> x = parse_rational(part)) numbers.push_back(*x);
   }
   if (parts.size() != 4 || numbers.size() != 4 || (numbers[0] == 0 && numbers[1] == 0 && numbers[2] == 0)) {
     refuse("--cut", value, wanted);
@@ -147,11 +143,12 @@ PictureRequest picture_request(const PictureWords& words) {
 void write_picture(const std::string& path, const std::vector<PanelRequest>& panels,
                    const std::optional<PictureSize>& size, const Tree& tree, const Evaluation& evaluation,
                    int threads) {
-  const auto node = [&](const PanelRequest& panel) {
-    return panel.node.empty() ? tree.result : node_of(tree, panel.node);
-  };
+  std::vector<NodeId> nodes;
   std::vector<Result> results;
-  for (const PanelRequest& panel : panels) results.push_back(evaluation.result(node(panel)));
+  for (const PanelRequest& panel : panels) {
+    nodes.push_back(node_of(tree, panel.node));
+    results.push_back(evaluation.result(nodes.back()));
+  }
   const DrawOptions::Camera camera = camera_for(results);
   std::vector<Panel> drawn;
   for (std::size_t i = 0; i < panels.size(); ++i) {
@@ -159,10 +156,10 @@ void write_picture(const std::string& path, const std::vector<PanelRequest>& pan
     if (!options.camera) options.camera = camera;
     std::optional<Result> removed;
     if (panels[i].ghosts) {
-      removed.emplace(evaluation.complex, removed_entities(tree, evaluation, evaluation.value(node(panels[i]))));
+      removed.emplace(evaluation.complex, removed_entities(tree, evaluation, evaluation.value(nodes[i])));
     }
-    Figure figure = at_node(tree, node(panels[i]),
-                            [&] { return draw(results[i], options, removed ? &*removed : nullptr, threads); });
+    Figure figure =
+        at_node(tree, nodes[i], [&] { return draw(results[i], options, removed ? &*removed : nullptr, threads); });
     const std::string caption = panels[i].has_caption ? panels[i].caption
                                 : panels.size() > 1   ? results[i].name()
                                                       : "";

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/leaf.h"
 #include "csg/operators/group.h"
 #include "kernel/complex/complex.h"
@@ -56,8 +57,6 @@ struct LinearForm {
   Stops stops;
   friend bool operator==(const LinearForm&, const LinearForm&) = default;
 };
-
-Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 LinearForm form_of(const LinearGrade& line, const PlacedGrade& placed) {
   const auto t = [&](const RationalPoint& p) {

@@ -26,13 +26,13 @@ bool shows_regions(const std::string& path) {
 
 bool shows_dag(const std::string& path) { return extension_of(path) == ".dot" && !shows_regions(path); }
 
-void check_file_name(const std::string& path) {
+void check_file_name(const std::string& path, const std::string& others) {
   require_no_directory(path);
   if (extension_of(path) == ".dot") return;
   try {
     check_extension(path);
   } catch (const InputError& e) {
-    throw InputError(std::string(e.what()) + " .dot .regions.dot");
+    throw InputError(std::string(e.what()) + " .dot .regions.dot" + others);
   }
   if (is_cad_file(path)) require_cad_writer(path);
 }

@@ -10,8 +10,9 @@
 
 namespace cnrg {
 
-/// Throws InputError if nothing below writes files of that extension: to be asked before long work.
-void check_file_name(const std::string& path);
+/// Throws InputError if nothing below writes files of that extension: to be asked before long work. The message
+/// names those that are known, and `others`, which the caller writes itself (` .svg .png`).
+void check_file_name(const std::string& path, const std::string& others = {});
 /// True for a `.dot` of the DAG.
 bool shows_dag(const std::string& path);
 /// True for the formats that hold no doubles, so that they do not need snapping: .json and both kinds of .dot.

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "csg/geometry/exact_vectors.h"
 #include "csg/picture/loops.h"
 #include "kernel/base/sorted.h"
 
@@ -12,8 +13,6 @@ namespace {
 
 using Index = PictureCells::Index;
 constexpr Index kNone = PictureCells::kNone;
-
-Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Cells and a plane in one complex. Faces name the regions on their sides, so that the kernel knows the region of
 /// each piece of the plane.

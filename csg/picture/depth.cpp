@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "csg/geometry/exact_vectors.h"
 #include "kernel/exact/enclosure.h"
 
 namespace cnrg {
@@ -22,19 +23,12 @@ Interval around(const Rational& x) {
 }
 Interval3 around(const RationalPoint& p) { return {around(p[0]), around(p[1]), around(p[2])}; }
 
-RationalPoint minus(const RationalPoint& a, const RationalPoint& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-RationalPoint cross(const RationalPoint& a, const RationalPoint& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// The sum over the loop's corners; it points to where the loop is seen counter-clockwise.
 RationalPoint normal_of(const Scene& scene, const Scene::Loop& loop) {
   const RationalPoint& o = scene.points[loop.front()];
   RationalPoint out{0, 0, 0};
   for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
-    const RationalPoint c = cross(minus(scene.points[loop[i]], o), minus(scene.points[loop[i + 1]], o));
+    const RationalPoint c = cross(scene.points[loop[i]] - o, scene.points[loop[i + 1]] - o);
     for (std::size_t k = 0; k < 3; ++k) out[k] += c[k];
   }
   return out;

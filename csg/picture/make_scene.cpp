@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "csg/geometry/exact_vectors.h"
 #include "csg/picture/loops.h"
 #include "csg/text/escape.h"
 #include "kernel/base/sorted.h"
@@ -83,9 +84,7 @@ class SceneMaker {
         empty = false;
         for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
       }
-      RationalPoint middle() const {
-        return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
-      }
+      RationalPoint middle() const { return Rational(1, 2) * (low + high); }
     };
     std::vector<Box> boxes(flat_.regions.size());
     Box whole;
@@ -102,10 +101,7 @@ class SceneMaker {
     const Rational share = from_double(options_.apart);
     for (std::size_t r = 0; r < boxes.size(); ++r) {
       if (boxes[r].empty) continue;
-      const RationalPoint a = boxes[r].middle(), b = whole.middle();
-      RationalPoint by;
-      for (std::size_t k = 0; k < 3; ++k) by[k] = share * (a[k] - b[k]);
-      shift_[r] = camera_.view(by);
+      shift_[r] = camera_.view(share * (boxes[r].middle() - whole.middle()));
     }
   }
 
@@ -115,9 +111,7 @@ class SceneMaker {
     const auto [entry, fresh] = copies_[p].try_emplace(region, static_cast<Index>(scene_.points.size()));
     if (fresh) {
       RationalPoint at = camera_.view(cells_.points[p]);
-      if (region != kNone) {
-        for (std::size_t k = 0; k < 3; ++k) at[k] += shift_[region][k];
-      }
+      if (region != kNone) at = at + shift_[region];
       scene_.points.push_back(std::move(at));
     }
     return entry->second;

@@ -190,7 +190,6 @@ class Map {
   /// What lies along an edge of the map.
   struct Along {
     std::vector<Index> segments, rims;
-    bool has(Index rim) const { return std::find(rims.begin(), rims.end(), rim) != rims.end(); }
   };
   Along along(EdgeId e) const {
     Along out;
@@ -279,9 +278,9 @@ class Map {
   }
 
   void add_strokes() {
-    std::map<Look, std::vector<HalfEdge>> pieces;
+    std::map<Look, std::vector<EdgeId>> pieces;
     for (const EdgeId e : IdRange<EdgeId>(complex_->edge_count())) {
-      if (const std::optional<Look> look = look_of(e)) pieces[*look].push_back(HalfEdge(e, 0));
+      if (const std::optional<Look> look = look_of(e)) pieces[*look].push_back(e);
     }
     for (const auto& [look, edges] : pieces) {
       for (auto& [points, closed] : chains(edges, false)) {
@@ -307,13 +306,13 @@ class Map {
       area = number++;
     }
     for (std::size_t i = 0; i < stacks_.size(); ++i) area_of[i] = known.at(looks[i]);
-    std::vector<std::vector<HalfEdge>> borders(out_.areas.size());
+    std::vector<std::vector<EdgeId>> borders(out_.areas.size());
     for (const EdgeId e : IdRange<EdgeId>(complex_->edge_count())) {
       const std::array<Index, 2> seen = sides(e);
       const Index one = area_of[seen[0]], other = area_of[seen[1]];
       if (one == other) continue;
-      borders[one].push_back(HalfEdge(e, 0));
-      borders[other].push_back(HalfEdge(e, 0));
+      borders[one].push_back(e);
+      borders[other].push_back(e);
     }
     for (std::size_t i = 0; i < borders.size(); ++i) {
       for (auto& [points, closed] : chains(borders[i], true)) out_.areas[i].loops.push_back(std::move(points));
@@ -323,12 +322,10 @@ class Map {
 
   /// Edges joined end to end, straight ones into one piece. With `through`, chains pass every vertex at which an
   /// even number of edges end, in any pairs; otherwise only those where two end.
-  std::vector<std::pair<std::vector<Point2>, bool>> chains(const std::vector<HalfEdge>& edges,
-                                                           bool through) const {
+  std::vector<std::pair<std::vector<Point2>, bool>> chains(const std::vector<EdgeId>& edges, bool through) const {
     std::vector<std::pair<VertexId, std::uint32_t>> ends;
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
-      ends.emplace_back(complex_->origin(edges[i]), i);
-      ends.emplace_back(complex_->target(edges[i]), i);
+      for (const VertexId v : complex_->edge_ends[edges[i]]) ends.emplace_back(v, i);
     }
     std::sort(ends.begin(), ends.end());
     const auto at = [&](VertexId v) {
@@ -352,7 +349,7 @@ class Map {
       std::vector<EdgeId> along;
       while (i != kNone) {
         used[i] = 1;
-        const EdgeId e = edges[i].edge();
+        const EdgeId e = edges[i];
         from = complex_->edge_ends[e][complex_->edge_ends[e][0] == from ? 1 : 0];
         corners.push_back(from);
         along.push_back(e);
@@ -362,13 +359,13 @@ class Map {
       out.emplace_back(simplified(corners, along, closed), closed);
     };
     for (std::uint32_t i = 0; i < edges.size(); ++i) {  // open chains first, from their ends
-      const EdgeId e = edges[i].edge();
+      const EdgeId e = edges[i];
       for (const VertexId v : complex_->edge_ends[e]) {
         if (!through && !used[i] && at(v).second - at(v).first != 2) walk(i, v);
       }
     }
     for (std::uint32_t i = 0; i < edges.size(); ++i) {
-      if (!used[i]) walk(i, complex_->origin(edges[i]));
+      if (!used[i]) walk(i, complex_->edge_ends[edges[i]][0]);
     }
     put_in_order(out);
     return out;
