@@ -223,8 +223,9 @@ TEST_CASE("without rows only the kept nodes are measured", "[evaluate]") {
   REQUIRE(e.rows.size() == 2);
   CHECK(e.rows[0].cells == Cells{0, 0, 0, 0});
   CHECK(e.rows[1].cells == Cells{8, 12, 6, 1});
-  CHECK(stages == std::vector<std::string>{"leaves", "refine", "refine: input", "refine: contacts", "refine: crossings",
-                                           "refine: faces", "refine: cells", "refine: regions", "nodes"});
+  CHECK(stages == std::vector<std::string>{"leaves", "refine", "refine: input", "refine: contacts",
+                                           "refine: crossings", "refine: faces", "refine: cells",
+                                           "refine: regions", "nodes"});
 }
 
 TEST_CASE("raw keeps the cells of the refinement", "[evaluate]") {
