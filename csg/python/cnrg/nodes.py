@@ -352,9 +352,6 @@ class Node:
 
         return Tree.of(self, weld=weld).to_yaml(folder)
 
-    def _repr_html_(self) -> str | None:
-        return self.evaluate()._repr_html_()
-
 
 _TRANSFORMS = ("translate", "rotate", "scale", "mirror")
 _FILES = ("mesh", "heightfield", "step", "brep", "cnrg")  # leaves that may read one
