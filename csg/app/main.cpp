@@ -191,7 +191,7 @@ int run(int argc, char** argv) {
       ->take_all();
   sub->add_option("-o", eval.files,
                   "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off "
-                  ".stl .ply .step .brep .dot .regions.dot; pictures: .svg .png .pdf")
+                  ".stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png .pdf")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)
