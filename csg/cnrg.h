@@ -32,6 +32,7 @@
 // Leaves and trees.
 #include "csg/evaluate/evaluate.h"
 #include "csg/leaves/leaf.h"
+#include "csg/leaves/mesh_data.h"
 #include "csg/leaves/shapes.h"
 #include "csg/tree/tree.h"
 

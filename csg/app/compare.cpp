@@ -40,7 +40,7 @@ int run_compare(const CompareArguments& arguments) {
     else options.features = false;
   }
   ProgressBar bar(arguments.quiet);
-  options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
+  options.watch.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
     bar.show(stage, done, total);
   };
   const Comparison comparison = compare(a.tree, a.node, b.tree, b.node, options);

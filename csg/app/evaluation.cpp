@@ -42,7 +42,7 @@ NodeId node_of(const Tree& tree, const std::string& name, const char* option) {
 Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet) {
   limit_threads(options.threads);
   ProgressBar bar(quiet);
-  options.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
+  options.watch.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
     bar.show(stage, done, total);
   };
   Evaluation evaluation = evaluate(tree, options);

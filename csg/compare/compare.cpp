@@ -181,7 +181,7 @@ Evaluation evaluated(const Tree& tree, NodeId node, const std::vector<NodeId>& m
   all.threads = options.threads;
   all.rows = false;
   all.nodes = more;
-  all.progress = options.progress;
+  all.watch = options.watch;
   Tree asked = tree;
   asked.result = node;
   return evaluate(asked, all);

@@ -26,7 +26,7 @@ struct CompareOptions {
   bool materials = true;
   bool names = true;
   bool features = true;  ///< which cells are left after simplification
-  Progress progress{};
+  Watch watch{};
 };
 
 /// What the entities of a group are called as one of its components.

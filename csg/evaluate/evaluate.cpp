@@ -70,6 +70,7 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
   const Stopwatch stopwatch;
   RefineOptions refine_options;
   refine_options.threads = options.threads;
+  refine_options.watch = options.watch;
   std::vector<LeafInstance> instances;
   leaves.locate_errors([&] {
     std::vector<NearSurfaces> near;
@@ -158,9 +159,6 @@ Outcome run_operator(const Tree& tree, const Unfolding& unfolding, InstanceId id
 /// `roots`: those whose values are kept. Without `graded` every material is the same all over.
 Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, const EvaluateOptions& options,
                           bool graded) {
-  const auto progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
-    if (options.progress) options.progress(stage, done, total);
-  };
   std::optional<tbb::global_control> limit;
   if (options.threads > 0) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
@@ -168,11 +166,11 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
   Evaluation result;
   const Unfolding unfolding = unfold(tree, roots);
 
-  progress("leaves", 0, 0);
+  options.watch.begin("leaves");
   const PreparedLeaves leaves(tree, unfolding);
   append(result.diagnostics, leaves.notices());
 
-  progress("refine", 0, 0);
+  options.watch.begin("refine");
   build_complex_of(tree, leaves, options, result);
   const Complex& complex = *result.complex;
   append(result.diagnostics, dropped_faces(tree, leaves, complex, result.refine));
@@ -180,6 +178,7 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
   Grades grades(tree, graded ? unfolding : Unfolding(), [&](NodeId node) {
     EvaluateOptions alone;
     alone.threads = options.threads;
+    alone.watch = options.watch;
     alone.rows = false;
     return evaluate_roots(tree, {node}, alone, false);
   });
@@ -189,8 +188,8 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
 
   LeavesBelow below(leaves, unfolding);
   std::optional<SimplifiedComplex> of_result;
+  Steps steps(options.watch, "nodes", unfolding.instances.size());
   for (const InstanceId id : IdRange<InstanceId>(unfolding.instances.size())) {
-    progress("nodes", id.index(), unfolding.instances.size());
     const NodeId node = unfolding.instances[id].node;
     NodeRow row = row_of(tree, unfolding, id);
     std::vector<MaterialConflict> conflicts;
@@ -216,9 +215,8 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
     }
     values.release_operands(id);
     result.rows.push_back(std::move(row));
+    steps.step();
   }
-  progress("nodes", unfolding.instances.size(), unfolding.instances.size());
-
   const SimplifyMode mode = options.raw ? SimplifyMode::raw : SimplifyMode::features;
   for (const InstanceId root : unfolding.roots) {
     const NodeId node = unfolding.instances[root].node;

@@ -7,11 +7,9 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +17,7 @@
 #include "csg/operators/tables.h"
 #include "csg/result/result.h"
 #include "csg/tree/tree.h"
+#include "kernel/base/progress.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/simplify.h"
 
@@ -26,9 +25,6 @@ namespace cnrg {
 
 class NodeValue;
 class SurfaceParameters;
-
-/// Called at the beginning of a stage (done = 0) and after each of its steps; `total` is 0 when it is not known.
-using Progress = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
 
 struct EvaluateOptions {
   int threads = 0;                   ///< 0: all cores
@@ -39,7 +35,7 @@ struct EvaluateOptions {
   bool keep_all = false;             ///< keep the values of all instances in `Evaluation::values`
   std::vector<NodeId> nodes;         ///< kept besides the result
   std::vector<RationalPoint> reach;  ///< points that will be asked for: planes and half-spaces are cut beyond them
-  Progress progress;                 ///< may be empty
+  Watch watch;                       ///< told of the stages, and may stop them (throws Stopped)
 };
 
 /// One instance of a node, in numbers.

@@ -80,7 +80,7 @@ std::string solids_in(const std::string& solids, const std::vector<LeafRegion>& 
 const std::string* file_of(const Shape& shape) {
   return std::visit(
       [](const auto& leaf) -> const std::string* {
-        if constexpr (requires { leaf.file; }) return &leaf.file;
+        if constexpr (requires { leaf.file; }) return leaf.file.empty() ? nullptr : &leaf.file;
         else return nullptr;
       },
       shape);

@@ -35,14 +35,15 @@ class MeshLeaf {
  public:
   explicit MeshLeaf(const MeshShape& shape)
       : shape_(shape),
-        data_(read_mesh(shape.file, shape.decimal, shape.inside)),
-        weld_(shape.weld ? weld_mesh(data_, shape.file, *shape.weld) : MeshWeld()),
+        name_(shape.data ? "mesh" : "mesh '" + shape.file + "'"),
+        data_(shape.data ? *shape.data : read_mesh(shape.file, shape.decimal, shape.inside)),
+        weld_(shape.weld ? weld_mesh(data_, name_, *shape.weld) : MeshWeld()),
         points_(data_) {}
 
   std::unique_ptr<PreparedLeaf> prepare() {
     if (data_.face_count() == 0 && data_.wires.empty() && data_.points.empty()) {
       throw InputError(
-          "mesh: '" + shape_.file + "' has no faces" +
+          name_ + " has no faces" +
           (data_.point_count() > 0 ? ", only points: give them as a leaf `points`" : ": write the mesh again"));
     }
     collect_faces();
@@ -179,7 +180,7 @@ class MeshLeaf {
   Fill decide_fill(const SideTable& sides) {
     if (shape_.fill == Fill::sides) {
       throw InputError(
-          "mesh: fill is sides, but a mesh file has none: give winding, parity, cells or none, or a group");
+          "mesh: fill is sides, but a mesh has none: give winding, parity, cells or none, or a group");
     }
     if (face_count() == 0) return shape_.fill.value_or(Fill::none);
     if (shape_.fill == Fill::none || shape_.fill == Fill::cells) return *shape_.fill;
@@ -190,7 +191,7 @@ class MeshLeaf {
     if (vanishes(chain, parity, value, &example)) return parity ? Fill::parity : Fill::winding;
     const bool only_oriented = !parity && vanishes(boundary(sides, true), true, value);
     const std::string fault =
-        "mesh '" + shape_.file + "' is " +
+        name_ + " is " +
         (only_oriented ? "closed, but its faces are not oriented alike along " : "not closed, it has ") +
         std::to_string(chain.size()) + (only_oriented ? "" : " boundary") +
         (chain.size() == 1 ? " edge" : " edges") + ", such as " + describe(points_.value(example.from)) + " to " +
@@ -238,13 +239,13 @@ class MeshLeaf {
 
   void note(std::size_t count, const char* one, const char* many, const char* what) {
     if (count == 0) return;
-    notices_.push_back("mesh '" + shape_.file + "': " + std::to_string(count) + (count == 1 ? one : many) + what);
+    notices_.push_back(name_ + ": " + std::to_string(count) + (count == 1 ? one : many) + what);
   }
 
   void note_changes() {
     if (shape_.weld) {
       const std::string words = weld_.made.notice(*shape_.weld);
-      if (!words.empty()) notices_.push_back("mesh '" + shape_.file + "': " + words);
+      if (!words.empty()) notices_.push_back(name_ + ": " + words);
     }
     note(repeated_ - std::min(repeated_, collapsed_), " face repeats", " faces repeat",
          " a corner: the repetition was left out");
@@ -297,6 +298,7 @@ class MeshLeaf {
   }
 
   const MeshShape& shape_;
+  const std::string name_;  // for messages
   MeshData data_;
   MeshWeld weld_;
   MeshPoints points_;

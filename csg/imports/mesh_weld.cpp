@@ -4,7 +4,7 @@
 
 namespace cnrg {
 
-MeshWeld weld_mesh(MeshData& data, const std::string& file, const Rational& d) {
+MeshWeld weld_mesh(MeshData& data, const std::string& name, const Rational& d) {
   MeshWeld result;
   WeldModel& model = result.model;
   auto next_exact = data.exact.begin();
@@ -18,7 +18,7 @@ MeshWeld weld_mesh(MeshData& data, const std::string& file, const Rational& d) {
     model.facets.push_back(
         {f, {{data.corners.begin() + data.offsets[f], data.corners.begin() + data.offsets[f + 1]}}});
   }
-  model.subject = "mesh '" + file + "': ";
+  model.subject = name + ": ";
   model.face_name = [](std::uint32_t f) { return "face " + std::to_string(f); };
   result.made = weld(model, d);
   if (!result.made.changed()) return result;

@@ -11,8 +11,8 @@ struct MeshWeld {
   Weld made;
 };
 
-/// Moves the points of the mesh. Polygons may lose corners, or all of their area.
-MeshWeld weld_mesh(MeshData& data, const std::string& file, const Rational& d);
+/// Moves the points of the mesh. Polygons may lose corners, or all of their area. `name` is for messages.
+MeshWeld weld_mesh(MeshData& data, const std::string& name, const Rational& d);
 
 /// Throws InputError if polygons that are closed now have other signs of volume than before.
 void check_volume(const MeshWeld& weld, const Rational& d);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -15,6 +16,8 @@
 #include "kernel/refine/soup.h"
 
 namespace cnrg {
+
+struct MeshData;
 
 /// `{box: {min: [x, y, z], max: [x, y, z]}}`, min < max in every axis.
 struct BoxShape {
@@ -93,13 +96,15 @@ struct HeightfieldShape {
   std::string inside{};  ///< the folder that `file` must lie in (csg/text/input_file.h); empty: any
 };
 /// `{mesh: {file: part.off, fill: winding, coordinates: decimal, weld: 1e-6}}`: OFF, OBJ, STL, PLY; path already
-/// resolved. `weld`: what is that near is made to coincide (csg/imports/weld.h).
+/// resolved. Or `{mesh: {points: [p, ...], faces: [[i, j, k], ...], fill: winding, weld: 1e-6}}`: the mesh itself,
+/// by the numbers of its points from 0. `weld`: what is that near is made to coincide (csg/imports/weld.h).
 struct MeshShape {
-  std::string file;
+  std::string file;  ///< empty: `data` is given
   std::optional<Fill> fill;
   bool decimal = false;
-  std::string inside{};            ///< as of a heightfield
-  std::optional<Rational> weld{};  ///< a length above 0
+  std::string inside{};                    ///< as of a heightfield
+  std::optional<Rational> weld{};          ///< a length above 0
+  std::shared_ptr<const MeshData> data{};  ///< instead of a file (csg/leaves/mesh_data.h)
 };
 /// `{group: {vertices, faces, edges, points, regions, fill}}` (csg/FORMATS.md#groups).
 struct GroupShape {

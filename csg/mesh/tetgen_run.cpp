@@ -169,10 +169,12 @@ TetgenResult read_result(const MemoryFile& file) {
 
 }  // namespace
 
-TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds) {
+TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds,
+                        const std::stop_token& stop) {
   const MemoryFile result("TetGen");
   const ChildLimits limits{.seconds = std::size_t(std::max(seconds, 0))};
-  require_done(run_in_child("TetGen", limits, [&] { return mesh(plc, "pAQMJ" + switches, frame, result); }));
+  const auto work = [&] { return mesh(plc, "pAQMJ" + switches, frame, result); };
+  require_done(run_in_child("TetGen", limits, work, stop));
   return read_result(result);
 }
 

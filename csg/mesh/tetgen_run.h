@@ -2,6 +2,7 @@
 // process where an assertion of its own fails; none of that reaches the caller.
 #pragma once
 
+#include <stop_token>
 #include <string>
 
 #include "csg/mesh/plc.h"
@@ -28,7 +29,8 @@ enum class TetgenFrame { even, uneven };
 
 /// Runs TetGen's library with these switches besides `pAQMJ`, for so many seconds of processor time at most (0: no
 /// bound; there are models on which it never ends).
-/// Throws InputError with what TetGen said and what helps, std::bad_alloc when it runs out of memory.
-TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds);
+/// Throws InputError with what TetGen said and what helps, std::bad_alloc when it runs out of memory, Stopped.
+TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds,
+                        const std::stop_token& stop = {});
 
 }  // namespace cnrg

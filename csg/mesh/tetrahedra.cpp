@@ -119,7 +119,10 @@ class TetrahedraMaker {
     region_entity_.clear();
     pieces_.clear();
     plc_ = plc_of(view_, flat_, rounded, attempt.facets);
-    out_ = run_tetgen(plc_, switches_of(options_) + attempt.switches, attempt.frame, options_.seconds);
+    options_.watch.begin("mesh: TetGen");
+    out_ = run_tetgen(plc_, switches_of(options_) + attempt.switches, attempt.frame, options_.seconds,
+                      options_.watch.stop);
+    options_.watch.begin("mesh: proof");
     make_entities();
     take_tetrahedra();
     take_triangles();

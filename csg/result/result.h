@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "csg/operators/components.h"
+#include "kernel/base/progress.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg {
@@ -100,6 +101,7 @@ struct TetrahedraOptions {
   double quality = 0;          ///< largest ratio of circumradius to shortest edge, at least 1; 0: no bound
   bool keep_boundary = false;  ///< no new points on faces and edges, but inside of regions only
   int seconds = 600;           ///< of processor time for each way in which TetGen is asked; 0: no bound
+  Watch watch{};               ///< told of the stages, and may stop them (throws Stopped)
 };
 
 /// What was made of one region.

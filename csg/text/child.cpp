@@ -14,12 +14,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <fstream>
 #include <new>
+#include <thread>
 
 #include "kernel/base/error.h"
 
@@ -181,7 +183,8 @@ void MemoryFile::fail_by_system() const {
 }
 void MemoryFile::fail() const { throw InputError(owner_ + " returned a result that is damaged"); }
 
-ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const std::function<int()>& work) {
+ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const std::function<int()>& work,
+                      const std::stop_token& stop) {
   const MemoryFile said(owner);
   const std::size_t seconds = seconds_of(limits);
   const std::size_t had = limits.bytes > 0 ? own_memory() : 0;
@@ -189,10 +192,22 @@ ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const
   const pid_t child = fork();
   if (child < 0) throw FileError(owner + " could not be started: " + std::strerror(errno));
   if (child == 0) be_child(limits, had, said, work);
+  // A token wakes nobody who waits for a process: who may be stopped looks at it now and then.
+  const bool looks = stop.stop_possible();
+  bool stopped = false;
   int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw FileError(owner + " was lost: " + std::strerror(errno));
+  for (pid_t ended = 0; ended != child;) {
+    ended = waitpid(child, &status, looks && !stopped ? WNOHANG : 0);
+    if (ended < 0 && errno != EINTR) throw FileError(owner + " was lost: " + std::strerror(errno));
+    if (ended != 0) continue;
+    stopped = stop.stop_requested();
+    if (stopped) {
+      kill(child, SIGKILL);
+    } else {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
   }
+  if (stopped) throw Stopped();
   ChildEnd end = end_of(status);
   end.seconds = seconds;
   end.said = last_line(said.text());

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -97,7 +98,9 @@ struct ChildEnd {
 };
 
 /// Runs `work`, which returns a small number that is not negative, in a child and waits for its end. Never returns
-/// in the child. Throws FileError if there is no child to be had; `owner` is for that message.
-ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const std::function<int()>& work);
+/// in the child. Throws FileError if there is no child to be had; `owner` is for that message. Where a stop is
+/// asked for, the child is killed, and Stopped is thrown.
+ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const std::function<int()>& work,
+                      const std::stop_token& stop = {});
 
 }  // namespace cnrg

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "csg/curves/boundary_curves.h"
+#include "csg/leaves/mesh_data.h"
 #include "csg/text/escape.h"
 #include "csg/text/number.h"
 #include "csg/tree/read_curved.h"
@@ -174,11 +175,49 @@ Shape read_heightfield(const Value& value, const LeafContext& context) {
   return shape;
 }
 
+/// A number of a point in the list `of`, which has `count`.
+std::uint32_t read_vertex(const Value& value, const std::string& what, std::size_t count,
+                          const char* of = "vertices") {
+  if (count == 0) value.fail(what + " names a point, but `" + of + "` is empty");
+  return static_cast<std::uint32_t>(value.integer(what, 0, static_cast<long>(count) - 1));
+}
+
+/// A mesh that stands in the tree itself. A point that no double is goes to the exact ones.
+std::shared_ptr<const MeshData> read_mesh_data(const Fields& f) {
+  auto data = std::make_shared<MeshData>();
+  const std::vector<RationalPoint> points = f.at("points", kPoints).points(f.name("points"));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const Rational& x : points[i]) data->xyz.push_back(to_double(x));
+    if (!std::all_of(points[i].begin(), points[i].end(), is_double))
+      data->exact.emplace_back(static_cast<std::uint32_t>(i), points[i]);
+  }
+  const std::string what = f.name("faces");
+  for (const Value& face : f.at("faces", "[[0, 1, 2], ...]").list(what, "a list of faces [[0, 1, 2], ...]")) {
+    const std::vector<Value> corners = face.list("each of " + what, "a list of numbers of points [0, 1, 2]");
+    if (corners.size() < 3) face.fail_type("each of " + what, "a list of three or more numbers of points");
+    for (const Value& corner : corners)
+      data->corners.push_back(read_vertex(corner, "a corner of a face", points.size(), "points"));
+    data->end_face();
+  }
+  return data;
+}
+
 Shape read_mesh(const Value& value, const LeafContext& context) {
-  const Fields f(value, "mesh", {"file", "fill", "coordinates", "weld"});
+  const Fields f(value, "mesh", {"file", "points", "faces", "fill", "coordinates", "weld"});
   MeshShape shape;
-  shape.file = resolve(f.at("file", "part.off").text(f.name("file")), context);
-  shape.inside = context.inside;
+  if (f.has("points") || f.has("faces")) {
+    for (const char* key : {"file", "coordinates"}) {
+      if (const Value::Entry* e = f.entry(key)) {
+        value.document().fail(e->key_at, "mesh has `" + std::string(key) +
+                                             "`, which is for a mesh from a file, and "
+                                             "`points` or `faces`, which are a mesh; remove one of them");
+      }
+    }
+    shape.data = read_mesh_data(f);
+  } else {
+    shape.file = resolve(f.at("file", "part.off").text(f.name("file")), context);
+    shape.inside = context.inside;
+  }
   if (const Value* fill = f.find("fill")) shape.fill = read_fill(*fill, f.name("fill"));
   if (const Value* coordinates = f.find("coordinates")) {
     const std::string name = coordinates->text(f.name("coordinates"));
@@ -231,12 +270,6 @@ Shape read_step(const Value& value, const LeafContext& context) {
 Shape read_brep(const Value& value, const LeafContext& context) {
   const Fields f(value, "brep", {"file", "chord", "segments", "fill", "solids", "seams", "weld"});
   return read_cad(f, CadShape::Format::brep, context);
-}
-
-/// A number of a vertex; there are `count`.
-std::uint32_t read_vertex(const Value& value, const std::string& what, std::size_t count) {
-  if (count == 0) value.fail(what + " names a vertex, but `vertices` is empty");
-  return static_cast<std::uint32_t>(value.integer(what, 0, static_cast<long>(count) - 1));
 }
 
 GroupShape::Face read_group_face(const Value& value, std::size_t vertex_count, bool filled) {

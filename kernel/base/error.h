@@ -25,6 +25,12 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Work that was stopped because that was asked for (kernel/base/progress.h).
+class Stopped : public std::runtime_error {
+ public:
+  Stopped() : std::runtime_error("stopped") {}
+};
+
 /// Throws InvariantError when `condition` is false.
 inline void require(bool condition, const char* message) {
   if (!condition) [[unlikely]]

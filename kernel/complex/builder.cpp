@@ -13,6 +13,7 @@
 namespace cnrg {
 
 std::shared_ptr<Complex> ComplexBuilder::build() {
+  watch_.begin("refine: cells");
   take_cells();
   do_both(
       c_.face_count(), [&] { find_uses(); }, [&] { take_attributes(); });
@@ -22,10 +23,12 @@ std::shared_ptr<Complex> ComplexBuilder::build() {
         order_radially();
         join_shells();
       });
+  watch_.begin("refine: regions");
   nest_shells();
   hang_wires();
   number_regions();
   mark_frame();
+  watch_.check();
   label_regions(soup_, c_);
   return built_;
 }

@@ -9,7 +9,8 @@ namespace cnrg {
 
 class ComplexBuilder {
  public:
-  ComplexBuilder(const Soup& soup, Refinement refinement) : soup_(soup), r_(std::move(refinement)) {}
+  ComplexBuilder(const Soup& soup, Refinement refinement, const Watch& watch)
+      : soup_(soup), r_(std::move(refinement)), watch_(watch) {}
   /// Called once, by `ComplexDraft` (draft.h) alone: the result may be written to until that hands it on as const.
   std::shared_ptr<Complex> build();
 
@@ -38,6 +39,7 @@ class ComplexBuilder {
 
   const Soup& soup_;
   Refinement r_;
+  const Watch& watch_;
   const std::shared_ptr<Complex> built_{new Complex};
   Complex& c_ = *built_;
   std::vector<EdgeId> wired_;                   // edges of wires, ascending

@@ -18,7 +18,7 @@ ComplexDraft::ComplexDraft(const Soup& soup, const RefineOptions& options, Refin
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
   }
   const StageCounts before = stage_counts();
-  complex_ = ComplexBuilder(soup, refine(soup, out)).build();
+  complex_ = ComplexBuilder(soup, refine(soup, out, options.watch), options.watch).build();
   const StageCounts after = stage_counts();
   out.stages = {after.filter - before.filter, after.interval - before.interval, after.exact - before.exact};
   const Complex& complex = *complex_;

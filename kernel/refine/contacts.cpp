@@ -136,7 +136,7 @@ Glance glance(const RefineInput& in, std::uint32_t element, bool is_face, const 
 
 }  // namespace
 
-ContactList find_contacts(const RefineInput& in) {
+ContactList find_contacts(const RefineInput& in, const Watch& watch) {
   const Elements elements(in);
   std::vector<std::uint32_t> kept = elements.list();
   std::vector<Box> boxes(kept.size());
@@ -157,6 +157,7 @@ ContactList find_contacts(const RefineInput& in) {
     glances[place] = glance(in, e, elements.is_face(e), fans);
   });
   kept = {};
+  Steps steps(watch, "refine: contacts", pairs.part_count());
   tbb::parallel_for(std::size_t{0}, pairs.part_count(), [&](std::size_t part) {
     PairTester& tester = testers.local();
     std::uint64_t candidates = 0;
@@ -165,6 +166,7 @@ ContactList find_contacts(const RefineInput& in) {
       if (!glances[x].neighbours(glances[y])) elements.test(glances[x].element, glances[y].element, tester);
     });
     tester.list.candidates += candidates;
+    steps.step();
   });
   ContactList all;
   for (const PairTester& tester : testers) {

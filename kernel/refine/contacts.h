@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "kernel/base/progress.h"
 #include "kernel/refine/point_key.h"
 
 namespace cnrg {
@@ -44,6 +45,6 @@ struct ContactList {
 };
 
 /// All contacts of the input, in parallel. The lists are sets: their order is by chance, entries may be repeated.
-ContactList find_contacts(const RefineInput& input);
+ContactList find_contacts(const RefineInput& input, const Watch& watch = {});
 
 }  // namespace cnrg

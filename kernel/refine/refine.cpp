@@ -31,7 +31,8 @@ namespace {
 /// All the state on the way from the soup to the refinement.
 class Refiner {
  public:
-  Refiner(const Soup& soup, RefineReport& report) : soup_(soup), report_(report) {}
+  Refiner(const Soup& soup, RefineReport& report, const Watch& watch)
+      : soup_(soup), report_(report), watch_(watch) {}
   Refinement run();
 
  private:
@@ -50,6 +51,7 @@ class Refiner {
 
   const Soup& soup_;
   RefineReport& report_;
+  const Watch& watch_;
   Refinement r_;
   ContactList contacts_;
   UnionFind identity_;
@@ -67,8 +69,9 @@ class Refiner {
 };
 
 Refinement Refiner::run() {
+  watch_.begin("refine: input");
   r_.input = prepare_input(soup_, report_);
-  contacts_ = find_contacts(r_.input);
+  contacts_ = find_contacts(r_.input, watch_);
   group_sheets();
   place_contacts();
   list_sheet_contents();
@@ -244,10 +247,12 @@ void Refiner::cross_sheets() {
     std::vector<std::pair<SegmentId, VertexId>> incidences;
   };
   tbb::enumerable_thread_specific<Found> found;
+  Steps steps(watch_, "refine: crossings", work_.size());
   tbb::parallel_for(std::size_t{0}, work_.size(), [&](std::size_t i) {
     Found& mine = found.local();
     find_crossings(content(i), r_.input.points, r_.segments, known_, representative_, mine.crossings,
                    mine.incidences);
+    steps.step();
   });
   for (const Found& f : found) {
     crossings_.insert(crossings_.end(), f.crossings.begin(), f.crossings.end());
@@ -285,12 +290,17 @@ void Refiner::subdivide_sheets() {
   results_.resize(work_.size());
   const SubdivisionContext context{r_.input, r_.segments, r_.edges, r_.segment_faces, r_.sheet_of};
   tbb::enumerable_thread_specific<Subdivider> subdividers([&] { return Subdivider(context); });
-  tbb::parallel_for(std::size_t{0}, work_.size(),
-                    [&](std::size_t i) { results_[i] = subdividers.local().subdivide(content(i)); });
+  Steps steps(watch_, "refine: faces", work_.size());
+  tbb::parallel_for(std::size_t{0}, work_.size(), [&](std::size_t i) {
+    results_[i] = subdividers.local().subdivide(content(i));
+    steps.step();
+  });
 }
 
 }  // namespace
 
-Refinement refine(const Soup& soup, RefineReport& report) { return Refiner(soup, report).run(); }
+Refinement refine(const Soup& soup, RefineReport& report, const Watch& watch) {
+  return Refiner(soup, report, watch).run();
+}
 
 }  // namespace cnrg

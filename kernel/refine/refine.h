@@ -24,6 +24,6 @@ struct Refinement {
 };
 
 /// Refines the soup. Throws InputError for a face that is not planar.
-Refinement refine(const Soup& soup, RefineReport& report);
+Refinement refine(const Soup& soup, RefineReport& report, const Watch& watch = {});
 
 }  // namespace cnrg

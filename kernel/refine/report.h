@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernel/base/ids.h"
+#include "kernel/base/progress.h"
 #include "kernel/exact/points.h"
 
 namespace cnrg {
@@ -24,6 +25,7 @@ struct RefineReport {
 /// Options of `build_complex`.
 struct RefineOptions {
   int threads = 0;  ///< 0: all cores
+  Watch watch{};    ///< told of the stages of refinement
 };
 
 }  // namespace cnrg

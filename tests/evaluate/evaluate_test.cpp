@@ -216,14 +216,16 @@ TEST_CASE("without rows only the kept nodes are measured", "[evaluate]") {
   options.rows = false;
   options.validate = true;
   std::vector<std::string> stages;
-  options.progress = [&](std::string_view stage, std::size_t, std::size_t) {
+  options.watch.progress = [&](std::string_view stage, std::size_t, std::size_t) {
     if (stages.empty() || stages.back() != stage) stages.emplace_back(stage);
   };
   const Evaluation e = evaluate(tree, options);
   REQUIRE(e.rows.size() == 2);
   CHECK(e.rows[0].cells == Cells{0, 0, 0, 0});
   CHECK(e.rows[1].cells == Cells{8, 12, 6, 1});
-  CHECK(stages == std::vector<std::string>{"leaves", "refine", "nodes"});
+  CHECK(stages == std::vector<std::string>{"leaves", "refine", "refine: input", "refine: contacts",
+                                           "refine: crossings", "refine: faces", "refine: cells",
+                                           "refine: regions", "nodes"});
 }
 
 TEST_CASE("raw keeps the cells of the refinement", "[evaluate]") {

@@ -2,6 +2,7 @@
 #include <random>
 #include <sstream>
 
+#include "csg/leaves/mesh_data.h"
 #include "kernel/exact/coplanar.h"
 #include "tests/leaves/soup_checks.h"
 
@@ -162,6 +163,21 @@ TEST_CASE("coordinates as doubles or as decimals") {
       files.write("flat.off", "OFF 4 2 0\n0 0 0\n1 0 0.1\n1 1 0.3\n0 1 0.2\n3 0 1 2\n3 0 2 3\n");
   CHECK(leaf_faces(soup_of(mesh(flat))) == 2);
   CHECK(leaf_faces(soup_of(mesh(flat, {}, true))) == 1);
+}
+
+TEST_CASE("a mesh in memory is what the same mesh is in a file") {
+  const Files files;
+  const auto data = std::make_shared<MeshData>();
+  data->xyz = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0.5};
+  data->exact.emplace_back(3, RationalPoint{0, 0, r("1/3")});  // nearest to no double
+  data->corners = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  data->offsets = {0, 3, 6, 9, 12};
+  const Soup soup = soup_of(MeshShape{.file = {}, .data = data});
+  CHECK(soup.fill(LeafId(0)) == Fill::winding);
+  CHECK(volume(soup) == r("1/18"));
+  data->offsets = {0, 3, 6, 9};
+  CHECK_THAT(error_of(MeshShape{.file = {}, .fill = Fill::winding, .data = data}),
+             Catch::StartsWith("mesh is not closed, it has 3 boundary edges"));
 }
 
 TEST_CASE("groups of a file separate coplanar faces") {

@@ -25,7 +25,7 @@ MeshFile meshed(const ResultView& view, const TetrahedraOptions& options = {}) {
   return mesh;
 }
 
-constexpr TetrahedraOptions kKept{0, 0, true};
+const TetrahedraOptions kKept{0, 0, true};
 
 }  // namespace
 

@@ -170,6 +170,12 @@ TEST_CASE("values of the wrong type", "[tree][errors]") {
   expect_node("cylinder: {from: [0, 0, 0], to: [0, 0, 1], radius: 1, segments: 7.5}", 65, {"`7.5`"});
   expect_node("mesh: {file: [a]}", 14, {"`file` of mesh must be a text"});
   expect_node("mesh: {file: a.off, fill: full}", 27, {"one of winding, parity, cells, none"});
+  expect_node("mesh: {points: [[0, 0, 0]], file: a.off}", 29,
+              {"mesh has `file`, which is for a mesh from a file"});
+  expect_node("mesh: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], faces: [[0, 1, 3]]}", 66,
+              {"a corner of a face must be a whole number from 0 to 2"});
+  expect_node("mesh: {points: [[0, 0, 0]], faces: [[0, 0]]}", 37, {"three or more numbers of points"});
+  expect_node("mesh: {points: [], faces: [[0, 0, 0]]}", 29, {"names a point, but `points` is empty"});
   expect_node("heightfield: {heights: [[0, 1], [2]]}", 33, {"all rows must be equally long"});
   expect_node("heightfield: {file: a.asc, spacing: [1, 1]}", 28, {"`file` and `spacing`"});
 }

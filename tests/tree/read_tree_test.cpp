@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "csg/leaves/mesh_data.h"
 #include "csg/tree/tree.h"
 
 namespace cnrg {
@@ -134,6 +135,15 @@ TEST_CASE("every leaf has its form", "[tree]") {
   CHECK(field.heights[1][0] == 2);
   CHECK(*field.base == -1);
   CHECK(std::get<HeightfieldShape>(read("heightfield: {file: grid.asc}")).file == "grid.asc");
+  const auto data = std::get<MeshShape>(
+      read("mesh: {points: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1/3]], faces: [[0, 2, 1], [0, 1, 3]]}"));
+  REQUIRE(data.data != nullptr);
+  CHECK(data.file.empty());
+  CHECK(data.data->xyz.size() == 12);
+  CHECK(data.data->corners == std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3});
+  CHECK(data.data->offsets == std::vector<std::uint32_t>{0, 3, 6});
+  REQUIRE(data.data->exact.size() == 1);
+  CHECK(data.data->exact[0].second[2] == Rational(1, 3));
   const auto mesh = std::get<MeshShape>(read("mesh: {file: sub/part.stl, fill: cells, coordinates: decimal}"));
   CHECK(mesh.fill == Fill::cells);
   CHECK(mesh.decimal);

@@ -1,0 +1,45 @@
+"""What goes wrong, by who can mend it. Each error is one sentence that says what is wrong and what to do."""
+
+from __future__ import annotations
+
+
+class Error(Exception):
+    """Of all errors that cnrg raises by itself.
+
+    file, line, column: where the fault is, counted from 1: in a file that was read, or in the script, at the call
+        that made the node; None where it has no place.
+    message: the same without the place.
+    """
+
+    def __init__(self, message: str, file: str | None = None, line: int | None = None, column: int | None = None):
+        self.message = message
+        self.file = file
+        self.line = line
+        self.column = column
+        super().__init__(message, file, line, column)
+
+    def __str__(self) -> str:
+        place = ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)
+        return f"{place}: {self.message}" if place else self.message
+
+
+class InputError(Error, ValueError):
+    """Input that cannot be evaluated: a shape, a tree, a file, an option."""
+
+
+class FileError(Error, OSError):
+    """A file that cannot be read or written, or a system without memory, threads or processes."""
+
+    __str__ = Error.__str__
+
+
+class InvariantError(Error, RuntimeError):
+    """A bug of cnrg: please send the message with the tree."""
+
+
+class Stopped(Error):
+    """Work that was stopped, since a progress function or a handler of a signal asked for it."""
+
+
+class Notice(UserWarning):
+    """Something about a tree that people should know and that stops nothing, as `warnings` shows it."""

@@ -1,0 +1,74 @@
+// A tree evaluated: rows, diagnostics, results.
+#include <pybind11/stl.h>
+
+#include "bind.h"
+#include "numbers.h"
+#include "watched.h"
+
+namespace cnrg::python {
+namespace {
+
+std::shared_ptr<const EvaluatedTree> evaluate_tree(const TreeObject& tree, const std::vector<std::size_t>& nodes,
+                                                   int threads, bool rows, bool raw, bool validate,
+                                                   const py::object& progress) {
+  EvaluateOptions options;
+  options.threads = threads;
+  options.rows = rows;
+  options.raw = raw;
+  options.validate = validate;
+  for (const std::size_t node : nodes) options.nodes.emplace_back(node);
+  return watched(progress, [&](const Watch& watch) {
+    options.watch = watch;
+    return std::make_shared<const EvaluatedTree>(EvaluatedTree{tree.tree, evaluate(*tree.tree, options)});
+  });
+}
+
+py::dict data_of(const NodeRow& row) {
+  py::dict data;
+  data["name"] = row.name;
+  data["operator"] = row.operator_name;
+  data["cells"] = row.cells;
+  data["removed"] = row.removed();
+  data["regions"] = row.regions;
+  data["components"] = row.components;
+  data["is_group"] = row.is_group;
+  data["volume"] = to_fraction(row.volume());
+  data["seconds"] = row.seconds;
+  return data;
+}
+
+}  // namespace
+
+void bind_evaluation(py::module_& module) {
+  py::class_<EvaluatedTree, std::shared_ptr<EvaluatedTree>>(module, "Evaluation")
+      .def("rows",
+           [](const EvaluatedTree& e) {
+             py::list rows;
+             for (const NodeRow& row : e.evaluation.rows) rows.append(data_of(row));
+             return rows;
+           })
+      .def("diagnostics",
+           [](const EvaluatedTree& e) {
+             py::list list;
+             for (const Diagnostic& d : e.evaluation.diagnostics) {
+               list.append(py::make_tuple(d.level == Diagnostic::Level::warning ? "warning" : "notice", d.file,
+                                          d.at.line, d.at.column, d.message));
+             }
+             return list;
+           })
+      .def_property_readonly("refine_seconds", [](const EvaluatedTree& e) { return e.evaluation.refine_seconds; })
+      .def("result", [](const std::shared_ptr<EvaluatedTree>& e, std::size_t node) {
+        return OneResult{e->evaluation.result(NodeId(node)), e, NodeId(node)};
+      });
+  module.def(
+      "evaluate",
+      [](const TreeObject& tree, const std::vector<std::size_t>& nodes, int threads, bool rows, bool raw,
+         bool validate, const py::object& progress) {
+        return std::const_pointer_cast<EvaluatedTree>(
+            evaluate_tree(tree, nodes, threads, rows, raw, validate, progress));
+      },
+      py::arg("tree"), py::arg("nodes"), py::arg("threads"), py::arg("rows"), py::arg("raw"), py::arg("validate"),
+      py::arg("progress"));
+}
+
+}  // namespace cnrg::python

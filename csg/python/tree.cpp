@@ -1,0 +1,238 @@
+// Trees come as texts: what Python writes for an expression, and what it reads from a file, go one way, through
+// the reader of tree files, which knows every leaf and every fault. Meshes alone are handed over as arrays.
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+
+#include "bind.h"
+#include "numbers.h"
+
+namespace cnrg::python {
+namespace {
+
+using Doubles = py::array_t<double, py::array::c_style>;
+using Numbers = py::array_t<std::int64_t, py::array::c_style>;
+
+/// A mesh from arrays, which are copied: a node does not change when they do.
+std::shared_ptr<const MeshData> mesh_of(const Doubles& points, const Numbers& corners, const Numbers& offsets) {
+  auto data = std::make_shared<MeshData>();
+  if (points.ndim() != 2 || points.shape(1) != 3)
+    throw py::value_error("mesh: points must have the shape (n, 3), three coordinates for each");
+  if (corners.ndim() != 1 || offsets.ndim() != 1 || offsets.size() == 0)
+    throw py::value_error("mesh: corners and offsets must be lists of numbers");
+  if (points.shape(0) > std::numeric_limits<std::int32_t>::max() ||
+      corners.size() > std::numeric_limits<std::int32_t>::max())
+    throw InputError("mesh: more than 2147483647 points or corners");
+  data->xyz.assign(points.data(), points.data() + points.size());
+  for (std::size_t i = 0; i < data->xyz.size(); ++i) {
+    if (!std::isfinite(data->xyz[i])) {
+      throw InputError("mesh: point " + std::to_string(i / 3) +
+                       " has a coordinate that is not finite; remove the point or mend it");
+    }
+  }
+  const std::int64_t count = points.shape(0);
+  data->corners.reserve(std::size_t(corners.size()));
+  for (py::ssize_t i = 0; i < corners.size(); ++i) {
+    const std::int64_t corner = corners.data()[i];
+    if (corner < 0 || corner >= count) {
+      throw InputError("mesh: a face names the point " + std::to_string(corner) + ", but " +
+                       (count == 0 ? std::string("there are none")
+                                   : "they are numbered from 0 to " + std::to_string(count - 1)));
+    }
+    data->corners.push_back(std::uint32_t(corner));
+  }
+  data->offsets.clear();
+  for (py::ssize_t i = 0; i < offsets.size(); ++i) {
+    const std::int64_t offset = offsets.data()[i];
+    const std::int64_t least = i == 0 ? 0 : std::int64_t(data->offsets.back()) + 3;
+    if (offset < least || offset > corners.size() || (i == 0 && offset != 0))
+      throw InputError("mesh: each face must have three corners or more");
+    data->offsets.push_back(std::uint32_t(offset));
+  }
+  if (std::int64_t(data->offsets.back()) != corners.size())
+    throw InputError("mesh: the offsets of faces must end with the number of corners");
+  return data;
+}
+
+/// The exact coordinates of point i.
+RationalPoint point_of(const MeshData& data, std::size_t i) {
+  return {from_double(data.xyz[3 * i]), from_double(data.xyz[3 * i + 1]), from_double(data.xyz[3 * i + 2])};
+}
+
+/// `points: [...], faces: [...]` as in a tree file.
+std::string text_of(const MeshData& data) {
+  std::string text = "points: [";
+  for (std::size_t i = 0; i < data.point_count(); ++i) {
+    const RationalPoint p = point_of(data, i);
+    text += (i == 0 ? "[" : ", [") + to_string(p[0]) + ", " + to_string(p[1]) + ", " + to_string(p[2]) + "]";
+  }
+  text += "], faces: [";
+  for (std::size_t f = 0; f < data.face_count(); ++f) {
+    text += f == 0 ? "[" : ", [";
+    for (std::uint32_t i = data.offsets[f]; i < data.offsets[f + 1]; ++i)
+      text += (i == data.offsets[f] ? "" : ", ") + std::to_string(data.corners[i]);
+    text += "]";
+  }
+  return text + "]";
+}
+
+/// Replaces the empty meshes of the text by those given as arrays.
+void put_meshes(Tree& tree, const std::map<std::string, std::shared_ptr<const MeshData>>& meshes) {
+  for (const auto& [name, data] : meshes) {
+    Node& node = tree.nodes[tree.find(name)];
+    auto* const mesh = node.shape ? std::get_if<MeshShape>(&*node.shape) : nullptr;
+    if (mesh == nullptr) throw InvariantError("the node " + name + " is no mesh");
+    mesh->data = data;
+  }
+}
+
+py::object data_of(const YAML::Node& node) {
+  if (node.IsSequence()) {
+    py::list list;
+    for (const YAML::Node& item : node) list.append(data_of(item));
+    return std::move(list);
+  }
+  if (node.IsMap()) {
+    py::dict map;
+    for (const auto& entry : node) map[py::str(entry.first.Scalar())] = data_of(entry.second);
+    return std::move(map);
+  }
+  if (node.IsNull()) return py::none();
+  const std::string& text = node.Scalar();
+  if (node.Tag() != "!") {  // without quotes
+    if (text == "true" || text == "True" || text == "TRUE") return py::bool_(true);
+    if (text == "false" || text == "False" || text == "FALSE") return py::bool_(false);
+  }
+  return py::str(text);
+}
+
+/// A node of a tree file as data: what the reader decided of it, and the values of its keys as they are written.
+struct NodeRecord {
+  std::string name, operator_name;
+  bool is_inline = false, is_leaf = false, forgets_features = false;
+  int line = 1, column = 1;
+  std::vector<std::size_t> operands;
+  py::object value;  ///< of a leaf
+  std::vector<std::pair<std::string, py::object>> attributes;
+};
+
+/// The records of a tree that was read from this text.
+class Records {
+ public:
+  Records(const std::string& text, const Tree& tree) : tree_(tree), records_(tree.nodes.size()) {
+    for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+      const Node& node = tree.nodes[id];
+      if (node.is_inline) places_[{node.at.line, node.at.column}] = id;
+    }
+    const YAML::Node nodes = YAML::Load(text)["nodes"];
+    for (const auto& entry : nodes) add(tree.names.at(entry.first.Scalar()), entry.second);
+    while (!open_.empty()) {
+      const YAML::Node node = open_.back();
+      open_.pop_back();
+      find_inline(node);
+    }
+  }
+  std::vector<NodeRecord> take() { return std::move(records_); }
+
+ private:
+  const Tree& tree_;
+  std::vector<NodeRecord> records_;
+  std::map<std::pair<int, int>, NodeId> places_;
+  std::vector<YAML::Node> open_;
+
+  void find_inline(const YAML::Node& value) {
+    if (value.IsSequence()) {
+      for (const YAML::Node& item : value) find_inline(item);
+    } else if (value.IsMap()) {
+      const auto place = places_.find({value.Mark().line + 1, value.Mark().column + 1});
+      if (place == places_.end()) {
+        for (const auto& entry : value) find_inline(entry.second);
+      } else if (records_[place->second.index()].name.empty()) {
+        add(place->second, value);
+      }
+    }
+  }
+
+  void add(NodeId id, const YAML::Node& map) {
+    const Node& node = tree_.nodes[id];
+    NodeRecord& r = records_[id.index()];
+    r.name = node.name;
+    r.operator_name = node.operator_name;
+    r.is_inline = node.is_inline;
+    r.is_leaf = node.op == Operator::leaf;
+    r.forgets_features = node.op == Operator::simplify && node.forget_features;
+    r.line = node.at.line;
+    r.column = node.at.column;
+    for (const NodeId operand : tree_.operands(id)) r.operands.push_back(operand.index());
+    for (const auto& entry : map) {
+      const std::string key = entry.first.Scalar();
+      if (key != node.operator_name) r.attributes.emplace_back(key, data_of(entry.second));
+      else if (r.is_leaf) r.value = data_of(entry.second);
+      else open_.push_back(entry.second);
+    }
+  }
+};
+
+TreeObject parse(const std::string& text, const std::string& file,
+                 const std::map<std::string, std::shared_ptr<const MeshData>>& meshes, const std::string& inside) {
+  Tree tree = parse_tree(text, file, {.inside = inside});
+  put_meshes(tree, meshes);
+  return {std::make_shared<const Tree>(std::move(tree)), text};
+}
+
+}  // namespace
+
+void bind_tree(py::module_& module) {
+  py::class_<MeshData, std::shared_ptr<MeshData>>(module, "MeshData")
+      .def(py::init([](const Doubles& points, const Numbers& corners, const Numbers& offsets) {
+        return std::const_pointer_cast<MeshData>(mesh_of(points, corners, offsets));
+      }))
+      .def_property_readonly("point_count", &MeshData::point_count)
+      .def_property_readonly("face_count", &MeshData::face_count)
+      .def("text", &text_of);
+
+  py::class_<NodeRecord>(module, "NodeRecord")
+      .def_readonly("name", &NodeRecord::name)
+      .def_readonly("operator_name", &NodeRecord::operator_name)
+      .def_readonly("is_inline", &NodeRecord::is_inline)
+      .def_readonly("is_leaf", &NodeRecord::is_leaf)
+      .def_readonly("forgets_features", &NodeRecord::forgets_features)
+      .def_readonly("line", &NodeRecord::line)
+      .def_readonly("column", &NodeRecord::column)
+      .def_readonly("operands", &NodeRecord::operands)
+      .def_readonly("value", &NodeRecord::value)
+      .def_readonly("attributes", &NodeRecord::attributes);
+
+  py::class_<TreeObject>(module, "Tree")
+      .def_static("parse", &parse, py::arg("text"), py::arg("file"), py::arg("meshes"), py::arg("inside"))
+      .def_property_readonly("file", [](const TreeObject& t) { return t.tree->file; })
+      .def_property_readonly("result", [](const TreeObject& t) { return t.tree->result.index(); })
+      .def_property_readonly("text", [](const TreeObject& t) { return t.text; })
+      .def_property_readonly("weld",
+                             [](const TreeObject& t) -> py::object {
+                               return t.tree->weld ? py::object(py::str(to_string(*t.tree->weld)))
+                                                   : py::object(py::none());
+                             })
+      .def("records", [](const TreeObject& t) { return Records(t.text, *t.tree).take(); })
+      .def("materials",
+           [](const TreeObject& t) {
+             py::list list;
+             const YAML::Node materials = YAML::Load(t.text)["materials"];
+             if (!materials || !materials.IsMap()) return list;
+             for (const auto& entry : materials)
+               list.append(py::make_tuple(entry.first.Scalar(), data_of(entry.second)));
+             return list;
+           })
+      .def("check", [](const TreeObject& t) {
+        std::vector<std::string> texts;
+        for (const Diagnostic& d : check(*t.tree)) texts.push_back(d.text());
+        return texts;
+      });
+}
+
+}  // namespace cnrg::python
