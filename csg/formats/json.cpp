@@ -159,7 +159,7 @@ class JsonWriter {
 
   /// Leaves that the result names, numbered in the file.
   void leaves() {
-    leaf_number_ = leaf_numbers(view_, flat_);
+    leaf_number_ = cnrg::leaf_numbers(view_, flat_);
     list("leaves", leaf_number_, [&](const auto& entry) { return Json{{"name", leaf_name(view_, entry.first)}}; });
   }
 

@@ -1,6 +1,6 @@
-// Everything is a copy of FlatComplex in another order, but for two things that it does not say, the walks of faces
-// by edges and the ends of edges by vertices. Both follow from points: two straight pieces between the same two
-// points are the same piece, so a pair of neighbours in a loop names the edge that it runs along.
+// Everything is a copy of FlatComplex in another order, but for two things that it does not say, the walks of
+// faces by edges and the ends of edges by vertices. Both follow from points: two straight pieces between the same
+// two points are the same piece, so a pair of neighbours in a loop names the edge that it runs along.
 #include "csg/result/arrays.h"
 
 #include <algorithm>
@@ -53,7 +53,8 @@ class Filler {
   const FlatComplex flat_;
   const std::map<LeafId, std::size_t> leaf_numbers_;
   ResultArrays out_;
-  /// The edge between two neighbouring points of its chain, as edge * 2 if from the first of the key to the second.
+  /// The edge between two neighbouring points of its chain, as edge * 2 if from the first of the key to the
+  /// second.
   std::unordered_map<std::uint64_t, Index> edge_between_;
 
   static std::uint64_t key(Index a, Index b) { return (std::uint64_t{a} << 32) | b; }
@@ -90,7 +91,8 @@ class Filler {
       const FlatComplex::Edge& edge = flat_.edges[i];
       add_common(to, edge);
       append(to.points, edge.points);
-      const Number first = out_.point_vertices[edge.points.front()], last = out_.point_vertices[edge.points.back()];
+      const Number first = out_.point_vertices[edge.points.front()],
+                   last = out_.point_vertices[edge.points.back()];
       to.vertices.push_back(edge.closed ? kNone : first);
       to.vertices.push_back(edge.closed ? kNone : last);
       to.closed.push_back(edge.closed);
@@ -167,7 +169,8 @@ class Filler {
         append(to.facet_loops, facet.loops.size());
         for (const FlatComplex::Loop& loop : facet.loops) append(to.facet_points, loop);
         append(to.facet_isolated, facet.isolated);
-        to.facet_triangles.push_back(static_cast<Number>(face.facet_ends[k] - (k == 0 ? 0 : face.facet_ends[k - 1])));
+        to.facet_triangles.push_back(
+            static_cast<Number>(face.facet_ends[k] - (k == 0 ? 0 : face.facet_ends[k - 1])));
       }
     }
     for (const std::size_t patch : patch_numbers(flat_)) to.patch.push_back(static_cast<Number>(patch));

@@ -1,6 +1,6 @@
-// The area vector of a surface is half of the sum of p x q over the directed pieces pq of its boundary (Stokes), so
-// nothing has to be cut into triangles: holes and slits take themselves off. Seen from a point of the boundary the
-// numbers are those of the face, not of its distance from the origin.
+// The area vector of a surface is half of the sum of p x q over the directed pieces pq of its boundary (Stokes),
+// so nothing has to be cut into triangles: holes and slits take themselves off. Seen from a point of the boundary
+// the numbers are those of the face, not of its distance from the origin.
 #include "csg/result/measures.h"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// The numbers of list i.
 std::span<const std::int32_t> list(const NumberLists& lists, std::size_t i) {
-  const auto begin = static_cast<std::size_t>(lists.offsets[i]), end = static_cast<std::size_t>(lists.offsets[i + 1]);
+  const auto begin = static_cast<std::size_t>(lists.offsets[i]),
+             end = static_cast<std::size_t>(lists.offsets[i + 1]);
   return std::span(lists.values).subspan(begin, end - begin);
 }
 

@@ -27,8 +27,8 @@ class Measures {
   double area(std::size_t face) const;
   /// Nothing for a face that is not flat or reaches infinity.
   std::optional<Rational> squared_area(std::size_t face) const;
-  /// The integral of the normal of the front over the face: of a flat face its normal, as long as the face has area;
-  /// of a curved one what says how much of a uniform flow goes through. Nothing if it reaches infinity.
+  /// The integral of the normal of the front over the face: of a flat face its normal, as long as the face has
+  /// area; of a curved one what says how much of a uniform flow goes through. Nothing if it reaches infinity.
   std::optional<RationalPoint> area_vector(std::size_t face) const;
 
   /// In cubic units; nothing for a region that is not bounded.
