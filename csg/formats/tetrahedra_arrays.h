@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "csg/formats/result_file.h"
+#include "csg/mesh/cell_groups.h"
 #include "csg/result/result.h"
 
 namespace cnrg {
@@ -27,16 +28,11 @@ struct TetrahedraArrays {
     Numbers material;     ///< of that region, a place in `materials` plus 1; 0: none
     Numbers leaf, face;   ///< the face of a leaf that it came from, as in a .vtu; -1: none
   };
-  /// Cells of the result of one dimension under a name, such as `wall rock | ore`.
-  struct Group {
-    std::string name;
-    Numbers cells;
-  };
-  std::vector<double> points;                ///< x, y, z of each
-  std::array<Simplices, 4> of;               ///< by dimension; triangles counter-clockwise as seen from the front
-  std::array<std::vector<Group>, 4> groups;  ///< by dimension, as those of a .msh
-  std::vector<std::string> leaves;           ///< names of leaves, by `Simplices::leaf`
-  std::vector<std::string> materials;        ///< names
+  std::vector<double> points;   ///< x, y, z of each
+  std::array<Simplices, 4> of;  ///< by dimension; triangles counter-clockwise as seen from the front
+  std::array<std::vector<CellGroup>, 4> groups;  ///< by dimension
+  std::vector<std::string> leaves;               ///< names of leaves, by `Simplices::leaf`
+  std::vector<std::string> materials;            ///< names
   std::vector<RegionTetrahedra> regions;  ///< of each region of the result that is filled, in the order of cells
   RoundingReport rounding;
   bool curved = false;                                              ///< of second order

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "csg/result/cell_tags.h"
 #include "csg/result/file_numbers.h"
 #include "csg/result/flat.h"
 #include "csg/result/result_data.h"
@@ -29,14 +30,17 @@ void append(NumberLists& lists, const List& list) {
 }
 
 /// A list of so many.
-void append(ListOffsets& lists, std::size_t count) {
+void append_count(ListOffsets& lists, std::size_t count) {
   lists.offsets.push_back(lists.offsets.back() + static_cast<std::int64_t>(count));
 }
 
 class Filler {
  public:
   explicit Filler(const Result& result)
-      : view_(result.data().view()), flat_(flatten(view_)), leaf_numbers_(leaf_numbers(view_, flat_)) {}
+      : view_(result.data().view()),
+        flat_(flatten(view_)),
+        leaf_numbers_(leaf_numbers(view_, flat_)),
+        tagger_(view_, flat_) {}
 
   ResultArrays run() {
     add_points();
@@ -52,6 +56,7 @@ class Filler {
   const ResultView view_;
   const FlatComplex flat_;
   const std::map<LeafId, std::size_t> leaf_numbers_;
+  const CellTagger tagger_;
   ResultArrays out_;
   /// The edge between two neighbouring points of its chain, as edge * 2 if from the first of the key to the
   /// second.
@@ -70,7 +75,12 @@ class Filler {
   }
 
   template <class Cell>
-  void add_common(ResultArrays::Common& to, const Cell& cell) const {
+  void add_common(ResultArrays::Common& to, const Cell& cell, const CellTags& tags) const {
+    const auto leaf = leaf_numbers_.find(LeafId(static_cast<std::size_t>(tags.leaf)));
+    to.holder.push_back(tags.region);
+    to.material.push_back(tags.material - 1);
+    to.leaf.push_back(leaf == leaf_numbers_.end() ? kNone : static_cast<Number>(leaf->second));
+    to.leaf_face.push_back(tags.face);
     to.component.push_back(static_cast<Number>(cell.component));
     if constexpr (requires { cell.entity; }) to.entity.push_back(cell.entity);
     std::vector<std::size_t> leaves;
@@ -82,14 +92,14 @@ class Filler {
         cells.values.push_back(static_cast<Number>(x));
       }
     }
-    append(cells, cell.origin.cells.size());
+    append_count(cells, cell.origin.cells.size());
   }
 
   void add_edges() {
     ResultArrays::Edges& to = out_.edges;
     for (Index i = 0; i < flat_.edges.size(); ++i) {
       const FlatComplex::Edge& edge = flat_.edges[i];
-      add_common(to, edge);
+      add_common(to, edge, tagger_.edge(i));
       append(to.points, edge.points);
       const Number first = out_.point_vertices[edge.points.front()],
                    last = out_.point_vertices[edge.points.back()];
@@ -118,7 +128,7 @@ class Filler {
     }
     for (Index i = 0; i < flat_.vertices.size(); ++i) {
       const FlatComplex::Vertex& vertex = flat_.vertices[i];
-      add_common(to, vertex);
+      add_common(to, vertex, tagger_.vertex(i));
       to.point.push_back(number(vertex.point));
       to.feature.push_back(vertex.feature);
       to.free.push_back(vertex.free);
@@ -149,9 +159,10 @@ class Filler {
 
   void add_faces() {
     ResultArrays::Faces& to = out_.faces;
-    for (const FlatComplex::Face& face : flat_.faces) {
-      add_common(to, face);
-      append(to.loops, face.loops.size());
+    for (Index i = 0; i < flat_.faces.size(); ++i) {
+      const FlatComplex::Face& face = flat_.faces[i];
+      add_common(to, face, tagger_.face(i));
+      append_count(to.loops, face.loops.size());
       for (const FlatComplex::Loop& loop : face.loops) {
         append(to.loop_points, loop);
         append(to.loop_edges, edges_along(loop));
@@ -162,11 +173,11 @@ class Filler {
       for (const auto& triangle : face.triangles) {
         for (const Index p : triangle) to.triangles.values.push_back(number(p));
       }
-      append(to.triangles, face.triangles.size());
-      append(to.facets, face.facets.size());
+      append_count(to.triangles, face.triangles.size());
+      append_count(to.facets, face.facets.size());
       for (std::size_t k = 0; k < face.facets.size(); ++k) {
         const FlatComplex::Facet& facet = face.facets[k];
-        append(to.facet_loops, facet.loops.size());
+        append_count(to.facet_loops, facet.loops.size());
         for (const FlatComplex::Loop& loop : facet.loops) append(to.facet_points, loop);
         append(to.facet_isolated, facet.isolated);
         to.facet_triangles.push_back(
@@ -178,11 +189,12 @@ class Filler {
 
   void add_regions() {
     ResultArrays::Regions& to = out_.regions;
-    for (const FlatComplex::Region& region : flat_.regions) {
-      add_common(to, region);
+    for (Index i = 0; i < flat_.regions.size(); ++i) {
+      const FlatComplex::Region& region = flat_.regions[i];
+      add_common(to, region, tagger_.region(i));
       to.entity.push_back(0);
       to.bounded.push_back(region.bounded);
-      append(to.shells, region.shells.size());
+      append_count(to.shells, region.shells.size());
       for (const std::vector<Index>& shell : region.shells) append(to.shell_sides, shell);
     }
   }

@@ -42,6 +42,10 @@ struct ResultArrays {
     Numbers component;
     Flags entity;  ///< active, and not just the interior of a region of its component
     Origins origin;
+    Numbers holder;    ///< the component of the region that it is, that is behind it, in front or around; 0: none
+    Numbers material;  ///< of an entity of a group that of `holder`, else of its component; a place in `materials`
+    Numbers leaf;      ///< the first leaf with a face that it came from, else the first leaf; a place in `leaves`
+    Numbers leaf_face;  ///< the number of that face; kNone: from no face
   };
   struct Vertices : Common {
     Numbers point;

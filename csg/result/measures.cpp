@@ -8,6 +8,7 @@
 #include <span>
 
 #include "csg/geometry/exact_vectors.h"
+#include "kernel/base/parallel.h"
 #include "kernel/selection/measure.h"
 
 namespace cnrg {
@@ -20,6 +21,22 @@ std::span<const std::int32_t> list(const NumberLists& lists, std::size_t i) {
   const auto begin = static_cast<std::size_t>(lists.offsets[i]),
              end = static_cast<std::size_t>(lists.offsets[i + 1]);
   return std::span(lists.values).subspan(begin, end - begin);
+}
+
+constexpr std::size_t kWorthAThread = 64;  // cells
+
+template <class T, class Of>
+std::vector<T> of_all(std::size_t count, const Watch& watch, Of of) {
+  std::vector<T> out(count);
+  Steps steps(watch, "measure", count);
+  for_each_index(
+      count,
+      [&](std::size_t i) {
+        out[i] = of(i);
+        steps.step();
+      },
+      kWorthAThread);
+  return out;
 }
 
 }  // namespace
@@ -110,6 +127,30 @@ double Measures::area(std::size_t face) const {
 
 std::optional<Rational> Measures::volume(std::size_t region) const {
   return cnrg::volume(result_.complex(), result_.cells().regions[region].cells);
+}
+
+std::vector<double> Measures::lengths(const Watch& watch) const {
+  return of_all<double>(arrays_.edges.component.size(), watch, [&](std::size_t i) { return length(i); });
+}
+
+std::vector<double> Measures::areas(const Watch& watch) const {
+  return of_all<double>(arrays_.faces.component.size(), watch, [&](std::size_t i) { return area(i); });
+}
+
+std::vector<double> Measures::area_vectors(const Watch& watch) const {
+  constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+  const auto vectors = of_all<std::array<double, 3>>(arrays_.faces.component.size(), watch, [&](std::size_t i) {
+    const std::optional<RationalPoint> a = area_vector(i);
+    return a ? to_doubles(*a) : std::array{kNothing, kNothing, kNothing};
+  });
+  std::vector<double> out;
+  for (const auto& v : vectors) out.insert(out.end(), v.begin(), v.end());
+  return out;
+}
+
+std::vector<std::optional<Rational>> Measures::volumes(const Watch& watch) const {
+  return of_all<std::optional<Rational>>(arrays_.regions.component.size(), watch,
+                                         [&](std::size_t i) { return volume(i); });
 }
 
 }  // namespace cnrg
