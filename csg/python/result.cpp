@@ -30,10 +30,11 @@ void bind_result(py::module_& module) {
              return py::make_tuple(report.moved, report.embedded, report.notices);
            })
       .def("snap", [](const OneResult& r, const py::object& progress) {
-        SnapReport report;
-        Result snapped = watched(progress, [&](const Watch& watch) {
+        auto [snapped, report] = apart(progress, [held = r.result](const Watch& watch) {
           watch.begin("snap");
-          return snap(r.result, &report);
+          SnapReport report;
+          Result snapped = snap(held, &report);
+          return std::pair(std::move(snapped), std::move(report));
         });
         return py::make_tuple(OneResult{std::move(snapped), nullptr, r.node}, report.rounds, report.displacement,
                               report.text());

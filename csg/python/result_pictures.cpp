@@ -13,7 +13,7 @@ namespace {
 py::bytes picture_of(const OneResult& r, const std::string& extension, const PictureOptions& options, int threads,
                      const py::object& progress) {
   const bool ghosts = check_picture_options(options);
-  return py::bytes(watched(progress, [&](const Watch& watch) {
+  return py::bytes(apart(progress, [r, extension, options, threads, ghosts](const Watch& watch) {
     if (!ghosts || r.from == nullptr) return picture(extension, r.result, options, threads);
     EvaluateOptions all;
     all.threads = threads;
@@ -48,8 +48,8 @@ py::str page_of(const OneResult& r, const std::string& page_template, const std:
     throw InputError(
         "a page shows the tree that a result comes from, and this one was snapped or read from a file");
   }
-  const Tree& tree = *r.from->tree;
-  return text_of(watched(progress, [&](const Watch& watch) {
+  return text_of(apart(progress, [r, page_template, title, threads](const Watch& watch) {
+    const Tree& tree = *r.from->tree;
     EvaluateOptions options;
     options.threads = threads;
     options.keep_all = true;

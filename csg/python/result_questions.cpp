@@ -57,7 +57,7 @@ std::vector<RationalPoint> points_of(const py::sequence& points) {
 py::tuple locate(const PlacesObject& object, const std::vector<RationalPoint>& points,
                  const py::object& progress) {
   const std::vector<Places::Place> places =
-      watched(progress, [&](const Watch& watch) { return object.places->of(points, watch); });
+      apart(progress, [held = object.places, points](const Watch& watch) { return held->of(points, watch); });
   std::vector<std::int8_t> dimension;
   std::vector<std::int32_t> cell, component;
   for (const Places::Place& place : places) {
@@ -88,7 +88,7 @@ std::shared_ptr<const EvaluatedTree> evaluate_all(const OneResult& r, const std:
   options.keep_all = true;
   options.nodes = {r.node};
   options.reach = reach;
-  return watched(progress, [&](const Watch& watch) {
+  return apart(progress, [tree, options](const Watch& watch) mutable {
     options.watch = watch;
     return std::make_shared<const EvaluatedTree>(EvaluatedTree{tree, evaluate(*tree, options)});
   });
@@ -127,7 +127,7 @@ py::tuple compare_sides(const py::object& a, const py::object& b, const std::vec
     else throw InputError("ignore: `" + what + "` is none of components, materials, names, features");
   }
   const Side first = side_of(a), second = side_of(b);
-  const Difference found = watched(progress, [&](const Watch& watch) {
+  const Difference found = apart(progress, [first, second, options](const Watch& watch) mutable {
     options.watch = watch;
     return difference(*first.tree, first.node, *second.tree, second.node, options);
   });
@@ -163,7 +163,8 @@ void bind_result_questions(py::module_& module) {
   });
 
   module.def("topology", [](const OneResult& r) {
-    const TopologyReport report = watched(py::none(), [&](const Watch&) { return topology_report(r.result); });
+    const TopologyReport report =
+        apart(py::none(), [held = r.result](const Watch&) { return topology_report(held); });
     return py::make_tuple(text_of(report.text), text_of(report.json));
   });
   module.def("compare", &compare_sides, py::arg("a"), py::arg("b"), py::arg("ignored"), py::arg("threads"),

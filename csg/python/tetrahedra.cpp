@@ -17,17 +17,18 @@ struct TetrahedraObject {
 
 TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double quality, bool keep_boundary,
                                 int seconds, bool curved, const py::object& progress) {
-  return watched(progress, [&](const Watch& watch) {
-    TetrahedraOptions options;
-    options.max_volume = max_volume;
-    options.quality = quality;
-    options.keep_boundary = keep_boundary;
-    options.seconds = seconds;
-    options.watch = watch;
-    TetrahedralResult mesh(r.result, options, curved);
-    auto arrays = std::make_shared<const TetrahedraArrays>(mesh.arrays());
-    return TetrahedraObject{std::move(mesh), std::move(arrays)};
-  });
+  return apart(progress,
+               [max_volume, quality, keep_boundary, seconds, curved, held = r.result](const Watch& watch) {
+                 TetrahedraOptions options;
+                 options.max_volume = max_volume;
+                 options.quality = quality;
+                 options.keep_boundary = keep_boundary;
+                 options.seconds = seconds;
+                 options.watch = watch;
+                 TetrahedralResult mesh(held, options, curved);
+                 auto arrays = std::make_shared<const TetrahedraArrays>(mesh.arrays());
+                 return TetrahedraObject{std::move(mesh), std::move(arrays)};
+               });
 }
 
 py::dict simplices(const Owner& owner, const TetrahedraArrays::Simplices& of, py::ssize_t nodes) {

@@ -45,20 +45,19 @@ class Places(NamedTuple):
 
 
 class View:
-    """A page for browsers, as text (`str`), which a notebook shows in a frame."""
+    """A page for browsers, which a notebook shows in a frame."""
 
     def __init__(self, text: str, height: int):
-        self._text = text
-        self._height = height
-
-    def __str__(self) -> str:
-        return self._text
+        self.text = text
+        """the page, in HTML"""
+        self.height = height
+        """of the frame, in pixels"""
 
     def __repr__(self) -> str:
-        return f"<cnrg.View: {len(self._text) // 1024} KB>"
+        return f"<cnrg.View: {len(self.text) // 1024} KB>"
 
     def _repr_html_(self) -> str:
-        return (f'<iframe srcdoc="{html.escape(self._text)}" style="width: 100%; height: {self._height}px; '
+        return (f'<iframe srcdoc="{html.escape(self.text)}" style="width: 100%; height: {self.height}px; '
                 'border: 1px solid #ccc" sandbox="allow-scripts allow-downloads"></iframe>')
 
 
