@@ -10,7 +10,7 @@ from typing import Any, Iterator, Sequence
 
 from . import _cnrg
 from .errors import Notice
-from .nodes import Node, Number
+from .nodes import Node, Number, site_of_caller
 from .progress import Progress, Shown
 from .result import Result
 from .tree import Tree
@@ -183,5 +183,5 @@ def evaluate_tree(
     made = Evaluation(tree, evaluation, kept)
     for notice in made.notices:
         if notice.level == "warning":
-            warnings.warn(str(notice), Notice, stacklevel=3)
+            warnings.warn_explicit(str(notice), Notice, *site_of_caller())
     return made

@@ -80,9 +80,11 @@ def data_of(value: Any) -> Any:
         return {str(key): data_of(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
         return [data_of(item) for item in value]
-    if hasattr(value, "tolist") and getattr(value, "ndim", 0) > 0:  # an array of numpy
-        exact_floats = getattr(getattr(value, "dtype", None), "kind", "") != "f" or value.dtype.itemsize <= 8
-        return data_of(value.tolist() if exact_floats else list(value))
+    if hasattr(value, "tolist") and hasattr(value, "dtype"):  # of numpy
+        if value.ndim == 0:
+            return exact(value[()])
+        is_long = value.dtype.kind == "f" and value.dtype.itemsize > 8  # as a list it would lose digits
+        return data_of(list(value) if is_long else value.tolist())
     if isinstance(value, Iterable) and not isinstance(value, (bytes, bytearray)):
         return [data_of(item) for item in value]
     return exact(value)
@@ -213,7 +215,8 @@ class Node:
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("a node does not change; make another one, such as by .with_(...)")
 
-    __delattr__ = __setattr__  # type: ignore[assignment]
+    def __delattr__(self, name: str) -> None:
+        self.__setattr__(name, None)
 
     def __repr__(self) -> str:
         words = f"{self.operator} of {len(self.operands)}" if self.operands else self.operator
