@@ -53,15 +53,15 @@ def _first_groups(blocks: Sequence[Block], groups: Sequence[Mapping[str, Any]]) 
     return out
 
 
-def to_meshio(points: Any, blocks: Sequence[Block], groups: Sequence[Mapping[str, Any]],
-              corner_data: Mapping[str, Any] = {}) -> Any:
+def to_meshio(points: Any, blocks: Sequence[Block], groups: Sequence[Mapping[str, Any]]) -> Any:
     """A meshio.Mesh with groups as cell_sets, as field_data (number, dimension) and as numbers of cells."""
     meshio = imported("meshio", "meshio", "to_meshio")
     blocks = [block for block in blocks if len(block.cells)]
     cells = [(_MESHIO[block.kind], np.asarray(block.points)) for block in blocks]
     cell_data = {name: [block.data[name] for block in blocks] for name in (blocks[0].data if blocks else ())}
     physical = _first_groups(blocks, groups)
-    # The words under which meshio writes them to files of Gmsh.
+    # The words under which meshio writes them to files of Gmsh: of version 2.2, since its writer of 4.1 wants a block
+    # of cells for each entity, with a point of its own.
     cell_data["gmsh:physical"] = physical
     cell_data["gmsh:geometrical"] = [block.cells.astype(np.int32) + 1 for block in blocks]
     cell_sets: dict[str, Any] = {}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import html
+import operator
 import os
 import tempfile
 from fractions import Fraction
@@ -21,7 +22,7 @@ from .stories import Comparison, Explanation, Topology
 from .tetrahedra import Tetrahedra
 
 if TYPE_CHECKING:
-    from .nodes import Point
+    from .nodes import Number, Point
 
 _EXACT_DOUBLES = 2**53
 _LETTERS = "vefr"
@@ -269,7 +270,7 @@ class Result:
             snapped, rounds, _, _ = self._result.snap(shown)
         return self if rounds == 0 else Result._of(snapped, self._evaluation)
 
-    def tetrahedralize(self, *, max_volume: float = 0, quality: float = 0, keep_boundary: bool = False,
+    def tetrahedralize(self, *, max_volume: Number = 0, quality: Number = 0, keep_boundary: bool = False,
                        seconds: int = 600, curved: bool = False, progress: Progress = None) -> Tetrahedra:
         """Fills the regions with tetrahedra that conform to every wall, sheet, wire and point, proven exactly.
 
@@ -280,8 +281,9 @@ class Result:
         InputError for a result that is not closed and bounded, has no region, or is broken by rounding (`snap()`
         helps), and where TetGen makes no mesh that is proven.
         """
-        max_volume, quality, seconds = float(max_volume), float(quality), int(seconds)
-        if not 0 <= max_volume < float("inf"):
+        max_volume, quality = (float(_cnrg.fraction(number)) for number in (max_volume, quality))
+        seconds = operator.index(seconds)
+        if max_volume < 0:
             raise InputError(f"max_volume: a volume is wanted, or 0 for no bound, not {max_volume}")
         if quality != 0 and not 1.1 <= quality <= 100:
             raise InputError(f"quality: a number from 1.1 to 100 is wanted, or 0 for no bound, not {quality}")
@@ -347,7 +349,8 @@ class Result:
 
     def to_meshio(self) -> Any:
         """A meshio.Mesh of vertices, lines and triangles, with cell data as of a .vtu. The groups are cell_sets and, by
-        number and dimension, field_data. ImportError without meshio; InputError for what reaches infinity."""
+        number and dimension, field_data. (A .msh by meshio: file_format="gmsh22"; `write` knows more of it.)
+        ImportError without meshio; InputError for what reaches infinity."""
         return convert.to_meshio(self._bounded_points(), self._blocks(), self.groups)
 
     def to_vtk(self) -> Any:
