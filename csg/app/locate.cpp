@@ -24,6 +24,7 @@
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
 #include "csg/text/escape.h"
+#include "csg/text/input_file.h"
 #include "csg/text/number.h"
 #include "kernel/complex/interior.h"
 
@@ -52,16 +53,16 @@ RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (k >= words.size()) {
       throw TreeError(
-          "<stdin>", {line, line_end},
+          kStandardInput, {line, line_end},
           "a point has three numbers and this line only " + std::to_string(words.size()) + "; write `x y z`");
     }
     NumberText number = read_number(words[k].text);
     if (!number.value)
-      throw TreeError("<stdin>", {line, words[k].column}, "`" + excerpt(words[k].text) + "`" + number.fault);
+      throw TreeError(kStandardInput, {line, words[k].column}, "`" + excerpt(words[k].text) + "`" + number.fault);
     point[k] = std::move(*number.value);
   }
   if (words.size() > 3) {
-    throw TreeError("<stdin>", {line, words[3].column},
+    throw TreeError(kStandardInput, {line, words[3].column},
                     "a point has three numbers and this line more; write `x y z`");
   }
   return point;
@@ -152,7 +153,7 @@ class Places {
   }
 
   void evaluate_beyond(const RationalPoint& p, int line) {
-    if (const std::string fault = too_far(p); !fault.empty()) throw TreeError("<stdin>", {line, 1}, fault);
+    if (const std::string fault = too_far(p); !fault.empty()) throw TreeError(kStandardInput, {line, 1}, fault);
     RationalPoint far = p;
     const Rational factor(Integer(1) << (32 * ++grown_));
     for (Rational& x : far) x *= factor;
@@ -174,6 +175,9 @@ class Places {
 }  // namespace
 
 int run_locate(const LocateArguments& arguments) {
+  if (arguments.tree == kStandardInputWord) {
+    throw InputError("cnrg: error: `cnrg locate` reads points from standard input, so the tree has to be a file");
+  }
   const Tree tree = tree_of(arguments);
   Places places(tree, arguments);
   LineReader lines([] { std::cout << std::flush; });

@@ -20,7 +20,9 @@ FileText obj_text(const ResultView& view);
 FileText off_text(const ResultView& view);
 FileText stl_text(const ResultView& view);
 FileText ply_text(const ResultView& view);
-// With ResultView::parameters on true surfaces.
+FileText three_mf_text(const ResultView& view);
+// With ResultView::parameters on true surfaces; GLB with the normals of these.
+FileText glb_text(const ResultView& view);
 FileText step_text(const ResultView& view);
 FileText brep_text(const ResultView& view);
 

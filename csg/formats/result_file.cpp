@@ -47,7 +47,7 @@ RoundingReport write(const std::string& path, const Result& result, const FileOp
     replace_file(path, region_graph(result.cells(), result.data().value->attributes()).dot());
     return {};
   }
-  return write(path, result.data().view(options.parameters || is_cad_file(path)));
+  return write(path, result.data().view(options.parameters || shows_surfaces(path)));
 }
 
 void write(const std::string& path, const Evaluation& evaluation) {

@@ -18,7 +18,7 @@ struct Format {
   FileText (*make)(const ResultView&);
 };
 
-constexpr std::array<Format, 13> kFormats{{{".json", json_text},
+constexpr std::array<Format, 15> kFormats{{{".json", json_text},
                                            {".vtu", vtu_text},
                                            {".msh", msh_text},
                                            {".mesh", medit_text},
@@ -28,6 +28,8 @@ constexpr std::array<Format, 13> kFormats{{{".json", json_text},
                                            {".off", off_text},
                                            {".stl", stl_text},
                                            {".ply", ply_text},
+                                           {".3mf", three_mf_text},
+                                           {".glb", glb_text},
                                            {".step", step_text},
                                            {".stp", step_text},
                                            {".brep", brep_text}}};
@@ -49,6 +51,8 @@ bool is_cad_file(const std::string& path) {
   const auto make = format_of(path).make;
   return make == step_text || make == brep_text;
 }
+
+bool shows_surfaces(const std::string& path) { return is_cad_file(path) || format_of(path).make == glb_text; }
 
 void check_extension(const std::string& path) { format_of(path); }
 

@@ -1,7 +1,9 @@
 #include "csg/picture/options.h"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
+#include <string_view>
 
 #include "csg/text/escape.h"
 #include "kernel/base/error.h"
@@ -58,11 +60,15 @@ DrawOptions::Cut cut(const std::string& option, const std::string& value) {
   return {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
 }
 
+constexpr std::array<std::pair<std::string_view, ColorBy>, 4> kColorings{{{"material", ColorBy::material},
+                                                                          {"region", ColorBy::region},
+                                                                          {"component", ColorBy::component},
+                                                                          {"source", ColorBy::source}}};
+
 ColorBy color_by(const std::string& option, const std::string& value) {
-  if (value == "material") return ColorBy::material;
-  if (value == "region") return ColorBy::region;
-  if (value == "component") return ColorBy::component;
-  if (value == "source") return ColorBy::source;
+  for (const auto& [name, by] : kColorings) {
+    if (value == name) return by;
+  }
   refuse(option, value, "material, region, component or source");
 }
 
@@ -80,6 +86,12 @@ DrawOptions::Labels labels(const std::string& option, const std::string& value) 
 }
 
 }  // namespace
+
+std::string color_choices() {
+  std::string text = "{";
+  for (const auto& [name, by] : kColorings) text += std::string(text.size() > 1 ? "," : "") + std::string(name);
+  return text + "}";
+}
 
 std::string OptionNames::operator()(const std::string& option) const {
   if (of_command_line_) return "--" + option;

@@ -11,6 +11,9 @@
 
 namespace cnrg {
 
+/// What the option `color-by` takes: `{material,region,...}`.
+std::string color_choices();
+
 /// How one panel of a picture is drawn.
 struct PanelOptions {
   std::string caption;
