@@ -9,7 +9,7 @@ import os
 import tempfile
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Iterable, NamedTuple, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Iterable, NamedTuple, Sequence, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,9 @@ from .tetrahedra import Tetrahedra
 
 if TYPE_CHECKING:
     from .nodes import Number, Point
+
+T = TypeVar("T")
+C = TypeVar("C", bound=Cells)
 
 _EXACT_DOUBLES = 2**53
 _LETTERS = "vefr"
@@ -70,6 +73,10 @@ class Result:
     made when it is first asked for.
     """
 
+    _result: Any
+    _evaluation: Any
+    _made: dict[str, Any]
+
     def __init__(self) -> None:
         raise TypeError("a Result comes from node.evaluate()")
 
@@ -78,13 +85,14 @@ class Result:
         self = object.__new__(cls)
         self._result = result
         self._evaluation = evaluation
-        self._made: dict[str, Any] = {}
+        self._made = {}
         return self
 
-    def _once(self, what: str, make: Any) -> Any:
+    def _once(self, what: str, make: Callable[[], T]) -> T:
         if what not in self._made:
             self._made[what] = make()
-        return self._made[what]
+        made: T = self._made[what]
+        return made
 
     def _placed(self) -> Any:
         """Errors from within come out with places in the script."""
@@ -105,7 +113,7 @@ class Result:
     def _data(self) -> dict[str, Any]:
         return self._once("data", lambda: self._arrays.data())
 
-    def _cells(self, kind: str, made: Any) -> Any:
+    def _cells(self, kind: str, made: Callable[[Any, Any, tuple[str, ...]], C]) -> C:
         return self._once(kind, lambda: made(self._data[kind], self._arrays, self.leaves))
 
     @property
@@ -185,7 +193,8 @@ class Result:
     def volume(self) -> Fraction | None:
         """Exact, of all of it, in cubic units; None: unbounded."""
         volumes = [self.volume_of(i) for i in range(1, self._result.component_count + 1)]
-        return None if any(v is None for v in volumes) else sum(volumes, Fraction(0))  # type: ignore[arg-type]
+        known = [v for v in volumes if v is not None]
+        return sum(known, Fraction(0)) if len(known) == len(volumes) else None
 
     def volume_of(self, component: int) -> Fraction | None:
         """Exact, of one component (from 1), in cubic units; None: unbounded."""

@@ -132,7 +132,7 @@ class Topology(Told):
     @property
     def adjacent(self) -> list[tuple[int, int, int]]:
         """Two components (0: the outside) and how many faces are between them."""
-        return [(*entry["components"], entry["faces"]) for entry in self.data.get("adjacent", [])]
+        return [(a, b, entry["faces"]) for entry in self.data.get("adjacent", []) for a, b in [entry["components"]]]
 
 
 class Comparison(Told):
