@@ -1,6 +1,6 @@
 """Results for other packages, tetrahedra, pictures and pages."""
-import json
 import os
+import subprocess
 import sys
 import tempfile
 import types
@@ -298,7 +298,6 @@ class Tetrahedra(WithFolder):
 
 class Pictures(WithFolder):
     def test_a_still_is_that_of_the_program(self):
-        import subprocess
         tree = self.folder / "slope.yaml"
         tree.write_text(SLOPE)
         options = ["--camera", "20,25", "--labels", "names,v", "--opacity", "0.5", "--cut", "y=50", "--explode", "0.2",
@@ -340,9 +339,9 @@ class Pictures(WithFolder):
         self.assertIn("<svg", text)
         self.assertLess(len(text), 50_000)
         self.assertIn("unbounded", result_of(HALF)._repr_html_())
+        self.assertNotIn("<svg", result_of("cnrg: 1\nnodes: {a: {points: [[0, 0, 1e300]]}}\nresult: a\n")._repr_html_())
 
     def test_a_page(self):
-        import cnrg
         result = result_of(SLOPE)
         if not (Path(cnrg.__file__).parent / "view.html").exists():
             with self.assertRaisesRegex(cnrg.FileError, "Node.js"):

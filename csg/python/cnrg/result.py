@@ -29,6 +29,7 @@ C = TypeVar("C", bound=Cells)
 
 _EXACT_DOUBLES = 2**53
 _LETTERS = "vefr"
+_MOST_DRAWN = 20_000  # faces, in a notebook without being asked: some seconds
 
 
 class Places(NamedTuple):
@@ -481,11 +482,17 @@ class Result:
         _replace(path, text.encode("utf-8", "replace"))
         return None
 
-    def _repr_png_(self) -> bytes | None:
+    def _still(self, format: str, **options: Any) -> bytes | None:
+        """A picture for a notebook; None for what cannot be drawn, and for so much that nobody would wait for it."""
+        if len(self.faces) > _MOST_DRAWN:
+            return None
         try:
-            return self.picture(format="png")
+            return self.picture(format=format, **options)
         except InputError:
             return None
+
+    def _repr_png_(self) -> bytes | None:
+        return self._still("png")
 
     def _repr_html_(self) -> str:
         """Counts, components and a picture."""
@@ -499,11 +506,7 @@ class Result:
         more = len(self.components) - len(listed)
         if more:
             rows += f"<tr><td></td><td>and {more} more</td><td></td><td></td></tr>"
-        try:
-            picture = self.picture(format="svg", size=(480, 360))
-            still = picture.decode() if picture is not None else ""
-        except InputError:  # beyond what can be drawn: the numbers are all there
-            still = ""
+        still = (self._still("svg", size=(480, 360)) or b"").decode()
         still = still[still.find("<svg"):] if "<svg" in still else ""
         return (f"<div><table><tr><th>{html.escape(self.name)}</th>{head}</tr></table>{still}"
                 f"<table><tr><th></th><th>component</th><th>material</th><th>volume</th></tr>{rows}</table></div>")
