@@ -12,6 +12,7 @@
 A node is an expression, as a tree file has it, and means the same. Everything is computed in exact arithmetic.
 """
 
+from .cells import Cells, Component, Edges, Faces, Lists, Regions, Vertices
 from .errors import Error, FileError, InputError, InvariantError, Notice, Stopped
 from .evaluation import Diagnostic, Evaluation, Row, evaluate
 from .nodes import (
@@ -27,7 +28,7 @@ from .nodes import (
     sum,
     union,
 )
-from .result import Result
+from .result import Places, Result, View
 from .shapes import (
     bezier,
     box,
@@ -52,7 +53,10 @@ from .shapes import (
     tetrahedron,
     torus,
 )
+from .stories import Comparison, Explanation, Step, Topology
+from .tetrahedra import Filled, Simplices, Tetrahedra
 from .tree import Tree, parse, read
 
 __all__ = [name for name in dir() if not name.startswith("_") and name not in (
-    "errors", "evaluation", "nodes", "progress", "result", "shapes", "tree")]
+    "cells", "convert", "errors", "evaluation", "nodes", "progress", "result", "shapes",
+    "stories", "tetrahedra", "tree")]
