@@ -17,9 +17,9 @@ std::shared_ptr<const EvaluatedTree> evaluate_tree(const TreeObject& tree, const
   options.raw = raw;
   options.validate = validate;
   for (const std::size_t node : nodes) options.nodes.emplace_back(node);
-  return watched(progress, [&](const Watch& watch) {
+  return apart(progress, [shared = tree.tree, options](const Watch& watch) mutable {
     options.watch = watch;
-    return std::make_shared<const EvaluatedTree>(EvaluatedTree{tree.tree, evaluate(*tree.tree, options)});
+    return std::make_shared<const EvaluatedTree>(EvaluatedTree{shared, evaluate(*shared, options)});
   });
 }
 

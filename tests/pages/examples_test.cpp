@@ -41,10 +41,12 @@ fs::path folder_of(const Page& page) {
   return folder.parent_path() == kLessons ? folder : fs::path(".");
 }
 
-/// Where the commands of a page run: `cnrg` is the program, papers/ is a copy.
+/// Where the commands of a page run: `cnrg` is the program, `python3` has the module, papers/ is a copy.
 void furnish(const Workshop& w, const Page& page) {
   fs::create_directory(w.path(".bin"));
   fs::create_symlink(CNRG_PROGRAM, w.path(".bin") / "cnrg");
+  w.write(".bin/python3", "#!/bin/sh\nPYTHONPATH='" CNRG_MODULES "' exec /usr/bin/python3 -B \"$@\"\n");
+  fs::permissions(w.path(".bin/python3"), fs::perms::owner_all);
   fs::copy(root() / "papers", w.path("papers"), fs::copy_options::recursive);
   fs::create_directories(w.path("out") / page.path.parent_path().filename());
 }

@@ -1,0 +1,58 @@
+"""Exact Booleans of solids with several regions, surfaces, wires and points in one model.
+
+    import cnrg
+
+    ground = cnrg.box([0, 0, 0], [100, 100, 60], material="rock")
+    fault = cnrg.polygon([[20, -5, -5], [70, -5, 65], [70, 105, 65], [20, 105, -5]])
+    tunnel = cnrg.cylinder([60, -5, 30], [60, 105, 30], 6, segments=48)
+    model = cnrg.union(fault & ground, ground, dominance="left") - tunnel
+    result = model.evaluate()
+    result.write("slope.vtu")
+
+A node is an expression, as a tree file has it, and means the same. Everything is computed in exact arithmetic.
+"""
+
+from .errors import Error, FileError, InputError, InvariantError, Notice, Stopped
+from .evaluation import Diagnostic, Evaluation, Row, evaluate
+from .nodes import (
+    Material,
+    Node,
+    aggregate,
+    complement,
+    difference,
+    intersection,
+    material,
+    product,
+    subtract,
+    sum,
+    union,
+)
+from .result import Result
+from .shapes import (
+    bezier,
+    box,
+    bspline,
+    cone,
+    coons,
+    cylinder,
+    extrude,
+    group,
+    halfspace,
+    heightfield,
+    load,
+    mesh,
+    plane,
+    points,
+    polygon,
+    polyline,
+    prism,
+    pyramid,
+    revolve,
+    sphere,
+    tetrahedron,
+    torus,
+)
+from .tree import Tree, parse, read
+
+__all__ = [name for name in dir() if not name.startswith("_") and name not in (
+    "errors", "evaluation", "nodes", "progress", "result", "shapes", "tree")]
