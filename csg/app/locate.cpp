@@ -23,6 +23,7 @@
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
 #include "csg/text/escape.h"
+#include "csg/text/input_file.h"
 #include "csg/text/number.h"
 
 namespace cnrg::app {
@@ -50,16 +51,16 @@ RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (k >= words.size()) {
       throw TreeError(
-          "<stdin>", {line, line_end},
+          kStandardInput, {line, line_end},
           "a point has three numbers and this line only " + std::to_string(words.size()) + "; write `x y z`");
     }
     NumberText number = read_number(words[k].text);
     if (!number.value)
-      throw TreeError("<stdin>", {line, words[k].column}, "`" + excerpt(words[k].text) + "`" + number.fault);
+      throw TreeError(kStandardInput, {line, words[k].column}, "`" + excerpt(words[k].text) + "`" + number.fault);
     point[k] = std::move(*number.value);
   }
   if (words.size() > 3) {
-    throw TreeError("<stdin>", {line, words[3].column},
+    throw TreeError(kStandardInput, {line, words[3].column},
                     "a point has three numbers and this line more; write `x y z`");
   }
   return point;
@@ -154,7 +155,7 @@ class Places {
     const auto is_far = [&](const Rational& x) { return abs(x) > limit; };
     if (std::any_of(p.begin(), p.end(), is_far)) {
       throw TreeError(
-          "<stdin>", {line, 1},
+          kStandardInput, {line, 1},
           "this point is too far away for a tree with planes or half-spaces; its coordinates may be up to "
           "2^1000, about 1e301");
     }
@@ -189,6 +190,9 @@ class Places {
 }  // namespace
 
 int run_locate(const LocateArguments& arguments) {
+  if (arguments.tree == kStandardInputWord) {
+    throw InputError("cnrg: error: `cnrg locate` reads points from standard input, so the tree has to be a file");
+  }
   const Tree tree = tree_of(arguments);
   Places places(tree, arguments);
   LineReader lines([] { std::cout << std::flush; });

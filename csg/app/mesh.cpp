@@ -92,15 +92,16 @@ int run_mesh(const MeshArguments& arguments) {
   {
     ProgressBar bar(arguments.quiet);
     if (arguments.snap) {
-      bar.show("snap", 0, 0);
+      bar.show("snap");
       result = at_node(tree, node, [&] { return snap(result, &snapped); });
     }
-    bar.show("mesh", 0, 0);
+    bar.show("mesh");
     TetrahedraOptions asked = arguments.options;
+    asked.watch.progress = bar.progress();
     if (arguments.curved && asked.quality == 0) asked.quality = kCurvedQuality;
     made = at_node(tree, node, [&] { return tetrahedra(result, asked); });
     if (arguments.curved) {
-      bar.show("bend", 0, 0);
+      bar.show("bend");
       bent = at_node(tree, node, [&] { return curve(result, made); });
     }
   }
@@ -110,7 +111,11 @@ int run_mesh(const MeshArguments& arguments) {
     std::cout << std::flush;
   }
   for (const std::string& path : arguments.files) {
-    write(path, result, made.mesh);
+    {
+      ProgressBar bar(arguments.quiet);
+      bar.show("write " + path);
+      write(path, result, made.mesh);
+    }
     if (arguments.quiet) continue;
     if (snapped.rounds > 0) tell(path + ": notice: " + snapped.text());
     if (made.rounding.moved == 0) continue;

@@ -1,6 +1,8 @@
 #include "csg/app/panels.h"
 
+#include <array>
 #include <sstream>
+#include <string_view>
 
 #include "csg/app/evaluation.h"
 #include "csg/explain/fates.h"
@@ -60,11 +62,15 @@ DrawOptions::Cut cut(const std::string& value) {
   return {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
 }
 
+constexpr std::array<std::pair<std::string_view, ColorBy>, 4> kColorings{{{"material", ColorBy::material},
+                                                                          {"region", ColorBy::region},
+                                                                          {"component", ColorBy::component},
+                                                                          {"source", ColorBy::source}}};
+
 ColorBy color_by(const std::string& value) {
-  if (value == "material") return ColorBy::material;
-  if (value == "region") return ColorBy::region;
-  if (value == "component") return ColorBy::component;
-  if (value == "source") return ColorBy::source;
+  for (const auto& [name, by] : kColorings) {
+    if (value == name) return by;
+  }
   refuse("--color-by", value, "material, region, component or source");
 }
 
@@ -113,6 +119,12 @@ void apply(const std::string& option, const std::string& value, bool& first_cut,
 }
 
 }  // namespace
+
+std::string color_choices() {
+  std::string text = "{";
+  for (const auto& [name, by] : kColorings) text += std::string(text.size() > 1 ? "," : "") + std::string(name);
+  return text + "}";
+}
 
 PictureRequest picture_request(const PictureWords& words) {
   PictureRequest out;

@@ -32,6 +32,9 @@ struct PictureRequest {
   bool given = false;  ///< an option of pictures was
 };
 
+/// What `--color-by` takes: `{material,region,...}`.
+std::string color_choices();
+
 /// Throws InputError for a value that is not what its option takes.
 PictureRequest picture_request(const PictureWords& words);
 

@@ -27,7 +27,7 @@ py::dict data_of(const NodeRow& row) {
   py::dict data;
   data["name"] = row.name;
   data["operator"] = row.operator_name;
-  data["cells"] = row.cells;
+  data["cells"] = py::tuple(py::cast(row.cells));
   data["removed"] = row.removed();
   data["regions"] = row.regions;
   data["components"] = row.components;

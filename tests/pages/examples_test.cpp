@@ -159,6 +159,18 @@ TEST_CASE("lines are compared word by word", "[pages]") {
   CHECK_FALSE(is_shown({any, "a box 1 0.000 8"}, printed));
 }
 
+TEST_CASE("stages of an evaluation have times, too", "[pages]") {
+  const Lines printed{"node  op          faces  seconds  volume", "      leaves                0.012",
+                      "      refinement      151    1.234", "a     box              6    0.000  0.125"};
+  CHECK(
+      is_shown({printed[0], "      leaves                0.000", "      refinement      151    0.000", printed[3]},
+               printed));
+  CHECK_FALSE(is_shown({printed[0], printed[1], "      refinement      150    1.234", printed[3]}, printed));
+  CHECK_FALSE(is_shown({"a 0.126"}, {"a 0.125"}));
+  CHECK(corrected({}, printed) ==
+        Lines{printed[0], "      leaves                0.000", "      refinement      151    0.000", printed[3]});
+}
+
 TEST_CASE("a page can be brought up to date", "[pages]") {
   const Lines printed{"seconds  volume", "a   12.345  8", "b    0.100  1/3 (0.333333333333)", "note"};
   CHECK(corrected({}, printed) ==

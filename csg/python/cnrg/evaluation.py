@@ -77,7 +77,7 @@ class Evaluation(Sequence[Row]):
     def rows(self) -> list[Row]:
         """A row for each instance of each node."""
         if self._rows is None:
-            self._rows = [Row(**{**row, "cells": tuple(row["cells"])}) for row in self._evaluation.rows()]
+            self._rows = [Row(**row) for row in self._evaluation.rows()]
         return list(self._rows)
 
     @property
@@ -113,7 +113,7 @@ class Evaluation(Sequence[Row]):
 
     def __str__(self) -> str:
         head = ("node", "operator", "vertices", "edges", "faces", "3-cells", "removed", "regions", "seconds", "volume")
-        lines = [head]
+        lines: list[tuple[str, ...]] = [head]
         for r in self.rows:
             volume = "unbounded" if r.volume is None else str(r.volume)
             if len(volume) > 24:

@@ -14,7 +14,7 @@ import re
 import sys
 from decimal import Decimal
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Union
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Tuple, Union
 
 from . import _cnrg
 from .errors import InputError
@@ -27,6 +27,9 @@ Number = Union[int, float, str, Fraction, Decimal]
 """Exact: a float is that double, a str is a decimal or a fraction such as "0.1" or "1/3". Numbers of numpy, too."""
 Point = Sequence[Number]
 """Three numbers: a tuple, a list, an array of numpy."""
+
+Site = Tuple[Any, ...]
+"""Where something was made, for messages: file, line, and the column where it is known."""
 
 _PLAIN = re.compile(r"(?:[A-Za-z_][A-Za-z0-9_]*|[-+]?\.?[0-9][0-9A-Za-z./+-]*)\Z")
 _WORDS = {"true", "false", "null", "yes", "no", "on", "off", "y", "n"}  # some reader of YAML takes these for no text
@@ -107,7 +110,7 @@ def text_of(data: Any) -> str:
     return "[" + ", ".join(text_of(item) for item in data) + "]"
 
 
-def site_of_caller() -> tuple[str, int]:
+def site_of_caller() -> Site:
     """File and line of the innermost call from outside of this package."""
     here = os.path.dirname(__file__)
     frame = sys._getframe(1)
@@ -121,7 +124,7 @@ class Material:
 
     __slots__ = ("name", "data", "to", "site")
 
-    def __init__(self, name: str, data: dict[str, Any], to: Node | None, site: tuple[str, int]):
+    def __init__(self, name: str, data: dict[str, Any], to: Node | None, site: Site):
         self.name = name
         self.data = data  # without the node in `distance`, which is `to`
         self.to = to
@@ -190,7 +193,7 @@ class Node:
     attributes: tuple[tuple[str, Any], ...]  # in their order: transforms act one after the other
     key: str | None  # in a tree; None: any
     is_inline: bool  # it stands in the place of its user, as it did in a file
-    site: tuple[str, int] | tuple[str, int, int]  # where it was made
+    site: Site  # where it was made
 
     def __init__(
         self,
@@ -201,7 +204,7 @@ class Node:
         *,
         key: str | None = None,
         is_inline: bool = False,
-        site: tuple[str, int] | tuple[str, int, int] | None = None,
+        site: Site | None = None,
     ):
         put = super().__setattr__
         put("operator", operator)
@@ -232,15 +235,15 @@ class Node:
 
     def __or__(self, other: Node) -> Node:
         """The union: cells of both, and which of two that coincide stays is a matter of dominance."""
-        return _boolean("union", self, other)
+        return _boolean("union", self, other)  # type: ignore[no-any-return]
 
     def __and__(self, other: Node) -> Node:
         """The intersection."""
-        return _boolean("intersection", self, other)
+        return _boolean("intersection", self, other)  # type: ignore[no-any-return]
 
     def __sub__(self, other: Node) -> Node:
         """The difference: this without the other one's regions."""
-        return _boolean("difference", self, other)
+        return _boolean("difference", self, other)  # type: ignore[no-any-return]
 
     def __invert__(self) -> Node:
         """The complement."""

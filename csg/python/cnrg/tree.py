@@ -13,7 +13,7 @@ from typing import Any, Callable, Iterable, Iterator, Mapping
 
 from . import _cnrg
 from .errors import Error, InputError
-from .nodes import Exact, Material, MeshArrays, Node, Number, data_of, exact, quoted, text_of
+from .nodes import Exact, Material, MeshArrays, Node, Number, Site, data_of, exact, quoted, text_of
 
 _EXPRESSION = "<expression>"
 _PLACE = re.compile(re.escape(_EXPRESSION) + r":(\d+):(\d+)")
@@ -105,7 +105,7 @@ def check_material(m: Material) -> None:
     _checked_text(text, m.site)
 
 
-def _checked_text(text: str, site: tuple[Any, ...]) -> None:
+def _checked_text(text: str, site: Site) -> None:
     try:
         _cnrg.Tree.parse(text, _EXPRESSION, {}, "")
     except InputError as e:
@@ -211,7 +211,7 @@ class _Text:
         if self.materials:
             lines.append("materials:")
             for m in self.materials:
-                lines.append(f"  {quoted(m.name)}: {_material_text(m, m.to and self.keys[id(m.to)])}")
+                lines.append(f"  {quoted(m.name)}: {_material_text(m, None if m.to is None else self.keys[id(m.to)])}")
                 self._places.append((len(lines), 0, len(lines[-1]), Node("material", site=m.site)))
         lines.append("nodes:")
         uses: dict[int, int] = {}
@@ -386,7 +386,7 @@ class Tree:
     def placed(self) -> _Placed:
         return _Placed(self)
 
-    def site(self, file: str | None, line: int | None, column: int | None) -> tuple[Any, ...]:
+    def site(self, file: str | None, line: int | None, column: int | None) -> Site:
         """The place of a fault for people."""
         if file != _EXPRESSION or self._text is None:
             return (file, line, column)
@@ -446,11 +446,11 @@ def _as_expressions(tree: Any, file: str) -> Tree:
     def material_of(name: str) -> Material:
         if name not in materials:
             data = graded[name]
-            to = None
+            to: Any = None
             if isinstance(data.get("distance"), dict):
                 to = next(i for i, r in enumerate(records) if r.name == data["distance"]["to"] and not r.is_inline)
                 data = {**data, "distance": {k: v for k, v in data["distance"].items() if k != "to"}}
-            materials[name] = Material(name, data, to, (file, 1))  # type: ignore[arg-type]  # a number until all are there
+            materials[name] = Material(name, data, to, (file, 1))  # a number until all are there
         return materials[name]
 
     def build(i: int) -> Node:
@@ -468,7 +468,7 @@ def _as_expressions(tree: Any, file: str) -> Tree:
         below = [nodes[k] for k in r.operands]
         return Node(
             r.operator_name,
-            below,  # type: ignore[arg-type]
+            below,
             value,
             attributes,
             key=r.name,
@@ -495,4 +495,4 @@ def _as_expressions(tree: Any, file: str) -> Tree:
     known: dict[str, Node] = {}
     for r, n in zip(records, nodes):  # inline ones come last, and give way
         known.setdefault(r.name, n)  # type: ignore[arg-type]
-    return Tree(known, nodes[tree.result], None, tree, ordered)  # type: ignore[arg-type]
+    return Tree(known, nodes[tree.result], None, tree, ordered)
