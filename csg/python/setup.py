@@ -24,6 +24,7 @@ class BuildByCMake(build_ext):
         target.parent.mkdir(parents=True, exist_ok=True)
         built, = (build / "cnrg").glob("_cnrg*.so")
         shutil.copy2(built, target)
+        shutil.copy2(build / "cnrg" / "_cnrg.pyi", target.parent)
 
 
 def version():
