@@ -43,8 +43,9 @@ TEST_CASE("the installed headers are cnrg.h and what it includes", "[install]") 
   }
   add_closure(include, "cnrg.h", closure);
   CHECK(installed == closure);
-  // A surface that a person can read: whoever makes it larger says why here.
-  CHECK(installed.size() <= 31);
+  // A surface that a person can read: whoever makes it larger says why here. Ten of them are all that the Python
+  // module asks of a result: each says what it gives in plain numbers and texts and includes no more than these.
+  CHECK(installed.size() <= 41);
 }
 
 TEST_CASE("each installed header compiles by itself", "[install]") {

@@ -12,6 +12,7 @@
 A node is an expression, as a tree file has it, and means the same. Everything is computed in exact arithmetic.
 """
 
+from .cells import Cells, Component, Edges, Faces, Lists, Regions, Vertices
 from .errors import Error, FileError, InputError, InvariantError, Notice, Stopped
 from .evaluation import Diagnostic, Evaluation, Row, evaluate
 from .nodes import (
@@ -27,7 +28,7 @@ from .nodes import (
     sum,
     union,
 )
-from .result import Result
+from .result import Places, Result, View
 from .shapes import (
     bezier,
     box,
@@ -52,7 +53,73 @@ from .shapes import (
     tetrahedron,
     torus,
 )
+from .stories import Comparison, Explanation, Step, Topology
+from .tetrahedra import Filled, Simplices, Tetrahedra
 from .tree import Tree, parse, read
 
-__all__ = [name for name in dir() if not name.startswith("_") and name not in (
-    "errors", "evaluation", "nodes", "progress", "result", "shapes", "tree")]
+# Name by name: checkers of types take no other names for those of users.
+__all__ = [
+    "Cells",
+    "Comparison",
+    "Component",
+    "Diagnostic",
+    "Edges",
+    "Error",
+    "Evaluation",
+    "Explanation",
+    "Faces",
+    "FileError",
+    "Filled",
+    "InputError",
+    "InvariantError",
+    "Lists",
+    "Material",
+    "Node",
+    "Notice",
+    "Places",
+    "Regions",
+    "Result",
+    "Row",
+    "Simplices",
+    "Step",
+    "Stopped",
+    "Tetrahedra",
+    "Topology",
+    "Tree",
+    "Vertices",
+    "View",
+    "aggregate",
+    "bezier",
+    "box",
+    "bspline",
+    "complement",
+    "cone",
+    "coons",
+    "cylinder",
+    "difference",
+    "evaluate",
+    "extrude",
+    "group",
+    "halfspace",
+    "heightfield",
+    "intersection",
+    "load",
+    "material",
+    "mesh",
+    "parse",
+    "plane",
+    "points",
+    "polygon",
+    "polyline",
+    "prism",
+    "product",
+    "pyramid",
+    "read",
+    "revolve",
+    "sphere",
+    "subtract",
+    "sum",
+    "tetrahedron",
+    "torus",
+    "union",
+]

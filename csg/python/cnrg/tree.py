@@ -384,6 +384,7 @@ class Tree:
     # Places: a fault in the text of an expression is told at the node's place in the script.
 
     def placed(self) -> _Placed:
+        """with tree.placed(): errors from within come out with places in the script."""
         return _Placed(self)
 
     def site(self, file: str | None, line: int | None, column: int | None) -> Site:
