@@ -25,6 +25,7 @@ def python_type(text):
     """A type as pybind11 writes it, as checkers read it."""
     text = re.sub(r"numpy\.ndarray\[(numpy\.\w+)[^\]]*\]", r"numpy.typing.NDArray[\1]", text.replace("cnrg._cnrg.", ""))
     text = re.sub(r"\b_cnrg\.", "", text)
+    text = re.sub(r"\bcnrg::[\w:]+", "Any", text)  # a class that was not yet known when the function was bound
     text = re.sub(r"(?<![\w.])(%s)\b" % "|".join(WORDS), lambda m: WORDS[m[1]], text)
     for plain in ("list", "dict", "tuple"):
         text = re.sub(rf"(?<![\w.]){plain}(?!\w|\[)", {"list": "list[Any]", "dict": "dict[Any, Any]",
