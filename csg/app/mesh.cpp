@@ -91,14 +91,12 @@ int run_mesh(const MeshArguments& arguments) {
   std::optional<CurvedReport> bent;
   {
     ProgressBar bar(arguments.quiet);
-    if (arguments.snap) {
-      bar.show("snap", 0, 0);
-      result = at_node(tree, node, [&] { return snap(result, &snapped); });
-    }
     bar.show("mesh", 0, 0);
     TetrahedraOptions asked = arguments.options;
     if (arguments.curved && asked.quality == 0) asked.quality = kCurvedQuality;
-    made = at_node(tree, node, [&] { return tetrahedra(result, asked); });
+    const bool snaps = !arguments.no_snap && !arguments.curved;  // curved surfaces are of the exact result
+    made = at_node(tree, node,
+                   [&] { return snaps ? snapped_tetrahedra(result, asked, snapped) : tetrahedra(result, asked); });
     if (arguments.curved) {
       bar.show("bend", 0, 0);
       bent = at_node(tree, node, [&] { return curve(result, made); });

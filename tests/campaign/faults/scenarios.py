@@ -84,8 +84,9 @@ def scenarios():
     ]
     for ending in ("json", "vtu", "msh", "mesh", "smesh", "poly", "obj", "off", "stl", "ply", "dot", "regions.dot",
                    "svg", "png", "pdf"):
-        found.append(Scenario(f"write .{ending}", [cnrg, "eval", "../in/solid.yaml", "--snap", "-o", f"r.{ending}"],
+        found.append(Scenario(f"write .{ending}", [cnrg, "eval", "../in/solid.yaml", "-o", f"r.{ending}"],
                               [f"r.{ending}"], old=ending in ("json", "vtu")))
+    found.append(Scenario("write .stl in binary", [cnrg, "eval", "../in/solid.yaml", "--binary", "-o", "r.stl"], ["r.stl"]))
     # OpenCASCADE may take lack of memory for a fault of its file: what it returns is then refused as that.
     for name in ("solid.stl", "solid.off", "solid.obj", "solid.ply", "solid.json", "grid.asc", "part.step", "part.brep"):
         found.append(Scenario(f"read {name}", [cnrg, "eval", f"../in/read-{name}.yaml"],
