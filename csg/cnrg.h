@@ -42,6 +42,16 @@
 #include "csg/operators/components.h"
 #include "csg/operators/group.h"
 
-// Results and their files.
+// Results, their files, and what is told of them.
+#include "csg/compare/difference.h"
+#include "csg/evaluate/places.h"
+#include "csg/explain/story.h"
 #include "csg/formats/result_file.h"
+#include "csg/formats/tetrahedra_arrays.h"
+#include "csg/mesh/cell_groups.h"
+#include "csg/picture/picture.h"
+#include "csg/result/arrays.h"
+#include "csg/result/measures.h"
 #include "csg/result/result.h"
+#include "csg/topology/topology.h"
+#include "csg/view/page.h"

@@ -14,8 +14,8 @@ CURVED = re.compile(r"\b(sphere|cylinder|cone|torus|extrude|revolve|bezier|bspli
 # What takes long: nodes that are asked for once only, leaves that are.
 LARGE = {"papers/keyser2004/chords.yaml": re.compile("_(60|360)$")}
 FINE = re.compile(r"chord: \"?1/\d{3,}|segments: \d{3}")
-SURFACE_FILES = ("off", "stl", "ply")  # of solids alone: the first one that is refused ends the run
-FILES = ("json", "vtu", "obj", "dot", "regions.dot", "msh", "mesh", "poly", "smesh")
+SURFACE_FILES = ("off", "stl", "ply", "3mf")  # of solids alone: the first one that is refused ends the run
+FILES = ("json", "vtu", "obj", "dot", "regions.dot", "msh", "mesh", "poly", "smesh", "glb")
 STOPPED = b"stopped: it ran too long"
 MISSING = b"no such file"
 
@@ -42,7 +42,7 @@ def each_node(kind, tree, nodes, *options):
 
 def files_of(tree, *options):
     """Every format, of the result."""
-    turn = tree.turn % 3
+    turn = tree.turn % len(SURFACE_FILES)
     endings = FILES + SURFACE_FILES[turn:] + SURFACE_FILES[:turn]
     return run_of("eval", tree.path, *options, files=[f"result.{ending}" for ending in endings])
 
@@ -125,6 +125,7 @@ def without_times(text):
     text = re.sub(rb"(?m)(; of )\d+( candidates)$", rb"\1-\2", text)
     text = re.sub(rb"(?m)^predicates: .*$", b"predicates: -", text)
     text = re.sub(rb"(?m)  +\d+\.\d{3}(?=  \S)", b"  -.---", text)
+    text = re.sub(rb"(?m)^( +[a-z]+\b.*?) +\d+\.\d{3}$", rb"\1  -.---", text)  # of a stage, which has no name
     return re.sub(rb"(?m)(3-cells; )\d+\.\d{3} s$", rb"\1-.--- s", text)
 
 

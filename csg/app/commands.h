@@ -84,6 +84,9 @@ int run_compare(const CompareArguments& arguments);
 /// `cnrg tables`: the tables as the code has them.
 int run_tables();
 
+/// `cnrg nodes`, which help does not list: names for completions.
+int run_nodes(const std::string& tree);
+
 /// The text of `cnrg --version`.
 std::string version_text();
 

@@ -8,6 +8,8 @@
 #include "csg/app/exit_status.h"
 #include "csg/app/progress_bar.h"
 #include "csg/text/escape.h"
+#include "csg/text/input_file.h"
+#include "csg/tree/read_from_input.h"
 
 namespace cnrg::app {
 namespace {
@@ -19,7 +21,8 @@ struct Input {
 
 Input read(const std::string& path, const std::string& node, const char* option,
            const CompareArguments& arguments) {
-  Input input{tree_of_file(path, {.inside = arguments.inside}), {}};
+  const ReadOptions options{.inside = arguments.inside};
+  Input input{path == kStandardInputWord ? read_tree_from_input(options) : tree_of_file(path, options), {}};
   make_finer(input.tree, arguments.finer);
   input.node = node_of(input.tree, node, option);
   return input;
@@ -28,6 +31,10 @@ Input read(const std::string& path, const std::string& node, const char* option,
 }  // namespace
 
 int run_compare(const CompareArguments& arguments) {
+  if (arguments.a == kStandardInputWord && arguments.b == kStandardInputWord) {
+    throw InputError(
+        "cnrg: error: only one of A and B can be read from standard input; give a file for the other");
+  }
   const Input a = read(arguments.a, arguments.node_a, "--node-a", arguments);
   const Input b = read(arguments.b, arguments.node_b, "--node-b", arguments);
   limit_threads(arguments.threads);
@@ -40,9 +47,7 @@ int run_compare(const CompareArguments& arguments) {
     else options.features = false;
   }
   ProgressBar bar(arguments.quiet);
-  options.watch.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
-    bar.show(stage, done, total);
-  };
+  options.watch.progress = bar.progress();
   const Comparison comparison = compare(a.tree, a.node, b.tree, b.node, options);
   bar.clear();
   const bool same = comparison.same();

@@ -49,7 +49,8 @@ std::vector<FileRequest> requests(const Tree& tree, const EvalArguments& argumen
   return out;
 }
 
-/// Writes files, and snaps each node that needs it once.
+/// Writes files, and snaps each node that needs it once. What is to be said of them is kept until the rows are
+/// printed, whose last one has the time that this took.
 class FileWriter {
  public:
   FileWriter(const Tree& tree, const Evaluation& evaluation, const EvalArguments& arguments)
@@ -60,13 +61,13 @@ class FileWriter {
     const NodeId node = file.node;
     if (!file.panels.empty()) {
       ProgressBar bar(arguments_.quiet);
-      bar.show("draw " + path, 0, 0);
+      bar.show("draw " + path);
       return write_picture(path, file.panels, size, tree_, evaluation_, arguments_.threads);
     }
     FileReport report;
     {
       ProgressBar bar(arguments_.quiet);
-      bar.show("write " + path, 0, 0);
+      bar.show("write " + path);
       if (shows_dag(path)) {
         write(path, evaluation_);
       } else {
@@ -75,20 +76,25 @@ class FileWriter {
       }
     }
     if (!arguments_.quiet) {
-      for (const std::string& notice : report.notices) tell(path + ": notice: " + notice);
+      for (const std::string& notice : report.notices) say(path + ": notice: " + notice);
     }
     if (!report.embedded) {
-      tell(path + ": warning: rounding moved " + std::to_string(report.moved) +
-           " vertices and broke the result in this file; leave out " +
-           (arguments_.no_snap ? "--no-snap" : "--parameters") + ", or write .json for the exact result");
+      say(path + ": warning: rounding moved " + std::to_string(report.moved) +
+          " vertices and broke the result in this file; leave out " +
+          (arguments_.no_snap ? "--no-snap" : "--parameters") + ", or write .json for the exact result");
     } else if (!arguments_.quiet && report.moved > 0) {
-      tell(path + ": notice: rounding moved " + std::to_string(report.moved) +
-           " vertices; the facets still meet as they should");
+      say(path + ": notice: rounding moved " + std::to_string(report.moved) +
+          " vertices; the facets still meet as they should");
     } else if (!arguments_.quiet && report.snapped.rounds > 0) {
-      tell(path + ": notice: " + report.snapped.text());
+      say(path + ": notice: " + report.snapped.text());
     } else if (!arguments_.quiet && arguments_.snap && is_exact(path)) {
-      tell(path + ": notice: this format is exact; --snap changes nothing in it");
+      say(path + ": notice: this format is exact; --snap changes nothing in it");
     }
+  }
+
+  /// Notices and warnings of the files that were written.
+  void tell_all() const {
+    for (const std::string& message : messages_) tell(message);
   }
 
  private:
@@ -96,7 +102,27 @@ class FileWriter {
   const Evaluation& evaluation_;
   const EvalArguments& arguments_;
   std::map<NodeId, SnappedResultOnce> snapped_;
+  std::vector<std::string> messages_;
+
+  void say(std::string message) { messages_.push_back(std::move(message)); }
 };
+
+/// The time that is of no node. `whole`: files are written, and that is told, too.
+StageRows stage_rows(const StageClock& clock, const Evaluation& evaluation, bool crosses, bool whole) {
+  double of_rows = 0;
+  for (const NodeRow& row : evaluation.rows) of_rows += row.seconds + row.totals_seconds;
+  StageRows out;
+  out.leaves = clock.seconds("leaves");
+  out.refinement = clock.seconds("refinement");
+  const double crossings = clock.seconds("crossings");
+  if (crosses) out.crossings = crossings;
+  // The cells of what is shown are simplified among the nodes.
+  if (whole) {
+    out.results =
+        clock.seconds("results") + std::max(0.0, clock.seconds("nodes") - of_rows) + (crosses ? 0 : crossings);
+  }
+  return out;
+}
 
 /// Of the nodes asked for; of the result when there are none.
 std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vector<NodeId> nodes) {
@@ -114,6 +140,7 @@ std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vec
 }  // namespace
 
 int run_eval(const EvalArguments& arguments) {
+  StageClock clock("leaves");
   require_distinct(arguments.files);
   bool pictures = false;
   for (const std::string& path : arguments.files) {  // before the work, not after it
@@ -145,16 +172,34 @@ int run_eval(const EvalArguments& arguments) {
   roots.push_back(tree.result);
   print(unused_nodes(tree, roots), arguments.quiet);
 
-  const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
-  if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);
-  else tell_uncertain(tree, evaluation, arguments.quiet);
-  if (!arguments.quiet) std::cout << row_table(evaluation.rows, arguments.raw, arguments.trace);
-  if (!arguments.quiet && arguments.trace) std::cout << refinement_summary(evaluation);
-  if (arguments.topology) std::cout << topology_of(tree, evaluation, options.nodes);
-  std::cout << std::flush;
-
+  const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet, &clock);
+  clock.begin("crossings");
+  const bool crosses = arguments.certify ? require_certain(tree, evaluation, arguments.quiet)
+                                         : tell_uncertain(tree, evaluation, arguments.quiet);
+  clock.begin("results");
+  std::string topology;
+  if (arguments.topology) {
+    ProgressBar bar(arguments.quiet);
+    bar.show("topology");
+    topology = topology_of(tree, evaluation, options.nodes);
+  }
   FileWriter writer(tree, evaluation, arguments);
-  for (const FileRequest& file : files) writer.write_file(file, picture.size);
+  const auto print_all = [&](bool whole) {
+    if (!arguments.quiet) {
+      std::cout << row_table(evaluation, stage_rows(clock, evaluation, crosses, whole), arguments.raw,
+                             arguments.trace);
+    }
+    if (!arguments.quiet && arguments.trace) std::cout << refinement_summary(evaluation);
+    std::cout << topology << std::flush;
+    writer.tell_all();
+  };
+  try {
+    for (const FileRequest& file : files) writer.write_file(file, picture.size);
+  } catch (...) {  // the rows are right all the same
+    print_all(false);
+    throw;
+  }
+  print_all(true);
   return kDone;
 }
 
@@ -164,8 +209,16 @@ int run_check(const CheckArguments& arguments) {
   print(check(tree), false);
   const auto leaves =
       std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const Node& n) { return n.op == Operator::leaf; });
-  std::cout << shown(arguments.tree) << ": " << tree.nodes.size() << " nodes, " << leaves
+  std::cout << shown(tree.file) << ": " << tree.nodes.size() << " nodes, " << leaves
             << " of them leaves; no faults\n";
+  return kDone;
+}
+
+int run_nodes(const std::string& path) {
+  const Tree tree = read_tree(path);
+  for (const Node& node : tree.nodes) {
+    if (!node.is_inline) std::cout << shown(node.name) << '\n';
+  }
   return kDone;
 }
 

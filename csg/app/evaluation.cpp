@@ -4,19 +4,36 @@
 
 #include <tbb/global_control.h>
 
+#include <array>
 #include <filesystem>
 #include <set>
+#include <string_view>
 
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 #include "csg/evaluate/certify.h"
 #include "csg/evaluate/prepared_leaves.h"
+#include "csg/text/input_file.h"
+#include "csg/tree/read_from_input.h"
 
 namespace cnrg::app {
 namespace {
 
 std::string count(std::size_t n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+/// The rows of time, each with the stage of the evaluation at which it begins.
+struct Stage {
+  std::string_view begin, row;
+};
+constexpr std::array<Stage, 3> kStages{{{"leaves", "leaves"}, {"refine", "refinement"}, {"nodes", "nodes"}}};
+
+Certificate certificate_in_view(const Tree& tree, const Evaluation& evaluation, std::size_t told, bool at_vertices,
+                                bool quiet) {
+  ProgressBar bar(quiet);
+  bar.show("crossings");
+  return certify(tree, evaluation, told, at_vertices);
 }
 
 }  // namespace
@@ -31,6 +48,13 @@ void limit_threads(int threads) {
   }
 }
 
+Tree tree_of(const std::string& path, const std::string& inside, int finer) {
+  const ReadOptions options{.inside = inside};
+  Tree tree = path == kStandardInputWord ? read_tree_from_input(options) : read_tree(path, options);
+  make_finer(tree, finer);
+  return tree;
+}
+
 NodeId node_of(const Tree& tree, const std::string& name, const char* option) {
   try {
     return name.empty() ? tree.result : tree.find(name);
@@ -39,11 +63,20 @@ NodeId node_of(const Tree& tree, const std::string& name, const char* option) {
   }
 }
 
-Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet) {
+Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet, StageClock* clock) {
   limit_threads(options.threads);
   ProgressBar bar(quiet);
+  // Stages of evaluations within this one, of nodes that a material is graded to, are part of the stage that it is
+  // in.
+  std::size_t reached = 0;
   options.watch.progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
     bar.show(stage, done, total);
+    if (clock == nullptr) return;
+    for (std::size_t i = reached; i < kStages.size(); ++i) {
+      if (!stage.starts_with(kStages[i].begin)) continue;
+      clock->begin(kStages[i].row);
+      reached = i + 1;
+    }
   };
   Evaluation evaluation = evaluate(tree, options);
   bar.clear();
@@ -51,25 +84,27 @@ Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quie
   return evaluation;
 }
 
-void tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
-  if (quiet) return;
+bool tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
+  if (quiet) return false;
   constexpr std::size_t kTold = 3;
-  const Certificate certificate = certify(tree, evaluation, kTold, false);
+  const Certificate certificate = certificate_in_view(tree, evaluation, kTold, false, quiet);
   print(certificate.notices, quiet);
-  if (certificate.places <= kTold) return;
+  if (certificate.places <= kTold) return certificate.edges > 0;
   tell(tree.file + ": notice: " + count(certificate.places - kTold, "more place") +
        " where curved surfaces may not cross as their facets do; --certify tells of ten");
+  return true;
 }
 
-void require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
-  const Certificate certificate = certify(tree, evaluation);
+bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet) {
+  constexpr std::size_t kTold = 10;
+  const Certificate certificate = certificate_in_view(tree, evaluation, kTold, true, quiet);
   if (certificate.places == 0) {
-    if (quiet) return;
+    if (quiet) return false;
     tell(tree.file + ": notice: certified: " +
          (certificate.edges == 0 ? std::string("no curved patch meets a patch of another leaf")
                                  : "where curved patches meet others, along " + count(certificate.edges, "edge") +
                                        ", the surfaces cross as their facets do"));
-    return;
+    return certificate.edges > 0;
   }
   for (std::size_t i = 1; i < certificate.notices.size(); ++i) print({certificate.notices[i]}, quiet);
   const Diagnostic& first = certificate.notices.front();
@@ -103,7 +138,7 @@ void require_writable(const std::vector<std::string>& files, const Tree& tree) {
     if (folder.empty() || std::filesystem::is_directory(folder, code)) continue;
     throw FileError(file + ": cannot be written: there is no folder '" + folder.string() + "'; make it first");
   }
-  require(tree.file, "the tree itself");
+  require(tree.file == kStandardInput ? "/dev/stdin" : tree.file, "the tree itself");
   for (const Node& node : tree.nodes) {
     const std::string* const file = node.shape ? file_of(*node.shape) : nullptr;
     if (file != nullptr) require(*file, "a file that the node " + node.name + " reads");

@@ -5,17 +5,19 @@
 #include <string>
 #include <vector>
 
+#include "csg/app/stopwatch.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/tree/tree.h"
 
 namespace cnrg::app {
 
-/// Reads the tree file of a command, and makes its curved leaves as fine as asked for.
+/// Reads a tree file, or for `-` standard input, and makes its curved leaves as fine as asked for.
+Tree tree_of(const std::string& path, const std::string& inside, int finer);
+
+/// The tree of a command.
 template <class Arguments>
 Tree tree_of(const Arguments& arguments) {
-  Tree tree = read_tree(arguments.tree, {.inside = arguments.inside});
-  make_finer(tree, arguments.finer);
-  return tree;
+  return tree_of(arguments.tree, arguments.inside, arguments.finer);
 }
 
 /// The node that an option names; the result where it is not given.
@@ -24,13 +26,15 @@ NodeId node_of(const Tree& tree, const std::string& name, const char* option = "
 /// No more threads than asked for until the program ends; 0: as many as there are.
 void limit_threads(int threads);
 
-/// Evaluates behind a progress bar and prints the diagnostics; `quiet`: no bar, warnings only.
-Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet);
+/// Evaluates behind a progress bar and prints the diagnostics; `quiet`: no bar, warnings only. The clock is told
+/// of the stages `leaves`, `refinement` and `nodes`.
+Evaluation evaluate_in_view(const Tree& tree, EvaluateOptions options, bool quiet, StageClock* clock = nullptr);
 
-/// Notices of the first places where curved patches of different leaves may not cross as their facets do.
-void tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet);
+/// Notices of the first places where curved patches of different leaves may not cross as their facets do. True if
+/// there was anything to look at.
+bool tell_uncertain(const Tree& tree, const Evaluation& evaluation, bool quiet);
 /// Proves that there are none, or throws TreeError, with notices of the first ones.
-void require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet);
+bool require_certain(const Tree& tree, const Evaluation& evaluation, bool quiet);
 
 /// Runs `work`; an InputError that it throws, such as of a format that cannot show the node, comes out as
 /// TreeError at the node.

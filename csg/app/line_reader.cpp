@@ -32,7 +32,7 @@ bool LineReader::next(std::string_view& line) {
     const std::size_t length = (whole ? end : waiting_.size()) - at_;
     if (length > kLongestLine) {
       throw TreeError(
-          "<stdin>", {number_ + 1, 1},
+          kStandardInput, {number_ + 1, 1},
           "this line has more than " + grouped(kLongestLine) + " characters; a point is `x y z` on a line");
     }
     if (whole || (ended_ && length > 0)) {
@@ -62,7 +62,7 @@ void LineReader::fill() {
   const int reason = errno;
   waiting_.resize(size + static_cast<std::size_t>(n > 0 ? n : 0));
   if (n < 0) {
-    throw FileError(std::string("<stdin>:") + std::to_string(number_ + 1) +
+    throw FileError(std::string(kStandardInput) + ":" + std::to_string(number_ + 1) +
                     ":1: error: the points cannot be read: " + std::strerror(reason));
   }
   ended_ = n == 0;

@@ -19,11 +19,14 @@
 #include "csg/app/exit_status.h"
 #include "csg/app/line_reader.h"
 #include "csg/evaluate/evaluate.h"
+#include "csg/evaluate/places.h"
 #include "csg/explain/lives.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
 #include "csg/text/escape.h"
+#include "csg/text/input_file.h"
 #include "csg/text/number.h"
+#include "kernel/complex/interior.h"
 
 namespace cnrg::app {
 namespace {
@@ -50,16 +53,16 @@ RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (k >= words.size()) {
       throw TreeError(
-          "<stdin>", {line, line_end},
+          kStandardInput, {line, line_end},
           "a point has three numbers and this line only " + std::to_string(words.size()) + "; write `x y z`");
     }
     NumberText number = read_number(words[k].text);
     if (!number.value)
-      throw TreeError("<stdin>", {line, words[k].column}, "`" + excerpt(words[k].text) + "`" + number.fault);
+      throw TreeError(kStandardInput, {line, words[k].column}, "`" + excerpt(words[k].text) + "`" + number.fault);
     point[k] = std::move(*number.value);
   }
   if (words.size() > 3) {
-    throw TreeError("<stdin>", {line, words[3].column},
+    throw TreeError(kStandardInput, {line, words[3].column},
                     "a point has three numbers and this line more; write `x y z`");
   }
   return point;
@@ -124,7 +127,7 @@ class Places {
   /// What is printed for the point of a line.
   std::string describe(const RationalPoint& p, int line) {
     Location cell = locator_->locate(p);
-    if (beyond_frame(cell)) {
+    if (beyond_frame(*evaluation_->complex, cell)) {
       evaluate_beyond(p, line);
       cell = locator_->locate(p);
     }
@@ -150,30 +153,13 @@ class Places {
   }
 
   void evaluate_beyond(const RationalPoint& p, int line) {
-    const Rational limit(Integer(1) << 1000);  // the frame is some times as large, and of doubles
-    const auto is_far = [&](const Rational& x) { return abs(x) > limit; };
-    if (std::any_of(p.begin(), p.end(), is_far)) {
-      throw TreeError(
-          "<stdin>", {line, 1},
-          "this point is too far away for a tree with planes or half-spaces; its coordinates may be up to "
-          "2^1000, about 1e301");
-    }
+    if (const std::string fault = too_far(p); !fault.empty()) throw TreeError(kStandardInput, {line, 1}, fault);
     RationalPoint far = p;
     const Rational factor(Integer(1) << (32 * ++grown_));
     for (Rational& x : far) x *= factor;
-    if (std::any_of(far.begin(), far.end(), is_far)) far = p;
+    if (!too_far(far).empty()) far = p;
     reach_.insert(reach_.end(), {p, far});
     evaluate_with(true);
-  }
-
-  bool beyond_frame(const Location& cell) const {
-    const Complex& complex = *evaluation_->complex;
-    switch (cell.dimension) {
-      case 0: return complex.on_frame(cell.vertex);
-      case 1: return complex.on_frame(cell.edge);
-      case 2: return complex.on_frame(cell.face);
-      default: return complex.outside_frame(cell.region);
-    }
   }
 
   const Tree& tree_;
@@ -189,6 +175,9 @@ class Places {
 }  // namespace
 
 int run_locate(const LocateArguments& arguments) {
+  if (arguments.tree == kStandardInputWord) {
+    throw InputError("cnrg: error: `cnrg locate` reads points from standard input, so the tree has to be a file");
+  }
   const Tree tree = tree_of(arguments);
   Places places(tree, arguments);
   LineReader lines([] { std::cout << std::flush; });

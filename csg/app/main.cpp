@@ -14,8 +14,11 @@
 
 #include "csg/app/commands.h"
 #include "csg/app/exit_status.h"
+#include "csg/app/manual.h"
 #include "csg/app/memory.h"
 #include "csg/app/output.h"
+#include "csg/app/program_text.h"
+#include "csg/text/file.h"
 #include "csg/tree/suggest.h"
 #include "kernel/base/error.h"
 
@@ -71,8 +74,9 @@ void add_fineness(CLI::App* sub, Arguments& arguments) {
 
 /// What all commands have that read a tree.
 template <class Arguments>
-void add_tree(CLI::App* sub, Arguments& arguments) {
-  sub->add_option("TREE", arguments.tree, "Tree file (YAML or JSON)")->required()->check(name_fault);
+void add_tree(CLI::App* sub, Arguments& arguments,
+              const char* what = "Tree file (YAML or JSON); `-` for standard input") {
+  sub->add_option("TREE", arguments.tree, what)->required()->check(name_fault);
   add_fineness(sub, arguments);
 }
 
@@ -111,7 +115,7 @@ void add_picture_options(CLI::App* sub) {
          "Show what the node's operator removed, faintly; not with --cut or --explode")
       ->take_all()
       ->group(kGroup);
-  add("--color-by", "WHAT", "material, region, component or source");
+  add("--color-by", color_choices().c_str(), "What gives a cell its color");
   add("--labels", "LIST", "Numbers of cells, and names: of v,e,f,r,names");
   add("--caption", "TEXT", "Below the panel; the node's name, if there are several");
   add("--size", "WxH",
@@ -132,6 +136,13 @@ PictureWords picture_words(const CLI::App& sub) {
   return out;
 }
 
+/// For a word where a command should be: a tree was probably to be evaluated.
+std::string forgotten_command(const std::string& word) {
+  const std::string extension = extension_of(word);
+  const bool is_tree = extension == ".yaml" || extension == ".yml" || extension == ".json";
+  return is_tree ? "; to evaluate this tree: `cnrg eval " + word + "`;" : "";
+}
+
 /// What is wrong with the command line, what was probably meant, and where to look.
 std::string command_line_fault(const CLI::App& program, const CLI::ParseError& e) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
@@ -150,8 +161,11 @@ std::string command_line_fault(const CLI::App& program, const CLI::ParseError& e
     if (!hint.empty()) break;
   }
   std::string what = e.what();
-  if (chosen.empty() && !program.remaining().empty())
-    what = "there is no command `" + program.remaining()[0] + "`";
+  if (chosen.empty() && !program.remaining().empty()) {
+    const std::string word = program.remaining()[0];
+    what = "there is no command `" + word + "`";
+    if (const std::string tree = forgotten_command(word); !tree.empty()) hint = tree;
+  }
   return what + (hint.empty() ? ";" : hint) + " see `cnrg " + (chosen.empty() ? "" : asked.get_name() + " ") +
          "--help`";
 }
@@ -177,7 +191,7 @@ int run(int argc, char** argv) {
       ->take_all();
   sub->add_option("-o", eval.files,
                   "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off "
-                  ".stl .ply .step .brep .dot .regions.dot; pictures: .svg .png .pdf")
+                  ".stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png .pdf")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)
@@ -219,7 +233,7 @@ int run(int argc, char** argv) {
 
   LocateArguments locate;
   sub = program.add_subcommand("locate", "Reads points `x y z` and prints `dim cell component name` for each");
-  add_tree(sub, locate);
+  add_tree(sub, locate, "Tree file (YAML or JSON)");
   sub->add_option("--node", locate.node, "Node to look into; the result without it")
       ->type_name("N")
       ->check(name_fault);
@@ -304,7 +318,10 @@ int run(int argc, char** argv) {
 
   CompareArguments compared;
   sub = program.add_subcommand("compare", "Says whether two trees mean the same, and if not, what differs");
-  sub->add_option("A", compared.a, "Tree, exact result (.json), mesh or CAD model")->required()->check(name_fault);
+  sub->add_option("A", compared.a,
+                  "Tree, exact result (.json), mesh or CAD model; `-` for a tree on standard input")
+      ->required()
+      ->check(name_fault);
   sub->add_option("B", compared.b, "Another one")->required()->check(name_fault);
   sub->add_option("--node-a", compared.node_a, "Node of A; its result without it")
       ->type_name("N")
@@ -331,6 +348,20 @@ int run(int argc, char** argv) {
   sub = program.add_subcommand("tables", "Prints the tables of the Booleans in Markdown");
   sub->footer("Example:\n  cnrg tables > tables.md");
   sub->callback([&] { command = [] { return run_tables(); }; });
+
+  sub = program.add_subcommand("manual", "Prints the manual page of cnrg, for `man`");
+  sub->footer("Example:\n  cnrg manual > cnrg.1\n  man -l cnrg.1");
+  sub->callback([&] { command = [&] { return run_manual(program_text(program)); }; });
+
+  sub = program.add_subcommand("completion",
+                               "Prints what bash needs to complete commands, options, files and nodes");
+  sub->footer("Example:\n  source <(cnrg completion)");
+  sub->callback([&] { command = [&] { return run_completion(program_text(program)); }; });
+
+  std::string asked;
+  sub = program.add_subcommand("nodes", "Prints the names of the nodes of a tree")->group("");  // for completions
+  sub->add_option("TREE", asked, "Tree file")->required()->check(name_fault);
+  sub->callback([&] { command = [&] { return run_nodes(asked); }; });
 
   try {
     program.parse(argc, argv);

@@ -91,14 +91,15 @@ int run_mesh(const MeshArguments& arguments) {
   std::optional<CurvedReport> bent;
   {
     ProgressBar bar(arguments.quiet);
-    bar.show("mesh", 0, 0);
+    bar.show("mesh");
     TetrahedraOptions asked = arguments.options;
+    asked.watch.progress = bar.progress();
     if (arguments.curved && asked.quality == 0) asked.quality = kCurvedQuality;
     const bool snaps = !arguments.no_snap && !arguments.curved;  // curved surfaces are of the exact result
     made = at_node(tree, node,
                    [&] { return snaps ? snapped_tetrahedra(result, asked, snapped) : tetrahedra(result, asked); });
     if (arguments.curved) {
-      bar.show("bend", 0, 0);
+      bar.show("bend");
       bent = at_node(tree, node, [&] { return curve(result, made); });
     }
   }
@@ -108,7 +109,11 @@ int run_mesh(const MeshArguments& arguments) {
     std::cout << std::flush;
   }
   for (const std::string& path : arguments.files) {
-    write(path, result, made.mesh);
+    {
+      ProgressBar bar(arguments.quiet);
+      bar.show("write " + path);
+      write(path, result, made.mesh);
+    }
     if (arguments.quiet) continue;
     if (snapped.rounds > 0) tell(path + ": notice: " + snapped.text());
     if (made.rounding.moved == 0) continue;

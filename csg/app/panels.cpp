@@ -1,114 +1,20 @@
 #include "csg/app/panels.h"
 
-#include <sstream>
-
 #include "csg/app/evaluation.h"
 #include "csg/explain/fates.h"
-#include "csg/text/escape.h"
 #include "csg/text/file.h"
 #include "kernel/base/error.h"
 
 namespace cnrg::app {
 namespace {
 
-[[noreturn]] void refuse(const std::string& option, const std::string& value, const std::string& wanted) {
-  throw InputError("cnrg: error: " + option + ": `" + shown(value) + "` is not " + wanted);
-}
-
-/// What is between separators, also where that is nothing; of an empty text no part.
-std::vector<std::string> parts_of(const std::string& text, char separator) {
-  std::vector<std::string> out;
-  if (text.empty()) return out;
-  std::istringstream stream(text + separator);
-  for (std::string part; std::getline(stream, part, separator);) out.push_back(part);
-  return out;
-}
-
-double number_within(const std::string& option, const std::string& value, double low, double high,
-                     const std::string& wanted) {
-  const std::optional<Rational> x = parse_rational(value);
-  if (!x || to_double(*x) < low || to_double(*x) > high) refuse(option, value, wanted);
-  return to_double(*x);
-}
-
-DrawOptions::Camera camera(const std::string& value) {
-  const std::string wanted = "two angles in degrees such as 30,20: to the right of the negative y-axis, and up";
-  const std::vector<std::string> parts = parts_of(value, ',');
-  if (parts.size() != 2) refuse("--camera", value, wanted);
-  return {number_within("--camera", parts[0], -360, 360, wanted),
-          number_within("--camera", parts[1], -90, 90, "an angle from -90 to 90 degrees, upwards")};
-}
-
-DrawOptions::Cut cut(const std::string& value) {
-  const std::string wanted = "a plane such as x=5, or NX,NY,NZ,D for NX x + NY y + NZ z = D";
-  DrawOptions::Cut out{{Rational(0), Rational(0), Rational(0)}, Rational(0)};
-  if (value.size() > 2 && value[1] == '=' && value[0] >= 'x' && value[0] <= 'z') {
-    const std::optional<Rational> offset = parse_rational(value.substr(2));
-    if (!offset) refuse("--cut", value, wanted);
-    out.normal[static_cast<std::size_t>(value[0] - 'x')] = 1;
-    out.offset = *offset;
-    return out;
-  }
-  const std::vector<std::string> parts = parts_of(value, ',');
-  std::vector<Rational> numbers;
-  for (const std::string& part : parts) {
-    if (const std::optional<Rational> x = parse_rational(part)) numbers.push_back(*x);
-  }
-  if (parts.size() != 4 || numbers.size() != 4 || (numbers[0] == 0 && numbers[1] == 0 && numbers[2] == 0)) {
-    refuse("--cut", value, wanted);
-  }
-  return {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
-}
-
-ColorBy color_by(const std::string& value) {
-  if (value == "material") return ColorBy::material;
-  if (value == "region") return ColorBy::region;
-  if (value == "component") return ColorBy::component;
-  if (value == "source") return ColorBy::source;
-  refuse("--color-by", value, "material, region, component or source");
-}
-
-DrawOptions::Labels labels(const std::string& value) {
-  DrawOptions::Labels out;
-  for (const std::string& part : parts_of(value, ',')) {
-    if (part == "v") out.vertices = true;
-    else if (part == "e") out.edges = true;
-    else if (part == "f") out.faces = true;
-    else if (part == "r") out.regions = true;
-    else if (part == "names") out.names = true;
-    else refuse("--labels", value, "a list of v, e, f, r and names, such as v,e");
-  }
-  return out;
-}
-
-PictureSize size(const std::string& value) {
-  const std::string wanted = "a size in pixels such as 640x480, each side 16 to 8192";
-  const std::vector<std::string> parts = parts_of(value, 'x');
-  if (parts.size() != 2) refuse("--size", value, wanted);
-  return {number_within("--size", parts[0], 16, 8192, wanted),
-          number_within("--size", parts[1], 16, 8192, wanted)};
-}
-
-void apply(const std::string& option, const std::string& value, bool& first_cut, PanelRequest& panel) {
-  if (option == "--camera") {
-    panel.draw.camera = camera(value);
-  } else if (option == "--cut") {  // those of a panel replace those of all panels
-    if (first_cut) panel.draw.cuts.clear();
-    first_cut = false;
-    panel.draw.cuts.push_back(cut(value));
-  } else if (option == "--explode") {
-    panel.draw.apart = number_within(option, value, 0, 100, "a number from 0 to 100, such as 0.3");
-  } else if (option == "--opacity") {
-    panel.draw.opacity = number_within(option, value, 0.01, 1, "a number from 0.01 to 1, such as 0.4");
-  } else if (option == "--ghosts") {
-    panel.ghosts = true;
-  } else if (option == "--color-by") {
-    panel.draw.colors = color_by(value);
-  } else if (option == "--labels") {
-    panel.draw.labels = labels(value);
-  } else if (option == "--caption") {
-    panel.caption = value;
-    panel.has_caption = true;
+/// Reads an option; faults of the command line begin so.
+template <class Read>
+void read(Read read) {
+  try {
+    read(OptionNames(true));
+  } catch (const InputError& e) {
+    throw InputError(std::string("cnrg: error: ") + e.what());
   }
 }
 
@@ -126,16 +32,20 @@ PictureRequest picture_request(const PictureWords& words) {
       continue;
     }
     out.given = true;
-    if (option == "--size") out.size = size(value);
-    else apply(option, value, first_cut, out.panels.empty() ? common : out.panels.back());
+    if (option == "--size") {
+      read([&](const OptionNames& names) { out.size = picture_size(value, names); });
+      continue;
+    }
+    PanelRequest& panel = out.panels.empty() ? common : out.panels.back();
+    if (option == "--cut") {  // those of a panel replace those of all panels
+      if (first_cut) panel.draw.cuts.clear();
+      first_cut = false;
+    }
+    read([&](const OptionNames& names) { set_option(panel, option.substr(2), value, names); });
   }
   if (out.panels.empty()) out.panels.push_back(common);
   for (const PanelRequest& panel : out.panels) {
-    if (panel.ghosts && (!panel.draw.cuts.empty() || panel.draw.apart != 0)) {
-      throw InputError(
-          "cnrg: error: --ghosts shows what was removed of the whole, and goes neither with --cut nor " +
-          std::string("with --explode; leave one out"));
-    }
+    read([&](const OptionNames& names) { check_options(panel, names); });
   }
   return out;
 }

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
-#include "csg/picture/draw.h"
-#include "csg/picture/paint.h"
+#include "csg/picture/options.h"
 #include "csg/tree/tree.h"
 
 namespace cnrg::app {
@@ -19,12 +18,8 @@ namespace cnrg::app {
 /// An option and its value; `--node` among them.
 using PictureWords = std::vector<std::pair<std::string, std::string>>;
 
-struct PanelRequest {
+struct PanelRequest : PanelOptions {
   std::string node;  ///< empty: the result
-  std::string caption;
-  bool has_caption = false;
-  bool ghosts = false;
-  DrawOptions draw;
 };
 struct PictureRequest {
   std::vector<PanelRequest> panels;  ///< at least one

@@ -1,47 +1,131 @@
-// A carriage return and an erased line: every terminal of today knows both.
+// A carriage return and an erased line: every terminal of today knows both. A line is written in one piece and by
+// the system's `write`, so that a process that is forked meanwhile inherits neither a lock nor half a line.
 #include "csg/app/progress_bar.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
-#include <iostream>
+#include <system_error>
 
+#include "csg/app/stopwatch.h"
 #include "csg/text/escape.h"
+#include "csg/text/table.h"
 
 namespace cnrg::app {
 namespace {
+
+constexpr double kSeldom = 0.1;                         // seconds between two lines of one stage
+constexpr auto kTick = std::chrono::milliseconds(500);  // and where nobody says anything
+constexpr const char* kErase = "\r\x1b[K";
 
 bool is_terminal() {
   const char* kind = std::getenv("TERM");
   return isatty(STDERR_FILENO) && kind && std::string_view(kind) != "dumb";
 }
 
+std::size_t columns_of_terminal() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+void put(const std::string& text) {
+  [[maybe_unused]] const ssize_t n = ::write(STDERR_FILENO, text.data(), text.size());  // a bar may be lost
+}
+
+/// 0:07, 12:34, 1:02:03.
+std::string clock_text(double seconds) {
+  const auto all = static_cast<unsigned long>(seconds);
+  char text[48];
+  if (all < 3600) std::snprintf(text, sizeof text, "%lu:%02lu", all / 60, all % 60);
+  else std::snprintf(text, sizeof text, "%lu:%02lu:%02lu", all / 3600, all / 60 % 60, all % 60);
+  return text;
+}
+
+/// The front of a text of UTF-8, without a character that is cut.
+std::string front_of(std::string text, std::size_t columns) {
+  while (width_of(text) > columns) {
+    while (!text.empty() && (text.back() & 0xc0) == 0x80) text.pop_back();
+    text.pop_back();
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string progress_line(std::string_view stage, std::size_t done, std::size_t total, double seconds,
+                          std::size_t columns) {
+  constexpr std::size_t kWidest = 30, kLeast = 10;
+  std::string end = "  " + clock_text(seconds);
+  if (total > 0) {
+    const std::size_t part = std::min(done, total);
+    char percent[16];
+    std::snprintf(percent, sizeof percent, "%3d %%", static_cast<int>(100.0 * double(part) / double(total)));
+    end = std::string("  ") + percent + end;
+    const std::size_t taken = width_of(stage) + end.size() + 3;
+    const std::size_t width = std::min(kWidest, columns - std::min(columns, taken));
+    if (width >= kLeast) {
+      const auto full = static_cast<std::size_t>(double(width) * double(part) / double(total));
+      end = " [" + std::string(full, '#') + std::string(width - full, '.') + "]" + end.substr(1);
+    }
+  } else {
+    end = " ..." + end;
+  }
+  return front_of(front_of(std::string(stage), columns - std::min(columns, end.size())) + end, columns);
+}
 
 ProgressBar::ProgressBar(bool quiet) : active_(!quiet && is_terminal()) {}
 
-ProgressBar::~ProgressBar() { clear(); }
-
-void ProgressBar::show(std::string_view stage, std::size_t done, std::size_t total) {
-  if (!active_) return;
-  const auto now = std::chrono::steady_clock::now();
-  if (stage == stage_ && now - last_ < std::chrono::milliseconds(100)) return;
-  stage_ = stage;
-  last_ = now;
-  constexpr std::size_t kWidth = 30;
-  std::cerr << "\r\x1b[K" << shown(stage_);
-  if (total > 0) {
-    const std::size_t full = kWidth * done / total;
-    std::cerr << " [" << std::string(full, '#') << std::string(kWidth - full, '.') << "] " << done << "/" << total;
-  } else {
-    std::cerr << " ...";
+ProgressBar::~ProgressBar() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
   }
-  std::cerr << std::flush;
+  ended_.notify_all();
+  if (thread_.joinable()) thread_.join();
+  clear();
+}
+
+void ProgressBar::draw() {
+  last_ = seconds_so_far();
+  const std::size_t columns = columns_of_terminal() - 1;  // in the last one some terminals begin a new line
+  put(kErase + progress_line(shown(stage_), done_, total_, last_, columns));
   drawn_ = true;
 }
 
+void ProgressBar::keep_drawing() {
+  std::unique_lock lock(mutex_);
+  while (!ended_.wait_for(lock, kTick, [&] { return ends_; })) {
+    if (drawn_) draw();
+  }
+}
+
+void ProgressBar::show(std::string_view stage, std::size_t done, std::size_t total) {
+  if (!active_) return;
+  const std::lock_guard lock(mutex_);
+  const bool same = stage == stage_;
+  stage_ = stage;
+  done_ = done;
+  total_ = total;
+  if (same && drawn_ && seconds_so_far() - last_ < kSeldom) return;
+  draw();
+  if (thread_.joinable()) return;
+  try {
+    thread_ = std::thread([this] { keep_drawing(); });
+  } catch (const std::system_error&) {  // the bar stands still, then
+  }
+}
+
+Progress ProgressBar::progress() {
+  return [this](std::string_view stage, std::size_t done, std::size_t total) { show(stage, done, total); };
+}
+
 void ProgressBar::clear() {
-  if (drawn_) std::cerr << "\r\x1b[K" << std::flush;
+  const std::lock_guard lock(mutex_);
+  if (drawn_) put(kErase);
   drawn_ = false;
   stage_.clear();
 }

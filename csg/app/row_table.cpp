@@ -1,6 +1,8 @@
 // Rows as a table of text; the exact volume, which may be long, is its last column.
 #include "csg/app/row_table.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <ios>
 #include <sstream>
@@ -38,7 +40,8 @@ std::string details(const NodeRow& row) {
 
 }  // namespace
 
-std::string row_table(const std::vector<NodeRow>& rows, bool raw, bool trace) {
+std::string row_table(const Evaluation& evaluation, const StageRows& stages, bool raw, bool trace) {
+  const std::vector<NodeRow>& rows = evaluation.rows;
   Table table;
   table.add_column("node", Table::Align::left);
   table.add_column("operator", Table::Align::left);
@@ -47,13 +50,26 @@ std::string row_table(const std::vector<NodeRow>& rows, bool raw, bool trace) {
     table.add_column(title);
   }
   table.add_column("volume", Table::Align::left);
+  const auto add_stage = [&](const char* name, const std::optional<double>& seconds,
+                             std::array<std::string, 4> cells = {}) {
+    if (!seconds) return;
+    table.add_row(
+        {"", name, cells[0], cells[1], cells[2], cells[3], "", "", "", seconds_text(std::max(0.0, *seconds))});
+  };
+  add_stage("leaves", stages.leaves);
+  const Complex& complex = *evaluation.complex;
+  add_stage("refinement", stages.refinement,
+            {std::to_string(complex.vertex_count()), std::to_string(complex.edge_count()),
+             std::to_string(complex.face_count()), std::to_string(complex.region_count)});
   for (const NodeRow& row : rows) {
     const auto& cells = raw ? row.raw_cells : row.cells;
     table.add_row({row.name, row.operator_name, std::to_string(cells[0]), std::to_string(cells[1]),
                    std::to_string(cells[2]), std::to_string(cells[3]), std::to_string(row.removed()),
                    std::to_string(row.regions), row.is_group ? "" : std::to_string(row.components),
-                   seconds_text(row.seconds), volume_text(row.volume())});
+                   seconds_text(row.seconds + row.totals_seconds), volume_text(row.volume())});
   }
+  add_stage("crossings", stages.crossings);
+  add_stage("results", stages.results);
   if (!trace) return table.text();
   const std::string lines = table.text();
   std::string text;
@@ -63,12 +79,13 @@ std::string row_table(const std::vector<NodeRow>& rows, bool raw, bool trace) {
     text.append(lines, at, end - at);
     at = end;
   };
-  take_line();
+  constexpr std::size_t kBefore = 3;  // the head and two stages
+  for (std::size_t i = 0; i < kBefore; ++i) take_line();
   for (const NodeRow& row : rows) {
     take_line();
     text += details(row);
   }
-  return text;
+  return text + lines.substr(at);
 }
 
 std::string refinement_summary(const Evaluation& evaluation) {

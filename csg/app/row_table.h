@@ -1,16 +1,23 @@
-// The rows of `cnrg eval`: one line per node, columns aligned.
+// The rows of `cnrg eval`: one line per node and per stage, columns aligned.
 #pragma once
 
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "csg/evaluate/evaluate.h"
 
 namespace cnrg::app {
 
-/// The table with its head. `raw`: unsimplified counts. `trace`: under each node a line per table row that
-/// removed something, and a line per region with its volume.
-std::string row_table(const std::vector<NodeRow>& rows, bool raw, bool trace);
+/// Seconds that are of no node; with those of the rows they are all that the program took.
+struct StageRows {
+  double leaves = 0, refinement = 0;  ///< before the nodes
+  std::optional<double> crossings;    ///< nothing: no curved surface crosses another one
+  std::optional<double> results;      ///< nothing: they were not all written
+};
+
+/// The table with its head: stages have no name, so that none is taken for a node. `raw`: unsimplified counts.
+/// `trace`: under each node a line per table row that removed something, and a line per region with its volume.
+std::string row_table(const Evaluation& evaluation, const StageRows& stages, bool raw, bool trace);
 
 /// The one refinement of all leaves in a few lines: cells, contacts, stages of the predicates, seconds.
 std::string refinement_summary(const Evaluation& evaluation);

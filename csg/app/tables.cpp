@@ -27,7 +27,8 @@ std::string version_text() {
   const std::string cad = cad_library();
   return std::string("cnrg ") + CNRG_VERSION + "\nCGAL " + CGAL_VERSION_STR + "\nGMP " + gmp_version + "\nMPFR " +
          mpfr_get_version() + "\nBoost " + boost + "\noneTBB " + TBB_runtime_version() + "\nyaml-cpp " +
-         CNRG_YAML_VERSION + "\nTetGen " + CNRG_TETGEN_VERSION + (cad.empty() ? "" : "\n" + cad);
+         CNRG_YAML_VERSION + "\nTetGen " + CNRG_TETGEN_VERSION + "\n" +
+         (cad.empty() ? "without OpenCASCADE: STEP and BREP files are neither read nor written" : cad);
 }
 
 }  // namespace cnrg::app

@@ -89,7 +89,7 @@ void make_page(const ViewArguments& arguments, std::set<std::string>& files) {
   std::string text;
   {
     ProgressBar bar(arguments.quiet);
-    bar.show("page " + path, 0, 0);
+    bar.show("page " + path);
     const auto now = std::chrono::system_clock::now().time_since_epoch().count();
     text = page_text(page, fs::path(tree.file).filename().string(), page_data(tree, evaluation),
                      arguments.watch ? std::to_string(now) : "");
@@ -150,6 +150,12 @@ void open_page(const std::string& path) {
 }  // namespace
 
 int run_view(const ViewArguments& arguments) {
+  if (arguments.tree == kStandardInputWord) {
+    if (arguments.file.empty())
+      throw InputError("cnrg: error: a tree on standard input gives the page no name; add -o FILE.html");
+    if (arguments.watch)
+      throw InputError("cnrg: error: --watch reads the tree again and again, which standard input cannot be");
+  }
   const std::string path = page_of(arguments);
   const std::string extension = extension_of(path);
   if (extension != ".html" && extension != ".htm") {

@@ -14,20 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "csg/compare/difference.h"
 #include "csg/compare/pieces.h"
-#include "csg/compare/together.h"
 #include "csg/evaluate/evaluate.h"
 
 namespace cnrg {
-
-struct CompareOptions {
-  int threads = 0;
-  bool components = true;  ///< false: the point sets alone
-  bool materials = true;
-  bool names = true;
-  bool features = true;  ///< which cells are left after simplification
-  Watch watch{};
-};
 
 /// What the entities of a group are called as one of its components.
 inline constexpr const char* kEntitiesLabel = "the entities";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "csg/compare/difference.h"
 #include "csg/text/file.h"
 #include "csg/text/input_file.h"
 #include "csg/tree/dag.h"

@@ -38,10 +38,6 @@ Together together(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, co
 /// The tree with the mark in front of the names of its nodes, and of each word of them.
 Tree marked(Tree tree, const Marks& marks);
 
-/// A tree with one leaf: a mesh, a CAD model or a result, read from a file as the leaf of that kind would. Any
-/// other file is read as a tree. Throws what `read_tree` throws.
-Tree tree_of_file(const std::string& path, const ReadOptions& options);
-
 /// A tree with one node, that leaf.
 Tree tree_of_leaf(const std::string& file, const std::string& name, const std::string& key, Shape shape);
 

@@ -97,7 +97,9 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
     }
     append(result.diagnostics, leaves.near_notices(near));
     append(result.diagnostics, leaves.located_notices(apart));
+    options.watch.check();
     const Soup soup = make_soup(instances, options.reach, surfaces);
+    options.watch.check();
     result.complex = build_complex(soup, refine_options, &result.refine);
   });
   if (options.validate) {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "csg/explain/lives.h"
 #include "kernel/base/error.h"
+#include "kernel/complex/interior.h"
 
 namespace cnrg {
 namespace {
@@ -56,68 +56,6 @@ std::vector<Piece> pieces_of(const SimplifiedComplex& s, const Place& place) {
       for (const RegionId r : s.regions[place.index].cells) out.push_back({{3, {}, {}, {}, r}, 0});
   }
   return out;
-}
-
-/// The integer normal of a face's plane, shortest, to the given side.
-std::array<Integer, 3> normal_of(const Complex& complex, const Piece& piece) {
-  const ExactPlane& plane = complex.points.exact_plane(complex.plane(piece.cell.face));
-  Integer divisor = gcd(gcd(plane.a, plane.b), plane.c);
-  if (piece.side != 0) divisor = -divisor;
-  return {plane.a / divisor, plane.b / divisor, plane.c / divisor};
-}
-
-/// A multiple of 10^-k nearest to `value`, 10^-k the largest power that is at most `step` > 0.
-Rational rounded(double value, double step) {
-  Rational power = 1;
-  while (to_double(power) > step) power /= 10;
-  while (to_double(power * 10) <= step) power *= 10;
-  const Rational scaled = from_double(value) / power + Rational(1, 2);
-  Integer whole;
-  mpz_fdiv_q(whole.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
-  return Rational(whole) * power;
-}
-
-/// A point in the open region, of few digits if possible: away from one of its faces by less and less until the
-/// region holds it.
-RationalPoint point_in(const Complex& complex, const Locator& locator, RegionId r) {
-  if (complex.region_faces[r].empty()) {  // space with nothing but wires and points in it
-    Rational beyond = 0;
-    for (const VertexId v : complex.vertices) beyond = std::max(beyond, complex.points.rational(v)[0]);
-    return {beyond + 1, 0, 0};
-  }
-  const HalfFace h = complex.region_faces[r].front();
-  const RationalPoint base = interior_point(complex, h.face()).rational();
-  const std::array<Integer, 3> n = normal_of(complex, {{2, {}, {}, h.face(), {}}, h.side()});
-  std::array<double, 3> direction;
-  const Integer size = abs(n[0]) + abs(n[1]) + abs(n[2]);
-  double norm = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    direction[k] = to_double(Rational(n[k], size));
-    norm += direction[k] * direction[k];
-  }
-  double reach = 1;
-  for (const HalfEdge e : complex.loop[complex.face_loops[h.face()].front()]) {
-    const auto p = complex.points.approx(complex.origin(e));
-    for (std::size_t k = 0; k < 3; ++k) reach = std::max(reach, std::abs(p[k] - to_double(base[k])));
-  }
-  constexpr int kShort = 50;  // halvings, after which doubles do not tell the point from the face
-  for (int attempt = 0; attempt < kShort; ++attempt, reach /= 2) {
-    RationalPoint p;
-    for (std::size_t k = 0; k < 3; ++k) {
-      p[k] = rounded(to_double(base[k]) + direction[k] / std::sqrt(norm) * reach, reach / 2);
-    }
-    const Location at = locator.locate(p);
-    if (at.dimension == 3 && at.region == r) return p;
-  }
-  // A thin region: exactly along the normal, by steps that shrink faster and faster. `base` is in the open face,
-  // so all points near enough are in the region.
-  Rational step(1, size);
-  for (Rational shrink(1, 2);; shrink *= shrink) {
-    step *= shrink;
-    RationalPoint p{base[0] + step * n[0], base[1] + step * n[1], base[2] + step * n[2]};
-    const Location at = locator.locate(p);
-    if (at.dimension == 3 && at.region == r) return p;
-  }
 }
 
 /// A cell that is asked about.
@@ -195,9 +133,9 @@ class Classes {
       case 1: out.point = interior_point(complex, piece.cell.edge).rational(); break;
       case 2:
         out.point = interior_point(complex, piece.cell.face).rational();
-        out.normal = normal_of(complex, piece);
+        out.normal = shortest_normal(complex, {piece.cell.face, piece.side});
         break;
-      default: out.point = point_in(complex, locator_, piece.cell.region);
+      default: out.point = interior_point(complex, locator_, piece.cell.region);
     }
     if (asked != nullptr) out.point = *asked;
     const std::vector<LeafId> leaves = origins_in(components_, piece.cell);
@@ -285,11 +223,7 @@ Explanation explain(const Tree& tree, const Evaluation& evaluation, NodeId node,
   const Complex& complex = *evaluation.complex;
   const Locator locator(complex);
   const Location at = locator.locate(point);
-  const bool beyond = (at.dimension == 3 && complex.outside_frame(at.region)) ||
-                      (at.dimension == 2 && complex.on_frame(at.face)) ||
-                      (at.dimension == 1 && complex.on_frame(at.edge)) ||
-                      (at.dimension == 0 && complex.on_frame(at.vertex));
-  if (beyond) {
+  if (beyond_frame(complex, at)) {
     throw InputError(
         "the point lies beyond the box to which planes and half-spaces are cut, where nothing is "
         "computed; ask for a point nearer to the other leaves");

@@ -28,7 +28,9 @@ FileText ply_text(const ResultView& view);
 // Binary forms. That of STL holds numbers of 24 bits, and RoundingFault says that these break the result.
 FileText stl_bytes(const ResultView& view);
 FileText ply_bytes(const ResultView& view);
-// With ResultView::parameters on true surfaces.
+FileText three_mf_text(const ResultView& view);
+// With ResultView::parameters on true surfaces; GLB with the normals of these.
+FileText glb_text(const ResultView& view);
 FileText step_text(const ResultView& view);
 FileText brep_text(const ResultView& view);
 

@@ -41,6 +41,7 @@
 #include <span>
 
 #include "csg/formats/formats.h"
+#include "csg/result/file_numbers.h"
 #include "csg/text/escape.h"
 #include "csg/text/json_text.h"
 #include "kernel/selection/measure.h"
@@ -73,21 +74,6 @@ void append_quoted(std::string& text, double value) {
   text += '"';
 }
 
-/// Numbers patches in the order in which they come; a face of no one patch is one of its own.
-class PatchNumbers {
- public:
-  std::size_t operator()(const std::optional<FlatComplex::Patch>& patch) {
-    if (!patch) return next_++;
-    const auto [it, fresh] = numbers_.try_emplace(*patch, next_);
-    next_ += fresh;
-    return it->second;
-  }
-
- private:
-  std::map<FlatComplex::Patch, std::size_t> numbers_;
-  std::size_t next_ = 0;
-};
-
 class JsonWriter {
  public:
   explicit JsonWriter(const ResultView& view) : view_(view), flat_(flatten(view)) {}
@@ -114,7 +100,7 @@ class JsonWriter {
     text_ += ",\n\"frame\": " + line_of(Json(flat_.frame_points));
     lines("vertices", flat_.vertices, [&](std::string& out, const auto& v) { vertex(out, v); });
     lines("edges", flat_.edges, [&](std::string& out, const auto& e) { edge(out, e); });
-    number_patches();
+    patch_ = patch_numbers(flat_);
     if (view_.parameters != nullptr) cells();
     lines("faces", flat_.faces, [&](std::string& out, const auto& f) { face(out, f); });
     lines("regions", flat_.regions, [&](std::string& out, const auto& r) { region(out, r); });
@@ -173,20 +159,8 @@ class JsonWriter {
 
   /// Leaves that the result names, numbered in the file.
   void leaves() {
-    const auto see = [&](const std::vector<LeafId>& leaves) {
-      for (const LeafId leaf : leaves) leaf_number_.try_emplace(leaf, 0);
-    };
-    for (const auto& v : flat_.vertices) see(v.origin.leaves);
-    for (const auto& e : flat_.edges) see(e.origin.leaves);
-    for (const auto& f : flat_.faces) see(f.origin.leaves);
-    for (const auto& r : flat_.regions) see(r.origin.leaves);
-    for (Component i = 1; i <= view_.value->component_count(); ++i) see(view_.value->attributes(i).leaves);
-    std::size_t next = 0;
-    for (auto& [leaf, number] : leaf_number_) number = next++;
-    list("leaves", leaf_number_, [&](const auto& entry) {
-      const bool named = view_.leaves != nullptr && entry.first.index() < view_.leaves->size();
-      return Json{{"name", named ? (*view_.leaves)[entry.first.index()].name : std::string()}};
-    });
+    leaf_number_ = cnrg::leaf_numbers(view_, flat_);
+    list("leaves", leaf_number_, [&](const auto& entry) { return Json{{"name", leaf_name(view_, entry.first)}}; });
   }
 
   Json component(const RegionAttributes& a) const {
@@ -241,11 +215,6 @@ class JsonWriter {
     Json result = Json::array();
     for (const LeafId leaf : leaves) result.push_back(leaf_number_.at(leaf));
     return result;
-  }
-
-  void number_patches() {
-    PatchNumbers patches;
-    for (const auto& f : flat_.faces) patch_.push_back(patches(f.patch));
   }
 
   /// The patches with parameters, and their cells in the order in which faces lie in them.

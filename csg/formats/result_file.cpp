@@ -51,13 +51,12 @@ FileReport write(const std::string& path, const Result& result, const FileOption
     replace_file(path, region_graph(result.cells(), result.data().value->attributes()).dot());
     return report;
   }
-  const bool cad =
-      is_cad_file(path);  // its writer brings vertices to the true surfaces, which a snapped result lost
-  const bool snaps = options.snap && !cad && !(options.parameters && extension_of(path) == ".vtu");
+  // A snapped result has lost the surfaces to which CAD models bring their vertices.
+  const bool snaps = options.snap && !is_cad_file(path) && !(options.parameters && extension_of(path) == ".vtu");
   FileText file;
   bool broken = false;
   try {
-    file = file_text(path, result.data().view(options.parameters || cad), options.binary);
+    file = file_text(path, result.data().view(options.parameters || shows_surfaces(path)), options.binary);
     broken = !file.rounding.embedded;
   } catch (const RoundingFault&) {
     if (!snaps) throw;

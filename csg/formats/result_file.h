@@ -45,7 +45,7 @@ struct FileReport : RoundingReport {
   SnapReport snapped;  ///< `rounds` is 0 unless the result was snapped
 };
 
-/// Writes a result: .json .vtu .msh .mesh .smesh .poly .obj .off .stl .ply .step .stp .brep, and
+/// Writes a result: .json .vtu .msh .mesh .smesh .poly .obj .off .stl .ply .3mf .glb .step .stp .brep, and
 ///   .regions.dot  which of its regions touch
 /// Throws InputError for an unknown extension or a result that the format cannot represent (the message says
 /// why and what to use instead), FileError if the file cannot be written; the old file is then untouched.

@@ -20,7 +20,7 @@ struct Format {
   FileText (*make_binary)(const ResultView&) = nullptr;  ///< on request
 };
 
-constexpr std::array<Format, 13> kFormats{{{".json", json_text},
+constexpr std::array<Format, 15> kFormats{{{".json", json_text},
                                            {".vtu", vtu_text},
                                            {".msh", msh_text},
                                            {".mesh", medit_text},
@@ -30,6 +30,8 @@ constexpr std::array<Format, 13> kFormats{{{".json", json_text},
                                            {".off", off_text},
                                            {".stl", stl_text, stl_bytes},
                                            {".ply", ply_text, ply_bytes},
+                                           {".3mf", three_mf_text},
+                                           {".glb", glb_text},
                                            {".step", step_text},
                                            {".stp", step_text},
                                            {".brep", brep_text}}};
@@ -51,6 +53,8 @@ bool is_cad_file(const std::string& path) {
   const auto make = format_of(path).make;
   return make == step_text || make == brep_text;
 }
+
+bool shows_surfaces(const std::string& path) { return is_cad_file(path) || format_of(path).make == glb_text; }
 
 void check_extension(const std::string& path) { format_of(path); }
 

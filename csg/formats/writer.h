@@ -15,12 +15,13 @@ void check_binary(const std::string& path);
 
 /// True for .step .stp .brep.
 bool is_cad_file(const std::string& path);
+/// True for the formats that want `view` with parameters, for its true surfaces: CAD models and .glb.
+bool shows_surfaces(const std::string& path);
 
 /// Writes `view` to `path` in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off .stl
-/// .ply .step .stp .brep. The file appears whole or not at all (csg/text/file.h).
+/// .ply .3mf .glb .step .stp .brep. The file appears whole or not at all (csg/text/file.h).
 /// Throws InputError for an unknown extension or a result that the format cannot represent (the message says
 /// why and what to use instead), FileError if the file cannot be written; the old file is then untouched.
-/// CAD models want `view` with parameters.
 RoundingReport write(const std::string& path, const ResultView& view);
 
 }  // namespace cnrg

@@ -36,8 +36,11 @@ class MeshLeaf {
   explicit MeshLeaf(const MeshShape& shape)
       : shape_(shape),
         name_(shape.data ? "mesh" : "mesh '" + shape.file + "'"),
-        data_(shape.data ? *shape.data : read_mesh(shape.file, shape.decimal, shape.inside)),
-        weld_(shape.weld ? weld_mesh(data_, name_, *shape.weld) : MeshWeld()),
+        own_(!shape.data  ? read_mesh(shape.file, shape.decimal, shape.inside)
+             : shape.weld ? *shape.data
+                          : MeshData()),
+        weld_(shape.weld ? weld_mesh(own_, name_, *shape.weld) : MeshWeld()),
+        data_(shape.data && !shape.weld ? *shape.data : own_),
         points_(data_) {}
 
   std::unique_ptr<PreparedLeaf> prepare() {
@@ -299,8 +302,9 @@ class MeshLeaf {
 
   const MeshShape& shape_;
   const std::string name_;  // for messages
-  MeshData data_;
+  MeshData own_;            // of a file, or welded
   MeshWeld weld_;
+  const MeshData& data_;
   MeshPoints points_;
   std::vector<std::uint32_t> corners_, offsets_{0}, groups_;  // cleaned faces
   std::vector<Frame3> frames_;

@@ -190,7 +190,9 @@ class VtpReader {
     }
     coding_.compressed = !compressor.empty();
     if (!tree_.appended()) return;
-    const Element& block = *root.child("AppendedData");
+    const Element* const found = root.child("AppendedData");
+    if (found == nullptr) fail(root, "AppendedData stands inside of another element: it comes last in VTKFile");
+    const Element& block = *found;
     const std::string encoding = block.attribute("encoding");
     if (encoding != "raw" && encoding != "base64") {
       fail(block, "the encoding " + quoted(encoding) + " of AppendedData is neither raw nor base64: correct it");

@@ -82,6 +82,9 @@ struct MeshGroups {
   std::array<std::vector<std::vector<Mesh::Index>>, 4> of;
 };
 MeshGroups mesh_groups(const ResultView& view, const FlatComplex& flat);
+/// By region: the name of its first group, with its number (`r3`) behind it where several regions have that name;
+/// empty for an inactive one.
+std::vector<std::string> region_labels(const FlatComplex& flat, const MeshGroups& groups);
 
 /// The surface mesh of a closed and bounded result.
 Mesh surface_mesh(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points);

@@ -182,4 +182,19 @@ class Grouper {
 
 MeshGroups mesh_groups(const ResultView& view, const FlatComplex& flat) { return Grouper(view, flat).run(); }
 
+std::vector<std::string> region_labels(const FlatComplex& flat, const MeshGroups& groups) {
+  std::map<Index, std::size_t> uses;
+  for (const auto& of : groups.of[3]) {
+    if (!of.empty()) ++uses[of[0]];
+  }
+  std::vector<std::string> names(flat.regions.size());
+  for (Index r = 0; r < names.size(); ++r) {
+    if (!flat.active(r)) continue;
+    const Index group = groups.of[3][r].at(0);
+    names[r] = groups.names[3][group - 1];
+    if (uses[group] > 1) names[r] += " r" + std::to_string(r);
+  }
+  return names;
+}
+
 }  // namespace cnrg

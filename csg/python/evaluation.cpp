@@ -17,9 +17,9 @@ std::shared_ptr<const EvaluatedTree> evaluate_tree(const TreeObject& tree, const
   options.raw = raw;
   options.validate = validate;
   for (const std::size_t node : nodes) options.nodes.emplace_back(node);
-  return watched(progress, [&](const Watch& watch) {
+  return apart(progress, [shared = tree.tree, options](const Watch& watch) mutable {
     options.watch = watch;
-    return std::make_shared<const EvaluatedTree>(EvaluatedTree{tree.tree, evaluate(*tree.tree, options)});
+    return std::make_shared<const EvaluatedTree>(EvaluatedTree{shared, evaluate(*shared, options)});
   });
 }
 
@@ -27,7 +27,7 @@ py::dict data_of(const NodeRow& row) {
   py::dict data;
   data["name"] = row.name;
   data["operator"] = row.operator_name;
-  data["cells"] = row.cells;
+  data["cells"] = py::tuple(py::cast(row.cells));
   data["removed"] = row.removed();
   data["regions"] = row.regions;
   data["components"] = row.components;

@@ -82,7 +82,15 @@ Rational to_rational(const py::handle& value, const std::string& what) {
     if (!std::isfinite(number)) refuse(what, "a number that is not finite; give one that is");
     return from_double(number);
   }
-  if (PyUnicode_Check(value.ptr())) return text_of(value.cast<std::string>(), what);
+  if (PyUnicode_Check(value.ptr())) {
+    Py_ssize_t size = 0;
+    const char* const text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
+    if (text == nullptr) {  // half of a character
+      PyErr_Clear();
+      refuse(what, "the text is not Unicode, so it is no number");
+    }
+    return text_of(std::string(text, static_cast<std::size_t>(size)), what);
+  }
   if (is_a(value, "decimal", "Decimal")) return text_of(py::str(value).cast<std::string>(), what);
   if (py::hasattr(value, "numerator") && py::hasattr(value, "denominator"))
     return ratio_of(value.attr("numerator"), value.attr("denominator"), what);

@@ -1,8 +1,8 @@
 // One node's value, as files show it.
 #include <pybind11/stl.h>
 
-#include "bind.h"
 #include "numbers.h"
+#include "results.h"
 #include "watched.h"
 
 namespace cnrg::python {
@@ -11,12 +11,38 @@ void bind_result(py::module_& module) {
   py::class_<OneResult>(module, "Result")
       .def_property_readonly("name", [](const OneResult& r) { return r.result.name(); })
       .def_property_readonly("component_count", [](const OneResult& r) { return r.result.component_count(); })
-      .def("volume_of", [](const OneResult& r, Component i) { return to_fraction(r.result.volume(i)); })
-      .def("write", [](const OneResult& r, const std::string& path, bool parameters) {
-        FileOptions options;
-        options.parameters = parameters;
-        watched(py::none(), [&](const Watch&) { return write(path, r.result, options).moved; });
+      .def_property_readonly("has_tree", [](const OneResult& r) { return r.from != nullptr; })
+      .def_property_readonly(
+          "file", [](const OneResult& r) { return r.from == nullptr ? std::string() : r.from->tree->file; })
+      .def("volume_of",
+           [](const OneResult& r, Component i) {
+             if (i < 1 || i > r.result.component_count())
+               throw py::index_error("components are numbered from 1 to " +
+                                     std::to_string(r.result.component_count()));
+             return to_fraction(watched(py::none(), [&](const Watch&) { return r.result.volume(i); }));
+           })
+      .def("write",
+           [](const OneResult& r, const std::string& path, bool parameters) {
+             FileOptions options;
+             options.parameters = parameters;
+             const RoundingReport report =
+                 watched(py::none(), [&](const Watch&) { return write(path, r.result, options); });
+             return py::make_tuple(report.moved, report.embedded, report.notices);
+           })
+      .def("snap", [](const OneResult& r, const py::object& progress) {
+        auto [snapped, report] = apart(progress, [held = r.result](const Watch& watch) {
+          watch.begin("snap");
+          SnapReport report;
+          Result snapped = snap(held, &report);
+          return std::pair(std::move(snapped), std::move(report));
+        });
+        return py::make_tuple(OneResult{std::move(snapped), nullptr, r.node}, report.rounds, report.displacement,
+                              report.text());
       });
+  bind_result_arrays(module);
+  bind_result_questions(module);
+  bind_result_pictures(module);
+  bind_tetrahedra(module);
 }
 
 }  // namespace cnrg::python

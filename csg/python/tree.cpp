@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -209,6 +211,15 @@ void bind_tree(py::module_& module) {
       .def_readonly("attributes", &NodeRecord::attributes);
 
   py::class_<TreeObject>(module, "Tree")
+      .def_static(
+          "read",
+          [](const std::string& path, const std::string& inside) {
+            const Tree tree = read_tree(path, {.inside = inside});
+            std::ifstream file(path, std::ios::binary);
+            std::string text{std::istreambuf_iterator<char>(file), {}};
+            return TreeObject{std::make_shared<const Tree>(tree), std::move(text)};
+          },
+          py::arg("path"), py::arg("inside"))
       .def_static("parse", &parse, py::arg("text"), py::arg("file"), py::arg("meshes"), py::arg("inside"))
       .def_property_readonly("file", [](const TreeObject& t) { return t.tree->file; })
       .def_property_readonly("result", [](const TreeObject& t) { return t.tree->result.index(); })

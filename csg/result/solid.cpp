@@ -20,6 +20,42 @@ void count(std::string& list, std::size_t n, const char* one, const char* many) 
   list += std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
+/// What is no outer boundary of a solid.
+struct Others {
+  std::size_t walls = 0, cracks = 0, dangling = 0, wires = 0, points = 0;
+  bool inner = false, outer = false;  ///< wires and points in regions, and outside
+  /// All but walls.
+  std::string list() const {
+    std::string list;
+    count(list, cracks, "face inside of a region", "faces inside of regions");
+    count(list, dangling, "face that bounds no region", "faces that bound no region");
+    count(list, wires, "wire", "wires");
+    count(list, points, "isolated point", "isolated points");
+    return list;
+  }
+};
+
+Others others_in(const FlatComplex& flat) {
+  Others others;
+  for (const auto& face : flat.faces) {
+    if (face.component == 0 || !face.entity) continue;
+    const int bounded = flat.regions_bounded(face);
+    if (bounded == 1) continue;
+    ++(bounded == 2 ? others.walls : flat.active(face.regions[0]) ? others.cracks : others.dangling);
+  }
+  const auto see = [&](std::size_t& n, Index region) {
+    ++n;
+    (flat.active(region) ? others.inner : others.outer) = true;
+  };
+  for (const auto& edge : flat.edges) {
+    if (edge.wire && edge.entity) see(others.wires, edge.region);
+  }
+  for (const auto& vertex : flat.vertices) {
+    if (vertex.entity && vertex.region != FlatComplex::kNone) see(others.points, vertex.region);
+  }
+  return others;
+}
+
 }  // namespace
 
 void require_off_frame(const FlatComplex& flat, const std::string& format) {
@@ -61,49 +97,40 @@ void require_closed_and_bounded(const FlatComplex& flat, const std::string& form
   }
 }
 
+void require_regions_only(const FlatComplex& flat, const std::string& format) {
+  if (const std::string list = others_in(flat).list(); !list.empty()) {
+    throw InputError(
+        format + " holds solid regions only, and the result has " + list +
+        "; write .glb, .obj, .vtu or .json, which hold everything, or apply `regularize` (it drops what "
+        "bounds no region)");
+  }
+}
+
 SolidBoundary solid_boundary(const FlatComplex& flat, const std::string& format) {
   require_closed_and_bounded(flat, format);
-  std::size_t walls = 0, cracks = 0, dangling = 0, wires = 0, points = 0;
-  bool inner = false, outer = false;  // wires and points in regions, and outside
+  const Others others = others_in(flat);
+  std::string list;
+  count(list, others.walls, "wall between regions", "walls between regions");
+  if (const std::string more = others.list(); !more.empty()) list += (list.empty() ? "" : ", ") + more;
+  if (!list.empty()) {
+    const bool joins = others.walls > 0 || others.cracks > 0 || others.inner;
+    const bool drops = others.dangling > 0 || others.outer;
+    std::string remedy = drops ? "`regularize` (it drops what bounds no region)" : "";
+    if (joins && drops) remedy += " and ";
+    if (joins) remedy += "`unify` (it joins regions with what is in them)";
+    throw InputError(format + " holds the outer boundary of solids only, and the result has " + list +
+                     "; write .obj, .vtu or .json, which hold everything, or apply " + remedy);
+  }
   SolidBoundary boundary;
   std::vector<Index> number(flat.points.size(), FlatComplex::kNone);
   for (const auto& face : flat.faces) {
     if (face.component == 0 || !face.entity) continue;
-    const int bounded = flat.regions_bounded(face);
-    if (bounded != 1) {
-      ++(bounded == 2 ? walls : flat.active(face.regions[0]) ? cracks : dangling);
-      continue;
-    }
     const bool front = flat.active(face.regions[0]);
     for (auto t : face.triangles) {
       if (front) std::swap(t[1], t[2]);
       boundary.triangles.push_back(t);
       for (const Index p : t) number[p] = 0;
     }
-  }
-  const auto see = [&](std::size_t& n, Index region) {
-    ++n;
-    (flat.active(region) ? inner : outer) = true;
-  };
-  for (const auto& edge : flat.edges) {
-    if (edge.wire && edge.entity) see(wires, edge.region);
-  }
-  for (const auto& vertex : flat.vertices) {
-    if (vertex.entity && vertex.region != FlatComplex::kNone) see(points, vertex.region);
-  }
-  std::string list;
-  count(list, walls, "wall between regions", "walls between regions");
-  count(list, cracks, "face inside of a region", "faces inside of regions");
-  count(list, dangling, "face that bounds no region", "faces that bound no region");
-  count(list, wires, "wire", "wires");
-  count(list, points, "isolated point", "isolated points");
-  if (!list.empty()) {
-    const bool joins = walls > 0 || cracks > 0 || inner, drops = dangling > 0 || outer;
-    std::string remedy = drops ? "`regularize` (it drops what bounds no region)" : "";
-    if (joins && drops) remedy += " and ";
-    if (joins) remedy += "`unify` (it joins regions with what is in them)";
-    throw InputError(format + " holds the outer boundary of solids only, and the result has " + list +
-                     "; write .obj, .vtu or .json, which hold everything, or apply " + remedy);
   }
   for (Index p = 0; p < number.size(); ++p) {
     if (number[p] == FlatComplex::kNone) continue;

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -108,6 +109,23 @@ std::string read_file(const std::string& path, const std::string& inside, std::s
   }
   content.resize(filled);
   return content;
+}
+
+std::string read_standard_input(std::size_t most) {
+  constexpr std::size_t kBlock = 1 << 16;
+  std::string content;
+  for (;;) {
+    const std::size_t size = content.size();
+    content.resize(size + kBlock);
+    const ssize_t n = ::read(STDIN_FILENO, content.data() + size, kBlock);
+    const int reason = errno;
+    content.resize(size + static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+    if (n < 0 && reason == EINTR) continue;
+    if (n < 0) throw FileError(std::string("standard input cannot be read: ") + std::strerror(reason));
+    if (n == 0) return content;
+    if (content.size() > most)
+      throw InputError("standard input has more than " + grouped(most) + " bytes, and no more are read");
+  }
 }
 
 std::string_view without_mark(std::string_view text) {

@@ -1,8 +1,8 @@
-// The files that the program reads.
+// The files that the program reads, standard input among them.
 //
-// Only regular files are read: a pipe may never end, a device may never end or do something when it is opened, and
-// a directory is none. An untrusted tree may be kept in a folder: what a name leads to is looked at after links
-// and
+// Of what has a name only regular files are read: a pipe may never end, a device may never end or do something
+// when it is opened, and a directory is none. An untrusted tree may be kept in a folder: what a name leads to is
+// looked at after links and
 // `..` are resolved, and what was looked at is what is read, whatever happens to the name in between.
 #pragma once
 
@@ -19,6 +19,14 @@ namespace cnrg {
 /// nowhere, or has more than `most` bytes; messages have no position.
 std::string read_file(const std::string& path, const std::string& inside = {},
                       std::size_t most = std::numeric_limits<std::size_t>::max());
+
+/// How standard input is called in messages, and what stands for it on a command line.
+inline constexpr const char* kStandardInput = "<stdin>";
+inline constexpr const char* kStandardInputWord = "-";
+
+/// All that comes on standard input. Throws FileError if it cannot be read, InputError if it has more than `most`
+/// bytes, and then reads no more of it.
+std::string read_standard_input(std::size_t most);
 
 /// A folder without links in its path. FileError if there is none.
 std::string folder_of_inputs(const std::string& path);

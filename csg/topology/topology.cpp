@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -219,6 +221,111 @@ std::vector<Component> components_of(const Selection& selection) {
   return out;
 }
 
+/// All that is told, each counted once.
+struct Facts {
+  CellSet set;
+  bool closed = true;                    ///< the set is
+  std::optional<SimplifiedEuler> euler;  ///< nothing of an unbounded set
+  std::vector<Component> components;
+  std::vector<BettiNumbers> betti;  ///< of the point set, then of each component
+  Shapes shapes;
+  std::vector<Sheet> sheets;
+  RegionGraph graph;
+};
+
+/// Nothing of the empty set.
+std::optional<Facts> facts_of(const Complex& complex, const Selection& selection,
+                              const SimplifiedComplex& simplified, std::span<const RegionAttributes> components,
+                              Neighbourhoods& neighbourhoods) {
+  CellSet set = support(selection);
+  if (set.empty()) return {};
+  BettiCounter counter(neighbourhoods);
+  const CellSet closed = closure(complex, set);
+  std::optional<SimplifiedEuler> euler;
+  if (!unbounded(complex, closed)) euler = euler_of(complex, closed, simplified, counter);
+  std::vector<Component> active = components_of(selection);
+  std::vector<BettiNumbers> betti = betti_numbers(selection, active, counter);
+  Shapes shapes(complex, set, simplified, neighbourhoods);
+  std::vector<Sheet> found = sheets(complex, set);
+  const bool is_closed = subtract(closed, set).empty();
+  return Facts{std::move(set),
+               is_closed,
+               euler,
+               std::move(active),
+               std::move(betti),
+               std::move(shapes),
+               std::move(found),
+               region_graph(simplified, components)};
+}
+
+std::string text_of(const std::optional<Facts>& facts, const Complex& complex, const SimplifiedComplex& simplified,
+                    std::span<const RegionAttributes> components, Neighbourhoods& neighbourhoods) {
+  if (!facts) return "the point set is empty\n";
+  std::string out;
+  if (facts->euler) out += euler_text(*facts->euler, facts->closed);
+  else out += "Euler-Poincaré: not stated, the point set is unbounded\n";
+  out += betti_text(facts->betti, facts->components, components);
+  out += shapes_text(facts->shapes);
+  out += radial_orders_text(complex, simplified, components, facts->shapes.odd_edges);
+  out += neighbourhoods_text(simplified, neighbourhoods, facts->shapes.odd_vertices);
+  out += sheets_text(facts->sheets);
+  out += shells_text(simplified, components);
+  return out + adjacency_text(facts->graph);
+}
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const SimplifiedEuler& t) {
+  return {{"v", t.v},
+          {"e", t.e},
+          {"eh", t.edge_loops},
+          {"f", t.f},
+          {"r", t.r},
+          {"fc", t.closed_faces},
+          {"V", t.volumes},
+          {"Vh", t.volume_holes},
+          {"Vc", t.volume_cavities},
+          {"C", t.pieces},
+          {"Ch", t.holes},
+          {"Cc", t.cavities}};
+}
+
+Json json_of(const std::optional<Facts>& facts) {
+  if (!facts) return {{"empty", true}};
+  Json out{{"empty", false}, {"closed", facts->closed}, {"bounded", facts->euler.has_value()}};
+  out["euler"] = facts->euler ? json_of(*facts->euler) : Json();
+  Json betti = Json::array();
+  for (std::size_t i = 0; i < facts->betti.size(); ++i) {
+    betti.push_back({{"component", i == 0 ? 0 : facts->components[i - 1]},
+                     {"z2", facts->betti[i].z2},
+                     {"q", facts->betti[i].q}});
+  }
+  out["betti"] = betti;
+  Json shapes = Json::object();
+  for (std::size_t i = 0; i < facts->shapes.vertices.size(); ++i) {
+    shapes[to_string(static_cast<LocalForm>(i))] = {{"vertices", facts->shapes.vertices[i]},
+                                                    {"edges", facts->shapes.edges[i]}};
+  }
+  out["shapes"] = shapes;
+  out["manifold"] = facts->shapes.reasons.empty();
+  Json reasons = Json::array();
+  for (const auto& [key, names] : facts->shapes.reasons)
+    reasons.push_back({{"reason", key.second}, {"cells", names}});
+  out["reasons"] = reasons;
+  Json sheets = Json::array();
+  for (const Sheet& sheet : facts->sheets) {
+    sheets.push_back({{"closed", sheet.closed}, {"orientable", sheet.orientable}});
+  }
+  out["sheets"] = sheets;
+  Json adjacent = Json::array();
+  for (const RegionGraph::Edge& e : facts->graph.edges) {
+    const auto component = [&](std::size_t side) { return facts->graph.nodes[e.nodes[side]].component; };
+    adjacent.push_back({{"components", {component(0), component(1)}}, {"faces", e.faces}});
+  }
+  out["adjacent"] = adjacent;
+  return out;
+}
+
 }  // namespace
 
 SimplifiedEuler simplified_euler(const Complex& complex, const Selection& selection,
@@ -232,28 +339,20 @@ SimplifiedEuler simplified_euler(const Complex& complex, const Selection& select
 
 std::string topology_text(const Complex& complex, const Selection& selection, const SimplifiedComplex& simplified,
                           std::span<const RegionAttributes> components) {
-  const CellSet set = support(selection);
-  if (set.empty()) return "the point set is empty\n";
   Neighbourhoods neighbourhoods(complex);
-  BettiCounter counter(neighbourhoods);
-  const CellSet closed = closure(complex, set);
-  const CellSet missing = subtract(closed, set);
-  std::string out;
-  if (unbounded(complex, closed)) {
-    out += "Euler-Poincaré: not stated, the point set is unbounded\n";
-  } else {
-    out += euler_text(euler_of(complex, closed, simplified, counter), missing.empty());
-  }
-  const std::vector<Component> active = components_of(selection);
-  out += betti_text(betti_numbers(selection, active, counter), active, components);
-  const Shapes shapes(complex, set, simplified, neighbourhoods);
-  out += shapes_text(shapes);
-  out += radial_orders_text(complex, simplified, components, shapes.odd_edges);
-  out += neighbourhoods_text(simplified, neighbourhoods, shapes.odd_vertices);
-  out += sheets_text(sheets(complex, set));
-  out += shells_text(simplified, components);
-  out += adjacency_text(region_graph(simplified, components));
-  return out;
+  const std::optional<Facts> facts = facts_of(complex, selection, simplified, components, neighbourhoods);
+  return text_of(facts, complex, simplified, components, neighbourhoods);
+}
+
+TopologyReport topology_report(const Result& result) {
+  const Complex& complex = result.complex();
+  std::vector<RegionAttributes> components;
+  for (Component i = 1; i <= result.component_count(); ++i) components.push_back(result.attributes(i));
+  Neighbourhoods neighbourhoods(complex);
+  const std::optional<Facts> facts =
+      facts_of(complex, result.selection(), result.cells(), components, neighbourhoods);
+  return {text_of(facts, complex, result.cells(), components, neighbourhoods),
+          json_of(facts).dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
 }  // namespace cnrg

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "csg/operators/group.h"
+#include "csg/result/result.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg {
@@ -37,5 +38,12 @@ SimplifiedEuler simplified_euler(const Complex& complex, const Selection& select
 /// components as there are entries.
 std::string topology_text(const Complex& complex, const Selection& selection, const SimplifiedComplex& simplified,
                           std::span<const RegionAttributes> components);
+
+/// The same of a result, as that text and as JSON, whose members are in csg/FORMATS.md#topology-as-data. Lists are
+/// whole there.
+struct TopologyReport {
+  std::string text, json;
+};
+TopologyReport topology_report(const Result& result);
 
 }  // namespace cnrg

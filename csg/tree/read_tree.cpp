@@ -15,6 +15,7 @@
 #include "csg/text/number.h"
 #include "csg/text/table.h"
 #include "csg/tree/dag.h"
+#include "csg/tree/read_from_input.h"
 #include "csg/tree/read_leaf.h"
 #include "csg/tree/read_material.h"
 #include "csg/tree/suggest.h"
@@ -472,16 +473,30 @@ Tree parse_tree(const std::string& text, const std::string& file, const ReadOpti
   return tree;
 }
 
-Tree read_tree(const std::string& path, const ReadOptions& options) {
+namespace {
+
+/// The tree in the text that `read` gives.
+template <class Read>
+Tree tree_in(const std::string& file, const ReadOptions& options, Read read) {
   std::string text;
   try {
-    text = read_file(path, {}, kMostBytes);
+    text = read();
   } catch (const InputError& e) {
-    refuse_size(path, e.what());
+    refuse_size(file, e.what());
   } catch (const FileError& e) {
-    throw FileError(to_string(path, {}) + ": error: the tree file: " + e.what());
+    throw FileError(to_string(file, {}) + ": error: the tree file: " + e.what());
   }
-  return parse_tree(text, path, options);
+  return parse_tree(text, file, options);
+}
+
+}  // namespace
+
+Tree read_tree(const std::string& path, const ReadOptions& options) {
+  return tree_in(path, options, [&] { return read_file(path, {}, kMostBytes); });
+}
+
+Tree read_tree_from_input(const ReadOptions& options) {
+  return tree_in(kStandardInput, options, [] { return read_standard_input(kMostBytes); });
 }
 
 }  // namespace cnrg

@@ -290,6 +290,7 @@ TEST_CASE("VTK's XML that is broken") {
                       offset + "\"/></Points>" + kXmlPolys),
             "", block));
   };
+  CHECK_THAT(error(vtp("<AppendedData encoding=\"raw\">_")), Contains("inside of another element"));
   CHECK_THAT(appended("0", ""), Contains("the offset 0 of the appended data, which have 0 bytes"));
   CHECK_THAT(appended("x", "<AppendedData encoding=\"raw\">_"), Contains("offset is 'x'"));
   CHECK_THAT(appended("0", "<AppendedData encoding=\"hex\">_"), Contains("the encoding 'hex' of AppendedData"));

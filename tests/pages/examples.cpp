@@ -15,6 +15,8 @@ constexpr const char* kPrompt = "$ ";
 constexpr const char* kAnything = "...";
 constexpr std::size_t kLongDenominator = 12;  // digits
 const char* const kSeconds = "[0-9]+\\.[0-9]{3}";
+// A row of time that is of no node: it has no name and no volume.
+const char* const kStage = "( +(?:leaves|refinement|crossings|results)\\b.* {2})( *)([0-9]+\\.[0-9]{3})()";
 
 /// The words of a line without what is free. Of a number with two parts the fraction stays, unless it is long.
 Lines words_of(const std::string& whole) {
@@ -34,6 +36,8 @@ Lines words_of(const std::string& whole) {
   }
   const bool time = words.size() > 2 && std::regex_match(words[words.size() - 2], seconds);
   if (time) words.erase(words.end() - 2);
+  static const std::regex stage(kStage);
+  if (std::regex_match(whole, stage)) words.pop_back();
   return words;
 }
 
@@ -100,7 +104,7 @@ std::string difference(const Lines& shown, const Lines& all_printed) {
 
 Lines corrected(const Lines& shown, const Lines& printed) {
   if (difference(shown, printed).empty()) return shown;
-  static const std::regex seconds("^(.* {2})( *)([0-9]+\\.[0-9]{3})(  [^ ].*)$");
+  static const std::regex stage(kStage), seconds("^(.* {2})( *)([0-9]+\\.[0-9]{3})(  [^ ].*)$");
   Lines result;
   std::size_t next = 0;
   for (const std::string& line : trimmed(printed)) {
@@ -112,7 +116,7 @@ Lines corrected(const Lines& shown, const Lines& printed) {
       continue;
     }
     std::smatch match;
-    if (std::regex_match(line, match, seconds)) {
+    if (std::regex_match(line, match, stage) || std::regex_match(line, match, seconds)) {
       const std::string zero = std::string(match.str(3).size() - 5, ' ') + "0.000";
       result.push_back(match.str(1) + match.str(2) + zero + match.str(4));
     } else {

@@ -41,10 +41,12 @@ fs::path folder_of(const Page& page) {
   return folder.parent_path() == kLessons ? folder : fs::path(".");
 }
 
-/// Where the commands of a page run: `cnrg` is the program, papers/ is a copy.
+/// Where the commands of a page run: `cnrg` is the program, `python3` has the module, papers/ is a copy.
 void furnish(const Workshop& w, const Page& page) {
   fs::create_directory(w.path(".bin"));
   fs::create_symlink(CNRG_PROGRAM, w.path(".bin") / "cnrg");
+  w.write(".bin/python3", "#!/bin/sh\nPYTHONPATH='" CNRG_MODULES "' exec /usr/bin/python3 -B \"$@\"\n");
+  fs::permissions(w.path(".bin/python3"), fs::perms::owner_all);
   fs::copy(root() / "papers", w.path("papers"), fs::copy_options::recursive);
   fs::create_directories(w.path("out") / page.path.parent_path().filename());
 }
@@ -155,6 +157,18 @@ TEST_CASE("lines are compared word by word", "[pages]") {
   CHECK_FALSE(is_shown({any, "c box 1 0.000 1/3 (0.5)"}, printed));
   CHECK_FALSE(is_shown({any, "c box 1 0.000 1/2", any, "a box 1 0.000 8"}, printed));
   CHECK_FALSE(is_shown({any, "a box 1 0.000 8"}, printed));
+}
+
+TEST_CASE("stages of an evaluation have times, too", "[pages]") {
+  const Lines printed{"node  op          faces  seconds  volume", "      leaves                0.012",
+                      "      refinement      151    1.234", "a     box              6    0.000  0.125"};
+  CHECK(
+      is_shown({printed[0], "      leaves                0.000", "      refinement      151    0.000", printed[3]},
+               printed));
+  CHECK_FALSE(is_shown({printed[0], printed[1], "      refinement      150    1.234", printed[3]}, printed));
+  CHECK_FALSE(is_shown({"a 0.126"}, {"a 0.125"}));
+  CHECK(corrected({}, printed) ==
+        Lines{printed[0], "      leaves                0.000", "      refinement      151    0.000", printed[3]});
 }
 
 TEST_CASE("a page can be brought up to date", "[pages]") {

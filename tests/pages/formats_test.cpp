@@ -162,7 +162,7 @@ TEST_CASE("csg/FORMATS.md has the extensions that the program writes and reads",
   const Workshop w;
   w.write("t.yaml", kScene);
   const auto listed = [](const std::string& text, const std::string& mark) {
-    static const std::regex extension("(\\.[a-z]+)+");
+    static const std::regex extension("(\\.[a-z0-9]+)+");
     REQUIRE(text.find(mark) != std::string::npos);
     const std::string list = text.substr(text.find(mark) + mark.size());
     Words words;

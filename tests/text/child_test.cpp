@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -28,6 +29,26 @@ ChildEnd run(const std::function<int()>& work, const ChildLimits& limits = {}) {
 [[noreturn]] void spin() {
   for (std::atomic<unsigned> i = 0;; ++i) {
   }
+}
+
+TEST_CASE("a child that is stopped is gone at once", "[child]") {
+  std::stop_source stop;
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    stop.request_stop();
+  });
+  CHECK_THROWS_AS(run_in_child(
+                      "the library", {},
+                      [] {
+                        spin();
+                        return 0;
+                      },
+                      stop.get_token()),
+                  Stopped);
+  other.join();
+  CHECK(run_in_child(
+            "the library", {}, [] { return 3; }, std::stop_source().get_token())
+            .number == 3);
 }
 
 TEST_CASE("a child returns a number, and what it wrote", "[child]") {

@@ -82,8 +82,8 @@ def scenarios():
         Scenario("mesh, all", [cnrg, "mesh", "../in/solid.yaml", "--quality", "1.6", "-o", "m.mesh", "-o", "m.vtu"],
                  ["m.mesh", "m.vtu"]),
     ]
-    for ending in ("json", "vtu", "msh", "mesh", "smesh", "poly", "obj", "off", "stl", "ply", "dot", "regions.dot",
-                   "svg", "png", "pdf"):
+    for ending in ("json", "vtu", "msh", "mesh", "smesh", "poly", "obj", "off", "stl", "ply", "3mf", "glb", "dot",
+                   "regions.dot", "svg", "png", "pdf"):
         found.append(Scenario(f"write .{ending}", [cnrg, "eval", "../in/solid.yaml", "-o", f"r.{ending}"],
                               [f"r.{ending}"], old=ending in ("json", "vtu")))
     found.append(Scenario("write .stl in binary", [cnrg, "eval", "../in/solid.yaml", "--binary", "-o", "r.stl"],

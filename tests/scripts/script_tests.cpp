@@ -1,6 +1,6 @@
-// The report of a sweep is a script (bench/report), and so are its tests, in this folder: test_*.py. Here each of
-// their methods becomes a test case, `test_a_fault_is_named` of test_rows.py the case "a fault is named" with the
-// tag [rows]. All of them run in one process, which loads matplotlib once; a case that is chosen by name runs
+// Tests of what is written in Python are written in Python: test_*.py in the folder of their room. Here
+// each of their methods becomes a test case, `test_a_fault_is_named` of test_rows.py the case "a fault is named" with
+// the tag [rows]. All of them run in one process, which loads its modules once; a case that is chosen by name runs
 // alone.
 #include <sys/wait.h>
 
@@ -21,7 +21,7 @@ struct Ended {
 
 /// Runs the suite; its errors are in the text, too.
 Ended suite(const std::string& argument) {
-  const std::string command = "/usr/bin/python3 '" CNRG_SOURCES "/tests/report/suite.py' " + argument + " 2>&1";
+  const std::string command = CNRG_SUITE " " + argument + " 2>&1";
   Ended ended;
   FILE* const pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return ended;
@@ -43,7 +43,8 @@ std::string said_of(const std::string& id, const std::string& out) {
   std::string said;
   bool here = false;
   for (std::string line; std::getline(lines, line);) {
-    if (!line.empty() && line[0] != ' ') here = line == "passed " + id || line == "failed " + id;
+    if (!line.empty() && line[0] != ' ')
+      here = line == "passed " + id || line == "failed " + id || line == "skipped " + id;
     if (here) said += line + "\n";
   }
   return said;
@@ -57,7 +58,9 @@ class PythonTest : public Catch::ITestInvoker {
     const Ended ended = chosen ? suite(id_) : all_of_it();
     const std::string said = said_of(id_, ended.out);
     INFO((said.empty() ? ended.out : said));
-    CHECK(said == "passed " + id_ + "\n");
+    const std::string skipped = "skipped " + id_ + "\n";  // it says why, and counts as passed
+    if (said.rfind(skipped, 0) == 0) WARN(said);
+    else CHECK(said == "passed " + id_ + "\n");
   }
 
  private:
@@ -82,7 +85,7 @@ void add(Catch::ITestInvoker* test, const std::string& name, const std::string& 
 [[maybe_unused]] const bool registered = [] {
   const Ended list = suite("--list");
   if (list.status != 0) {
-    add(new NoTests(list.out), "the tests of the report can be listed", "[suite]");
+    add(new NoTests(list.out), "the tests of this room can be listed", "[suite]");
     return false;
   }
   std::istringstream lines(list.out);

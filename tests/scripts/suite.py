@@ -1,8 +1,8 @@
-"""The tests of bench/report, for the program test_report.
+"""The tests of a room that are written in Python, for its program.
 
-    suite.py --list    prints their names, one per line
-    suite.py NAME...   runs these, or all without a name; prints for each a line `passed NAME` or `failed NAME` and
-                       then, indented, why
+    suite.py FOLDER --list    prints the names of the tests in test_*.py, one per line
+    suite.py FOLDER NAME...   runs these, or all without a name; prints for each a line `passed NAME` or `failed NAME`
+                              and then, indented, why; `skipped NAME` and why
 """
 import sys
 import textwrap
@@ -10,8 +10,8 @@ import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parents[1] / "bench" / "report")]
+HERE = Path(sys.argv[1]).resolve()
+sys.path.insert(0, str(HERE))
 
 
 def tests_in(suite):
@@ -27,7 +27,11 @@ class Result(unittest.TestResult):
     def stopTest(self, test):
         said = [text for _, text in (self.failures + self.errors)]
         passed = len(said) == self.before
-        print("passed" if passed else "failed", test.id(), flush=True)
+        skipped = [why for _, why in self.skipped]
+        print("failed" if not passed else "skipped" if skipped else "passed", test.id(), flush=True)
+        if passed and skipped:
+            print(textwrap.indent("\n".join(skipped), "  "), flush=True)
+        self.skipped = []
         if not passed:
             print(textwrap.indent("\n".join(said), "  "), flush=True)
             self.failures, self.errors, self.any_failed = [], [], True
@@ -36,12 +40,12 @@ class Result(unittest.TestResult):
 
 def main():
     found = {test.id(): test for test in tests_in(unittest.TestLoader().discover(HERE, top_level_dir=HERE))}
-    if sys.argv[1:] == ["--list"]:
+    if sys.argv[2:] == ["--list"]:
         print("\n".join(found))
         return not found
     result = Result()
     result.any_failed = False
-    unittest.TestSuite(found[name] for name in sys.argv[1:] or found).run(result)
+    unittest.TestSuite(found[name] for name in sys.argv[2:] or found).run(result)
     return result.any_failed
 
 

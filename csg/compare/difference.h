@@ -1,0 +1,34 @@
+// Do two values mean the same? The answer of `cnrg compare`, for people and for programs: a text, and the same
+// facts as JSON, whose members are in csg/FORMATS.md#differences-as-data. What it is made of is in compare.h.
+#pragma once
+
+#include <string>
+
+#include "csg/tree/tree.h"
+#include "kernel/base/progress.h"
+
+namespace cnrg {
+
+struct CompareOptions {
+  int threads = 0;
+  bool components = true;  ///< false: the point sets alone
+  bool materials = true;
+  bool names = true;
+  bool features = true;  ///< which cells are left after simplification
+  Watch watch{};
+};
+
+struct Difference {
+  bool same = true;
+  std::string text, json;  ///< the text is empty if they are the same
+};
+
+/// The values of two nodes compared. Throws what `evaluate` does, faults of a tree as if it were evaluated alone.
+Difference difference(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b,
+                      const CompareOptions& options = {});
+
+/// A tree with one leaf: a mesh, a CAD model or a result, read from a file as the leaf of that kind would. Any
+/// other file is read as a tree. Throws what `read_tree` throws.
+Tree tree_of_file(const std::string& path, const ReadOptions& options = {});
+
+}  // namespace cnrg

@@ -1,0 +1,81 @@
+#include "csg/formats/tetrahedra_arrays.h"
+
+#include "csg/formats/mesh_file.h"
+#include "csg/result/result_data.h"
+
+namespace cnrg {
+namespace {
+
+using Number = std::int32_t;
+using Ends = std::array<std::size_t, 2>;
+
+/// The edges whose middles follow the corners of an element of second order.
+constexpr std::array<Ends, 0> kNoEdges{};
+constexpr std::array<Ends, 1> kEdges1{{{0, 1}}};
+constexpr std::array<Ends, 3> kEdges2{{{0, 1}, {1, 2}, {0, 2}}};
+constexpr std::array<Ends, 6> kEdges3{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
+
+template <class List, class Edges>
+void add(const Mesh& mesh, const List& simplices, std::size_t dimension, const Edges& edges,
+         TetrahedraArrays::Simplices& out) {
+  for (const auto& simplex : simplices) {
+    for (const Mesh::Index p : mesh.nodes(simplex, edges)) out.points.push_back(static_cast<Number>(p));
+    const CellTags& tags = mesh.entities[dimension][simplex.entity].tags;
+    out.cell.push_back(tags.cell);
+    out.component.push_back(tags.component);
+    out.front.push_back(tags.front);
+    out.back.push_back(tags.back);
+    out.region.push_back(tags.region);
+    out.material.push_back(tags.material);
+    out.leaf.push_back(tags.leaf);
+    out.face.push_back(tags.face);
+  }
+}
+
+}  // namespace
+
+struct TetrahedralResult::Data {
+  Result result;
+  TetrahedralMesh made;
+};
+
+TetrahedralResult::TetrahedralResult(const Result& result, const TetrahedraOptions& options, bool curved) {
+  TetrahedraOptions asked = options;
+  if (curved && asked.quality == 0) asked.quality = kCurvedQuality;
+  TetrahedralMesh made = tetrahedra(result, asked);
+  if (curved) {
+    options.watch.begin("bend");
+    curve(result, made);
+  }
+  data_ = std::make_shared<const Data>(Data{result, std::move(made)});
+}
+
+TetrahedraArrays TetrahedralResult::arrays() const {
+  const Mesh& mesh = data_->made.mesh;
+  TetrahedraArrays out;
+  for (const auto& p : mesh.points) out.points.insert(out.points.end(), p.begin(), p.end());
+  add(mesh, mesh.vertices, 0, kNoEdges, out.of[0]);
+  add(mesh, mesh.segments, 1, kEdges1, out.of[1]);
+  add(mesh, mesh.triangles, 2, kEdges2, out.of[2]);
+  add(mesh, mesh.tetrahedra, 3, kEdges3, out.of[3]);
+  for (std::size_t d = 0; d < 4; ++d) {
+    for (const std::string& name : mesh.groups[d]) out.groups[d].push_back({name, {}});
+    for (const Mesh::Entity& entity : mesh.entities[d]) {
+      for (const Mesh::Index group : entity.groups) out.groups[d][group - 1].cells.push_back(entity.tags.cell);
+    }
+  }
+  for (const LeafInfo& leaf : data_->result.data().leaves) out.leaves.push_back(leaf.name);
+  for (const ResultNames::Material& material : data_->result.data().materials)
+    out.materials.push_back(material.name);
+  out.regions = data_->made.regions;
+  out.rounding = data_->made.rounding;
+  out.curved = !mesh.middles.empty();
+  for (const Mesh::Field& field : mesh.fields) out.fields.emplace_back(field.name, field.values);
+  return out;
+}
+
+void TetrahedralResult::write(const std::string& path) const {
+  cnrg::write(path, data_->result, data_->made.mesh);
+}
+
+}  // namespace cnrg

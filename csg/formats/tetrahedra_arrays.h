@@ -1,0 +1,59 @@
+// The tetrahedra of a result as flat arrays, each simplex with the cell of the result that it lies in, for
+// programs that compute with arrays. The same mesh may be written to files.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "csg/formats/result_file.h"
+#include "csg/mesh/cell_groups.h"
+#include "csg/result/result.h"
+
+namespace cnrg {
+
+struct TetrahedraArrays {
+  using Numbers = std::vector<std::int32_t>;
+
+  /// Simplices of one dimension d.
+  struct Simplices {
+    /// d + 1 of each; of a curved mesh then the middles of its edges, in the order of a .msh (csg/FORMATS.md).
+    Numbers points;
+    Numbers cell;         ///< the number of the cell of the result, of dimension d, that it lies in
+    Numbers component;    ///< of that cell, from 1
+    Numbers front, back;  ///< the components of the regions on both sides of a triangle; 0: none
+    Numbers region;       ///< the component of the region that holds it, is behind it, or in front; 0: none
+    Numbers material;     ///< of that region, a place in `materials` plus 1; 0: none
+    Numbers leaf, face;   ///< the face of a leaf that it came from, as in a .vtu; -1: none
+  };
+  std::vector<double> points;   ///< x, y, z of each
+  std::array<Simplices, 4> of;  ///< by dimension; triangles counter-clockwise as seen from the front
+  std::array<std::vector<CellGroup>, 4> groups;  ///< by dimension
+  std::vector<std::string> leaves;               ///< names of leaves, by `Simplices::leaf`
+  std::vector<std::string> materials;            ///< names
+  std::vector<RegionTetrahedra> regions;  ///< of each region of the result that is filled, in the order of cells
+  RoundingReport rounding;
+  bool curved = false;                                              ///< of second order
+  std::vector<std::pair<std::string, std::vector<double>>> fields;  ///< at each corner of each tetrahedron
+};
+
+/// A mesh that was made; copies share it.
+class TetrahedralResult {
+ public:
+  /// Fills the regions of a closed and bounded result as `write_tetrahedra` does. `curved`: elements of second
+  /// order on the true surfaces, whose volumes are those of doubles. Throws InputError for a result that cannot be
+  /// meshed.
+  explicit TetrahedralResult(const Result& result, const TetrahedraOptions& options = {}, bool curved = false);
+
+  TetrahedraArrays arrays() const;
+  /// .msh .vtu, and .mesh if it is not curved. Throws InputError for another extension, FileError.
+  void write(const std::string& path) const;
+
+ private:
+  struct Data;
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace cnrg

@@ -1,0 +1,62 @@
+"""Exact Booleans of solids with several regions, surfaces, wires and points in one model.
+
+    import cnrg
+
+    ground = cnrg.box([0, 0, 0], [100, 100, 60], material="rock")
+    fault = cnrg.polygon([[20, -5, -5], [70, -5, 65], [70, 105, 65], [20, 105, -5]])
+    tunnel = cnrg.cylinder([60, -5, 30], [60, 105, 30], 6, segments=48)
+    model = cnrg.union(fault & ground, ground, dominance="left") - tunnel
+    result = model.evaluate()
+    result.write("slope.vtu")
+
+A node is an expression, as a tree file has it, and means the same. Everything is computed in exact arithmetic.
+"""
+
+from .cells import Cells, Component, Edges, Faces, Lists, Regions, Vertices
+from .errors import Error, FileError, InputError, InvariantError, Notice, Stopped
+from .evaluation import Diagnostic, Evaluation, Row, evaluate
+from .nodes import (
+    Material,
+    Node,
+    aggregate,
+    complement,
+    difference,
+    intersection,
+    material,
+    product,
+    subtract,
+    sum,
+    union,
+)
+from .result import Places, Result, View
+from .shapes import (
+    bezier,
+    box,
+    bspline,
+    cone,
+    coons,
+    cylinder,
+    extrude,
+    group,
+    halfspace,
+    heightfield,
+    load,
+    mesh,
+    plane,
+    points,
+    polygon,
+    polyline,
+    prism,
+    pyramid,
+    revolve,
+    sphere,
+    tetrahedron,
+    torus,
+)
+from .stories import Comparison, Explanation, Step, Topology
+from .tetrahedra import Filled, Simplices, Tetrahedra
+from .tree import Tree, parse, read
+
+__all__ = [name for name in dir() if not name.startswith("_") and name not in (
+    "cells", "convert", "errors", "evaluation", "nodes", "progress", "result", "shapes",
+    "stories", "tetrahedra", "tree")]

@@ -1,0 +1,187 @@
+"""Evaluation: one exact refinement of all leaves, then a value for each node."""
+
+from __future__ import annotations
+
+import operator
+import warnings
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Iterator, Sequence
+
+from . import _cnrg
+from .errors import Notice
+from .nodes import Node, Number, site_of_caller
+from .progress import Progress, Shown
+from .result import Result
+from .tree import Tree
+
+
+@dataclass(frozen=True)
+class Row:
+    """What became of one node, in numbers."""
+
+    name: str
+    """of the node; `name#2` of its second instance"""
+    operator: str
+    cells: tuple[int, int, int, int]
+    """vertices, edges, faces, 3-cells after simplification"""
+    removed: int
+    """how many pieces of the refinement the rows of the tables removed"""
+    regions: int
+    components: int
+    """of a value that is no group; else 0"""
+    is_group: bool
+    volume: Fraction | None
+    """exact, of all regions together (cubic units of the model); None: unbounded"""
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Diagnostic:
+    """Something that people should know and that stops nothing."""
+
+    level: str
+    """"notice" or "warning\""""
+    message: str
+    file: str | None
+    line: int | None
+    column: int | None = None
+
+    def __str__(self) -> str:
+        place = ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)
+        return f"{place}: {self.level}: {self.message}" if place else f"{self.level}: {self.message}"
+
+
+class Evaluation(Sequence[Row]):
+    """An evaluated tree.
+
+    ev.result: of the tree's result. ev["split"], ev[node]: of another node that was asked for. As a sequence it is
+    the rows of all nodes, operands before users; as a text their table.
+    """
+
+    def __init__(self, tree: Tree, evaluation: Any, kept: list[int]):
+        self._tree = tree
+        self._evaluation = evaluation
+        self._kept = kept
+        self._rows: list[Row] | None = None
+        self._results: dict[int, Result] = {}
+        self.refine_seconds: float = evaluation.refine_seconds
+        """of the refinement of all leaves"""
+
+    @property
+    def tree(self) -> Tree:
+        """What was evaluated."""
+        return self._tree
+
+    @property
+    def rows(self) -> list[Row]:
+        """A row for each instance of each node."""
+        if self._rows is None:
+            self._rows = [Row(**row) for row in self._evaluation.rows()]
+        return list(self._rows)
+
+    @property
+    def notices(self) -> list[Diagnostic]:
+        """Notices and warnings, each with its place."""
+        out = []
+        for level, file, line, column, message in self._evaluation.diagnostics():
+            out.append(Diagnostic(level, self._tree.translated(message), *self._tree.site(file, line, column)))
+        return out
+
+    @property
+    def result(self) -> Result:
+        """The value of the tree's result."""
+        return self._result(self._kept[0])
+
+    def _result(self, number: int) -> Result:
+        if number not in self._kept:
+            raise KeyError("this node was not kept; give it to evaluate(...), too")
+        if number not in self._results:
+            self._results[number] = Result._of(self._evaluation.result(number), self)
+        return self._results[number]
+
+    def __getitem__(self, which: Any) -> Any:
+        if isinstance(which, (str, Node)):
+            return self._result(self._tree.number_of(which))
+        return self.rows[which]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def __iter__(self) -> Iterator[Row]:
+        return iter(self.rows)
+
+    def __str__(self) -> str:
+        head = ("node", "operator", "vertices", "edges", "faces", "3-cells", "removed", "regions", "seconds", "volume")
+        lines: list[tuple[str, ...]] = [head]
+        for r in self.rows:
+            volume = "unbounded" if r.volume is None else str(r.volume)
+            if len(volume) > 24:
+                volume = f"{float(r.volume):.12g}"  # type: ignore[arg-type]
+            lines.append((r.name, r.operator, *map(str, r.cells), str(r.removed), str(r.regions), f"{r.seconds:.3f}", volume))
+        widths = [max(len(line[i]) for line in lines) for i in range(len(head))]
+        left = {0, 1, 9}
+        text = ""
+        for line in lines:
+            cells = (c.ljust(w) if i in left else c.rjust(w) for i, (c, w) in enumerate(zip(line, widths)))
+            text += "  ".join(cells).rstrip() + "\n"
+        return text.rstrip("\n")
+
+    def __repr__(self) -> str:
+        return f"<cnrg.Evaluation of {self._tree!r}>"
+
+
+def evaluate(
+    model: Node | Tree,
+    *nodes: Node | str,
+    threads: int = 0,
+    rows: bool = True,
+    raw: bool = False,
+    validate: bool = False,
+    weld: Number | None = None,
+    progress: Progress = None,
+) -> Evaluation:
+    """Evaluates a node, or the result of a tree, and any other nodes with it, exactly.
+
+    model: what `Evaluation.result` is of. nodes: others that are wanted, nodes or names.
+    threads: 0 for one per core. rows: counts and volumes of all nodes; without them only of those that are asked for.
+    raw: cells stay as the refinement has them, nothing is simplified. validate: checks all invariants, slowly.
+    weld: what is nearer than that is made to coincide, in all leaves together (units of the model).
+    progress: None, True for a bar, or a function f(stage, done, total).
+
+    Raises InputError with the place of the node in the script or the file, FileError; KeyboardInterrupt ends it at
+    once. Other threads run meanwhile. Warnings go to `warnings` as cnrg.Notice; all are in `Evaluation.notices`.
+    """
+    if isinstance(model, Tree):
+        if weld is not None:
+            raise TypeError("evaluate: a tree says itself what is welded")
+        return evaluate_tree(model, nodes, threads=threads, rows=rows, raw=raw, validate=validate, progress=progress)
+    if not isinstance(model, Node):
+        raise TypeError(f"evaluate: a node or a tree is wanted, not {type(model).__name__}")
+    others = tuple(node for node in nodes if isinstance(node, Node))
+    tree = Tree.of(model, *others, weld=weld)
+    return evaluate_tree(tree, nodes, threads=threads, rows=rows, raw=raw, validate=validate, progress=progress)
+
+
+def evaluate_tree(
+    tree: Tree,
+    nodes: Sequence[Node | str] = (),
+    *,
+    threads: int = 0,
+    rows: bool = True,
+    raw: bool = False,
+    validate: bool = False,
+    progress: Progress = None,
+) -> Evaluation:
+    """`evaluate` for a tree."""
+    threads = operator.index(threads)
+    if not 0 <= threads <= 4096:
+        raise ValueError(f"threads: a number from 0 to 4096 is wanted, not {threads}")
+    kept = [tree.number_of(tree.result)] + [tree.number_of(node) for node in nodes]
+    with Shown(progress) as shown, tree.placed():
+        evaluation = _cnrg.evaluate(tree._tree, kept[1:], threads, bool(rows), bool(raw), bool(validate), shown)
+    made = Evaluation(tree, evaluation, kept)
+    for notice in made.notices:
+        if notice.level == "warning":
+            warnings.warn_explicit(str(notice), Notice, *site_of_caller())
+    return made

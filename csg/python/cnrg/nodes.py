@@ -1,0 +1,497 @@
+"""Nodes of a tree as Python values.
+
+A node is an expression: a shape, or an operator on nodes, with attributes. It never changes, so it may be used in any
+number of trees and by any number of users; what would change it makes another one. What a tree file can say an
+expression can, by the same words, since it is turned into the text of such a file and read by the same reader. That
+reader looks at each node as soon as it is made, so a fault is raised where the mistake is, not where the tree is
+evaluated.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from decimal import Decimal
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Tuple, Union
+
+from . import _cnrg
+from .errors import InputError
+
+if TYPE_CHECKING:
+    from .evaluation import Evaluation
+    from .result import Result
+
+Number = Union[int, float, str, Fraction, Decimal]
+"""Exact: a float is that double, a str is a decimal or a fraction such as "0.1" or "1/3". Numbers of numpy, too."""
+Point = Sequence[Number]
+"""Three numbers: a tuple, a list, an array of numpy."""
+
+Site = Tuple[Any, ...]
+"""Where something was made, for messages: file, line, and the column where it is known."""
+
+_PLAIN = re.compile(r"(?:[A-Za-z_][A-Za-z0-9_]*|[-+]?\.?[0-9][0-9A-Za-z./+-]*)\Z")
+_WORDS = {"true", "false", "null", "yes", "no", "on", "off", "y", "n"}  # some reader of YAML takes these for no text
+
+
+class Exact(str):
+    """The text of a number, which stands in a tree without quotes."""
+
+    __slots__ = ()
+
+
+def quoted(text: str) -> str:
+    """A text as YAML has it; InputError for one that is not Unicode."""
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise InputError(f"the text {text!a} is not Unicode: it has half of a character; mend it") from None
+    if _PLAIN.match(text) and text.lower() not in _WORDS:
+        return text
+    escaped = []
+    for c in text:
+        if c in '"\\':
+            escaped.append("\\" + c)
+        elif c.isprintable() or c == " ":
+            escaped.append(c)
+        else:
+            code = ord(c)
+            escaped.append(f"\\x{code:02x}" if code < 256 else f"\\u{code:04x}" if code < 65536 else f"\\U{code:08x}")
+    return '"' + "".join(escaped) + '"'
+
+
+def exact(value: Any) -> Exact:
+    """The exact text of a number: the shortest decimal of a float where that is the same number, else a fraction."""
+    if type(value) is float and value == value and abs(value) != float("inf"):
+        text = repr(value)
+        if Fraction(text) == Fraction(value):
+            return Exact(text[:-2] if text.endswith(".0") else text)
+    return Exact(_cnrg.number_text(value))
+
+
+def data_of(value: Any) -> Any:
+    """A value of a key as maps, lists, bools, texts and exact numbers. TypeError for what a tree cannot say."""
+    if isinstance(value, (bool, Exact)) or value is None:
+        return value
+    if isinstance(value, str):
+        quoted(value)
+        return str(value)
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, Mapping):
+        return {str(key): data_of(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [data_of(item) for item in value]
+    if hasattr(value, "tolist") and hasattr(value, "dtype"):  # of numpy
+        if value.ndim == 0:
+            return exact(value[()])
+        is_long = value.dtype.kind == "f" and value.dtype.itemsize > 8  # as a list it would lose digits
+        return data_of(list(value) if is_long else value.tolist())
+    if isinstance(value, Iterable) and not isinstance(value, (bytes, bytearray)):
+        return [data_of(item) for item in value]
+    return exact(value)
+
+
+def text_of(data: Any) -> str:
+    """Data as YAML, on one line."""
+    if data is True:
+        return "true"
+    if data is False:
+        return "false"
+    if data is None:
+        return "null"
+    if isinstance(data, Exact):
+        return str(data)
+    if isinstance(data, str):
+        return quoted(data)
+    if isinstance(data, dict):
+        return "{" + ", ".join(f"{quoted(key)}: {text_of(item)}" for key, item in data.items()) + "}"
+    return "[" + ", ".join(text_of(item) for item in data) + "]"
+
+
+def site_of_caller() -> Site:
+    """File and line of the innermost call from outside of this package."""
+    here = os.path.dirname(__file__)
+    frame = sys._getframe(1)
+    while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == here:
+        frame = frame.f_back
+    return frame.f_code.co_filename, frame.f_lineno
+
+
+class Material:
+    """A material, constant or graded; `material` makes one. Two of one name in one tree must say the same."""
+
+    __slots__ = ("name", "data", "to", "site")
+
+    def __init__(self, name: str, data: dict[str, Any], to: Node | None, site: Site):
+        self.name = name
+        self.data = data  # without the node in `distance`, which is `to`
+        self.to = to
+        self.site = site
+
+    def __repr__(self) -> str:
+        return f"cnrg.material({self.name!r})"
+
+
+def material(
+    name: str,
+    color: str | None = None,
+    *,
+    linear: Mapping[str, Any] | None = None,
+    distance: Mapping[str, Any] | None = None,
+) -> Material:
+    """A material of regions.
+
+    color: "#rrggbb", for pictures and files.
+    linear: {"from": point, "to": point, "stops": [[0, "a"], [1, {"a": "1/2", "b": "1/2"}]]}: graded along a line.
+    distance: {"to": node, "stops": [...]}: graded by the distance to the faces, wires and points of a node.
+    """
+    if not isinstance(name, str):
+        raise TypeError(f"material: a name is wanted, not {type(name).__name__}")
+    data: dict[str, Any] = {}
+    to = None
+    if color is not None:
+        data["color"] = data_of(color)
+    if linear is not None:
+        data["linear"] = data_of(linear)
+    if distance is not None:
+        if not isinstance(distance, Mapping) or not isinstance(distance.get("to"), Node):
+            raise TypeError('material: distance is a map {"to": node, "stops": [...]}')
+        to = distance["to"]
+        data["distance"] = data_of({key: item for key, item in distance.items() if key != "to"})
+    from .tree import check_material
+
+    made = Material(name, data, to, site_of_caller())
+    check_material(made)
+    return made
+
+
+class MeshArrays:
+    """The arrays of a mesh in a tree: `mesh: {points, faces, ...}`."""
+
+    __slots__ = ("arrays", "keys")
+
+    def __init__(self, arrays: Any, keys: dict[str, Any]):
+        self.arrays = arrays
+        self.keys = keys
+
+
+class Node:
+    """A node of a tree: a leaf or an operator, with its attributes.
+
+    Operators: `a | b` union, `a & b` intersection, `a - b` difference (of groups, by the tables of Pereira et al.),
+    `~a` complement; functions `union`, `sum` and the others take more operands and `dominance`. Transforms and
+    attributes make a new node.
+    """
+
+    __slots__ = ("operator", "operands", "value", "attributes", "key", "is_inline", "site", "__weakref__")
+
+    operator: str
+    operands: tuple[Node, ...]
+    value: Any  # of a leaf: data, or MeshArrays; of `simplify`: its mode, or None
+    attributes: tuple[tuple[str, Any], ...]  # in their order: transforms act one after the other
+    key: str | None  # in a tree; None: any
+    is_inline: bool  # it stands in the place of its user, as it did in a file
+    site: Site  # where it was made
+
+    def __init__(
+        self,
+        operator: str,
+        operands: Iterable[Node] = (),
+        value: Any = None,
+        attributes: Iterable[tuple[str, Any]] = (),
+        *,
+        key: str | None = None,
+        is_inline: bool = False,
+        site: Site | None = None,
+    ):
+        put = super().__setattr__
+        put("operator", operator)
+        put("operands", tuple(operands))
+        put("value", value)
+        put("attributes", tuple(attributes))
+        put("key", key)
+        put("is_inline", is_inline)
+        put("site", site or site_of_caller())
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError("a node does not change; make another one, such as by .with_(...)")
+
+    def __delattr__(self, name: str) -> None:
+        self.__setattr__(name, None)
+
+    def __repr__(self) -> str:
+        words = f"{self.operator} of {len(self.operands)}" if self.operands else self.operator
+        return f"<cnrg.Node {self.key!r}: {words}>" if self.key else f"<cnrg.Node: {words}>"
+
+    def __copy__(self) -> Node:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Node:
+        return self
+
+    # Operators of groups.
+
+    def __or__(self, other: Node) -> Node:
+        """The union: cells of both, and which of two that coincide stays is a matter of dominance."""
+        return _boolean("union", self, other)  # type: ignore[no-any-return]
+
+    def __and__(self, other: Node) -> Node:
+        """The intersection."""
+        return _boolean("intersection", self, other)  # type: ignore[no-any-return]
+
+    def __sub__(self, other: Node) -> Node:
+        """The difference: this without the other one's regions."""
+        return _boolean("difference", self, other)  # type: ignore[no-any-return]
+
+    def __invert__(self) -> Node:
+        """The complement."""
+        return self.complement()
+
+    # Operators on one value.
+
+    def complement(self) -> Node:
+        """All of space that is not in it."""
+        return made("complement", (self,))
+
+    def interior(self, each: bool = False) -> Node:
+        """The interior of the point set; with `each`, of every component by itself."""
+        return made("interior", (self,), attributes=_each(each))
+
+    def closure(self, each: bool = False) -> Node:
+        """The closure; with `each`, of every component by itself."""
+        return made("closure", (self,), attributes=_each(each))
+
+    def boundary(self, each: bool = False) -> Node:
+        """The boundary; with `each`, of every component by itself."""
+        return made("boundary", (self,), attributes=_each(each))
+
+    def regularize(self, each: bool = False) -> Node:
+        """The closure of the interior: no sheets, wires, points, cracks; with `each`, of every component by itself."""
+        return made("regularize", (self,), attributes=_each(each))
+
+    def unify(self) -> Node:
+        """One component of all."""
+        return made("unify", (self,))
+
+    def simplify(self, mode: str = "features") -> Node:
+        """Fewest cells; mode "points" forgets features, too: what is coplanar or collinear is one."""
+        if mode not in ("features", "points"):
+            raise InputError(f"simplify: the mode is features or points, not {mode!r}")
+        return made("simplify", (self,), mode if mode == "points" else None)
+
+    # Attributes and transforms, as in a tree file.
+
+    def with_(self, **attributes: Any) -> Node:
+        """The same node with more attributes: material, name, dominance, translate, rotate, scale, mirror.
+
+        material: a name or a `material(...)`. name: of its regions. dominance: a number, or of an operator "left",
+        "right" or "equal". Transforms act after those that it has; any other attribute replaces the one of its name.
+        """
+        more = _attributes(attributes)
+        if not more:
+            return self
+        mine = list(self.attributes)
+        # A map has each key once, a named node goes on being itself, and a file is read once for all its places.
+        costly = self.operator in _FILES or isinstance(self.value, MeshArrays)
+        twice = any(name in _TRANSFORMS and any(n == name for n, _ in mine) for name, _ in more)
+        if self.key is not None or self.is_inline or costly or twice:
+            return made("simplify", (self,), None, more)
+        replaced = {name for name, _ in more}
+        kept = [(name, value) for name, value in mine if name not in replaced]
+        return made(self.operator, self.operands, self.value, kept + more)
+
+    def translate(self, vector: Point) -> Node:
+        """Moved by a vector (units of the model)."""
+        return self.with_(translate=vector)
+
+    def rotate(self, axis: Point, degrees: Number, center: Point | None = None) -> Node:
+        """Turned about an axis through `center` (the origin) by the right-hand rule. About coordinate axes multiples
+        of 90 degrees are exact; any other angle is off by less than 1e-15, the rotation exactly orthogonal."""
+        turn: dict[str, Any] = {"axis": axis, "degrees": degrees}
+        if center is not None:
+            turn["center"] = center
+        return self.with_(rotate=turn)
+
+    def scale(self, factor: Number | Point) -> Node:
+        """Scaled from the origin by a number or by three; none is 0."""
+        return self.with_(scale=factor)
+
+    def mirror(self, normal: Point, point: Point | None = None) -> Node:
+        """Reflected in the plane through `point` (the origin) at right angles to `normal`."""
+        plane: dict[str, Any] = {"normal": normal}
+        if point is not None:
+            plane["point"] = point
+        return self.with_(mirror=plane)
+
+    def named(self, key: str) -> Node:
+        """The same node under this name in trees: rows, messages and `Evaluation[...]` call it so, and so are the
+        regions of a leaf that has no attribute `name`."""
+        if not isinstance(key, str) or not key:
+            raise TypeError("named: a name is wanted, a text that is not empty")
+        quoted(key)
+        return Node(self.operator, self.operands, self.value, self.attributes, key=key, site=site_of_caller())
+
+    # What it means.
+
+    def evaluate(self, **options: Any) -> Result:
+        """The node's value, exactly: `cnrg.evaluate(self, **options).result`, and see there."""
+        from .evaluation import evaluate
+
+        return evaluate(self, **options).result
+
+    def check(self) -> list[str]:
+        """Checks all that can be checked without evaluating: leaves, the files that they read. Returns notices;
+        raises InputError and FileError."""
+        from .tree import Tree
+
+        return Tree.of(self).check()
+
+    def to_yaml(self, folder: str | os.PathLike[str] | None = None, *, weld: Number | None = None) -> str:
+        """A tree file with this node as its result. Files that leaves read are named relative to `folder`, where the
+        text is to lie; without it by absolute paths. The text gives the same result files, byte for byte."""
+        from .tree import Tree
+
+        return Tree.of(self, weld=weld).to_yaml(folder)
+
+
+_TRANSFORMS = ("translate", "rotate", "scale", "mirror")
+_FILES = ("mesh", "heightfield", "step", "brep", "cnrg")  # leaves that may read one
+_ATTRIBUTES = ("material", "name", "dominance", "regularize", "simplify", "each") + _TRANSFORMS
+
+
+def _each(each: bool) -> tuple[tuple[str, Any], ...]:
+    return (("each", True),) if each else ()
+
+
+def _attributes(given: Mapping[str, Any]) -> list[tuple[str, Any]]:
+    """Attributes as data, in their order; None is as if it were not given."""
+    out: list[tuple[str, Any]] = []
+    for name, value in given.items():
+        if name not in _ATTRIBUTES:
+            raise TypeError(f"there is no attribute {name!r}; there are " + ", ".join(_ATTRIBUTES))
+        if value is None:
+            continue
+        if name == "material":
+            if not isinstance(value, Material):
+                value = material(value)
+        elif name in ("name", "simplify"):
+            if not isinstance(value, str):
+                raise TypeError(f"{name}: a text is wanted, not {type(value).__name__}")
+            value = data_of(value)
+        elif name == "dominance":
+            value = value if value in ("left", "right", "equal") else exact(value)
+        elif name == "scale" and isinstance(value, str):
+            value = exact(value)
+        elif name in ("each", "regularize"):
+            value = bool(value)
+        else:
+            value = _exactly(value)
+        out.append((name, value))
+    return out
+
+
+def _exactly(value: Any) -> Any:
+    """Data whose texts are numbers, too."""
+    data = data_of(value)
+
+    def visit(item: Any) -> Any:
+        if isinstance(item, dict):
+            return {key: visit(sub) for key, sub in item.items()}
+        if isinstance(item, list):
+            return [visit(sub) for sub in item]
+        return item if item is None or isinstance(item, (bool, Exact)) else exact(item)
+
+    return visit(data)
+
+
+def _boolean(operator: str, a: Node, b: Node) -> Any:
+    if not isinstance(b, Node):
+        return NotImplemented
+    # The list of operands is worked off from the left, so `a - b - c` may be one node.
+    plain = a.operator == operator and not a.attributes and a.key is None and not a.is_inline
+    return made(operator, a.operands + (b,) if plain else (a, b))
+
+
+def _operands(operator: str, nodes: Sequence[Any]) -> tuple[Node, ...]:
+    if len(nodes) == 1 and not isinstance(nodes[0], Node) and isinstance(nodes[0], Iterable):
+        nodes = tuple(nodes[0])
+    for node in nodes:
+        if not isinstance(node, Node):
+            raise TypeError(f"{operator}: nodes are wanted, not {type(node).__name__}")
+    return tuple(nodes)
+
+
+def made(
+    operator: str,
+    operands: Iterable[Node] = (),
+    value: Any = None,
+    attributes: Iterable[tuple[str, Any]] = (),
+) -> Node:
+    """A new node, its form checked."""
+    return checked(Node(operator, operands, value, attributes))
+
+
+def leaf(operator: str, value: Any, attributes: Mapping[str, Any]) -> Node:
+    """A leaf with the keys of the tree file; those that are None are left out."""
+    if isinstance(value, dict):
+        value = {key: item for key, item in value.items() if item is not None}
+    return made(operator, (), value, _attributes(attributes))
+
+
+def checked(node: Node) -> Node:
+    """The node, if the reader of tree files takes it; InputError at the caller's place if not."""
+    from .tree import check_form
+
+    check_form(node)
+    return node
+
+
+def union(*nodes: Node, dominance: Number | str | None = None, **attributes: Any) -> Node:
+    """The union of groups, from left to right. dominance: "left", "right" or "equal" says which operand dominates; a
+    number is that of the value; without it the operand with the larger number dominates."""
+    return made("union", _operands("union", nodes), attributes=_attributes({"dominance": dominance, **attributes}))
+
+
+def intersection(*nodes: Node, dominance: Number | str | None = None, **attributes: Any) -> Node:
+    """The intersection of groups, from left to right; dominance as of `union`."""
+    return made(
+        "intersection",
+        _operands("intersection", nodes),
+        attributes=_attributes({"dominance": dominance, **attributes}),
+    )
+
+
+def difference(*nodes: Node, dominance: Number | str | None = None, **attributes: Any) -> Node:
+    """The first group without the others, from left to right; dominance as of `union`."""
+    return made(
+        "difference",
+        _operands("difference", nodes),
+        attributes=_attributes({"dominance": dominance, **attributes}),
+    )
+
+
+def sum(*nodes: Node, dominance: Number | str | None = None, **attributes: Any) -> Node:  # noqa: A001
+    """The sum of components (Rossignac and Requicha): where operands overlap are components of their own."""
+    return made("sum", _operands("sum", nodes), attributes=_attributes({"dominance": dominance, **attributes}))
+
+
+def product(*nodes: Node, dominance: Number | str | None = None, **attributes: Any) -> Node:
+    """The product of components: what all operands have in common."""
+    return made("product", _operands("product", nodes), attributes=_attributes({"dominance": dominance, **attributes}))
+
+
+def subtract(*nodes: Node, **attributes: Any) -> Node:
+    """The components of the first operand without the point sets of the others."""
+    return made("subtract", _operands("subtract", nodes), attributes=_attributes(attributes))
+
+
+def aggregate(*nodes: Node, **attributes: Any) -> Node:
+    """Values that do not overlap, side by side: each stays a component."""
+    return made("aggregate", _operands("aggregate", nodes), attributes=_attributes(attributes))
+
+
+def complement(node: Node) -> Node:
+    """All of space that is not in it."""
+    return _operands("complement", (node,))[0].complement()

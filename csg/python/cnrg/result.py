@@ -1,0 +1,601 @@
+"""The value of one node: its cells as arrays, exact numbers, questions to it, files, pictures, other packages' meshes."""
+
+from __future__ import annotations
+
+import contextlib
+import html
+import operator
+import os
+import tempfile
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Iterable, NamedTuple, Sequence, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _cnrg, convert, stories
+from .cells import Cells, Component, Edges, ExactPoints, Faces, Regions, Vertices
+from .errors import FileError, InputError
+from .progress import Progress, Shown
+from .stories import Comparison, Explanation, Topology
+from .tetrahedra import Tetrahedra
+
+if TYPE_CHECKING:
+    from .nodes import Number, Point
+
+T = TypeVar("T")
+C = TypeVar("C", bound=Cells)
+
+_EXACT_DOUBLES = 2**53
+_LETTERS = "vefr"
+_MOST_DRAWN = 20_000  # faces, in a notebook without being asked: some seconds
+
+
+class Places(NamedTuple):
+    """Where points lie, n of them."""
+
+    dimension: NDArray[np.int8]
+    """(n,) int8: of the cell that holds the point, 0 to 3"""
+    cell: NDArray[np.int32]
+    """(n,) int32: its number among the cells of that dimension; -1: a region outside that touches nothing of the
+    result and is not listed"""
+    component: NDArray[np.int32]
+    """(n,) int32: from 1; 0: the point is not in the result"""
+
+    @property
+    def names(self) -> list[str]:
+        """As `cnrg locate` and `explain` call the cells: "f12"; "-" for what is not listed."""
+        return ["-" if c < 0 else f"{_LETTERS[d]}{c}" for d, c in zip(self.dimension, self.cell)]
+
+
+class View:
+    """A page for browsers, which a notebook shows in a frame."""
+
+    def __init__(self, text: str, height: int):
+        self.text = text
+        """the page, in HTML"""
+        self.height = height
+        """of the frame, in pixels"""
+
+    def __repr__(self) -> str:
+        return f"<cnrg.View: {len(self.text) // 1024} KB>"
+
+    def _repr_html_(self) -> str:
+        return (f'<iframe srcdoc="{html.escape(self.text)}" style="width: 100%; height: {self.height}px; '
+                'border: 1px solid #ccc" sandbox="allow-scripts allow-downloads"></iframe>')
+
+
+class Result:
+    """An exact result of n points and the cells on them. It never changes and needs neither the tree nor the
+    evaluation any more.
+
+    Arrays are read-only, show memory of the library without a copy, and keep it alive by themselves. Everything is
+    made when it is first asked for.
+    """
+
+    _result: Any
+    _evaluation: Any
+    _made: dict[str, Any]
+
+    def __init__(self) -> None:
+        raise TypeError("a Result comes from node.evaluate()")
+
+    @classmethod
+    def _of(cls, result: Any, evaluation: Any) -> Result:
+        self = object.__new__(cls)
+        self._result = result
+        self._evaluation = evaluation
+        self._made = {}
+        return self
+
+    def _once(self, what: str, make: Callable[[], T]) -> T:
+        if what not in self._made:
+            self._made[what] = make()
+        made: T = self._made[what]
+        return made
+
+    def _placed(self) -> Any:
+        """Errors from within come out with places in the script."""
+        return self._evaluation.tree.placed() if self._evaluation is not None else contextlib.nullcontext()
+
+    @property
+    def name(self) -> str:
+        """Of the node."""
+        return self._result.name
+
+    # --- cells
+
+    @property
+    def _arrays(self) -> Any:
+        return self._once("arrays", lambda: _cnrg.result_arrays(self._result))
+
+    @property
+    def _data(self) -> dict[str, Any]:
+        return self._once("data", lambda: self._arrays.data())
+
+    def _cells(self, kind: str, made: Callable[[Any, Any, tuple[str, ...]], C]) -> C:
+        return self._once(kind, lambda: made(self._data[kind], self._arrays, self.leaves))
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """(n, 3) float64: the nearest doubles, ascending by exact coordinates. InputError beyond 1.8e308."""
+        return self._data["points"]
+
+    @property
+    def exact_points(self) -> Sequence[tuple[Fraction, Fraction, Fraction]]:
+        """n exact points, each made when it is asked for."""
+        return ExactPoints(self._arrays, len(self.points))
+
+    @property
+    def frame_points(self) -> NDArray[np.int32]:
+        """The points that stand for infinity: ends of what a plane or half-space leaves without bounds."""
+        return self._data["frame_points"]
+
+    @property
+    def point_vertices(self) -> NDArray[np.int32]:
+        """(n,) int32: the vertex at each point, or -1."""
+        return self._data["point_vertices"]
+
+    @property
+    def vertices(self) -> Vertices:
+        """Vertices, as arrays."""
+        return self._cells("vertices", Vertices)
+
+    @property
+    def edges(self) -> Edges:
+        """Edges, as arrays, with the faces around each in radial order."""
+        return self._cells("edges", Edges)
+
+    @property
+    def faces(self) -> Faces:
+        """Faces, as arrays, with loops and triangles."""
+        return self._cells("faces", Faces)
+
+    @property
+    def regions(self) -> Regions:
+        """Regions, as arrays, with shells and volumes."""
+        return self._cells("regions", Regions)
+
+    @property
+    def components(self) -> list[Component]:
+        """Component i is at [i - 1]: the regions of a group, then its entities if it has any; or the components."""
+        return list(self._once("components", self._make_components))
+
+    def _make_components(self) -> list[Component]:
+        leaves = self.leaves
+        return [
+            Component(i, name, material, tuple(leaves[k] for k in of), self._result.volume_of(i))
+            for i, (name, material, of) in enumerate(self._data["components"], 1)
+        ]
+
+    @property
+    def is_group(self) -> bool:
+        """A group of regions, walls, sheets, wires and points; otherwise components of CNRG."""
+        return self._data["group"]
+
+    @property
+    def leaves(self) -> tuple[str, ...]:
+        """Names of the leaves that the result came from."""
+        return tuple(self._data["leaves"])
+
+    @property
+    def materials(self) -> list[tuple[str, str]]:
+        """Name and color ("#rrggbb", or "") of each; those of the tree come first."""
+        return list(self._data["materials"])
+
+    @property
+    def groups(self) -> list[dict[str, NDArray[np.int32]]]:
+        """By dimension: names as those of a .msh ("rock", "boundary of rock", "wall rock | ore"), each with the numbers
+        of its cells."""
+        return self._once("groups", lambda: _cnrg.cell_groups(self._result))
+
+    @property
+    def volume(self) -> Fraction | None:
+        """Exact, of all of it, in cubic units; None: unbounded."""
+        volumes = [self.volume_of(i) for i in range(1, self._result.component_count + 1)]
+        known = [v for v in volumes if v is not None]
+        return sum(known, Fraction(0)) if len(known) == len(volumes) else None
+
+    def volume_of(self, component: int) -> Fraction | None:
+        """Exact, of one component (from 1), in cubic units; None: unbounded."""
+        return self._once(f"volume {component}", lambda: self._result.volume_of(component))
+
+    def __repr__(self) -> str:
+        counts = (f"{len(c.active)} {kind}" for kind, c in self._counted())
+        return f"<cnrg.Result {self.name!r}: {', '.join(counts)}>"
+
+    def _counted(self) -> list[tuple[str, Cells]]:
+        return [("vertices", self.vertices), ("edges", self.edges), ("faces", self.faces), ("regions", self.regions)]
+
+    # --- questions
+
+    def locate(self, points: Any, *, progress: Progress = None) -> Places:
+        """The cell that holds each point, exactly, found on all cores.
+
+        points: an array (n, 3) of floats (exactly these doubles) or integers, or a sequence of n exact points, each
+        three numbers (int, float, str such as "1/3", Fraction, Decimal). One point is as a list of one.
+
+        Points may lie anywhere: where planes and half-spaces were cut at a frame and a point is beyond it, the tree is
+        evaluated once more. InputError for what is not finite and beyond 2**1000.
+        """
+        places = self._once("places", lambda: _cnrg.places(self._result))
+        doubles, exact = _given_points(points)
+        with Shown(progress) as shown, self._placed():
+            if doubles is not None:
+                return Places(*places.locate(doubles, shown))
+            return Places(*places.locate_exact(exact, shown))
+
+    def explain(self, what: str | Point, *, threads: int = 0, progress: Progress = None) -> Explanation:
+        """Why a cell ("f12") is there, or what became of the cell of the refinement that holds a point, at every node
+        of the tree: which row of the tables kept or removed it, and on which facts.
+
+        The values of all nodes are computed for this, once, and kept with the result. InputError for a name that is
+        none and for a result without a tree.
+        """
+        with Shown(progress) as shown, self._placed():
+            if isinstance(what, str):
+                return stories.explanation(*_cnrg.explain_cell(self._result, self._all(threads, shown), what))
+            if _cnrg.has_frame(self._result):  # it may lie beyond: the frame has to hold it
+                everything = _cnrg.evaluate_all(self._result, what, threads, shown)
+            else:
+                everything = self._all(threads, shown)
+            return stories.explanation(*_cnrg.explain_point(self._result, everything, what))
+
+    def _all(self, threads: int, shown: Any) -> Any:
+        return self._once("all", lambda: _cnrg.evaluate_all(self._result, None, threads, shown))
+
+    def topology(self) -> Topology:
+        """Euler-Poincaré term by term, Betti numbers, where it is a manifold and why not, shells, what touches what."""
+        return self._once("topology", lambda: stories.topology(*_cnrg.topology(self._result)))
+
+    def compare(self, other: Result, *, ignore: str | Iterable[str] = (), threads: int = 0,
+                progress: Progress = None) -> Comparison:
+        """Do two results mean the same: the same points, components, materials, names and cells? Both are refined
+        together, exactly; numbers of cells and names of nodes do not matter.
+
+        ignore: some of "components" (all but the point sets), "materials", "names", "features".
+        """
+        if not isinstance(other, Result):
+            raise TypeError(f"compare: a Result is wanted, not {type(other).__name__}")
+        ignored = [ignore] if isinstance(ignore, str) else list(ignore)
+        with tempfile.TemporaryDirectory() as folder, Shown(progress) as shown, self._placed():
+            sides = [one._as_side(os.path.join(folder, f"{i}.json")) for i, one in enumerate((self, other))]
+            same, text, facts = _cnrg.compare(*sides, ignored, threads, shown)
+        return stories.comparison(text, facts)
+
+    def _as_side(self, path: str) -> Any:
+        """What can be compared: the result with its tree, or a file that holds it exactly."""
+        if self._result.has_tree:
+            return self._result
+        self._result.write(path, False)
+        return path
+
+    # --- other results
+
+    def snap(self, *, progress: Progress = None) -> Result:
+        """The result on doubles: every vertex is three floats, and nothing crosses. The same where rounding alone is
+        right. InputError for a face or line without bounds, and for what does not come to rest."""
+        with Shown(progress) as shown, self._placed():
+            snapped, rounds, _, _ = self._result.snap(shown)
+        return self if rounds == 0 else Result._of(snapped, self._evaluation)
+
+    def tetrahedralize(self, *, max_volume: Number = 0, quality: Number = 0, keep_boundary: bool = False,
+                       seconds: int = 600, curved: bool = False, progress: Progress = None) -> Tetrahedra:
+        """Fills the regions with tetrahedra that conform to every wall, sheet, wire and point, proven exactly.
+
+        max_volume: no tetrahedron is larger (cubic units), 0: no bound. quality: the largest ratio of circumradius to
+        shortest edge, 1.1 to 100, 0: no bound. keep_boundary: no new points on faces and edges. seconds: of processor
+        time for each way in which TetGen is asked, 0: no bound. curved: elements of second order on the true surfaces.
+
+        InputError for a result that is not closed and bounded, has no region, or is broken by rounding (`snap()`
+        helps), and where TetGen makes no mesh that is proven.
+        """
+        max_volume, quality = (float(_cnrg.fraction(number)) for number in (max_volume, quality))
+        seconds = operator.index(seconds)
+        if max_volume < 0:
+            raise InputError(f"max_volume: a volume is wanted, or 0 for no bound, not {max_volume}")
+        if quality != 0 and not 1.1 <= quality <= 100:
+            raise InputError(f"quality: a number from 1.1 to 100 is wanted, or 0 for no bound, not {quality}")
+        if not 0 <= seconds < 2**31:
+            raise InputError(f"seconds: a whole number from 0 is wanted, not {seconds}")
+        with Shown(progress) as shown, self._placed():
+            mesh = _cnrg.tetrahedralize(self._result, max_volume, quality, bool(keep_boundary), seconds, bool(curved),
+                                        shown)
+        return Tetrahedra(mesh, self)
+
+    # --- files and other packages
+
+    def write(self, path: str | os.PathLike[str], *, parameters: bool = False) -> None:
+        """Writes a file in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off .stl .ply .step
+        .stp .brep .regions.dot.
+
+        parameters: .json and .vtu say the parameters u, v of faces on curved patches. InputError for an extension that
+        is none, and for a result that the format cannot hold; FileError. The file appears whole or not at all.
+        """
+        with self._placed():
+            self._result.write(os.fspath(path), bool(parameters))
+
+    def _blocks(self) -> list[convert.Block]:
+        """What is part of the result, in simplices: vertices, straight pieces of edges, triangles of faces."""
+        vertices, edges, faces = self.vertices, self.edges, self.faces
+        cells = vertices.active
+        blocks = [convert.Block(0, convert.VERTEX, vertices.point[cells][:, None], cells, self._tags(0, vertices, cells))]
+        pieces, of = _pieces(edges)
+        blocks.append(convert.Block(1, convert.LINE, pieces, of, self._tags(1, edges, of)))
+        of = faces.triangles.owners.astype(np.int32)
+        shown = faces.component[of] != 0
+        of = of[shown]
+        blocks.append(convert.Block(2, convert.TRIANGLE, faces.triangles.values[shown], of, self._tags(2, faces, of)))
+        return blocks
+
+    def _tags(self, dimension: int, cells: Cells, numbers: NDArray[np.int32]) -> dict[str, NDArray[np.int32]]:
+        """Cell data as of a .vtu."""
+        regions = self.regions
+        tags = {
+            "dimension": np.full(len(numbers), dimension, dtype=np.int32),
+            "cell": numbers,
+            "component": cells.component[numbers],
+            "region": cells.holder[numbers],
+        }
+        sides = np.zeros((len(numbers), 2), dtype=np.int32)
+        bounded = np.full(len(numbers), -1, dtype=np.int32)
+        if isinstance(cells, Faces):
+            of = cells.regions[numbers]
+            component = np.append(regions.component, np.int32(0))  # of region -1, too
+            sides = component[of].astype(np.int32)
+            bounded = np.where(of[:, 0] == of[:, 1], 0, np.count_nonzero(sides, axis=1)).astype(np.int32)
+        tags["region_front"], tags["region_back"] = sides[:, 0].copy(), sides[:, 1].copy()
+        tags["regions_bounded"] = bounded
+        tags["material"] = cells.material[numbers] + np.int32(1)
+        tags["source_leaf"] = cells.leaf[numbers]
+        tags["source_face"] = cells.leaf_face[numbers]
+        return tags
+
+    def _bounded_points(self) -> NDArray[np.float64]:
+        if len(self.frame_points):
+            raise InputError("the result reaches infinity, and a mesh cannot; intersect it with a box first")
+        return self.points
+
+    def to_meshio(self) -> Any:
+        """A meshio.Mesh of vertices, lines and triangles, with cell data as of a .vtu. The groups are cell_sets and, by
+        number and dimension, field_data. (A .msh by meshio: file_format="gmsh22"; `write` knows more of it.)
+        ImportError without meshio; InputError for what reaches infinity."""
+        return convert.to_meshio(self._bounded_points(), self._blocks(), self.groups)
+
+    def to_vtk(self) -> Any:
+        """A vtkUnstructuredGrid, as a .vtu has it: vertices, polylines of edges, triangles of faces, and for each region
+        the triangles of its boundary once more, normals outward. For PyVista: pyvista.wrap(result.to_vtk()).
+        ImportError without vtk; InputError for what reaches infinity."""
+        points = self._bounded_points()
+        vertices, edges, faces, regions = self.vertices, self.edges, self.faces, self.regions
+        parts: list[tuple[int, Any, Any, dict[str, Any]]] = []  # kind, lengths, points, tags
+        cells = vertices.active
+        parts.append((convert.VERTEX, np.ones(len(cells)), vertices.point[cells], self._tags(0, vertices, cells)))
+        cells = edges.active
+        lines = [np.append(edges.points[i], edges.points[i][:1] if edges.closed[i] else []) for i in cells]
+        parts.append((convert.POLYLINE, np.array([len(line) for line in lines]),
+                      np.concatenate(lines) if lines else np.zeros(0), self._tags(1, edges, cells)))
+        of = faces.triangles.owners.astype(np.int32)
+        of = of[faces.component[of] != 0]
+        triangles = faces.triangles.values[faces.component[faces.triangles.owners] != 0]
+        parts.append((convert.TRIANGLE, np.full(len(of), 3), triangles.ravel(), self._tags(2, faces, of)))
+        for i in regions.active:
+            outward = self._boundary(int(i))
+            tags = self._tags(3, regions, np.full(len(outward), i, dtype=np.int32))
+            parts.append((convert.TRIANGLE, np.full(len(outward), 3), outward.ravel(), tags))
+        kinds = np.concatenate([np.full(len(lengths), kind) for kind, lengths, _, _ in parts])
+        offsets = np.concatenate([[0], np.cumsum(np.concatenate([lengths for _, lengths, _, _ in parts]))])
+        data = {name: np.concatenate([tags[name] for *_, tags in parts]) for name in parts[0][3]}
+        names = {
+            "RegionNames": ["outside", *(c.name for c in self.components)],
+            "MaterialNames": ["none", *(name for name, _ in self.materials)],
+            "LeafNames": list(self.leaves),
+        }
+        return convert.to_vtk(points, kinds, offsets, np.concatenate([p for *_, p, _ in parts]), data, names)
+
+    def _boundary(self, region: int) -> NDArray[np.int32]:
+        """The triangles of a region's boundary, seen from outside counter-clockwise."""
+        triangles = [np.zeros((0, 3), dtype=np.int32)]
+        for shell in self.regions.shells[region]:
+            for side in shell:
+                of = self.faces.triangles[side >> 1]
+                # From its front a face is seen counter-clockwise: a region in front of it is left through its back.
+                triangles.append(of[:, ::-1] if side & 1 == 0 else of)
+        return np.concatenate(triangles)
+
+    def to_trimesh(self, region: int | str | None = None) -> Any:
+        """A trimesh.Trimesh: of a region (by number or by the name of its component) the closed boundary, normals
+        outward; without one all faces of the result as they are.
+
+        ImportError without trimesh; InputError for a region that is none, is not bounded, or whose boundary is no part
+        of the result.
+        """
+        trimesh = convert.imported("trimesh", "trimesh", "to_trimesh")
+        if region is None:
+            triangles = self._blocks()[2].points
+            points = self._bounded_points()
+        else:
+            number = self._region(region)
+            if not self.regions.bounded[number]:
+                raise InputError(f"region {number} has no bounds; intersect it with a box first")
+            triangles, points = self._boundary(number), self.points
+        used, numbers = np.unique(triangles, return_inverse=True)
+        return trimesh.Trimesh(vertices=points[used], faces=numbers.reshape(-1, 3), process=False)
+
+    def _region(self, region: int | str) -> int:
+        active = self.regions.active
+        if isinstance(region, str):
+            names = [c.name for c in self.components]
+            found = [int(i) for i in active if names[self.regions.component[i] - 1] == region]
+            if len(found) != 1:
+                known = ", ".join(sorted({names[self.regions.component[i] - 1] for i in active}))
+                many = "several regions have" if found else "no region has"
+                raise InputError(f"{many} the name {region!r}; names are: {known}; numbers: {active.tolist()}")
+            return found[0]
+        if region not in active:
+            raise InputError(f"there is no region {region} in the result; there are {active.tolist()}")
+        return int(region)
+
+    # --- pictures
+
+    def picture(self, path: str | os.PathLike[str] | None = None, *, format: str = "svg", camera: Any = None,
+                cut: Any = (), explode: Any = None, opacity: Any = None, ghosts: bool = False,
+                color_by: str | None = None, labels: str | Iterable[str] = (), caption: str | None = None,
+                size: Any = None, threads: int = 0, progress: Progress = None) -> bytes | None:
+        """A still, in which what hides what is decided exactly; as bytes, or written to a path (.svg .png .pdf).
+
+        format: "svg", "png" or "pdf", if there is no path. camera: (azimuth, elevation) in degrees, with 0, 0 along +y.
+        cut: a plane such as "x=5" or (nx, ny, nz, d), or a list of them: what is on the camera's side goes. explode: how
+        far regions are moved apart, 0.3 by 30 % of their distance from the middle. opacity: of faces, 0.01 to 1. ghosts:
+        what the node's operator removed, grey. color_by: "material", "region", "component", "source". labels: any of
+        "v", "e", "f", "r", "names". caption: below. size: (width, height) at most, in pixels of .svg.
+
+        InputError for what is none of these, and for coordinates beyond 1e250.
+        """
+        options = _picture_options(camera, cut, explode, opacity, ghosts, color_by, labels, caption, size)
+        extension = Path(os.fspath(path)).suffix.lower() if path is not None else "." + format
+        with Shown(progress) as shown, self._placed():
+            data = _cnrg.picture(self._result, extension, options, threads, shown)
+        if path is None:
+            return data
+        _replace(path, data)
+        return None
+
+    def view(self, path: str | os.PathLike[str] | None = None, *, title: str | None = None, height: int = 600,
+             threads: int = 0, progress: Progress = None) -> View | None:
+        """A page to look at in a browser: the tree, its nodes taken apart, every cell with its story. It needs no server
+        and no network. Written to a path (.html), or a View, which a notebook shows in a frame (about 1 MB).
+
+        FileError if the page was not built into this package (that takes Node.js).
+        """
+        template = Path(__file__).with_name("view.html")
+        try:
+            page = template.read_text(encoding="utf-8")
+        except OSError:
+            raise FileError(f"{template} is not there: the page is bundled when cnrg is built where Node.js, npm and the "
+                            "network are") from None
+        with Shown(progress) as shown, self._placed():
+            text = _cnrg.page(self._result, page, title or self.name, threads, shown)
+        if path is None:
+            return View(text, int(height))
+        _replace(path, text.encode("utf-8", "replace"))
+        return None
+
+    def _still(self, format: str, **options: Any) -> bytes | None:
+        """A picture for a notebook; None for what cannot be drawn, and for so much that nobody would wait for it."""
+        if len(self.faces) > _MOST_DRAWN:
+            return None
+        try:
+            return self.picture(format=format, **options)
+        except InputError:
+            return None
+
+    def _repr_png_(self) -> bytes | None:
+        return self._still("png")
+
+    def _repr_html_(self) -> str:
+        """Counts, components and a picture."""
+        head = "".join(f"<td><b>{len(c.active)}</b> {kind}</td>" for kind, c in self._counted())
+        rows = ""
+        listed = self.components[:20]
+        for c in listed:
+            volume = "unbounded" if c.volume is None else f"{float(c.volume):.10g}"
+            cells = (str(c.number), html.escape(c.name), html.escape(c.material), volume)
+            rows += "<tr>" + "".join(f"<td style='text-align: left'>{cell}</td>" for cell in cells) + "</tr>"
+        more = len(self.components) - len(listed)
+        if more:
+            rows += f"<tr><td></td><td>and {more} more</td><td></td><td></td></tr>"
+        still = (self._still("svg", size=(480, 360)) or b"").decode()
+        still = still[still.find("<svg"):] if "<svg" in still else ""
+        return (f"<div><table><tr><th>{html.escape(self.name)}</th>{head}</tr></table>{still}"
+                f"<table><tr><th></th><th>component</th><th>material</th><th>volume</th></tr>{rows}</table></div>")
+
+
+def _pieces(edges: Edges) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+    """The straight pieces of the edges that are part of the result: (k, 2) points, and the edge of each."""
+    values, owners = edges.points.values, edges.points.owners
+    following = np.roll(values, -1)
+    last = edges.points.offsets[1:] - 1
+    following[last] = values[edges.points.offsets[:-1]]
+    kept = edges.component[owners] != 0
+    kept[last[~edges.closed]] = False
+    return np.stack([values, following], axis=1)[kept], owners[kept].astype(np.int32)
+
+
+def _given_points(points: Any) -> tuple[Any, Any]:
+    """As an array of doubles if that is what they are exactly, else as a list of exact points."""
+    if isinstance(points, np.ndarray):
+        array = points[None, :] if points.ndim == 1 and points.shape == (3,) else points
+        if array.ndim != 2 or array.shape[1] != 3:
+            raise ValueError(f"points must have the shape (n, 3), not {points.shape}")
+        if array.dtype.kind == "f" and array.dtype.itemsize <= 8:
+            return np.ascontiguousarray(array, dtype=np.float64), None
+        if array.dtype.kind in "iu":
+            exact = array.astype(np.float64)
+            if array.size == 0 or np.all(np.abs(exact) < _EXACT_DOUBLES):
+                return np.ascontiguousarray(exact), None
+        return None, [list(row) for row in array]
+    if isinstance(points, str) or not hasattr(points, "__len__") or not hasattr(points, "__getitem__"):
+        points = list(points) if hasattr(points, "__iter__") and not isinstance(points, str) else points
+        if not isinstance(points, list):
+            raise TypeError("points: an array (n, 3) or a sequence of points is wanted, not " + type(points).__name__)
+    if len(points) == 3 and not any(hasattr(p, "__len__") and not isinstance(p, str) for p in points):
+        points = [points]
+    if not len(points):
+        return np.zeros((0, 3)), None
+    if all(type(p) in (list, tuple) and len(p) == 3 and all(type(x) is float for x in p) for p in points):
+        return np.array(points, dtype=np.float64), None
+    return None, list(points)
+
+
+def _text(number: Any) -> str:
+    """A number in an option: exact."""
+    return _cnrg.number_text(number)
+
+
+def _picture_options(camera: Any, cut: Any, explode: Any, opacity: Any, ghosts: bool, color_by: str | None,
+                     labels: str | Iterable[str], caption: str | None, size: Any) -> list[tuple[str, str]]:
+    """As on the command line, whose rules hold: the library reads them."""
+    def joined(value: Any, separator: str) -> str:
+        return value if isinstance(value, str) else separator.join(_text(x) for x in value)
+
+    options = []
+    if camera is not None:
+        options.append(("camera", joined(camera, ",")))
+    planes = [cut] if isinstance(cut, str) or (len(cut) == 4 and not isinstance(cut[0], (str, tuple, list))) else cut
+    options += [("cut", joined(plane, ",")) for plane in planes]
+    for name, number in (("explode", explode), ("opacity", opacity)):
+        if number is not None:
+            options.append((name, _text(number)))
+    if ghosts:
+        options.append(("ghosts", ""))
+    if color_by is not None:
+        options.append(("color-by", str(color_by)))
+    words = labels if isinstance(labels, str) else ",".join(str(word) for word in labels)
+    if words:
+        options.append(("labels", words))
+    if caption is not None:
+        options.append(("caption", str(caption)))
+    if size is not None:
+        options.append(("size", joined(size, "x")))
+    return options
+
+
+def _replace(path: str | os.PathLike[str], data: bytes) -> None:
+    """Writes a file that appears whole or not at all."""
+    path = os.fspath(path)
+    try:
+        handle, draft = tempfile.mkstemp(dir=os.path.dirname(path) or ".", suffix=".tmp")
+        try:
+            with os.fdopen(handle, "wb") as file:
+                file.write(data)
+            mask = os.umask(0)
+            os.umask(mask)
+            os.chmod(draft, 0o666 & ~mask)
+            os.replace(draft, path)
+        except BaseException:
+            os.unlink(draft)
+            raise
+    except OSError as error:
+        raise FileError(f"{path}: cannot be written: {error.strerror}") from None

@@ -1,0 +1,92 @@
+// Tetrahedra of a result as arrays of numpy.
+#include <pybind11/stl.h>
+
+#include "numbers.h"
+#include "results.h"
+#include "views.h"
+#include "watched.h"
+
+namespace cnrg::python {
+namespace {
+
+/// A mesh, and its arrays.
+struct TetrahedraObject {
+  TetrahedralResult mesh;
+  std::shared_ptr<const TetrahedraArrays> arrays;
+};
+
+TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double quality, bool keep_boundary,
+                                int seconds, bool curved, const py::object& progress) {
+  return apart(progress,
+               [max_volume, quality, keep_boundary, seconds, curved, held = r.result](const Watch& watch) {
+                 TetrahedraOptions options;
+                 options.max_volume = max_volume;
+                 options.quality = quality;
+                 options.keep_boundary = keep_boundary;
+                 options.seconds = seconds;
+                 options.watch = watch;
+                 TetrahedralResult mesh(held, options, curved);
+                 auto arrays = std::make_shared<const TetrahedraArrays>(mesh.arrays());
+                 return TetrahedraObject{std::move(mesh), std::move(arrays)};
+               });
+}
+
+py::dict simplices(const Owner& owner, const TetrahedraArrays::Simplices& of, py::ssize_t nodes) {
+  py::dict out;
+  out["points"] = view(owner, of.points, nodes);
+  out["cell"] = view(owner, of.cell);
+  out["component"] = view(owner, of.component);
+  out["region_front"] = view(owner, of.front);
+  out["region_back"] = view(owner, of.back);
+  out["region"] = view(owner, of.region);
+  out["material"] = view(owner, of.material);
+  out["source_leaf"] = view(owner, of.leaf);
+  out["source_face"] = view(owner, of.face);
+  return out;
+}
+
+py::dict data_of(const TetrahedraObject& object) {
+  const Owner owner = object.arrays;
+  const TetrahedraArrays& a = *object.arrays;
+  py::dict out;
+  out["points"] = view(owner, a.points, 3);
+  constexpr py::ssize_t kNodes[2][4] = {{1, 2, 3, 4}, {1, 3, 6, 10}};
+  py::list of, groups;
+  for (std::size_t d = 0; d < 4; ++d) {
+    of.append(simplices(owner, a.of[d], kNodes[a.curved ? 1 : 0][d]));
+    py::dict names;
+    for (const CellGroup& group : a.groups[d]) names[text_of(group.name)] = view(owner, group.cells);
+    groups.append(names);
+  }
+  out["simplices"] = of;
+  out["groups"] = groups;
+  py::list leaves, materials, regions;
+  for (const std::string& leaf : a.leaves) leaves.append(text_of(leaf));
+  for (const std::string& material : a.materials) materials.append(text_of(material));
+  for (const RegionTetrahedra& region : a.regions) {
+    regions.append(py::make_tuple(text_of(region.name), region.tetrahedra, to_fraction(region.volume)));
+  }
+  out["leaves"] = leaves;
+  out["materials"] = materials;
+  out["regions"] = regions;
+  py::dict fields;
+  for (const auto& [name, values] : a.fields) fields[text_of(name)] = view(owner, values, 4);
+  out["fields"] = fields;
+  out["moved"] = a.rounding.moved;
+  out["curved"] = a.curved;
+  return out;
+}
+
+}  // namespace
+
+void bind_tetrahedra(py::module_& module) {
+  py::class_<TetrahedraObject>(module, "Tetrahedra")
+      .def("data", &data_of)
+      .def("write", [](const TetrahedraObject& object, const std::string& path) {
+        run_watched(py::none(), [&](const Watch&) { object.mesh.write(path); });
+      });
+  module.def("tetrahedralize", &tetrahedralize, py::arg("result"), py::arg("max_volume"), py::arg("quality"),
+             py::arg("keep_boundary"), py::arg("seconds"), py::arg("curved"), py::arg("progress"));
+}
+
+}  // namespace cnrg::python

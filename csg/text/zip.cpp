@@ -1,0 +1,96 @@
+// Each part behind a header of its own, then a directory with the same once more and where each part is, then
+// where the directory is (PKWARE's APPNOTE, 4.3). Parts are raw deflate (RFC 1951).
+#include "csg/text/zip.h"
+
+#include <zlib.h>
+
+#include <cstdint>
+#include <limits>
+#include <new>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
+
+void append(std::string& text, std::uint32_t number, int bytes) {
+  for (int k = 0; k < bytes; ++k) text += static_cast<char>(number >> (8 * k) & 0xff);
+}
+
+void require_size(std::size_t size) {
+  if (size > kMost) throw InputError("the file would be larger than the 4 GB that a ZIP archive holds");
+}
+
+std::string deflated(std::string_view content) {
+  z_stream stream{};
+  int done = deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, -MAX_WBITS, MAX_MEM_LEVEL, Z_DEFAULT_STRATEGY);
+  if (done == Z_MEM_ERROR) throw std::bad_alloc();
+  require(done == Z_OK, "zip: zlib refuses its options");
+  std::string bytes;
+  try {
+    bytes.resize(deflateBound(&stream, content.size()));
+    require_size(bytes.size());
+  } catch (...) {
+    deflateEnd(&stream);
+    throw;
+  }
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(content.data()));
+  stream.avail_in = static_cast<uInt>(content.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_out = static_cast<uInt>(bytes.size());
+  done = deflate(&stream, Z_FINISH);
+  bytes.resize(stream.total_out);
+  deflateEnd(&stream);
+  require(done == Z_STREAM_END, "zip: zlib failed");
+  return bytes;
+}
+
+}  // namespace
+
+std::string zip(const std::vector<ZipPart>& parts) {
+  constexpr std::uint32_t kVersion = 20, kDeflated = 8, kFirstDay = 1 << 5 | 1;  // 1 January 1980
+  std::string archive, directory;
+  for (const ZipPart& part : parts) {
+    require_size(part.content.size());
+    const std::string bytes = deflated(part.content);
+    const auto checksum = static_cast<std::uint32_t>(
+        crc32_z(0, reinterpret_cast<const Bytef*>(part.content.data()), part.content.size()));
+    std::string common;  // of both headers
+    append(common, kVersion, 2);
+    append(common, 0, 2);  // no flags
+    append(common, kDeflated, 2);
+    append(common, 0, 2);  // midnight
+    append(common, kFirstDay, 2);
+    append(common, checksum, 4);
+    append(common, static_cast<std::uint32_t>(bytes.size()), 4);
+    append(common, static_cast<std::uint32_t>(part.content.size()), 4);
+    append(common, static_cast<std::uint32_t>(part.name.size()), 2);
+    append(common, 0, 2);  // nothing extra
+    directory += "PK\1\2";
+    append(directory, kVersion, 2);
+    directory += common;
+    append(directory, 0, 2);  // no comment
+    append(directory, 0, 2);  // on the first disk
+    append(directory, 0, 2);  // no attributes
+    append(directory, 0, 4);
+    append(directory, static_cast<std::uint32_t>(archive.size()), 4);
+    directory += part.name;
+    archive += "PK\3\4" + common;
+    archive += part.name;
+    archive += bytes;
+    require_size(archive.size() + directory.size());
+  }
+  const std::size_t end = archive.size();
+  archive += directory + "PK\5\6";
+  append(archive, 0, 4);  // one disk
+  append(archive, static_cast<std::uint32_t>(parts.size()), 2);
+  append(archive, static_cast<std::uint32_t>(parts.size()), 2);
+  append(archive, static_cast<std::uint32_t>(directory.size()), 4);
+  append(archive, static_cast<std::uint32_t>(end), 4);
+  append(archive, 0, 2);  // no comment
+  return archive;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,12 @@
+// A tree that another program writes, or that a person types.
+#pragma once
+
+#include "csg/tree/tree.h"
+
+namespace cnrg {
+
+/// As `read_tree`, of standard input up to its end: places are `<stdin>:line:column`, and files that the tree
+/// names are looked for from the current folder on.
+Tree read_tree_from_input(const ReadOptions& options = {});
+
+}  // namespace cnrg

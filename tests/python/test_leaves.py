@@ -1,0 +1,82 @@
+"""Each leaf of the tree file has its function, with its keys; so have operators and attributes."""
+import inspect
+import os
+import re
+import unittest
+from pathlib import Path
+
+import cnrg
+
+PAGE = (Path(os.environ["CNRG_SOURCES"]) / "csg" / "FORMATS.md").read_text()
+
+
+def keys_of_leaves():
+    """Of each leaf its keys, as the tables of the page have them."""
+    leaves = PAGE[PAGE.index("\n## Leaves") : PAGE.index("\n## Materials")]
+    keys, leaf = {}, None
+    for line in leaves.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if len(cells) < 4 or cells[0].startswith("---"):
+            continue
+        if cells[0] == "leaf":
+            leaf = ""
+        elif cells[0] in ("part", "fill", "key", "file"):
+            leaf = None
+        elif leaf is not None:
+            leaf = cells[0].strip("`") or leaf
+            keys.setdefault(leaf, set()).update(re.findall(r"`(\w+)`", cells[1]))
+    return keys
+
+
+class Leaves(unittest.TestCase):
+    def test_each_leaf_has_a_function_with_its_keys(self):
+        found = keys_of_leaves()
+        self.assertGreater(len(found), 20)
+        for leaf, keys in found.items():
+            with self.subTest(leaf=leaf):
+                if leaf in ("step", "brep", "cnrg"):  # files, by `load`
+                    continue
+                has = {name.rstrip("_") for name in inspect.signature(getattr(cnrg, leaf)).parameters}
+                if leaf == "mesh":
+                    keys -= {"file", "coordinates"}  # by `load`
+                self.assertLessEqual(keys, has)
+
+    def test_load_takes_the_keys_of_files(self):
+        keys = keys_of_leaves()
+        wanted = (keys["step"] | keys["brep"] | keys["mesh"]) - {"file", "points", "faces"}
+        source = inspect.getsource(cnrg.load)
+        for key in wanted:
+            self.assertIn(f'"{key}"', source)
+
+    def test_each_operator_and_attribute_is_there(self):
+        operators = PAGE[PAGE.index("\n### Operators") : PAGE.index("\n### Attributes")]
+        table = [line for line in operators[: operators.index("| part")].splitlines() if line.startswith("| `")]
+        names = {name for line in table for name in re.findall(r"`(\w+)`", line.split("|")[1])}
+        self.assertGreater(len(names), 10)
+        for name in names:
+            self.assertTrue(hasattr(cnrg, name) or hasattr(cnrg.Node, name), name)
+        attributes = PAGE[PAGE.index("\n### Attributes") : PAGE.index("\n## Leaves")]
+        for line in attributes.splitlines():
+            if line.startswith("| `"):
+                name = line.split("|")[1].strip(" `")
+                box = cnrg.box([0, 0, 0], [1, 1, 1])
+                node = box.boundary() if name == "each" else box
+                value = {
+                    "material": "rock", "name": "a", "dominance": 1, "regularize": True, "simplify": "points", "each": True,
+                    "translate": [1, 0, 0], "rotate": {"axis": [0, 0, 1], "degrees": 90}, "scale": 2,
+                    "mirror": {"normal": [1, 0, 0]},
+                }[name]
+                self.assertIn(f"{name}: ", node.with_(**{name: value}).to_yaml())
+
+    def test_every_public_name_has_words(self):
+        for name in cnrg.__all__:
+            thing = getattr(cnrg, name)
+            self.assertTrue(inspect.getdoc(thing), name)
+            if inspect.isclass(thing):
+                for member, value in vars(thing).items():
+                    if not member.startswith("_") and callable(value):
+                        self.assertTrue(inspect.getdoc(value), f"{name}.{member}")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,326 @@
+"""Expressions and tree files: both ways, with the same bytes as the program."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+from decimal import Decimal
+from fractions import Fraction
+from pathlib import Path
+
+import numpy
+
+import cnrg
+
+SOURCES = Path(os.environ["CNRG_SOURCES"])
+PROGRAM = os.environ["CNRG_PROGRAM"]
+sys.path.append(str(SOURCES / "bench" / "same"))
+
+
+def line():
+    """The line of the caller."""
+    return sys._getframe(1).f_lineno
+
+
+class Folder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def program(self, *arguments, **options):
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=100, **options)
+
+    def exact(self, text_or_path, *more):
+        """The bytes of the program's exact file for a tree, or None and its first error."""
+        path = text_or_path
+        if isinstance(path, str):
+            path = self.folder / "text.yaml"
+            path.write_text(text_or_path)
+        out = self.folder / "program.json"
+        done = self.program("eval", path, "--quiet", "-o", out, *more)
+        return out.read_bytes() if done.returncode == 0 else None
+
+    def exact_here(self, result):
+        out = self.folder / "module.json"
+        result.write(out)
+        return out.read_bytes()
+
+
+def slope():
+    rock = cnrg.material("rock", color="#998877")
+    ground = cnrg.box([0, 0, 0], [100, 100, 60], material=rock).named("ground")
+    fault = cnrg.polygon([[20, -5, -5], [70, -5, 65], [70, 105, 65], [20, 105, -5]]).named("fault")
+    bolt = cnrg.polyline([[60, 50, 30], [60, 50, "145/3"]]).named("bolt")
+    tunnel = cnrg.cylinder([60, -5, 30], [60, 105, 30], 6, segments=48).named("tunnel")
+    split = cnrg.union(bolt, (fault & ground).named("inside"), ground, dominance="left").named("split")
+    return (split - tunnel).named("model")
+
+
+class Expressions(Folder):
+    def test_the_text_of_an_expression_means_the_same_to_the_program(self):
+        model = slope()
+        self.assertEqual(self.exact_here(model.evaluate()), self.exact(model.to_yaml()))
+        ev = cnrg.evaluate(model)
+        self.assertEqual([row.name for row in ev], ["bolt", "fault", "ground", "inside", "split", "tunnel", "model"])
+        self.assertEqual(ev.rows[-1].cells, (14, 23, 12, 2))
+        self.assertEqual(ev.rows[-1].volume, Fraction(182200800143074347420665943296475, 309485009821345068724781056))
+
+    def test_other_nodes_are_kept_by_name_or_as_nodes(self):
+        model = slope()
+        split = model.operands[0]
+        ev = cnrg.evaluate(model, split, "tunnel")
+        self.assertEqual(ev["split"].name, "split")
+        self.assertIs(ev[split], ev["split"])
+        self.assertEqual(ev["tunnel"].name, "tunnel")
+        self.assertEqual(ev.result.name, "model")
+        with self.assertRaisesRegex(KeyError, "not kept"):
+            ev["bolt"]
+        with self.assertRaisesRegex(KeyError, "no node called 'tunel'"):
+            cnrg.evaluate(model, "tunel")
+
+    def test_numbers_of_all_kinds_are_exact(self):
+        for number, volume in [
+            (2, 2), (0.1, Fraction(0.1)), ("0.1", Fraction(1, 10)), ("1/3", Fraction(1, 3)),
+            (Fraction(2, 7), Fraction(2, 7)), (Decimal("0.1"), Fraction(1, 10)), (10**40, 10**40),
+            (numpy.float32(0.1), Fraction(float(numpy.float32(0.1)))), (numpy.int8(3), 3), (numpy.uint64(2**63), 2**63),
+            (numpy.longdouble(1) / 3, Fraction(*(numpy.longdouble(1) / 3).as_integer_ratio())),
+            (5e-324, Fraction(5e-324)), (1.5e300, Fraction(1.5e300)), (numpy.array(0.25), Fraction(1, 4)),
+        ]:
+            with self.subTest(number=number, kind=type(number)):
+                box = cnrg.box([0, 0, 0], [1, 1, number])
+                self.assertEqual(cnrg.evaluate(box).rows[0].volume, volume)
+        corner = numpy.array([1, 2, 3])
+        for dtype in "int8", "uint16", "int64", "float16", "float32", "float64", ">f8", "longdouble":
+            self.assertEqual(cnrg.evaluate(cnrg.box((0, 0, 0), corner.astype(dtype))).rows[0].volume, 6)
+
+    def test_what_is_no_number_is_refused_at_once(self):
+        for bad in float("nan"), float("inf"), numpy.float32("inf"), Decimal("NaN"), "one", "1/0", "", "1e999999999":
+            with self.subTest(bad=bad), self.assertRaises(cnrg.InputError):
+                cnrg.box([0, 0, 0], [1, 1, bad])
+        for bad in None, True, object(), [1], {}, 1j, b"1":
+            with self.subTest(bad=bad), self.assertRaises((TypeError, cnrg.InputError)):
+                cnrg.sphere([0, 0, 0], bad)
+
+    def test_transforms_act_in_their_order_and_repeat(self):
+        box = cnrg.box([0, 0, 0], [1, 1, 1])
+        moved = box.translate([1, 0, 0]).rotate([0, 0, 1], 90).translate([0, 0, 5]).scale(2)
+        same = cnrg.box([-2, 2, 10], [0, 4, 12])
+        self.assertEqual(cnrg.evaluate(cnrg.subtract(moved, same)).rows[-1].cells, (0, 0, 0, 0))
+        self.assertEqual(cnrg.evaluate(cnrg.subtract(same, moved)).rows[-1].cells, (0, 0, 0, 0))
+        mirrored = box.mirror([1, 0, 0], point=[2, 0, 0])
+        self.assertEqual(cnrg.evaluate(cnrg.subtract(mirrored, cnrg.box([3, 0, 0], [4, 1, 1]))).rows[-1].volume, 0)
+
+    def test_a_named_node_stays_one_node_when_it_is_moved(self):
+        bolt = cnrg.polyline([[0, 0, 0], [0, 0, 1]]).named("bolt")
+        bolts = cnrg.union(*(bolt.translate([i, 0, 0]) for i in range(5)))
+        names = [row.name for row in cnrg.evaluate(bolts)]
+        self.assertEqual(names[:2], ["bolt#1", "simplify"])
+        self.assertIn("bolt#5", names)
+
+    def test_chains_become_one_node_with_the_same_result(self):
+        boxes = [cnrg.box([i, i % 3, 0], [i + 2, i % 3 + 2, 2], dominance=i % 2) for i in range(12)]
+        one = boxes[0]
+        for box in boxes[1:]:
+            one = one | box
+        self.assertEqual(len(one.operands), 12)
+        nested = boxes[0]
+        for i, box in enumerate(boxes[1:]):
+            nested = cnrg.union(nested, box).named(f"u{i}")
+        a, b = self.exact_here(one.named("u10").evaluate()), self.exact_here(nested.evaluate())
+        self.assertEqual(a, b)
+
+    def test_ten_thousand_nodes_in_a_chain(self):
+        node = cnrg.box([0, 0, 0], [1, 1, 1])
+        for i in range(10_000):
+            node = cnrg.Node("simplify", (node,), site=("test", i))
+        self.assertEqual(cnrg.evaluate(node, rows=False).result.name, "simplify10000")
+
+    def test_operators_of_both_families(self):
+        a, b = cnrg.box([0, 0, 0], [2, 2, 2]), cnrg.box([1, 1, 1], [3, 3, 3])
+
+        def volume(node):
+            return cnrg.evaluate(node).rows[-1].volume
+
+        self.assertEqual([volume(n) for n in (a | b, a & b, a - b)], [15, 1, 7])
+        self.assertEqual([volume(n) for n in (cnrg.sum(a, b), cnrg.product(a, b), cnrg.subtract(a, b))], [15, 1, 7])
+        self.assertIsNone(volume(~a))
+        self.assertEqual(volume(~~a), 8)
+        self.assertEqual(cnrg.evaluate(a.boundary()).rows[-1].cells, (8, 12, 6, 0))
+        self.assertEqual(cnrg.evaluate(a.interior()).rows[-1].cells, (0, 0, 0, 1))
+        self.assertEqual(cnrg.evaluate(a.interior().closure()).rows[-1].cells, (8, 12, 6, 1))
+        self.assertEqual(volume(cnrg.aggregate(a, cnrg.box([5, 5, 5], [6, 6, 6])).unify()), 9)
+        self.assertEqual(volume((a | b).regularize()), 15)
+        self.assertEqual(cnrg.evaluate((a | b).simplify("points")).rows[-1].cells, (20, 30, 12, 1))
+        with self.assertRaises(TypeError):
+            a | 3
+
+    def test_graded_materials(self):
+        skin = cnrg.box([0, 0, 0], [4, 4, 4]).named("skin")
+        coating = cnrg.material("coating", distance={"to": skin, "stops": [[0, "ceramic"], ["1/2", "steel"]]})
+        graded = cnrg.material(
+            "graded", linear={"from": [0, 0, 0], "to": [0, 0, 4], "stops": [[0, "steel"], [1, {"steel": "1/4", "ceramic": "3/4"}]]}
+        )
+        model = cnrg.box([1, 1, 1], [2, 2, 2], material=coating) | cnrg.box([2, 1, 1], [3, 2, 2], material=graded)
+        self.assertEqual(self.exact_here(model.evaluate()), self.exact(model.to_yaml()))
+        with self.assertRaisesRegex(cnrg.InputError, "add up to 1/2"):
+            cnrg.material("x", linear={"from": [0, 0, 0], "to": [0, 0, 1], "stops": [[0, "a"], [1, {"a": "1/2"}]]})
+        with self.assertRaisesRegex(cnrg.InputError, "two materials of this tree are called 'rock'"):
+            a = cnrg.box([0, 0, 0], [1, 1, 1], material=cnrg.material("rock", "#112233"))
+            (a | cnrg.box([2, 2, 2], [3, 3, 3], material=cnrg.material("rock", "#445566"))).evaluate()
+
+    def test_a_node_does_not_change(self):
+        box = cnrg.box([0, 0, 0], [1, 1, 1])
+        with self.assertRaises(AttributeError):
+            box.key = "a"
+        with self.assertRaises(AttributeError):
+            del box.operator
+
+
+class Places(Folder):
+    def test_a_form_is_refused_where_it_is_written(self):
+        with self.assertRaises(cnrg.InputError) as caught:
+            at = line() + 1
+            cnrg.box([0, 0], [1, 1, 1])
+        self.assertEqual((caught.exception.file, caught.exception.line), (__file__, at))
+        self.assertIn("`min` of box must be a list of three numbers", str(caught.exception))
+
+    def test_a_shape_is_refused_where_it_was_made(self):
+        at = line() + 1
+        flat = cnrg.box([0, 0, 0], [1, 1, 0])
+        other = cnrg.box([0, 0, 0], [1, 1, 1])
+        with self.assertRaises(cnrg.InputError) as caught:
+            (other | flat).evaluate()
+        self.assertEqual((caught.exception.file, caught.exception.line), (__file__, at))
+        self.assertIn("min is not less than max in z", caught.exception.message)
+
+    def test_an_operator_is_refused_where_it_was_made(self):
+        a = cnrg.box([0, 0, 0], [2, 2, 2]).interior()
+        at = line() + 1
+        bad = a | cnrg.box([0, 0, 0], [1, 1, 1])
+        with self.assertRaises(cnrg.InputError) as caught:
+            bad.evaluate()
+        self.assertEqual((caught.exception.file, caught.exception.line), (__file__, at))
+        self.assertIn("closure", caught.exception.message)
+
+    def test_warnings_and_notices_have_their_place(self):
+        at = line() + 1
+        a = cnrg.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        ev = cnrg.evaluate(a)
+        self.assertEqual([(n.level, n.file, n.line) for n in ev.notices], [("notice", __file__, at)])
+        a = cnrg.box([0, 0, 0], [1, 1, 1], material="rock")
+        b = cnrg.box([0, 0, 0], [1, 1, 1], material="clay")
+        with self.assertWarnsRegex(cnrg.Notice, "rock"):
+            cnrg.union(a, b, dominance="equal").evaluate()
+
+    def test_two_nodes_of_one_name(self):
+        a, b = cnrg.box([0, 0, 0], [1, 1, 1]).named("a"), cnrg.box([0, 0, 0], [2, 1, 1]).named("a")
+        with self.assertRaisesRegex(cnrg.InputError, "two nodes of this tree are called 'a'"):
+            (a | b).evaluate()
+
+    def test_files_that_are_not_there(self):
+        with self.assertRaisesRegex(cnrg.FileError, "nowhere.off"):
+            cnrg.load(self.folder / "nowhere.off").evaluate()
+        with self.assertRaises(cnrg.FileError):
+            cnrg.read(self.folder / "nowhere.yaml")
+        with self.assertRaises(cnrg.FileError):
+            cnrg.box([0, 0, 0], [1, 1, 1]).evaluate().write(self.folder / "no" / "x.json")
+
+    def test_faults_of_a_tree_file_have_line_and_column(self):
+        path = self.folder / "t.yaml"
+        path.write_text("cnrg: 1\nnodes:\n  a: {bax: {}}\nresult: a\n")
+        with self.assertRaises(cnrg.InputError) as caught:
+            cnrg.read(path)
+        e = caught.exception
+        self.assertEqual((e.file, e.line, e.column), (str(path), 3, 7))
+        path.write_text("cnrg: 1\nnodes:\n  a: {box: {min: [0, 0, 0], max: [1, 1, 0]}}\nresult: a\n")
+        with self.assertRaises(cnrg.InputError) as caught:
+            cnrg.read(path).evaluate()
+        self.assertEqual((caught.exception.file, caught.exception.line), (str(path), 3))
+        with self.assertRaises(cnrg.InputError) as caught:  # as an expression, likewise
+            cnrg.read(path)["a"].evaluate()
+        self.assertEqual((caught.exception.file, caught.exception.line), (str(path), 3))
+
+
+class Files(Folder):
+    def both_ways(self, path, name):
+        """The program, the tree as read, its text, and its result as an expression agree; True if it evaluates."""
+        wanted = self.exact(path)
+        try:
+            tree = cnrg.read(path)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                got = self.exact_here(tree.evaluate(rows=False).result)
+        except cnrg.Error as e:
+            self.assertIsNone(wanted, f"{name}: {e}")
+            return False
+        self.assertTrue(wanted == got, f"{name}: evaluated")
+        text = tree.to_yaml(self.folder)
+        self.assertTrue(self.exact(text) == wanted, f"{name}: its text\n{text}")
+        again = cnrg.parse(text, str(self.folder / "text.yaml")).to_yaml(self.folder)
+        self.assertEqual(again, text, name)
+        return True
+
+    def test_trees_of_the_pages_go_both_ways(self):
+        good = 0
+        for path in sorted((SOURCES / "papers").rglob("*.yaml")):
+            if path.parent.name != "lessons":  # exercises have holes
+                good += self.both_ways(path, path)
+        self.assertGreater(good, 40)
+
+    def test_random_trees_go_both_ways(self):
+        import trees
+
+        good = 0
+        first, count = int(os.environ.get("CNRG_FIRST_SEED", 0)), int(os.environ.get("CNRG_SEEDS", 0)) or 60
+        for number in range(first, first + count):
+            tree = trees.random_tree(17, number) if hasattr(trees, "random_tree") else None
+            if tree is None or tree.files or tree.before:
+                continue
+            path = self.folder / "random.yaml"
+            path.write_text(tree.text)
+            good += self.both_ways(path, f"random tree {number}")
+        self.assertGreater(good, count // 4)
+
+    def test_inside_keeps_files_in_a_folder(self):
+        (self.folder / "in").mkdir()
+        (self.folder / "x.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        path = self.folder / "in" / "t.yaml"
+        path.write_text("cnrg: 1\nnodes:\n  a: {mesh: {file: ../x.off}}\nresult: a\n")
+        self.assertEqual(len(cnrg.read(path).evaluate().rows), 1)
+        with self.assertRaisesRegex(cnrg.InputError, "no file inside of the folder"):
+            cnrg.read(path, inside=self.folder / "in").evaluate()
+
+    def test_meshes_stand_in_the_text(self):
+        points = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0.1]])
+        faces = numpy.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+        node = cnrg.mesh(points, faces, fill="winding", material="rock")
+        self.assertEqual(self.exact_here(node.evaluate()), self.exact(node.to_yaml()))
+        self.assertEqual(cnrg.evaluate(node).rows[0].volume, Fraction(0.1) / 6)
+        # Arrays of all types, by rows and columns, and polygons of different sizes.
+        for dtype in numpy.int8, numpy.uint8, numpy.uint32, numpy.int64, numpy.uint64, ">i4":
+            other = cnrg.mesh(numpy.asfortranarray(points), numpy.asfortranarray(faces.astype(dtype)), fill="winding", material="rock")
+            self.assertEqual(other.to_yaml(), node.to_yaml())
+        pyramid = cnrg.mesh(
+            [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 3]], [[3, 2, 1, 0], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]
+        )
+        self.assertEqual(cnrg.evaluate(pyramid).rows[0].volume, 1)
+        points[:] = 7  # a node does not change
+        self.assertEqual(cnrg.evaluate(node).rows[0].volume, Fraction(0.1) / 6)
+
+    def test_meshes_that_are_none(self):
+        p = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+        for points, faces in [
+            (p, [[0, 1, 3]]), (p, [[0, 1, -1]]), (p, [[0, 1]]), ([[0, 0, float("nan")]] * 3, [[0, 1, 2]]),
+            ([[1, 2]], [[0, 0, 0]]), (p, [[0.0, 1.0, 2.0]]), (p, "abc"), ("abc", [[0, 1, 2]]), (p, [[0, 1, 2], [0]]),
+            (p, numpy.array([[0, 1, 2**63]], numpy.uint64)), (numpy.array([[2**60 + 1] * 3] * 3), [[0, 1, 2]]),
+        ]:
+            with self.subTest(points=points, faces=faces), self.assertRaises((cnrg.InputError, TypeError, ValueError)):
+                cnrg.mesh(points, faces)
+        with self.assertRaisesRegex(cnrg.InputError, "no faces"):
+            cnrg.mesh(p, numpy.zeros((0, 3), int)).evaluate()
+
+
+if __name__ == "__main__":
+    unittest.main()
