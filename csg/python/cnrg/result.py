@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from . import _cnrg, convert, stories
 from .cells import Cells, Component, Edges, ExactPoints, Faces, Regions, Vertices
 from .errors import FileError, InputError
-from .progress import Progress, Shown
+from .progress import Progress, Shown, threads_of
 from .stories import Comparison, Explanation, Topology
 from .tetrahedra import Tetrahedra
 
@@ -198,7 +198,10 @@ class Result:
         return sum(known, Fraction(0)) if len(known) == len(volumes) else None
 
     def volume_of(self, component: int) -> Fraction | None:
-        """Exact, of one component (from 1), in cubic units; None: unbounded."""
+        """Exact, of one component (from 1), in cubic units; None: unbounded. IndexError for none."""
+        component = operator.index(component)
+        if not 1 <= component <= self._result.component_count:
+            raise IndexError(f"components are numbered from 1 to {self._result.component_count}, and this is none of them")
         return self._once(f"volume {component}", lambda: self._result.volume_of(component))
 
     def __repr__(self) -> str:
@@ -235,11 +238,11 @@ class Result:
         """
         with Shown(progress) as shown, self._placed():
             if isinstance(what, str):
-                return stories.explanation(*_cnrg.explain_cell(self._result, self._all(threads, shown), what))
+                return stories.explanation(*_cnrg.explain_cell(self._result, self._all(threads_of(threads), shown), what))
             if _cnrg.has_frame(self._result):  # it may lie beyond: the frame has to hold it
-                everything = _cnrg.evaluate_all(self._result, what, threads, shown)
+                everything = _cnrg.evaluate_all(self._result, what, threads_of(threads), shown)
             else:
-                everything = self._all(threads, shown)
+                everything = self._all(threads_of(threads), shown)
             return stories.explanation(*_cnrg.explain_point(self._result, everything, what))
 
     def _all(self, threads: int, shown: Any) -> Any:
@@ -261,7 +264,7 @@ class Result:
         ignored = [ignore] if isinstance(ignore, str) else list(ignore)
         with tempfile.TemporaryDirectory() as folder, Shown(progress) as shown, self._placed():
             sides = [one._as_side(os.path.join(folder, f"{i}.json")) for i, one in enumerate((self, other))]
-            same, text, facts = _cnrg.compare(*sides, ignored, threads, shown)
+            same, text, facts = _cnrg.compare(*sides, ignored, threads_of(threads), shown)
         return stories.comparison(text, facts)
 
     def _as_side(self, path: str) -> Any:
@@ -433,9 +436,10 @@ class Result:
                 many = "several regions have" if found else "no region has"
                 raise InputError(f"{many} the name {region!r}; names are: {known}; numbers: {active.tolist()}")
             return found[0]
-        if region not in active:
-            raise InputError(f"there is no region {region} in the result; there are {active.tolist()}")
-        return int(region)
+        number = operator.index(region)
+        if number not in active.tolist():
+            raise InputError(f"the result has no region of this number; there are {active.tolist()}")
+        return number
 
     # --- pictures
 
@@ -456,7 +460,7 @@ class Result:
         options = _picture_options(camera, cut, explode, opacity, ghosts, color_by, labels, caption, size)
         extension = Path(os.fspath(path)).suffix.lower() if path is not None else "." + format
         with Shown(progress) as shown, self._placed():
-            data = _cnrg.picture(self._result, extension, options, threads, shown)
+            data = _cnrg.picture(self._result, extension, options, threads_of(threads), shown)
         if path is None:
             return data
         _replace(path, data)
@@ -476,9 +480,9 @@ class Result:
             raise FileError(f"{template} is not there: the page is bundled when cnrg is built where Node.js, npm and the "
                             "network are") from None
         with Shown(progress) as shown, self._placed():
-            text = _cnrg.page(self._result, page, title or self.name, threads, shown)
+            text = _cnrg.page(self._result, page, title or self.name, threads_of(threads), shown)
         if path is None:
-            return View(text, int(height))
+            return View(text, operator.index(height))
         _replace(path, text.encode("utf-8", "replace"))
         return None
 
