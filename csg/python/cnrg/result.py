@@ -263,8 +263,8 @@ class Result:
             raise TypeError(f"compare: a Result is wanted, not {type(other).__name__}")
         ignored = [ignore] if isinstance(ignore, str) else list(ignore)
         with tempfile.TemporaryDirectory() as folder, Shown(progress) as shown, self._placed():
-            sides = [one._as_side(os.path.join(folder, f"{i}.json")) for i, one in enumerate((self, other))]
-            same, text, facts = _cnrg.compare(*sides, ignored, threads_of(threads), shown)
+            a, b = (one._as_side(os.path.join(folder, f"{i}.json")) for i, one in enumerate((self, other)))
+            same, text, facts = _cnrg.compare(a, b, ignored, threads_of(threads), shown)
         return stories.comparison(text, facts)
 
     def _as_side(self, path: str) -> Any:
