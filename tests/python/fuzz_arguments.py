@@ -268,7 +268,11 @@ class World:
         own = {cnrg.Node, cnrg.Tree, cnrg.Evaluation}
         cls.targets = [("cnrg." + n, getattr(cnrg, n)) for n in cnrg.__all__
                        if callable(getattr(cnrg, n)) and getattr(cnrg, n) not in own]
-        for value in [a | b, ball, tree, evaluation, *results]:
+        first = results[0]
+        told = [first.faces, first.edges, first.regions, first.edges.around, first.exact_points, first.topology(),
+                first.compare(first), first.explain("f0"), first.locate(first.points), first.tetrahedralize()]
+        cls.values += told
+        for value in [a | b, ball, tree, evaluation, *results, *told]:
             for n in dir(type(value)):
                 if not n.startswith("_") or n in ("__getitem__", "__contains__", "__or__", "__sub__", "__and__"):
                     cls.targets.append((f"{type(value).__name__}.{n}", (value, n)))

@@ -28,7 +28,8 @@ from .nodes import (
     sum,
     union,
 )
-from .result import Places, Result, View
+from .pictures import View
+from .result import Places, Result
 from .shapes import (
     bezier,
     box,
