@@ -294,8 +294,8 @@ class Result:
     # --- files and other packages
 
     def write(self, path: str | os.PathLike[str], *, parameters: bool = False) -> None:
-        """Writes a file in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off .stl .ply .step
-        .stp .brep .regions.dot.
+        """Writes a file in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off .stl .ply .3mf
+        .glb .step .stp .brep .regions.dot.
 
         parameters: .json and .vtu say the parameters u, v of faces on curved patches. InputError for an extension that
         is none, and for a result that the format cannot hold; FileError. The file appears whole or not at all.

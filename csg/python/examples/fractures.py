@@ -28,6 +28,10 @@ lines = [e for e in edges.active
 points = [v for v in vertices.active
           if len(set().union(*(fractures_at[e] for e in vertices.edges[v] if e in lines))) > 2]
 print("subdomains:", {3: len(blocks), 2: len(in_rock), 1: len(lines), 0: len(points)})
+# PorePy makes one grid of the pieces of a fracture, and one of the pieces of a line.
+print("grids: rock,", ", ".join(sorted({model.leaves[faces.leaf[f]] for f in in_rock} |
+                                       {" x ".join(sorted(fractures_at[e])) for e in lines})), "and", len(points),
+      "point")
 
 
 def vector(edge, turned):
@@ -84,6 +88,7 @@ print("the normals of each subdomain add up to zero")
 
 # Output:
 # subdomains: {3: 2, 2: 9, 1: 6, 0: 1}
+# grids: rock, oblique, oblique x plane, oblique x wall, plane, plane x wall, wall and 1 point
 # interfaces 3D-2D: 18, measure 51.313708
 # interfaces 2D-1D: 24, measure 27.313708
 # interfaces 1D-0D: 6, measure 6.000000
