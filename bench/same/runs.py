@@ -75,7 +75,8 @@ def runs_of(tree):
     if (curved and turn % 2) or tree.thorough:
         runs.append(run_of("eval", path, "--parameters", "--quiet", *one, files=["uv.json", "uv.vtu"]))
     if turn % 6 == 1 or tree.thorough:
-        runs.append(run_of("eval", path, "--snap", "--quiet", *two, files=["snap.vtu", "snap.msh", "snap.stl"]))
+        runs.append(run_of("eval", path, "--quiet", *two, files=["snap.vtu", "snap.msh", "snap.stl"]))
+        runs.append(run_of("eval", path, "--no-snap", "--quiet", *two, files=["round.vtu", "round.msh"]))
     if curved and turn % 3 == 0 and not tree.thorough:
         runs.append(run_of("eval", path, "--finer", 2, "--topology", *one, files=["finer.json"]))
 
@@ -95,7 +96,7 @@ def runs_of(tree):
     if turn % 9 == 0 or tree.thorough:
         runs.append(run_of("check", path))
     if turn % 16 == 3 or tree.thorough:
-        ways = (["--quality", "1.6"], ["-Y"], ["--snap", "--max-volume", "1"])
+        ways = (["--quality", "1.6"], ["-Y"], ["--no-snap", "--max-volume", "1"])
         options = [] if tree.thorough else ways[turn // 16 % 3]
         runs.append(run_of("mesh", path, *options, files=["mesh." + ("msh", "vtu", "mesh")[turn % 3]]))
     return runs

@@ -17,7 +17,10 @@ struct EvalArguments {
   std::vector<std::string> nodes;
   std::vector<std::string> files;
   PictureWords picture;  ///< options of pictures, and `--node`, in their order
-  bool trace = false, raw = false, topology = false, snap = false, quiet = false;
+  bool trace = false, raw = false, topology = false, quiet = false;
+  bool snap = false;        ///< said, though it is the rule
+  bool no_snap = false;     ///< files of doubles as they are rounded
+  bool binary = false;      ///< .stl and .ply in their binary forms
   bool parameters = false;  ///< .json and .vtu with the parameters of patches
   bool certify = false;     ///< uncertain crossings of curved patches are an error
   int threads = 0, finer = 1;
@@ -61,9 +64,9 @@ struct MeshArguments {
   std::string tree, inside, node;
   std::vector<std::string> files;
   TetrahedraOptions options;
-  bool snap = false, quiet = false;
-  bool certify = false;  ///< as of `eval`
-  bool curved = false;   ///< points on the true surfaces, elements of second order
+  bool snap = false, no_snap = false, quiet = false;  ///< as of `eval`
+  bool certify = false;                               ///< as of `eval`
+  bool curved = false;                                ///< points on the true surfaces, elements of second order
   int threads = 0, finer = 1;
 };
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.

@@ -49,7 +49,7 @@ std::vector<FileRequest> requests(const Tree& tree, const EvalArguments& argumen
   return out;
 }
 
-/// Writes files, and snaps each node that they show once. What is to be said of them is kept until the rows are
+/// Writes files, and snaps each node that needs it once. What is to be said of them is kept until the rows are
 /// printed, whose last one has the time that this took.
 class FileWriter {
  public:
@@ -64,35 +64,30 @@ class FileWriter {
       bar.show("draw " + path);
       return write_picture(path, file.panels, size, tree_, evaluation_, arguments_.threads);
     }
-    const bool snaps = arguments_.snap && !is_exact(path);
-    RoundingReport rounding;
-    const Snapped* snapped = nullptr;
+    FileReport report;
     {
       ProgressBar bar(arguments_.quiet);
-      if (snaps) {
-        bar.show("snap " + tree_.nodes[node].name);
-        snapped = &snapped_of(node);
-      }
       bar.show("write " + path);
       if (shows_dag(path)) {
         write(path, evaluation_);
       } else {
-        const Result shown = snaps ? snapped->result : evaluation_.result(node);
-        rounding = at_node(tree_, node, [&] { return write(path, shown, {arguments_.parameters}); });
+        const FileOptions options{arguments_.parameters, !arguments_.no_snap, arguments_.binary, &snapped_[node]};
+        report = at_node(tree_, node, [&] { return write(path, evaluation_.result(node), options); });
       }
     }
     if (!arguments_.quiet) {
-      for (const std::string& notice : rounding.notices) say(path + ": notice: " + notice);
+      for (const std::string& notice : report.notices) say(path + ": notice: " + notice);
     }
-    if (!rounding.embedded) {
-      say(path + ": warning: rounding moved " + std::to_string(rounding.moved) +
-          " vertices and facets cross in this file; use --snap, or write .json for the exact result");
-    } else if (!arguments_.quiet && rounding.moved > 0) {
-      say(path + ": notice: rounding moved " + std::to_string(rounding.moved) +
+    if (!report.embedded) {
+      say(path + ": warning: rounding moved " + std::to_string(report.moved) +
+          " vertices and broke the result in this file; leave out " +
+          (arguments_.no_snap ? "--no-snap" : "--parameters") + ", or write .json for the exact result");
+    } else if (!arguments_.quiet && report.moved > 0) {
+      say(path + ": notice: rounding moved " + std::to_string(report.moved) +
           " vertices; the facets still meet as they should");
-    } else if (!arguments_.quiet && snaps && snapped->report.rounds > 0) {
-      say(path + ": notice: " + snapped->report.text());
-    } else if (!arguments_.quiet && arguments_.snap && !snaps) {
+    } else if (!arguments_.quiet && report.snapped.rounds > 0) {
+      say(path + ": notice: " + report.snapped.text());
+    } else if (!arguments_.quiet && arguments_.snap && is_exact(path)) {
       say(path + ": notice: this format is exact; --snap changes nothing in it");
     }
   }
@@ -106,22 +101,10 @@ class FileWriter {
   const Tree& tree_;
   const Evaluation& evaluation_;
   const EvalArguments& arguments_;
+  std::map<NodeId, SnappedResultOnce> snapped_;
   std::vector<std::string> messages_;
-  struct Snapped {
-    SnapReport report;
-    Result result;
-  };
-  std::map<NodeId, Snapped> snapped_;
 
   void say(std::string message) { messages_.push_back(std::move(message)); }
-
-  const Snapped& snapped_of(NodeId node) {
-    const auto found = snapped_.find(node);
-    if (found != snapped_.end()) return found->second;
-    SnapReport report;
-    Result result = at_node(tree_, node, [&] { return snap(evaluation_.result(node), &report); });
-    return snapped_.emplace(node, Snapped{report, std::move(result)}).first->second;
-  }
 };
 
 /// The time that is of no node. `whole`: files are written, and that is told, too.
@@ -167,6 +150,7 @@ int run_eval(const EvalArguments& arguments) {
     } else {
       check_file_name(path, " .svg .png .pdf");
     }
+    if (arguments.binary) check_binary_file_name(path);
   }
   const PictureRequest picture = picture_request(arguments.picture);
   if (picture.given && !pictures) {

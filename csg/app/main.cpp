@@ -201,9 +201,13 @@ int run(int argc, char** argv) {
   sub->add_flag("--topology", eval.topology,
                 "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions "
                 "touch");
-  CLI::Option* const snap = sub->add_flag(
-      "--snap", eval.snap,
-      "Files of doubles: move vertices until the rounded facets meet as they should, and say how far");
+  constexpr const char* kSnap =
+      "The rule: where rounding to doubles would break the result, move vertices until it does not, and say how "
+      "far";
+  constexpr const char* kNoSnap = "Do not move vertices where rounding to doubles breaks the result: ";
+  CLI::Option* const snap = sub->add_flag("--snap", eval.snap, kSnap);
+  sub->add_flag("--no-snap", eval.no_snap, std::string(kNoSnap) + "write the file, and warn")->excludes(snap);
+  sub->add_flag("--binary", eval.binary, "Of .stl (numbers of 24 bits) and .ply (doubles): the binary form");
   constexpr const char* kCertify =
       "Prove that curved surfaces cross as their facets do; a place where they may not is an error";
   sub->add_flag("--certify", eval.certify, kCertify);
@@ -305,8 +309,8 @@ int run(int argc, char** argv) {
   CLI::Option* const curved =
       sub->add_flag("--curved", mesh.curved,
                     "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes");
-  sub->add_flag("--snap", mesh.snap, "Move vertices until the facets, rounded to doubles, meet as they should")
-      ->excludes(curved);
+  CLI::Option* const snaps = sub->add_flag("--snap", mesh.snap, kSnap)->excludes(curved);
+  sub->add_flag("--no-snap", mesh.no_snap, std::string(kNoSnap) + "refuse it")->excludes(snaps);
   add_threads(sub, mesh.threads);
   sub->add_flag("--quiet", mesh.quiet, "No table and no notices");
   sub->footer("Example:\n  cnrg mesh model.yaml -o model.msh --quality 1.4");

@@ -91,15 +91,13 @@ int run_mesh(const MeshArguments& arguments) {
   std::optional<CurvedReport> bent;
   {
     ProgressBar bar(arguments.quiet);
-    if (arguments.snap) {
-      bar.show("snap");
-      result = at_node(tree, node, [&] { return snap(result, &snapped); });
-    }
     bar.show("mesh");
     TetrahedraOptions asked = arguments.options;
     asked.watch.progress = bar.progress();
     if (arguments.curved && asked.quality == 0) asked.quality = kCurvedQuality;
-    made = at_node(tree, node, [&] { return tetrahedra(result, asked); });
+    const bool snaps = !arguments.no_snap && !arguments.curved;  // curved surfaces are of the exact result
+    made = at_node(tree, node,
+                   [&] { return snaps ? snapped_tetrahedra(result, asked, snapped) : tetrahedra(result, asked); });
     if (arguments.curved) {
       bar.show("bend");
       bent = at_node(tree, node, [&] { return curve(result, made); });

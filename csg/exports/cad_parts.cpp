@@ -113,7 +113,8 @@ class Collector {
     if (of.surface && of.flat && parts_.surfaces[*of.surface].surface.kind == CadSurface::Kind::plane)
       of.surface.reset();
     if (of.surface || of.flat) return;
-    if (view_.parameters == nullptr) of.why = "the result knows nothing of its true surfaces (--snap)";
+    if (view_.parameters == nullptr)
+      of.why = "the result knows nothing of its true surfaces, since it was snapped";
     else if (face.patch) of.why = "`" + leaf_name(face.patch->first) + "` names no surface for it";
     else of.why = "no one surface covers it";
   }

@@ -14,12 +14,20 @@ struct FileText {
   RoundingReport rounding;
 };
 
+/// The text of a file of that name, in the format of its extension. `binary`: in the binary form of a format that
+/// has two. Throws as `write` of writer.h does, and RoundingFault (csg/result/rounding.h) for a result that
+/// rounding breaks and that the format does not hold then.
+FileText file_text(const std::string& path, const ResultView& view, bool binary = false);
+
 FileText json_text(const ResultView& view);
 FileText vtu_text(const ResultView& view);
 FileText obj_text(const ResultView& view);
 FileText off_text(const ResultView& view);
 FileText stl_text(const ResultView& view);
 FileText ply_text(const ResultView& view);
+// Binary forms. That of STL holds numbers of 24 bits, and RoundingFault says that these break the result.
+FileText stl_bytes(const ResultView& view);
+FileText ply_bytes(const ResultView& view);
 FileText three_mf_text(const ResultView& view);
 // With ResultView::parameters on true surfaces; GLB with the normals of these.
 FileText glb_text(const ResultView& view);

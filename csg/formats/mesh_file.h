@@ -11,6 +11,8 @@ namespace cnrg {
 
 /// As tetrahedra.h has it, with the fractions of graded materials.
 TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options);
+/// The same of a result that rounding would break: this one is snapped, and `report` says what that did.
+TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report);
 
 /// Brings such a mesh to the true surfaces, with elements of second order (csg/mesh/curved_mesh.h). InputError for
 /// a result that knows no parameters, such as a snapped one.

@@ -16,7 +16,7 @@ std::string vtu_text(const ResultView& view, const Mesh& mesh) {
   using Edges = std::array<std::array<std::size_t, 2>, 6>;
   const bool straight = mesh.middles.empty();
   add(VtuCell::vertex, 0, mesh.vertices, std::array<std::array<std::size_t, 2>, 0>{});
-  add(straight ? VtuCell::polyline : VtuCell::quadratic_edge, 1, mesh.segments,
+  add(straight ? VtuCell::line : VtuCell::quadratic_edge, 1, mesh.segments,
       std::array<std::array<std::size_t, 2>, 1>{{{0, 1}}});
   add(straight ? VtuCell::triangle : VtuCell::quadratic_triangle, 2, mesh.triangles,
       std::array<std::array<std::size_t, 2>, 3>{{{0, 1}, {1, 2}, {0, 2}}});

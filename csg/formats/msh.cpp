@@ -6,8 +6,13 @@
 // region is listed with the boundary of the region, and Gmsh's mesh conforms to it. The format has no place for a
 // wire or a point inside of a region: they are entities with elements; to make Gmsh conform to them, merge the
 // file in a script and say `Curve {..} In Volume {..};`. Tetrahedra of ours conform.
+//
+// Other programs read these files by meshio, which is stricter than Gmsh: either every element is in a group or
+// none is, a name means one group in all dimensions, and it goes through a splitter of words in which a backslash
+// may be no letter. So edges and vertices of faces are in groups of their own. Gmsh itself refuses long names.
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "csg/formats/formats.h"
 #include "csg/mesh/mesh.h"
@@ -34,7 +39,9 @@ Vector unit(const Vector& a) {
 
 class MshWriter {
  public:
-  explicit MshWriter(const Mesh& mesh) : mesh_(mesh) {}
+  explicit MshWriter(const Mesh& mesh) : mesh_(mesh) {
+    for (std::size_t d = 4; d-- > 0;) name_groups(d);
+  }
 
   std::string run() {
     std::string comment = shown(mesh_.node);
@@ -58,17 +65,55 @@ class MshWriter {
     Vector low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   };
   std::array<std::vector<Box>, 4> boxes_;
+  std::array<std::vector<std::string>, 4> names_;          ///< of groups
+  std::array<std::vector<std::vector<Index>>, 4> groups_;  ///< of entities
+  std::set<std::string> given_;
+
+  /// A name as Gmsh and meshio read it, unlike all others in the file.
+  std::string distinct(std::string name) {
+    constexpr std::size_t kLongest = 100;  // Gmsh has room for 127 bytes
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      if (name[i] == '\\' && (i + 1 == name.size() || name[i + 1] == '\\')) name[i] = '/';
+    }
+    if (name.size() > kLongest) {
+      std::size_t end = 0;
+      for (std::size_t next = 0; next <= kLongest;
+           next += first_character(std::string_view(name).substr(end)).length)
+        end = next;
+      name = name.substr(0, end) + "...";
+    }
+    const std::string first = name;
+    for (int n = 2; !given_.insert(name).second; ++n) name = first + " (" + std::to_string(n) + ")";
+    return name;
+  }
+
+  /// The groups of the mesh, and one for cells of the result in none of these, one for what is no such cell.
+  void name_groups(std::size_t d) {
+    static constexpr const char* kRest[] = {"vertices", "edges", "faces", "regions"};
+    for (const std::string& name : mesh_.groups[d]) names_[d].push_back(distinct(name));
+    std::array<Index, 2> rest{};
+    for (const auto& entity : mesh_.entities[d]) {
+      groups_[d].push_back(entity.groups);
+      if (!entity.groups.empty()) continue;
+      Index& group = rest[entity.feature];
+      if (group == 0) {
+        names_[d].push_back(distinct(std::string(kRest[d]) + (entity.feature ? "" : " of facets")));
+        group = Index(names_[d].size());
+      }
+      groups_[d].back().push_back(group);
+    }
+  }
 
   void add(std::int64_t number) { text_ += std::to_string(number); }
 
   void add_names() {
     std::size_t n = 0;
-    for (const auto& names : mesh_.groups) n += names.size();
+    for (const auto& names : names_) n += names.size();
     if (n == 0) return;
     text_ += "$PhysicalNames\n" + std::to_string(n) + "\n";
     for (std::size_t d = 0; d < 4; ++d) {
-      for (std::size_t g = 0; g < mesh_.groups[d].size(); ++g) {
-        text_ += std::to_string(d) + " " + std::to_string(g + 1) + " \"" + mesh_.groups[d][g] + "\"\n";
+      for (std::size_t g = 0; g < names_[d].size(); ++g) {
+        text_ += std::to_string(d) + " " + std::to_string(g + 1) + " \"" + names_[d][g] + "\"\n";
       }
     }
     text_ += "$EndPhysicalNames\n";
@@ -117,8 +162,9 @@ class MshWriter {
           text_ += ' ';
           append(text_, boxes_[d][i].high);
         }
-        text_ += ' ' + std::to_string(entity.groups.size()) + ' ';
-        for (const Index g : entity.groups) text_ += std::to_string(g) + ' ';
+        const std::vector<Index>& groups = groups_[d][i];
+        text_ += ' ' + std::to_string(groups.size()) + ' ';
+        for (const Index g : groups) text_ += std::to_string(g) + ' ';
         if (d > 0) {
           text_ += std::to_string(entity.boundary.size()) + ' ';
           for (const std::int32_t b : entity.boundary) text_ += std::to_string(b) + ' ';

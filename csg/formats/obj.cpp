@@ -36,6 +36,10 @@ FileText obj_text(const ResultView& view) {
     text += '\n';
   }
   const auto number = [](FlatComplex::Index p) { return " " + std::to_string(p + 1); };
+  // Faces between the cells of one component are not drawn.
+  const auto place = [&](FlatComplex::Index region) {
+    return flat.active(region) ? std::uint32_t(flat.regions[region].component) : 0;
+  };
   std::vector<char> drawn(flat.points.size(), 0);
   for (std::size_t i = 0; i < flat.faces.size(); ++i) {
     const auto& face = flat.faces[i];
@@ -45,6 +49,7 @@ FileText obj_text(const ResultView& view) {
     for (const auto& t : face.triangles) {
       text += "f" + number(t[0]) + number(t[1]) + number(t[2]) + "\n";
       drawing.triangles.push_back(t);
+      drawing.sides.push_back({place(face.regions[0]), place(face.regions[1])});
       for (const auto p : t) drawn[p] = 1;
     }
   }
@@ -58,14 +63,18 @@ FileText obj_text(const ResultView& view) {
     for (std::size_t k = 0; k < edge.points.size(); ++k) {
       drawn[edge.points[k]] = 1;
       if (k + 1 == edge.points.size() && !edge.closed) break;
-      if (edge.wire) drawing.segments.push_back({edge.points[k], edge.points[(k + 1) % edge.points.size()]});
+      if (!edge.wire) continue;
+      drawing.segments.push_back({edge.points[k], edge.points[(k + 1) % edge.points.size()]});
+      drawing.around_segments.push_back(place(edge.region));
     }
   }
   for (std::size_t i = 0; i < flat.vertices.size(); ++i) {
     const auto& vertex = flat.vertices[i];
     if (!vertex.entity || !vertex.free) continue;
     text += "g vertex" + std::to_string(i) + "\np" + number(vertex.point) + "\n";
-    if (!drawn[vertex.point]) drawing.points.push_back(vertex.point);
+    if (drawn[vertex.point]) continue;
+    drawing.points.push_back(vertex.point);
+    drawing.around_points.push_back(place(vertex.region));
   }
   return {std::move(text), report_rounding(points, drawing)};
 }

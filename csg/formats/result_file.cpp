@@ -11,6 +11,7 @@
 #include "csg/mesh/material_field.h"
 #include "csg/operators/leaf_value.h"
 #include "csg/result/result_data.h"
+#include "csg/result/rounding.h"
 #include "csg/text/file.h"
 #include "csg/topology/region_graph.h"
 #include "kernel/selection/canonical.h"
@@ -42,12 +43,35 @@ bool is_exact(const std::string& path) {
   return extension == ".json" || extension == ".dot";
 }
 
-RoundingReport write(const std::string& path, const Result& result, const FileOptions& options) {
+void check_binary_file_name(const std::string& path) { check_binary(path); }
+
+FileReport write(const std::string& path, const Result& result, const FileOptions& options) {
+  FileReport report;
   if (shows_regions(path)) {
     replace_file(path, region_graph(result.cells(), result.data().value->attributes()).dot());
-    return {};
+    return report;
   }
-  return write(path, result.data().view(options.parameters || shows_surfaces(path)));
+  // A snapped result has lost the surfaces to which CAD models bring their vertices.
+  const bool snaps = options.snap && !is_cad_file(path) && !(options.parameters && extension_of(path) == ".vtu");
+  FileText file;
+  bool broken = false;
+  try {
+    file = file_text(path, result.data().view(options.parameters || shows_surfaces(path)), options.binary);
+    broken = !file.rounding.embedded;
+  } catch (const RoundingFault&) {
+    if (!snaps) throw;
+    broken = true;
+  }
+  if (broken && snaps) {
+    SnappedResultOnce once;
+    SnappedResultOnce& snapped = options.snapped != nullptr ? *options.snapped : once;
+    if (!snapped.result) snapped.result = snap(result, &snapped.report);
+    file = file_text(path, snapped.result->data().view(), options.binary);
+    report.snapped = snapped.report;
+  }
+  replace_file(path, file.text);
+  static_cast<RoundingReport&>(report) = std::move(file.rounding);
+  return report;
 }
 
 void write(const std::string& path, const Evaluation& evaluation) {
@@ -92,10 +116,19 @@ TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& option
   return made;
 }
 
+TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
+  try {
+    return tetrahedra(result, options);
+  } catch (const RoundingFault&) {
+    result = snap(result, &report);
+  }
+  return tetrahedra(result, options);
+}
+
 CurvedReport curve(const Result& result, TetrahedralMesh& made) {
   const ResultView view = result.data().view(true);
   if (view.parameters == nullptr) {
-    throw InputError("the result knows nothing of its true surfaces; mesh the tree itself, without --snap");
+    throw InputError("the result knows nothing of its true surfaces; mesh one that was not snapped");
   }
   const CurvedReport report = curve(view, made);
   made.mesh.fields.clear();
@@ -121,10 +154,13 @@ void write(const std::string& path, const Result& result, const Mesh& mesh) {
 TetrahedraReport write_tetrahedra(const std::vector<std::string>& paths, const Result& result,
                                   const TetrahedraOptions& options) {
   for (const std::string& path : paths) check_mesh_file_name(path);
-  TetrahedralMesh made = tetrahedra(result, options);
+  Result shown = result;
+  SnapReport snapped;
+  TetrahedralMesh made = snapped_tetrahedra(shown, options, snapped);
   const Mesh& mesh = made.mesh;
-  for (const std::string& path : paths) write(path, result, mesh);
-  return {made.rounding, std::move(made.regions), mesh.points.size(), mesh.triangles.size(), mesh.segments.size()};
+  for (const std::string& path : paths) write(path, shown, mesh);
+  return {made.rounding,       snapped, std::move(made.regions), mesh.points.size(), mesh.triangles.size(),
+          mesh.segments.size()};
 }
 
 }  // namespace cnrg

@@ -2,6 +2,7 @@
 // or not at all (csg/text/file.h).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,17 +19,37 @@ bool shows_dag(const std::string& path);
 /// True for the formats that hold no doubles, so that they do not need snapping: .json and both kinds of .dot.
 bool is_exact(const std::string& path);
 
+/// Throws InputError if the format of `path` has no binary form to ask for: .stl and .ply have.
+void check_binary_file_name(const std::string& path);
+
+/// The same result on doubles, kept from file to file: made when a file first needs it.
+struct SnappedResultOnce {
+  std::optional<Result> result;
+  SnapReport report;
+};
+
 /// How a result is shown in a file.
 struct FileOptions {
-  /// .json and .vtu say the parameters of faces on curved patches; not of a snapped result.
+  /// .json and .vtu say the parameters of faces on curved patches; such a .vtu is not snapped.
   bool parameters = false;
+  /// Where rounding to doubles would break the result (csg/result/rounding.h), a file of doubles gets the snapped
+  /// one (csg/result/result.h). False: it is written as it is rounded, and the report says so; .poly and .smesh
+  /// refuse it.
+  bool snap = true;
+  bool binary = false;                   ///< of .stl and .ply
+  SnappedResultOnce* snapped = nullptr;  ///< of this result, for the files after this one; nullptr: not kept
+};
+
+/// What became of the digits of a result in a file.
+struct FileReport : RoundingReport {
+  SnapReport snapped;  ///< `rounds` is 0 unless the result was snapped
 };
 
 /// Writes a result: .json .vtu .msh .mesh .smesh .poly .obj .off .stl .ply .3mf .glb .step .stp .brep, and
 ///   .regions.dot  which of its regions touch
 /// Throws InputError for an unknown extension or a result that the format cannot represent (the message says
 /// why and what to use instead), FileError if the file cannot be written; the old file is then untouched.
-RoundingReport write(const std::string& path, const Result& result, const FileOptions& options = {});
+FileReport write(const std::string& path, const Result& result, const FileOptions& options = {});
 /// Writes the DAG of an evaluation with its counts, as .dot. The evaluation must have rows.
 void write(const std::string& path, const Evaluation& evaluation);
 
@@ -41,6 +62,7 @@ void check_mesh_file_name(const std::string& path);
 /// What tetrahedra were made.
 struct TetrahedraReport {
   RoundingReport rounding;
+  SnapReport snapped;  ///< `rounds` is 0 unless the result was snapped, since rounding would break it
   std::vector<RegionTetrahedra> regions;
   std::size_t points = 0, triangles = 0, segments = 0;  ///< of the mesh; triangles on faces, segments on edges
 };

@@ -10,6 +10,10 @@ namespace {
 FileText surface_text(const ResultView& view, const std::string& format, std::string (*text)(const Mesh&)) {
   const FlatComplex flat = flatten(view);
   require_closed_and_bounded(flat, format);
+  if (flat.vertices.empty() && flat.edges.empty() && flat.faces.empty()) {
+    throw InputError(format +
+                     " is a mesh, and readers refuse one of nothing, as this result is; write .vtu or .json");
+  }
   const RoundedPoints points = round_points(view, flat);
   return {text(surface_mesh(view, flat, points)), report_rounding(points, drawing_of(flat))};
 }

@@ -1,5 +1,5 @@
-// VTK's unstructured grid in XML, for ParaView: vertices, polylines, triangles of the faces, and every region
-// as the triangles of its boundary, normals outward. Cell data tells them apart:
+// VTK's unstructured grid in XML, for ParaView: vertices, lines of the edges, triangles of the faces, and every
+// region as the triangles of its boundary, normals outward. Cell data tells them apart:
 //
 //   dimension     0 to 3; threshold by it to see one kind
 //   cell          number of the cell among those of its dimension, as in .json
@@ -7,9 +7,9 @@
 //   region        dimension 3: the region's component; below: of the region behind, in front or around; or 0
 //   region_front, region_back     faces only: on the two sides; 0 outside
 //   regions_bounded               faces only: 0 dangling, 1 boundary, 2 wall between two regions; else -1
-//   material      of the component, for entities of a group of that region: a row of MaterialNames; 0: none
-//   source_leaf, source_face      the first leaf (a row of LeafNames) with a face that the cell came from, and
-//                                 that face; of a cell from no face the first leaf and -1 (.json has all)
+//   material      of the component, for entities of a group of that region; 0: none
+//   source_leaf, source_face      the first leaf with a face that the cell came from, and that face; of a cell
+//                                 from no face the first leaf and -1 (.json has all)
 //
 // Where a material is graded, `fraction of NAME` has the part of each material at the centroid of the cell as
 // drawn (a triangle, a tetrahedron), as the region that the cell belongs to has it.
@@ -17,13 +17,17 @@
 // With parameters (leaves/parameters.h), for faces on patches of leaves:
 //   parameters    of points: u and v on the patch, NaN where there are none. Points are split where triangles
 //                 have different ones: between patches, at seams and poles
-//   patch         of cells: a row of PatchNames; 0: no parameters
+//   patch         of cells; 0: no parameters
 // Between the corners of a triangle they are linear. A flat face that unites many facets of a patch has them only
 // if they are one affine map on it; `--raw` keeps its facets apart.
 //
-// Field data holds the names: RegionNames (by component; 0 is outside), MaterialNames, LeafNames. Arrays are
-// base64 of little-endian numbers, doubles unrounded. Cells that bound the result without being part of it are not
-// drawn: an open region has dimension 3 alone, its triangles are where it ends.
+// Names are field data, an array for each: `region rock`, `material granite`, `source_leaf fault`, `patch drum:
+// side` hold the numbers that the cell data of that name has for it. Arrays of strings would say it more directly,
+// but VTK alone reads these: meshio refuses the whole file for one of them. For meshio's sake edges are lines and
+// no polylines, too, and an empty result has a cell without points.
+//
+// Arrays are base64 of little-endian numbers, doubles unrounded. Cells that bound the result without being part of
+// it are not drawn: an open region has dimension 3 alone, its triangles are where it ends.
 #include "csg/formats/formats.h"
 #include "csg/formats/vtu_grid.h"
 #include "csg/formats/vtu_parameters.h"
@@ -48,6 +52,8 @@ class VtuWriter {
     add_edges();
     add_faces();
     add_regions();
+    if (grid_.empty()) add_nothing();
+    if (!flat_.frame_points.empty()) drop_places();
     if (!split_) return {grid_.text(view_, points_.xyz), report_rounding(points_, drawing_)};
     return {grid_.text(view_, split_->points(), &split_->parameters()), report_rounding(points_, drawing_)};
   }
@@ -71,6 +77,20 @@ class VtuWriter {
   }
   std::int32_t patch(Index face) const { return split_ ? split_->patch(face) : 0; }
 
+  /// A face that ends where infinity begins has two regions on its sides, which meet around it once it is drawn.
+  void drop_places() {
+    drawing_.sides.clear();
+    drawing_.around_segments.clear();
+    drawing_.around_points.clear();
+  }
+
+  /// A cell without points.
+  void add_nothing() {
+    CellTags tags;
+    tags.dimension = tags.cell = -1;
+    add(VtuCell::poly_vertex, std::array<Index, 0>{}, tags);
+  }
+
   void add_vertices() {
     std::vector<char> drawn(flat_.points.size(), 0);
     for (const auto& f : flat_.faces) {
@@ -83,7 +103,9 @@ class VtuWriter {
       const auto& v = flat_.vertices[i];
       if (v.component == 0) continue;
       add(VtuCell::vertex, std::array{v.point}, tagger_.vertex(i));
-      if (!drawn[v.point]) drawing_.points.push_back(v.point);
+      if (drawn[v.point]) continue;
+      drawing_.points.push_back(v.point);
+      drawing_.around_points.push_back(v.region);
     }
   }
 
@@ -93,9 +115,13 @@ class VtuWriter {
       if (e.component == 0) continue;
       FlatComplex::Loop points = e.points;
       if (e.closed) points.push_back(points[0]);
-      add(VtuCell::polyline, points, tagger_.edge(i));
-      if (!e.wire) continue;
-      for (std::size_t k = 1; k < points.size(); ++k) drawing_.segments.push_back({points[k - 1], points[k]});
+      const CellTags tags = tagger_.edge(i);
+      for (std::size_t k = 1; k < points.size(); ++k) {
+        add(VtuCell::line, std::array{points[k - 1], points[k]}, tags);
+        if (!e.wire) continue;
+        drawing_.segments.push_back({points[k - 1], points[k]});
+        drawing_.around_segments.push_back(e.region);
+      }
     }
   }
 
@@ -103,6 +129,7 @@ class VtuWriter {
     for (Index i = 0; i < flat_.faces.size(); ++i) {
       const auto& f = flat_.faces[i];
       drawing_.triangles.insert(drawing_.triangles.end(), f.triangles.begin(), f.triangles.end());
+      drawing_.sides.insert(drawing_.sides.end(), f.triangles.size(), f.regions);
       if (f.component == 0) continue;
       const CellTags tags = tagger_.face(i);
       for (std::size_t k = 0; k < f.triangles.size(); ++k) add(VtuCell::triangle, triangle(i, k), tags, patch(i));

@@ -1,10 +1,11 @@
 // VTK's XML as text. An array of numbers is one block of base64: its length in bytes, as a 64-bit number, and then
-// the numbers themselves.
+// the numbers themselves. Names are arrays of the numbers that they stand for, as text.
 #include "csg/formats/vtu_grid.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <map>
 
 #include "csg/mesh/material_field.h"
 #include "csg/text/escape.h"
@@ -46,32 +47,44 @@ std::string comment(const ResultView& view) {
   return "node " + name + ", written by cnrg";
 }
 
+/// One number for each point or cell is no vector of one component: to readers of arrays these are different
+/// shapes.
 template <class T>
 void append_array(std::string& text, const char* name, const char* type, const std::vector<T>& values,
                   int components = 1) {
-  text += "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
-          std::to_string(components) + "\" format=\"binary\">\n";
+  text += "<DataArray type=\"" + std::string(type) + "\" Name=\"" + name + "\"";
+  if (components != 1) text += " NumberOfComponents=\"" + std::to_string(components) + "\"";
+  text += " format=\"binary\">\n";
   const std::string bytes = little_endian(values);
   append_base64(text, little_endian(std::vector<std::uint64_t>{bytes.size()}) + bytes);
   text += "\n</DataArray>\n";
 }
 
-/// Strings are lists of character codes, each ended by a zero; as they are shown, for programs print them.
-void append_names(std::string& text, const char* name, const std::vector<std::string>& values) {
-  text += "<DataArray type=\"String\" Name=\"" + std::string(name) + "\" NumberOfTuples=\"" +
-          std::to_string(values.size()) + "\" format=\"ascii\">\n";
-  for (const std::string& value : values) {
-    for (const char c : shown(value)) text += std::to_string(static_cast<unsigned char>(c)) + " ";
-    text += "0\n";
+/// An array `ARRAY NAME` for each name: the places in `names` that have it, from `first` on, in the order of the
+/// first of them. Such places are what the cell data ARRAY holds.
+void append_names(std::string& text, const std::string& array, const std::vector<std::string>& names,
+                  std::size_t first) {
+  std::map<std::string, std::size_t> known;
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> numbers;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string name = array + (names[i].empty() ? "" : " ") + shown(names[i]);
+    const auto [place, fresh] = known.try_emplace(name, numbers.size());
+    if (fresh) numbers.push_back({name, {}});
+    numbers[place->second].second.push_back(first + i);
   }
-  text += "</DataArray>\n";
+  for (const auto& [name, of_name] : numbers) {
+    text += "<DataArray type=\"Int32\" Name=\"" + in_xml(name) + "\" NumberOfTuples=\"" +
+            std::to_string(of_name.size()) + "\" format=\"ascii\">\n";
+    for (std::size_t i = 0; i < of_name.size(); ++i) text += (i == 0 ? "" : " ") + std::to_string(of_name[i]);
+    text += "\n</DataArray>\n";
+  }
 }
 
 }  // namespace
 
 std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<double, 3>>& points,
                           const VtuParameters* parameters) const {
-  std::vector<std::string> regions{"outside"}, materials{"none"}, leaves;
+  std::vector<std::string> regions, materials, leaves;
   for (const RegionAttributes& a : view.value->attributes()) regions.push_back(a.name);
   for (const auto& m : view.materials) materials.push_back(m.name);
   if (view.leaves != nullptr)
@@ -83,10 +96,10 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
                      " -->\n"
                      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
                      "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
-  append_names(text, "RegionNames", regions);
-  append_names(text, "MaterialNames", materials);
-  append_names(text, "LeafNames", leaves);
-  if (parameters != nullptr) append_names(text, "PatchNames", parameters->names);
+  append_names(text, "region", regions, 1);
+  append_names(text, "material", materials, 1);
+  append_names(text, "source_leaf", leaves, 0);
+  if (parameters != nullptr) append_names(text, "patch", parameters->names, 1);
   text += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(points.size()) + "\" NumberOfCells=\"" +
           std::to_string(types_.size()) + "\">\n<Points>\n";
   append_array(text, "Points", "Float64", coordinates, 3);
@@ -132,7 +145,8 @@ void VtuGrid::append_fractions(std::string& text, const ResultView& view,
     const auto end = static_cast<std::size_t>(offsets_[i]);
     corners.clear();
     for (; begin < end; ++begin) corners.push_back(points[static_cast<std::size_t>(connectivity_[begin])]);
-    const std::vector<double> here = field.at(material_component(view, tags_[i]), corners);
+    const std::vector<double> here =
+        corners.empty() ? field.at(0, RationalPoint{}) : field.at(material_component(view, tags_[i]), corners);
     for (std::size_t k = 0; k < here.size(); ++k) fractions[k].push_back(here[k]);
   }
   for (std::size_t k = 0; k < fractions.size(); ++k) {

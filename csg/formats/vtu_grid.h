@@ -1,4 +1,4 @@
-// An unstructured grid in VTK's XML: cells of any kind with their tags, and the tables of names.
+// An unstructured grid in VTK's XML: cells of any kind with their tags, and what their names are.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@ namespace cnrg {
 /// VTK's numbers of the kinds of cells.
 enum class VtuCell : std::uint8_t {
   vertex = 1,
-  polyline = 4,
+  poly_vertex = 2,
+  line = 3,
   triangle = 5,
   tetrahedron = 10,
   quadratic_edge = 21,
@@ -24,7 +25,7 @@ enum class VtuCell : std::uint8_t {
 /// Parameters of points on patches, for the viewer: NaN where there are none.
 struct VtuParameters {
   std::vector<double> uv;             ///< u, v of each point of the grid
-  std::vector<std::int32_t> patches;  ///< of each cell of the grid: a row of `names`; 0: none
+  std::vector<std::int32_t> patches;  ///< of each cell of the grid: from 1, a place in `names`; 0: none
   std::vector<std::string> names;     ///< `leaf: patch`
 };
 
@@ -36,6 +37,7 @@ class VtuGrid {
     connectivity_.insert(connectivity_.end(), std::begin(points), std::end(points));
     add_tags(kind, tags);
   }
+  bool empty() const { return types_.empty(); }
   /// The file: arrays in base64 of little-endian numbers, doubles unrounded.
   std::string text(const ResultView& view, const std::vector<std::array<double, 3>>& points,
                    const VtuParameters* parameters = nullptr) const;

@@ -32,7 +32,6 @@ const std::vector<PatchCorner>* common(const Cells& cells) {
 VtuSplit::VtuSplit(const ResultView& view, const FlatComplex& flat, const std::vector<std::array<double, 3>>& xyz)
     : xyz_(xyz), patches_(flat.faces.size(), 0) {
   parameters_.uv.assign(2 * xyz.size(), std::numeric_limits<double>::quiet_NaN());
-  parameters_.names.push_back("none");
   std::map<FlatComplex::Patch, std::int32_t> rows;
   for (Index i = 0; i < flat.faces.size(); ++i) {
     const FlatComplex::Face& face = flat.faces[i];
@@ -41,7 +40,8 @@ VtuSplit::VtuSplit(const ResultView& view, const FlatComplex& flat, const std::v
     std::vector<const std::vector<PatchCorner>*> cells;  // by facet
     for (const Cells& facet : face.cells) cells.push_back(common(facet));
     if (std::find(cells.begin(), cells.end(), nullptr) != cells.end() || cells.empty()) continue;
-    const auto [row, fresh] = rows.try_emplace(*face.patch, static_cast<std::int32_t>(parameters_.names.size()));
+    const auto [row, fresh] =
+        rows.try_emplace(*face.patch, static_cast<std::int32_t>(parameters_.names.size() + 1));
     if (fresh) {
       const auto& [leaf, patch] = *face.patch;
       const bool named = view.leaves != nullptr && leaf.index() < view.leaves->size();

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "csg/formats/formats.h"
+#include "csg/result/rounding.h"
 #include "csg/text/file.h"
 #include "kernel/base/error.h"
 
@@ -16,6 +17,7 @@ namespace {
 struct Format {
   std::string_view extension;
   FileText (*make)(const ResultView&);
+  FileText (*make_binary)(const ResultView&) = nullptr;  ///< on request
 };
 
 constexpr std::array<Format, 15> kFormats{{{".json", json_text},
@@ -26,8 +28,8 @@ constexpr std::array<Format, 15> kFormats{{{".json", json_text},
                                            {".poly", poly_text},
                                            {".obj", obj_text},
                                            {".off", off_text},
-                                           {".stl", stl_text},
-                                           {".ply", ply_text},
+                                           {".stl", stl_text, stl_bytes},
+                                           {".ply", ply_text, ply_bytes},
                                            {".3mf", three_mf_text},
                                            {".glb", glb_text},
                                            {".step", step_text},
@@ -56,14 +58,31 @@ bool shows_surfaces(const std::string& path) { return is_cad_file(path) || forma
 
 void check_extension(const std::string& path) { format_of(path); }
 
-RoundingReport write(const std::string& path, const ResultView& view) {
+void check_binary(const std::string& path) {
+  const std::string extension = extension_of(path);
+  std::string known;
+  for (const Format& format : kFormats) {
+    if (format.make_binary == nullptr) continue;
+    if (format.extension == extension) return;
+    known += " " + std::string(format.extension);
+  }
+  throw InputError(path + ": this format has one form only; leave out --binary, which is for" + known);
+}
+
+FileText file_text(const std::string& path, const ResultView& view, bool binary) {
+  if (binary) check_binary(path);
   const Format& format = format_of(path);
-  FileText file;
   try {
-    file = format.make(view);
+    return (binary ? format.make_binary : format.make)(view);
+  } catch (const RoundingFault& fault) {
+    throw RoundingFault(path + ": " + fault.what());
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what());
   }
+}
+
+RoundingReport write(const std::string& path, const ResultView& view) {
+  const FileText file = file_text(path, view);
   replace_file(path, file.text);
   return file.rounding;
 }

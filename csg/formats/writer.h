@@ -10,6 +10,9 @@ namespace cnrg {
 /// Throws InputError if no writer knows the extension of `path`: to be asked before long work.
 void check_extension(const std::string& path);
 
+/// Throws InputError if the format of `path` has no binary form that is written on request.
+void check_binary(const std::string& path);
+
 /// True for .step .stp .brep.
 bool is_cad_file(const std::string& path);
 /// True for the formats that want `view` with parameters, for its true surfaces: CAD models and .glb.

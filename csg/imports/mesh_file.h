@@ -7,10 +7,10 @@
 
 namespace cnrg {
 
-/// Reads a mesh by the extension of `path` (.off .obj .stl .ply, in any case). Coordinates are the doubles that
-/// the text rounds to; with `decimal` exactly the decimals of a text file.
-/// Throws LeafFileError (`path:line: error: ...`, for binary data `path: byte N: error: ...`) for a fault in the
-/// file, InputError if the extension is unknown; else as `read_file` (csg/text/input_file.h).
+/// Reads a mesh by the extension of `path` (.off .obj .stl .ply .vtp .vtk, in any case). Coordinates are the
+/// doubles that the text rounds to; with `decimal` exactly the decimals of a text file. Throws LeafFileError
+/// (`path:line: error: ...`, for binary data `path: byte N: error: ...`) for a fault in the file, InputError if
+/// the extension is unknown; else as `read_file` (csg/text/input_file.h).
 MeshData read_mesh(const std::string& path, bool decimal, const std::string& inside = {});
 
 // One reader each. `text` is the file's content, `path` is for messages.
@@ -18,5 +18,7 @@ MeshData read_off(const std::string& path, const std::string& text, bool decimal
 MeshData read_obj(const std::string& path, const std::string& text, bool decimal);
 MeshData read_stl(const std::string& path, const std::string& text, bool decimal);
 MeshData read_ply(const std::string& path, const std::string& text, bool decimal);
+MeshData read_vtp(const std::string& path, const std::string& text, bool decimal);
+MeshData read_vtk(const std::string& path, const std::string& text, bool decimal);
 
 }  // namespace cnrg

@@ -1,6 +1,6 @@
 // PLY (Stanford polygon format): a text header that declares elements with scalar and list properties, then the
-// values as text or binary. Read are vertices (x, y, z), faces (vertex_index or vertex_indices, and a label if one
-// of kLabels is there) and edges (vertex1, vertex2); everything else is skipped by its declared size.
+// values as text or binary. Read are vertices (x, y, z), faces (vertex_index or vertex_indices, and a label if
+// there is one, mesh_labels.h) and edges (vertex1, vertex2); everything else is skipped by its declared size.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "csg/imports/mesh_labels.h"
 #include "csg/imports/text_cursor.h"
 #include "csg/leaves/leaf.h"
 
@@ -30,8 +31,6 @@ struct Element {
 };
 
 enum class Encoding { text, little, big };
-
-constexpr std::string_view kLabels[] = {"label", "group", "patch", "face_label", "face_type", "material_index"};
 
 std::size_t size_of(Type type) {
   constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
@@ -231,8 +230,7 @@ class PlyReader {
     const Property* label = nullptr;
     for (const Property& p : element.properties) {
       if (p.count && (p.name == "vertex_index" || p.name == "vertex_indices")) corners = &p;
-      if (!p.count && !label && std::find(std::begin(kLabels), std::end(kLabels), p.name) != std::end(kLabels))
-        label = &p;
+      if (!p.count && !label && MeshLabels::is_label(p.name)) label = &p;
     }
     if (!corners && element.count > 0) fail("the element 'face' has no list 'vertex_indices': add it");
     mesh_.offsets.reserve(1 + reserve_count(element.count));
@@ -246,15 +244,11 @@ class PlyReader {
           mesh_.end_face();
         } else if (&property == label) {
           group = value(property.type);
-          if (std::isnan(group)) group = 0;
         } else {
           skip(property);
         }
       }
-      if (label) {
-        mesh_.groups.push_back(
-            labels_.try_emplace(group, static_cast<std::uint32_t>(labels_.size())).first->second);
-      }
+      if (label) mesh_.groups.push_back(labels_.group(group));
     }
   }
 
@@ -283,7 +277,7 @@ class PlyReader {
   Encoding body_ = Encoding::text, encoding_ = Encoding::text;
   std::uint64_t vertices_ = 0;
   std::vector<Element> elements_;
-  std::map<double, std::uint32_t> labels_;
+  MeshLabels labels_;
   MeshData mesh_;
 };
 

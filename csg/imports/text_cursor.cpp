@@ -17,11 +17,13 @@ bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' |
 
 }  // namespace
 
-TextCursor::TextCursor(std::string path, std::string_view text, char comment)
+TextCursor::TextCursor(std::string path, std::string_view text, char comment, int line)
     : path_(std::move(path)),
       begin_(text.data()),
       at_(without_mark(text).data()),
       end_(text.data() + text.size()),
+      first_line_(line),
+      line_(line),
       comment_(comment) {}
 
 bool TextCursor::more_in_line() {
@@ -59,6 +61,12 @@ std::string_view TextCursor::token_in_line() {
 std::string_view TextCursor::token(const char* wanted) {
   if (!more()) fail_at_end(std::string("the file ends where ") + wanted + " is expected");
   return token_in_line();
+}
+
+std::string_view TextCursor::bytes(std::size_t count) {
+  const std::string_view found(at_, std::min(count, static_cast<std::size_t>(end_ - at_)));
+  at_ += found.size();
+  return found;
 }
 
 long long TextCursor::integer(const char* wanted) {
@@ -115,7 +123,7 @@ void TextCursor::coordinates(MeshData& mesh, bool decimals) {
 void TextCursor::fail_at_end(const std::string& text) const {
   const std::string_view all(begin_, static_cast<std::size_t>(end_ - begin_));
   const std::string_view content = all.substr(0, all.find_last_not_of(" \t\r\n") + 1);
-  const auto line = 1 + std::count(content.begin(), content.end(), '\n');
+  const auto line = first_line_ + std::count(content.begin(), content.end(), '\n');
   fail_at(static_cast<int>(line), text + ": it is truncated, or a count is wrong; write the file again");
 }
 

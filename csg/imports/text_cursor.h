@@ -10,8 +10,8 @@ namespace cnrg {
 
 class TextCursor {
  public:
-  /// `comment`: the rest of a line from this character on is skipped (0: none).
-  TextCursor(std::string path, std::string_view text, char comment);
+  /// `comment`: the rest of a line from this character on is skipped (0: none). `line`: where the text begins.
+  TextCursor(std::string path, std::string_view text, char comment, int line = 1);
 
   /// Skips blanks, line ends and comments; false at the end of the file.
   bool more();
@@ -23,6 +23,9 @@ class TextCursor {
   std::string_view token_in_line();
   /// The next token, in whichever line; at the end of the file an error that says `wanted` is missing.
   std::string_view token(const char* wanted);
+
+  /// The next bytes of a file that is not only text, `count` or what there is. No line is told behind them.
+  std::string_view bytes(std::size_t count);
 
   /// A whole number. `wanted` names it in errors.
   long long integer(const char* wanted);
@@ -46,7 +49,7 @@ class TextCursor {
 
   std::string path_;
   const char *begin_, *at_, *end_;
-  int line_ = 1;
+  int first_line_, line_;
   char comment_;
 };
 

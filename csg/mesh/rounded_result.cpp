@@ -48,16 +48,18 @@ RoundedResult::RoundedResult(const ResultView& view, const FlatComplex& flat, co
     : flat_(flat), format_(format), points_(round_points(view, flat)) {
   data_ = std::make_unique<Data>(redraw(points_, drawing_of(flat)));
   if (!data_->drawn.is_embedded()) {
-    throw InputError(format_ + " holds doubles, and rounding to them makes facets cross (" +
-                     std::to_string(points_.moved) +
-                     " vertices move); use --snap, which moves vertices until none do, or write .json, which is "
-                     "exact");
+    fail("makes facets cross (" + std::to_string(points_.moved) + " vertices move)");
   }
   match_regions();
   match_wires_and_points();
 }
 
 RoundedResult::~RoundedResult() = default;
+
+void RoundedResult::fail(const std::string& what) const {
+  throw RoundingFault(format_ + " holds doubles, and rounding to them " + what +
+                      "; snap it (`cnrg` does, without --no-snap and --curved), or write .json, which is exact");
+}
 
 void RoundedResult::match_regions() {
   const Complex& complex = *data_->drawn.complex;
@@ -91,9 +93,7 @@ void RoundedResult::match_regions() {
     if (!region.valid()) continue;
     same = same && owner.try_emplace(region, i).second && (region == RegionId(0)) == !flat_.regions[i].bounded;
     if (!same) {
-      throw InputError(format_ +
-                       " holds doubles, and rounding to them moves a part of the result through a wall; "
-                       "use --snap, or write .json, which is exact");
+      fail("moves a part of the result through a wall");
     }
   }
 }
@@ -102,9 +102,7 @@ void RoundedResult::match_wires_and_points() const {
   const Complex& complex = *data_->drawn.complex;
   const auto check = [&](RegionId found, Index region) {
     if (region == kNone || !data_->region[region].valid() || found == data_->region[region]) return;
-    throw InputError(format_ +
-                     " holds doubles, and rounding to them moves a wire or a point through a wall; use "
-                     "--snap, or write .json, which is exact");
+    fail("moves a wire or a point through a wall");
   };
   for (const auto& edge : flat_.edges) {
     if (!edge.wire) continue;

@@ -10,7 +10,7 @@ namespace cnrg {
 
 class RoundedResult {
  public:
-  /// Rounds a closed and bounded result. Throws InputError, naming `format`, unless it is embedded and each
+  /// Rounds a closed and bounded result. Throws RoundingFault, naming `format`, unless it is embedded and each
   /// region, wire and point still lies where it does in the exact result: the rounded drawing is refined exactly,
   /// and its regions are compared with those of the result, side of a face by side of a face.
   RoundedResult(const ResultView& view, const FlatComplex& flat, const std::string& format);
@@ -31,6 +31,7 @@ class RoundedResult {
   RoundedPoints points_;
   std::unique_ptr<Data> data_;
 
+  [[noreturn]] void fail(const std::string& what) const;
   void match_regions();
   void match_wires_and_points() const;
 };

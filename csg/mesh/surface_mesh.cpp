@@ -181,6 +181,7 @@ Drawing drawing_of(const FlatComplex& flat) {
   std::vector<char> drawn(flat.points.size(), 0);
   for (const auto& f : flat.faces) {
     drawing.triangles.insert(drawing.triangles.end(), f.triangles.begin(), f.triangles.end());
+    drawing.sides.insert(drawing.sides.end(), f.triangles.size(), f.regions);
     for (const auto& t : f.triangles)
       for (const Index p : t) drawn[p] = 1;
   }
@@ -190,10 +191,13 @@ Drawing drawing_of(const FlatComplex& flat) {
     const std::size_t n = e.points.size();
     for (std::size_t k = 0; k + (e.closed ? 0 : 1) < n; ++k) {
       drawing.segments.push_back({e.points[k], e.points[(k + 1) % n]});
+      drawing.around_segments.push_back(e.region);
     }
   }
   for (const auto& v : flat.vertices) {
-    if (!drawn[v.point]) drawing.points.push_back(v.point);
+    if (drawn[v.point]) continue;
+    drawing.points.push_back(v.point);
+    drawing.around_points.push_back(v.region);
   }
   return drawing;
 }

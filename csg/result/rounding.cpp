@@ -1,5 +1,7 @@
-// The check for a faithful rounding is a refinement of what was written: if the complex of the rounded facets
-// has exactly the points, segments and triangles that were put in, then nothing crosses, touches or collapses.
+// The check for a faithful rounding is a refinement of what was written: if the points, segments and triangles
+// that were put in are the cells of the complex, one by one, then nothing crosses, touches or collapses. Their
+// numbers alone would not do: where a triangle falls onto another one and a third is cut, there are as many as
+// before. What passed through a wall as a whole shows by a 3-cell that is two places at once.
 #include "csg/result/rounding.h"
 
 #include <algorithm>
@@ -42,28 +44,103 @@ Redrawing redraw(const RoundedPoints& points, const Drawing& drawing) {
     }
     return ids[p];
   };
-  std::vector<std::array<std::uint32_t, 2>> edges = drawing.segments;
   std::uint32_t number = 0;
   for (const auto& t : drawing.triangles) {
     soup.add_triangle(leaf, id(t[0]), id(t[1]), id(t[2]), number, number);
     ++number;
-    for (int k = 0; k < 3; ++k) edges.push_back({t[k], t[(k + 1) % 3]});
   }
   for (const auto& s : drawing.segments) soup.add_wire(leaf, id(s[0]), id(s[1]), number++);
   for (const auto p : drawing.points) soup.add_isolated(leaf, id(p));
-  for (auto& e : edges) std::sort(e.begin(), e.end());
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return {build_complex(soup), used, edges.size(), drawing.triangles.size()};
+  return {build_complex(soup), used, drawing.triangles.size()};
 }
 
-bool is_embedded(const RoundedPoints& points, const Drawing& drawing) {
+bool is_as_drawn(const Complex& complex, std::size_t points, std::size_t triangles) {
+  if (complex.vertex_count() != points || complex.face_count() != triangles) return false;
+  std::vector<char> seen(triangles, 0);
+  for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
+    const auto covers = complex.cover(f);
+    const auto loops = complex.face_loops[f];
+    if (covers.size() != 1 || loops.size() != 1 || complex.loop[loops[0]].size() != 3) return false;
+    if (!complex.face_vertices[f].empty()) return false;
+    char& drawn = seen[covers[0].source.index()];
+    if (drawn) return false;
+    drawn = 1;
+  }
+  IdVector<WireId, char> run(complex.wires.size(), 0);
+  for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
+    std::size_t wires = 0;
+    for (const SegmentId s : complex.edge_segments[e]) {
+      for (const WireId w : complex.segment_wires[s]) {
+        if (run[w]) return false;
+        run[w] = 1;
+        ++wires;
+      }
+    }
+    if (wires > (complex.edge_uses[e].empty() ? 1u : 0u)) return false;
+  }
+  return std::all_of(run.begin(), run.end(), [](char edge) { return edge != 0; });
+}
+
+namespace {
+
+/// The places of a drawing in its refinement.
+class Places {
+ public:
+  explicit Places(const Complex& complex) : complex_(complex), of_(complex.region_count) {}
+
+  /// False if the 3-cell is another place already.
+  bool claim(RegionId region, std::uint32_t place) {
+    std::optional<std::uint32_t>& known = of_[region];
+    if (!known) known = place;
+    return *known == place;
+  }
+  bool claim(const Drawing& drawing) {
+    for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+      const Cover& cover = complex_.cover(f)[0];
+      const HalfFace front(f, cover.same ? 0 : 1);
+      const auto& [before, behind] = drawing.sides[complex_.sources[cover.source].leaf_face];
+      if (!claim(complex_.region(front), before) || !claim(complex_.region(front.opposite()), behind))
+        return false;
+    }
+    return true;
+  }
+
+ private:
+  const Complex& complex_;
+  IdVector<RegionId, std::optional<std::uint32_t>> of_;
+};
+
+}  // namespace
+
+bool is_faithful(const RoundedPoints& points, const Drawing& drawing) {
   if (drawing.triangles.empty() && drawing.segments.empty() && drawing.points.empty()) return true;
-  return redraw(points, drawing).is_embedded();
+  const Redrawing drawn = redraw(points, drawing);
+  if (!drawn.is_embedded()) return false;
+  const Complex& complex = *drawn.complex;
+  Places places(complex);
+  if (!drawing.sides.empty() && !places.claim(drawing)) return false;
+  if (drawing.around_segments.empty() && drawing.around_points.empty()) return true;
+  const Locator locator(complex);
+  const auto exact = [&](std::uint32_t p, int k) { return from_double(points.xyz[p][std::size_t(k)]); };
+  for (std::size_t i = 0; i < drawing.around_segments.size(); ++i) {
+    const auto& [a, b] = drawing.segments[i];
+    RationalPoint middle;
+    for (int k = 0; k < 3; ++k) middle[k] = (exact(a, k) + exact(b, k)) / 2;
+    const Location at = locator.locate(middle);
+    require(at.dimension == 1, "rounding: the middle of a wire is not on it");
+    if (!places.claim(complex.some_region(at.edge), drawing.around_segments[i])) return false;
+  }
+  for (std::size_t i = 0; i < drawing.around_points.size(); ++i) {
+    const std::uint32_t p = drawing.points[i];
+    const Location at = locator.locate({exact(p, 0), exact(p, 1), exact(p, 2)});
+    require(at.dimension == 0, "rounding: a point is not where it is");
+    if (!places.claim(complex.some_region(at.vertex), drawing.around_points[i])) return false;
+  }
+  return true;
 }
 
 RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing) {
-  return {points.moved, points.moved == 0 || is_embedded(points, drawing)};
+  return {points.moved, points.moved == 0 || is_faithful(points, drawing)};
 }
 
 void append(std::string& text, double value) {

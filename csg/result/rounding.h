@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "csg/result/flat.h"
+#include "kernel/base/error.h"
 
 namespace cnrg {
 
@@ -17,29 +18,40 @@ struct RoundedPoints {
 /// Throws InputError when a coordinate is beyond the range of double.
 RoundedPoints round_points(const ResultView& view, const FlatComplex& flat);
 
-/// What a file shows: numbers of points.
+/// A result that doubles cannot hold as it is: snapped (csg/result/snap.h) it can be.
+class RoundingFault : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// What a file shows: numbers of points. Places, where they are given, are numbers of what lies around, be it
+/// regions or components: whatever no triangle parts has one number.
 struct Drawing {
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::array<std::uint32_t, 2>> segments;  ///< that are on no triangle
-  std::vector<std::uint32_t> points;                   ///< that are on no segment and no triangle
+  std::vector<std::array<std::uint32_t, 2>> segments{};  ///< that are on no triangle
+  std::vector<std::uint32_t> points{};                   ///< that are on no segment and no triangle
+  std::vector<std::array<std::uint32_t, 2>> sides{};     ///< places in front of each triangle and behind it
+  std::vector<std::uint32_t> around_segments{}, around_points{};  ///< the place that each lies in
 };
+
+/// True if so many points and triangles, and wires, were put into the complex and nothing was cut, merged or lost:
+/// they meet only where they share points. Triangle t is source t, and wires lie on no triangle.
+bool is_as_drawn(const Complex& complex, std::size_t points, std::size_t triangles);
 
 /// The rounded triangles, segments and points refined exactly; triangle t of the drawing is leaf face t there.
 struct Redrawing {
   std::shared_ptr<const Complex> complex;
-  std::size_t points = 0, edges = 0, triangles = 0;  ///< that were put in
-  /// True if they meet only where they share points: nothing was cut, merged or lost.
-  bool is_embedded() const {
-    return complex->vertex_count() == points && complex->edge_count() == edges &&
-           complex->face_count() == triangles;
-  }
+  std::size_t points = 0, triangles = 0;  ///< that were put in
+  bool is_embedded() const { return is_as_drawn(*complex, points, triangles); }
 };
 /// The drawing must not be empty.
 Redrawing redraw(const RoundedPoints& points, const Drawing& drawing);
 
-/// The same as `redraw(...).is_embedded()`; true for an empty drawing.
-bool is_embedded(const RoundedPoints& points, const Drawing& drawing);
+/// True if the rounded drawing is the exact one in all but digits: it is embedded, and all its places are where
+/// they were. A shell, a wire or a point may pass through a wall as a whole, so that nothing crosses afterwards.
+bool is_faithful(const RoundedPoints& points, const Drawing& drawing);
 
+/// Nothing is refined unless a point moved.
 RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing);
 
 /// Appends the shortest text that reads back as the same double.

@@ -34,8 +34,9 @@ void require_off_frame(const FlatComplex& flat) {
       std::any_of(flat.edges.begin(), flat.edges.end(), [&](const auto& e) { return on_frame(e.points); });
   if (reached) {
     throw InputError(
-        "--snap needs faces and lines with bounds; cut the node with a box first (`intersection`, or "
-        "`product` where it is not closed)");
+        "rounding to doubles breaks the result, and only one whose faces and lines have bounds can be snapped; "
+        "cut the "
+        "node with a box first (`intersection`, or `product` where it is not closed), or give --no-snap");
   }
 }
 

@@ -164,7 +164,8 @@ class Snapper {
     std::string last;
     append(last, cell / kSnapGrowth);
     throw InputError("rounding to doubles makes facets cross, and snapping vertices to a grid of " + last +
-                     " still does; move the model nearer to the origin, or write .json, which is exact");
+                     " still does; move the model nearer to the origin, write .json, which is exact, or give "
+                     "--no-snap");
   }
 
  private:
@@ -289,15 +290,9 @@ class Snapper {
 
   /// The refinement of a drawing that has not been cut yet is that drawing.
   bool is_plain(const State& state, const Complex& complex) const {
-    std::vector<std::uint64_t> edges;
-    for (const auto& t : state.triangles) {
-      for (std::size_t k = 0; k < 3; ++k) edges.push_back(key_of(t.points[k], t.points[(k + 1) % 3]));
-    }
-    for (const auto& [ends, list] : state.pieces) edges.push_back(key_of(ends[0], ends[1]));
-    sort_unique(edges);
     return state.xyz.size() == drawing_.points.size() && state.triangles.size() == drawing_.triangles.size() &&
-           state.pieces.size() == drawing_.pieces.size() && complex.vertex_count() == state.xyz.size() &&
-           complex.edge_count() == edges.size() && complex.face_count() == state.triangles.size();
+           state.pieces.size() == drawing_.pieces.size() &&
+           is_as_drawn(complex, state.xyz.size(), state.triangles.size());
   }
 
   /// The faces of the drawing on a face of the complex.

@@ -307,7 +307,7 @@ TEST_CASE("materials of a mixture are read back, and none that there is not", "[
   CHECK_THAT(with("graded").err, Contains("mixture/graded: the material of a stop is not graded itself"));
 }
 
-TEST_CASE("files of doubles are snapped on request", "[app][snap]") {
+TEST_CASE("files of doubles are snapped where rounding breaks them, or not", "[app][snap]") {
   const Workshop w;
   w.write("gap.yaml", R"(cnrg: 1
 nodes:
@@ -319,16 +319,38 @@ result: model
   w.write("open.yaml", R"(cnrg: 1
 nodes:
   ground: {halfspace: {point: [0, 0, "1/3"], normal: [0, 0, 1]}}
+  sky: {halfspace: {point: [0, 0, "100000000000000001/300000000000000000"], normal: [0, 0, -1]}}
   cut: {interior: ground}
+  both: {sum: [cut, {interior: sky}]}
 result: cut
 )");
-  Outcome o = w.run("eval gap.yaml --quiet -o gap.msh -o gap.json");
+  Outcome o = w.run("eval gap.yaml --quiet --no-snap -o gap.msh -o gap.json");
   CHECK(o.status == 0);
-  CHECK_THAT(o.err, Contains("gap.msh: warning: ") && Contains("use --snap"));
-  const std::string exact = w.read("gap.json");
-  o = w.run("mesh gap.yaml -o tets.msh");
+  CHECK_THAT(o.err,
+             Contains("gap.msh: warning: rounding moved 4 vertices and broke") && Contains("out --no-snap"));
+  const std::string exact = w.read("gap.json"), rounded = w.read("gap.msh");
+  for (const char* ending : {"poly", "smesh"}) {
+    o = w.run(std::string("eval gap.yaml --no-snap -o gap.") + ending);
+    CHECK(o.status == 2);
+    CHECK_THAT(o.err, StartsWith("gap.yaml:5:3: error: gap.") && Contains("without --no-snap"));
+    o = w.run(std::string("eval gap.yaml -o gap.") + ending);
+    CHECK(o.status == 0);
+    CHECK_THAT(o.err, Contains("notice: snapped 4 of 16 vertices"));
+  }
+  o = w.run("mesh gap.yaml --no-snap -o tets.msh");
   CHECK(o.status == 2);
-  CHECK_THAT(o.err, StartsWith("gap.yaml:5:3: error: ") && Contains("use --snap"));
+  CHECK_THAT(o.err, StartsWith("gap.yaml:5:3: error: ") && Contains("without --no-snap"));
+  CHECK(w.run("mesh gap.yaml --no-snap --snap -o tets.msh").status == 2);
+  o = w.run("mesh gap.yaml -o tets.msh");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.err, Contains("tets.msh: notice: snapped 4 of 16 vertices"));
+  CHECK(row(o.out, "all").back() == "2");
+
+  // Files that know the parameters of patches hold the exact result's points.
+  o = w.run("eval gap.yaml --quiet --parameters -o gap.vtu -o gap.msh");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.err, Contains("gap.vtu: warning: ") && Contains("leave out --parameters") && !Contains("gap.msh"));
+  CHECK(w.read("gap.msh") != rounded);
 
   o = w.run("eval gap.yaml --snap -o gap.msh -o gap.json -o gap.vtu --node model");
   CHECK(o.status == 0);
@@ -337,15 +359,59 @@ result: cut
                         Contains("gap.json: notice: this format is exact; --snap changes nothing in it"));
   CHECK(w.read("gap.json") == exact);
   CHECK_THAT(w.read("gap.msh"), Contains("\"wall low | high\""));
-  CHECK(w.run("eval gap.yaml --snap --quiet -o gap.msh").err.empty());
+  const std::string snapped = w.read("gap.msh");
+  CHECK(w.run("eval gap.yaml --quiet -o gap.msh").err.empty());
+  CHECK(w.read("gap.msh") == snapped);
   o = w.run("mesh gap.yaml --snap -o tets.msh");
   CHECK(o.status == 0);
   CHECK_THAT(o.err, Contains("tets.msh: notice: snapped 4 of 16 vertices"));
   CHECK(row(o.out, "all").back() == "2");
 
-  o = w.run("eval open.yaml --snap -o open.vtu");
+  o = w.run("eval open.yaml -o open.vtu");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.err, Contains("rounding moved 4 vertices; the facets still meet as they should"));
+  o = w.run("eval open.yaml --node both -o open.vtu");
   CHECK(o.status == 2);
-  CHECK_THAT(o.err, Contains("open.yaml:4:3: error: ") && Contains("--snap needs faces and lines with bounds"));
+  CHECK_THAT(o.err, Contains("open.yaml:6:3: error: ") && Contains("only one whose faces and lines have bounds"));
+  CHECK(w.run("eval open.yaml --node both -o open.vtu --no-snap").status == 0);
+}
+
+TEST_CASE("binary forms of files, where there are such", "[app]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  a: {box: {min: [0, 0, 0], max: [1, 1, "1/3"]}}
+  b: {box: {min: [1, 1, 0], max: [2, 2, 1]}}
+  m: {union: [a, b]}
+  thin: {box: {min: [0, 0, 1], max: [1, 1, 1.00000001]}}
+result: m
+)");
+  for (const std::string file : {"m.stl", "m.ply"}) {
+    CAPTURE(file);
+    Outcome o = w.run("eval t.yaml --node m --binary -o " + file);
+    CHECK(o.status == 0);
+    CHECK_THAT(o.err,
+               Contains(file + ": notice: rounding moved 4 vertices; the facets still meet as they should"));
+    const std::string bytes = w.read(file);
+    CHECK(bytes.find('\0') != std::string::npos);
+    w.write("back.yaml", "cnrg: 1\nnodes:\n  r: {mesh: {file: " + file + "}}\nresult: r\n");
+    o = w.run("eval back.yaml -o back.json");
+    CHECK(o.status == 0);
+    const std::string volume = row(o.out, "r").back();
+    CHECK_THAT(volume, StartsWith(file == "m.stl" ? "44739243/33554432" : "(1.33333333333"));
+  }
+  Outcome o = w.run("eval t.yaml --node thin --binary -o thin.stl");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, StartsWith("t.yaml:6:3: error: thin.stl: STL in binary holds numbers of 24 bits") &&
+                        Contains("(4 vertices move); leave out --binary"));
+  CHECK(w.run("eval t.yaml --node thin --binary --quiet -o thin.ply").status == 0);
+  CHECK(w.run("eval t.yaml --node thin --quiet -o thin.stl").status == 0);
+  for (const std::string file : {"m.obj", "m.vtu", "m.svg", "m.dot"}) {
+    o = w.run("eval t.yaml --binary -o " + file);
+    CHECK(o.status == 2);
+    CHECK_THAT(o.err,
+               Contains(file + ": this format has one form only; leave out --binary, which is for .stl .ply"));
+  }
 }
 
 TEST_CASE("check reads and validates only", "[app]") {

@@ -1,9 +1,10 @@
-// A small parser of our own for the .vtu files that are written: arrays and tables of names.
+// A small parser of our own for the .vtu files that are written: arrays and names.
 #pragma once
 
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -46,14 +47,22 @@ struct Vtu {
     std::memcpy(values.data(), bytes.data() + 8, size);
     return values;
   }
-  std::vector<std::string> names(const std::string& name) const {
-    std::istringstream in(body(name));
-    std::vector<std::string> result(1);
-    for (int code; in >> code;) {
-      if (code == 0) result.emplace_back();
-      else result.back() += char(code);
+  /// The names of the numbers in a cell array: field data `ARRAY NAME`.
+  std::map<int, std::string> names(const std::string& array) const {
+    std::map<int, std::string> result;
+    const std::string begin = "Name=\"" + array + " ";
+    for (std::size_t at = 0; (at = text.find(begin, at)) < text.find("</FieldData>");) {
+      at += begin.size();
+      std::string name = text.substr(at, text.find('"', at) - at);
+      for (const auto& [escape, letter] :
+           std::map<std::string, std::string>{{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}}) {
+        for (std::size_t k; (k = name.find(escape)) != std::string::npos;) name.replace(k, escape.size(), letter);
+      }
+      for (std::size_t k = 0; (k = name.find("&amp;", k)) != std::string::npos; ++k) name.replace(k, 5, "&");
+      const auto numbers = text.find(">\n", at) + 2;
+      std::istringstream in(text.substr(numbers, text.find("\n</DataArray>", numbers) - numbers));
+      for (int n; in >> n;) CHECK(result.emplace(n, name).second);
     }
-    result.pop_back();
     return result;
   }
 };

@@ -107,8 +107,9 @@ TEST_CASE(".msh of a surface: entities, groups by name in every dimension, bound
   CHECK(mesh.measure(mesh.in_group(2, "from leaf0")) ==
         mesh.measure(mesh.in_group(2, "boundary of rock")) + mesh.measure(mesh.in_group(2, "wall rock | seam")));
   CHECK(mesh.measure(mesh.in_group(2, "from leaf2")) == 1);
-  CHECK(mesh.names_of(1) == std::set<std::string>{"wire of leaf3"});
-  CHECK(mesh.names_of(0) == std::set<std::string>{"point of leaf4"});
+  CHECK(mesh.names_of(1) == std::set<std::string>{"wire of leaf3", "edges"});
+  CHECK(mesh.names_of(0) == std::set<std::string>{"point of leaf4", "vertices"});
+  for (const auto& [key, entity] : mesh.entities) CHECK_FALSE(entity.groups.empty());
   CHECK(mesh.measure(mesh.in_group(2, "boundary of rock")) == 20);
   CHECK(mesh.measure(mesh.in_group(2, "wall rock | seam")) == 4);
   CHECK(mesh.measure(mesh.in_group(2, "face of leaf2")) == 1);

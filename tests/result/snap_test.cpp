@@ -26,7 +26,7 @@ const Rational kTiny(1, Integer("100000000000000000"));  // 1e-17
 
 bool plainly_embedded(const ResultView& view) {
   const FlatComplex flat = flatten(view);
-  return is_embedded(round_points(view, flat), drawing_of(flat));
+  return is_faithful(round_points(view, flat), drawing_of(flat));
 }
 
 struct Measure {
@@ -61,7 +61,7 @@ void check_snapped(const ResultView& exact, const SnappedResult& snapped) {
   const FlatComplex flat = flatten(view);
   const RoundedPoints points = round_points(view, flat);
   CHECK(points.moved == 0);
-  CHECK(is_embedded(points, drawing_of(flat)));
+  CHECK(is_faithful(points, drawing_of(flat)));
 
   auto before = measures(exact), after = measures(view);
   std::size_t lost = 0;
@@ -130,7 +130,7 @@ TEST_CASE("snap: a gap thinner than doubles closes to a wall", "[snap]") {
   c.materials = {{"clay", ""}};
   c.show(c.unite());
   REQUIRE(!plainly_embedded(c.view()));
-  CHECK_THROWS_WITH(tetrahedra(c.view()), Catch::Contains("--snap"));
+  CHECK_THROWS_AS(tetrahedra(c.view()), RoundingFault);
   const SnappedResult snapped(c.view(), false);
   check_snapped(c.view(), snapped);
   CHECK(snapped.report().faces == 0);
@@ -221,6 +221,36 @@ TEST_CASE("snap: crossing sheets, wires and points keep what they came from", "[
   CHECK_NOTHROW(smesh_text(view));
   CHECK_NOTHROW(poly_text(view));
   CHECK_NOTHROW(medit_text(view));
+}
+
+TEST_CASE("a drawing is broken though it has as many cells as it should", "[snap]") {
+  // Along an edge from the first point: the second one lies on the side of the other triangle, which it cuts.
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const Drawing touching{{{0, 1, 3}, {0, 2, 4}}};
+  const Complex& complex = *redraw({points, 1}, touching).complex;
+  CHECK(complex.vertex_count() == 5);
+  CHECK(complex.edge_count() == 6);
+  CHECK(complex.face_count() == 2);
+  CHECK_FALSE(is_faithful({points, 1}, touching));
+  CHECK(is_faithful({points, 1}, {{{0, 1, 3}, {0, 3, 4}}}));
+
+  // Wires: one along the side of a triangle, one that ends on another, one by itself.
+  CHECK_FALSE(is_faithful({points, 1}, {{{0, 2, 4}}, {{0, 1}}}));
+  CHECK_FALSE(is_faithful({points, 1}, {{}, {{0, 2}, {1, 4}}}));
+  CHECK_FALSE(is_faithful({points, 1}, {{}, {{0, 1}, {0, 2}}}));
+  CHECK(is_faithful({points, 1}, {{}, {{0, 1}, {1, 2}, {3, 4}}}));
+}
+
+TEST_CASE("a drawing is broken where a part of it has passed through a wall", "[snap]") {
+  std::vector<std::array<double, 3>> points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0.5, 0.5, 0.5}};
+  Drawing drawing{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, {}, {4}, {4, {7, 9}}, {}, {9}};
+  CHECK(is_faithful({points, 1}, drawing));
+  points[4] = {5, 5, 5};
+  CHECK_FALSE(is_faithful({points, 1}, drawing));
+  drawing.around_points = {7};
+  CHECK(is_faithful({points, 1}, drawing));
+  points[4] = {1, 1, 2};  // on the wall
+  CHECK_FALSE(is_faithful({points, 1}, drawing));
 }
 
 TEST_CASE("snap: nearly coincident boxes", "[snap]") {

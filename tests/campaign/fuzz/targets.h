@@ -32,6 +32,8 @@ void run_off(std::string_view bytes);
 void run_obj(std::string_view bytes);
 void run_ply(std::string_view bytes);
 void run_stl(std::string_view bytes);
+void run_vtp(std::string_view bytes);
+void run_vtk(std::string_view bytes);
 void run_grid(std::string_view bytes);
 void run_json(std::string_view bytes);
 void run_step(std::string_view bytes);

@@ -41,6 +41,8 @@ void run_off(std::string_view bytes) { run_mesh("mesh.off", bytes); }
 void run_obj(std::string_view bytes) { run_mesh("mesh.obj", bytes); }
 void run_ply(std::string_view bytes) { run_mesh("mesh.ply", bytes); }
 void run_stl(std::string_view bytes) { run_mesh("mesh.stl", bytes); }
+void run_vtp(std::string_view bytes) { run_mesh("mesh.vtp", bytes); }
+void run_vtk(std::string_view bytes) { run_mesh("mesh.vtk", bytes); }
 
 void run_grid(std::string_view bytes) {
   run_file("heightfield", "grid.asc", choice(bytes, 2) == 0 ? "" : ", base: -3", bytes);

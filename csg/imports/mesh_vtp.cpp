@@ -1,0 +1,365 @@
+// VTK's XML of surfaces (.vtp): pieces of points, verts, lines, strips and polys, each an array of numbers.
+//
+// Arrays are text, base64 in the place of the text, or a part of one block at the end of the file, which may be
+// raw bytes: then the file is no XML from there on. So the parser (expat) is stopped at the tag that opens this
+// block, and everything before it is a small tree of elements. Bytes have a header of their own: their number, or,
+// where they are compressed by zlib, the number and the sizes of blocks. In base64 the header may be encoded by
+// itself, with padding in the middle of the letters.
+#include <expat.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <map>
+#include <memory>
+#include <new>
+
+#include "csg/imports/mesh_file.h"
+#include "csg/imports/text_cursor.h"
+#include "csg/imports/vtk_bytes.h"
+#include "csg/imports/vtk_cells.h"
+#include "csg/leaves/leaf.h"
+
+namespace cnrg {
+namespace {
+
+struct Element {
+  std::string name;
+  std::map<std::string, std::string> attributes;
+  std::vector<std::unique_ptr<Element>> children;
+  std::string text;  ///< of its own, not of its children
+  int line = 0, text_line = 0;
+
+  std::string attribute(const char* key, const char* otherwise = "") const {
+    const auto found = attributes.find(key);
+    return found == attributes.end() ? otherwise : found->second;
+  }
+  const Element* child(const char* wanted) const {
+    for (const auto& c : children) {
+      if (c->name == wanted) return c.get();
+    }
+    return nullptr;
+  }
+};
+
+[[noreturn]] void fail_at(const std::string& path, int line, const std::string& text) {
+  throw LeafFileError(path + ":" + std::to_string(line) + ": error: " + text);
+}
+
+/// The elements of a file up to its appended data.
+class XmlTree {
+ public:
+  XmlTree(const std::string& path, const std::string& text)
+      : path_(path), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
+    if (!parser_) throw std::bad_alloc();
+    XML_SetUserData(parser_.get(), this);
+    XML_SetElementHandler(parser_.get(), begin_element, end_element);
+    XML_SetCharacterDataHandler(parser_.get(), characters);
+    XML_SetStartDoctypeDeclHandler(parser_.get(), doctype);
+    constexpr std::size_t kAtOnce = 1 << 26;  // its lengths are of type int
+    for (std::size_t at = 0; at < text.size() && !appended_; at += kAtOnce) {
+      const std::size_t n = std::min(kAtOnce, text.size() - at);
+      const auto status = XML_Parse(parser_.get(), text.data() + at, static_cast<int>(n), at + n == text.size());
+      if (fault_) std::rethrow_exception(fault_);
+      if (status == XML_STATUS_ERROR && !appended_) fail();
+    }
+    if (!root_) fail_at(path_, 1, "the file has no element: it is no XML of VTK");
+  }
+
+  const Element& root() const { return *root_; }
+  /// Where the data behind the tag `AppendedData` begin; no number if there is none.
+  std::optional<std::size_t> appended() const { return appended_; }
+
+ private:
+  static constexpr std::size_t kDeepest = 30;  // VTK's own files have ten
+
+  const std::string& path_;
+  std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser_;
+  std::unique_ptr<Element> root_;
+  std::vector<Element*> open_;
+  std::optional<std::size_t> appended_;
+  std::exception_ptr fault_;
+
+  int line() const { return static_cast<int>(XML_GetCurrentLineNumber(parser_.get())); }
+  [[noreturn]] void fail() const {
+    const XML_Error code = XML_GetErrorCode(parser_.get());
+    if (code == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
+    fail_at(path_, line(), std::string("this is no XML: ") + XML_ErrorString(code) + "; write the file again");
+  }
+
+  /// Nothing may be thrown through a library of C.
+  template <class Body>
+  static void guarded(void* user, const Body& body) {
+    auto& tree = *static_cast<XmlTree*>(user);
+    if (tree.fault_) return;
+    try {
+      body(tree);
+    } catch (...) {
+      tree.fault_ = std::current_exception();
+      XML_StopParser(tree.parser_.get(), XML_FALSE);
+    }
+  }
+  static void begin_element(void* user, const char* name, const char** attributes) {
+    guarded(user, [&](XmlTree& tree) { tree.begin(name, attributes); });
+  }
+  static void end_element(void* user, const char*) {
+    guarded(user, [](XmlTree& tree) { tree.open_.pop_back(); });
+  }
+  static void characters(void* user, const char* text, int length) {
+    guarded(user, [&](XmlTree& tree) {
+      Element& element = *tree.open_.back();
+      if (element.text.empty()) element.text_line = tree.line();
+      element.text.append(text, static_cast<std::size_t>(length));
+    });
+  }
+  static void doctype(void* user, const char*, const char*, const char*, int) {
+    guarded(user, [](XmlTree& tree) {
+      fail_at(tree.path_, tree.line(), "files of VTK have no DOCTYPE, which may name other files: leave it out");
+    });
+  }
+
+  void begin(const char* name, const char** attributes) {
+    if (open_.size() == kDeepest) fail_at(path_, line(), "elements are nested too deep for a file of VTK");
+    auto element = std::make_unique<Element>();
+    element->name = name;
+    element->line = line();
+    for (; *attributes != nullptr; attributes += 2) element->attributes[attributes[0]] = attributes[1];
+    Element* const made = element.get();
+    if (open_.empty()) root_ = std::move(element);
+    else open_.back()->children.push_back(std::move(element));
+    open_.push_back(made);
+    if (made->name != "AppendedData") return;
+    appended_ = static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_.get())) +
+                static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get()));
+    XML_StopParser(parser_.get(), XML_FALSE);
+  }
+};
+
+class VtpReader {
+ public:
+  VtpReader(const std::string& path, const std::string& text, bool decimal)
+      : path_(path), text_(text), decimal_(decimal), tree_(path, text) {}
+
+  MeshData read() {
+    const Element& root = tree_.root();
+    read_head(root);
+    const Element* data = root.child("PolyData");
+    if (data == nullptr) fail(root, "the file has no element PolyData: write the surface again");
+    for (const auto& piece : data->children) {
+      if (piece->name == "Piece") read_piece(*piece);
+    }
+    return collector_.finish();
+  }
+
+ private:
+  const std::string& path_;
+  const std::string& text_;
+  bool decimal_;
+  XmlTree tree_;
+  VtkCoding coding_;
+  std::string_view appended_;
+  bool appended_raw_ = false;
+  VtkCollector collector_;
+
+  [[noreturn]] void fail(const Element& element, const std::string& text) const {
+    fail_at(path_, element.line, text);
+  }
+
+  void read_head(const Element& root) {
+    if (root.name != "VTKFile")
+      fail(root, "the element " + quoted(root.name) + " is no VTKFile: it is no file of VTK");
+    if (const std::string type = root.attribute("type"); type != "PolyData") {
+      fail(root, "a VTKFile of type " + quoted(type) + " is no surface: write its surface as PolyData");
+    }
+    const std::string order = root.attribute("byte_order", "LittleEndian");
+    if (order != "LittleEndian" && order != "BigEndian") {
+      fail(root, "the byte_order " + quoted(order) + " is neither LittleEndian nor BigEndian: correct it");
+    }
+    coding_.big_endian = order == "BigEndian";
+    const std::string header = root.attribute("header_type", "UInt32");
+    if (header != "UInt32" && header != "UInt64") {
+      fail(root, "the header_type " + quoted(header) + " is neither UInt32 nor UInt64: correct it");
+    }
+    coding_.header = header == "UInt64" ? 8 : 4;
+    const std::string compressor = root.attribute("compressor");
+    if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
+      fail(root, "the compressor " + quoted(compressor) +
+                     " is not read: write the file with vtkZLibDataCompressor, or "
+                     "without compression");
+    }
+    coding_.compressed = !compressor.empty();
+    if (!tree_.appended()) return;
+    const Element* const found = root.child("AppendedData");
+    if (found == nullptr) fail(root, "AppendedData stands inside of another element: it comes last in VTKFile");
+    const Element& block = *found;
+    const std::string encoding = block.attribute("encoding");
+    if (encoding != "raw" && encoding != "base64") {
+      fail(block, "the encoding " + quoted(encoding) + " of AppendedData is neither raw nor base64: correct it");
+    }
+    appended_raw_ = encoding == "raw";
+    const std::size_t mark = text_.find_first_not_of(" \t\r\n", *tree_.appended());
+    if (mark == std::string::npos || text_[mark] != '_') {
+      fail(block, "AppendedData does not begin with an underscore: write the file again");
+    }
+    appended_ = std::string_view(text_).substr(mark + 1);
+    if (!appended_raw_) appended_ = appended_.substr(0, appended_.find('<'));
+  }
+
+  std::size_t count(const Element& element, const char* key) const {
+    const std::string word = element.attribute(key, "0");
+    std::size_t n = 0;
+    const auto end = std::from_chars(word.data(), word.data() + word.size(), n);
+    if (end.ec != std::errc() || end.ptr != word.data() + word.size() || n > 0xffffffff) {
+      fail(element, std::string(key) + " is " + quoted(word) + ", which is no number of them: correct it");
+    }
+    return n;
+  }
+
+  void read_piece(const Element& piece) {
+    const std::size_t first = collector_.mesh.point_count(), n = count(piece, "NumberOfPoints");
+    if (n > 0) read_points(piece, n);
+    constexpr std::pair<const char*, const char*> kLists[] = {{"NumberOfVerts", "Verts"},
+                                                              {"NumberOfLines", "Lines"},
+                                                              {"NumberOfPolys", "Polys"},
+                                                              {"NumberOfStrips", "Strips"}};
+    constexpr VtkKind kKinds[] = {VtkKind::vertices, VtkKind::lines, VtkKind::polygons, VtkKind::strips};
+    std::size_t cells = 0;
+    for (const auto& list : kLists) cells += count(piece, list.first);
+    collector_.take_labels(labels(piece, cells));
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t of_kind = count(piece, kLists[k].first);
+      if (of_kind == 0) continue;
+      const Element* list = piece.child(kLists[k].second);
+      if (list == nullptr)
+        fail(piece, std::string("the piece has no element ") + kLists[k].second + ": write it again");
+      collector_.add(kKinds[k], read_cells(*list, of_kind), first,
+                     [&](const std::string& text) { fail(*list, text); });
+    }
+  }
+
+  void read_points(const Element& piece, std::size_t n) {
+    const Element* points = piece.child("Points");
+    const Element* array = points == nullptr ? nullptr : points->child("DataArray");
+    if (array == nullptr) fail(piece, "the piece has no DataArray of Points: write it again");
+    if (array->attribute("NumberOfComponents") != "3")
+      fail(*array, "points have three coordinates: correct the array");
+    MeshData& mesh = collector_.mesh;
+    const std::size_t before = mesh.point_count();
+    if (array->attribute("format", "ascii") == "ascii") {
+      TextCursor cursor(path_, array->text, 0, array->text_line);
+      while (cursor.more()) cursor.coordinates(mesh, decimal_);
+    } else {
+      const VtkNumbers found = numbers(*array);
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        mesh.xyz.push_back(found.whole ? static_cast<double>(found.integers[i]) : found.reals[i]);
+        if (std::isfinite(mesh.xyz.back())) continue;
+        fail(*array, "point " + std::to_string(i / 3) + " has a coordinate that is no finite number: correct it");
+      }
+    }
+    if (mesh.xyz.size() != 3 * (before + n)) {
+      fail(*array, "the piece has " + std::to_string(n) + " points and " +
+                       std::to_string(mesh.xyz.size() - 3 * before) + " coordinates: correct their number");
+    }
+  }
+
+  VtkCells read_cells(const Element& list, std::size_t n) {
+    VtkCells cells;
+    const auto array = [&](const char* name) {
+      for (const auto& child : list.children) {
+        if (child->attribute("Name") != name) continue;
+        VtkNumbers found = numbers(*child);
+        if (!found.whole) fail(*child, "cells are lists of whole numbers: correct the type of the array");
+        return std::move(found.integers);
+      }
+      fail(list, std::string("the array ") + name + " is missing here: write the file again");
+    };
+    cells.connectivity = array("connectivity");
+    const std::vector<std::int64_t> ends = array("offsets");
+    cells.offsets.insert(cells.offsets.end(), ends.begin(), ends.end());
+    if (cells.size() != n) {
+      fail(list, "there are " + std::to_string(cells.size()) + " offsets of " + std::to_string(n) +
+                     " cells: correct their number");
+    }
+    if (!std::is_sorted(cells.offsets.begin(), cells.offsets.end()) ||
+        cells.offsets.back() != std::ssize(cells.connectivity)) {
+      fail(list, "the offsets of cells must rise to " + std::to_string(cells.connectivity.size()) +
+                     ", the length of their connectivity: correct them");
+    }
+    return cells;
+  }
+
+  /// The first array of one number for each cell that is called a label.
+  std::optional<VtkNumbers> labels(const Element& piece, std::size_t cells) const {
+    const Element* data = piece.child("CellData");
+    if (data == nullptr) return {};
+    for (const auto& array : data->children) {
+      if (array->name != "DataArray" || !MeshLabels::is_label(array->attribute("Name")) ||
+          array->attribute("NumberOfComponents", "1") != "1") {
+        continue;
+      }
+      VtkNumbers found = numbers(*array);
+      if (found.size() == cells) return found;
+      fail(*array, "there are " + std::to_string(found.size()) + " labels of " + std::to_string(cells) +
+                       " cells: correct their number");
+    }
+    return {};
+  }
+
+  VtkNumbers numbers(const Element& array) const {
+    constexpr std::pair<std::string_view, VtkType> kTypes[] = {
+        {"Int8", VtkType::int8},      {"UInt8", VtkType::uint8},   {"Int16", VtkType::int16},
+        {"UInt16", VtkType::uint16},  {"Int32", VtkType::int32},   {"UInt32", VtkType::uint32},
+        {"Int64", VtkType::int64},    {"UInt64", VtkType::uint64}, {"Float32", VtkType::float32},
+        {"Float64", VtkType::float64}};
+    const std::string name = array.attribute("type"), format = array.attribute("format", "ascii");
+    const auto type =
+        std::find_if(std::begin(kTypes), std::end(kTypes), [&](const auto& t) { return t.first == name; });
+    if (type == std::end(kTypes)) fail(array, quoted(name) + " is no type of numbers, such as Int32 or Float64");
+    if (format == "ascii") return numbers_of_text(array, is_whole(type->second));
+    if (format != "binary" && format != "appended") {
+      fail(array,
+           "the format " + quoted(format) + " of an array is none of ascii, binary and appended: correct it");
+    }
+    const std::string bytes = bytes_of(array, format == "appended");
+    if (bytes.size() % size_of(type->second) != 0) {
+      fail(array, "the array has " + std::to_string(bytes.size()) + " bytes, which are no whole numbers of type " +
+                      name + ": write the file again");
+    }
+    return numbers_of(bytes, type->second, coding_.big_endian);
+  }
+
+  VtkNumbers numbers_of_text(const Element& array, bool whole) const {
+    VtkNumbers found;
+    found.whole = whole;
+    TextCursor cursor(path_, array.text, 0, array.text_line);
+    while (cursor.more()) {
+      if (whole) found.integers.push_back(cursor.integer("a whole number of the array"));
+      else found.reals.push_back(cursor.number("a number of the array"));
+    }
+    return found;
+  }
+
+  std::string bytes_of(const Element& array, bool appended) const {
+    try {
+      if (!appended) return decoded(array.text, true, coding_);
+      const std::size_t offset = count(array, "offset");
+      if (appended_.size() <= offset) {
+        fail(array, "the array is at the offset " + std::to_string(offset) + " of the appended data, which have " +
+                        std::to_string(appended_.size()) +
+                        " bytes: the file is truncated, or the offset is wrong");
+      }
+      return decoded(appended_.substr(offset), !appended_raw_, coding_);
+    } catch (const VtkBytesFault& fault) {
+      fail(array, std::string("the array ") + quoted(array.attribute("Name")) + " " + fault.what());
+    }
+  }
+};
+
+}  // namespace
+
+MeshData read_vtp(const std::string& path, const std::string& text, bool decimal) {
+  return VtpReader(path, text, decimal).read();
+}
+
+}  // namespace cnrg

@@ -1,0 +1,108 @@
+// Strips are triangles that turn the other way every second time, polylines are lines from point to point.
+#include "csg/imports/vtk_cells.h"
+
+#include <bit>
+#include <limits>
+
+namespace cnrg {
+
+std::size_t size_of(VtkType type) {
+  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  return kSizes[static_cast<std::size_t>(type)];
+}
+
+bool is_whole(VtkType type) { return type != VtkType::float32 && type != VtkType::float64; }
+
+VtkNumbers numbers_of(std::string_view bytes, VtkType type, bool big_endian) {
+  const std::size_t size = size_of(type), count = bytes.size() / size;
+  VtkNumbers numbers;
+  numbers.whole = is_whole(type);
+  if (numbers.whole) numbers.integers.reserve(count);
+  else numbers.reals.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < size; ++k) {
+      bits = bits << 8 | static_cast<unsigned char>(bytes[i * size + (big_endian ? k : size - 1 - k)]);
+    }
+    switch (type) {
+      case VtkType::int8: numbers.integers.push_back(static_cast<std::int8_t>(bits)); break;
+      case VtkType::int16: numbers.integers.push_back(static_cast<std::int16_t>(bits)); break;
+      case VtkType::int32: numbers.integers.push_back(static_cast<std::int32_t>(bits)); break;
+      case VtkType::uint8:
+      case VtkType::uint16:
+      case VtkType::uint32:
+      case VtkType::int64:
+      case VtkType::uint64: numbers.integers.push_back(static_cast<std::int64_t>(bits)); break;
+      case VtkType::float32:
+        numbers.reals.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+        break;
+      case VtkType::float64: numbers.reals.push_back(std::bit_cast<double>(bits)); break;
+    }
+  }
+  return numbers;
+}
+
+std::uint32_t VtkCollector::group() {
+  if (!labels_) return groups_.group_without_label();
+  return labels_->whole ? groups_.group(labels_->integers[cell_]) : groups_.group(labels_->reals[cell_]);
+}
+
+void VtkCollector::add(VtkKind kind, std::span<const std::int64_t> points, std::size_t first, std::size_t number,
+                       const Fail& fail) {
+  constexpr const char* kNames[] = {"vertex", "line", "polygon", "strip"};
+  const auto name = [&] {
+    return std::string(kNames[static_cast<std::size_t>(kind)]) + " " + std::to_string(number);
+  };
+  const std::size_t count = mesh.point_count() - first;
+  for (const std::int64_t p : points) {
+    if (p >= 0 && static_cast<std::uint64_t>(p) < count) continue;
+    fail(name() + " has the point " + std::to_string(p) + ", but there are " + std::to_string(count) +
+         " points, numbered from 0: correct the index");
+  }
+  const auto least = [&](std::size_t n) {
+    if (points.size() < n) {
+      fail(name() + " has " + std::to_string(points.size()) + " points, and needs at least " + std::to_string(n) +
+           ": correct the file");
+    }
+  };
+  const auto point = [&](std::size_t i) { return static_cast<std::uint32_t>(first + std::size_t(points[i])); };
+  switch (kind) {
+    case VtkKind::vertices:
+      for (std::size_t i = 0; i < points.size(); ++i) mesh.points.push_back(point(i));
+      break;
+    case VtkKind::lines:
+      least(2);
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) mesh.wires.push_back({point(i), point(i + 1)});
+      break;
+    case VtkKind::polygons:
+      for (std::size_t i = 0; i < points.size(); ++i) mesh.corners.push_back(point(i));
+      mesh.end_face();
+      mesh.groups.push_back(group());
+      break;
+    case VtkKind::strips:
+      least(3);
+      for (std::size_t i = 0; i + 2 < points.size(); ++i) {
+        const bool turned = i % 2 == 1;
+        mesh.corners.insert(mesh.corners.end(),
+                            {point(turned ? i + 1 : i), point(turned ? i : i + 1), point(i + 2)});
+        mesh.end_face();
+        mesh.groups.push_back(group());
+      }
+      break;
+  }
+  ++cell_;
+}
+
+void VtkCollector::add(VtkKind kind, const VtkCells& cells, std::size_t first, const Fail& fail) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto begin = std::size_t(cells.offsets[i]), end = std::size_t(cells.offsets[i + 1]);
+    add(kind, std::span(cells.connectivity).subspan(begin, end - begin), first, i, fail);
+  }
+}
+
+MeshData VtkCollector::finish() {
+  if (groups_.size() < 2) mesh.groups.clear();
+  return std::move(mesh);
+}
+
+}  // namespace cnrg

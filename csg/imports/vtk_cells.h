@@ -1,0 +1,66 @@
+// What both of VTK's formats of surfaces hold: numbers of a declared type, and cells as lists of points.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "csg/imports/mesh_labels.h"
+#include "csg/leaves/mesh_data.h"
+
+namespace cnrg {
+
+enum class VtkType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+std::size_t size_of(VtkType type);
+bool is_whole(VtkType type);
+
+/// Numbers of one array. Whole ones lose no digit, which doubles would from 2^53 on.
+struct VtkNumbers {
+  bool whole = true;
+  std::vector<std::int64_t> integers;  ///< those of 64 bits without sign as such with one
+  std::vector<double> reals;
+  std::size_t size() const { return whole ? integers.size() : reals.size(); }
+};
+/// The numbers in as many bytes as they take.
+VtkNumbers numbers_of(std::string_view bytes, VtkType type, bool big_endian);
+
+enum class VtkKind { vertices, lines, polygons, strips };
+
+/// Cells of one kind: cell i is connectivity[offsets[i] .. offsets[i + 1]].
+struct VtkCells {
+  std::vector<std::int64_t> connectivity, offsets{0};
+  std::size_t size() const { return offsets.size() - 1; }
+};
+
+/// Surfaces, lines and points of a VTK file on their way into a mesh.
+class VtkCollector {
+ public:
+  using Fail = std::function<void(const std::string&)>;  ///< throws
+
+  /// The labels of the cells that are added next, one each; none if `labels` is no such list.
+  void take_labels(std::optional<VtkNumbers> labels) {
+    labels_ = std::move(labels);
+    cell_ = 0;
+  }
+  /// Cells on points of the mesh, `first` of which come before those that the cells count from 0; it has all
+  /// points. `fail` is told of cells that are none.
+  void add(VtkKind kind, const VtkCells& cells, std::size_t first, const Fail& fail);
+  /// One of them.
+  void add(VtkKind kind, std::span<const std::int64_t> points, std::size_t first, std::size_t number,
+           const Fail& fail);
+
+  MeshData mesh;
+  /// The mesh with its groups.
+  MeshData finish();
+
+ private:
+  MeshLabels groups_;
+  std::optional<VtkNumbers> labels_;
+  std::size_t cell_ = 0;  ///< that comes next, among those with labels
+
+  std::uint32_t group();
+};
+
+}  // namespace cnrg
