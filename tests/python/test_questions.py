@@ -1,7 +1,7 @@
 """Questions to results: the answers of the program, as text and as data."""
-import sys
 import os
 import subprocess
+import sys
 import tempfile
 import threading
 import unittest
