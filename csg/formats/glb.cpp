@@ -8,8 +8,8 @@
 //
 // A leaf that a tree places several times has its points made anew at each place, exactly, and Booleans cut each
 // as they come: the result does not say what is a copy of what. But what is left uncut can be compared: meshes
-// that an exact translation makes equal are one mesh with several nodes. Turned and scaled copies are not
-// recognized.
+// that an exact translation makes equal have their numbers in the file once, and of one material they are one mesh
+// with several nodes. Turned and scaled copies are not recognized.
 //
 // Where two regions touch, both have the wall as a part of their skins, turned to each other; it has no mesh of
 // its own, since it would hide in the same place.

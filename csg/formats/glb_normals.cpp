@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "csg/geometry/exact_vectors.h"
 
@@ -26,6 +27,16 @@ DoubleVector direction(const RationalPoint& a) {
   Rational most;
   for (const Rational& x : a) most = std::max<Rational>(most, abs(x));
   return unit({to_double(a[0] / most), to_double(a[1] / most), to_double(a[2] / most)});
+}
+
+/// Where p is on the patch of a cell; nothing if that does not hold it. A corner that is there once, as nearly all
+/// points that are asked for, needs no arithmetic.
+std::optional<Parameters> place_in(const std::vector<PatchCorner>& cell, const RationalPoint& p) {
+  const auto is_p = [&](const PatchCorner& corner) { return corner.point == p; };
+  const auto first = std::find_if(cell.begin(), cell.end(), is_p);
+  if (first != cell.end() && std::find_if(first + 1, cell.end(), is_p) == cell.end()) return first->at;
+  if (!holds(cell, p)) return std::nullopt;
+  return parameters_in(cell, p);
 }
 
 }  // namespace
@@ -57,7 +68,7 @@ std::vector<CornerNormals::Site> CornerNormals::sites(const FlatComplex::Face& f
                                                       const Corners& corners, const RationalPoint& p) const {
   if (!face.cells.empty()) {
     for (const auto& cell : face.cells[facet]) {
-      if (holds(cell, p)) return {{*face.patch, parameters_in(cell, p)}};
+      if (const auto at = place_in(cell, p)) return {{*face.patch, *at}};
     }
     return {};
   }
@@ -65,7 +76,8 @@ std::vector<CornerNormals::Site> CornerNormals::sites(const FlatComplex::Face& f
   for (const auto& [patch, cell] : face.cells_of_patches) {
     const std::size_t third = collinear(cell[0].point, cell[1].point, cell[2].point) ? 3 : 2;
     const bool in_plane = volume6(cell[0].point, cell[1].point, cell[third].point, p) == 0;
-    if (in_plane && holds(cell, p)) return {{patch, parameters_in(cell, p)}};
+    if (!in_plane) continue;
+    if (const auto at = place_in(cell, p)) return {{patch, *at}};
   }
   return {};
 }

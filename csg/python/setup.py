@@ -24,6 +24,9 @@ class BuildByCMake(build_ext):
         target.parent.mkdir(parents=True, exist_ok=True)
         built, = (build / "cnrg").glob("_cnrg*.so")
         shutil.copy2(built, target)
+        for name in ("_cnrg.pyi", "view.html"):  # types of the extension; the page of Result.view, if there is one
+            if (build / "cnrg" / name).exists():
+                shutil.copy2(build / "cnrg" / name, target.parent)
 
 
 def version():

@@ -182,5 +182,44 @@ TEST_CASE("Ctrl-C ends a mesh at once, and TetGen with it", "[app][terminal]") {
   CHECK(files == std::vector<std::string>{"t.yaml"});
 }
 
+TEST_CASE("Ctrl-C leaves no file that is half written", "[app][terminal]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+nodes:
+  ball: {sphere: {center: [0, 0, 0], radius: 2, segments: 60}}
+  wall: {box: {min: [-3, -3, "1/3"], max: [3, 3, 3]}}
+  r:    {intersection: [ball, wall]}
+result: r
+)");
+  const std::vector<std::string> names{"r.json", "r.vtu", "r.stl"};
+  const auto arguments = [&](const std::string& folder) {
+    std::vector<std::string> words{"eval", "t.yaml"};
+    for (const std::string& name : names) words.insert(words.end(), {"-o", folder + "/" + name});
+    return words;
+  };
+  fs::create_directory(w.path("whole"));
+  const auto begin = std::chrono::steady_clock::now();
+  Process whole(w, arguments("whole"), 70);
+  whole.shown();
+  REQUIRE(whole.wait() == 0);
+  const auto time = std::chrono::steady_clock::now() - begin;
+  constexpr int kTimes = 12;
+  for (int i = 0; i < kTimes; ++i) {
+    const std::string folder = "cut" + std::to_string(i);
+    fs::create_directory(w.path(folder));
+    Process program(w, arguments(folder), 70);
+    std::this_thread::sleep_for(time * (i + 1) / kTimes);
+    kill(program.pid(), SIGINT);
+    const int status = program.wait();
+    CHECK((status == 0 || (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT)));
+    for (const fs::directory_entry& entry : fs::directory_iterator(w.path(folder))) {
+      const std::string name = entry.path().filename();
+      INFO(folder << "/" << name);
+      REQUIRE(std::find(names.begin(), names.end(), name) != names.end());
+      CHECK((w.read(folder + "/" + name) == w.read("whole/" + name)));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cnrg

@@ -179,6 +179,16 @@ PATHS = ["out.vtu", "out.json", "out.stl", "out.msh", "out.obj", "out.ply", "out
          FailingPath(), 3, None]
 
 
+TREES = ["cnrg: 1\nnodes: {a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}}\nresult: a\n", "cnrg: 1\nnodes: {a: {union: [b, b]}, "
+         "b: {mesh: {points: [[0, 0, 0]], faces: []}}}\nresult: a\n", "cnrg: 1\nnodes: {a: {mesh: {file: mesh.off}}}\nresult: a\n",
+         "{}", "cnrg: 1", "a: &a [*a]", "cnrg: 1\nnodes: {\"\\uD800\": {points: [[0, 0, 0]]}}\nresult: b\n"]
+# What attributes take.
+KEYS = {"material": lambda r: r.choice(TEXTS), "name": lambda r: r.choice(TEXTS), "dominance": lambda r: number(r),
+        "translate": lambda r: point(r), "mirror": lambda r: {"normal": point(r)}, "scale": lambda r: r.choice([number(r), point(r)]),
+        "rotate": lambda r: {"axis": point(r), "degrees": number(r)}, "regularize": lambda r: r.choice([True, False, 1]),
+        "simplify": lambda r: r.choice(TEXTS)}
+
+
 def strange(r):
     """Of any kind at all."""
     make = r.choice([
@@ -226,11 +236,18 @@ BY_NAME = {
     **dict.fromkeys(("min", "max", "from_", "to", "center", "axis", "point", "normal", "vector", "base", "apex", "a", "b", "c",
                      "d", "vec"), point),
     **dict.fromkeys(("radius", "degrees", "factor", "height", "major", "minor", "weld", "top", "bottom"), number),
-    **dict.fromkeys(("points", "vertices", "outline", "loop", "control", "profile"), points),
-    **dict.fromkeys(("self", "other", "model", "left", "right", "node", "nodes", "operands", "which"), node),
+    "points": lambda r: r.choice([points(r), [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], numpy.eye(4, 3), an_array(r)]),
+    **dict.fromkeys(("vertices", "outline", "loop", "control", "profile"), points),
+    **dict.fromkeys(("self", "model", "left", "right", "node", "nodes", "operands"), node),
+    "other": lambda r: r.choice([node(r), r.choice(World.results)]),
+    **dict.fromkeys(("which", "what"), lambda r: r.choice(["f0", "e1", "v2", "r0", "r1", "a", "b", 0, -1, 99, point(r), node(r),
+                                                           strange(r)])),
+    **dict.fromkeys(("component", "i", "index", "number", "region"),
+                    lambda r: r.choice([0, 1, 2, -1, 10**9, 2**70, numpy.int8(1), 0.5, "1"])),
     **dict.fromkeys(("segments", "rings", "threads", "degree", "chord"), small),
     **dict.fromkeys(("path", "file", "folder", "inside"), lambda r: r.choice(PATHS)),
-    **dict.fromkeys(("name", "key", "text", "color", "mode", "dominance", "fill", "cell", "what"), lambda r: r.choice(TEXTS)),
+    "text": lambda r: r.choice(TREES + TEXTS),
+    **dict.fromkeys(("name", "key", "color", "mode", "dominance", "fill", "cell", "title", "format"), lambda r: r.choice(TEXTS)),
     "faces": lambda r: r.choice([[[0, 1, 2]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], an_array(r), [[0, 1, 99]],
                                  [[-1, 0, 1]], [[]], [[0, 1]], numpy.array([[0, 1, 2]], dtype=">i4"), strange(r)]),
     "each": lambda r: r.choice([True, False, None]),
@@ -248,7 +265,7 @@ def failing_progress(*arguments):
 
 class World:
     """Objects that calls are made on."""
-    nodes, values, targets = [], [], []
+    nodes, results, values, targets = [], [], [], []
 
     @classmethod
     def create(cls):
@@ -263,12 +280,15 @@ class World:
         tree = cnrg.read("tree.yaml")
         evaluation = cnrg.evaluate(a | b, b)
         results = [evaluation.result, evaluation["b"], (~b).evaluate(), wire.evaluate()]
-        cls.values = [*cls.nodes, tree, evaluation, *results, cnrg.material("ore")]
-        # Nodes, trees and evaluations are not made by their classes.
-        own = {cnrg.Node, cnrg.Tree, cnrg.Evaluation}
+        cls.results = results
+        parts = [results[0].vertices, results[0].edges, results[0].faces, results[0].regions, results[0].explain("f0"),
+                 results[0].topology(), results[0].locate([[1, 1, 1]]), results[0].tetrahedralize(),
+                 results[0].edges.around, results[0].exact_points, results[0].compare(results[0])]
+        cls.values = [*cls.nodes, tree, evaluation, *results, *parts, cnrg.material("ore")]
+        # Classes other than those of errors are not for users to make something by.
         cls.targets = [("cnrg." + n, getattr(cnrg, n)) for n in cnrg.__all__
-                       if callable(getattr(cnrg, n)) and getattr(cnrg, n) not in own]
-        for value in [a | b, ball, tree, evaluation, *results]:
+                       if not isinstance(getattr(cnrg, n), type) or issubclass(getattr(cnrg, n), Exception)]
+        for value in [a | b, ball, tree, evaluation, *results, *parts]:
             for n in dir(type(value)):
                 if not n.startswith("_") or n in ("__getitem__", "__contains__", "__or__", "__sub__", "__and__"):
                     cls.targets.append((f"{type(value).__name__}.{n}", (value, n)))
@@ -280,7 +300,6 @@ def arguments_for(r, function):
     except (TypeError, ValueError):
         return [strange(r) for _ in range(r.randrange(4))], {}
     values, named = [], {}
-
     sane = r.choice([0.5, 0.8, 0.98])
 
     def value_of(name):
@@ -291,8 +310,10 @@ def arguments_for(r, function):
         if p.kind == p.VAR_POSITIONAL:
             values += [value_of(p.name) for _ in range(r.randrange(3))]
         elif p.kind == p.VAR_KEYWORD:
-            for key in r.sample(["material", "name", "dominance", "translate", "scale", "rotate", "nonsense"], r.randrange(3)):
-                named[key] = strange(r) if r.random() < 0.7 else r.choice(TEXTS)
+            for key in r.sample(sorted(KEYS), r.choice([0, 0, 1, 2])):
+                named[key] = KEYS[key](r) if r.random() < sane else strange(r)
+            if r.random() < 0.05:
+                named["nonsense"] = strange(r)
         elif p.default is p.empty or r.random() < 0.3:
             if p.kind == p.KEYWORD_ONLY:
                 named[p.name] = value_of(p.name)

@@ -16,6 +16,12 @@ class Arguments(unittest.TestCase):
             with self.assertRaisesRegex(cnrg.InputError, "not Unicode"):
                 make()
 
+    def test_a_node_of_another_tree_is_not_found(self):
+        tree = cnrg.Tree.of(cnrg.box([0, 0, 0], [1, 1, 1]))
+        for node in (cnrg.box([0, 0, 0], [2, 2, 2]), None, 3):
+            with self.assertRaisesRegex(KeyError, "not in the tree"):
+                tree.evaluate(node)
+
     def test_whatever_is_given_only_documented_errors_come_out(self):
         done = subprocess.run([sys.executable, "-B", FUZZER, "--calls", "6000", "--seed", "1"], capture_output=True,
                               text=True, timeout=600)

@@ -95,7 +95,7 @@ class Meshio(WithFolder):
         for name in ("gmsh:physical", "gmsh:geometrical"):
             self.assertEqual([d.tolist() for d in back.cell_data[name]], [d.tolist() for d in mesh.cell_data[name]])
 
-    def test_what_reaches_infinity(self):
+    def test_what_reaches_infinity_is_no_mesh(self):
         with self.assertRaisesRegex(cnrg.InputError, "box"):
             result_of(HALF).to_meshio()
 
@@ -144,7 +144,7 @@ class Vtk(WithFolder):
             mesh.write(self.folder / "a.vtu")
             self.assert_same(mesh.to_vtk(), self.read(self.folder / "a.vtu"))
 
-    def test_names(self):
+    def test_a_grid_has_names(self):
         fields = result_of(SLOPE).to_vtk().GetFieldData()
         names = fields.GetAbstractArray("RegionNames")
         self.assertEqual([names.GetValue(i) for i in range(names.GetNumberOfValues())], ["outside", "ground", "ground", "entities"])
@@ -174,7 +174,7 @@ class Trimesh(unittest.TestCase):
             self.assertEqual(edges, sorted((b, a) for a, b in edges))
         self.assertFalse(mesh.process)
 
-    def test_by_name_and_as_a_whole(self):
+    def test_a_trimesh_by_name_and_as_a_whole(self):
         result = result_of(LAYERS)
         high = result.to_trimesh("high")
         self.assertEqual(high.vertices[:, 2].min(), 1)
@@ -215,7 +215,7 @@ class Tetrahedra(WithFolder):
             out[component] = out.get(component, 0) + six / 6
         return out
 
-    def test_volumes_and_cells(self):
+    def test_tetrahedra_have_volumes_and_cells(self):
         result = result_of(LAYERS)
         mesh = result.tetrahedralize(max_volume="1/20", quality=1.4)
         self.assertEqual(self.volumes(mesh), {c.number: c.volume for c in result.components[:2]})
@@ -256,7 +256,7 @@ class Tetrahedra(WithFolder):
         on = numpy.abs(numpy.linalg.norm(middle, axis=1) - 1) < 1e-9
         self.assertGreater(on.mean(), 0.9)
 
-    def test_files(self):
+    def test_tetrahedra_are_written(self):
         mesh = result_of(LAYERS).tetrahedralize()
         for name in ("a.msh", "a.mesh", "a.vtu"):
             mesh.write(self.folder / name)
@@ -274,7 +274,7 @@ class Tetrahedra(WithFolder):
         with self.assertRaises(ValueError):
             points[0] = 0
 
-    def test_what_cannot_be(self):
+    def test_what_cannot_be_meshed(self):
         result = result_of(LAYERS)
         for wrong in ({"max_volume": -1}, {"max_volume": float("nan")}, {"quality": 1}, {"quality": float("nan")},
                       {"seconds": -1}, {"quality": 1000}):
@@ -312,13 +312,13 @@ class Pictures(WithFolder):
         subprocess.run([os.environ["CNRG_PROGRAM"], "eval", str(tree), "--quiet", "--ghosts", "-o", str(self.folder / "g.svg")], check=True)
         self.assertEqual(result.picture(ghosts=True), (self.folder / "g.svg").read_bytes())
 
-    def test_formats(self):
+    def test_formats_of_pictures(self):
         result = result_of(LAYERS)
         self.assertTrue(result.picture(format="png").startswith(b"\x89PNG"))
         self.assertTrue(result.picture(format="pdf").startswith(b"%PDF"))
         self.assertTrue(result._repr_png_().startswith(b"\x89PNG"))
 
-    def test_what_is_no_option(self):
+    def test_what_is_no_option_of_pictures(self):
         result = result_of(LAYERS)
         for wrong, said in (({"camera": (1, 2, 3)}, "camera: "), ({"cut": "w=5"}, "cut: "), ({"explode": -1}, "explode: "),
                             ({"opacity": 2}, "opacity: "), ({"color_by": "taste"}, "color_by: "), ({"labels": "x"}, "labels: "),
@@ -341,7 +341,7 @@ class Pictures(WithFolder):
         self.assertIn("unbounded", result_of(HALF)._repr_html_())
         self.assertNotIn("<svg", result_of("cnrg: 1\nnodes: {a: {points: [[0, 0, 1e300]]}}\nresult: a\n")._repr_html_())
 
-    def test_a_page(self):
+    def test_a_page_of_a_result(self):
         result = result_of(SLOPE)
         if not (Path(cnrg.__file__).parent / "view.html").exists():
             with self.assertRaisesRegex(cnrg.FileError, "Node.js"):

@@ -163,7 +163,7 @@ class Explain(WithProgram):
                 told = self.program("explain", path, "--point", ",".join(str(x) for x in point))
                 self.assertEqual(str(result.explain(point)), told)
 
-    def test_facts(self):
+    def test_facts_of_an_explanation(self):
         result = result_of(SLOPE)
         why = result.explain([60, 50, 33])
         self.assertEqual(why.cell, "r1")
@@ -178,13 +178,13 @@ class Explain(WithProgram):
         stars = result_of(OPEN).explain("f0").lives
         self.assertTrue(any("stars" in step.data for life in stars for step in life))
 
-    def test_names_that_are_none(self):
+    def test_names_that_are_no_cells(self):
         result = result_of(SLOPE)
         for wrong, said in (("f99", "f0 to f11"), ("x1", "names no cell"), ("", "names no cell")):
             with self.assertRaisesRegex(cnrg.InputError, said):
                 result.explain(wrong)
 
-    def test_other_nodes(self):
+    def test_cells_of_other_nodes_are_explained(self):
         path = self.tree(SLOPE)
         result = cnrg.read(path).evaluate("split")["split"]
         told = self.program("explain", path, "--node", "split", "--cell", "f5")
@@ -192,7 +192,7 @@ class Explain(WithProgram):
 
 
 class Topology(WithProgram):
-    def test_texts_are_those_of_the_program(self):
+    def test_topology_is_told_as_by_the_program(self):
         for name, text in TREES.items():
             with self.subTest(name):
                 path = self.tree(text)
@@ -200,7 +200,7 @@ class Topology(WithProgram):
                 told = out.split("\n", 1)[1] if out.startswith("topology") else out.lstrip("\n").split("\n", 1)[1]
                 self.assertEqual(str(cnrg.read(path).evaluate().result.topology()), told)
 
-    def test_facts(self):
+    def test_facts_of_topology(self):
         t = result_of(SLOPE).topology()
         self.assertEqual(t.betti, (1, 1, 0))
         self.assertEqual(t.betti_of(3, "q"), (1, 2, 2))
@@ -221,7 +221,7 @@ class Topology(WithProgram):
 
 
 class Compare(WithProgram):
-    def test_texts_are_those_of_the_program(self):
+    def test_comparisons_are_told_as_by_the_program(self):
         bolt = SLOPE.replace("[60, 50, 30], [60, 50,", "[61, 50, 30], [61, 50,")
         named = SLOPE.replace("ground", "soil")
         for text in (bolt, named, ROUND, SLOPE.replace("#998877", "#000000")):
@@ -231,7 +231,7 @@ class Compare(WithProgram):
             self.assertEqual(told.split("\n", 3)[3], str(found) if not found.same else "")
             self.assertEqual(told.split("\n")[2], "the same" if found.same else "different")
 
-    def test_facts(self):
+    def test_facts_of_a_comparison(self):
         small = cnrg.box([0, 0, 0], [1, 1, 1], name="a")
         large = cnrg.box([0, 0, 0], [1, 1, 2], name="b")
         found = small.evaluate().compare(large.evaluate())

@@ -112,7 +112,7 @@ class Arrays(unittest.TestCase):
             with self.assertRaises(IndexError):
                 result.exact_points[len(exact)]
 
-    def test_vertices(self):
+    def test_vertices_are_those_of_the_file(self):
         for result, file in self.each():
             cells = result.vertices
             self.assertEqual(cells.point.tolist(), [v["point"] for v in file["vertices"]])
@@ -127,7 +127,7 @@ class Arrays(unittest.TestCase):
                 self.assertEqual(sorted(set(edges.tolist())), ends.tolist())
                 self.assertEqual(bool(cells.free[i]), len(edges) == 0)
 
-    def test_edges(self):
+    def test_edges_are_those_of_the_file(self):
         for result, file in self.each():
             cells = result.edges
             self.assertEqual(cells.points.tolist(), [e["points"] for e in file["edges"]])
@@ -140,7 +140,7 @@ class Arrays(unittest.TestCase):
                     continue
                 self.assertEqual((a, b), (result.point_vertices[e["points"][0]], result.point_vertices[e["points"][-1]]))
 
-    def test_faces(self):
+    def test_faces_are_those_of_the_file(self):
         for result, file in self.each():
             cells = result.faces
             self.assertEqual([loops.tolist() for loops in cells.loops], [f["loops"] for f in file["faces"]])
@@ -159,7 +159,7 @@ class Arrays(unittest.TestCase):
                 if facets:
                     self.assertEqual(cells.facet_triangles[i].sum(), len(f["triangles"]))
 
-    def test_regions_and_volumes(self):
+    def test_regions_and_volumes_are_those_of_the_file(self):
         for result, file in self.each():
             cells = result.regions
             for key in ("component", "bounded"):
@@ -177,7 +177,7 @@ class Arrays(unittest.TestCase):
             active = [v for v, r in zip(volumes, file["regions"]) if r["component"]]
             self.assertEqual(result.volume, None if None in active else sum(active, Fraction(0)))
 
-    def test_components_materials_and_leaves(self):
+    def test_components_materials_and_leaves_are_those_of_the_file(self):
         for result, file in self.each():
             self.assertEqual(result.leaves, tuple(leaf["name"] for leaf in file["leaves"]))
             self.assertEqual(result.is_group, file["group"])
@@ -188,7 +188,7 @@ class Arrays(unittest.TestCase):
             if result.is_group:  # the entities are one more
                 self.assertEqual([c[0] for c in own[len(listed) :]], ["entities"] * (len(own) - len(listed)))
 
-    def test_origins(self):
+    def test_origins_are_those_of_the_file(self):
         keys = {"point": 0, "edges": 1, "faces": 2, "regions": 3}
         for result, file in self.each():
             for kind in ("vertices", "edges", "faces", "regions"):
@@ -244,7 +244,7 @@ class Arrays(unittest.TestCase):
         steps = numpy.mod(numpy.diff(angles), 360)
         self.assertTrue(numpy.allclose(steps, 90 if upward else 270), angles)
 
-    def test_sizes(self):
+    def test_lengths_and_areas(self):
         for result, _ in self.each():
             for i in result.edges.active:
                 points = [result.exact_points[int(p)] for p in result.edges.points[i]]
@@ -307,7 +307,7 @@ class Figures(unittest.TestCase):
 
 
 class ListsOfLists(unittest.TestCase):
-    def test_they_are_sequences(self):
+    def test_lists_are_sequences(self):
         lists = result_of(SLOPE).edges.points
         self.assertIsInstance(lists, cnrg.Lists)
         self.assertEqual(lists[-1].tolist(), lists[len(lists) - 1].tolist())

@@ -1,13 +1,14 @@
 // Tests of what is written in Python are written in Python: test_*.py in the folder of their room. Here
-// each of their methods becomes a test case, `test_a_fault_is_named` of test_rows.py the case "a fault is named" with
-// the tag [rows]. All of them run in one process, which loads its modules once; a case that is chosen by name runs
-// alone.
+// each of their methods becomes a test case, `test_a_fault_is_named` of test_rows.py the case "a fault is named"
+// with the tag [rows]. All of them run in one process, which loads its modules once; a case that is chosen by name
+// runs alone.
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdio>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -89,12 +90,15 @@ void add(Catch::ITestInvoker* test, const std::string& name, const std::string& 
     return false;
   }
   std::istringstream lines(list.out);
+  std::set<std::string> names;  // two classes may have a test of one name
   for (std::string id; std::getline(lines, id);) {
     const std::size_t dot = id.find_last_of('.');
     std::string name = id.substr(dot + 1), tag = id.substr(0, id.find('.'));
     for (std::string* text : {&name, &tag})
       if (text->rfind("test_", 0) == 0) text->erase(0, 5);
     std::replace(name.begin(), name.end(), '_', ' ');
+    const std::size_t module_end = id.find('.');
+    if (!names.insert(name).second) name += " (" + id.substr(module_end + 1, dot - module_end - 1) + ")";
     add(new PythonTest(id), name, "[" + tag + "]");
   }
   return true;

@@ -10,6 +10,7 @@ A side of a face is one number, 2 * face + side, where side 0 is its front and 1
 
 from __future__ import annotations
 
+import operator
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Iterator, Sequence, overload
@@ -54,10 +55,7 @@ class Lists(Sequence[Any]):
             if step != 1:
                 raise ValueError("Lists: a slice takes neighbours, so its step is 1")
             return Lists(self.offsets[start : max(start, stop) + 1], self.values)
-        n = len(self)
-        if not -n <= i < n:
-            raise IndexError(f"there are {n} lists, and this is none of them: {i}")
-        i %= n
+        i = _number(i, len(self))
         return self.values[int(self.offsets[i]) : int(self.offsets[i + 1])]
 
     def __iter__(self) -> Iterator[Any]:
@@ -96,9 +94,7 @@ class ExactPoints(Sequence[Any]):
     def __getitem__(self, i: Any) -> Any:
         if isinstance(i, slice):
             return [self[k] for k in range(*i.indices(self._size))]
-        if not -self._size <= i < self._size:
-            raise IndexError(f"there are {self._size} points, and this is none of them: {i}")
-        return self._arrays.exact_point(int(i) % self._size)
+        return self._arrays.exact_point(_number(i, self._size))
 
 
 class Cells:
@@ -139,7 +135,7 @@ class Cells:
 
     def origin(self, i: int) -> list[tuple[str, str, int]]:
         """Of cell i, each as (name of the leaf, "face", number); kinds are point, wire, face, region."""
-        return [(self._leaves[leaf], _KINDS[d], int(n)) for leaf, d, n in self.origin_cells[i]]
+        return [(self._leaves[leaf], _KINDS[d], int(n)) for leaf, d, n in self.origin_cells[_number(i, len(self))]]
 
     def __repr__(self) -> str:
         return f"<cnrg {self._kind}: {len(self)}, {int(np.count_nonzero(self.component))} of them part of the result>"
@@ -305,7 +301,7 @@ class Component:
 
 
 def _number(i: Any, count: int) -> int:
-    i = int(i)
+    i = operator.index(i)
     if not -count <= i < count:
         raise IndexError(f"there are {count} of them, numbered from 0, and this is none: {i}")
     return i % count

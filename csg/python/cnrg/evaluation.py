@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import operator
 import warnings
 from dataclasses import dataclass
 from fractions import Fraction
@@ -11,7 +10,7 @@ from typing import Any, Iterator, Sequence
 from . import _cnrg
 from .errors import Notice
 from .nodes import Node, Number, site_of_caller
-from .progress import Progress, Shown
+from .progress import Progress, Shown, threads_of
 from .result import Result
 from .tree import Tree
 
@@ -174,9 +173,7 @@ def evaluate_tree(
     progress: Progress = None,
 ) -> Evaluation:
     """`evaluate` for a tree."""
-    threads = operator.index(threads)
-    if not 0 <= threads <= 4096:
-        raise ValueError(f"threads: a number from 0 to 4096 is wanted, not {threads}")
+    threads = threads_of(threads)
     kept = [tree.number_of(tree.result)] + [tree.number_of(node) for node in nodes]
     with Shown(progress) as shown, tree.placed():
         evaluation = _cnrg.evaluate(tree._tree, kept[1:], threads, bool(rows), bool(raw), bool(validate), shown)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import sys
 from typing import Any, Callable, Union
 
@@ -9,6 +10,14 @@ Progress = Union[None, bool, Callable[[str, int, int], Any]]
 """None or False: nothing is shown. True: a bar, by tqdm if that is installed, else lines on standard error. Or a
 function that is called as f(stage, done, total), up to twenty times a second; total is 0 where it is not known. What
 it raises stops the work."""
+
+
+def threads_of(threads: Any) -> int:
+    """How many threads long work may have; 0: one per core."""
+    threads = operator.index(threads)
+    if not 0 <= threads <= 4096:
+        raise ValueError(f"threads: a number from 0 to 4096 is wanted, not {threads}")
+    return int(threads)
 
 
 class _Bar:

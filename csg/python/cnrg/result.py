@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 from . import _cnrg, convert, stories
 from .cells import Cells, Component, Edges, ExactPoints, Faces, Regions, Vertices
 from .errors import FileError, InputError
-from .progress import Progress, Shown
+from .pictures import View, options_of, replace_file
+from .progress import Progress, Shown, threads_of
 from .stories import Comparison, Explanation, Topology
 from .tetrahedra import Tetrahedra
 
@@ -47,23 +48,6 @@ class Places(NamedTuple):
     def names(self) -> list[str]:
         """As `cnrg locate` and `explain` call the cells: "f12"; "-" for what is not listed."""
         return ["-" if c < 0 else f"{_LETTERS[d]}{c}" for d, c in zip(self.dimension, self.cell)]
-
-
-class View:
-    """A page for browsers, which a notebook shows in a frame."""
-
-    def __init__(self, text: str, height: int):
-        self.text = text
-        """the page, in HTML"""
-        self.height = height
-        """of the frame, in pixels"""
-
-    def __repr__(self) -> str:
-        return f"<cnrg.View: {len(self.text) // 1024} KB>"
-
-    def _repr_html_(self) -> str:
-        return (f'<iframe srcdoc="{html.escape(self.text)}" style="width: 100%; height: {self.height}px; '
-                'border: 1px solid #ccc" sandbox="allow-scripts allow-downloads"></iframe>')
 
 
 class Result:
@@ -198,7 +182,10 @@ class Result:
         return sum(known, Fraction(0)) if len(known) == len(volumes) else None
 
     def volume_of(self, component: int) -> Fraction | None:
-        """Exact, of one component (from 1), in cubic units; None: unbounded."""
+        """Exact, of one component (from 1), in cubic units; None: unbounded. IndexError for none."""
+        component = operator.index(component)
+        if not 1 <= component <= self._result.component_count:
+            raise IndexError(f"components are numbered from 1 to {self._result.component_count}, and this is none of them")
         return self._once(f"volume {component}", lambda: self._result.volume_of(component))
 
     def __repr__(self) -> str:
@@ -235,11 +222,11 @@ class Result:
         """
         with Shown(progress) as shown, self._placed():
             if isinstance(what, str):
-                return stories.explanation(*_cnrg.explain_cell(self._result, self._all(threads, shown), what))
+                return stories.explanation(*_cnrg.explain_cell(self._result, self._all(threads_of(threads), shown), what))
             if _cnrg.has_frame(self._result):  # it may lie beyond: the frame has to hold it
-                everything = _cnrg.evaluate_all(self._result, what, threads, shown)
+                everything = _cnrg.evaluate_all(self._result, what, threads_of(threads), shown)
             else:
-                everything = self._all(threads, shown)
+                everything = self._all(threads_of(threads), shown)
             return stories.explanation(*_cnrg.explain_point(self._result, everything, what))
 
     def _all(self, threads: int, shown: Any) -> Any:
@@ -260,8 +247,8 @@ class Result:
             raise TypeError(f"compare: a Result is wanted, not {type(other).__name__}")
         ignored = [ignore] if isinstance(ignore, str) else list(ignore)
         with tempfile.TemporaryDirectory() as folder, Shown(progress) as shown, self._placed():
-            sides = [one._as_side(os.path.join(folder, f"{i}.json")) for i, one in enumerate((self, other))]
-            same, text, facts = _cnrg.compare(*sides, ignored, threads, shown)
+            a, b = (one._as_side(os.path.join(folder, f"{i}.json")) for i, one in enumerate((self, other)))
+            same, text, facts = _cnrg.compare(a, b, ignored, threads_of(threads), shown)
         return stories.comparison(text, facts)
 
     def _as_side(self, path: str) -> Any:
@@ -307,8 +294,8 @@ class Result:
     # --- files and other packages
 
     def write(self, path: str | os.PathLike[str], *, parameters: bool = False) -> None:
-        """Writes a file in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off .stl .ply .step
-        .stp .brep .regions.dot.
+        """Writes a file in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off .stl .ply .3mf
+        .glb .step .stp .brep .regions.dot.
 
         parameters: .json and .vtu say the parameters u, v of faces on curved patches. InputError for an extension that
         is none, and for a result that the format cannot hold; FileError. The file appears whole or not at all.
@@ -433,9 +420,10 @@ class Result:
                 many = "several regions have" if found else "no region has"
                 raise InputError(f"{many} the name {region!r}; names are: {known}; numbers: {active.tolist()}")
             return found[0]
-        if region not in active:
-            raise InputError(f"there is no region {region} in the result; there are {active.tolist()}")
-        return int(region)
+        number = operator.index(region)
+        if number not in active.tolist():
+            raise InputError(f"the result has no region of this number; there are {active.tolist()}")
+        return number
 
     # --- pictures
 
@@ -453,13 +441,13 @@ class Result:
 
         InputError for what is none of these, and for coordinates beyond 1e250.
         """
-        options = _picture_options(camera, cut, explode, opacity, ghosts, color_by, labels, caption, size)
+        options = options_of(camera, cut, explode, opacity, ghosts, color_by, labels, caption, size)
         extension = Path(os.fspath(path)).suffix.lower() if path is not None else "." + format
         with Shown(progress) as shown, self._placed():
-            data = _cnrg.picture(self._result, extension, options, threads, shown)
+            data = _cnrg.picture(self._result, extension, options, threads_of(threads), shown)
         if path is None:
             return data
-        _replace(path, data)
+        replace_file(path, data)
         return None
 
     def view(self, path: str | os.PathLike[str] | None = None, *, title: str | None = None, height: int = 600,
@@ -476,10 +464,10 @@ class Result:
             raise FileError(f"{template} is not there: the page is bundled when cnrg is built where Node.js, npm and the "
                             "network are") from None
         with Shown(progress) as shown, self._placed():
-            text = _cnrg.page(self._result, page, title or self.name, threads, shown)
+            text = _cnrg.page(self._result, page, title or self.name, threads_of(threads), shown)
         if path is None:
-            return View(text, int(height))
-        _replace(path, text.encode("utf-8", "replace"))
+            return View(text, operator.index(height))
+        replace_file(path, text.encode("utf-8", "replace"))
         return None
 
     def _still(self, format: str, **options: Any) -> bytes | None:
@@ -547,55 +535,3 @@ def _given_points(points: Any) -> tuple[Any, Any]:
     if all(type(p) in (list, tuple) and len(p) == 3 and all(type(x) is float for x in p) for p in points):
         return np.array(points, dtype=np.float64), None
     return None, list(points)
-
-
-def _text(number: Any) -> str:
-    """A number in an option: exact."""
-    return _cnrg.number_text(number)
-
-
-def _picture_options(camera: Any, cut: Any, explode: Any, opacity: Any, ghosts: bool, color_by: str | None,
-                     labels: str | Iterable[str], caption: str | None, size: Any) -> list[tuple[str, str]]:
-    """As on the command line, whose rules hold: the library reads them."""
-    def joined(value: Any, separator: str) -> str:
-        return value if isinstance(value, str) else separator.join(_text(x) for x in value)
-
-    options = []
-    if camera is not None:
-        options.append(("camera", joined(camera, ",")))
-    planes = [cut] if isinstance(cut, str) or (len(cut) == 4 and not isinstance(cut[0], (str, tuple, list))) else cut
-    options += [("cut", joined(plane, ",")) for plane in planes]
-    for name, number in (("explode", explode), ("opacity", opacity)):
-        if number is not None:
-            options.append((name, _text(number)))
-    if ghosts:
-        options.append(("ghosts", ""))
-    if color_by is not None:
-        options.append(("color-by", str(color_by)))
-    words = labels if isinstance(labels, str) else ",".join(str(word) for word in labels)
-    if words:
-        options.append(("labels", words))
-    if caption is not None:
-        options.append(("caption", str(caption)))
-    if size is not None:
-        options.append(("size", joined(size, "x")))
-    return options
-
-
-def _replace(path: str | os.PathLike[str], data: bytes) -> None:
-    """Writes a file that appears whole or not at all."""
-    path = os.fspath(path)
-    try:
-        handle, draft = tempfile.mkstemp(dir=os.path.dirname(path) or ".", suffix=".tmp")
-        try:
-            with os.fdopen(handle, "wb") as file:
-                file.write(data)
-            mask = os.umask(0)
-            os.umask(mask)
-            os.chmod(draft, 0o666 & ~mask)
-            os.replace(draft, path)
-        except BaseException:
-            os.unlink(draft)
-            raise
-    except OSError as error:
-        raise FileError(f"{path}: cannot be written: {error.strerror}") from None

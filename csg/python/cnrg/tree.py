@@ -351,6 +351,8 @@ class Tree:
             self._numbers = {}
             for i, (name, known) in enumerate(self._nodes.items()):
                 self._numbers[id(known)] = names.get(name, i)
+        if id(node) not in self._numbers:
+            raise KeyError("this node is not in the tree")
         return self._numbers[id(node)]
 
     def evaluate(self, *nodes: Node | str, **options: Any) -> Any:
