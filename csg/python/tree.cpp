@@ -196,7 +196,20 @@ void bind_tree(py::module_& module) {
       }))
       .def_property_readonly("point_count", &MeshData::point_count)
       .def_property_readonly("face_count", &MeshData::face_count)
-      .def("text", &text_of);
+      .def("text", &text_of)
+      .def(py::pickle(
+          [](const MeshData& data) {
+            const Doubles points({py::ssize_t(data.point_count()), py::ssize_t(3)}, data.xyz.data());
+            const std::vector<std::int64_t> corners(data.corners.begin(), data.corners.end());
+            const std::vector<std::int64_t> offsets(data.offsets.begin(), data.offsets.end());
+            return py::make_tuple(points, Numbers(py::ssize_t(corners.size()), corners.data()),
+                                  Numbers(py::ssize_t(offsets.size()), offsets.data()));
+          },
+          [](const py::tuple& state) {
+            if (state.size() != 3) throw py::value_error("this is no mesh that was pickled");
+            return std::const_pointer_cast<MeshData>(
+                mesh_of(state[0].cast<Doubles>(), state[1].cast<Numbers>(), state[2].cast<Numbers>()));
+          }));
 
   py::class_<NodeRecord>(module, "NodeRecord")
       .def_readonly("name", &NodeRecord::name)

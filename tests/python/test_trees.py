@@ -1,5 +1,8 @@
 """Expressions and tree files: both ways, with the same bytes as the program."""
+import copy
+import multiprocessing
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
@@ -176,6 +179,23 @@ class Expressions(Folder):
             box.key = "a"
         with self.assertRaises(AttributeError):
             del box.operator
+
+
+    def test_nodes_go_to_other_processes(self):
+        points = numpy.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.5]])
+        mesh = cnrg.mesh(points, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]).translate([1, 2, 3])
+        skin = cnrg.box([0, 0, 0], [4, 4, 4]).named("skin")
+        crust = cnrg.material("crust", "#112233", distance={"to": skin, "stops": [[0, "a"], [1, "b"]]})
+        for model in slope(), mesh, mesh | cnrg.box([0, 0, 0], [1, 1, 1], material=crust):
+            again = pickle.loads(pickle.dumps(model))
+            self.assertEqual(again.to_yaml(), model.to_yaml())
+            self.assertEqual(copy.deepcopy(model).to_yaml(), model.to_yaml())
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            self.assertEqual(pool.apply(_volume, (mesh,)), Fraction(1, 4))
+
+
+def _volume(node):
+    return node.evaluate().volume
 
 
 class Places(Folder):

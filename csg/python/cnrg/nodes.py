@@ -225,6 +225,9 @@ class Node:
         words = f"{self.operator} of {len(self.operands)}" if self.operands else self.operator
         return f"<cnrg.Node {self.key!r}: {words}>" if self.key else f"<cnrg.Node: {words}>"
 
+    def __reduce__(self) -> Any:
+        return _again, (self.operator, self.operands, self.value, self.attributes, self.key, self.is_inline, self.site)
+
     def __copy__(self) -> Node:
         return self
 
@@ -354,6 +357,11 @@ class Node:
         from .tree import Tree
 
         return Tree.of(self, weld=weld).to_yaml(folder)
+
+
+def _again(operator: str, operands: Any, value: Any, attributes: Any, key: Any, is_inline: bool, site: Site) -> Node:
+    """A node that was pickled."""
+    return Node(operator, operands, value, attributes, key=key, is_inline=is_inline, site=site)
 
 
 _TRANSFORMS = ("translate", "rotate", "scale", "mirror")
