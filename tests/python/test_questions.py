@@ -1,6 +1,7 @@
 """Questions to results: the answers of the program, as text and as data."""
 import os
 import subprocess
+import sys
 import tempfile
 import threading
 import unittest
@@ -183,6 +184,14 @@ class Explain(WithProgram):
         for wrong, said in (("f99", "f0 to f11"), ("x1", "names no cell"), ("", "names no cell")):
             with self.assertRaisesRegex(cnrg.InputError, said):
                 result.explain(wrong)
+
+    def test_nodes_of_a_script_have_the_lines_of_their_calls(self):
+        at = sys._getframe().f_lineno + 1
+        a = cnrg.box([0, 0, 0], [2, 2, 2])
+        b = cnrg.box([1, 1, 1], [3, 3, 3])
+        told = (a - b).evaluate().explain([1.5, 1.5, 1.5])
+        self.assertEqual([step.data["line"] for step in told.steps], [at, at + 1, at + 2])
+        self.assertRegex(str(told), rf"(?m)^box .* line {at}  .*\nbox2 .* line {at + 1}  .*\ndifference .* line {at + 2}  ")
 
     def test_cells_of_other_nodes_are_explained(self):
         path = self.tree(SLOPE)

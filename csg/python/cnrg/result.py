@@ -222,12 +222,14 @@ class Result:
         """
         with Shown(progress) as shown, self._placed():
             if isinstance(what, str):
-                return stories.explanation(*_cnrg.explain_cell(self._result, self._all(threads_of(threads), shown), what))
-            if _cnrg.has_frame(self._result):  # it may lie beyond: the frame has to hold it
-                everything = _cnrg.evaluate_all(self._result, what, threads_of(threads), shown)
+                text, facts = _cnrg.explain_cell(self._result, self._all(threads_of(threads), shown), what)
             else:
-                everything = self._all(threads_of(threads), shown)
-            return stories.explanation(*_cnrg.explain_point(self._result, everything, what))
+                if _cnrg.has_frame(self._result):  # it may lie beyond: the frame has to hold it
+                    everything = _cnrg.evaluate_all(self._result, what, threads_of(threads), shown)
+                else:
+                    everything = self._all(threads_of(threads), shown)
+                text, facts = _cnrg.explain_point(self._result, everything, what)
+        return stories.explanation(text, facts, self._evaluation.tree.line_of)
 
     def _all(self, threads: int, shown: Any) -> Any:
         return self._once("all", lambda: _cnrg.evaluate_all(self._result, None, threads, shown))

@@ -7,9 +7,10 @@ dicts and lists with exact numbers as Fractions.
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, Callable
 
 _EXACT = {"u", "v", "t", "volume"}
 
@@ -155,9 +156,18 @@ class Comparison(Told):
         return f"<cnrg.Comparison: {'the same' if self.same else 'different'}>"
 
 
-def explanation(text: str, facts: str) -> Explanation:
-    """From what the library tells."""
-    return Explanation(text, _facts(json.loads(facts)))
+def explanation(text: str, facts: str, line_of: Callable[[int], int]) -> Explanation:
+    """From what the library tells. `line_of` a line of the tree's text is the line that people know."""
+    data = _facts(json.loads(facts))
+    for life in data["lives"]:
+        for step in life["steps"]:
+            step["line"] = line_of(step["line"])
+
+    def told(row: re.Match[str]) -> str:
+        return row[1] + f"line {line_of(int(row[2]))}".ljust(len(row[0]) - len(row[1]) - 2) + "  "
+
+    # A row of a node begins its line; what decided there is indented.
+    return Explanation(re.sub(r"^(\S.*?  )line (\d+) *  (?=\S)", told, text, flags=re.M), data)
 
 
 def topology(text: str, facts: str) -> Topology:

@@ -396,6 +396,11 @@ class Tree:
         node = self._text.node_at(line or 1, column or 1)
         return (node or self._result).site
 
+    def line_of(self, line: int) -> int:
+        """The line of the script, or of the file, in which the node at a line of the tree's text was made."""
+        site = self.site(self._tree.file, line, None)
+        return site[1] or line
+
     def translated(self, message: str) -> str:
         """A message with places in the script."""
         if self._text is None:
