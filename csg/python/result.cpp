@@ -22,12 +22,13 @@ void bind_result(py::module_& module) {
              return to_fraction(watched(py::none(), [&](const Watch&) { return r.result.volume(i); }));
            })
       .def("write",
-           [](const OneResult& r, const std::string& path, bool parameters) {
-             FileOptions options;
-             options.parameters = parameters;
-             const RoundingReport report =
+           [](const OneResult& r, const std::string& path, bool parameters, bool snap, bool binary) {
+             const FileOptions options{.parameters = parameters, .snap = snap, .binary = binary};
+             const FileReport report =
                  watched(py::none(), [&](const Watch&) { return write(path, r.result, options); });
-             return py::make_tuple(report.moved, report.embedded, report.notices);
+             std::vector<std::string> notices = report.notices;
+             if (report.snapped.rounds > 0) notices.push_back(report.snapped.text());
+             return py::make_tuple(report.moved, report.embedded, notices);
            })
       .def("snap", [](const OneResult& r, const py::object& progress) {
         auto [snapped, report] = apart(progress, [held = r.result](const Watch& watch) {

@@ -385,6 +385,19 @@ class Snapped(unittest.TestCase):
         self.assertFalse(result.compare(snapped))
         self.assertTrue(snapped.compare(snapped.snap()))
 
+    def test_files_are_snapped_unless_they_are_not_to_be(self):
+        gap = (cnrg.box([0, 0, 0], [1, 1, 1]) | cnrg.box([0, 0, "1.00000000000000001"], [1, 1, 2])).evaluate()
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertRegex(" ".join(gap.write(f"{folder}/a.vtu")), "snapped 4 of 16")
+            self.assertEqual(gap.write(f"{folder}/a.json"), [])
+            with self.assertWarnsRegex(cnrg.Notice, "broke the result"):
+                gap.write(f"{folder}/b.vtu", snap=False)
+            box = cnrg.box([0, 0, 0], [1, 1, 1]).evaluate()
+            self.assertEqual(box.write(f"{folder}/box.stl", binary=True), [])
+            self.assertEqual(os.path.getsize(f"{folder}/box.stl"), 84 + 12 * 50)
+            with self.assertRaises(cnrg.InputError):
+                box.write(f"{folder}/box.obj", binary=True)
+
     def test_what_is_on_doubles_stays_itself(self):
         result = cnrg.box([0, 0, 0], [1, 1, 1]).evaluate()
         self.assertIs(result.snap(), result)

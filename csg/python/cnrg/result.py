@@ -7,6 +7,7 @@ import html
 import operator
 import os
 import tempfile
+import warnings
 from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Iterable, NamedTuple, Sequence, TypeVar
@@ -16,7 +17,8 @@ from numpy.typing import NDArray
 
 from . import _cnrg, convert, stories
 from .cells import Cells, Component, Edges, ExactPoints, Faces, Regions, Vertices
-from .errors import FileError, InputError
+from .errors import FileError, InputError, Notice
+from .nodes import site_of_caller
 from .pictures import View, options_of, replace_file
 from .progress import Progress, Shown, threads_of
 from .stories import Comparison, Explanation, Topology
@@ -257,7 +259,7 @@ class Result:
         """What can be compared: the result with its tree, or a file that holds it exactly."""
         if self._result.has_tree:
             return self._result
-        self._result.write(path, False)
+        self._result.write(path, False, True, False)
         return path
 
     # --- other results
@@ -295,15 +297,25 @@ class Result:
 
     # --- files and other packages
 
-    def write(self, path: str | os.PathLike[str], *, parameters: bool = False) -> None:
-        """Writes a file in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off .stl .ply .3mf
-        .glb .step .stp .brep .regions.dot.
+    def write(self, path: str | os.PathLike[str], *, parameters: bool = False, snap: bool = True,
+              binary: bool = False) -> list[str]:
+        """Writes a file in the format of its extension: .json, exactly, or .vtu .msh .mesh .smesh .poly .obj .off .stl
+        .ply .3mf .glb .step .stp .brep .regions.dot. Returns what is to be said of it: vertices that are elsewhere
+        as doubles, faces that a CAD file has as facets.
 
-        parameters: .json and .vtu say the parameters u, v of faces on curved patches. InputError for an extension that
-        is none, and for a result that the format cannot hold; FileError. The file appears whole or not at all.
+        parameters: .json and .vtu say the parameters of faces on curved patches. snap: where rounding to doubles
+        would break the result, the file gets the snapped one; False: as it is rounded, with a warning (cnrg.Notice).
+        binary: of .stl and .ply. InputError for a format that cannot hold the result, FileError.
         """
+        name = os.fspath(path)
         with self._placed():
-            self._result.write(os.fspath(path), bool(parameters))
+            moved, embedded, notices = self._result.write(name, bool(parameters), bool(snap), bool(binary))
+        if not embedded:
+            text = f"{name}: rounding moved {moved} vertices and broke the result in this file; .json has the exact one"
+            warnings.warn_explicit(text, Notice, *site_of_caller())
+        elif moved:
+            notices.append(f"rounding moved {moved} vertices; the facets still meet as they should")
+        return list(notices)
 
     def _blocks(self) -> list[convert.Block]:
         """What is part of the result, in simplices: vertices, straight pieces of edges, triangles of faces."""
