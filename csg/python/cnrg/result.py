@@ -224,14 +224,14 @@ class Result:
         """
         with Shown(progress) as shown, self._placed():
             if isinstance(what, str):
-                told = _cnrg.explain_cell(self._result, self._all(threads_of(threads), shown), what)
+                text, facts = _cnrg.explain_cell(self._result, self._all(threads_of(threads), shown), what)
             else:
                 if _cnrg.has_frame(self._result):  # it may lie beyond: the frame has to hold it
                     everything = _cnrg.evaluate_all(self._result, what, threads_of(threads), shown)
                 else:
                     everything = self._all(threads_of(threads), shown)
-                told = _cnrg.explain_point(self._result, everything, what)
-        return stories.explanation(*told, self._evaluation.tree.line_of)
+                text, facts = _cnrg.explain_point(self._result, everything, what)
+        return stories.explanation(text, facts, self._evaluation.tree.line_of)
 
     def _all(self, threads: int, shown: Any) -> Any:
         return self._once("all", lambda: _cnrg.evaluate_all(self._result, None, threads, shown))
