@@ -8,7 +8,7 @@ from typing import Any, Mapping, Sequence
 import numpy as np
 
 # VTK's numbers of cells, of straight and of curved simplices by dimension.
-VERTEX, LINE, POLYLINE, TRIANGLE, TETRA = 1, 3, 4, 5, 10
+VERTEX, LINE, TRIANGLE, TETRA = 1, 3, 5, 10
 _STRAIGHT = (VERTEX, LINE, TRIANGLE, TETRA)
 _CURVED = (VERTEX, 21, 22, 24)
 _MESHIO = {VERTEX: "vertex", LINE: "line", TRIANGLE: "triangle", TETRA: "tetra",

@@ -365,7 +365,7 @@ class Result:
         return convert.to_meshio(self._bounded_points(), self._blocks(), self.groups)
 
     def to_vtk(self) -> Any:
-        """A vtkUnstructuredGrid, as a .vtu has it: vertices, polylines of edges, triangles of faces, and for each region
+        """A vtkUnstructuredGrid, as a .vtu has it: vertices, lines of edges, triangles of faces, and for each region
         the triangles of its boundary once more, normals outward. For PyVista: pyvista.wrap(result.to_vtk()).
         ImportError without vtk; InputError for what reaches infinity."""
         points = self._bounded_points()
@@ -375,8 +375,10 @@ class Result:
         parts.append((convert.VERTEX, np.ones(len(cells)), vertices.point[cells], self._tags(0, vertices, cells)))
         cells = edges.active
         lines = [np.append(edges.points[i], edges.points[i][:1] if edges.closed[i] else []) for i in cells]
-        parts.append((convert.POLYLINE, np.array([len(line) for line in lines]),
-                      np.concatenate(lines) if lines else np.zeros(0), self._tags(1, edges, cells)))
+        pieces = [np.column_stack([line[:-1], line[1:]]).ravel() for line in lines]
+        counts = np.array([len(line) - 1 for line in lines], dtype=np.int64)
+        parts.append((convert.LINE, np.full(counts.sum(), 2), np.concatenate(pieces) if pieces else np.zeros(0),
+                      self._tags(1, edges, np.repeat(cells, counts))))
         of = faces.triangles.owners.astype(np.int32)
         of = of[faces.component[of] != 0]
         triangles = faces.triangles.values[faces.component[faces.triangles.owners] != 0]
