@@ -206,6 +206,22 @@ class Places(Folder):
         self.assertEqual((caught.exception.file, caught.exception.line), (__file__, at))
         self.assertIn("`min` of box must be a list of three numbers", str(caught.exception))
 
+    def test_numbers_and_arrays_are_refused_where_they_are_written(self):
+        nan = float("nan")
+        for bad in (
+            lambda: cnrg.sphere([0, 0, 0], nan), lambda: cnrg.box([0, 0, 0], [1, 1, Decimal("NaN")]),
+            lambda: cnrg.box([0, 0, 0], [1, 1, "one"]), lambda: cnrg.mesh([[0, 0, 0]], [[0, 1, 9]]),
+            lambda: cnrg.material("a\ud800"), lambda: cnrg.box([0, 0, 0], [1, 1, 1]).simplify("all"),
+        ):
+            with self.assertRaises(cnrg.InputError) as caught:
+                bad()
+            self.assertEqual((caught.exception.file, caught.exception.line), (__file__, bad.__code__.co_firstlineno))
+
+    def test_messages_have_no_control_characters(self):
+        with self.assertRaises(cnrg.InputError) as caught:
+            cnrg.parse('cnrg: 1\nnodes: {a: "\\\x04"}\nresult: a\n')
+        self.assertTrue(str(caught.exception).isprintable(), str(caught.exception))
+
     def test_a_shape_is_refused_where_it_was_made(self):
         at = line() + 1
         flat = cnrg.box([0, 0, 0], [1, 1, 0])

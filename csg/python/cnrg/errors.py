@@ -12,11 +12,12 @@ class Error(Exception):
     """
 
     def __init__(self, message: str, file: str | None = None, line: int | None = None, column: int | None = None):
-        self.message = message
+        # What a file has may be shown in a terminal, which obeys control characters.
+        self.message = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in message)
         self.file = file
         self.line = line
         self.column = column
-        super().__init__(message, file, line, column)
+        super().__init__(self.message, file, line, column)
 
     def __str__(self) -> str:
         place = ":".join(str(part) for part in (self.file, self.line, self.column) if part is not None)

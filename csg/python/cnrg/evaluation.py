@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+import weakref
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Iterator, Sequence
@@ -63,7 +64,8 @@ class Evaluation(Sequence[Row]):
         self._evaluation = evaluation
         self._kept = kept
         self._rows: list[Row] | None = None
-        self._results: dict[int, Result] = {}
+        # A result holds its evaluation: if that held the result, too, both would stay until Python looks for cycles.
+        self._results: weakref.WeakValueDictionary[int, Result] = weakref.WeakValueDictionary()
         self.refine_seconds: float = evaluation.refine_seconds
         """of the refinement of all leaves"""
 
@@ -95,9 +97,10 @@ class Evaluation(Sequence[Row]):
     def _result(self, number: int) -> Result:
         if number not in self._kept:
             raise KeyError("this node was not kept; give it to evaluate(...), too")
-        if number not in self._results:
-            self._results[number] = Result._of(self._evaluation.result(number), self)
-        return self._results[number]
+        result = self._results.get(number)
+        if result is None:
+            result = self._results[number] = Result._of(self._evaluation.result(number), self)
+        return result
 
     def __getitem__(self, which: Any) -> Any:
         if isinstance(which, (str, Node)):

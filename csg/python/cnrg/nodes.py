@@ -46,7 +46,7 @@ def quoted(text: str) -> str:
     try:
         text.encode()
     except UnicodeEncodeError:
-        raise InputError(f"the text {text!a} is not Unicode: it has half of a character; mend it") from None
+        raise fault(f"the text {text!a} is not Unicode: it has half of a character; mend it") from None
     if _PLAIN.match(text) and text.lower() not in _WORDS:
         return text
     escaped = []
@@ -67,7 +67,10 @@ def exact(value: Any) -> Exact:
         text = repr(value)
         if Fraction(text) == Fraction(value):
             return Exact(text[:-2] if text.endswith(".0") else text)
-    return Exact(_cnrg.number_text(value))
+    try:
+        return Exact(_cnrg.number_text(value))
+    except InputError as e:
+        raise fault(e.message) from None
 
 
 def data_of(value: Any) -> Any:
@@ -117,6 +120,11 @@ def site_of_caller() -> Site:
     while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == here:
         frame = frame.f_back
     return frame.f_code.co_filename, frame.f_lineno
+
+
+def fault(message: str) -> InputError:
+    """An error at the caller's place."""
+    return InputError(message, *site_of_caller())
 
 
 class Material:
@@ -281,7 +289,7 @@ class Node:
     def simplify(self, mode: str = "features") -> Node:
         """Fewest cells; mode "points" forgets features, too: what is coplanar or collinear is one."""
         if mode not in ("features", "points"):
-            raise InputError(f"simplify: the mode is features or points, not {mode!r}")
+            raise fault(f"simplify: the mode is features or points, not {mode!r}")
         return made("simplify", (self,), mode if mode == "points" else None)
 
     # Attributes and transforms, as in a tree file.

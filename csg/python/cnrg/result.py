@@ -183,6 +183,15 @@ class Result:
         known = [v for v in volumes if v is not None]
         return sum(known, Fraction(0)) if len(known) == len(volumes) else None
 
+    def __copy__(self) -> Result:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Result:
+        return self
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a result cannot be pickled; write it as .json, and cnrg.load that, or pickle its node")
+
     def volume_of(self, component: int) -> Fraction | None:
         """Exact, of one component (from 1), in cubic units; None: unbounded. IndexError for none."""
         component = operator.index(component)
@@ -308,6 +317,10 @@ class Result:
         binary: of .stl and .ply. InputError for a format that cannot hold the result, FileError.
         """
         name = os.fspath(path)
+        method = {".svg": "picture", ".png": "picture", ".pdf": "picture", ".html": "view"}
+        ending = os.path.splitext(name)[1].lower() if isinstance(name, str) else ""
+        if ending in method:
+            raise InputError(f"{name}: `write` writes cells; use .{method[ending]}(path) for {ending}")
         with self._placed():
             moved, embedded, notices = self._result.write(name, bool(parameters), bool(snap), bool(binary))
         if not embedded:
@@ -533,6 +546,8 @@ def _given_points(points: Any) -> tuple[Any, Any]:
         array = points[None, :] if points.ndim == 1 and points.shape == (3,) else points
         if array.ndim != 2 or array.shape[1] != 3:
             raise ValueError(f"points must have the shape (n, 3), not {points.shape}")
+        if array.dtype.kind == "b":
+            raise TypeError("points: an array of numbers is wanted, not of bool")
         if array.dtype.kind == "f" and array.dtype.itemsize <= 8:
             return np.ascontiguousarray(array, dtype=np.float64), None
         if array.dtype.kind in "iu":

@@ -12,7 +12,7 @@ from typing import Any, Mapping, Sequence
 
 from . import _cnrg
 from .errors import InputError
-from .nodes import MeshArrays, Node, Number, Point, _attributes, _exactly, data_of, exact, leaf, made
+from .nodes import MeshArrays, Node, Number, Point, _attributes, _exactly, data_of, exact, fault, leaf, made
 
 Loop = Sequence[Point]
 
@@ -246,7 +246,7 @@ def mesh(points: Any, faces: Any, *, fill: str | None = None, weld: Number | Non
     doubles = numpy.ascontiguousarray(xyz, dtype=numpy.float64)
     if xyz.dtype.itemsize > 8 or (xyz.dtype.kind != "f" and xyz.dtype.itemsize == 8):
         if not (doubles.astype(xyz.dtype) == xyz).all():
-            raise InputError("mesh: a coordinate has more digits than a double; give the mesh in a file, as decimals")
+            raise fault("mesh: a coordinate has more digits than a double; give the mesh in a file, as decimals")
     if doubles.size == 0:
         doubles = doubles.reshape(0, 3)
     corners, offsets = _corners(numpy, faces)
@@ -255,7 +255,10 @@ def mesh(points: Any, faces: Any, *, fill: str | None = None, weld: Number | Non
         keys["fill"] = data_of(fill)
     if weld is not None:
         keys["weld"] = exact(weld)
-    arrays = _cnrg.MeshData(doubles, corners, offsets)
+    try:
+        arrays = _cnrg.MeshData(doubles, corners, offsets)
+    except InputError as e:
+        raise fault(e.message) from None
     return made("mesh", (), MeshArrays(arrays, keys), _attributes(attributes))
 
 
@@ -279,7 +282,7 @@ def _corners(numpy: Any, faces: Any) -> tuple[Any, Any]:
         offsets = numpy.concatenate([[0], numpy.cumsum([row.size for row in rows])]).astype(numpy.int64)
         flat = numpy.concatenate(rows) if rows else numpy.zeros(0, numpy.int64)
     if flat.dtype.kind == "u" and flat.size > 0 and flat.max() > 2**62:
-        raise InputError(f"mesh: a face names the point {flat.max()}, which is not there")
+        raise fault(f"mesh: a face names the point {flat.max()}, which is not there")
     return numpy.ascontiguousarray(flat, dtype=numpy.int64), numpy.ascontiguousarray(offsets, dtype=numpy.int64)
 
 
@@ -293,7 +296,7 @@ def load(path: str | os.PathLike[str], **keys: Any) -> Node:
     tree file (fill, weld, chord, segments, unit, solids, seams, coordinates, base), and attributes."""
     name = _path(path)
     if not name:
-        raise InputError("load: the name of the file is empty")
+        raise fault("load: the name of the file is empty")
     extension = os.path.splitext(name)[1].lower()
     own = {}
     for key in ("fill", "weld", "chord", "segments", "unit", "solids", "seams", "coordinates", "base"):
