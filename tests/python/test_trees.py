@@ -212,6 +212,7 @@ class Places(Folder):
             lambda: cnrg.sphere([0, 0, 0], nan), lambda: cnrg.box([0, 0, 0], [1, 1, Decimal("NaN")]),
             lambda: cnrg.box([0, 0, 0], [1, 1, "one"]), lambda: cnrg.mesh([[0, 0, 0]], [[0, 1, 9]]),
             lambda: cnrg.material("a\ud800"), lambda: cnrg.box([0, 0, 0], [1, 1, 1]).simplify("all"),
+            lambda: cnrg.box([0, 0, 0], [1, 1, 1], dominance="lft"),
         ):
             with self.assertRaises(cnrg.InputError) as caught:
                 bad()
@@ -256,8 +257,11 @@ class Places(Folder):
             (a | b).evaluate()
 
     def test_files_that_are_not_there(self):
-        with self.assertRaisesRegex(cnrg.FileError, "nowhere.off"):
+        with self.assertRaisesRegex(cnrg.FileError, "nowhere.off") as caught:
+            at = line() + 1
             cnrg.load(self.folder / "nowhere.off").evaluate()
+        self.assertEqual((caught.exception.file, caught.exception.line), (__file__, at))
+        self.assertTrue(caught.exception.message.startswith("there is no file"))
         with self.assertRaises(cnrg.FileError):
             cnrg.read(self.folder / "nowhere.yaml")
         with self.assertRaises(cnrg.FileError):

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import re
+
+_PLACED = re.compile(r"([^\n]+?):(?:(\d+):)?(?:(\d+):)? error: ", re.DOTALL)
+
 
 class Error(Exception):
     """Of all errors that cnrg raises by itself.
@@ -12,6 +16,12 @@ class Error(Exception):
     """
 
     def __init__(self, message: str, file: str | None = None, line: int | None = None, column: int | None = None):
+        placed = _PLACED.match(message) if file is None else None
+        if placed:  # of a file that a leaf reads, and where the system refuses one
+            message = message[placed.end() :]
+            file = placed[1]
+            line = int(placed[2]) if placed[2] else None
+            column = int(placed[3]) if placed[3] else None
         # What a file has may be shown in a terminal, which obeys control characters.
         self.message = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in message)
         self.file = file

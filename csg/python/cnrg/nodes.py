@@ -397,7 +397,9 @@ def _attributes(given: Mapping[str, Any]) -> list[tuple[str, Any]]:
                 raise TypeError(f"{name}: a text is wanted, not {type(value).__name__}")
             value = data_of(value)
         elif name == "dominance":
-            value = value if value in ("left", "right", "equal") else exact(value)
+            if isinstance(value, str) and value.isalpha() and value not in ("left", "right", "equal"):
+                raise fault(f"dominance: left, right, equal or a number is wanted, not {value!r}")
+            value = value if isinstance(value, str) and value.isalpha() else exact(value)
         elif name == "scale" and isinstance(value, str):
             value = exact(value)
         elif name in ("each", "regularize"):
