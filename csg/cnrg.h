@@ -41,6 +41,7 @@
 #include "csg/operators/cnrg.h"
 #include "csg/operators/components.h"
 #include "csg/operators/group.h"
+#include "csg/operators/say.h"
 
 // Results, their files, and what is told of them.
 #include "csg/compare/difference.h"

@@ -194,7 +194,7 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
   for (const InstanceId id : IdRange<InstanceId>(unfolding.instances.size())) {
     const NodeId node = unfolding.instances[id].node;
     NodeRow row = row_of(tree, unfolding, id);
-    std::vector<MaterialConflict> conflicts;
+    std::vector<AttributeConflict> conflicts;
     if (!values.has(id)) {
       const Stopwatch stopwatch;
       Outcome outcome = run_operator(tree, unfolding, id, below, grades, complex, values, options.validate);

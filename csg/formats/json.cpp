@@ -7,14 +7,19 @@
 //   "grades": [{"material", "placement": {"linear": [row], "offset"},      if a material is graded
 //     "linear": {"from", "to"} or "distance": {"to", "points", "vertices", "segments", "triangles"},
 //     "stops": [{"at", "mixture"}]}],
-//   "components": [{"name", "material", "grade", "dominance", "leaves": [leaf]}],   component i is at [i - 1]
-//   "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted
-//   "frame": [point],                                                points that stand for infinity
-//   "vertices": [{"point", "component", "origin", ...}],
-//   "edges": [{"points": [point], "closed", "component", "origin", ...}],
-//   "faces": [{"loops": [[point]], "component", "regions": [front, back], "patch", "triangles", "origin", ...}],
-//   "regions": [{"component", "bounded", "shells": [[{"face", "side"}]], "volume", "origin", ...}]
+//   "components": [{"name", "material", "leaves": [leaf], "grade", "properties", "dominance"}],   component i is
+//   at
+//                                                                                                 [i - 1]
+//   "attributes": [{"name", "material", "grade", "properties"}],     if something is said of cells of dimension <
+//   3 "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted "frame":
+//   [point],                                                points that stand for infinity "vertices": [{"point",
+//   "component", "origin", ...}], "edges": [{"points": [point], "closed", "component", "origin", ...}], "faces":
+//   [{"loops": [[point]], "component", "regions": [front, back], "patch", "triangles", "origin", ...}], "regions":
+//   [{"component", "bounded", "shells": [[{"face", "side"}]], "volume", "origin", ...}]
 // }
+// "properties" are {key: text or {"number": fraction}}; they are left out where there are none. A face, edge or
+// vertex of which something is said has "attributes", a place in that list.
+//
 // A component of 0 says that the cell is not part of the result but bounds a part of it. In a group the regions
 // are the components, and its faces, edges and vertices that are entities have the number after the last one;
 // only components of other values have a dominance each. `entity` is false for cells that are only the interior
@@ -86,6 +91,7 @@ class JsonWriter {
     }
     leaves();
     list("materials", view_.materials, [](const auto& m) { return Json{{"name", m.name}, {"color", m.color}}; });
+    number_said();
     add_grades();
     if (view_.value->is_group()) {
       list("components", view_.value->group().regions, [&](const RegionAttributes& a) { return component(a); });
@@ -96,6 +102,7 @@ class JsonWriter {
         return result;
       });
     }
+    if (!said_.empty()) list("attributes", said_, [&](const Attributes* a) { return attributes(*a); });
     lines("points", flat_.points, [&](std::string& out, VertexId v) { point(out, v); });
     text_ += ",\n\"frame\": " + line_of(Json(flat_.frame_points));
     lines("vertices", flat_.vertices, [&](std::string& out, const auto& v) { vertex(out, v); });
@@ -114,6 +121,7 @@ class JsonWriter {
   std::vector<std::string> parts_;  // of the text, before `text_`
   std::string text_;
   std::map<LeafId, std::size_t> leaf_number_;
+  std::vector<const Attributes*> said_;
   std::vector<RegionMaterial> grades_;
   std::vector<std::size_t> patch_;  // by face
   std::map<std::vector<PatchCorner>, std::size_t> cell_number_;
@@ -163,21 +171,51 @@ class JsonWriter {
     list("leaves", leaf_number_, [&](const auto& entry) { return Json{{"name", leaf_name(view_, entry.first)}}; });
   }
 
-  Json component(const RegionAttributes& a) const {
-    Json result{{"name", a.name}, {"material", a.material.name()}, {"leaves", leaf_numbers(a.leaves)}};
+  /// `leaves`: of a component.
+  Json attributes(const Attributes& a, const std::vector<LeafId>* leaves = nullptr) const {
+    Json result{{"name", a.name}, {"material", a.material.name()}};
+    if (leaves != nullptr) result["leaves"] = leaf_numbers(*leaves);
     if (a.material.grade() != nullptr) {
       const auto same = [&](const RegionMaterial& m) { return m == a.material; };
       result["grade"] = std::find_if(grades_.begin(), grades_.end(), same) - grades_.begin();
     }
+    for (const auto& [key, value] : a.properties) {
+      Json& property = result["properties"][key];
+      if (std::holds_alternative<Rational>(value)) property = {{"number", to_text(value)}};
+      else property = to_text(value);
+    }
     return result;
   }
 
-  /// The graded materials of components, each once.
+  Json component(const RegionAttributes& a) const { return attributes(a, &a.leaves); }
+
+  /// What is said of cells, each once, in the order in which cells name it: vertices, edges, faces.
+  void number_said() {
+    const auto see = [&](const auto& cells) {
+      for (const auto& cell : cells) {
+        const Attributes* said = cell.origin.said;
+        if (said == nullptr) continue;
+        const auto same = [&](const Attributes* a) { return *a == *said; };
+        if (std::none_of(said_.begin(), said_.end(), same)) said_.push_back(said);
+      }
+    };
+    see(flat_.vertices), see(flat_.edges), see(flat_.faces);
+  }
+  void add_said(JsonObject& object, const FlatComplex::Provenance& origin) const {
+    if (origin.said == nullptr) return;
+    const auto same = [&](const Attributes* a) { return *a == *origin.said; };
+    object.add("attributes",
+               static_cast<std::size_t>(std::find_if(said_.begin(), said_.end(), same) - said_.begin()));
+  }
+
+  /// The graded materials of components and cells, each once.
   void add_grades() {
-    for (const RegionAttributes& a : view_.value->attributes()) {
-      if (a.material.grade() == nullptr) continue;
-      if (std::find(grades_.begin(), grades_.end(), a.material) == grades_.end()) grades_.push_back(a.material);
-    }
+    const auto see = [&](const RegionMaterial& material) {
+      if (material.grade() == nullptr) return;
+      if (std::find(grades_.begin(), grades_.end(), material) == grades_.end()) grades_.push_back(material);
+    };
+    for (const RegionAttributes& a : view_.value->attributes()) see(a.material);
+    for (const Attributes* a : said_) see(a->material);
     if (!grades_.empty()) list("grades", grades_, [&](const RegionMaterial& m) { return grade(m); });
   }
 
@@ -278,6 +316,7 @@ class JsonWriter {
     JsonObject object(out);
     object.add("point", v.point).add("component", v.component).add("entity", v.entity).add("feature", v.feature);
     if (v.region != FlatComplex::kNone) object.add("region", v.region);
+    add_said(object, v.origin);
     if (v.component != 0) add_origin(object, v.origin);
   }
 
@@ -286,6 +325,7 @@ class JsonWriter {
     object.add("points", e.points).add("closed", e.closed).add("component", e.component);
     object.add("entity", e.entity).add("feature", e.feature).add("wire", e.wire);
     if (e.region != FlatComplex::kNone) object.add("region", e.region);
+    add_said(object, e.origin);
     if (e.component != 0) add_origin(object, e.origin);
   }
 
@@ -316,6 +356,7 @@ class JsonWriter {
         append_json(out, facet, [&](const auto& cell) { append_json(out, cell_number_.at(cell)); });
       });
     }
+    add_said(object, f.origin);
     if (f.component != 0) add_origin(object, f.origin);
   }
 

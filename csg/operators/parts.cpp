@@ -205,7 +205,7 @@ Part::Part(const Complex& complex, Group group) : group_(std::move(group)), box_
 const CellCounts& Part::counts(const Complex& complex) const {
   std::call_once(counted_, [&] {
     const Selection selection = selection_of(complex, group_);
-    const GroupSources sources(group_);
+    const GroupSources sources(complex, group_);
     counts_.raw = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
                    selection.regions.size()};
     counts_.simplified = simplified_counts(complex, selection, group_.features, SimplifyMode::features, &sources);
