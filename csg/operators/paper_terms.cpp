@@ -6,7 +6,7 @@
 namespace cnrg {
 
 std::string condition_words(const TableRow& row) {
-  const std::string ours = words(row.condition);
+  std::string ours = words(row.condition);
   const auto not_free = [&](const std::string& operand) {
     return row.dimension == 1 ? "numFace" + operand + " > 0 or dangOrLoose"
                               : "numEdge" + operand + " > 0 or loose";
