@@ -44,7 +44,8 @@ struct BooleanStep {
   std::size_t operand;  ///< the place of the right operand
 };
 
-/// Evaluates a Boolean node as `operate` does and shows every step.
+/// Evaluates a Boolean node as `operate` does and shows every step; of `below` and `above` the one step in which the
+/// solid is cut.
 void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
                    const std::function<void(const BooleanStep&)>& see);
 
