@@ -74,12 +74,13 @@ std::string cell_words(const SimplifiedComplex& simplified, const SimplifiedComp
   const std::string text = std::to_string(place.dimension) + " " + cell_name(place.dimension, place.index) + " " +
                            std::to_string(component);
   if (component == 0) return text;
-  const std::string name = shown(said != nullptr && !said->name.empty() ? said->name : value.attributes(component).name);
+  const std::string name =
+      shown(said != nullptr && !said->name.empty() ? said->name : value.attributes(component).name);
   return name.empty() ? text : text + " " + name;
 }
 
-/// The fields of properties: of a region or a component those that are said of it, of a sheet, a wire or a point its
-/// own.
+/// The fields of properties: of a region or a component those that are said of it, of a sheet, a wire or a point
+/// its own.
 std::string describe_properties(const Attributes* said) {
   std::string text;
   if (said == nullptr) return text;

@@ -26,9 +26,9 @@
 // if they are one affine map on it; `--raw` keeps its facets apart.
 //
 // Names are field data, an array for each: `region rock`, `material granite`, `source_leaf fault`, `patch drum:
-// side`, `name bolts`, `section round` hold the numbers that the cell data of that name has for it. Arrays of strings would say it more directly,
-// but VTK alone reads these: meshio refuses the whole file for one of them. For meshio's sake edges are lines and
-// no polylines, too, and an empty result has a cell without points.
+// side`, `name bolts`, `section round` hold the numbers that the cell data of that name has for it. Arrays of
+// strings would say it more directly, but VTK alone reads these: meshio refuses the whole file for one of them.
+// For meshio's sake edges are lines and no polylines, too, and an empty result has a cell without points.
 //
 // Arrays are base64 of little-endian numbers, doubles unrounded. Cells that bound the result without being part of
 // it are not drawn: an open region has dimension 3 alone, its triangles are where it ends.

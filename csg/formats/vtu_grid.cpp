@@ -104,9 +104,9 @@ std::int32_t number_of_name(const std::vector<std::string>& names, const CellTag
 
 /// A key as the name of an array, unlike those of the grid's own arrays.
 std::string array_name(const std::string& key) {
-  static constexpr std::array kOwn{"dimension", "cell",           "component",   "region",      "region_front",
-                                   "region_back", "regions_bounded", "material", "source_leaf", "source_face",
-                                   "name",      "patch",          "parameters"};
+  static constexpr std::array kOwn{
+      "dimension", "cell",        "component",   "region", "region_front", "region_back", "regions_bounded",
+      "material",  "source_leaf", "source_face", "name",   "patch",        "parameters"};
   const bool taken = std::find(kOwn.begin(), kOwn.end(), key) != kOwn.end() || key.starts_with("fraction of ");
   return shown(key) + (taken ? "'" : "");
 }

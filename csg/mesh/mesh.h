@@ -8,12 +8,12 @@
 //                       these are on borders.
 //   tetrahedra          as tetrahedra.h has it; its entities are the cells of the simplified result.
 //
-// Groups are what people call the entities: first by their names, then by what they are, then by material and by each
-// property that has a text. In dimension 3 a region by its name; in dimension 2 a sheet by the name that somebody gave
-// it, `boundary of rock`, `wall rock | ore`, `face of fault` (dangling, without a name); wires and free points by their
-// name, or else by their leaf. Then `material steel`, `section round`. Faces come once more by the leaves that they
-// came from, `from fault`, whatever they part. Names are distinct within a dimension; a format that has one group for
-// a cell takes the first.
+// Groups are what people call the entities: first by their names, then by what they are, then by material and by
+// each property that has a text. In dimension 3 a region by its name; in dimension 2 a sheet by the name that
+// somebody gave it, `boundary of rock`, `wall rock | ore`, `face of fault` (dangling, without a name); wires and
+// free points by their name, or else by their leaf. Then `material steel`, `section round`. Faces come once more
+// by the leaves that they came from, `from fault`, whatever they part. Names are distinct within a dimension; a
+// format that has one group for a cell takes the first.
 #pragma once
 
 #include <array>

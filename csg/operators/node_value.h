@@ -57,7 +57,8 @@ class NodeValue {
   mutable std::unique_ptr<Whole> whole_;
 };
 
-/// All that is said in a value: of its components in their order, then of cells by themselves. Lives as long as it.
+/// All that is said in a value: of its components in their order, then of cells by themselves. Lives as long as
+/// it.
 std::vector<const Attributes*> all_said(const NodeValue& value);
 
 /// What is said of a cell that speaks for itself (csg/operators/cell_sources.h); nullptr for others.

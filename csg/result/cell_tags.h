@@ -13,16 +13,16 @@ namespace cnrg {
 struct CellTags {
   std::int32_t dimension = 0, cell = 0, component = 0, region = 0, front = 0, back = 0, bounded = -1;
   std::int32_t material = 0, leaf = -1, face = -1;
-  /// What is said of the cell: of a region or a cell of a component without regions what is said of the component, of
-  /// a sheet, a wire or a point what is said of it. nullptr: nothing. Lives as long as the value.
+  /// What is said of the cell: of a region or a cell of a component without regions what is said of the component,
+  /// of a sheet, a wire or a point what is said of it. nullptr: nothing. Lives as long as the value.
   const Attributes* said = nullptr;
 };
 
 /// The component whose material a cell has: of an entity of a group that of its region; 0: none.
 Component material_component(const ResultView& view, const CellTags& tags);
 
-/// The properties that are said of cells of a result, as data arrays of files: numbers where all values are numbers,
-/// else texts, numbered from 1 in their order.
+/// The properties that are said of cells of a result, as data arrays of files: numbers where all values are
+/// numbers, else texts, numbered from 1 in their order.
 class PropertyFields {
  public:
   explicit PropertyFields(const ResultView& view);
