@@ -15,14 +15,17 @@ MeshData read_mesh(const std::string& path, bool decimal, const std::string& ins
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   using Reader = MeshData (*)(const std::string&, const std::string&, bool);
-  const std::pair<const char*, Reader> readers[] = {{".off", &read_off}, {".obj", &read_obj}, {".stl", &read_stl},
-                                                    {".ply", &read_ply}, {".vtp", &read_vtp}, {".vtk", &read_vtk}};
+  const std::pair<const char*, Reader> readers[] = {
+      {".off", &read_off}, {".obj", &read_obj},  {".stl", &read_stl},  {".ply", &read_ply}, {".vtp", &read_vtp},
+      {".vtk", &read_vtk}, {".ts", &read_gocad}, {".pl", &read_gocad}, {".wl", &read_gocad}};
   for (const auto& [name, reader] : readers) {
     if (extension != name) continue;
     return reader(path, read_leaf_file(path, inside, "write the mesh again"), decimal);
   }
-  throw InputError("mesh: '" + path +
-                   "' has an unknown format: give a file with the extension .off, .obj, .stl, .ply, .vtp or .vtk");
+  throw InputError(
+      "mesh: '" + path +
+      "' has an unknown format: give a file with the extension .off, .obj, .stl, .ply, .vtp, .vtk, .ts, .pl or "
+      ".wl");
 }
 
 }  // namespace cnrg

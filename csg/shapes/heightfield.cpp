@@ -1,16 +1,20 @@
-// Height fields: a surface over a grid, or the solid from it down to a level.
+// Height fields: a surface over a grid or over scattered points, or the solid from it down to a level.
 //
 // Cell (i, j) is cut by the diagonal from (i, j) to (i + 1, j + 1). The surface is one patch, number 0, its front
 // is up; a solid has its bottom as number 1 and its four walls as 2 to 5, each one polygon.
 // Heights in the tree are exact. In a file they are the doubles that the text rounds to, and the coordinates of
 // its points are the doubles nearest to origin + i * spacing, taken exactly from the decimals of the header.
+// Scattered points (.xyz) are joined by the Delaunay triangulation of their plan, which covers its convex hull; a
+// solid has a wall for each side of the hull, counter-clockwise as the four are.
 #include <algorithm>
 
 #include "csg/geometry/exact_vectors.h"
 #include "csg/imports/height_grid.h"
+#include "csg/imports/height_points.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/delaunay.h"
 
 namespace cnrg {
 namespace {
@@ -108,10 +112,13 @@ void add_surface(LeafBuilder& builder, const GridPoints& grid) {
   if (cells == 0) throw InputError("heightfield: no cell has data at all of its corners: there is no surface");
 }
 
-void add_walls(LeafBuilder& builder, const GridPoints& grid, const Rational& base) {
-  // The border counter-clockwise as seen from above: south, east, north, west, each with its two ends.
+/// The sides of the border, each with its two ends, counter-clockwise as seen from above.
+using Sides = std::vector<std::vector<PointId>>;
+
+/// South, east, north, west.
+Sides sides_of(const GridPoints& grid) {
   const std::size_t last_i = grid.columns - 1, last_j = grid.rows - 1;
-  std::vector<PointId> sides[4];
+  Sides sides(4);
   for (std::size_t i = 0; i <= last_i; ++i) {
     sides[0].push_back(grid.at(i, 0));
     sides[2].push_back(grid.at(last_i - i, last_j));
@@ -120,18 +127,64 @@ void add_walls(LeafBuilder& builder, const GridPoints& grid, const Rational& bas
     sides[1].push_back(grid.at(last_i, j));
     sides[3].push_back(grid.at(0, last_j - j));
   }
-  PointId bottom[4];
-  for (std::size_t s = 0; s < 4; ++s) {
-    RationalPoint p = builder.value(sides[s].front());
-    p[2] = base;
-    bottom[s] = builder.point(p);
+  return sides;
+}
+
+/// From corner to corner of the hull; other points of its border lie on a side, exactly.
+Sides sides_of(const std::vector<std::array<double, 3>>& points, const std::vector<std::uint32_t>& border,
+               const std::vector<PointId>& ids) {
+  const auto exact = [&](std::size_t i, std::size_t axis) { return from_double(points[border[i]][axis]); };
+  const std::size_t n = border.size();
+  const auto is_corner = [&](std::size_t i) {
+    const std::size_t before = (i + n - 1) % n, after = (i + 1) % n;
+    return (exact(i, 0) - exact(before, 0)) * (exact(after, 1) - exact(i, 1)) !=
+           (exact(i, 1) - exact(before, 1)) * (exact(after, 0) - exact(i, 0));
+  };
+  Sides sides;  // the border begins with the smallest x, and of these y: a corner
+  for (std::size_t i = 0; i < n; ++i) {
+    if (is_corner(i)) sides.emplace_back(1, ids[border[i]]);
+    sides.back().push_back(ids[border[(i + 1) % n]]);
   }
-  builder.face({bottom[3], bottom[2], bottom[1], bottom[0]}, 1);
-  for (std::size_t s = 0; s < 4; ++s) {
-    std::vector<PointId> loop{bottom[s], bottom[(s + 1) % 4]};
+  return sides;
+}
+
+void add_walls(LeafBuilder& builder, const Sides& sides, const Rational& base) {
+  std::vector<PointId> bottom;
+  for (const std::vector<PointId>& side : sides) {
+    RationalPoint p = builder.value(side.front());
+    p[2] = base;
+    bottom.push_back(builder.point(p));
+  }
+  builder.face(std::vector<PointId>(bottom.rbegin(), bottom.rend()), 1);
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    std::vector<PointId> loop{bottom[s], bottom[(s + 1) % sides.size()]};
     loop.insert(loop.end(), sides[s].rbegin(), sides[s].rend());
     builder.face(loop, static_cast<std::uint32_t>(2 + s));
   }
+}
+
+/// The surface over scattered points.
+Sides add_scattered(LeafBuilder& builder, const HeightfieldShape& shape, std::vector<std::string>& notices) {
+  const HeightPoints file = read_height_points(shape.file, shape.inside);
+  if (file.repeated > 0) {
+    notices.push_back("heightfield '" + shape.file + "': " + std::to_string(file.repeated) +
+                      (file.repeated == 1 ? " line repeats a point" : " lines repeat points") + ": left out");
+  }
+  std::vector<std::array<double, 2>> plan;
+  for (const auto& p : file.points) plan.push_back({p[0], p[1]});
+  const Delaunay surface = delaunay(plan);
+  if (surface.triangles.empty()) {
+    throw InputError("heightfield: '" + shape.file + "' has " + std::to_string(plan.size()) +
+                     (plan.size() == 1 ? " point" : " points, all on one line as seen from above") +
+                     ": give three or more that are not");
+  }
+  std::vector<PointId> ids;
+  for (const auto& p : file.points) {
+    if (shape.base) check_base(from_double(p[2]), *shape.base);
+    ids.push_back(builder.soup().add_point(p[0], p[1], p[2]));
+  }
+  for (const auto& [a, b, c] : surface.triangles) builder.triangle(ids[a], ids[b], ids[c], 0);
+  return sides_of(file.points, surface.border, ids);
 }
 
 }  // namespace
@@ -142,15 +195,19 @@ std::unique_ptr<PreparedLeaf> prepare_heightfield(const HeightfieldShape& shape)
   }
   LeafBuilder builder(shape.base ? Fill::winding : Fill::none);
   std::vector<std::string> notices;
-  const GridPoints grid =
-      shape.file.empty() ? points_of_tree(builder, shape) : points_of_file(builder, shape, notices);
-  add_surface(builder, grid);
-  for (const std::size_t j : {std::size_t{0}, grid.rows - 1}) {
-    for (const std::size_t i : {std::size_t{0}, grid.columns - 1}) {
-      if (grid.at(i, j).valid()) builder.soup().add_curve_end(builder.leaf(), grid.at(i, j));
-    }
+  Sides sides;
+  if (holds_height_points(shape.file)) {
+    sides = add_scattered(builder, shape, notices);
+  } else {
+    const GridPoints grid =
+        shape.file.empty() ? points_of_tree(builder, shape) : points_of_file(builder, shape, notices);
+    add_surface(builder, grid);
+    sides = sides_of(grid);
   }
-  if (shape.base) add_walls(builder, grid, *shape.base);
+  for (const std::vector<PointId>& side : sides) {
+    if (side.front().valid()) builder.soup().add_curve_end(builder.leaf(), side.front());
+  }
+  if (shape.base) add_walls(builder, sides, *shape.base);
   return builder.finish(std::move(notices));
 }
 

@@ -43,9 +43,14 @@ void run_ply(std::string_view bytes) { run_mesh("mesh.ply", bytes); }
 void run_stl(std::string_view bytes) { run_mesh("mesh.stl", bytes); }
 void run_vtp(std::string_view bytes) { run_mesh("mesh.vtp", bytes); }
 void run_vtk(std::string_view bytes) { run_mesh("mesh.vtk", bytes); }
+void run_gocad(std::string_view bytes) { run_mesh("mesh.ts", bytes); }
 
 void run_grid(std::string_view bytes) {
   run_file("heightfield", "grid.asc", choice(bytes, 2) == 0 ? "" : ", base: -3", bytes);
+}
+
+void run_points(std::string_view bytes) {
+  run_file("heightfield", "points.xyz", choice(bytes, 2) == 0 ? "" : ", base: -3", bytes);
 }
 
 void run_json(std::string_view bytes) { run_file("cnrg", "in.json", "", bytes); }
