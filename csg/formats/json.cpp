@@ -3,10 +3,13 @@
 // {
 //   "format": "cnrg result", "version": 1, "node": name, "group": true | false, "dominance": fraction of a group,
 //   "leaves": [{"name"}],
-//   "materials": [{"name", "color"}],
+//   "materials": [{"name", "color", "dominance"}],                   a dominance that is not 0
 //   "grades": [{"material", "placement": {"linear": [row], "offset"},      if a material is graded
 //     "linear": {"from", "to"} or "distance": {"to", "points", "vertices", "segments", "triangles"},
-//     "stops": [{"at", "mixture"}]}],
+//     "stops": [{"at", "mixture"}],
+//     "nested": [{"material", "linear" or "distance", "stops"}]}],   of graded materials in mixtures, if there are any
+//       or, in place of the last four, "blend": [{"material", "grade",          a grade before this one in the list
+//         "boundary": {"points", "vertices", "segments", "triangles"}}]}],          of two
 //   "components": [{"name", "material", "grade", "dominance", "leaves": [leaf]}],   component i is at [i - 1]
 //   "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted
 //   "frame": [point],                                                points that stand for infinity
@@ -41,6 +44,7 @@
 #include <span>
 
 #include "csg/formats/formats.h"
+#include "csg/formats/json_grades.h"
 #include "csg/result/file_numbers.h"
 #include "csg/text/escape.h"
 #include "csg/text/json_text.h"
@@ -85,7 +89,7 @@ class JsonWriter {
       text_ += ",\n\"dominance\": " + line_of(to_string(view_.value->group().dominance));
     }
     leaves();
-    list("materials", view_.materials, [](const auto& m) { return Json{{"name", m.name}, {"color", m.color}}; });
+    list("materials", view_.materials, [&](const auto& m) { return material(m); });
     add_grades();
     if (view_.value->is_group()) {
       list("components", view_.value->group().regions, [&](const RegionAttributes& a) { return component(a); });
@@ -114,7 +118,7 @@ class JsonWriter {
   std::vector<std::string> parts_;  // of the text, before `text_`
   std::string text_;
   std::map<LeafId, std::size_t> leaf_number_;
-  std::vector<RegionMaterial> grades_;
+  GradeNumbers grades_;
   std::vector<std::size_t> patch_;  // by face
   std::map<std::vector<PatchCorner>, std::size_t> cell_number_;
 
@@ -163,52 +167,28 @@ class JsonWriter {
     list("leaves", leaf_number_, [&](const auto& entry) { return Json{{"name", leaf_name(view_, entry.first)}}; });
   }
 
+  /// The dominance of a material is known where a component is made of it.
+  Json material(const ResultView::Material& m) const {
+    Json result{{"name", m.name}, {"color", m.color}};
+    for (Component i = 1; i <= view_.value->component_count(); ++i) {
+      const RegionMaterial& of = view_.value->attributes(i).material;
+      if (of.name() != m.name || !of.has_dominance()) continue;
+      result["dominance"] = to_string(of.dominance());
+      break;
+    }
+    return result;
+  }
+
   Json component(const RegionAttributes& a) const {
     Json result{{"name", a.name}, {"material", a.material.name()}, {"leaves", leaf_numbers(a.leaves)}};
-    if (a.material.grade() != nullptr) {
-      const auto same = [&](const RegionMaterial& m) { return m == a.material; };
-      result["grade"] = std::find_if(grades_.begin(), grades_.end(), same) - grades_.begin();
-    }
+    if (a.material.grade() != nullptr) result["grade"] = grades_.number(a.material);
     return result;
   }
 
   /// The graded materials of components, each once.
   void add_grades() {
-    for (const RegionAttributes& a : view_.value->attributes()) {
-      if (a.material.grade() == nullptr) continue;
-      if (std::find(grades_.begin(), grades_.end(), a.material) == grades_.end()) grades_.push_back(a.material);
-    }
-    if (!grades_.empty()) list("grades", grades_, [&](const RegionMaterial& m) { return grade(m); });
-  }
-
-  static Json numbers(const RationalPoint& p) { return {to_string(p[0]), to_string(p[1]), to_string(p[2])}; }
-
-  static Json grade(const RegionMaterial& material) {
-    const auto& [grade, placement] = *material.grade();
-    Json rows = Json::array();
-    for (const auto& row : placement.linear) rows.push_back(numbers(row));
-    Json result{{"material", material.name()},
-                {"placement", {{"linear", rows}, {"offset", numbers(placement.offset)}}}};
-    if (const auto* linear = std::get_if<LinearGrade>(&grade.along)) {
-      result["linear"] = {{"from", numbers(linear->from)}, {"to", numbers(linear->to)}};
-    } else {
-      const auto& distance = std::get<DistanceGrade>(grade.along);
-      Json points = Json::array();
-      for (const RationalPoint& p : distance.target->points) points.push_back(numbers(p));
-      result["distance"] = {{"to", distance.to},
-                            {"points", points},
-                            {"vertices", distance.target->vertices},
-                            {"segments", distance.target->segments},
-                            {"triangles", distance.target->triangles}};
-    }
-    Json stops = Json::array();
-    for (const Grade::Stop& stop : grade.stops) {
-      Json mixture = Json::object();
-      for (const auto& [name, fraction] : stop.mixture) mixture[name] = to_string(fraction);
-      stops.push_back({{"at", to_string(stop.at)}, {"mixture", mixture}});
-    }
-    result["stops"] = stops;
-    return result;
+    for (const RegionAttributes& a : view_.value->attributes()) grades_.add(a.material);
+    if (!grades_.all().empty()) list("grades", grades_.all(), [&](const auto& m) { return grades_.json(m); });
   }
 
   Json leaf_numbers(const std::vector<LeafId>& leaves) const {

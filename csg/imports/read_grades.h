@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "csg/imports/json_cursor.h"
-#include "csg/materials/material.h"
+#include "csg/materials/grade.h"
 
 namespace cnrg::result {
 

@@ -2,6 +2,7 @@
 // result has, things that are named and do not exist, things that exist and are not named. What the cells are is
 // known only once they are made (result_check.cpp).
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "csg/geometry/exact_vectors.h"
@@ -104,7 +105,7 @@ class Reader {
   CellTable& table_ = content_.table;
   std::vector<Edge>& edges_ = content_.edges;
   std::vector<char> frame_;  // by point
-  std::set<std::string> materials_;
+  std::map<std::string, Rational> materials_;  // with their dominance
   Named points_, leaves_, components_, grades_, cells_, patches_;
   std::vector<Index> patch_numbers_;      // of those with parameters
   Index next_patch_ = 0, next_cell_ = 0;  // patches and cells are numbered as faces name them
@@ -143,10 +144,12 @@ class Reader {
 
   void read_materials() {
     each("materials", [&](const Cursor& m) {
-      m.only({"name", "color"});
+      m.only({"name", "color", "dominance"});
       const std::string name = m.member("name").text(), color = m.member("color").text();
       if (name.empty()) m.refuse("a material has a name");
-      if (!materials_.insert(name).second) m.refuse("two materials have this name");
+      const Rational dominance = m.has("dominance") ? m.member("dominance").rational() : Rational(0);
+      if (m.has("dominance") && dominance == 0) m.member("dominance").refuse("a dominance of 0 is left out");
+      if (!materials_.emplace(name, dominance).second) m.refuse("two materials have this name");
       const bool hex = color.size() == 7 && color[0] == '#' &&
                        color.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
       if (!color.empty() && !hex) m.member("color").refuse("a color is \"#rrggbb\" or empty");
@@ -188,6 +191,7 @@ class Reader {
           c.member("grade").refuse("this grade is of another material, `" + of_grade + "`");
         made = {made.name(), grades[grade]};
       }
+      if (!made.empty()) made.set_dominance(materials_.at(made.name()));
       content_.components.push_back({c.member("name").text(), std::move(made)});
       const Rational own = dominance(c, !table_.group);
       if (!table_.group) table_.dominances.push_back(own);

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "csg/mesh/mesh.h"
+#include "csg/materials/sampler.h"
 #include "csg/result/cell_tags.h"
 
 namespace cnrg {

@@ -10,11 +10,15 @@
 namespace cnrg {
 namespace {
 
+/// Numbers first; where these are equal, materials.
+bool stronger(const ComponentAttributes& a, const ComponentAttributes& b) {
+  return a.dominance != b.dominance ? a.dominance > b.dominance : a.material.dominance() > b.material.dominance();
+}
 bool left_wins(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
-  return dominance ? *dominance == Dominance::left : a.dominance > b.dominance;
+  return dominance ? *dominance == Dominance::left : stronger(a, b);
 }
 bool right_wins(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
-  return dominance ? *dominance == Dominance::right : b.dominance > a.dominance;
+  return dominance ? *dominance == Dominance::right : stronger(b, a);
 }
 
 std::vector<std::string> parts_of(const std::string& name) {

@@ -225,6 +225,8 @@ const std::vector<std::optional<Rational>>& Part::volumes(const Complex& complex
 PartedGroup parted(const Complex& complex, Group group) {
   PartedGroup out;
   out.dominance = group.dominance;
+  out.ranked = std::any_of(group.regions.begin(), group.regions.end(),
+                           [](const RegionAttributes& region) { return region.material.has_dominance(); });
   if (!empty(group)) out.parts.push_back(std::make_shared<const Part>(complex, std::move(group)));
   return out;
 }

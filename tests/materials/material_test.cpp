@@ -1,5 +1,5 @@
 // Graded materials at points: stops, placements, and distances against a search over all simplices.
-#include "csg/materials/material.h"
+#include "csg/materials/sampler.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
