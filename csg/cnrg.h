@@ -34,6 +34,7 @@
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/mesh_data.h"
 #include "csg/leaves/shapes.h"
+#include "csg/materials/sampler.h"
 #include "csg/tree/tree.h"
 
 // Operators.
@@ -41,6 +42,7 @@
 #include "csg/operators/cnrg.h"
 #include "csg/operators/components.h"
 #include "csg/operators/group.h"
+#include "csg/operators/say.h"
 
 // Results, their files, and what is told of them.
 #include "csg/compare/difference.h"

@@ -23,7 +23,7 @@ class AxialLeaf final : public PreparedLeaf {
   LeafId add_to(Soup& soup, const Transform& transform) const override {
     return from_.leaf->add_to(soup, transform * from_.transform);
   }
-  std::vector<LeafRegion> regions() const override { return from_.leaf->regions(); }
+  std::vector<Attributes> regions() const override { return from_.leaf->regions(); }
 
  private:
   LeafInstance from_;

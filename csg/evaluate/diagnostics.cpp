@@ -73,21 +73,28 @@ std::vector<Diagnostic> dropped_faces(const Tree& tree, const PreparedLeaves& le
 }
 
 std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, const NodeValue& value,
-                                           const std::vector<MaterialConflict>& conflicts,
+                                           const std::vector<AttributeConflict>& conflicts,
                                            SimplifiedValue& simplified) {
   std::vector<Diagnostic> out;
   std::set<std::string> said;  // a fold may meet the same materials in the same cells more than once
-  for (const MaterialConflict& conflict : conflicts) {
+  for (const AttributeConflict& conflict : conflicts) {
     // Cells that are not active any more went in a later step of a fold.
     const CellSet cells = active_of(simplified.selection(), conflict.cells);
     if (cells.empty()) continue;
     const std::vector<Place> places = places_of(simplified.get(), cells);
     const Component component = component_of(simplified.get(), places.front());
-    const std::string message =
-        "`" + node.name + "`: the region `" + value.attributes(component).name + "` keeps the material `" +
-        conflict.kept.name() + "` where `" + conflict.other.name() +
-        (conflict.kept.name() == conflict.other.name() ? "` placed otherwise" : "`") + " has equal dominance (" +
-        cell_names(places) + "); give one of the two a greater `dominance`";
+    const bool is_region = !cells.regions.empty() || !value.is_group();
+    const std::string what = conflict.key.empty() ? "the material" : "the attribute `" + conflict.key + ":";
+    const std::string message = "`" + node.name + "`: " +
+                                (is_region ? "the region `" + value.attributes(component).name + "` keeps "
+                                           : std::string(places.front().dimension == 2   ? "a sheet"
+                                                         : places.front().dimension == 1 ? "a wire"
+                                                                                         : "a point") +
+                                                 " keeps ") +
+                                what + (conflict.key.empty() ? " `" : " ") + conflict.kept + "` where `" +
+                                conflict.other + (conflict.kept == conflict.other ? "` placed otherwise" : "`") +
+                                " has equal dominance (" + cell_names(places) +
+                                "); give one of the two a greater `dominance`";
     if (!said.insert(message).second) continue;
     out.push_back({tree.file, node.operator_at, Diagnostic::Level::warning, message});
   }

@@ -18,7 +18,7 @@ std::vector<Diagnostic> dropped_faces(const Tree& tree, const PreparedLeaves& le
 /// Warnings: where materials met in a node's value and dominance did not decide, in cells as `cnrg locate` names
 /// them. `simplified` is that of `value` and is asked only where there is a conflict.
 std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, const NodeValue& value,
-                                           const std::vector<MaterialConflict>& conflicts,
+                                           const std::vector<AttributeConflict>& conflicts,
                                            SimplifiedValue& simplified);
 
 }  // namespace cnrg

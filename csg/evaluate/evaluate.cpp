@@ -152,7 +152,8 @@ Outcome run_operator(const Tree& tree, const Unfolding& unfolding, InstanceId id
     if (is_topological(node.op)) operands.back().below = below.of(operand);
   }
   try {
-    return operate(complex, node, grades.on(instance, node.material), operands, validate, grades.placement(instance));
+    return operate(complex, node, grades.on(instance, node.material), operands, validate,
+                   grades.placement(instance));
   } catch (const InputError& e) {
     throw TreeError(tree.file, node.operator_at, e.what());
   }
@@ -194,7 +195,7 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
   for (const InstanceId id : IdRange<InstanceId>(unfolding.instances.size())) {
     const NodeId node = unfolding.instances[id].node;
     NodeRow row = row_of(tree, unfolding, id);
-    std::vector<MaterialConflict> conflicts;
+    std::vector<AttributeConflict> conflicts;
     if (!values.has(id)) {
       const Stopwatch stopwatch;
       Outcome outcome = run_operator(tree, unfolding, id, below, grades, complex, values, options.validate);

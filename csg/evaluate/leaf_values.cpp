@@ -9,20 +9,35 @@
 #include "csg/leaves/cell_table.h"
 #include "csg/operators/group.h"
 #include "csg/operators/leaf_value.h"
+#include "csg/operators/say.h"
 
 namespace cnrg {
 namespace {
 
-/// A leaf's own value, without the attributes of its node; of a result read back by its cell table.
+/// A leaf's value; its regions have their attributes already. Of a result read back it is told by its cell table.
 NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instance& placed, Grades& grades,
                    const Complex& complex, LeafId leaf, Group group) {
   const LeafInstance& instance = leaves.instances()[leaf.index()];
+  const Node& node = tree.nodes[placed.node];
+  const Attributes own{node.label, grades.on(placed, node.material), node.properties};
   const CellTable* table = instance.leaf->cells();
-  if (table == nullptr) return {complex, std::move(group)};
+  if (table == nullptr) {
+    say(complex, own, Saying::fills_in, group);
+    return {complex, std::move(group)};
+  }
   try {
     const auto count = static_cast<std::uint32_t>(instance.leaf->regions().size());
-    return leaf_value(complex, leaf, group, *table, instance.transform,
-                      leaves.attributes(leaf, count, placed, grades));
+    std::vector<Attributes> said = table->said;
+    for (Attributes& attributes : said) attributes.material = grades.moved(placed, attributes.material);
+    NodeValue value = leaf_value(complex, leaf, group, *table, instance.transform,
+                                 leaves.attributes(leaf, count, placed, grades), said);
+    if (value.is_group()) {
+      value.parts() =
+          changed(complex, value.parts(), [&](Group& part) { say(complex, own, Saying::fills_in, part); });
+    } else {
+      say(complex, own, Saying::fills_in, value.components());
+    }
+    return value;
   } catch (const InputError& e) {
     throw TreeError(tree.file, leaves.node_of(leaf).operator_at, e.what());
   }
@@ -33,7 +48,7 @@ NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instanc
 void put_leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, Grades& grades,
                      const Complex& complex, ValueStore& values) {
   const IdVector<InstanceId, Instance>& instances = unfolding.instances;
-  std::vector<std::vector<RegionAttributes>> attributes;
+  std::vector<std::vector<Attributes>> attributes;
   for (const InstanceId i : IdRange<InstanceId>(instances.size())) {  // leaves come in this order
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
@@ -43,9 +58,10 @@ void put_leaf_values(const Tree& tree, const Unfolding& unfolding, const Prepare
   for (const InstanceId i : IdRange<InstanceId>(instances.size())) {
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
+    const Node& node = tree.nodes[instances[i].node];
     NodeValue value = value_of(tree, leaves, instances[i], grades, complex, leaf, std::move(groups[leaf.index()]));
-    // Without a material: the regions of a leaf have theirs already.
-    apply_attributes(complex, tree.nodes[instances[i].node], {}, value);
+    // Without a material: a leaf has its attributes already.
+    apply_attributes(complex, node, {}, value);
     values.put(i, std::move(value));
   }
 }

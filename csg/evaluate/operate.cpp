@@ -10,6 +10,7 @@
 #include "csg/operators/fold.h"
 #include "csg/operators/identities.h"
 #include "csg/operators/material_levels.h"
+#include "csg/operators/say.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -243,21 +244,18 @@ Outcome topology_of(const Complex& complex, const Node& node, const Operand& of,
   return of_components(std::move(result));
 }
 
-void set_attributes(const Node& node, const RegionMaterial& material, RegionAttributes& attributes) {
-  if (!material.empty()) attributes.material = material;
-  if (!node.label.empty()) attributes.name = node.label;
-}
-
-/// The attributes of a node on a group; a leaf's regions and components have names and materials already.
+/// The attributes of a node on a group; a leaf's regions and components have theirs already.
 void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material,
                       PartedGroup& group) {
   if (node.regularize) group = regularized(complex, group);
-  const bool names = node.op != Operator::leaf && !(material.empty() && node.label.empty());
-  if (node.forget_features || names) {
+  const Attributes given{node.label, material, node.properties};
+  const bool says = node.op != Operator::leaf && !given.empty();
+  if (node.forget_features || says) {
     group = changed(complex, group, [&](Group& part) {
       if (node.forget_features) part.features = {};
-      if (!names) return;
-      for (RegionAttributes& region : part.regions) set_attributes(node, material, region);
+      if (!says) return;
+      for (RegionAttributes& region : part.regions) replace(region, given);
+      say(complex, given, Saying::replaces, part);
     });
   }
   if (node.dominance) group.dominance = *node.dominance;
@@ -267,10 +265,13 @@ void apply_attributes(const Complex& complex, const Node& node, const RegionMate
                       Components& components) {
   if (node.regularize) components = topological_operation(complex, Topological::regularize, components).value;
   if (node.forget_features) components.features = {};
+  const Attributes given{node.label, material, node.properties};
+  const bool says = node.op != Operator::leaf && !given.empty();
   for (ComponentAttributes& attributes : components.attributes) {
-    if (node.op != Operator::leaf) set_attributes(node, material, attributes);
+    if (says) replace(attributes, given);
     if (node.dominance) attributes.dominance = *node.dominance;
   }
+  if (says) say(complex, given, Saying::replaces, components);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace cnrg {
 struct Outcome {
   NodeValue value;
   Removals removals;
-  std::vector<MaterialConflict> conflicts;  ///< materials that met under equal dominance
+  std::vector<AttributeConflict> conflicts;  ///< materials that met under equal dominance
 };
 
 struct Operand {
@@ -67,7 +67,7 @@ void for_each_step(const Complex& complex, const Node& node, std::span<const Ope
 /// The operator of a node that is interior, closure, boundary or regularize.
 Topological topological(Operator op);
 
-/// The attributes of a node on its value: regularize, simplify, material, name, dominance.
+/// The attributes of a node on its value: regularize, simplify, material, name, attributes, dominance.
 void apply_attributes(const Complex& complex, const Node& node, const RegionMaterial& material, NodeValue& value);
 
 }  // namespace cnrg

@@ -63,7 +63,7 @@ Mention mention_of(const Node& node, const std::string& faces) {
 }
 
 /// From `, solid 1, solid 3` makes `solid 1 `bolt`, solid 3 of `; from an empty text an empty one.
-std::string solids_in(const std::string& solids, const std::vector<LeafRegion>& regions) {
+std::string solids_in(const std::string& solids, const std::vector<Attributes>& regions) {
   static const std::regex kNumber(R"(\d+)");
   std::string words;
   for (std::sregex_iterator it(solids.begin(), solids.end(), kNumber), end; it != end; ++it) {
@@ -133,15 +133,16 @@ void PreparedLeaves::prepare_node(NodeId id) {
   }
 }
 
-std::vector<RegionAttributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t count,
-                                                         const Instance& instance, Grades& grades) const {
+std::vector<Attributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t count, const Instance& instance,
+                                                   Grades& grades) const {
   const Node& node = node_of(leaf);
-  const std::vector<LeafRegion> own = instances_[leaf.index()].leaf->regions();
+  const std::vector<Attributes> own = instances_[leaf.index()].leaf->regions();
   const std::string& name = node.label.empty() ? node.name : node.label;
-  std::vector<RegionAttributes> result(count);
+  std::vector<Attributes> result(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (i < own.size()) {
       result[i].name = own[i].name;
+      result[i].properties = own[i].properties;
       // Materials of a group are names of the tree; those of a result read back are its own.
       const bool of_tree = std::holds_alternative<GroupShape>(*node.shape);
       result[i].material =
@@ -149,7 +150,7 @@ std::vector<RegionAttributes> PreparedLeaves::attributes(LeafId leaf, std::uint3
     }
     if (result[i].name.empty()) result[i].name = count == 1 ? name : name + "." + std::to_string(i + 1);
     if (result[i].material.empty()) result[i].material = grades.on(instance, node.material);
-    result[i].leaves = {leaf};
+    result[i].properties.insert(node.properties.begin(), node.properties.end());
   }
   return result;
 }

@@ -39,8 +39,8 @@ class PreparedLeaves {
 
   /// What people say of the regions 1 to `count` of a leaf: the shape's own words, else those of the node,
   /// materials placed as `instance`, that of the leaf, is.
-  std::vector<RegionAttributes> attributes(LeafId leaf, std::uint32_t count, const Instance& instance,
-                                           Grades& grades) const;
+  std::vector<Attributes> attributes(LeafId leaf, std::uint32_t count, const Instance& instance,
+                                     Grades& grades) const;
 
   /// Runs `work`; an InputError that it throws comes out as TreeError with the place of the leaf or face that its
   /// message names as `leaf i, face j`, and with the names of nodes in the place of these numbers.

@@ -7,17 +7,23 @@
 //   "grades": [{"material", "placement": {"linear": [row], "offset"},      if a material is graded
 //     "linear": {"from", "to"} or "distance": {"to", "points", "vertices", "segments", "triangles"},
 //     "stops": [{"at", "mixture"}],
-//     "nested": [{"material", "linear" or "distance", "stops"}]}],   of graded materials in mixtures, if there are any
-//       or, in place of the last four, "blend": [{"material", "grade",          a grade before this one in the list
+//     "nested": [{"material", "linear" or "distance", "stops"}]}],   of graded materials in mixtures, if there are
+//     any
+//       or, in place of the last four, "blend": [{"material", "grade",          a grade before this one in the
+//       list
 //         "boundary": {"points", "vertices", "segments", "triangles"}}]}],          of two
-//   "components": [{"name", "material", "grade", "dominance", "leaves": [leaf]}],   component i is at [i - 1]
-//   "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted
-//   "frame": [point],                                                points that stand for infinity
-//   "vertices": [{"point", "component", "origin", ...}],
-//   "edges": [{"points": [point], "closed", "component", "origin", ...}],
-//   "faces": [{"loops": [[point]], "component", "regions": [front, back], "patch", "triangles", "origin", ...}],
-//   "regions": [{"component", "bounded", "shells": [[{"face", "side"}]], "volume", "origin", ...}]
+//   "components": [{"name", "material", "leaves": [leaf], "grade", "properties", "dominance"}],
+//                                                                    component i is at [i - 1]
+//   "attributes": [{"name", "material", "grade", "properties"}],     what is said of cells of dimension < 3, if
+//   any "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted "frame":
+//   [point],                                                points that stand for infinity "vertices": [{"point",
+//   "component", "origin", ...}], "edges": [{"points": [point], "closed", "component", "origin", ...}], "faces":
+//   [{"loops": [[point]], "component", "regions": [front, back], "patch", "triangles", "origin", ...}], "regions":
+//   [{"component", "bounded", "shells": [[{"face", "side"}]], "volume", "origin", ...}]
 // }
+// "properties" are {key: text or {"number": fraction}}; they are left out where there are none. A face, edge or
+// vertex of which something is said has "attributes", a place in that list.
+//
 // A component of 0 says that the cell is not part of the result but bounds a part of it. In a group the regions
 // are the components, and its faces, edges and vertices that are entities have the number after the last one;
 // only components of other values have a dominance each. `entity` is false for cells that are only the interior
@@ -89,6 +95,10 @@ class JsonWriter {
       text_ += ",\n\"dominance\": " + line_of(to_string(view_.value->group().dominance));
     }
     leaves();
+    number_said();
+    for_each_material([&](const RegionMaterial& m) {
+      if (m.has_dominance()) dominances_.emplace(m.name(), m.dominance());
+    });
     list("materials", view_.materials, [&](const auto& m) { return material(m); });
     add_grades();
     if (view_.value->is_group()) {
@@ -100,6 +110,7 @@ class JsonWriter {
         return result;
       });
     }
+    if (!said_.empty()) list("attributes", said_, [&](const Attributes* a) { return attributes(*a); });
     lines("points", flat_.points, [&](std::string& out, VertexId v) { point(out, v); });
     text_ += ",\n\"frame\": " + line_of(Json(flat_.frame_points));
     lines("vertices", flat_.vertices, [&](std::string& out, const auto& v) { vertex(out, v); });
@@ -118,8 +129,10 @@ class JsonWriter {
   std::vector<std::string> parts_;  // of the text, before `text_`
   std::string text_;
   std::map<LeafId, std::size_t> leaf_number_;
+  std::vector<const Attributes*> said_;
   GradeNumbers grades_;
-  std::vector<std::size_t> patch_;  // by face
+  std::map<std::string, Rational> dominances_;  // of materials
+  std::vector<std::size_t> patch_;              // by face
   std::map<std::vector<PatchCorner>, std::size_t> cell_number_;
 
   template <class Range, class Make>
@@ -167,27 +180,57 @@ class JsonWriter {
     list("leaves", leaf_number_, [&](const auto& entry) { return Json{{"name", leaf_name(view_, entry.first)}}; });
   }
 
-  /// The dominance of a material is known where a component is made of it.
+  /// The dominance of a material is known where a component or a cell is made of it.
   Json material(const ResultView::Material& m) const {
     Json result{{"name", m.name}, {"color", m.color}};
-    for (Component i = 1; i <= view_.value->component_count(); ++i) {
-      const RegionMaterial& of = view_.value->attributes(i).material;
-      if (of.name() != m.name || !of.has_dominance()) continue;
-      result["dominance"] = to_string(of.dominance());
-      break;
+    if (const auto it = dominances_.find(m.name); it != dominances_.end())
+      result["dominance"] = to_string(it->second);
+    return result;
+  }
+
+  /// `leaves`: of a component.
+  Json attributes(const Attributes& a, const std::vector<LeafId>* leaves = nullptr) const {
+    Json result{{"name", a.name}, {"material", a.material.name()}};
+    if (leaves != nullptr) result["leaves"] = leaf_numbers(*leaves);
+    if (a.material.grade() != nullptr) result["grade"] = grades_.number(a.material);
+    for (const auto& [key, value] : a.properties) {
+      Json& property = result["properties"][key];
+      if (std::holds_alternative<Rational>(value)) property = {{"number", to_text(value)}};
+      else property = to_text(value);
     }
     return result;
   }
 
-  Json component(const RegionAttributes& a) const {
-    Json result{{"name", a.name}, {"material", a.material.name()}, {"leaves", leaf_numbers(a.leaves)}};
-    if (a.material.grade() != nullptr) result["grade"] = grades_.number(a.material);
-    return result;
+  Json component(const RegionAttributes& a) const { return attributes(a, &a.leaves); }
+
+  /// What is said of cells, each once, in the order in which cells name it: vertices, edges, faces.
+  void number_said() {
+    const auto see = [&](const auto& cells) {
+      for (const auto& cell : cells) {
+        const Attributes* said = cell.origin.said;
+        if (said == nullptr) continue;
+        const auto same = [&](const Attributes* a) { return *a == *said; };
+        if (std::none_of(said_.begin(), said_.end(), same)) said_.push_back(said);
+      }
+    };
+    see(flat_.vertices), see(flat_.edges), see(flat_.faces);
+  }
+  void add_said(JsonObject& object, const FlatComplex::Provenance& origin) const {
+    if (origin.said == nullptr) return;
+    const auto same = [&](const Attributes* a) { return *a == *origin.said; };
+    object.add("attributes",
+               static_cast<std::size_t>(std::find_if(said_.begin(), said_.end(), same) - said_.begin()));
   }
 
-  /// The graded materials of components, each once.
+  template <class See>
+  void for_each_material(See see) const {
+    for (const RegionAttributes& a : view_.value->attributes()) see(a.material);
+    for (const Attributes* a : said_) see(a->material);
+  }
+
+  /// The graded materials of components and cells, each once.
   void add_grades() {
-    for (const RegionAttributes& a : view_.value->attributes()) grades_.add(a.material);
+    for_each_material([&](const RegionMaterial& material) { grades_.add(material); });
     if (!grades_.all().empty()) list("grades", grades_.all(), [&](const auto& m) { return grades_.json(m); });
   }
 
@@ -258,6 +301,7 @@ class JsonWriter {
     JsonObject object(out);
     object.add("point", v.point).add("component", v.component).add("entity", v.entity).add("feature", v.feature);
     if (v.region != FlatComplex::kNone) object.add("region", v.region);
+    add_said(object, v.origin);
     if (v.component != 0) add_origin(object, v.origin);
   }
 
@@ -266,6 +310,7 @@ class JsonWriter {
     object.add("points", e.points).add("closed", e.closed).add("component", e.component);
     object.add("entity", e.entity).add("feature", e.feature).add("wire", e.wire);
     if (e.region != FlatComplex::kNone) object.add("region", e.region);
+    add_said(object, e.origin);
     if (e.component != 0) add_origin(object, e.origin);
   }
 
@@ -296,6 +341,7 @@ class JsonWriter {
         append_json(out, facet, [&](const auto& cell) { append_json(out, cell_number_.at(cell)); });
       });
     }
+    add_said(object, f.origin);
     if (f.component != 0) add_origin(object, f.origin);
   }
 

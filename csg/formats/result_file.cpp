@@ -82,14 +82,11 @@ void write(const std::string& path, const Evaluation& evaluation) {
 Result read_result(const std::string& path) {
   const auto leaf = prepare(ResultShape{path});
   const std::shared_ptr<const Complex> complex = build_complex(make_soup({{leaf}}));
-  std::vector<RegionAttributes> attributes;
-  for (const LeafRegion& region : leaf->regions()) {
-    attributes.push_back({.name = region.name, .material = region.material, .leaves = {LeafId(0)}});
-  }
   const auto data = std::make_shared<Result::Data>();
   data->complex = complex;
-  const auto value = std::make_shared<const NodeValue>(
-      leaf_value(*complex, LeafId(0), leaf_groups(*complex).front(), *leaf->cells(), {}, attributes));
+  const auto value =
+      std::make_shared<const NodeValue>(leaf_value(*complex, LeafId(0), leaf_groups(*complex).front(),
+                                                   *leaf->cells(), {}, leaf->regions(), leaf->cells()->said));
   data->value = value;
   SimplifiedComplex simplified = simplify(*complex, *value, selection_of(*complex, *value));
   put_in_order(*complex, simplified);

@@ -544,10 +544,10 @@ class CadLeaf {
     }
   }
 
-  std::vector<LeafRegion> regions() const {
-    if (fill_ == Fill::winding) return {LeafRegion()};
+  std::vector<Attributes> regions() const {
+    if (fill_ == Fill::winding) return {Attributes()};
     if (fill_ != Fill::solids) return {};
-    std::vector<LeafRegion> result;
+    std::vector<Attributes> result;
     for (const std::string& name : model_.solids) result.push_back({name, ""});
     return result;
   }

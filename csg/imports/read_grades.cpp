@@ -135,7 +135,7 @@ void read_nested(const Cursor& list, const SeeMaterial& material, PlacedGrade& p
 using Grades = std::vector<std::shared_ptr<const PlacedGrade>>;
 
 BlendGrade::Side read_side(const Cursor& side, const Cursor& list, const Grades& before,
-                           const SeeMaterial& material) {
+                           const SeeMaterial& material, const std::function<void(Index)>& inner) {
   side.only({"material", "grade", "boundary"});
   const Cursor name = side.member("material");
   material(name.text(), name);
@@ -145,6 +145,7 @@ BlendGrade::Side read_side(const Cursor& side, const Cursor& list, const Grades&
     if (list.at(grade).member("material").text() != name.text()) {
       side.member("grade").refuse("this grade is of another material");
     }
+    inner(grade);
     out.material = RegionMaterial(name.text(), before[grade]);
   }
   out.boundary = read_target(side.member("boundary").only({"points", "vertices", "segments", "triangles"}));
@@ -153,7 +154,8 @@ BlendGrade::Side read_side(const Cursor& side, const Cursor& list, const Grades&
 
 }  // namespace
 
-std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root, const SeeMaterial& material) {
+std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root, const SeeMaterial& material,
+                                                            const std::function<void(Index)>& inner) {
   Grades grades;
   if (!root.has("grades")) return grades;
   const Cursor list = root.member("grades");
@@ -167,8 +169,8 @@ std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root, 
       one.only({"material", "placement", "blend"});
       const Cursor sides = one.member("blend");
       sides.array_of(2, "two materials blend");
-      placed.grade.along = BlendGrade{read_side(sides.at(0), list, grades, material),
-                                      read_side(sides.at(1), list, grades, material)};
+      placed.grade.along = BlendGrade{read_side(sides.at(0), list, grades, material, inner),
+                                      read_side(sides.at(1), list, grades, material, inner)};
     } else {
       one.only({"material", "placement", "linear", "distance", "stops", "nested"});
       placed.grade = read_grade(one, name.text(), material);

@@ -57,7 +57,7 @@ struct Content {
   std::vector<Edge> edges;
   std::vector<Region> regions;
   std::vector<Index> isolated;  ///< points of vertices on no edge
-  std::vector<LeafRegion> components;
+  std::vector<Attributes> components;
   std::map<Index, std::string> patches;         ///< names of those with parameters
   std::vector<std::vector<PatchCorner>> cells;  ///< of patches
 

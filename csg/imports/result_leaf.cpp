@@ -64,7 +64,7 @@ class ResultLeaf : public PreparedLeaf {
   LeafId add_to(Soup& soup, const Transform& transform) const override {
     return result::add_to(soup, content_, transform, Fill::sides);
   }
-  std::vector<LeafRegion> regions() const override { return content_.components; }
+  std::vector<Attributes> regions() const override { return content_.components; }
   const CellTable* cells() const override { return &content_.table; }
 
  private:

@@ -82,12 +82,13 @@ class Reader {
       root_.member("version").fail("only version 1 can be read; use a newer cnrg");
     }
     root_.only({"format", "version", "node", "group", "dominance", "leaves", "materials", "grades", "components",
-                "points", "frame", "vertices", "edges", "patches", "cells", "faces", "regions"});
+                "attributes", "points", "frame", "vertices", "edges", "patches", "cells", "faces", "regions"});
     root_.member("node").text();
     table_.group = root_.member("group").boolean();
     read_leaves();
     read_materials();
     read_components();
+    read_attributes();
     read_points();
     read_regions();
     read_vertices();
@@ -104,9 +105,11 @@ class Reader {
   Content content_;
   CellTable& table_ = content_.table;
   std::vector<Edge>& edges_ = content_.edges;
-  std::vector<char> frame_;  // by point
+  std::vector<char> frame_;                    // by point
   std::map<std::string, Rational> materials_;  // with their dominance
-  Named points_, leaves_, components_, grades_, cells_, patches_;
+  std::vector<std::shared_ptr<const PlacedGrade>> made_grades_;
+  Index next_said_ = 0;
+  Named points_, leaves_, components_, grades_, said_, cells_, patches_;
   std::vector<Index> patch_numbers_;      // of those with parameters
   Index next_patch_ = 0, next_cell_ = 0;  // patches and cells are numbered as faces name them
 
@@ -175,24 +178,65 @@ class Reader {
     return wanted ? of.member("dominance").rational() : Rational(0);
   }
 
+  Attributes attributes(const Cursor& of) {
+    RegionMaterial made(material(of.member("material")));
+    if (of.has("grade")) {
+      const Index grade = grades_.name(of.member("grade").number(made_grades_.size(), "grade"));
+      const std::string of_grade = root_.member("grades").at(grade).member("material").text();
+      if (of_grade != made.name())
+        of.member("grade").refuse("this grade is of another material, `" + of_grade + "`");
+      made = {made.name(), made_grades_[grade]};
+    }
+    if (!made.empty()) made.set_dominance(materials_.at(made.name()));
+    Attributes out{of.member("name").text(), std::move(made), {}};
+    if (!of.has("properties")) return out;
+    const Cursor properties = of.member("properties");
+    properties.each_member([&](const std::string& key, const Cursor& value) {
+      if (!out.properties.empty() && key <= out.properties.rbegin()->first) {
+        value.refuse("properties are in the order of their keys, and each stands once");
+      }
+      if (value.has("number")) out.properties[key] = value.only({"number"}).member("number").rational();
+      else out.properties[key] = value.text();
+    });
+    if (out.properties.empty()) properties.refuse("what is empty is left out");
+    return out;
+  }
+
+  /// What is said of faces, edges and vertices.
+  void read_attributes() {
+    if (!root_.has("attributes")) return;
+    each("attributes", [&](const Cursor& a) {
+      a.only({"name", "material", "grade", "properties"});
+      table_.said.push_back(attributes(a));
+      if (table_.said.back().empty()) a.refuse("what says nothing is left out");
+    });
+    if (table_.said.empty()) root_.member("attributes").refuse("what is empty is left out");
+    said_.resize(table_.said.size());
+  }
+
+  /// The place of what is said of a cell; these are numbered as cells name them.
+  Index said_of(const Cursor& cell, Index component) {
+    if (!cell.has("attributes")) return CellTable::kSilent;
+    const Cursor at = cell.member("attributes");
+    if (component == 0) at.refuse("nothing is said of a cell that is no part of the result");
+    const Index number = at.number(table_.said.size(), "attributes");
+    if (number > next_said_) {
+      at.refuse("attributes are numbered as cells name them; " + std::to_string(next_said_) + " is next");
+    }
+    next_said_ = std::max(next_said_, number + 1);
+    return said_.name(number);
+  }
+
   void read_components() {
     const Rational of_group = dominance(root_, table_.group);
     if (table_.group) table_.dominances.push_back(of_group);
-    const auto grades =
-        read_grades(root_, [&](const std::string& name, const Cursor& at) { require_material(name, at); });
-    grades_.resize(grades.size());
+    if (root_.has("grades")) grades_.resize(root_.member("grades").array().size());
+    made_grades_ = read_grades(
+        root_, [&](const std::string& name, const Cursor& at) { require_material(name, at); },
+        [&](Index inner) { grades_.name(inner); });
     each("components", [&](const Cursor& c) {
-      c.only({"name", "material", "leaves", "dominance", "grade"});
-      RegionMaterial made(material(c.member("material")));
-      if (c.has("grade")) {
-        const Index grade = grades_.name(c.member("grade").number(grades.size(), "grade"));
-        const std::string of_grade = root_.member("grades").at(grade).member("material").text();
-        if (of_grade != made.name())
-          c.member("grade").refuse("this grade is of another material, `" + of_grade + "`");
-        made = {made.name(), grades[grade]};
-      }
-      if (!made.empty()) made.set_dominance(materials_.at(made.name()));
-      content_.components.push_back({c.member("name").text(), std::move(made)});
+      c.only({"name", "material", "leaves", "dominance", "grade", "properties"});
+      content_.components.push_back(attributes(c));
       const Rational own = dominance(c, !table_.group);
       if (!table_.group) table_.dominances.push_back(own);
       ascending(c.member("leaves"), leaves_.size(), "leaf", [&](Index leaf) { leaves_.name(leaf); });
@@ -256,7 +300,7 @@ class Reader {
     each("regions", [&](const Cursor& r) {
       r.only({"component", "name", "material", "bounded", "volume", "shells", "origin"});
       const Index component = component_of(r, true);
-      const LeafRegion none, &own = component == 0 ? none : content_.components[component - 1];
+      const Attributes none, &own = component == 0 ? none : content_.components[component - 1];
       const auto same = [&](const char* key, const std::string& wanted) {
         if (r.member(key).text() != wanted) r.member(key).refuse("its component says \"" + wanted + "\"");
       };
@@ -294,10 +338,11 @@ class Reader {
 
   void read_vertices() {
     each("vertices", [&](const Cursor& v) {
-      v.only({"point", "component", "entity", "feature", "region", "origin"});
+      v.only({"point", "component", "entity", "feature", "region", "attributes", "origin"});
       const Index point = v.member("point").number(table_.points.size(), "point");
       use(point, v, "this vertex");
-      const CellTable::Cell cell{component_of(v), v.member("feature").boolean()};
+      CellTable::Cell cell{component_of(v), v.member("feature").boolean()};
+      cell.said = said_of(v, cell.component);
       if (!table_.vertices.empty() && table_.vertices.rbegin()->first >= point) {
         v.refuse("vertices are in the order of their points, and no two have the same");
       }
@@ -307,11 +352,12 @@ class Reader {
 
   void read_edges() {
     each("edges", [&](const Cursor& e) {
-      e.only({"points", "closed", "component", "entity", "feature", "wire", "region", "origin"});
+      e.only({"points", "closed", "component", "entity", "feature", "wire", "region", "attributes", "origin"});
       Edge edge;
       edge.closed = e.member("closed").boolean();
       edge.points = read_loop(e.member("points"), edge.closed ? 3 : 2);
-      const CellTable::Cell cell{component_of(e), e.member("feature").boolean()};
+      CellTable::Cell cell{component_of(e), e.member("feature").boolean()};
+      cell.said = said_of(e, cell.component);
       for (const Index p : edge.points) use(p, e, "this edge");
       if (edge.closed) {
         edge.points.push_back(edge.points[0]);
@@ -337,8 +383,9 @@ class Reader {
   void read_faces() {
     each("faces", [&](const Cursor& f) {
       f.only({"loops", "isolated", "component", "entity", "regions", "patch", "facets", "triangles", "cells",
-              "origin"});
+              "attributes", "origin"});
       const Index component = component_of(f);
+      table_.said_of_faces.push_back(said_of(f, component));
       const Cursor sides = f.member("regions").array_of(2, "two regions are needed here: in front and behind");
       Face face;
       for (std::size_t i = 0; i < 2; ++i) {
@@ -554,7 +601,8 @@ class Reader {
     points_.require_all(root_.member("points"), "no cell has this point");
     components_.require_all(root_.member("components"), "no cell is of this component");
     leaves_.require_all(root_.member("leaves"), "nothing came from this leaf");
-    if (grades_.size() > 0) grades_.require_all(root_.member("grades"), "no component has this grade");
+    if (grades_.size() > 0) grades_.require_all(root_.member("grades"), "nothing has this grade");
+    if (said_.size() > 0) said_.require_all(root_.member("attributes"), "no cell has these attributes");
     if (!root_.has("cells")) return;
     cells_.require_all(root_.member("cells"), "no face lies in this cell");
     patches_.require_all(root_.member("patches"), "no face of this patch has parameters");

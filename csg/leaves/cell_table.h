@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/materials/attributes.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
@@ -17,10 +18,14 @@ struct CellTable {
   struct Cell {
     std::uint32_t component = 0;  ///< from 1, as PreparedLeaf::regions() has them; 0: inactive
     bool feature = false;
+    std::uint32_t said = kSilent;  ///< place in the list `said`
   };
-  bool group = true;                   ///< then the component after the last one is its entities
-  std::vector<Rational> dominances;    ///< of each component; of a group: one
-  std::vector<std::uint32_t> faces;    ///< component, by Soup::Face::leaf_face
+  static constexpr std::uint32_t kSilent = 0xffffffffu;  ///< nothing is said of the cell
+  bool group = true;                                     ///< then the component after the last one is its entities
+  std::vector<Rational> dominances;                      ///< of each component; of a group: one
+  std::vector<std::uint32_t> faces;                      ///< component, by Soup::Face::leaf_face
+  std::vector<std::uint32_t> said_of_faces;              ///< places in `said`, by Soup::Face::leaf_face
+  std::vector<Attributes> said;        ///< of faces, edges and vertices; a grade is in the file's coordinates
   std::vector<Cell> edges;             ///< by number, which is Soup::Wire::leaf_edge where it is a wire
   std::vector<std::uint32_t> regions;  ///< component, by label; at 0: outside of all faces
   /// All points of the soup, lexicographically ascending, before the transform.

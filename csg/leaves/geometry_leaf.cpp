@@ -59,7 +59,7 @@ RationalPoint exact_value(const Soup& soup, PointId p) {
   return {from_double(xyz[0]), from_double(xyz[1]), from_double(xyz[2])};
 }
 
-GeometryLeaf::GeometryLeaf(Soup geometry, std::vector<LeafRegion> regions, std::vector<std::string> notices)
+GeometryLeaf::GeometryLeaf(Soup geometry, std::vector<Attributes> regions, std::vector<std::string> notices)
     : geometry_(std::move(geometry)), regions_(std::move(regions)), notices_(std::move(notices)) {
   require(geometry_.leaf_count() == 1 && !geometry_.frame().valid(), "a leaf's geometry is a soup of one leaf");
 }
@@ -170,7 +170,7 @@ void LeafBuilder::facet(PointId a, PointId b, PointId c, std::uint32_t leaf_face
 RationalPoint LeafBuilder::value(PointId p) const { return exact_value(soup_, p); }
 
 std::unique_ptr<PreparedLeaf> LeafBuilder::finish(std::vector<std::string> notices) {
-  std::vector<LeafRegion> regions;
+  std::vector<Attributes> regions;
   if (fill_ == Fill::winding || fill_ == Fill::parity) regions.emplace_back();
   // Who adds faces to the soup himself has no boxes of them.
   const bool boxed = boxes_.size() == soup_.face_count() && !boxes_.empty();

@@ -15,15 +15,15 @@ namespace cnrg {
 class GeometryLeaf final : public PreparedLeaf {
  public:
   /// `geometry` holds one leaf, LeafId(0), and no frame.
-  GeometryLeaf(Soup geometry, std::vector<LeafRegion> regions, std::vector<std::string> notices = {});
+  GeometryLeaf(Soup geometry, std::vector<Attributes> regions, std::vector<std::string> notices = {});
   LeafId add_to(Soup& soup, const Transform& transform) const override;
-  std::vector<LeafRegion> regions() const override { return regions_; }
+  std::vector<Attributes> regions() const override { return regions_; }
   std::vector<std::string> notices() const override { return notices_; }
   const Soup& geometry() const { return geometry_; }
 
  private:
   Soup geometry_;
-  std::vector<LeafRegion> regions_;
+  std::vector<Attributes> regions_;
   std::vector<std::string> notices_;
 };
 

@@ -14,7 +14,7 @@
 
 #include "csg/geometry/transform.h"
 #include "csg/leaves/shapes.h"
-#include "csg/materials/material.h"
+#include "csg/materials/attributes.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -38,14 +38,6 @@ class LeafFileError : public InputError {
   using InputError::InputError;
 };
 
-/// What a leaf says about its regions: region i (from 1) has `regions[i - 1]`. Material and name are those of
-/// the shape itself (group regions, components of results read back); the node's own
-/// attributes are in the tree.
-struct LeafRegion {
-  std::string name;
-  RegionMaterial material{};  ///< a grade (of a result read back) is in the leaf's coordinates
-};
-
 /// Makes the parameters of a leaf (parameters.h), also when the leaf itself is gone. Empty for a leaf without
 /// patches and curves.
 using ParameterSource = std::function<std::shared_ptr<const LeafParameters>()>;
@@ -61,7 +53,9 @@ class PreparedLeaf {
   /// Adds the leaf under a transform. A reflection does not turn it inside out: sides and winding mean the same.
   /// An unbounded leaf adds only its id; `make_soup`, which sees how far the others reach, adds its face.
   virtual LeafId add_to(Soup& soup, const Transform& transform) const = 0;
-  virtual std::vector<LeafRegion> regions() const = 0;
+  /// What the leaf itself says of its regions (regions of a group, components of results read back): region i
+  /// (from 1) has entry i - 1. The node's own attributes are in the tree. A grade is in the leaf's coordinates.
+  virtual std::vector<Attributes> regions() const = 0;
   /// The value of a result read back; `regions` are then its components. Nothing for all other leaves.
   virtual const CellTable* cells() const { return nullptr; }
   /// Things to tell the user, such as an open mesh that is taken as a surface.

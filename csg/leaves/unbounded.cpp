@@ -71,7 +71,7 @@ LeafId UnboundedLeaf::add_to(Soup& soup, const Transform&) const {
   return soup.add_leaf(solid_ ? Fill::sides : Fill::none);
 }
 
-std::vector<LeafRegion> UnboundedLeaf::regions() const { return std::vector<LeafRegion>(solid_ ? 1 : 0); }
+std::vector<Attributes> UnboundedLeaf::regions() const { return std::vector<Attributes>(solid_ ? 1 : 0); }
 
 ExactHalfspace UnboundedLeaf::image(const Transform& transform) const {
   // Normals go with the matrix of cofactors, which is the inverse transpose times the determinant.

@@ -22,7 +22,7 @@ class UnboundedLeaf final : public PreparedLeaf {
   UnboundedLeaf(const RationalPoint& point, const RationalPoint& normal, bool solid);
   /// Adds an empty leaf.
   LeafId add_to(Soup& soup, const Transform& transform) const override;
-  std::vector<LeafRegion> regions() const override;
+  std::vector<Attributes> regions() const override;
   bool unbounded() const override { return true; }
   bool solid() const { return solid_; }
   /// The plane's image; its front stays the image of the front, also under reflections.

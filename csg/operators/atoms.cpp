@@ -84,19 +84,25 @@ void Atoms::add(const Components& x, std::optional<Dominance> dominance) {
       --atoms_[cells.atoms[place - 1]].cells[d];
       cells.atoms[place - 1] = atom;
       LeafSetId& origin = cells.origins[place - 1];
-      origin = sets_.unite(origin, sets(origins[k]));
-      if (!conflicts[last].what.other.empty()) (conflicts[last].what.cells.*in_set).push_back(list[k].first);
+      const LeafSetId more = sets(origins[k]);
+      Conflict& at = conflicts[last];
+      if (at.decides == Dominance::equal) at_odds_.see(list[k].first, sets_.said(origin), sets_.said(more));
+      origin = sets_.unite(origin, more, at.decides);
+      if (!at.yielded.empty()) (at.cells.*in_set).push_back(list[k].first);
     }
   });
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (conflicts[i].what.other.empty() || atoms_[before + i].dimension() < conflicts[i].least) continue;
-    conflicts_.push_back(std::move(conflicts[i].what));
+    const Atom& atom = atoms_[before + i];
+    if (atom.dimension() < conflicts[i].least) continue;
+    for (const Yielded& other : conflicts[i].yielded) {
+      conflicts_.push_back(conflict(atom.attributes, other, conflicts[i].cells));
+    }
   }
   features_.edges.insert(features_.edges.end(), x.features.edges.begin(), x.features.edges.end());
   features_.vertices.insert(features_.vertices.end(), x.features.vertices.begin(), x.features.vertices.end());
 }
 
-// Two materials meet where the common part is as large as one of the two: a wall where two solids touch is no
+// Two attributes meet where the common part is as large as one of the two: a wall where two solids touch is no
 // conflict.
 std::vector<Atoms::Conflict> Atoms::add_atoms(const Components& x, const std::vector<Key>& keys,
                                               std::optional<Dominance> dominance) {
@@ -109,8 +115,8 @@ std::vector<Atoms::Conflict> Atoms::add_atoms(const Components& x, const std::ve
       continue;
     }
     Combined c = combine(atoms_[atom].attributes, x.attributes[component - 1], dominance);
-    conflicts[i].what.kept = c.attributes.material;
-    conflicts[i].what.other = std::move(c.other);
+    conflicts[i].decides = dominant(atoms_[atom].attributes, x.attributes[component - 1], dominance);
+    conflicts[i].yielded = std::move(c.yielded);
     conflicts[i].least = std::min(atoms_[atom].dimension(), in_x[component - 1]);
     atoms_.push_back({std::move(c.attributes), {}});
   }
@@ -144,6 +150,7 @@ ComponentsResult Atoms::result() {
   sort_unique(features_.edges), sort_unique(features_.vertices);
   value.features = active(value.selection, features_);
   collect_leaves(value);
+  at_odds_.take_to(conflicts_);
   out.conflicts = std::move(conflicts_);
   return out;
 }

@@ -44,8 +44,10 @@ class Atoms {
 
   // What an atom may be reported for, if it has cells of the `least` dimension.
   struct Conflict {
-    MaterialConflict what;  // `other` is empty: nothing
+    std::vector<Yielded> yielded;  // empty: nothing
+    CellSet cells;
     int least = 0;
+    Dominance decides = Dominance::equal;
   };
 
   template <class F>
@@ -60,7 +62,8 @@ class Atoms {
   std::vector<Atom> atoms_;
   LeafUnions sets_;
   Features features_;  // of all operands, in no order
-  std::vector<MaterialConflict> conflicts_;
+  AtOdds at_odds_;
+  std::vector<AttributeConflict> conflicts_;
 };
 
 }  // namespace cnrg

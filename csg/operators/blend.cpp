@@ -1,6 +1,8 @@
 // Boundaries are looked up once for each region of an operand, however many regions of the other one it meets.
 #include "csg/operators/blend.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "csg/materials/distance_target.h"
@@ -71,14 +73,14 @@ class Blend {
         right_(complex, right, placement.inverse()) {}
 
   /// What a region of the result is, of which `cell` is a 3-cell.
-  RegionAttributes at(RegionId cell) {
+  RegionAttributes at(RegionId cell, std::vector<Yielded>& yielded) {
     const std::uint32_t i = left_.region_of(cell), j = right_.region_of(cell);
     require(i != 0 || j != 0, "blend: a region that is of neither operand");
     if (i == 0 || j == 0) return i != 0 ? left_.attributes(i) : right_.attributes(j);
     const RegionAttributes &a = left_.attributes(i), &b = right_.attributes(j);
     const RegionAttributes* const both[] = {&a, &b};
-    std::vector<RegionMaterial> others;
-    RegionAttributes out = combined(both, false, others);
+    RegionAttributes out = combined(both, false, yielded);
+    std::erase_if(yielded, [](const Yielded& what) { return what.key.empty(); });  // materials are mixed
     out.name = joined(a.name, b.name);
     out.leaves = a.leaves;
     add_leaves(out.leaves, b.leaves);
@@ -107,19 +109,24 @@ class Blend {
 
 FoldResult blended_union(const Complex& complex, const Transform& placement, PartedGroup left, PartedGroup right) {
   const Group a = whole(left), b = whole(right);
-  PartedGroup all = fold(complex, BooleanOp::unite, Dominance::equal, left, right).group;
+  FoldResult all = fold(complex, BooleanOp::unite, Dominance::equal, left, right);
   PartedGroup common =
       fold(complex, BooleanOp::intersect, Dominance::equal, std::move(left), std::move(right)).group;
   const PartedGroup both =
-      fold(complex, BooleanOp::unite, Dominance::right, std::move(all), std::move(common)).group;
+      fold(complex, BooleanOp::unite, Dominance::right, std::move(all.group), std::move(common)).group;
   Blend blend(complex, placement, a, b);
   FoldResult out;
+  // What is said of sheets, wires and points is as in any union of equals.
+  std::copy_if(all.conflicts.begin(), all.conflicts.end(), std::back_inserter(out.conflicts),
+               [](const AttributeConflict& conflict) { return conflict.cells.regions.empty(); });
   out.group = changed(complex, both, [&](Group& part) {
-    std::vector<RegionId> first(part.regions.size());
-    for (const auto& [cell, region] : part.cells) {
-      if (!first[region - 1].valid()) first[region - 1] = cell;
+    std::vector<CellSet> cells(part.regions.size());
+    for (const auto& [cell, region] : part.cells) cells[region - 1].regions.push_back(cell);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      std::vector<Yielded> yielded;
+      part.regions[i] = blend.at(cells[i].regions.front(), yielded);
+      for (const Yielded& other : yielded) out.conflicts.push_back(conflict(part.regions[i], other, cells[i]));
     }
-    for (std::size_t i = 0; i < first.size(); ++i) part.regions[i] = blend.at(first[i]);
   });
   return out;
 }

@@ -17,8 +17,9 @@
 
 namespace cnrg {
 
-/// Mixtures are given in coordinates that `placement` brings to those of the complex. Nothing is removed, and no
-/// materials conflict. Throws InputError where the boundary of a region that is to blend is unbounded or empty.
+/// Mixtures are given in coordinates that `placement` brings to those of the complex. Nothing is removed, and of
+/// regions that blend no materials conflict, only properties. Throws InputError where the boundary of a region
+/// that is to blend is unbounded or empty.
 FoldResult blended_union(const Complex& complex, const Transform& placement, PartedGroup left, PartedGroup right);
 
 }  // namespace cnrg

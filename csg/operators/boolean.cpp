@@ -57,7 +57,7 @@ Group complement(const Complex& complex, const Group& g) {
   sort_unique(leaves);
   std::uint32_t count = 0;
   for (const auto& [cell, region] : out.cells) count = std::max(count, region);
-  out.regions.assign(count, {"", {}, leaves});
+  out.regions.assign(count, {{}, leaves});
   return out;
 }
 

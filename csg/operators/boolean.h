@@ -16,8 +16,8 @@ namespace cnrg {
 
 struct BooleanResult {
   Group group;
-  Removals removals;                        ///< in the order of the tables
-  std::vector<MaterialConflict> conflicts;  ///< in the order of the regions of `group`
+  Removals removals;                         ///< in the order of the tables
+  std::vector<AttributeConflict> conflicts;  ///< in the order of the regions of `group`
 };
 
 /// left op right. `dominance` names the dominant operand; for union and intersection the operands swap roles when

@@ -11,54 +11,160 @@
 namespace cnrg {
 namespace {
 
-// Faces and edges that bound something kept are entities: a group is closed, and walls in a region are entities.
 template <class IdT>
-void leaves_of_entity(const std::vector<IdT>& list, const std::vector<LeafSetId>& origins, const LeafSets& sets,
-                      IdT cell, std::vector<LeafId>& out) {
+LeafSetId set_in(const std::vector<IdT>& list, const std::vector<LeafSetId>& origins, IdT cell) {
   const auto it = std::lower_bound(list.begin(), list.end(), cell);
-  require(it != list.end() && *it == cell, "a group was asked for the origin of a cell that is no entity");
-  const auto leaves = sets[origins[static_cast<std::size_t>(it - list.begin())]];
-  out.assign(leaves.begin(), leaves.end());
+  if (it == list.end() || *it != cell) return LeafSetId::none();
+  return origins[static_cast<std::size_t>(it - list.begin())];
 }
 
 template <class IdT>
-bool add_leaves(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& origins,
-                const LeafSets& sets, IdT cell, std::vector<LeafId>& out) {
+LeafSetId set_in(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& origins,
+                 IdT cell) {
   const std::size_t k = place_in(list, cell);
-  if (k == list.size()) return false;
-  const auto leaves = sets[origins[k]];
-  out.insert(out.end(), leaves.begin(), leaves.end());
+  return k == list.size() ? LeafSetId::none() : origins[k];
+}
+
+template <class IdT>
+LeafSetId telling_set_in(const std::vector<std::pair<IdT, Component>>& list, const std::vector<LeafSetId>& origins,
+                         const std::set<std::pair<Component, LeafSetId>>& repeated, IdT cell) {
+  const std::size_t k = place_in(list, cell);
+  if (k == list.size() || repeated.contains({list[k].second, origins[k]})) return LeafSetId::none();
+  return origins[k];
+}
+
+bool add_leaves(const LeafSets& sets, LeafSetId set, std::vector<LeafId>& out) {
+  if (!set.valid()) return false;
+  out.insert(out.end(), sets[set].begin(), sets[set].end());
   return true;
 }
 
 }  // namespace
 
+ValueSources::ValueSources(const Complex& complex, const LeafSets& sets) : complex_(complex), sets_(sets) {
+  if (!sets.says_anything()) return;
+  std::vector<const Attributes*> distinct;
+  marks_.resize(sets.size(), 0);
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const SaidPointer& said = sets.said(LeafSetId(s));
+    if (said == nullptr || said->attributes.empty()) continue;
+    const auto it = std::find_if(distinct.begin(), distinct.end(),
+                                 [&](const Attributes* known) { return *known == said->attributes; });
+    marks_[s] = static_cast<std::uint32_t>(it - distinct.begin()) + 1;
+    if (it == distinct.end()) distinct.push_back(&said->attributes);
+  }
+}
+
+LeafSetId ValueSources::said_set(FaceId f) const {
+  if (marks_.empty()) return LeafSetId::none();
+  const LeafSetId set = telling_set_of(f);
+  return mark_of(set) == 0 ? LeafSetId::none() : set;
+}
+
+LeafSetId ValueSources::said_set(EdgeId e) const {
+  if (marks_.empty()) return LeafSetId::none();
+  const LeafSetId set = telling_set_of(e);
+  if (mark_of(set) == 0) return LeafSetId::none();
+  const auto uses = complex_.edge_uses[e];
+  const bool speaks =
+      sets_.said(set)->dimension <= 1 ||
+      std::none_of(uses.begin(), uses.end(), [&](const FaceUse& use) { return set_of(use.face).valid(); });
+  return speaks ? set : LeafSetId::none();
+}
+
+LeafSetId ValueSources::said_set(VertexId v) const {
+  if (marks_.empty()) return LeafSetId::none();
+  const LeafSetId set = telling_set_of(v);
+  if (mark_of(set) == 0) return LeafSetId::none();
+  if (sets_.said(set)->dimension == 0) return set;
+  const auto edges = complex_.vertex_edges[v];
+  const auto faces = complex_.vertex_faces[v];
+  const auto active = [&](auto cell) { return set_of(cell).valid(); };
+  const bool bounds =
+      std::any_of(edges.begin(), edges.end(), active) || std::any_of(faces.begin(), faces.end(), active);
+  return bounds ? LeafSetId::none() : set;
+}
+
+const Attributes* ValueSources::said(FaceId f) const {
+  const LeafSetId set = said_set(f);
+  return set.valid() ? &sets_.said(set)->attributes : nullptr;
+}
+const Attributes* ValueSources::said(EdgeId e) const {
+  const LeafSetId set = said_set(e);
+  return set.valid() ? &sets_.said(set)->attributes : nullptr;
+}
+const Attributes* ValueSources::said(VertexId v) const {
+  const LeafSetId set = said_set(v);
+  return set.valid() ? &sets_.said(set)->attributes : nullptr;
+}
+
+LeafSetId GroupSources::set_of(FaceId f) const { return set_in(group_.faces, group_.origins.faces, f); }
+LeafSetId GroupSources::set_of(EdgeId e) const { return set_in(group_.edges, group_.origins.edges, e); }
+LeafSetId GroupSources::set_of(VertexId v) const { return set_in(group_.vertices, group_.origins.vertices, v); }
+
+// Faces and edges that bound something kept are entities: a group is closed, and walls in a region are entities.
 void GroupSources::leaves_of(FaceId f, std::vector<LeafId>& out) const {
-  leaves_of_entity(group_.faces, group_.origins.faces, group_.origins.sets, f, out);
+  out.clear();
+  require(add_leaves(sets_, set_of(f), out), "a group was asked for the origin of a face that is no entity");
 }
 
 void GroupSources::leaves_of(EdgeId e, std::vector<LeafId>& out) const {
-  leaves_of_entity(group_.edges, group_.origins.edges, group_.origins.sets, e, out);
+  out.clear();
+  require(add_leaves(sets_, set_of(e), out), "a group was asked for the origin of an edge that is no entity");
+}
+
+ComponentSources::ComponentSources(const Complex& complex, const Components& x)
+    : ValueSources(complex, x.origins.sets), x_(x) {
+  if (!sets_.says_anything()) return;
+  std::pair<Component, LeafSetId> last(0, LeafSetId(0));
+  for_each_list(x, [&](const auto& list, const auto& origins) {
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const std::pair entry(list[k].second, origins[k]);
+      if (entry == std::exchange(last, entry)) continue;
+      const SaidPointer& said = sets_.said(entry.second);
+      if (said == nullptr || repeated_.contains(entry)) continue;
+      const Attributes& of_component = x.attributes[entry.first - 1];
+      Attributes both = of_component;
+      replace(both, said->attributes);
+      if (both == of_component) repeated_.insert(entry);
+    }
+  });
+}
+
+LeafSetId ComponentSources::telling_set_of(FaceId f) const {
+  return telling_set_in(x_.selection.faces, x_.origins.faces, repeated_, f);
+}
+LeafSetId ComponentSources::telling_set_of(EdgeId e) const {
+  return telling_set_in(x_.selection.edges, x_.origins.edges, repeated_, e);
+}
+LeafSetId ComponentSources::telling_set_of(VertexId v) const {
+  return telling_set_in(x_.selection.vertices, x_.origins.vertices, repeated_, v);
+}
+
+LeafSetId ComponentSources::set_of(FaceId f) const { return set_in(x_.selection.faces, x_.origins.faces, f); }
+LeafSetId ComponentSources::set_of(EdgeId e) const { return set_in(x_.selection.edges, x_.origins.edges, e); }
+LeafSetId ComponentSources::set_of(VertexId v) const {
+  return set_in(x_.selection.vertices, x_.origins.vertices, v);
 }
 
 void ComponentSources::leaves_of(FaceId f, std::vector<LeafId>& out) const {
   out.clear();
-  if (add_leaves(x_.selection.faces, x_.origins.faces, x_.origins.sets, f, out)) return;
+  if (add_leaves(sets_, set_of(f), out)) return;
   for (const RegionId r : complex_.face_regions[f]) {
-    add_leaves(x_.selection.regions, x_.origins.regions, x_.origins.sets, r, out);
+    add_leaves(sets_, set_in(x_.selection.regions, x_.origins.regions, r), out);
   }
   sort_unique(out);
 }
 
 void ComponentSources::leaves_of(EdgeId e, std::vector<LeafId>& out) const {
   out.clear();
-  if (add_leaves(x_.selection.edges, x_.origins.edges, x_.origins.sets, e, out)) return;
+  if (add_leaves(sets_, set_of(e), out)) return;
   std::vector<RegionId> regions;
-  for (const FaceUse& use : complex_.edge_uses[e]) {
-    add_leaves(x_.selection.faces, x_.origins.faces, x_.origins.sets, use.face, out);
-  }
+  for (const FaceUse& use : complex_.edge_uses[e]) add_leaves(sets_, set_of(use.face), out);
   complex_.star_regions(e, regions);
-  for (const RegionId r : regions) add_leaves(x_.selection.regions, x_.origins.regions, x_.origins.sets, r, out);
+  for (const RegionId r : regions) {
+    add_leaves(sets_, set_in(x_.selection.regions, x_.origins.regions, r), out);
+  }
   sort_unique(out);
 }
 

@@ -86,6 +86,7 @@ class Overlay {
         from_y_(y.origins.sets, out_.value.origins.sets) {}
 
   ComponentsResult run(std::optional<Dominance> dominance) {
+    stated_ = dominance;
     Selection& s = out_.value.selection;
     Origins& o = out_.value.origins;
     overlay(x_.selection.vertices, x_.origins.vertices, y_.selection.vertices, y_.origins.vertices, vertices_,
@@ -100,6 +101,7 @@ class Overlay {
     assign(faces_, s.faces);
     assign(regions_, s.regions);
     attributes(dominance);
+    at_odds_.take_to(out_.conflicts);
     out_.value.features = active(s, unite(x_.features, y_.features));
     collect_leaves(out_.value);
     return std::move(out_);
@@ -113,7 +115,6 @@ class Overlay {
   void overlay(const std::vector<std::pair<IdT, Component>>& x, const std::vector<LeafSetId>& x_origins,
                const std::vector<std::pair<IdT, Component>>& y, const std::vector<LeafSetId>& y_origins,
                Pairs<IdT>& pairs, std::vector<LeafSetId>& origins) {
-    LeafSets& sets = out_.value.origins.sets;
     for (std::size_t i = 0, j = 0; i < x.size() || j < y.size();) {
       const bool in_x = i < x.size() && (j == y.size() || !(y[j].first < x[i].first));
       const bool in_y = j < y.size() && (i == x.size() || !(x[i].first < y[j].first));
@@ -123,13 +124,23 @@ class Overlay {
       if (wanted_[key.kind]) {
         LeafSetId origin(0);
         if (in_x) origin = from_x_(x_origins[i]);
-        if (in_y) origin = sets.unite(origin, from_y_(y_origins[j]));
+        if (in_x && in_y) origin = united(id, pair, origin, from_y_(y_origins[j]));
+        else if (in_y) origin = from_y_(y_origins[j]);
         pairs.emplace_back(id, pair);
         origins.push_back(origin);
         numbering_.see(key);
       }
       i += in_x, j += in_y;
     }
+  }
+
+  template <class IdT>
+  LeafSetId united(IdT cell, Pair pair, LeafSetId of_x, LeafSetId of_y) {
+    LeafSets& sets = out_.value.origins.sets;
+    if (sets.said(of_x) == nullptr || sets.said(of_y) == nullptr) return sets.unite(of_x, of_y);
+    const Dominance decides = dominant(x_.attributes[pair.first - 1], y_.attributes[pair.second - 1], stated_);
+    if (decides == Dominance::equal) at_odds_.see(cell, sets.said(of_x), sets.said(of_y));
+    return sets.unite(of_x, of_y, decides);
   }
 
   template <class IdT>
@@ -151,9 +162,9 @@ class Overlay {
       } else {
         Combined c = combine(x_.attributes[i - 1], y_.attributes[j - 1], dominance);
         CellSet cells;
-        if (!c.other.empty()) cells = support(out_.value.selection, number);
+        if (!c.yielded.empty()) cells = support(out_.value.selection, number);
         if (!cells.empty() && dimension(cells) >= std::min(in_x[i - 1], in_y[j - 1])) {
-          out_.conflicts.push_back({c.attributes.material, c.other, std::move(cells)});
+          for (const Yielded& other : c.yielded) out_.conflicts.push_back(conflict(c.attributes, other, cells));
         }
         out_.value.attributes.push_back(std::move(c.attributes));
       }
@@ -162,6 +173,8 @@ class Overlay {
 
   const Components &x_, &y_;
   std::array<bool, 3> wanted_;
+  std::optional<Dominance> stated_;
+  AtOdds at_odds_;
   ComponentsResult out_;
   LeafSetMap<LeafSets, LeafSets> from_x_, from_y_;
   Numbering<PairKey> numbering_;
@@ -174,7 +187,7 @@ class Overlay {
 // --- one selection, restricted
 
 // One component made of all of `x`: strongest attributes first, conflicts with the first of them.
-ComponentAttributes strongest(const Components& x, std::vector<MaterialConflict>& conflicts) {
+ComponentAttributes strongest(const Components& x, std::vector<AttributeConflict>& conflicts) {
   ComponentAttributes out;
   if (x.attributes.empty()) return out;
   out.dominance = largest_dominance(x);
@@ -186,10 +199,10 @@ ComponentAttributes strongest(const Components& x, std::vector<MaterialConflict>
     const ComponentAttributes& a = x.attributes[i];
     if (a.dominance != out.dominance || a.material.dominance() != level) continue;
     out.name = joined(out.name, a.name);
-    if (out.material.empty()) {
-      out.material = a.material;
-    } else if (!a.material.empty() && a.material != out.material) {
-      conflicts.push_back({out.material, a.material, support(x.selection, static_cast<Component>(i + 1))});
+    std::vector<Yielded> yielded;
+    fill_in(out, a, yielded);
+    for (const Yielded& other : yielded) {
+      conflicts.push_back(conflict(out, other, support(x.selection, static_cast<Component>(i + 1))));
     }
   }
   return out;

@@ -15,10 +15,10 @@
 // operators act on every component by itself: a result component is the set of cells that belong to the results
 // of one and the same set of components, ordered by that set.
 //
-// Attributes (cavalcanti1997: a region gets its material by itself): a component of the result has the name and
-// material of the component of the operand with the greater dominance; with equal dominance the left one's, a
-// missing one from the other, names joined by ` & `. Materials that differ under equal dominance are reported with
-// the cells. The dominance is the larger one.
+// Attributes (cavalcanti1997: a region gets its material by itself): a component of the result has those of the
+// component of the operand with the greater dominance; with equal dominance the left one's, what it lacks from the
+// other, names joined by ` & `. What differs under equal dominance is reported with the cells. The dominance is
+// the larger one. What is said of a cell (said.h) goes by the same dominance, cell by cell.
 #pragma once
 
 #include <optional>
@@ -34,7 +34,7 @@ namespace cnrg {
 
 struct ComponentsResult {
   Components value;
-  std::vector<MaterialConflict> conflicts;
+  std::vector<AttributeConflict> conflicts;
 };
 
 /// Throws InputError when operands overlap; the message names the two operands (their `names`, parallel) and one

@@ -10,17 +10,6 @@
 namespace cnrg {
 namespace {
 
-/// Numbers first; where these are equal, materials.
-bool stronger(const ComponentAttributes& a, const ComponentAttributes& b) {
-  return a.dominance != b.dominance ? a.dominance > b.dominance : a.material.dominance() > b.material.dominance();
-}
-bool left_wins(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
-  return dominance ? *dominance == Dominance::left : stronger(a, b);
-}
-bool right_wins(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
-  return dominance ? *dominance == Dominance::right : stronger(b, a);
-}
-
 std::vector<std::string> parts_of(const std::string& name) {
   std::vector<std::string> out;
   for (std::size_t begin = 0; begin <= name.size();) {
@@ -44,16 +33,22 @@ std::string joined(const std::string& a, const std::string& b) {
   return out;
 }
 
+Dominance dominant(const ComponentAttributes& a, const ComponentAttributes& b,
+                   std::optional<Dominance> dominance) {
+  if (dominance) return *dominance;
+  const bool tie = a.dominance == b.dominance;  // then materials decide
+  const Rational& of_a = tie ? a.material.dominance() : a.dominance;
+  const Rational& of_b = tie ? b.material.dominance() : b.dominance;
+  return of_a == of_b ? Dominance::equal : of_a > of_b ? Dominance::left : Dominance::right;
+}
+
 Combined combine(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {
   Combined out;
-  if (left_wins(a, b, dominance)) {
-    out.attributes = a;
-  } else if (right_wins(a, b, dominance)) {
-    out.attributes = b;
-  } else {
+  const Dominance decides = dominant(a, b, dominance);
+  out.attributes = decides == Dominance::right ? b : a;
+  if (decides == Dominance::equal) {
     out.attributes.name = joined(a.name, b.name);
-    out.attributes.material = a.material.empty() ? b.material : a.material;
-    if (!b.material.empty() && b.material != out.attributes.material) out.other = b.material;
+    fill_in(out.attributes, b, out.yielded);
   }
   out.attributes.dominance = std::max(a.dominance, b.dominance);
   return out;

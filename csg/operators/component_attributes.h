@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "csg/operators/components.h"
 #include "csg/operators/tables.h"
@@ -14,8 +15,11 @@ std::string joined(const std::string& a, const std::string& b);
 
 struct Combined {
   ComponentAttributes attributes;
-  RegionMaterial other;  ///< a material that lost without dominance
+  std::vector<Yielded> yielded;  ///< what gave way without being dominated
 };
+
+/// Which of two components decides. `dominance` overrides their numbers.
+Dominance dominant(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance);
 
 /// The attributes of what two components have in common. `dominance` overrides their numbers.
 Combined combine(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance);

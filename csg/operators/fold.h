@@ -16,8 +16,8 @@ namespace cnrg {
 
 struct FoldResult {
   PartedGroup group;
-  Removals removals;                        ///< of all steps, step by step, those of one step in table order
-  std::vector<MaterialConflict> conflicts;  ///< step by step, those of one step in the order of its regions
+  Removals removals;                         ///< of all steps, step by step, those of one step in table order
+  std::vector<AttributeConflict> conflicts;  ///< step by step, those of one step in the order of its regions
 };
 
 /// `dominances[k]` is that of the step that takes in operand k + 1. The value, removals and conflicts are those of

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "csg/materials/material.h"
+#include "csg/materials/attributes.h"
 #include "csg/operators/origins.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/selection.h"
@@ -17,9 +17,7 @@
 namespace cnrg {
 
 /// What people say of a region; combined by dominance.
-struct RegionAttributes {
-  std::string name{};            ///< may be empty
-  RegionMaterial material{};     ///< empty: none; a grade is placed in the space of the complex
+struct RegionAttributes : Attributes {
   std::vector<LeafId> leaves{};  ///< provenance: leaves with a region there, ascending
 };
 
@@ -31,7 +29,8 @@ struct Group {
   std::vector<EdgeId> edges;
   std::vector<VertexId> vertices;
   Features features;  ///< subsets of `edges` and `vertices`
-  /// Parallel to `vertices`, `edges` and `faces`; cells inside of regions came from the region's leaves.
+  /// Parallel to `vertices`, `edges` and `faces`, and what is said of these; cells inside of regions came from the
+  /// region's leaves.
   Origins origins;
   Rational dominance = 0;
 
@@ -59,6 +58,6 @@ Selection selection_of(const Complex& complex, const Group& group);
 /// border, and its wires; its isolated vertices, and the ends of feature edges but those where exactly two of
 /// them continue each other, on a line or on one tessellated curve.
 std::vector<Group> leaf_groups(const Complex& complex,
-                               const std::vector<std::vector<RegionAttributes>>& attributes = {});
+                               const std::vector<std::vector<Attributes>>& attributes = {});
 
 }  // namespace cnrg

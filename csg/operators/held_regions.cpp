@@ -187,18 +187,18 @@ void HeldRegions::combine(Roles roles, const std::vector<RegionId>& next_cells, 
 
   std::vector<std::pair<RegionId, RegionAttributes>> made;
   std::vector<const RegionAttributes*> of_region;
-  std::vector<RegionMaterial> others;
+  std::vector<Yielded> yielded;
   for (auto begin = sources.begin(); begin != sources.end();) {
     const RegionId result = begin->result;
     const auto end = std::find_if(begin, sources.end(), [&](const Source& s) { return s.result != result; });
     of_region.clear();
     for (auto it = begin; it != end; ++it) of_region.push_back(&attributes_of(*it));
-    made.emplace_back(result, combined(of_region, roles.dominant, others));
+    made.emplace_back(result, combined(of_region, roles.dominant, yielded));
     made.back().second.leaves = leaves_of(std::span(begin, end));
-    for (const RegionMaterial& other : others) {
-      MaterialConflict conflict{made.back().second.material, other, {}};
-      conflict.cells.regions = cells_of(std::span(begin, end), other, next_cells);
-      conflicts.emplace_back(result, std::move(conflict));
+    for (const Yielded& other : yielded) {
+      CellSet cells;
+      cells.regions = cells_of(std::span(begin, end), other, next_cells);
+      conflicts.emplace_back(result, conflict(made.back().second, other, std::move(cells)));
     }
     begin = end;
   }
@@ -224,8 +224,8 @@ std::vector<LeafId> HeldRegions::leaves_of(std::span<const Source> sources) {
   return leaves;
 }
 
-// The 3-cells of one region of the result, that of `sources`, where an operand has the material.
-std::vector<RegionId> HeldRegions::cells_of(std::span<const Source> sources, const RegionMaterial& material,
+// The 3-cells of one region of the result, that of `sources`, where an operand says what gave way.
+std::vector<RegionId> HeldRegions::cells_of(std::span<const Source> sources, const Yielded& what,
                                             const std::vector<RegionId>& next_cells) {
   std::vector<RegionId> out;
   const RegionId result = sources.front().result;
@@ -233,7 +233,7 @@ std::vector<RegionId> HeldRegions::cells_of(std::span<const Source> sources, con
     if (find(cell) == result) out.push_back(cell);
   };
   for (const Source& source : sources) {
-    if (attributes_of(source).material != material) continue;
+    if (!what.is_in(attributes_of(source))) continue;
     if (!source.held) {
       for (const RegionId cell : next_cells) {
         if (next_region_.get(cell) == source.attributes + 1) add(cell);

@@ -39,7 +39,7 @@ class HeldRegions {
   bool same_in_next(RegionId a, RegionId b) const { return next_region_[a] == next_region_[b]; }
 
   /// Materials that met, each with the smallest 3-cell of its region of the result, in that order.
-  using Conflicts = std::vector<std::pair<RegionId, MaterialConflict>>;
+  using Conflicts = std::vector<std::pair<RegionId, AttributeConflict>>;
   /// The operator on regions, when the rows have decided about faces; held is the result then.
   void update(Roles roles, std::span<const Group* const> next, Conflicts& conflicts);
 
@@ -55,7 +55,7 @@ class HeldRegions {
   void intersect(Roles roles, Conflicts& conflicts);
   void split(std::span<const Group* const> next);
   void combine(Roles roles, const std::vector<RegionId>& next_cells, Conflicts& conflicts);
-  std::vector<RegionId> cells_of(std::span<const Source> sources, const RegionMaterial& material,
+  std::vector<RegionId> cells_of(std::span<const Source> sources, const Yielded& what,
                                  const std::vector<RegionId>& next_cells);
   std::vector<LeafId> leaves_of(std::span<const Source> sources);
   const RegionAttributes& attributes_of(const Source& source) const;

@@ -74,7 +74,7 @@ class LeafGroups {
         vertices_(complex.points.size()),
         vertex_features_(complex.points.size()) {}
 
-  std::vector<Group> run(const std::vector<std::vector<RegionAttributes>>& attributes) {
+  std::vector<Group> run(const std::vector<std::vector<Attributes>>& attributes) {
     const auto face = [](std::size_t i) { return FaceId(i); };
     const auto edge = [](std::size_t i) { return EdgeId(i); };
     const auto vertex = [&](std::size_t i) { return complex_.vertices[i]; };
@@ -116,7 +116,7 @@ class LeafGroups {
   }
 
  private:
-  inline static const std::vector<RegionAttributes> kNoAttributes;
+  inline static const std::vector<Attributes> kNoAttributes;
 
   // A soup face that covers a face around an edge.
   struct Piece {
@@ -346,7 +346,7 @@ class LeafGroups {
     return labelled;
   }
 
-  void regions(LeafId leaf, const Labelled& labelled, const std::vector<RegionAttributes>& attributes) {
+  void regions(LeafId leaf, const Labelled& labelled, const std::vector<Attributes>& attributes) {
     Group& group = groups_[leaf.index()];
     std::vector<RegionId> inside;
     inside.reserve(labelled.size());
@@ -355,10 +355,7 @@ class LeafGroups {
     for (std::size_t i = 0; i < group.cells.size(); ++i) {
       if (group.cells[i].second <= group.regions.size()) continue;
       const std::size_t label = labelled[i].second - 1;
-      RegionAttributes region;
-      if (label < attributes.size()) region = attributes[label];
-      region.leaves = {leaf};
-      group.regions.push_back(std::move(region));
+      group.regions.push_back({label < attributes.size() ? attributes[label] : Attributes{}, {leaf}});
     }
   }
 
@@ -380,8 +377,7 @@ class LeafGroups {
 
 }  // namespace
 
-std::vector<Group> leaf_groups(const Complex& complex,
-                               const std::vector<std::vector<RegionAttributes>>& attributes) {
+std::vector<Group> leaf_groups(const Complex& complex, const std::vector<std::vector<Attributes>>& attributes) {
   return LeafGroups(complex).run(attributes);
 }
 

@@ -48,7 +48,8 @@ class LeafValue {
         point_(complex.points.size()),
         edge_(complex.edge_count()) {}
 
-  Components run(const Transform& transform, const std::vector<RegionAttributes>& attributes) {
+  Components run(const Transform& transform, const std::vector<Attributes>& attributes,
+                 const std::vector<Attributes>& said) {
     number_points(transform);
     number_edges();
     select(static_cast<Component>(attributes.size()));
@@ -57,9 +58,9 @@ class LeafValue {
     out_.origins.edges.assign(out_.selection.edges.size(), own);
     out_.origins.faces.assign(out_.selection.faces.size(), own);
     out_.origins.regions.assign(out_.selection.regions.size(), own);
+    put_said(said);
     for (std::size_t i = 0; i < attributes.size(); ++i) {
-      out_.attributes.push_back({attributes[i], table_.dominances[table_.group ? 0 : i]});
-      out_.attributes.back().leaves = {leaf_};
+      out_.attributes.push_back({{attributes[i], {leaf_}}, table_.dominances[table_.group ? 0 : i]});
     }
     return std::move(out_);
   }
@@ -135,6 +136,60 @@ class LeafValue {
     require(face.found(), "leaf_value: a cell of a leaf lies on none of its faces");
     return table_.faces.at(face.number());
   }
+  /// A cell has what the file says of the cell that it is a piece of; else what is said of a face or an edge that
+  /// it bounds.
+  void put_said(const std::vector<Attributes>& said) {
+    if (said.empty()) return;
+    Scratch<EdgeId, LeafSetId::Value> at_edge(complex_.edge_count());  // 1 + the set
+    Scratch<VertexId, LeafSetId::Value> at_vertex(complex_.points.size());
+    std::map<std::pair<Index, int>, LeafSetId> known;
+    const auto set_of = [&](Index number, int dimension) {
+      LeafSetId& set = known[{number, dimension}];
+      if (!set.valid()) {
+        const auto what = std::make_shared<const Said>(Said{said[number], dimension});
+        set = out_.origins.sets.intern(std::span(&leaf_, 1), what);
+      }
+      return set;
+    };
+    const auto bound = [&](auto& around, auto cell, LeafSetId set) {
+      if (around.get(cell) == 0) around[cell] = set.value() + 1;
+    };
+    const Selection& s = out_.selection;
+    for (std::size_t i = 0; i < s.faces.size(); ++i) {
+      One face("faces");
+      see(s.faces[i].first, face);
+      const Index number = face.found() ? table_.said_of_faces.at(face.number()) : CellTable::kSilent;
+      if (number == CellTable::kSilent) continue;
+      const LeafSetId set = out_.origins.faces[i] = set_of(number, 2);
+      for (const LoopId l : complex_.face_loops[s.faces[i].first]) {
+        for (const HalfEdge h : complex_.loop[l]) {
+          bound(at_edge, h.edge(), set);
+          bound(at_vertex, complex_.origin(h), set);
+        }
+      }
+      for (const VertexId v : complex_.face_vertices[s.faces[i].first]) bound(at_vertex, v, set);
+    }
+    for (std::size_t i = 0; i < s.edges.size(); ++i) {
+      const EdgeId e = s.edges[i].first;
+      LeafSetId& set = out_.origins.edges[i];
+      const Index number = edge_[e] != 0 ? table_.edges[edge_[e] - 1].said : CellTable::kSilent;
+      if (number != CellTable::kSilent) {
+        set = set_of(number, 1);
+        for (const VertexId v : complex_.edge_ends[e]) at_vertex[v] = set.value() + 1;
+      } else if (at_edge.get(e) != 0) {
+        set = LeafSetId(at_edge.get(e) - 1);
+      }
+    }
+    for (std::size_t i = 0; i < s.vertices.size(); ++i) {
+      const VertexId v = s.vertices[i].first;
+      const auto vertex = point_[v] == 0 ? table_.vertices.end() : table_.vertices.find(point_[v] - 1);
+      const Index number = vertex == table_.vertices.end() ? CellTable::kSilent : vertex->second.said;
+      LeafSetId& set = out_.origins.vertices[i];
+      if (number != CellTable::kSilent) set = set_of(number, 0);
+      else if (at_vertex.get(v) != 0) set = LeafSetId(at_vertex.get(v) - 1);
+    }
+  }
+
   Component component(FaceId f) const {
     One face("faces");
     see(f, face);
@@ -233,10 +288,11 @@ void keep_numbers(const Components& components, Group& group) {
 }  // namespace
 
 NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, const CellTable& table,
-                     const Transform& transform, const std::vector<RegionAttributes>& attributes) {
-  std::vector<RegionAttributes> all = attributes;
-  if (table.group) all.push_back({kEntitiesName, "", {}});
-  Components components = LeafValue(complex, leaf, cells, table).run(transform, all);
+                     const Transform& transform, const std::vector<Attributes>& attributes,
+                     const std::vector<Attributes>& said) {
+  std::vector<Attributes> all = attributes;
+  if (table.group) all.push_back({.name = kEntitiesName});
+  Components components = LeafValue(complex, leaf, cells, table).run(transform, all, said);
   if (!table.group) return components;
   const CellSet missing = missing_boundary(complex, components);
   if (!missing.empty()) {

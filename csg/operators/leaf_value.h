@@ -11,9 +11,11 @@
 namespace cnrg {
 
 /// `cells` are the cells of the leaf as leaf_groups has them; `transform` is that of its instance; `attributes`
-/// has name and material of each component. The regions of a group are numbered as detection finds them. Throws
-/// InputError if the cells of the file overlap or are no group where the file says so.
+/// are those of each component, `said` those that cells have (`table.said`, placed as the leaf is). The regions of
+/// a group are numbered as detection finds them. Throws InputError if the cells of the file overlap or are no
+/// group where the file says so.
 NodeValue leaf_value(const Complex& complex, LeafId leaf, const Group& cells, const CellTable& table,
-                     const Transform& transform, const std::vector<RegionAttributes>& attributes);
+                     const Transform& transform, const std::vector<Attributes>& attributes,
+                     const std::vector<Attributes>& said);
 
 }  // namespace cnrg

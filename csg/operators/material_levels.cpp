@@ -26,11 +26,44 @@ void regions_around(const Complex& complex, IdT cell, std::vector<RegionId>& out
   }
 }
 
+const std::vector<FaceId>& list_of(const Group& g, FaceId) { return g.faces; }
+const std::vector<EdgeId>& list_of(const Group& g, EdgeId) { return g.edges; }
+const std::vector<VertexId>& list_of(const Group& g, VertexId) { return g.vertices; }
+const std::vector<LeafSetId>& origins_of(const Group& g, FaceId) { return g.origins.faces; }
+const std::vector<LeafSetId>& origins_of(const Group& g, EdgeId) { return g.origins.edges; }
+const std::vector<LeafSetId>& origins_of(const Group& g, VertexId) { return g.origins.vertices; }
+
+/// What is said of a sheet, a wire or a point is said of its closure. An entity has a material of its own if that
+/// is said of a thing of its dimension, or if it bounds nothing of the group.
+int dimension_of(FaceId) { return 2; }
+int dimension_of(EdgeId) { return 1; }
+int dimension_of(VertexId) { return 0; }
+
+bool bounds_nothing(const Complex&, const Group&, FaceId) { return true; }
+template <class IdT>
+bool bounds_nothing(const Complex& complex, const Group& g, IdT cell) {
+  return !bounds_any(complex, cell, [&](auto other) { return g.has(other); });
+}
+
+/// nullptr: none.
+template <class IdT>
+const RegionMaterial* own_material(const Complex& complex, const Group& g, IdT cell) {
+  if (!g.origins.sets.says_anything()) return nullptr;
+  const auto& list = list_of(g, cell);
+  const auto it = std::lower_bound(list.begin(), list.end(), cell);
+  if (it == list.end() || *it != cell) return nullptr;
+  const SaidPointer& said = g.origins.sets.said(origins_of(g, cell)[static_cast<std::size_t>(it - list.begin())]);
+  if (said == nullptr || said->attributes.material.empty()) return nullptr;
+  const bool speaks = said->dimension <= dimension_of(cell) || bounds_nothing(complex, g, cell);
+  return speaks ? &said->attributes.material : nullptr;
+}
+
 template <class IdT>
 Rational greatest_level(const Complex& complex, const Group& g, IdT cell) {
   std::vector<RegionId> around;
   regions_around(complex, cell, around);
   std::optional<Rational> out;
+  if (const RegionMaterial* own = own_material(complex, g, cell)) out = own->dominance();
   for (const RegionId r : around) {
     const std::uint32_t region = g.region_of(r);
     if (region != 0) out = std::max(out, std::optional(level_of(g.regions[region - 1])));
@@ -43,16 +76,16 @@ class Levels {
  public:
   Levels(const Complex& complex, const Group& g) : complex_(complex), g_(g) {
     for (const RegionAttributes& region : g.regions) levels_.insert(level_of(region));
-    for (const FaceId f : g.faces) {
-      if (!is_wall(f)) see(f, faces_);
-    }
-    const auto of_group = [&](auto cell) { return g.has(cell); };
-    for (const EdgeId e : g.edges) {
-      if (!bounds_any(complex, e, of_group)) see(e, edges_);
-    }
-    for (const VertexId v : g.vertices) {
-      if (!bounds_any(complex, v, of_group)) see(v, vertices_);
-    }
+    const auto see_all = [&](const auto& cells, auto stands_alone, auto& list) {
+      for (const auto cell : cells) {
+        if (stands_alone(cell) || own_material(complex, g, cell) != nullptr) see(cell, list);
+      }
+    };
+    const auto bounds_none = [&](auto cell) { return bounds_nothing(complex, g, cell); };
+    see_all(
+        g.faces, [&](FaceId f) { return !is_wall(f); }, faces_);
+    see_all(g.edges, bounds_none, edges_);
+    see_all(g.vertices, bounds_none, vertices_);
   }
 
   const std::set<Rational>& all() const { return levels_; }
@@ -103,7 +136,7 @@ class Levels {
   const Complex& complex_;
   const Group& g_;
   std::set<Rational> levels_;
-  // Entities that are no walls and bound none.
+  // Entities that are no walls and bound none, and others that have a material of their own.
   std::vector<std::pair<FaceId, Rational>> faces_;
   std::vector<std::pair<EdgeId, Rational>> edges_;
   std::vector<std::pair<VertexId, Rational>> vertices_;
@@ -157,12 +190,14 @@ class ByMaterials {
     return std::move(made.group);
   }
 
-  /// Leaves those 3-cells of a conflict in which no higher level wins; false if there are none.
+  /// Leaves those cells of a conflict in which no higher level wins; false if there are none.
   bool stands(CellSet& cells, const Rational& level) const {
-    std::erase_if(cells.regions, [&](RegionId r) {
-      const LevelsAt at = levels_at(complex_, left_, right_, r);
+    const auto beaten = [&](auto cell) {
+      const LevelsAt at = levels_at(complex_, left_, right_, cell);
       return (at.left && *at.left > level) || (at.right && *at.right > level);
-    });
+    };
+    std::erase_if(cells.regions, beaten), std::erase_if(cells.faces, beaten);
+    std::erase_if(cells.edges, beaten), std::erase_if(cells.vertices, beaten);
     return !cells.empty();
   }
 

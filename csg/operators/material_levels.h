@@ -6,7 +6,8 @@
 //
 // So each operand is split by *level*, and every piece of it dominates or is dominated as a whole. The level of a
 // region is the dominance of its material, 0 without one. A level of a group is a group by itself: its regions
-// with all their walls, and entities that are no walls. A wall between two levels is in both.
+// with all their walls, and entities that are no walls or that have a material of their own. A
+// wall between two levels is in both.
 //
 //   union         From the lowest level up: what both operands have at a level is united with equal dominance, and
 //                 that dominates in the union with all that is there already. Pieces of one operand never lie in
@@ -30,8 +31,8 @@
 
 namespace cnrg {
 
-/// The level of an entity that is no wall: the greatest of that of its own material, if it has one, and of those
-/// of the regions of `g` in whose closure it lies; 0 where there is neither.
+/// The level of an entity: the greatest of that of its own material, if it has one, and of those of the regions of
+/// `g` in whose closure it lies; 0 where there is neither.
 Rational level_of_entity(const Complex& complex, const Group& g, FaceId f);
 Rational level_of_entity(const Complex& complex, const Group& g, EdgeId e);
 Rational level_of_entity(const Complex& complex, const Group& g, VertexId v);

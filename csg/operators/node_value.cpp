@@ -50,7 +50,7 @@ std::size_t NodeValue::component_count() const {
 }
 
 const RegionAttributes& NodeValue::attributes(Component i) const {
-  static const RegionAttributes entities{kEntitiesName, "", {}};
+  static const RegionAttributes entities{{.name = kEntitiesName}, {}};
   if (!is_group()) return components().attributes.at(i - 1);
   return i <= group().regions.size() ? group().regions[i - 1] : entities;
 }
@@ -68,7 +68,7 @@ Selection selection_of(const Complex& complex, const NodeValue& value) {
 SimplifiedComplex simplify(const Complex& complex, const NodeValue& value, const Selection& selection,
                            SimplifyMode mode) {
   if (value.is_group()) {
-    const GroupSources sources(value.group());
+    const GroupSources sources(complex, value.group());
     return simplify(complex, selection, value.features(), mode, &sources);
   }
   const ComponentSources sources(complex, value.components());
@@ -78,7 +78,7 @@ SimplifiedComplex simplify(const Complex& complex, const NodeValue& value, const
 std::array<std::size_t, 4> simplified_counts(const Complex& complex, const NodeValue& value,
                                              const Selection& selection) {
   if (value.is_group()) {
-    const GroupSources sources(value.group());
+    const GroupSources sources(complex, value.group());
     return simplified_counts(complex, selection, value.features(), SimplifyMode::features, &sources);
   }
   const ComponentSources sources(complex, value.components());

@@ -36,52 +36,69 @@ void add_labels(const Complex& complex, RegionId r, std::span<const LeafId> leav
   }
 }
 
+bool same(const SaidPointer& a, const SaidPointer& b) {
+  return a == b || (a != nullptr && b != nullptr && *a == *b);
+}
+
+// Who dominates matters only where something is said of both.
+std::tuple<LeafSetId, LeafSetId, Dominance> key_of(LeafSetId a, LeafSetId b, const SaidPointer& said_a,
+                                                   const SaidPointer& said_b, Dominance dominance) {
+  if (said_a != nullptr && said_b != nullptr) return {a, b, dominance};
+  return {std::min(a, b), std::max(a, b), Dominance::equal};
+}
+
 }  // namespace
 
 LeafSets::LeafSets() { intern(std::span<const LeafId>()); }
 
-LeafSetId LeafSets::intern(std::span<const LeafId> leaves) {
+LeafSetId LeafSets::intern(std::span<const LeafId> leaves, const SaidPointer& said) {
   std::vector<LeafId> key(leaves.begin(), leaves.end());
-  const auto it = known_.find(key);
-  if (it != known_.end()) return it->second;
+  std::vector<LeafSetId>& with_these = known_[key];
+  for (const LeafSetId id : with_these) {
+    if (same(said_[id.index()], said)) return id;
+  }
   const LeafSetId id = sets_.push_back(key);
-  known_.emplace(std::move(key), id);
+  said_.push_back(said);
+  says_anything_ = says_anything_ || (said != nullptr && !said->attributes.empty());
+  with_these.push_back(id);
   return id;
 }
 
-LeafSetId LeafSets::unite(LeafSetId a, LeafSetId b) {
+LeafSetId LeafSets::unite(LeafSetId a, LeafSetId b, Dominance dominance) {
   if (a == b || b == LeafSetId(0)) return a;
   if (a == LeafSetId(0)) return b;
-  const auto [it, fresh] = united_.try_emplace(std::minmax(a, b));
+  const auto [it, fresh] = united_.try_emplace(key_of(a, b, said(a), said(b), dominance));
   if (fresh) {
     std::vector<LeafId> both;
     std::set_union(sets_[a].begin(), sets_[a].end(), sets_[b].begin(), sets_[b].end(), std::back_inserter(both));
-    it->second = intern(both);
+    it->second = intern(both, merged(said(a), said(b), dominance));
   }
   return it->second;
 }
 
 LeafUnions::LeafUnions() { intern(std::span<const LeafId>()); }
 
-LeafSetId LeafUnions::intern(std::span<const LeafId> leaves) {
-  const LeafSetId set = sets_.intern(leaves);
+LeafSetId LeafUnions::intern(std::span<const LeafId> leaves, const SaidPointer& said) {
+  const LeafSetId set = sets_.intern(leaves, said);
   if (set.index() >= of_set_.size()) of_set_.resize(sets_.size(), LeafSetId::none());
   LeafSetId& id = of_set_[set.index()];
   if (!id.valid()) {
     id = LeafSetId(made_of_.size());
     made_of_.emplace_back(LeafSetId::none(), set);
+    said_.push_back(sets_.said(set));
   }
   return id;
 }
 
-LeafSetId LeafUnions::unite(LeafSetId a, LeafSetId b) {
+LeafSetId LeafUnions::unite(LeafSetId a, LeafSetId b, Dominance dominance) {
   if (a == b || b == LeafSetId(0)) return a;
   if (a == LeafSetId(0)) return b;
   const auto& [before, last] = made_of_[a.index()];
-  if (before.valid() && last == b) return a;
-  const auto [it, fresh] = united_.try_emplace(std::pair(a, b));
+  if (before.valid() && last == b && same(merged(said(a), said(b), dominance), said(a))) return a;
+  const auto [it, fresh] = united_.try_emplace(key_of(a, b, said(a), said(b), dominance));
   if (fresh) {
     it->second = LeafSetId(made_of_.size());
+    said_.push_back(merged(said(a), said(b), dominance));
     made_of_.emplace_back(a, b);
   }
   return it->second;

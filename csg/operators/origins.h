@@ -1,39 +1,47 @@
-// Origins: the leaves that each cell of a value came from, through any depth of the DAG.
+// Origins: the leaves that each cell of a value came from, and what is said of it (said.h), through any depth of
+// the DAG.
 //
-// Values have few distinct sets of leaves and many cells: sets are interned in the value's own table, a cell
-// carries a 4-byte id. A cell that two operands have came from both. Which cells of these leaves it lies in is
-// read off the complex (`leaf_cells`).
+// Values have few distinct sets of leaves and many cells: sets are interned in the value's own table, each with
+// what is said of the cells that have it, and a cell carries a 4-byte id. A cell that two operands have came from
+// both. Which cells of these leaves it lies in is read off the complex (`leaf_cells`).
 #pragma once
 
 #include <array>
 #include <map>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "csg/operators/said.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/selection.h"
 
 namespace cnrg {
 
-using LeafSetId = Id<struct LeafSetTag>;  ///< an interned set of leaves
+using LeafSetId = Id<struct LeafSetTag>;  ///< an interned set of leaves with what is said
 
-/// Sets of leaves, each stored once. LeafSetId(0) is the empty set.
+/// Sets of leaves with what is said, each stored once. LeafSetId(0) is the empty set, of which nothing is said.
 class LeafSets {
  public:
   LeafSets();
-  /// The id of a set of leaves (ascending, unique).
-  LeafSetId intern(std::span<const LeafId> leaves);
+  /// The id of a set of leaves (ascending, unique) with what is said.
+  LeafSetId intern(std::span<const LeafId> leaves, const SaidPointer& said = nullptr);
   LeafSetId intern(LeafId leaf) { return intern(std::span(&leaf, 1)); }
-  /// The union of two sets of this table; pairs are remembered.
-  LeafSetId unite(LeafSetId a, LeafSetId b);
+  /// The union of two sets of this table, with what is said of both merged; pairs are remembered.
+  LeafSetId unite(LeafSetId a, LeafSetId b, Dominance dominance = Dominance::equal);
   std::span<const LeafId> operator[](LeafSetId set) const { return sets_[set]; }
+  const SaidPointer& said(LeafSetId set) const { return said_[set.index()]; }
   std::size_t size() const { return sets_.size(); }
+  /// Something other than empty attributes is said in some set.
+  bool says_anything() const { return says_anything_; }
 
  private:
   Csr<LeafSetId, LeafId> sets_;
-  std::map<std::vector<LeafId>, LeafSetId> known_;
-  std::map<std::pair<LeafSetId, LeafSetId>, LeafSetId> united_;
+  std::vector<SaidPointer> said_;  // by id
+  bool says_anything_ = false;
+  std::map<std::vector<LeafId>, std::vector<LeafSetId>> known_;
+  std::map<std::tuple<LeafSetId, LeafSetId, Dominance>, LeafSetId> united_;
 };
 
 /// Sets of leaves that grow from operand to operand of a fold. A cell that n operands share has n sets on its way,
@@ -42,11 +50,12 @@ class LeafSets {
 class LeafUnions {
  public:
   LeafUnions();
-  LeafSetId intern(std::span<const LeafId> leaves);
+  LeafSetId intern(std::span<const LeafId> leaves, const SaidPointer& said = nullptr);
   /// Sets with the same leaves that were united in other orders may have several ids.
-  LeafSetId unite(LeafSetId a, LeafSetId b);
+  LeafSetId unite(LeafSetId a, LeafSetId b, Dominance dominance = Dominance::equal);
   /// Ascending, unique.
   std::vector<LeafId> operator[](LeafSetId set) const;
+  const SaidPointer& said(LeafSetId set) const { return said_[set.index()]; }
   std::size_t size() const { return made_of_.size(); }
 
  private:
@@ -54,7 +63,8 @@ class LeafUnions {
   std::vector<LeafSetId> of_set_;  // by id in sets_
   // Two unions; or none() and an id in sets_.
   std::vector<std::pair<LeafSetId, LeafSetId>> made_of_;
-  std::map<std::pair<LeafSetId, LeafSetId>, LeafSetId> united_;
+  std::vector<SaidPointer> said_;  // by id here
+  std::map<std::tuple<LeafSetId, LeafSetId, Dominance>, LeafSetId> united_;
 };
 
 /// Brings sets of one table into another, each when it is first met: tables hold no more than their values need.
@@ -64,7 +74,7 @@ class LeafSetMap {
   LeafSetMap(const From& from, To& to) : from_(from), to_(to), known_(from.size(), LeafSetId::none()) {}
   LeafSetId operator()(LeafSetId set) {
     LeafSetId& id = known_[set.index()];
-    if (!id.valid()) id = to_.intern(from_[set]);
+    if (!id.valid()) id = to_.intern(from_[set], from_.said(set));
     return id;
   }
 

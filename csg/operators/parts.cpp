@@ -205,7 +205,7 @@ Part::Part(const Complex& complex, Group group) : group_(std::move(group)), box_
 const CellCounts& Part::counts(const Complex& complex) const {
   std::call_once(counted_, [&] {
     const Selection selection = selection_of(complex, group_);
-    const GroupSources sources(group_);
+    const GroupSources sources(complex, group_);
     counts_.raw = {selection.vertices.size(), selection.edges.size(), selection.faces.size(),
                    selection.regions.size()};
     counts_.simplified = simplified_counts(complex, selection, group_.features, SimplifyMode::features, &sources);
@@ -222,11 +222,28 @@ const std::vector<std::optional<Rational>>& Part::volumes(const Complex& complex
   return volumes_;
 }
 
+namespace {
+
+/// Some region, sheet, wire or point is of a material with a dominance of its own.
+bool ranked(const Group& group) {
+  for (const RegionAttributes& region : group.regions) {
+    if (region.material.has_dominance()) return true;
+  }
+  const LeafSets& sets = group.origins.sets;
+  if (!sets.says_anything()) return false;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const SaidPointer& said = sets.said(LeafSetId(i));
+    if (said != nullptr && said->attributes.material.has_dominance()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 PartedGroup parted(const Complex& complex, Group group) {
   PartedGroup out;
   out.dominance = group.dominance;
-  out.ranked = std::any_of(group.regions.begin(), group.regions.end(),
-                           [](const RegionAttributes& region) { return region.material.has_dominance(); });
+  out.ranked = ranked(group);
   if (!empty(group)) out.parts.push_back(std::make_shared<const Part>(complex, std::move(group)));
   return out;
 }

@@ -98,7 +98,8 @@ struct PartedGroup {
   /// that they cost what is new in a value.
   std::optional<Totals> totals;
   std::vector<PartRef> fresh;
-  /// A material in it may have a dominance of its own, or may have had one: an operator that need not ask does not.
+  /// A material in it may have a dominance of its own, or may have had one: an operator that need not ask does
+  /// not.
   bool ranked = false;
 };
 

@@ -63,6 +63,10 @@ class TableEngine::State {
     decide(vertices_, 0, next, &Group::vertices);
     regions_.update(roles_, next, step.conflicts);
     commit(next);
+    std::vector<AttributeConflict> of_entities;
+    at_odds_.take_to(of_entities);
+    for (AttributeConflict& conflict : of_entities)
+      step.conflicts.emplace_back(RegionId::none(), std::move(conflict));
     for (std::size_t row = 0; row < kTableRows; ++row) {
       if (removed_[row] != 0) step.removed[row] += removed_[row];
     }
@@ -314,11 +318,21 @@ class TableEngine::State {
         continue;
       }
       LeafSetId& origin = marks.origin[cells[i]];
-      origin = (flags & kHeld) ? sets_.unite(origin, sets(origins[i])) : sets(origins[i]);
+      origin = (flags & kHeld) ? united(cells[i], origin, sets(origins[i])) : sets(origins[i]);
       if (!(flags & kListed)) marks.listed.push_back(cells[i]);
       const bool from_next = (flags & kNextFeature) && (op_ != BooleanOp::subtract || (flags & kBorder));
       flags = kHeld | kListed | (from_next || (flags & kHeldFeature) ? kHeldFeature : 0);
     }
+  }
+
+  // The origin of a cell that both have. A difference says of a cell of held what held says.
+  template <class IdT>
+  LeafSetId united(IdT cell, LeafSetId held, LeafSetId next) {
+    if (sets_.said(next) == nullptr) return sets_.unite(held, next);
+    if (op_ == BooleanOp::subtract) return sets_.unite(held, sets_.intern(sets_[next]));
+    if (roles_.dominant) return sets_.unite(held, next, roles_.swapped ? Dominance::right : Dominance::left);
+    at_odds_.see(cell, sets_.said(held), sets_.said(next));
+    return sets_.unite(held, next);
   }
 
   template <class IdT>
@@ -371,6 +385,7 @@ class TableEngine::State {
   Who a_ = Who::held, b_ = Who::next;  // A and B of the rows
   std::array<std::size_t, kTableRows> removed_{};
   std::vector<RegionId> around_;
+  AtOdds at_odds_;
 };
 
 TableEngine::TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts)

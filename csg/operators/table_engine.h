@@ -19,8 +19,9 @@ namespace cnrg {
 /// What one step of a fold did.
 struct FoldStep {
   std::map<std::size_t, std::size_t> removed;  ///< row of the tables -> entities
-  /// Each with the smallest 3-cell of its region of the step's result, in that order.
-  std::vector<std::pair<RegionId, MaterialConflict>> conflicts;
+  /// Each with the smallest 3-cell of its region of the step's result, in that order; those of entities, which
+  /// have none, are the last.
+  std::vector<std::pair<RegionId, AttributeConflict>> conflicts;
 };
 
 class TableEngine {

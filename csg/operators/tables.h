@@ -18,10 +18,11 @@
 #include <utility>
 #include <vector>
 
+#include "csg/operators/dominance.h"
+
 namespace cnrg {
 
 enum class BooleanOp : std::uint8_t { unite, intersect, subtract };
-enum class Dominance : std::uint8_t { left, right, equal };
 
 /// Where an entity of one group lies with respect to the other one (pereira2012 3).
 enum class Relation : std::uint8_t {

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "csg/geometry/canonical_loop.h"
+#include "csg/operators/cell_sources.h"
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
@@ -31,7 +32,8 @@ class Flattener {
         simple_(*view.simplified),
         points_(cnrg::put_in_order(complex_, simple_)),
         of_group_(view.value->is_group() ? components_of(complex_, view.value->group()) : Components{}),
-        value_(view.value->is_group() ? of_group_ : view.value->components()) {}
+        value_(view.value->is_group() ? of_group_ : view.value->components()),
+        sources_(complex_, value_) {}
 
   FlatComplex run() {
     count_walks();
@@ -51,6 +53,7 @@ class Flattener {
   const CanonicalPoints points_;
   const Components of_group_;  // a group as components
   const Components& value_;
+  const ComponentSources sources_;
   FlatComplex flat_;
   IdVector<EdgeId, Index> edge_of_;  // simplified edge that holds an edge of the complex
   IdVector<FaceId, Index> front_;    // the side of a face of the complex that is the front of the simplified one
@@ -233,6 +236,7 @@ class Flattener {
       }
       face.entity = from.component != 0 && !inside_component(from.component, from.regions);
       face.origin = origin_of(value_.selection.faces, value_.origins.faces, from.cells);
+      face.origin.said = sources_.said(from.cells[0].face());
       face.patch = patch_of(from, face.origin.leaves);
       face.surface = surface_of(from, face);
       if (view_.parameters == nullptr) return;
@@ -408,6 +412,7 @@ class Flattener {
         return std::binary_search(features.begin(), features.end(), h.edge());
       });
       edge.origin = origin_of(value_.selection.edges, value_.origins.edges, from.chain);
+      edge.origin.said = sources_.said(first);
       add_carriers(edge, from);
     });
   }
@@ -475,6 +480,7 @@ class Flattener {
       const auto& features = value_.features.vertices;
       vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);
       vertex.origin = origin_of(value_.selection.vertices, value_.origins.vertices, std::span(&from.cell, 1));
+      vertex.origin.said = sources_.said(from.cell);
     });
   }
 

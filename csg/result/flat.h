@@ -31,6 +31,9 @@ struct FlatComplex {
   struct Provenance {
     std::vector<LeafId> leaves;
     std::vector<LeafCell> cells;
+    /// What is said of a face, edge or vertex that speaks for itself (csg/operators/cell_sources.h); nullptr where
+    /// nothing is said. Of the value that was flattened.
+    const Attributes* said = nullptr;
   };
   /// A patch of a leaf.
   using Patch = std::pair<LeafId, std::uint32_t>;

@@ -136,7 +136,7 @@ class GroupReader {
                                     : "add faces, or give `fill: cells` or `fill: none`"));
   }
 
-  std::vector<LeafRegion> regions() const {
+  std::vector<Attributes> regions() const {
     if (fill_ == Fill::none) return {};
     std::uint32_t count = fill_ == Fill::winding || fill_ == Fill::parity ? 1 : 0;
     for (const auto& [number, region] : shape_.regions) {
@@ -148,7 +148,7 @@ class GroupReader {
     if (fill_ == Fill::sides) {
       for (const GroupShape::Face& face : shape_.faces) count = std::max({count, face.sides[0], face.sides[1]});
     }
-    std::vector<LeafRegion> result(count);
+    std::vector<Attributes> result(count);
     for (const auto& [number, region] : shape_.regions) result[number - 1] = {region.name, region.material};
     return result;
   }

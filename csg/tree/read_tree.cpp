@@ -46,8 +46,8 @@ constexpr std::array<OperatorName, 14> kOperators{{
     {"simplify", Operator::simplify},
 }};
 
-constexpr std::array<std::string_view, 9> kAttributes{"material",  "dominance", "blend", "name",  "each",
-                                                      "translate", "rotate",    "scale", "mirror"};
+constexpr std::array<std::string_view, 10> kAttributes{
+    "material", "name", "attributes", "dominance", "blend", "each", "translate", "rotate", "scale", "mirror"};
 
 template <class Range>
 bool contains(const Range& range, std::string_view name) {
@@ -283,6 +283,8 @@ class TreeReader {
       check_material(e.value);
     } else if (e.key == "name") {
       node.label = e.value.text("`name`");
+    } else if (e.key == "attributes") {
+      node.properties = read_properties(e.value);
     } else if (e.key == "regularize") {
       node.regularize = *e.value.as_bool();
     } else if (e.key == "each") {
@@ -303,6 +305,27 @@ class TreeReader {
       const Transform step = read_transform(e);
       node.transform = node.transform ? step * *node.transform : step;
     }
+  }
+
+  /// Any keys, each with a number or a text; a number in quotes is a text.
+  static Properties read_properties(const Value& value) {
+    constexpr const char* kWanted = "a map of keys with numbers or texts, such as {diameter: 25, section: round}";
+    if (!value.is_map()) value.fail_type("`attributes`", kWanted);
+    Properties properties;
+    for (const Value::Entry& e : value.entries("`attributes`")) {
+      const std::string what = "the attribute `" + e.key + "`";
+      if (e.key.empty()) value.document().fail(e.key_at, "an attribute needs a name");
+      if (e.key == "name" || e.key == "material" || e.key == "dominance") {
+        value.document().fail(e.key_at,
+                              "`" + e.key + "` is a key of the node itself; write it beside `attributes`");
+      }
+      const std::string text = e.value.text(what);
+      const bool quoted = e.value.node().Tag() == "!";
+      NumberText number = quoted ? NumberText{} : read_number(text);
+      if (number.value) properties.emplace(e.key, std::move(*number.value));
+      else properties.emplace(e.key, text);
+    }
+    return properties;
   }
 
   void read_dominance(Node& node, const Value::Entry& e) {

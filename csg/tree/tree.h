@@ -4,8 +4,9 @@
 //   * Transforms are multiplied in the order in which they are written; they move everything below the node.
 //   * `dominance: number` is the number of the node's value; without it a leaf has 0 and a Boolean the larger
 //     one of its operands. `dominance: left|right|equal` is for a Boolean's own operands.
-//   * `material` and `name` of a leaf are those of its regions that have none of their own; on an inner node
-//     they replace what its regions had.
+//   * `material`, `name` and `attributes` of a leaf are those of its regions that have none of their own, and of
+//   its
+//     sheets, wires and points; on an inner node they replace what these had.
 //   * An operand that is written in place, not named, is an inline node; a YAML alias of it is the same node.
 #pragma once
 
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "csg/leaves/shapes.h"
+#include "csg/materials/attributes.h"
 #include "csg/materials/grade.h"
 #include "csg/tree/position.h"
 
@@ -61,8 +63,9 @@ struct Node {
   std::string operator_name;   ///< as the file has it: `union`, `box`, ...
   std::optional<Shape> shape;  ///< of a leaf
   std::optional<Transform> transform;
-  std::string material;  ///< empty: not given
-  std::string label;     ///< the attribute `name`; empty: not given
+  std::string material;   ///< empty: not given
+  std::string label;      ///< the attribute `name`; empty: not given
+  Properties properties;  ///< the attribute `attributes`
   std::optional<Rational> dominance;
   std::optional<DominantOperand> dominant;
   bool blend = false;            ///< of a union: what overlaps is a mixture (csg/operators/blend.h)

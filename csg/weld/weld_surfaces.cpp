@@ -28,7 +28,7 @@ class OnAgreedSurface final : public PreparedLeaf {
     set_form(std::move(form));
   }
   LeafId add_to(Soup& soup, const Transform& transform) const override { return leaf_->add_to(soup, transform); }
-  std::vector<LeafRegion> regions() const override { return leaf_->regions(); }
+  std::vector<Attributes> regions() const override { return leaf_->regions(); }
   std::vector<std::string> notices() const override { return leaf_->notices(); }
 
   /// Whether the leaf's surface is made of its form: its angles are then counted from where the new axis has them.

@@ -58,6 +58,7 @@ Merging::Merging(const Complex& complex, const Selection& selection, const Featu
     : complex_(complex),
       mode_(mode),
       sources_(sources),
+      marks_(sources != nullptr && sources->marks_anything() ? sources : nullptr),
       vertex_state_(complex.points.size()),
       edge_state_(complex.edge_count()),
       face_state_(complex.face_count()),
@@ -123,7 +124,7 @@ void Merging::decide_faces() {
   for (FaceId f : domain_.faces) {
     const auto& [front, back] = complex_.face_regions[f];
     const Component s = state(f);
-    if (s != state(front) || s != state(back) || !mergeable(s)) continue;
+    if (s != state(front) || s != state(back) || !mergeable(s) || mark(f) != 0) continue;
     face_fate_[f] = Fate::in_region;
     regions_.unite(front, back);
   }
@@ -167,10 +168,10 @@ Merging::Fate Merging::decide(EdgeId e) const {
     if (n == 2) return Fate::kept;
     pair[n++] = u;
   }
+  if (n == 1 || mark(e) != 0) return Fate::kept;
   if (n == 0) return s == state(complex_.some_region(e)) ? Fate::in_region : Fate::kept;
-  if (n == 1) return Fate::kept;
   const FaceId f = use(pair[0]).face, g = use(pair[1]).face;
-  if (s != state(f) || s != state(g)) return Fate::kept;
+  if (s != state(f) || s != state(g) || mark(f) != mark(g)) return Fate::kept;
   return one_surface(f, g) ? Fate::in_face : Fate::kept;
 }
 
@@ -279,6 +280,7 @@ bool Merging::pinned(VertexId v) const {
 
 Merging::Fate Merging::decide(VertexId v) {
   const Component s = state(v);
+  if (mark(v) != 0) return Fate::kept;
   EdgeId pair[2];
   std::size_t n = 0;
   for (EdgeId e : complex_.vertex_edges[v]) {
@@ -299,6 +301,7 @@ Merging::Fate Merging::decide(VertexId v) {
 // True if two kept edges become one: all faces run along both, and both are pieces of one line or curve. As v is
 // not on the frame, neither are they.
 bool Merging::continues(VertexId v, EdgeId a, EdgeId b) {
+  if (mark(a) != mark(b)) return false;
   std::size_t at_a = 0, at_b = 0;
   for (Use u = first_use(b); u != end_use(b); ++u) at_b += remains(u);
   for (Use u = first_use(a); u != end_use(a); ++u) {

@@ -99,6 +99,10 @@ class Merging {
 
  private:
   struct UseTag;
+  template <class IdT>
+  std::uint32_t mark(IdT cell) const {
+    return marks_ == nullptr ? 0 : marks_->mark(cell);
+  }
   bool mergeable(Component state) const { return mode_ != SimplifyMode::raw || state == 0; }
   void collect_domain(const Selection& selection, const Features& features);
   void decide_faces();
@@ -117,6 +121,7 @@ class Merging {
   const Complex& complex_;
   SimplifyMode mode_;
   const CellSources* sources_;
+  const CellSources* marks_;  // nullptr: no cell has a mark
   Scratch<VertexId, Component> vertex_state_;
   Scratch<EdgeId, Component> edge_state_;
   Scratch<FaceId, Component> face_state_;

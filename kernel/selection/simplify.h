@@ -3,7 +3,7 @@
 // Removes what no label needs: faces whose two regions and itself carry one state; then edges with exactly
 // two faces of their state on one plane or curved surface, or in the interior of a region of their state;
 // then vertices between exactly two collinear edges (or of one curve) of their state, or in the interior of a
-// face or region of their state. Features stay.
+// face or region of their state. Features stay, and so do marked cells, which merge with their like only.
 #pragma once
 
 #include <array>
@@ -64,10 +64,17 @@ enum class SimplifyMode {
 };
 
 /// The leaves that each cell of a selection came from. What these say of surfaces and curves counts alone: then
-/// the result does not depend on what else is in the complex.
+/// the result does not depend on what else is in the complex. And a mark for cells that are told from others of
+/// their component: they merge with cells of the same mark, and never with a larger cell around them.
 class CellSources {
  public:
   virtual ~CellSources() = default;
+  /// False: all marks are 0.
+  virtual bool marks_anything() const { return false; }
+  /// 0: none. Threads may ask at a time.
+  virtual std::uint32_t mark(FaceId) const { return 0; }
+  virtual std::uint32_t mark(EdgeId) const { return 0; }
+  virtual std::uint32_t mark(VertexId) const { return 0; }
   /// Ascending, unique, into `out`. Cells of the closure are asked for, too. Threads may ask at a time.
   virtual void leaves_of(FaceId f, std::vector<LeafId>& out) const = 0;
   virtual void leaves_of(EdgeId e, std::vector<LeafId>& out) const = 0;

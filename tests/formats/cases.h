@@ -17,7 +17,7 @@
 
 namespace cnrg::test {
 
-using Names = std::vector<std::vector<RegionAttributes>>;
+using Names = std::vector<std::vector<Attributes>>;
 
 /// The faces of a box, outward, in the order of x, y and z. Bit k of a corner's number says that it is the high
 /// one in axis k.

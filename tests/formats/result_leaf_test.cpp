@@ -35,10 +35,9 @@ Json comparable(const std::string& path, const std::vector<std::string>& more = 
 }
 
 NodeValue value_of(const Case& c, std::size_t leaf, const PreparedLeaf& prepared, const Transform& transform) {
-  std::vector<RegionAttributes> attributes;
-  for (const LeafRegion& region : prepared.regions()) attributes.push_back({region.name, region.material, {}});
   REQUIRE(prepared.cells() != nullptr);
-  return leaf_value(*c.complex, LeafId(leaf), c.leaves[leaf], *prepared.cells(), transform, attributes);
+  return leaf_value(*c.complex, LeafId(leaf), c.leaves[leaf], *prepared.cells(), transform, prepared.regions(),
+                    prepared.cells()->said);
 }
 
 Case read_back(const std::string& path, const Transform& transform = {}) {

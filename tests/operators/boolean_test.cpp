@@ -22,7 +22,7 @@ Counts counts(const Complex& complex, const Group& g, SimplifyMode mode = Simpli
 }
 
 std::vector<Group> named_leaves(const Complex& complex) {
-  std::vector<std::vector<RegionAttributes>> attributes(complex.leaf_count);
+  std::vector<std::vector<Attributes>> attributes(complex.leaf_count);
   const char* materials[] = {"rock", "ore", "air"};
   for (std::size_t i = 0; i < attributes.size(); ++i) {
     attributes[i] = {{"leaf" + std::to_string(i), materials[i % 3], {}}};

@@ -19,7 +19,7 @@ struct Scene {
   const std::shared_ptr<const Complex> built;
   const Complex& complex = *built;
   std::vector<Components> leaves;
-  explicit Scene(const std::vector<Piece>& pieces, const std::vector<std::vector<RegionAttributes>>& names = {})
+  explicit Scene(const std::vector<Piece>& pieces, const std::vector<std::vector<Attributes>>& names = {})
       : built(complex_of(pieces)) {
     for (const Group& group : leaf_groups(complex, names)) leaves.push_back(components_of(complex, group));
   }
@@ -37,7 +37,7 @@ std::vector<std::string> names(const Components& x) {
   return out;
 }
 
-const std::vector<std::vector<RegionAttributes>> kTwo{{{"a", "rock", {}}}, {{"b", "ore", {}}}};
+const std::vector<std::vector<Attributes>> kTwo{{{"a", "rock", {}}}, {{"b", "ore", {}}}};
 
 }  // namespace
 

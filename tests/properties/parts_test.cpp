@@ -29,9 +29,9 @@ std::vector<scenes::Leaf> scattered_leaves(std::uint64_t seed, int count, scenes
   return leaves;
 }
 
-std::vector<std::vector<RegionAttributes>> random_attributes(const Complex& c, Random& random) {
+std::vector<std::vector<Attributes>> random_attributes(const Complex& c, Random& random) {
   const std::array<std::string, 3> words{"", "rock", "ore"};
-  std::vector<std::vector<RegionAttributes>> out(c.leaf_count);
+  std::vector<std::vector<Attributes>> out(c.leaf_count);
   for (std::size_t leaf = 0; leaf < out.size(); ++leaf) {
     for (std::uint32_t i = 0; i < c.leaf_regions[LeafId(leaf)]; ++i) {
       const auto word = [&] { return words[static_cast<std::size_t>(random.below(3))]; };
@@ -69,7 +69,7 @@ void check_same(const Group& parts, const Group& plain) {
   }
 }
 
-void check_same(const std::vector<MaterialConflict>& a, const std::vector<MaterialConflict>& b) {
+void check_same(const std::vector<AttributeConflict>& a, const std::vector<AttributeConflict>& b) {
   REQUIRE(a.size() == b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     CHECK(a[i].kept == b[i].kept);
@@ -189,7 +189,7 @@ std::size_t check_fold(const Complex& complex, const std::vector<PartedGroup>& v
   const bool by_number = random.one_in(2);
   std::vector<Dominance> dominances;
   Removals removals, plain_removals;
-  std::vector<MaterialConflict> conflicts, plain_conflicts;
+  std::vector<AttributeConflict> conflicts, plain_conflicts;
   PartedGroup left = values[0];
   Group plain = whole(left);
   for (std::size_t k = 1; k < values.size(); ++k) {
@@ -256,7 +256,7 @@ std::size_t check_overlays(const Complex& complex, const std::vector<PartedGroup
   std::optional<Dominance> dominance;
   if (random.one_in(3)) dominance = static_cast<Dominance>(random.below(3));
   Components added = values[0], rest = values[0];
-  std::vector<MaterialConflict> conflicts;
+  std::vector<AttributeConflict> conflicts;
   for (std::size_t k = 1; k < values.size(); ++k) {
     ComponentsResult step = sum(complex, added, values[k], dominance);
     conflicts.insert(conflicts.end(), step.conflicts.begin(), step.conflicts.end());

@@ -96,7 +96,7 @@ TEST_CASE("groups") {
   g.points = {3};
   g.regions[2] = {"rock", "lower"};
   const auto leaf = prepare(g);
-  const std::vector<LeafRegion> regions = leaf->regions();
+  const std::vector<Attributes> regions = leaf->regions();
   REQUIRE(regions.size() == 2);
   CHECK(regions[1].material == "rock");
   CHECK(regions[1].name == "lower");
