@@ -105,14 +105,14 @@ TEST_CASE("a material that is made of itself is refused where it is named", "[gr
   const std::string way = "{linear: {from: [0, 0, 0], to: [0, 0, 1], stops: [[0, steel], [1, ";
   CHECK_THROWS_WITH(
       read("  a: " + way + "a]]}}\n"),
-      Catch::Contains("t.yaml:4:73: error: the material `a` is made of itself: `a` -> `a`; remove one of "
+      Catch::Contains("t.yaml:4:72: error: the material `a` is made of itself: `a` -> `a`; remove one of "
                       "the mentions"));
   CHECK_THROWS_WITH(
       read("  a: " + way + "b]]}}\n  b: " + way + "{c: 1/2, steel: 1/2}]]}}\n  c: " + way + "b]]}}\n"),
-      Catch::Contains("t.yaml:6:73: error: the material `b` is made of itself: `b` -> `c` -> `b`"));
+      Catch::Contains("t.yaml:6:72: error: the material `b` is made of itself: `b` -> `c` -> `b`"));
   CHECK_NOTHROW(read("  a: " + way + "b]]}}\n  b: " + way + "steel]]}}\n"));
   CHECK_THROWS_WITH(read("  a: " + way + "stel]]}}\n"),
-                    Catch::Contains("t.yaml:4:73: error: the material `stel` is "
+                    Catch::Contains("t.yaml:4:72: error: the material `stel` is "
                                     "not declared"));
 }
 
