@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "csg/operators/below.h"
 #include "csg/operators/blend.h"
 #include "csg/operators/fold.h"
 #include "csg/operators/identities.h"
@@ -140,6 +141,21 @@ Outcome boolean_in_steps(const Complex& complex, const Node& node, const Transfo
   }
   outcome.value = std::move(value);
   return outcome;
+}
+
+/// What of a solid is below or above a surface: the solid cut to the part that is there.
+Outcome side_of(const Complex& complex, const Node& node, std::span<const Operand> operands,
+                const std::function<void(const BooleanStep&)>& see) {
+  const Group surface = whole(group_operand(complex, node, operands[0]));
+  PartedGroup block = group_operand(complex, node, operands[1]);
+  const Group left = whole(block);
+  const Side side = node.op == Operator::below ? Side::below : Side::above;
+  const Group right = part_of(complex, side, surface, operands[0].name, left, operands[1].name);
+  const Dominance dominance = Dominance::left;
+  FoldResult cut = boolean_fold(complex, BooleanOp::intersect, std::span(&dominance, 1),
+                                {std::move(block), parted(complex, right)});
+  if (see) see({BooleanOp::intersect, dominance, left, right, whole(cut.group), 1, StepRule::operands});
+  return {std::move(cut.group), std::move(cut.removals), std::move(cut.conflicts)};
 }
 
 Outcome validated_boolean(const Complex& complex, const Node& node, const Transform& placement,
@@ -278,7 +294,8 @@ void apply_attributes(const Complex& complex, const Node& node, const RegionMate
 
 void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
                    const std::function<void(const BooleanStep&)>& see) {
-  boolean_in_steps(complex, node, {}, operands, see);
+  if (node.op == Operator::below || node.op == Operator::above) side_of(complex, node, operands, see);
+  else boolean_in_steps(complex, node, {}, operands, see);
 }
 
 namespace {
@@ -331,6 +348,12 @@ Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& 
     case Operator::closure:
     case Operator::boundary:
     case Operator::regularize: outcome = topology_of(complex, node, operands[0], validate); break;
+    case Operator::below:
+    case Operator::above:
+      outcome = side_of(complex, node, operands, [&](const BooleanStep& step) {
+        if (validate) require_identity(node, check_boolean(complex, step.op, step.left, step.right, step.result));
+      });
+      break;
     case Operator::simplify:
       if (operands[0].value->is_group()) {
         outcome.value = operands[0].value->parts();

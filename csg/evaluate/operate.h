@@ -60,7 +60,8 @@ Verdict verdict(const Complex& complex, const BooleanStep& step, FaceId f);
 Verdict verdict(const Complex& complex, const BooleanStep& step, EdgeId e);
 Verdict verdict(const Complex& complex, const BooleanStep& step, VertexId v);
 
-/// Evaluates a Boolean node as `operate` does and shows every step.
+/// Evaluates a Boolean node as `operate` does and shows every step; of `below` and `above` the one step in which
+/// the solid is cut.
 void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
                    const std::function<void(const BooleanStep&)>& see);
 

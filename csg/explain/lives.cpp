@@ -277,7 +277,9 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:
-    case Operator::subtract: add_booleans(node, id, pieces, steps); break;
+    case Operator::subtract:
+    case Operator::below:
+    case Operator::above: add_booleans(node, id, pieces, steps); break;
     case Operator::interior:
     case Operator::closure:
     case Operator::boundary:
@@ -303,7 +305,12 @@ void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Piec
   const std::vector<Operand> operands = operands_of(id);
   for_each_step(complex_, node, operands, [&](const BooleanStep& s) {
     const bool first = s.operand == 1;
-    const std::string left = first ? operands[0].name : "step " + std::to_string(s.operand - 1);
+    const bool is_side = node.op == Operator::below || node.op == Operator::above;
+    const std::string left = is_side ? operands[1].name
+                             : first ? operands[0].name
+                                     : "step " + std::to_string(s.operand - 1);
+    const std::string right =
+        is_side ? "what is " + node.operator_name + " " + operands[0].name : operands[s.operand].name;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       BooleanFacts facts;
       facts.op = s.op;
@@ -313,9 +320,10 @@ void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Piec
                                   : s.rule == StepRule::blend   ? owner_of(s, pieces[p].cell)
                                                                 : s.dominance;
       facts.dominant = s.op != BooleanOp::subtract && dominance != Dominance::equal;
-      facts.a = facts_of(complex_, s.left, pieces[p], left, first && is_closed_complement(*operands[0].value));
-      facts.b = facts_of(complex_, s.right, pieces[p], operands[s.operand].name,
-                         is_closed_complement(*operands[s.operand].value));
+      facts.a = facts_of(complex_, s.left, pieces[p], left,
+                         first && is_closed_complement(*operands[is_side ? 1 : 0].value));
+      facts.b = facts_of(complex_, s.right, pieces[p], right,
+                         !is_side && is_closed_complement(*operands[s.operand].value));
       if (levels.left) facts.level_a = to_decimal(*levels.left);
       if (levels.right) facts.level_b = to_decimal(*levels.right);
       if (s.op != BooleanOp::subtract && dominance == Dominance::right) {

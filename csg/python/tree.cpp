@@ -173,7 +173,8 @@ class Records {
     for (const NodeId operand : tree_.operands(id)) r.operands.push_back(operand.index());
     for (const auto& entry : map) {
       const std::string key = entry.first.Scalar();
-      if (key != node.operator_name) r.attributes.emplace_back(key, data_of(entry.second));
+      const bool is_operand = key == "within";
+      if (key != node.operator_name && !is_operand) r.attributes.emplace_back(key, data_of(entry.second));
       else if (r.is_leaf) r.value = data_of(entry.second);
       else open_.push_back(entry.second);
     }

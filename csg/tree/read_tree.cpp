@@ -29,7 +29,7 @@ struct OperatorName {
   std::string_view name;
   Operator op;
 };
-constexpr std::array<OperatorName, 14> kOperators{{
+constexpr std::array<OperatorName, 16> kOperators{{
     {"union", Operator::unite},
     {"intersection", Operator::intersect},
     {"difference", Operator::subtract},
@@ -43,6 +43,8 @@ constexpr std::array<OperatorName, 14> kOperators{{
     {"closure", Operator::closure},
     {"boundary", Operator::boundary},
     {"regularize", Operator::regularize},
+    {"below", Operator::below},
+    {"above", Operator::above},
     {"simplify", Operator::simplify},
 }};
 
@@ -191,6 +193,7 @@ class TreeReader {
 
   /// True for `regularize: true` and for `simplify: points` beside another operator.
   static bool is_attribute(const Value::Entry& e, bool has_operator) {
+    if (e.key == "within") return true;
     if (e.key == "regularize") return e.value.as_bool().has_value();
     if (e.key == "simplify")
       return has_operator && e.value.is_text() && (e.value.raw() == "points" || e.value.raw() == "features");
@@ -226,10 +229,29 @@ class TreeReader {
     tree_.nodes[id].operator_at = operation->key_at;
     tree_.nodes[id].operator_name = operation->key;
     read_operation(id, *operation);
+    read_within(id, *operation, entries);
     for (const Value::Entry& e : entries) {
-      if (&e != operation) read_attribute(tree_.nodes[id], e);
+      if (&e != operation && e.key != "within") read_attribute(tree_.nodes[id], e);
     }
     check_blend(tree_.nodes[id], entries);
+  }
+
+  /// The second operand of `below` and `above`.
+  void read_within(NodeId id, const Value::Entry& operation, const std::vector<Value::Entry>& entries) {
+    const Operator op = tree_.nodes[id].op;
+    const bool wanted = op == Operator::below || op == Operator::above;
+    const auto within =
+        std::find_if(entries.begin(), entries.end(), [](const Value::Entry& e) { return e.key == "within"; });
+    if (within != entries.end() && !wanted) {
+      document_.fail(within->key_at, "`within` is for below and above; remove it from `" + operation.key + "`");
+    }
+    if (!wanted) return;
+    if (within == entries.end()) {
+      document_.fail(operation.key_at, "`" + operation.key + "` needs the solid that it is in: {" + operation.key +
+                                           ": SURFACE, within: SOLID}");
+    }
+    if (within->value.is_list()) within->value.fail_type("`within`", "one node, by name or {...}");
+    read_operand(id, within->value, 2);
   }
 
   void check_operator_name(const Value::Entry& e, const std::string& what) {

@@ -42,6 +42,9 @@ enum class Operator : std::uint8_t {
   closure,
   boundary,
   regularize,
+  // Of a surface and a solid: what of the solid is on one side (csg/operators/below.h).
+  below,
+  above,
   // Of values of both families.
   simplify,
 };

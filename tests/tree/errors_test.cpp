@@ -144,6 +144,10 @@ TEST_CASE("operands of the wrong type or number", "[tree][errors]") {
   expect_node("union: [p, ]", 8, {"a list of one"});
   expect_node("complement: [p]", 13, {"one node"});
   expect_node("regularize: [p, p]", 13, {"one node"});
+  expect_node("below: p", 1, {"`below` needs the solid that it is in", "within"});
+  expect_node("below: p, within: [p]", 19, {"`within`", "one node"});
+  expect_node("below: p, within: nobody_at_all", 19, {"no node called `nobody_at_all`"});
+  expect_node("complement: p, within: p", 16, {"`within` is for below and above"});
   expect_node("complement:", 1, {"an operand of `a`", "empty"});
   expect_node("simplify: {of: p, mode: pints}", 25, {"`mode` of simplify must be one of features, points"});
   expect_node("simplify: {mode: points}", 11, {"simplify needs `of`"});

@@ -531,6 +531,16 @@ def aggregate(*nodes: Node, **attributes: Any) -> Node:
     return made("aggregate", _operands("aggregate", nodes), attributes=_attributes(attributes))
 
 
+def below(surface: Node, within: Node, **attributes: Any) -> Node:
+    """What of the solid `within` lies below an open surface that parts it."""
+    return made("below", _operands("below", (surface, within)), attributes=_attributes(attributes))
+
+
+def above(surface: Node, within: Node, **attributes: Any) -> Node:
+    """What of the solid `within` lies above an open surface that parts it."""
+    return made("above", _operands("above", (surface, within)), attributes=_attributes(attributes))
+
+
 def complement(node: Node) -> Node:
     """All of space that is not in it."""
     return _operands("complement", (node,))[0].complement()

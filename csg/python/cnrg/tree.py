@@ -78,6 +78,10 @@ def _operator_value(node: Node, operand: Callable[[Node], Any], path: Callable[[
             yield "{of: "
             yield operand(node.operands[0])
             yield f", mode: {node.value}}}"
+    elif node.operator in ("below", "above"):
+        yield operand(node.operands[0])
+        yield ", within: "
+        yield operand(node.operands[1])
     else:
         yield "["
         for i, below in enumerate(node.operands):

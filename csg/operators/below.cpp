@@ -1,0 +1,348 @@
+// Pieces are sets of 3-cells of the block, joined through all faces but those of the surface. Each connected body
+// of the block is colored by itself; then one face of the surface tells which color is below:
+//
+//   * where all faces of the surface agree which color their undersides have, any of them;
+//   * where they do not (folds, overhangs), the uppermost one over some point in plan: there is nothing of the
+//     surface between it and the sky;
+//   * a body that the surface does not enter lies below it if a line upward meets the surface an odd number of
+//   times.
+#include "csg/operators/below.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "csg/geometry/exact_vectors.h"
+#include "kernel/base/error.h"
+#include "kernel/base/union_find.h"
+#include "kernel/selection/scratch.h"
+
+namespace cnrg {
+namespace {
+
+using Index = std::uint32_t;
+
+/// Where a vertical line meets faces.
+class Plumb {
+ public:
+  struct Hit {
+    FaceId face;
+    Rational z;
+  };
+  explicit Plumb(const Complex& complex) : complex_(complex) {}
+
+  /// The normal of a face, up to its length.
+  const RationalPoint& normal(FaceId f) {
+    const auto [it, fresh] = normals_.try_emplace(f);
+    if (fresh) {
+      const auto [a, b, c] = complex_.points.plane_points(complex_.plane(f));
+      const RationalPoint p = complex_.points.rational(a);
+      it->second = cross(complex_.points.rational(b) - p, complex_.points.rational(c) - p);
+    }
+    return it->second;
+  }
+  bool vertical(FaceId f) { return normal(f)[2] == 0; }
+  /// The 3-cell on the upper side (the lower side) of a face that is not vertical.
+  RegionId over(FaceId f) { return complex_.face_regions[f][normal(f)[2] > 0 ? 0 : 1]; }
+  RegionId under(FaceId f) { return complex_.face_regions[f][normal(f)[2] > 0 ? 1 : 0]; }
+
+  /// The faces over or under a point, in no order. A point that projects onto a side that faces share belongs to
+  /// one of them, and so does its place on a fold to both or none: see `uppermost`.
+  template <class Faces>
+  std::vector<Hit> hits(const RationalPoint& p, const Faces& faces) {
+    std::vector<Hit> out;
+    for (const FaceId f : faces) {
+      if (!vertical(f) && covers(f, p)) out.push_back({f, height(f, p)});
+    }
+    return out;
+  }
+
+ private:
+  Rational height(FaceId f, const RationalPoint& p) {
+    const RationalPoint& n = normal(f);
+    const RationalPoint o = complex_.points.rational(complex_.points.plane_points(complex_.plane(f))[0]);
+    return o[2] - (n[0] * (p[0] - o[0]) + n[1] * (p[1] - o[1])) / n[2];
+  }
+
+  /// Is the point in the face, both seen from above? Sides are half open, as in any count of crossings.
+  bool covers(FaceId f, const RationalPoint& p) {
+    bool inside = false;
+    for (const LoopId l : complex_.face_loops[f]) {
+      for (const HalfEdge h : complex_.loop[l]) {
+        const RationalPoint &a = point(complex_.origin(h)), &b = point(complex_.target(h));
+        if ((a[1] > p[1]) == (b[1] > p[1])) continue;
+        const Rational turn = (b[0] - a[0]) * (p[1] - a[1]) - (p[0] - a[0]) * (b[1] - a[1]);
+        if ((b[1] > a[1]) == (turn > 0)) inside = !inside;
+      }
+    }
+    return inside;
+  }
+  const RationalPoint& point(VertexId v) {
+    const auto [it, fresh] = points_.try_emplace(v);
+    if (fresh) it->second = complex_.points.rational(v);
+    return it->second;
+  }
+
+  const Complex& complex_;
+  std::map<FaceId, RationalPoint> normals_;
+  std::map<VertexId, RationalPoint> points_;
+};
+
+class Parting {
+ public:
+  Parting(const Complex& complex, const Group& surface, const std::string& surface_name, const Group& block,
+          const std::string& block_name)
+      : complex_(complex),
+        surface_(surface),
+        block_(block),
+        surface_name_(surface_name),
+        block_name_(block_name),
+        cell_(complex.region_count),
+        of_surface_(complex.face_count()),
+        pieces_(block.cells.size()),
+        bodies_(block.cells.size()),
+        plumb_(complex) {}
+
+  Group run(Side side) {
+    if (!surface_.cells.empty()) {
+      throw InputError("`" + surface_name_ + "` has regions, and a surface has none; use its `boundary`, or " +
+                       "`difference` and `intersection` with the solid itself");
+    }
+    if (surface_.faces.empty()) {
+      throw InputError("`" + surface_name_ + "` has no faces; name a node that is a surface");
+    }
+    if (block_.cells.empty()) {
+      throw InputError("`" + block_name_ + "` has no region; name a node that is a solid after `within`");
+    }
+    for (std::size_t i = 0; i < block_.cells.size(); ++i) cell_[block_.cells[i].first] = static_cast<Index>(i + 1);
+    for (const FaceId f : surface_.faces) of_surface_[f] = 1;
+    join();
+    color();
+    decide();
+    return walls(side);
+  }
+
+ private:
+  /// The place of a 3-cell in the block, if it is one of it.
+  std::optional<Index> place(RegionId r) const {
+    const Index i = cell_.get(r);
+    return i == 0 ? std::nullopt : std::optional(i - 1);
+  }
+
+  void join() {
+    for (Index i = 0; i < block_.cells.size(); ++i) {
+      for (const HalfFace h : complex_.region_faces[block_.cells[i].first]) {
+        const auto other = place(complex_.region(h.opposite()));
+        if (!other) continue;
+        bodies_.unite(i, *other);
+        if (of_surface_.get(h.face()) == 0) pieces_.unite(i, *other);
+      }
+    }
+    for (const FaceId f : surface_.faces) {
+      if (inside(f)) inner_.push_back(f);
+    }
+  }
+
+  bool inside(FaceId f) const {
+    const auto& [front, back] = complex_.face_regions[f];
+    return place(front) && place(back);
+  }
+  Index piece(RegionId r) { return pieces_.find(*place(r)); }
+  Index body(FaceId f) { return bodies_.find(*place(complex_.face_regions[f][0])); }
+
+  /// Colors pieces so that they are different across the faces of the surface.
+  void color() {
+    std::map<Index, std::vector<Index>> next;  // by piece
+    for (const FaceId f : inner_) {
+      const Index a = piece(complex_.face_regions[f][0]), b = piece(complex_.face_regions[f][1]);
+      if (a == b) refuse("ends inside", f);
+      next[a].push_back(b), next[b].push_back(a);
+    }
+    for (const auto& [start, others] : next) {
+      if (color_.contains(start)) continue;
+      color_[start] = 0;
+      std::vector<Index> open{start};
+      while (!open.empty()) {
+        const Index at = open.back();
+        open.pop_back();
+        for (const Index other : next.at(at)) {
+          const auto [it, fresh] = color_.try_emplace(other, 1 - color_.at(at));
+          if (fresh) open.push_back(other);
+          else if (it->second == color_.at(at)) refuse("branches inside", {});
+        }
+      }
+    }
+  }
+
+  /// Names a point of the surface inside of the block where it has an end, or a number of faces that is odd.
+  [[noreturn]] void refuse(const std::string& what, FaceId nearby) {
+    std::optional<RationalPoint> at;
+    std::vector<RegionId> around;
+    const auto look = [&](EdgeId e) {
+      std::size_t faces = 0;
+      for (const FaceUse& use : complex_.edge_uses[e]) faces += of_surface_.get(use.face);
+      if (faces % 2 == 0) return;
+      around.clear();
+      complex_.star_regions(e, around);
+      if (!std::all_of(around.begin(), around.end(), [&](RegionId r) { return place(r).has_value(); })) return;
+      const RationalPoint p = interior_point(complex_, e).rational();
+      if (!at || p < *at) at = p;
+    };
+    for (const EdgeId e : surface_.edges) look(e);
+    if (!at && nearby.valid()) at = interior_point(complex_, nearby).rational();
+    throw InputError("`" + surface_name_ + "` does not part `" + block_name_ + "`: it " + what +
+                     (at ? ", at " + describe(*at) : std::string()) +
+                     (what == "ends inside"
+                          ? "; let it reach beyond the block on all sides, or take away what ends there"
+                          : "; use its sheets one after the other"));
+  }
+
+  /// Which color is below, of each body.
+  void decide() {
+    std::map<Index, std::vector<FaceId>> entered;  // faces of the surface, by body
+    for (const FaceId f : inner_) entered[body(f)].push_back(f);
+    for (const auto& [body, faces] : entered) below_[body] = color_below(faces);
+    for (Index i = 0; i < block_.cells.size(); ++i) {
+      const Index b = bodies_.find(i);
+      if (entered.contains(b) || below_.contains(b)) continue;
+      below_[b] = is_below(b) ? 0 : 1;  // its one piece has the color 0
+      color_[pieces_.find(b)] = 0;
+    }
+  }
+
+  int color_below(const std::vector<FaceId>& faces) {
+    std::optional<int> agreed;
+    bool agree = true;
+    for (const FaceId f : faces) {
+      if (plumb_.vertical(f)) continue;
+      const int under = color_.at(piece(plumb_.under(f)));
+      if (!agreed) agreed = under;
+      agree = agree && *agreed == under;
+    }
+    if (!agreed) {
+      throw InputError("`" + surface_name_ + "` is vertical inside of `" + block_name_ +
+                       "`: neither side is below; "
+                       "turn the model, or part it by a half-space");
+    }
+    if (agree) return *agreed;
+    for (const FaceId f : faces) {
+      if (plumb_.vertical(f)) continue;
+      if (const auto top = uppermost(interior_point(complex_, f).rational(), faces)) {
+        return color_.at(piece(plumb_.under(*top)));
+      }
+    }
+    throw InputError("`" + surface_name_ + "` has no upper side inside of `" + block_name_ + "`");
+  }
+
+  /// The uppermost of the faces at a point; nothing where two meet in a fold.
+  std::optional<FaceId> uppermost(const RationalPoint& p, const std::vector<FaceId>& faces) {
+    const std::vector<Plumb::Hit> hits = plumb_.hits(p, faces);
+    const Plumb::Hit* top = nullptr;
+    bool fold = false;
+    for (const Plumb::Hit& hit : hits) {
+      if (top != nullptr && hit.z == top->z) fold = true;
+      if (top == nullptr || hit.z > top->z) top = &hit, fold = false;
+    }
+    return top == nullptr || fold ? std::nullopt : std::optional(top->face);
+  }
+
+  /// Of a body that the surface does not enter.
+  bool is_below(Index of) {
+    for (const auto& [r, region] : block_.cells) {
+      if (bodies_.find(*place(r)) != of) continue;
+      for (const HalfFace h : complex_.region_faces[r]) {
+        const FaceId f = h.face();
+        if (of_surface_.get(f) != 0 || complex_.on_frame(f) || plumb_.vertical(f)) continue;
+        const RationalPoint p = interior_point(complex_, f).rational();
+        const std::vector<Plumb::Hit> hits = plumb_.hits(p, surface_.faces);
+        if (hits.empty()) continue;
+        const auto over = std::count_if(hits.begin(), hits.end(), [&](const auto& hit) { return hit.z > p[2]; });
+        return over % 2 == 1;
+      }
+    }
+    const RegionId first = block_.cells[of].first;
+    throw InputError("`" + surface_name_ + "` is neither over nor under a part of `" + block_name_ + "`, near " +
+                     describe(interior_point(complex_, complex_.region_faces[first].front().face()).rational()) +
+                     "; let it reach over all of the block, or leave that part out");
+  }
+
+  bool wanted(RegionId r, Side side) {
+    const auto i = place(r);
+    if (!i) return false;
+    const bool is_below = color_.at(pieces_.find(*i)) == below_.at(bodies_.find(*i));
+    return is_below == (side == Side::below);
+  }
+
+  Group walls(Side side) {
+    Group out;
+    std::map<Index, std::uint32_t> number;  // of pieces
+    std::vector<char> is_wanted(block_.cells.size(), 0);
+    Marks<FaceId> faces(complex_.face_count());
+    for (Index i = 0; i < block_.cells.size(); ++i) {
+      const RegionId r = block_.cells[i].first;
+      if (!wanted(r, side)) continue;
+      const auto [it, fresh] = number.try_emplace(pieces_.find(i), static_cast<std::uint32_t>(number.size() + 1));
+      if (fresh) out.regions.emplace_back();
+      out.cells.emplace_back(r, it->second);
+      for (const HalfFace h : complex_.region_faces[r]) {
+        if (!complex_.on_frame(h.face()) && !wanted(complex_.region(h.opposite()), side)) faces[h.face()] = 1;
+      }
+    }
+    out.faces = faces.ids();
+    Marks<EdgeId> edges(complex_.edge_count()), sheet_edges(complex_.edge_count());
+    Marks<VertexId> vertices(complex_.points.size()), sheet_vertices(complex_.points.size());
+    for (const FaceId f : out.faces) {
+      const bool of_surface = of_surface_.get(f) != 0;
+      for (const LoopId l : complex_.face_loops[f]) {
+        for (const HalfEdge h : complex_.loop[l]) {
+          if (!complex_.on_frame(h.edge())) edges[h.edge()] = 1;
+          const VertexId v = complex_.origin(h);
+          if (!complex_.on_frame(v)) vertices[v] = 1;
+          if (of_surface) sheet_edges[h.edge()] = 1, sheet_vertices[v] = 1;
+        }
+      }
+      for (const VertexId v : complex_.face_vertices[f]) {
+        vertices[v] = 1;
+        if (of_surface) sheet_vertices[v] = 1;
+      }
+    }
+    out.edges = edges.ids(), out.vertices = vertices.ids();
+    LeafSetMap sets(surface_.origins.sets, out.origins.sets);
+    const auto origins = [&](const auto& list, const auto& from, const auto& from_origins, auto& to) {
+      std::size_t k = 0;
+      for (const auto cell : list) {
+        while (k < from.size() && from[k] < cell) ++k;
+        to.push_back(k < from.size() && from[k] == cell ? sets(from_origins[k]) : LeafSetId(0));
+      }
+    };
+    origins(out.faces, surface_.faces, surface_.origins.faces, out.origins.faces);
+    origins(out.edges, surface_.edges, surface_.origins.edges, out.origins.edges);
+    origins(out.vertices, surface_.vertices, surface_.origins.vertices, out.origins.vertices);
+    for (const EdgeId e : surface_.features.edges) {
+      if (sheet_edges.get(e) != 0) out.features.edges.push_back(e);
+    }
+    for (const VertexId v : surface_.features.vertices) {
+      if (sheet_vertices.get(v) != 0) out.features.vertices.push_back(v);
+    }
+    return out;
+  }
+
+  const Complex& complex_;
+  const Group &surface_, &block_;
+  const std::string &surface_name_, &block_name_;
+  Scratch<RegionId, Index> cell_;  // 1 + the place in the block's list
+  Marks<FaceId> of_surface_;
+  UnionFind pieces_, bodies_;           // of places
+  std::vector<FaceId> inner_;           // of the surface, inside of the block
+  std::map<Index, int> color_, below_;  // of pieces; of bodies the color that is below
+  Plumb plumb_;
+};
+
+}  // namespace
+
+Group part_of(const Complex& complex, Side side, const Group& surface, const std::string& surface_name,
+              const Group& block, const std::string& block_name) {
+  return Parting(complex, surface, surface_name, block, block_name).run(side);
+}
+
+}  // namespace cnrg

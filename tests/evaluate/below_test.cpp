@@ -1,0 +1,178 @@
+// What is below a surface: counted by hand, and against surfaces that are graphs, where heights decide and volumes
+// are integrals.
+#include "csg/operators/below.h"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "csg/evaluate/evaluate.h"
+#include "csg/geometry/exact_vectors.h"
+#include "csg/operators/identities.h"
+#include "kernel/complex/interior.h"
+#include "kernel/selection/measure.h"
+#include "tests/scenes/scene.h"
+
+namespace cnrg {
+namespace {
+
+using scenes::Random;
+
+Evaluation evaluated(const std::string& text, const std::vector<std::string>& nodes) {
+  const Tree tree = parse_tree(text, "t.yaml");
+  EvaluateOptions options;
+  options.validate = true;
+  for (const std::string& node : nodes) options.nodes.push_back(tree.find(node));
+  return evaluate(tree, options);
+}
+
+std::string fault_of(const std::string& nodes) {
+  try {
+    evaluated("cnrg: 1\nnodes:\n" + nodes + "result: r\n", {});
+    return "";
+  } catch (const TreeError& e) {
+    return e.what();
+  }
+}
+
+Rational volume_of(const Evaluation& e, const Group& g) {
+  std::vector<RegionId> cells;
+  for (const auto& cell : g.cells) cells.push_back(cell.first);
+  return cells.empty() ? Rational(0) : *volume(*e.complex, cells);
+}
+
+/// A graph z(x, y) over squares of side `side` from (-side, -side), each in two triangles.
+struct Graph {
+  int n, side;
+  std::vector<std::vector<Rational>> z;  // by corner: [i along x][j along y]
+
+  /// The height over a point, from the triangle that holds it.
+  Rational at(const Rational& x, const Rational& y) const {
+    const Rational u = x / side + 1, v = y / side + 1;
+    const auto i = static_cast<std::size_t>(std::min<long>(n - 1, mpz_class(u.get_num() / u.get_den()).get_si()));
+    const auto j = static_cast<std::size_t>(std::min<long>(n - 1, mpz_class(v.get_num() / v.get_den()).get_si()));
+    const Rational s = u - static_cast<long>(i), t = v - static_cast<long>(j);
+    const Rational &a = z[i][j], &b = z[i + 1][j], &c = z[i + 1][j + 1], &d = z[i][j + 1];
+    return s >= t ? a + s * (b - a) + t * (c - b) : a + t * (d - a) + s * (c - d);
+  }
+  std::string mesh() const {
+    std::string points, faces;
+    const auto number = [&](int i, int j) { return std::to_string(i * (n + 1) + j); };
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; j <= n; ++j) {
+        points += (points.empty() ? "[" : ", [") + std::to_string(side * (i - 1)) + ", " +
+                  std::to_string(side * (j - 1)) + ", " +
+                  to_string(z[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]) + "]";
+        if (i == n || j == n) continue;
+        faces += (faces.empty() ? "[" : ", [") + number(i, j) + ", " + number(i + 1, j) + ", " +
+                 number(i + 1, j + 1) + "], [" + number(i, j) + ", " + number(i + 1, j + 1) + ", " +
+                 number(i, j + 1) + "]";
+      }
+    }
+    return "{points: [" + points + "], faces: [" + faces + "], fill: none}";
+  }
+};
+
+Graph random_graph(Random& random, int n, int side, int low, int high) {
+  Graph g{n, side, {}};
+  g.z.resize(static_cast<std::size_t>(n) + 1);
+  for (auto& row : g.z) {
+    for (int j = 0; j <= n; ++j)
+      row.push_back(fraction(low * 4 + static_cast<int>(random.below((high - low) * 4 + 1)), 4));
+  }
+  return g;
+}
+
+TEST_CASE("what is below a random graph has its cells under it, and the volume of the integral", "[below]") {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    Random random(seed);
+    INFO("seed " << seed);
+    const int n = 3 + static_cast<int>(random.below(3)), side = 2;
+    const int width = side * (n - 2);   // of the block: the graph reaches beyond it by a square on each side
+    const bool within = seed % 2 == 0;  // it meets neither the top nor the bottom
+    const Graph graph = random_graph(random, n, side, within ? 1 : -2, within ? 5 : 8);
+    const std::string w = std::to_string(width);
+    const Evaluation e = evaluated(
+        "cnrg: 1\nnodes:\n  sheet: {mesh: " + graph.mesh() + "}\n  left: {box: {min: [0, 0, 0], max: [1, " + w +
+            ", 6]}}\n  right: {box: {min: [1, 0, 0], max: [" + w + ", " + w +
+            ", 6]}}\n  block: {union: [left, right], dominance: left}\n"
+            "  low: {below: sheet, within: block}\n  high: {above: sheet, within: block}\n"
+            "  all: {union: [low, high], dominance: left}\nresult: all\n",
+        {"low", "high"});
+    const Group &all = e.kept[0].group(), &low = e.kept[1].group(), &high = e.kept[2].group();
+    CHECK(check_group(*e.complex, low) == "");
+    CHECK(check_group(*e.complex, high) == "");
+    const Locator locator(*e.complex);
+    for (const Group* side_group : {&low, &high}) {
+      for (const auto& [cell, region] : side_group->cells) {
+        const RationalPoint p = interior_point(*e.complex, locator, cell);
+        CHECK((p[2] < graph.at(p[0], p[1])) == (side_group == &low));
+      }
+    }
+    CHECK(volume_of(e, all) == Rational(width) * width * 6);
+    CHECK(volume_of(e, low) + volume_of(e, high) == volume_of(e, all));
+    if (!within) continue;
+    Rational integral = 0;
+    for (std::size_t i = 1; i + 1 < static_cast<std::size_t>(n); ++i) {
+      for (std::size_t j = 1; j + 1 < static_cast<std::size_t>(n); ++j) {
+        const auto& z = graph.z;
+        integral += Rational(side * side, 6) * (2 * z[i][j] + z[i + 1][j] + z[i][j + 1] + 2 * z[i + 1][j + 1]);
+      }
+    }
+    integral.canonicalize();
+    CHECK(volume_of(e, low) == integral);
+  }
+}
+
+TEST_CASE("a fold that hangs over, a bowl, a steep fault", "[below]") {
+  const Evaluation e = evaluated(R"(cnrg: 1
+nodes:
+  block: {box: {min: [0, 0, 0], max: [4, 4, 4]}}
+  lower: {polygon: [[-1, -1, 1], [5, -1, 1], [5, 3, 1], [-1, 3, 1]]}
+  limb:  {polygon: [[-1, 3, 1], [5, 3, 1], [5, 1, 2], [-1, 1, 2]]}
+  upper: {polygon: [[-1, 1, 2], [5, 1, 2], [5, 5, 3], [-1, 5, 3]]}
+  fold:  {union: [lower, limb, upper]}
+  core:  {below: fold, within: block}
+  cup:   {difference: [{boundary: {box: {min: [1, 1, 2], max: [3, 3, 6]}}}, {halfspace: {point: [0, 0, 5], normal: [0, 0, -1]}}]}
+  bowl:  {closure: {interior: {below: cup, within: block}}}
+  steep: {polygon: [[1, -1, -1], [3, -1, 5], [3, 5, 5], [1, 5, -1]]}
+  foot:  {below: steep, within: block}
+  level: {plane: {point: [0, 0, 1], normal: [0, 1, 3]}}
+  half:  {halfspace: {point: [0, 0, 3], normal: [0, 0, 1]}}
+  slab:  {above: level, within: half}
+  cut:   {intersection: [slab, block]}
+result: core
+)",
+                                 {"foot", "cut"});
+  CHECK(volume_of(e, e.kept[0].group()) == Rational(57, 2));
+  CHECK(volume_of(e, e.kept[1].group()) == 32);
+  // Above the plane y + 3 z = 3, up to z = 3: 48 less what is below, of area 1 * 3 / 2 in the y z plane.
+  CHECK(volume_of(e, e.kept[2].group()) == 48 - 4 * Rational(3, 2));
+}
+
+TEST_CASE("faults of surfaces are told with their places", "[below]") {
+  const std::string block = "  b: {box: {min: [0, 0, 0], max: [4, 4, 4]}}\n";
+  const auto fault = [&](const std::string& surface) {
+    return fault_of(block + "  s: " + surface + "\n  r: {below: s, within: b}\n");
+  };
+  const std::string left = "polygon: [[-1, -1, 2], [3, -1, 2], [3, 5, 2], [-1, 5, 2]]";
+  CHECK(fault("{" + left + "}") ==
+        "t.yaml:5:7: error: `s` does not part `b`: it ends inside, at (3, 2, 2); let it reach beyond the block on "
+        "all "
+        "sides, or take away what ends there");
+  CHECK(fault("{union: [{polygon: [[-1, -1, 2], [5, -1, 2], [5, 5, 2], [-1, 5, 2]]}, {polygon: [[2, -1, 2], [2, "
+              "5, 2], [2, "
+              "5, 6], [2, -1, 6]]}]}")
+            .find("it branches inside, at (2, 2, 2)") != std::string::npos);
+  CHECK(fault("{polygon: [[2, -1, -1], [2, 5, -1], [2, 5, 5], [2, -1, 5]]}").find("is vertical inside of `b`") !=
+        std::string::npos);
+  CHECK(fault("{polygon: [[9, 0, 0], [10, 0, 0], [10, 1, 0]]}").find("neither over nor under a part of `b`") !=
+        std::string::npos);
+  CHECK(fault("{box: {min: [0, 0, 0], max: [1, 1, 1]}}").find("has regions, and a surface has none") !=
+        std::string::npos);
+  CHECK(fault("{points: [[0, 0, 0]]}").find("has no faces") != std::string::npos);
+  CHECK(fault_of("  b: {polygon: [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}\n  r: {above: b, within: b}\n")
+            .find("`b` has no region") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace cnrg
