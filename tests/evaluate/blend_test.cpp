@@ -179,6 +179,23 @@ TEST_CASE("one material, and none, have nothing to blend", "[blend]") {
   }
 }
 
+TEST_CASE("what is said besides of a material is not blended", "[blend]") {
+  const auto boxes = [&](const std::string& of_a, const std::string& of_b) {
+    return run(kHead + "  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: steel, attributes: {" + of_a +
+               "}}\n" + "  b: {box: {min: [2, 1, 1], max: [8, 7, 6]}, material: ceramic, attributes: {" + of_b +
+               "}}\n" + "  r: {union: [a, b], blend: linear}\nresult: r\n");
+  };
+  const Run apart = boxes("phase: 1", "porosity: 1/2");
+  CHECK(apart.evaluation.diagnostics.empty());
+  CHECK(region_at(apart, {3, 2, 2})->properties ==
+        Properties{{"phase", Rational(1)}, {"porosity", Rational(1, 2)}});
+  CHECK(region_at(apart, {1, 2, 2})->properties == Properties{{"phase", Rational(1)}});
+  const Run at_odds = boxes("phase: 1", "phase: 2");
+  REQUIRE(at_odds.evaluation.diagnostics.size() == 1);
+  CHECK_THAT(at_odds.evaluation.diagnostics[0].message, Catch::Contains("phase"));
+  CHECK(region_at(at_odds, {3, 2, 2})->properties == Properties{{"phase", Rational(1)}});
+}
+
 TEST_CASE("a region without a bounded boundary cannot blend", "[blend]") {
   const std::string below = "  below: {halfspace: {point: [0, 0, 2], normal: [0, 0, 1]}, material: ceramic}\n";
   CHECK_THROWS_WITH(

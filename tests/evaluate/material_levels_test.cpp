@@ -129,6 +129,33 @@ TEST_CASE("a sheet, a wire and a point are of the level of the region around the
   CHECK(value_of(inside).group().regions.size() == 3);  // two of steel, and what of the rock sticks out
 }
 
+TEST_CASE("a sheet has the level of its own material, where that is greater", "[material-levels]") {
+  const std::string nodes = kMaterials +
+                            "  steel: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: steel}\n"
+                            "  rock: {box: {min: [0, 0, 0], max: [2, 4, 4]}, material: rock}\n"
+                            "  clay: {box: {min: [1, 0, 0], max: [4, 4, 4]}, material: clay}\n";
+  const auto sheet = [](const std::string& material) {
+    return "  sheet: {polygon: [[2, 0, 0], [2, 4, 0], [2, 4, 4], [2, 0, 4]], material: " + material + "}\n";
+  };
+  const auto regions = [&](const std::string& material, const std::string& node) {
+    return value_of(run(nodes + sheet(material) + "  r: {" + node + "}\nresult: r\n")).group().regions.size();
+  };
+  CHECK(regions("clay", "union: [steel, sheet]") == 1);
+  CHECK(regions("steel", "union: [steel, sheet]") == 2);  // of equals a sheet stays
+  CHECK(regions("steel", "union: [clay, sheet]") == 2);
+  CHECK(regions("clay", "intersection: [steel, {union: [sheet, clay], dominance: left}]") == 1);
+  CHECK(regions("steel", "intersection: [steel, {union: [sheet, clay], dominance: left}]") == 2);
+  // A wall of rock that is a sheet of steel, too: the rock behind it gives way to clay, the sheet does not.
+  const std::string lined = "union: [{union: [sheet, rock], dominance: left}, clay]";
+  CHECK(regions("rock", lined) == 2);
+  CHECK(regions("air", lined) == 2);
+  CHECK(regions("steel", lined) == 3);
+  const Run r = run(nodes + sheet("steel") + "  r: {" + lined + "}\nresult: r\n", true);
+  CHECK_THAT(
+      explanation_text(r.tree, r.evaluation, explain(r.tree, r.evaluation, r.tree.result, RationalPoint{2, 1, 1})),
+      Catch::Contains("their dominance here is 3 in A and 1 in B: A > B"));
+}
+
 TEST_CASE("ties of components are decided by their materials", "[material-levels]") {
   const std::string nodes = kMaterials +
                             "  a: {unify: {box: {min: [0, 0, 0], max: [2, 2, 2]}, material: rock}}\n"
