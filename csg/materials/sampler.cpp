@@ -140,8 +140,6 @@ class MaterialSampler::Impl {
       add(sides_[1], t, p, sums);
       return taken(sums);
     }
-    // A graded material that is mixed into another one of the same name is that other one's own: a name that is
-    // not nested is of a material that is not graded.
     Weights weights;
     for (std::size_t i = 0; i < grades_.size(); ++i) {
       Rational weight = 1;

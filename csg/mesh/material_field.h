@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "csg/mesh/mesh.h"
 #include "csg/materials/sampler.h"
+#include "csg/mesh/mesh.h"
 #include "csg/result/cell_tags.h"
 
 namespace cnrg {
