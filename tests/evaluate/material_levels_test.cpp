@@ -349,5 +349,56 @@ TEST_CASE("unions and intersections by material, face by face of a grid", "[mate
   }
 }
 
+/// A box, a sheet, a wire or a point, of a material or of none.
+std::string random_leaf(std::mt19937& random) {
+  const auto below = [&](int n) { return int(random() % unsigned(n)); };
+  const auto point = [](const std::array<int, 3>& p) {
+    return "[" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) + "]";
+  };
+  std::array<int, 3> low{below(4), below(4), below(4)}, high;
+  for (std::size_t k = 0; k < 3; ++k) high[k] = low[k] + 1 + below(3);
+  const std::string material = kKinds[random() % kKinds.size()].first;
+  const std::string said = (material.empty() ? "" : ", material: " + material) + std::string("}");
+  const int kind = below(20);
+  if (kind < 11) return "{box: {min: " + point(low) + ", max: " + point(high) + "}" + said;
+  if (kind < 17) {
+    const auto axis = static_cast<std::size_t>(below(3));
+    std::array<int, 3> b = high, c = high, d = low;
+    b[axis] = c[axis] = low[axis];
+    b[(axis + 1) % 3] = low[(axis + 1) % 3];
+    d[(axis + 1) % 3] = high[(axis + 1) % 3];
+    return "{polygon: [" + point(low) + ", " + point(b) + ", " + point(c) + ", " + point(d) + "]" + said;
+  }
+  if (kind < 19) return "{polyline: [" + point(low) + ", " + point(high) + "]" + said;
+  return "{points: [" + point(low) + "]" + said;
+}
+
+std::string random_node(std::mt19937& random, int depth) {
+  if (depth == 0) return random_leaf(random);
+  const bool is_union = random() % 3 != 0;
+  std::string text = is_union ? "{union: [" : "{intersection: [";
+  const int count = 2 + int(random() % 2);
+  for (int i = 0; i < count; ++i) text += (i == 0 ? "" : ", ") + random_node(random, depth - 1);
+  return text + (is_union && random() % 4 == 0 ? "], blend: linear}" : "]}");
+}
+
+TEST_CASE("point sets are right and groups whole with sheets and wires of any level, and where they blend",
+          "[material-levels][blend]") {
+  const auto [first, last] = scenes::seeds(150);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    std::mt19937 random(static_cast<unsigned>(seed));
+    std::string text = "cnrg: 1\nmaterials: {";
+    for (const auto& [name, level] : kKinds) {
+      if (!name.empty()) text += name + ": {dominance: " + std::to_string(*level) + "}, ";
+    }
+    text += "none: {}}\nnodes: {r: " + random_node(random, 2) + "}\nresult: r\n";
+    INFO("seed " << seed << "\n" << text);
+    const Run r = run(text);  // each step is checked against the identities of its point sets
+    for (const NodeRow& row : r.evaluation.rows) {
+      for (const auto& [rule, count] : row.removals) CHECK(table_rows()[rule].condition != Condition::never);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cnrg
