@@ -32,7 +32,7 @@ constexpr const char* kScene = R"(cnrg: 1
 materials:
   steel: {color: "#667788"}
   ceramic: {}
-  graded: {linear: {from: [0, 0, 0], to: [0, 0, 4], stops: [[0, steel], [1, ceramic]]}}
+  graded: {linear: {from: [0, 0, 0], to: [0, 0, 4], stops: [[0, steel], [1, skin]]}}
   skin: {distance: {to: floor, stops: [[0, steel], [5, ceramic]]}}
 nodes:
   bar: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 1, segments: 8}, material: graded}
@@ -40,7 +40,8 @@ nodes:
   floor: {polygon: {outer: [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]], holes: [[[5, 5, 0], [6, 5, 0], [5, 6, 0]]]}}
   wire: {polyline: [[-9, -9, 0], [-9, -9, 5]]}
   dot: {points: [[7, 0, 0], [8, 8, 8]]}
-  model: {union: [floor, wire, dot, bar, head]}
+  tip: {box: {min: [0, 0, 5], max: [3, 3, 8]}, material: ceramic}
+  model: {union: [floor, wire, dot, bar, {union: [head, tip], blend: linear}]}
   plane: {plane: {point: [0, 0, 2], normal: [0, 1, 3]}}
   open: {subtract: [{interior: model}, plane]}
   endless: {sum: [plane, {complement: model}]}
