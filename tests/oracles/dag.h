@@ -6,10 +6,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "csg/materials/attributes.h"
 #include "csg/tree/tree.h"
 #include "tests/scenes/scene.h"
 
@@ -23,6 +25,9 @@ struct DagNode {
   bool each = false;                        ///< of a topological operator
   bool regularize = false;                  ///< the attribute
   bool points = false;                      ///< mode `points` of `simplify`
+  std::optional<int> number;                ///< `dominance` as a number; not with `dominant`
+  Attributes said;                          ///< name, material and attributes
+  std::map<std::uint32_t, Attributes> parts;  ///< of a leaf: name and material of regions, by number
 };
 
 struct RandomDag {
