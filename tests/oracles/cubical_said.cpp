@@ -25,6 +25,7 @@ using cnrg::properties::RandomDag;
 struct Thing {
   Attributes attributes;
   int dimension = 2;
+  bool known = true;  ///< false: the page does not say what
 };
 using Said = std::vector<std::optional<Thing>>;  // by cell of the grid; nothing: no sheet, wire or point
 
@@ -32,6 +33,7 @@ using Warning = std::tuple<std::string, std::string, std::string>;  // key, kept
 
 struct Saying {
   Said said;
+  Said stands_for;                                 ///< of the complement of a group: of the group of its closure
   std::vector<std::optional<Attributes>> regions;  ///< of a group, by region - 1; nothing: not known here
   std::set<Warning> warnings;
   bool warnings_known = true;
@@ -102,7 +104,21 @@ class Sayings {
       if (!said[i] && fresh[i] && (known == nullptr || !(*known)[i])) said[i] = fresh[i];
   }
 
-  /// The same of components: faces that have none of their component beside them on both sides, and so on.
+  /// All cells that have the cell in their boundary are of one component, or of none.
+  bool even_around(const Value& v, Cell c) const {
+    const auto label = v.labels[static_cast<std::size_t>(grid_.cubes(c)[0])];
+    std::vector<Cell> up{c};
+    for (int d = grid_.dimension(c); d < 3; ++d) {
+      std::vector<Cell> higher;
+      for (const Cell x : up) higher.insert(higher.end(), grid_.around(x).begin(), grid_.around(x).end());
+      for (const Cell y : higher)
+        if (v.labels[static_cast<std::size_t>(y)] != label) return false;
+      up = std::move(higher);
+    }
+    return v.labels[static_cast<std::size_t>(c)] != label;
+  }
+
+  /// The same of components: what has one component, or none, all around and is of another one itself.
   void put_all(const Value& v, Said& said) const {
     if (v.is_group) {
       put_all(v.group, said, nullptr);
@@ -111,9 +127,7 @@ class Sayings {
     Said fresh(said.size());
     for (Cell c = 0; c < grid_.cells(); ++c) {
       if (grid_.dimension(c) == 3 || !is_active(v, c)) continue;
-      const auto& up = grid_.around(c);
-      if (std::none_of(up.begin(), up.end(), [&](Cell d) { return is_active(v, d); }))
-        put(fresh, c, {{}, grid_.dimension(c)});
+      if (even_around(v, c)) put(fresh, c, {{}, grid_.dimension(c)});
     }
     for (std::size_t i = 0; i < said.size(); ++i)
       if (!said[i] && fresh[i] && is_active(v, static_cast<Cell>(i))) said[i] = fresh[i];
@@ -123,6 +137,7 @@ class Sayings {
   Saying as_group(std::size_t node, const Group& g) const {
     const Value& v = values_[node];
     Saying s = out_[node];
+    if (v.complement) s.said = s.stands_for;
     for (Cell c = 0; c < grid_.cells(); ++c)
       if (grid_.dimension(c) == 3 || !g.entity[c]) s.said[static_cast<std::size_t>(c)].reset();
     if (!v.is_group) s.regions.assign(static_cast<std::size_t>(g.region_count), std::nullopt);
@@ -133,6 +148,7 @@ class Sayings {
   std::optional<Thing> merged(const std::optional<Thing>& left, const std::optional<Thing>& right,
                               DominantOperand dominant, Cell c, std::set<Warning>* warnings) const {
     if (!left || !right) return left ? left : right;
+    if (!left->known || !right->known) return left->known ? right : left;
     if (left->dimension != right->dimension) return left->dimension < right->dimension ? left : right;
     if (dominant != DominantOperand::equal) return dominant == DominantOperand::left ? left : right;
     Thing out = *left;
@@ -153,8 +169,7 @@ class Sayings {
       if (in_a && in_b && how.op != Op::subtract)
         // Cells that go in a later step are not told.
         out.said[i] = merged(a.said[i], b.said[i], how.dominant, c, last.entity[i] != 0 ? &out.warnings : nullptr);
-      else
-        out.said[i] = in_a ? a.said[i] : b.said[i];
+      else out.said[i] = in_a ? a.said[i] : b.said[i];
     }
     out.regions.resize(static_cast<std::size_t>(how.result.region_count));
     for (int r = 1; r <= how.result.region_count; ++r)
@@ -162,8 +177,8 @@ class Sayings {
     return out;
   }
 
-  std::optional<Attributes> region(const Saying& a, const Group& ga, const Saying& b, const Group& gb, const Step& how,
-                                   int r, Saying& out) const {
+  std::optional<Attributes> region(const Saying& a, const Group& ga, const Saying& b, const Group& gb,
+                                   const Step& how, int r, Saying& out) const {
     std::set<int> of_a, of_b;
     for (Cell c = 0; c < grid_.cells(); ++c) {
       if (grid_.dimension(c) != 3 || how.result.region[static_cast<std::size_t>(c)] != r) continue;
@@ -234,6 +249,13 @@ class Sayings {
     }
     if (!node.said.empty()) {
       put_all(value, s.said);
+      if (value.complement) {
+        for (Cell c = 0; c < grid_.cells(); ++c)
+          if (grid_.dimension(c) == 3 || !value.group.entity[c]) s.stands_for[static_cast<std::size_t>(c)].reset();
+        put_all(value.group, s.stands_for, nullptr);
+        for (auto& at : s.stands_for)
+          if (at) say(at->attributes, node.said);
+      }
       for (auto& at : s.said)
         if (at) say(at->attributes, node.said);
       for (auto& region : s.regions)
@@ -254,6 +276,27 @@ class Sayings {
     return s;
   }
 
+  /// Where `closure` and its like add cells to what was a sheet or wire, these are in the closure of it; of which,
+  /// where there are several, the page does not say.
+  void add_closure(const Value& value, const DagNode& node, Said& said) const {
+    const Said before = said;
+    const auto fresh = [&](Cell c) {
+      const auto i = static_cast<std::size_t>(c);
+      if (!value.first_labels.empty() && value.first_labels[i] == 0) return true;
+      return std::none_of(node.operands.begin(), node.operands.end(),
+                          [&](std::size_t k) { return values_[k].labels[i] != 0; });
+    };
+    const auto visit = [&](const auto& self, Cell above, Cell c) -> void {
+      for (const Cell b : grid_.boundary(c)) {
+        const auto i = static_cast<std::size_t>(b);
+        if (is_active(value, b) && fresh(b)) said[i] = Thing{{}, grid_.dimension(above), false};
+        self(self, above, b);
+      }
+    };
+    for (Cell c = 0; c < grid_.cells(); ++c)
+      if (grid_.dimension(c) < 3 && before[static_cast<std::size_t>(c)]) visit(visit, c, c);
+  }
+
   Saying of_components(const DagNode& node, const Value& value) const {
     const bool dominant_given = node.dominant && *node.dominant != DominantOperand::equal;
     Saying s = out_[node.operands[0]];
@@ -266,6 +309,14 @@ class Sayings {
             merged(s.said[i], b.said[i], dominant_given ? *node.dominant : DominantOperand::equal, c, nullptr);
       }
     }
+    // What an operator takes off and `regularize` puts back has lost what was said of it.
+    for (std::size_t i = 0; i < value.first_labels.size(); ++i)
+      if (value.first_labels[i] == 0) s.said[i].reset();
+    add_closure(value, node, s.said);
+    // `simplify` hands on what a complement stands for.
+    if (value.complement)
+      s.stands_for =
+          node.op == Operator::complement ? out_[node.operands[0]].said : out_[node.operands[0]].stands_for;
     const bool same = value.is_group && node.op == Operator::simplify && !node.regularize;
     const auto regions = s.regions;
     s = kept(std::move(s), value);
@@ -321,7 +372,8 @@ class Told {
   const cnrg::NodeValue& value_;
 };
 
-/// The warnings of a node: "... keeps the material `a` where `b` has equal dominance", "... the attribute `k: a` ...".
+/// The warnings of a node: "... keeps the material `a` where `b` has equal dominance", "... the attribute `k: a`
+/// ...".
 std::set<Warning> told_warnings(const cnrg::Evaluation& evaluation, const std::string& node) {
   std::set<Warning> out;
   for (const cnrg::Diagnostic& d : evaluation.diagnostics) {
@@ -355,10 +407,16 @@ const cnrg::SimplifiedComplex::Place& place_of(const cnrg::SimplifiedComplex& s,
   return s.region_place[at.region.index()];
 }
 
+bool says_as_much(const Attributes& all, const Attributes& some) {
+  Attributes both = all;
+  say(both, some);
+  return both == all;
+}
+
 /// What a cell says for itself: of a thing of its own dimension, and not what its component says already.
 Attributes speaks(const Grid& grid, Cell c, const Saying& want, const Attributes& component) {
   const auto& at = want.said[static_cast<std::size_t>(c)];
-  if (!at || at->dimension != grid.dimension(c) || at->attributes == component) return {};
+  if (!at || at->dimension != grid.dimension(c) || says_as_much(component, at->attributes)) return {};
   return at->attributes;
 }
 
@@ -385,7 +443,10 @@ std::string compare_merging(const Grid& grid, const Value& value, const Saying& 
       const auto& at = places[i];
       const auto& place = place_of(simplified, at);
       const Attributes said = speaks(grid, c, want, component(at));
-      const auto [it, fresh] = first.try_emplace({place.dimension, place.index}, std::pair(said, c));
+      // What is said of a sheet is said of its edges, which speak where they are all that is left of it.
+      const auto& at_all = want.said[i];
+      const auto [it, fresh] = first.try_emplace({place.dimension, place.index},
+                                                 std::pair(at_all ? at_all->attributes : Attributes{}, c));
       if (!fresh && !(it->second.first == said) && !said.empty())
         return cell_text(grid, c) + " says " + text(said) + " and is in one simplified cell with " +
                cell_text(grid, it->second.second) + ", which says " + text(it->second.first);
@@ -394,22 +455,49 @@ std::string compare_merging(const Grid& grid, const Value& value, const Saying& 
   return {};
 }
 
-/// Components with what the cells of them say, as states of the canonical form.
-std::vector<int> states(const Grid& grid, const Value& value, const Saying& want,
-                        const std::vector<cnrg::Location>& places, const cnrg::NodeValue& have) {
+/// Components with what their cells say, as states of the canonical form. What does not speak for itself takes the
+/// state of that which it is a cut in, so that it does not stand in the way.
+std::vector<int> states(const Grid& grid, const Value& value, const Saying& want) {
+  const Group& g = value.group;
+  std::vector<std::string> says(value.labels.size());
+  const auto up = [&](Cell c) {
+    std::vector<Cell> out;
+    for (const Cell d : grid.around(c))
+      if (grid.dimension(d) < 3 && g.entity[d]) out.push_back(d);
+    return out;
+  };
+  const auto of = [&](Cell c) -> std::string& { return says[static_cast<std::size_t>(c)]; };
+  const auto axis = [&](Cell f) {
+    const auto p = grid.position(f);
+    return p[0] % 2 == 0 ? 0 : p[1] % 2 == 0 ? 1 : 2;
+  };
+  for (int d : {2, 1, 0}) {
+    for (Cell c = 0; c < grid.cells(); ++c) {
+      if (grid.dimension(c) != d || !g.entity[c]) continue;
+      const auto& at = want.said[static_cast<std::size_t>(c)];
+      const auto around = up(c);
+      if ((at && at->dimension == d) || around.empty()) {
+        if (at && !at->attributes.empty()) of(c) = text(at->attributes);
+      } else if (d == 1) {
+        if (around.size() == 2 && axis(around[0]) == axis(around[1]) && of(around[0]) == of(around[1]))
+          of(c) = of(around[0]);
+      } else if (d == 0) {
+        std::vector<Cell> wires;
+        for (const Cell e : around) {
+          const auto& other = want.said[static_cast<std::size_t>(e)];
+          if ((other && other->dimension == 1) || up(e).empty()) wires.push_back(e);
+        }
+        const auto& edges = wires.empty() ? around : wires;
+        if (std::all_of(edges.begin(), edges.end(), [&](Cell e) { return of(e) == of(edges[0]); }))
+          of(c) = of(edges[0]);
+      }
+    }
+  }
   std::map<std::pair<std::uint32_t, std::string>, int> numbers;
   std::vector<int> out(value.labels.size(), 0);
-  const Told told(have);
-  (void)told;
-  (void)places;
-  for (Cell c = 0; c < grid.cells(); ++c) {
-    const auto i = static_cast<std::size_t>(c);
-    if (value.labels[i] == 0) continue;
-    std::string says;
-    if (const auto& at = want.said[i]; grid.dimension(c) < 3 && at && at->dimension == grid.dimension(c))
-      says = at->attributes.empty() ? "" : text(at->attributes);
-    out[i] = numbers.try_emplace({value.labels[i], says}, static_cast<int>(numbers.size()) + 1).first->second;
-  }
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (value.labels[i] != 0)
+      out[i] = numbers.try_emplace({value.labels[i], says[i]}, static_cast<int>(numbers.size()) + 1).first->second;
   return out;
 }
 
@@ -436,11 +524,17 @@ std::string compare_said(const Grid& grid, const CubicalDag& dag, SaidTally* tal
     const std::string words = node + " (" + cnrg::properties::operator_name(dag.dag.nodes[i]) + "): ";
     const Told told(value);
     ++met.nodes;
+    bool all_known = true;
     for (Cell c = 0; c < grid.cells(); ++c) {
       if (grid.dimension(c) == 3) continue;
       const auto& w = want[i].said[static_cast<std::size_t>(c)];
       const cnrg::Said* h = told.at(places[static_cast<std::size_t>(c)]);
-      const Attributes expected = w ? w->attributes : Attributes{}, said = h == nullptr ? Attributes{} : h->attributes;
+      const Attributes expected = w ? w->attributes : Attributes{},
+                       said = h == nullptr ? Attributes{} : h->attributes;
+      if (w && !w->known) {
+        all_known = false;
+        continue;
+      }
       if (!(expected == said))
         return words + "of " + cell_text(grid, c) + " is said " + text(said) + ", should be " + text(expected);
       met.said_cells += !said.empty();
@@ -453,14 +547,16 @@ std::string compare_said(const Grid& grid, const CubicalDag& dag, SaidTally* tal
         const auto& w = want[i].regions[static_cast<std::size_t>(values[i].group.region[k] - 1)];
         if (!w) continue;
         const Attributes& h = g.regions[g.region_of(places[k].region) - 1];
-        if (!(*w == h)) return words + "region at " + cell_text(grid, c) + " is " + text(h) + ", should be " + text(*w);
+        if (!(*w == h))
+          return words + "region at " + cell_text(grid, c) + " is " + text(h) + ", should be " + text(*w);
         ++met.regions;
       }
       if (is_group_boolean(dag.dag.nodes[i].op) && want[i].warnings_known && !dag.dag.nodes[i].regularize) {
         const std::set<Warning> warned = told_warnings(have.evaluation, node);
         std::string differ;
         for (const auto& [key, kept, other] : want[i].warnings)
-          if (!warned.contains({key, kept, other})) differ += " missing: " + key + " " + kept + " / " + other + ";";
+          if (!warned.contains({key, kept, other}))
+            differ += " missing: " + key + " " + kept + " / " + other + ";";
         for (const auto& [key, kept, other] : warned)
           if (!want[i].warnings.contains({key, kept, other}))
             differ += " too many: " + key + " " + kept + " / " + other + ";";
@@ -468,19 +564,22 @@ std::string compare_said(const Grid& grid, const CubicalDag& dag, SaidTally* tal
         met.conflicts += warned.size();
       }
     }
+    if (!all_known) continue;
     const cnrg::Selection selection = selection_of(have.complex(), value);
     for (const auto mode : {cnrg::SimplifyMode::features, cnrg::SimplifyMode::points}) {
       const cnrg::SimplifiedComplex simplified = cnrg::simplify(have.complex(), value, selection, mode);
-      if (std::string f = compare_merging(grid, values[i], want[i], places, value, simplified, selection); !f.empty())
+      if (std::string f = compare_merging(grid, values[i], want[i], places, value, simplified, selection);
+          !f.empty())
         return words + f;
       const bool bounded = [&] {
         for (Cell c = 0; c < grid.cells(); ++c)
-          if (grid.on_rim(c) && grid.dimension(c) == 3 && values[i].labels[static_cast<std::size_t>(c)] != 0) return false;
+          if (grid.on_rim(c) && grid.dimension(c) == 3 && values[i].labels[static_cast<std::size_t>(c)] != 0)
+            return false;
         return true;
       }();
       if (mode != cnrg::SimplifyMode::points || !bounded || !value.is_group()) continue;
       const auto counts = active_counts(simplified);
-      const auto by_force = canonical_counts(grid, states(grid, values[i], want[i], places, value));
+      const auto by_force = canonical_counts(grid, states(grid, values[i], want[i]));
       if (counts != by_force) {
         std::string f = "simplified counts";
         for (const std::size_t n : counts) f += " " + std::to_string(n);
@@ -532,7 +631,8 @@ CubicalDag random_said_dag(const Grid& grid, std::uint64_t seed, bool moved) {
                            Operator::subtract}[static_cast<std::size_t>(pick(4))];
       const int most = static_cast<int>(nodes.size());
       for (int n = pick(4) == 0 ? 3 : 2; n > 0; --n)
-        node.operands.push_back(static_cast<std::size_t>(pick(2) == 0 ? most - 1 - pick(std::min(most, 2)) : pick(most)));
+        node.operands.push_back(
+            static_cast<std::size_t>(pick(2) == 0 ? most - 1 - pick(std::min(most, 2)) : pick(most)));
       if (node.op != Operator::subtract && pick(3) != 0) node.dominant = static_cast<DominantOperand>(pick(3));
       nodes.push_back(std::move(node));
     }

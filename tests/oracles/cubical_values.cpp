@@ -152,6 +152,7 @@ class BruteForce {
         out.group = whole.group;
         out.labels = whole.labels;
       } else {
+        out.first_labels = out.labels;
         out.labels = regularized_by_definition(cells_, out.labels);
         out.complement = false;
       }

@@ -1,4 +1,5 @@
-// The value of each node of a tree on the grid, by brute force: a group of cubical.h, or the component of each cell.
+// The value of each node of a tree on the grid, by brute force: a group of cubical.h, or the component of each
+// cell.
 #pragma once
 
 #include <string>
@@ -24,6 +25,7 @@ struct Value {
   Group group;              ///< of a group
   Labels labels;            ///< the component of each cell; the entities of a group are the last
   bool complement = false;  ///< the complement of a group: `group` is what it stands for
+  Labels first_labels;      ///< of components, before the attribute `regularize`
   int number = 0;           ///< of dominance, where all that is below are leaves and group Booleans
   // of a group Boolean
   std::vector<Group> operands;

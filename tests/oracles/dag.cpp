@@ -78,7 +78,8 @@ std::vector<std::string> attribute_fields(const Attributes& said) {
   std::string properties;
   for (const auto& [key, value] : said.properties) {
     const bool text = std::holds_alternative<std::string>(value);
-    properties += (properties.empty() ? "" : ", ") + key + (text ? ": \"" : ": ") + to_text(value) + (text ? "\"" : "");
+    properties +=
+        (properties.empty() ? "" : ", ") + key + (text ? ": \"" : ": ") + to_text(value) + (text ? "\"" : "");
   }
   if (!properties.empty()) out.push_back("attributes: {" + properties + "}");
   return out;
