@@ -90,8 +90,15 @@ class Sayings {
     for (const Cell b : grid_.boundary(c)) put(said, b, thing);
   }
 
+  /// What was the border of a sheet and is all that is left is a wire now.
+  static void lower(std::optional<Thing>& at, const std::optional<Thing>& fresh) {
+    if (!fresh) return;
+    if (!at) at = fresh;
+    at->dimension = std::min(at->dimension, fresh->dimension);
+  }
+
   /// Sheets, wires and points of a group.
-  void put_all(const Group& g, Said& said, const Said* known) const {
+  void put_all(const Group& g, Said& said) const {
     Said fresh(said.size());
     for (Cell c = 0; c < grid_.cells(); ++c) {
       if (grid_.dimension(c) == 3 || !g.entity[c]) continue;
@@ -100,8 +107,7 @@ class Sayings {
                                   : std::none_of(up.begin(), up.end(), [&](Cell d) { return g.entity[d] != 0; }))
         put(fresh, c, {{}, grid_.dimension(c)});
     }
-    for (std::size_t i = 0; i < said.size(); ++i)
-      if (!said[i] && fresh[i] && (known == nullptr || !(*known)[i])) said[i] = fresh[i];
+    for (std::size_t i = 0; i < said.size(); ++i) lower(said[i], fresh[i]);
   }
 
   /// All cells that have the cell in their boundary are of one component, or of none.
@@ -118,19 +124,33 @@ class Sayings {
     return v.labels[static_cast<std::size_t>(c)] != label;
   }
 
+  /// An edge or vertex between 3-cells of several components, of the walls of which nothing is left: whether it
+  /// stands for itself the page does not say.
+  bool hangs_between(const Value& v, Cell c) const {
+    const auto& cubes = grid_.cubes(c);
+    const auto label = [&](Cell d) { return v.labels[static_cast<std::size_t>(d)]; };
+    const auto& up = grid_.around(c);
+    return std::any_of(cubes.begin(), cubes.end(), [&](Cell d) { return label(d) != label(cubes[0]); }) &&
+           std::any_of(up.begin(), up.end(), [&](Cell d) { return label(d) == 0; });
+  }
+
   /// The same of components: what has one component, or none, all around and is of another one itself.
   void put_all(const Value& v, Said& said) const {
     if (v.is_group) {
-      put_all(v.group, said, nullptr);
+      put_all(v.group, said);
       return;
     }
     Said fresh(said.size());
     for (Cell c = 0; c < grid_.cells(); ++c) {
       if (grid_.dimension(c) == 3 || !is_active(v, c)) continue;
-      if (even_around(v, c)) put(fresh, c, {{}, grid_.dimension(c)});
+      if (even_around(v, c)) {
+        put(fresh, c, {{}, grid_.dimension(c)});
+      } else if (grid_.dimension(c) < 2 && hangs_between(v, c)) {
+        put(fresh, c, {{}, grid_.dimension(c), false});
+      }
     }
     for (std::size_t i = 0; i < said.size(); ++i)
-      if (!said[i] && fresh[i] && is_active(v, static_cast<Cell>(i))) said[i] = fresh[i];
+      if (is_active(v, static_cast<Cell>(i))) lower(said[i], fresh[i]);
   }
 
   /// What operand `k` of a node says, as a group.
@@ -217,7 +237,7 @@ class Sayings {
     s.said.resize(static_cast<std::size_t>(grid_.cells()));
     if (node.op == Operator::leaf) {
       s.regions.resize(static_cast<std::size_t>(value.group.region_count));
-      put_all(value.group, s.said, nullptr);
+      put_all(value.group, s.said);
       for (auto& at : s.said)
         if (at) say(at->attributes, node.said);
       for (std::size_t r = 0; r < s.regions.size(); ++r) {
@@ -252,7 +272,7 @@ class Sayings {
       if (value.complement) {
         for (Cell c = 0; c < grid_.cells(); ++c)
           if (grid_.dimension(c) == 3 || !value.group.entity[c]) s.stands_for[static_cast<std::size_t>(c)].reset();
-        put_all(value.group, s.stands_for, nullptr);
+        put_all(value.group, s.stands_for);
         for (auto& at : s.stands_for)
           if (at) say(at->attributes, node.said);
       }
@@ -455,6 +475,27 @@ std::string compare_merging(const Grid& grid, const Value& value, const Saying& 
   return {};
 }
 
+/// A wire in a sheet, or a point on either, of which the same is said: the page does not say whether it is to be
+/// seen.
+bool says_the_same_around(const Grid& grid, const Group& g, const Said& said) {
+  for (Cell c = 0; c < grid.cells(); ++c) {
+    const auto& at = said[static_cast<std::size_t>(c)];
+    if (grid.dimension(c) > 1 || !g.entity[c] || !at || at->dimension != grid.dimension(c)) continue;
+    std::vector<Cell> above = grid.around(c);
+    for (int d = grid.dimension(c) + 1; d <= 2; ++d) {
+      std::vector<Cell> higher;
+      for (const Cell u : above) {
+        const auto& other = said[static_cast<std::size_t>(u)];
+        if (g.entity[u] && other && other->attributes == at->attributes && other->dimension > at->dimension)
+          return true;
+        higher.insert(higher.end(), grid.around(u).begin(), grid.around(u).end());
+      }
+      above = std::move(higher);
+    }
+  }
+  return false;
+}
+
 /// Components with what their cells say, as states of the canonical form. What does not speak for itself takes the
 /// state of that which it is a cut in, so that it does not stand in the way.
 std::vector<int> states(const Grid& grid, const Value& value, const Saying& want) {
@@ -476,16 +517,16 @@ std::vector<int> states(const Grid& grid, const Value& value, const Saying& want
       if (grid.dimension(c) != d || !g.entity[c]) continue;
       const auto& at = want.said[static_cast<std::size_t>(c)];
       const auto around = up(c);
-      if ((at && at->dimension == d) || around.empty()) {
-        if (at && !at->attributes.empty()) of(c) = text(at->attributes);
+      if (at && !at->attributes.empty() && (at->dimension == d || around.empty())) {
+        of(c) = text(at->attributes);
       } else if (d == 1) {
         if (around.size() == 2 && axis(around[0]) == axis(around[1]) && of(around[0]) == of(around[1]))
           of(c) = of(around[0]);
-      } else if (d == 0) {
+      } else if (d == 0 && !around.empty()) {
         std::vector<Cell> wires;
         for (const Cell e : around) {
           const auto& other = want.said[static_cast<std::size_t>(e)];
-          if ((other && other->dimension == 1) || up(e).empty()) wires.push_back(e);
+          if ((other && other->dimension == 1 && !other->attributes.empty()) || up(e).empty()) wires.push_back(e);
         }
         const auto& edges = wires.empty() ? around : wires;
         if (std::all_of(edges.begin(), edges.end(), [&](Cell e) { return of(e) == of(edges[0]); }))
@@ -577,7 +618,9 @@ std::string compare_said(const Grid& grid, const CubicalDag& dag, SaidTally* tal
             return false;
         return true;
       }();
-      if (mode != cnrg::SimplifyMode::points || !bounded || !value.is_group()) continue;
+      if (mode != cnrg::SimplifyMode::points || !bounded || !value.is_group() ||
+          says_the_same_around(grid, values[i].group, want[i].said))
+        continue;
       const auto counts = active_counts(simplified);
       const auto by_force = canonical_counts(grid, states(grid, values[i], want[i]));
       if (counts != by_force) {
