@@ -69,13 +69,23 @@ RationalPoint point_of(const std::vector<Word>& words, int line, int line_end) {
 }
 
 std::string cell_words(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place,
-                       const NodeValue& value) {
+                       const NodeValue& value, const Attributes* said) {
   const Component component = component_of(simplified, place);
   const std::string text = std::to_string(place.dimension) + " " + cell_name(place.dimension, place.index) + " " +
                            std::to_string(component);
   if (component == 0) return text;
-  const std::string name = shown(value.attributes(component).name);
+  const std::string name =
+      shown(said != nullptr && !said->name.empty() ? said->name : value.attributes(component).name);
   return name.empty() ? text : text + " " + name;
+}
+
+/// The fields of properties: of a region or a component those that are said of it, of a sheet, a wire or a point
+/// its own.
+std::string describe_properties(const Attributes* said) {
+  std::string text;
+  if (said == nullptr) return text;
+  for (const auto& [key, property] : said->properties) text += "\t" + shown(key) + ": " + shown(to_text(property));
+  return text;
 }
 
 /// The fields of parameters, the least where a seam or a pole has many.
@@ -100,16 +110,19 @@ std::string describe_parameters(const Evaluation& evaluation, const NodeValue& v
 class Materials {
  public:
   explicit Materials(const NodeValue& value) : value_(value) {}
-  std::string describe(Component component, const RationalPoint& p) {
+  /// `said`: of the cell by itself.
+  std::string describe(Component component, const Attributes* said, const RationalPoint& p) {
     if (component == 0) return {};
-    const auto [it, fresh] = samplers_.try_emplace(component, value_.attributes(component).material);
+    const bool own = said != nullptr && !said->material.empty();
+    const RegionMaterial& material = own ? said->material : value_.attributes(component).material;
+    const auto [it, fresh] = samplers_.try_emplace(&material, material);
     const Mixture mixture = it->second.at(p);
     return mixture.empty() ? "" : "\tmaterial: " + shown(to_text(mixture));
   }
 
  private:
   const NodeValue& value_;
-  std::map<Component, MaterialSampler> samplers_;
+  std::map<const RegionMaterial*, MaterialSampler> samplers_;
 };
 
 /// A node evaluated once, and once more for a point beyond the frame that stands for infinity.
@@ -133,9 +146,13 @@ class Places {
     }
     const KeptValue& value = evaluation_->value(node_);
     const SimplifiedComplex::Place place = value.simplified->place(*evaluation_->complex, cell);
-    std::string text = cell_words(*value.simplified, place, *value.value);
+    const Component component = component_of(*value.simplified, place);
+    const Attributes* said = said_of(*evaluation_->complex, *value.value, cell);
+    std::string text = cell_words(*value.simplified, place, *value.value, said);
+    const bool of_component = said == nullptr && component != 0;
+    text += describe_properties(of_component ? &value.value->attributes(component) : said);
     if (arguments_.parameters) text += describe_parameters(*evaluation_, *value.value, cell, p);
-    if (arguments_.material) text += materials_->describe(component_of(*value.simplified, place), p);
+    if (arguments_.material) text += materials_->describe(component, said, p);
     return text;
   }
 

@@ -38,8 +38,9 @@ struct OperandFacts {
   std::array<CellState, 2> sides;
   int regions = 0;  ///< of a face: numReg
   std::size_t bounds =
-      0;              ///< of an edge: faces of the operand that it bounds (numFace), of a vertex: edges (numEdge)
-  bool free = false;  ///< of an edge or a vertex that is an entity
+      0;  ///< of an edge: faces of the operand that it bounds (numFace), of a vertex: edges (numEdge)
+  std::size_t within = 0;         ///< of an edge or a vertex: faces of the operand in whose interior it lies
+  bool free = false;              ///< of an edge or a vertex that is an entity
   std::size_t walls = 0;          ///< of an edge or a vertex: how many faces with numReg > 0 it bounds
   std::vector<CellState> around;  ///< of an edge or a vertex: the regions around it, ascending; outside is one
   friend bool operator==(const OperandFacts&, const OperandFacts&) = default;
@@ -51,7 +52,7 @@ struct BooleanFacts {
   bool dominant = false;  ///< A > B; otherwise A = B. The difference does not ask.
   OperandFacts a, b;
   Verdict verdict;
-  std::size_t kept_around = 0;  ///< kept faces (edges) that the edge (vertex) bounds
+  std::size_t kept_around = 0;  ///< kept faces (edges) that the edge (vertex) bounds; 0 in a kept face's interior
   CellState result;
   friend bool operator==(const BooleanFacts&, const BooleanFacts&) = default;
 };

@@ -1,10 +1,11 @@
 // The explanation for people: a head per class of pieces, a line per node with its outcome, below it what decided.
 //
-// Words are the paper's (pereira2012 3): numReg, nA, inside, outside, numFace, numEdge, AinB ... INTERS; n is the
-// normal of the face that is told about, so that nA is n or -n.
+// Words are the paper's (pereira2012 3): numReg, nA, inside, outside, numFace, numEdge, dangOrLoose, loose, AinB
+// ... INTERS; n is the normal of the face that is told about, so that nA is n or -n.
 #include <algorithm>
 
 #include "csg/explain/explain.h"
+#include "csg/operators/paper_terms.h"
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
@@ -117,14 +118,34 @@ std::string operand_words(const OperandFacts& o, char operand, int dimension) {
   if (dimension == 2) return face_words(o, operand) + made;
   const std::string count =
       std::string(dimension == 1 ? "numFace" : "numEdge") + letter + " = " + std::to_string(o.bounds);
-  const bool in_face = dimension == 0 && o.bounds == 0 && !o.free;
-  return std::string(kKinds[dimension]) + ": " + count + (in_face ? ", in the interior of a face" : "") +
+  return std::string(kKinds[dimension]) + ": " + count + (o.within > 0 ? ", in the interior of a face" : "") +
          (o.free ? ", free" : ", not free") + made;
 }
 
+/// Why an edge or a vertex that is not free in an operand has gone, in the paper's terms.
+std::string gone_words(const OperandFacts& o, char operand, int dimension) {
+  const std::string of = std::string(" of ") + operand;
+  const std::string n = o.bounds == 1 ? "" : std::to_string(o.bounds) + " ";
+  const bool one = o.bounds == 1, edge = dimension == 1;
+  std::vector<std::string> out;
+  if (o.bounds > 0 && edge) out.push_back("the " + n + (one ? "face" : "faces") + of + " that it bounds went");
+  if (o.bounds > 0 && !edge) {
+    out.push_back("the " + n + (one ? "edge" : "edges") + of +
+                  (one ? " that ends in it went" : " that end in it went"));
+  }
+  if (o.within > 0) out.push_back((edge ? "dangOrLoose" : "loose") + (", in the interior of a removed face" + of));
+  return listed(out);
+}
+
 /// The facts of a condition that the operands' lines do not tell.
-std::string reason_words(const BooleanFacts& f) {
+std::string reason_words(const BooleanFacts& f, int dimension) {
   const Condition condition = f.verdict.row->condition;
+  if (f.verdict.removed) {
+    if (condition == Condition::not_free_a) return gone_words(f.a, 'A', dimension);
+    if (condition == Condition::not_free_b) return gone_words(f.b, 'B', dimension);
+    if (condition == Condition::free_in_neither)
+      return gone_words(f.a, 'A', dimension) + "; " + gone_words(f.b, 'B', dimension);
+  }
   if (condition == Condition::no_side_survives) {
     std::vector<std::string> sides;
     for (const std::size_t s : {0u, 1u}) {
@@ -156,8 +177,7 @@ std::string row_words(const BooleanFacts& f, int dimension) {
   switch (row.condition) {
     case Condition::never: return out + "never removes";
     case Condition::always: return out + "always removes";
-    default:
-      out += (f.verdict.removed ? "removes when " : "removes only when ") + std::string(words(row.condition));
+    default: out += (f.verdict.removed ? "removes when " : "removes only when ") + condition_words(row);
   }
   return out;
 }
@@ -195,7 +215,7 @@ void add_boolean(const BooleanFacts& f, int dimension, std::vector<Line>& lines)
     return;
   }
   lines.push_back({name(f.verdict.relation), row_words(f, dimension)});
-  const std::string reason = f.verdict.bounds_kept ? "" : reason_words(f);
+  const std::string reason = f.verdict.bounds_kept ? "" : reason_words(f, dimension);
   if (!reason.empty()) lines.push_back({"", reason});
 }
 

@@ -7,6 +7,7 @@
 
 #include "csg/evaluate/simplified_value.h"
 #include "csg/operators/component_lists.h"
+#include "csg/operators/paper_terms.h"
 #include "csg/tree/unfold.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
@@ -102,7 +103,15 @@ void add_star_facts(const Complex& complex, const Group& group, const Location& 
     complex.star_regions(cell.vertex, regions);
   }
   std::erase_if(faces, [&](FaceId f) { return !group.has(f); });
-  out.bounds = faces.size();
+  if (cell.dimension == 1) {
+    out.within = static_cast<std::size_t>(
+        std::count_if(faces.begin(), faces.end(), [&](FaceId f) { return in_interior(complex, cell.edge, f); }));
+  } else {
+    const auto holders = complex.vertex_faces[cell.vertex];
+    out.within = static_cast<std::size_t>(
+        std::count_if(holders.begin(), holders.end(), [&](FaceId f) { return group.has(f); }));
+  }
+  out.bounds = faces.size() - out.within;
   out.walls = static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), [&](FaceId f) {
     return number_of_regions(group, complex.face_regions[f]) > 0;
   }));
@@ -131,7 +140,7 @@ std::size_t kept_around(const Complex& complex, const Group& result, const Locat
   if (cell.dimension == 1) {
     std::vector<FaceId> faces;
     complex.star_faces(cell.edge, faces);
-    for (const FaceId f : faces) count += result.has(f);
+    for (const FaceId f : faces) count += result.has(f) && !in_interior(complex, cell.edge, f);
   } else if (cell.dimension == 0) {
     for (const EdgeId e : complex.vertex_edges[cell.vertex]) count += result.has(e);
   }

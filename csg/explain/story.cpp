@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "csg/explain/explain.h"
+#include "csg/operators/paper_terms.h"
 
 namespace cnrg {
 namespace {
@@ -27,6 +28,7 @@ Json json_of(const OperandFacts& o, int dimension) {
     out["regions"] = o.regions;
   } else {
     out["bounds"] = o.bounds;
+    out["within"] = o.within;
     out["free"] = o.free;
     out["walls"] = o.walls;
     Json around = Json::array();
@@ -45,7 +47,7 @@ Json json_of(const BooleanFacts& f, int dimension) {
   if (!f.verdict.entity) return out;
   out["relation"] = name(f.verdict.relation);
   out["row"] = f.verdict.row->id;
-  out["condition"] = words(f.verdict.row->condition);
+  out["condition"] = condition_words(*f.verdict.row);
   out["asked"] = !f.verdict.bounds_kept;
   out["kept_around"] = f.kept_around;
   out["removed"] = f.verdict.removed;

@@ -55,6 +55,7 @@ class MshWriter {
     add_elements();
     if (mesh_.flat) add_parametrizations();
     add_fields();
+    add_properties();
     return std::move(text_);
   }
 
@@ -271,6 +272,29 @@ class MshWriter {
         text_ += '\n';
       }
       text_ += "$EndElementNodeData\n";
+    }
+  }
+
+  /// A number for each element, not a number where nothing is said: meshio wants one for all or for none.
+  void add_properties() {
+    const std::size_t n =
+        mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size() + mesh_.tetrahedra.size();
+    for (const Mesh::Property& property : mesh_.properties) {
+      text_ += "$ElementData\n1\n\"" + distinct(shown_in_quotes(property.key)) + "\"\n1\n0\n3\n0\n1\n" +
+               std::to_string(n) + "\n";
+      std::size_t number = 0;
+      const auto add_all = [&](std::size_t dimension, const auto& simplices) {
+        for (const auto& s : simplices) {
+          const double value = property.values[dimension][s.entity];
+          text_ += std::to_string(++number) + ' ';
+          if (std::isnan(value)) text_ += "nan";
+          else append(text_, value);
+          text_ += '\n';
+        }
+      };
+      add_all(0, mesh_.vertices), add_all(1, mesh_.segments);
+      add_all(2, mesh_.triangles), add_all(3, mesh_.tetrahedra);
+      text_ += "$EndElementData\n";
     }
   }
 

@@ -110,6 +110,7 @@ TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& option
   const ResultView view = result.data().view();
   TetrahedralMesh made = tetrahedra(view, options);
   sample_materials(view, made.mesh);
+  add_properties(view, made.mesh);
   return made;
 }
 
@@ -130,6 +131,7 @@ CurvedReport curve(const Result& result, TetrahedralMesh& made) {
   const CurvedReport report = curve(view, made);
   made.mesh.fields.clear();
   sample_materials(view, made.mesh);
+  add_properties(view, made.mesh);
   return report;
 }
 

@@ -7,7 +7,11 @@
 //   region        dimension 3: the region's component; below: of the region behind, in front or around; or 0
 //   region_front, region_back     faces only: on the two sides; 0 outside
 //   regions_bounded               faces only: 0 dangling, 1 boundary, 2 wall between two regions; else -1
-//   material      of the component, for entities of a group of that region; 0: none
+//   material      of a sheet, wire or point that has one, else of the component, for entities of a group of that
+//                 region; 0: none
+//   name          of a sheet, wire or point; 0: nobody gave one. Missing if nobody gave any
+//   KEY           each property of `attributes`: numbers, rounded to doubles, not a number (NaN) where nothing is
+//                 said; or the number of a text, 0: nothing is said. KEY' where the key is one of these names
 //   source_leaf, source_face      the first leaf with a face that the cell came from, and that face; of a cell
 //                                 from no face the first leaf and -1 (.json has all)
 //
@@ -22,9 +26,9 @@
 // if they are one affine map on it; `--raw` keeps its facets apart.
 //
 // Names are field data, an array for each: `region rock`, `material granite`, `source_leaf fault`, `patch drum:
-// side` hold the numbers that the cell data of that name has for it. Arrays of strings would say it more directly,
-// but VTK alone reads these: meshio refuses the whole file for one of them. For meshio's sake edges are lines and
-// no polylines, too, and an empty result has a cell without points.
+// side`, `name bolts`, `section round` hold the numbers that the cell data of that name has for it. Arrays of
+// strings would say it more directly, but VTK alone reads these: meshio refuses the whole file for one of them.
+// For meshio's sake edges are lines and no polylines, too, and an empty result has a cell without points.
 //
 // Arrays are base64 of little-endian numbers, doubles unrounded. Cells that bound the result without being part of
 // it are not drawn: an open region has dimension 3 alone, its triangles are where it ends.

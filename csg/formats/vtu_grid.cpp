@@ -3,6 +3,7 @@
 #include "csg/formats/vtu_grid.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 #include <map>
@@ -11,6 +12,7 @@
 #include "csg/text/escape.h"
 #include "csg/text/xml.h"
 #include "kernel/base/parallel.h"
+#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
@@ -80,6 +82,35 @@ void append_names(std::string& text, const std::string& array, const std::vector
   }
 }
 
+/// Names that are said of sheets, wires and points, ascending.
+std::vector<std::string> said_names(const ResultView& view) {
+  std::vector<std::string> names;
+  const LeafSets& sets = view.value->origins().sets;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    const SaidPointer& said = sets.said(LeafSetId(s));
+    if (said != nullptr && !said->attributes.name.empty()) names.push_back(said->attributes.name);
+  }
+  sort_unique(names);
+  return names;
+}
+
+/// From 1, of a sheet, a wire or a point; 0: it has none.
+std::int32_t number_of_name(const std::vector<std::string>& names, const CellTags& tags) {
+  if (tags.said == nullptr || tags.dimension == 3) return 0;
+  const auto it = std::lower_bound(names.begin(), names.end(), tags.said->name);
+  if (it == names.end() || *it != tags.said->name) return 0;
+  return static_cast<std::int32_t>(it - names.begin()) + 1;
+}
+
+/// A key as the name of an array, unlike those of the grid's own arrays.
+std::string array_name(const std::string& key) {
+  static constexpr std::array kOwn{
+      "dimension", "cell",        "component",   "region", "region_front", "region_back", "regions_bounded",
+      "material",  "source_leaf", "source_face", "name",   "patch",        "parameters"};
+  const bool taken = std::find(kOwn.begin(), kOwn.end(), key) != kOwn.end() || key.starts_with("fraction of ");
+  return shown(key) + (taken ? "'" : "");
+}
+
 }  // namespace
 
 std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<double, 3>>& points,
@@ -99,6 +130,12 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   append_names(text, "region", regions, 1);
   append_names(text, "material", materials, 1);
   append_names(text, "source_leaf", leaves, 0);
+  const PropertyFields properties(view);
+  const std::vector<std::string> names = said_names(view);
+  if (!names.empty()) append_names(text, "name", names, 1);
+  for (const PropertyFields::Field& field : properties.fields()) {
+    if (!field.numeric) append_names(text, array_name(field.key), field.texts, 1);
+  }
   if (parameters != nullptr) append_names(text, "patch", parameters->names, 1);
   text += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(points.size()) + "\" NumberOfCells=\"" +
           std::to_string(types_.size()) + "\">\n<Points>\n";
@@ -129,10 +166,29 @@ std::string VtuGrid::text(const ResultView& view, const std::vector<std::array<d
   append_tag("material", &CellTags::material);
   append_tag("source_leaf", &CellTags::leaf);
   append_tag("source_face", &CellTags::face);
+  if (!names.empty()) {
+    std::vector<std::int32_t> values;
+    for (const CellTags& tags : tags_) values.push_back(number_of_name(names, tags));
+    append_array(text, "name", "Int32", values);
+  }
+  for (const PropertyFields::Field& field : properties.fields()) append_property(text, field);
   append_fractions(text, view, points);
   if (parameters != nullptr) append_array(text, "patch", "Int32", parameters->patches);
   text += "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   return text;
+}
+
+void VtuGrid::append_property(std::string& text, const PropertyFields::Field& field) const {
+  const std::string name = in_xml(array_name(field.key));
+  if (field.numeric) {
+    std::vector<double> values;
+    for (const CellTags& tags : tags_) values.push_back(PropertyFields::number(field, tags));
+    append_array(text, name.c_str(), "Float64", values);
+  } else {
+    std::vector<std::int32_t> values;
+    for (const CellTags& tags : tags_) values.push_back(PropertyFields::text(field, tags));
+    append_array(text, name.c_str(), "Int32", values);
+  }
 }
 
 void VtuGrid::append_fractions(std::string& text, const ResultView& view,

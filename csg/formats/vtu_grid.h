@@ -47,6 +47,7 @@ class VtuGrid {
   std::vector<std::int64_t> connectivity_, offsets_;
   std::vector<std::uint8_t> types_;
   std::vector<CellTags> tags_;
+  void append_property(std::string& text, const PropertyFields::Field& field) const;
   void append_fractions(std::string& text, const ResultView& view,
                         const std::vector<std::array<double, 3>>& points) const;
   void add_tags(VtuCell kind, const CellTags& tags) {

@@ -39,6 +39,20 @@ std::vector<double> MaterialField::at(Component component, std::span<const std::
   return at(component, center);
 }
 
+void add_properties(const ResultView& view, Mesh& mesh) {
+  const PropertyFields properties(view);
+  for (const PropertyFields::Field& field : properties.fields()) {
+    if (!field.numeric) continue;
+    Mesh::Property& property = mesh.properties.emplace_back();
+    property.key = field.key;
+    for (std::size_t d = 0; d < 4; ++d) {
+      for (const Mesh::Entity& entity : mesh.entities[d]) {
+        property.values[d].push_back(PropertyFields::number(field, entity.tags));
+      }
+    }
+  }
+}
+
 void sample_materials(const ResultView& view, Mesh& mesh) {
   const MaterialField field(view);
   for (const std::string& name : field.names()) mesh.fields.push_back({"fraction of " + name, {}});

@@ -30,4 +30,7 @@ class MaterialField {
 /// Fills `mesh.fields`: fractions at the corners of the tetrahedra.
 void sample_materials(const ResultView& view, Mesh& mesh);
 
+/// Fills `mesh.properties` from the tags of its entities.
+void add_properties(const ResultView& view, Mesh& mesh);
+
 }  // namespace cnrg

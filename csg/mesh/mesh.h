@@ -8,10 +8,12 @@
 //                       these are on borders.
 //   tetrahedra          as tetrahedra.h has it; its entities are the cells of the simplified result.
 //
-// Groups are what people call the entities: in dimension 3 a region by its name, and a material; in dimension 2
-// `boundary of rock`, `wall rock | ore`, `face of fault` (dangling), and once more by the leaves that faces came
-// from, `from fault`, whatever they part; wires and free points by their leaf. Names are distinct within a
-// dimension; a format that has one group for a cell takes the first.
+// Groups are what people call the entities: first by their names, then by what they are, then by material and by
+// each property that has a text. In dimension 3 a region by its name; in dimension 2 a sheet by the name that
+// somebody gave it, `boundary of rock`, `wall rock | ore`, `face of fault` (dangling, without a name); wires and
+// free points by their name, or else by their leaf. Then `material steel`, `section round`. Faces come once more
+// by the leaves that they came from, `from fault`, whatever they part. Names are distinct within a dimension; a
+// format that has one group for a cell takes the first.
 #pragma once
 
 #include <array>
@@ -66,6 +68,13 @@ struct Mesh {
     for (const auto& [i, j] : edges) result.push_back(middle(simplex.points[i], simplex.points[j]));
     return result;
   }
+
+  /// Properties that are numbers: of each entity by dimension, not a number where nothing is said.
+  struct Property {
+    std::string key;
+    std::array<std::vector<double>, 4> values;
+  };
+  std::vector<Property> properties;
 
   /// A number at each corner of each tetrahedron, four by four: it may jump where regions meet.
   struct Field {

@@ -57,11 +57,13 @@ class Grouper {
   MeshGroups run() {
     group_regions();
     group(2, flat_.faces, [&](const auto& f) { return key_of_face(f); });
-    group_sources();
     group(1, flat_.edges, [&](const auto& e) { return e.wire ? Key{1, "wire" + of_leaf(e.origin, 1)} : Key{}; });
     group(0, flat_.vertices, [&](const auto& v) {
       return v.free ? Key{1, "point" + of_leaf(v.origin, 0)} : Key{};
     });
+    group_by_attributes(0, flat_.vertices), group_by_attributes(1, flat_.edges);
+    group_by_attributes(2, flat_.faces), group_by_attributes(3, flat_.regions);
+    group_sources();
     return std::move(groups_);
   }
 
@@ -73,7 +75,7 @@ class Grouper {
   const std::map<Component, std::string> regions_;
   MeshGroups groups_;
 
-  /// Regions by component, then materials in the tree's order.
+  /// Regions by component.
   void group_regions() {
     std::map<Component, Index> number;
     auto& names = groups_.names[3];
@@ -81,39 +83,97 @@ class Grouper {
       names.push_back(name);
       number[component] = Index(names.size());
     }
-    std::map<std::string, Index> materials;
-    for (const auto& m : view_.materials) {
-      const bool used = std::any_of(regions_.begin(), regions_.end(), [&](const auto& r) {
-        return attributes_of(view_, r.first).material.name() == m.name;
-      });
-      if (!used || m.name.empty()) continue;
-      std::string name = "material " + shown_in_quotes(m.name);
-      while (std::find(names.begin(), names.end(), name) != names.end()) name += "'";
-      names.push_back(name);
-      materials[m.name] = Index(names.size());
-    }
     for (const auto& region : flat_.regions) {
       auto& of = groups_.of[3].emplace_back();
-      if (region.component == 0) continue;
-      of.push_back(number[region.component]);
-      const auto material = materials.find(attributes_of(view_, region.component).material.name());
-      if (material != materials.end()) of.push_back(material->second);
+      if (region.component != 0) of.push_back(number[region.component]);
     }
+  }
+
+  /// What is said of a cell: of a region what is said of its component.
+  const Attributes* said(const FlatComplex::Region& region) const {
+    return region.component == 0 ? nullptr : &attributes_of(view_, region.component);
+  }
+  template <class Cell>
+  const Attributes* said(const Cell& cell) const {
+    return cell.component == 0 ? nullptr : cell.origin.said;
+  }
+
+  /// A group more for each material, in the tree's order, and then for each property with a text.
+  template <class Cells>
+  void group_by_attributes(std::size_t dimension, const Cells& cells) {
+    std::map<std::pair<std::string, std::string>, Index> numbers;  // by key, empty for materials, and value
+    const auto for_each = [&](const auto& cell, const auto& see) {
+      const Attributes* of = said(cell);
+      if (of == nullptr) return;
+      if (!of->material.empty()) see(std::pair(std::string(), of->material.name()));
+      for (const auto& [key, value] : of->properties) {
+        if (const auto* text = std::get_if<std::string>(&value)) see(std::pair(key, *text));
+      }
+    };
+    for (const auto& cell : cells) {
+      for_each(cell, [&](const auto& group) { numbers[group] = 0; });
+    }
+    const auto number = [&](const std::string& name, Index& to) {
+      groups_.names[dimension].push_back(distinct(dimension, name));
+      to = Index(groups_.names[dimension].size());
+    };
+    for (const auto& m : view_.materials) {
+      const auto it = numbers.find({"", m.name});
+      if (it != numbers.end()) number("material " + shown_in_quotes(m.name), it->second);
+    }
+    for (auto& [group, of] : numbers) {
+      if (!group.first.empty()) number(shown_in_quotes(group.first) + " " + shown_in_quotes(group.second), of);
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      for_each(cells[i], [&](const auto& group) {
+        if (const Index n = numbers.at(group)) groups_.of[dimension][i].push_back(n);
+      });
+    }
+  }
+
+  /// A name unlike the other ones of its dimension.
+  std::string distinct(std::size_t dimension, std::string name) const {
+    const std::vector<std::string>& names = groups_.names[dimension];
+    while (std::find(names.begin(), names.end(), name) != names.end()) name += "'";
+    return name;
   }
 
   template <class Cells, class KeyOf>
   void group(int dimension, const Cells& cells, const KeyOf& key_of) {
+    std::map<std::string, Index> given;  // names that people gave, in their order
     std::vector<Key> keys;
     GroupList list;
     for (const auto& cell : cells) {
       keys.push_back(cell.component == 0 ? Key{} : key_of(cell));
+      const Attributes* of = said(cell);
+      if (of != nullptr && !of->name.empty()) {
+        given[shown_in_quotes(of->name)] = 0;
+        if (!is_wall(cell)) keys.back() = Key{};  // of a wall with a name one may ask for both
+      }
       if (keys.back().first != 0) list.want(keys.back().first, keys.back().second);
     }
-    list.number(groups_.names[std::size_t(dimension)]);
-    for (const Key& key : keys) {
-      auto& of = groups_.of[std::size_t(dimension)].emplace_back();
-      if (key.first != 0) of.push_back(list(key.first, key.second));
+    std::vector<std::string>& names = groups_.names[std::size_t(dimension)];
+    std::vector<std::string> made;
+    list.number(made);
+    for (auto& [name, number] : given) {
+      const bool taken = std::find(made.begin(), made.end(), name) != made.end();
+      names.push_back(taken ? name + "'" : name);
+      number = Index(names.size());
     }
+    const auto before = Index(names.size());
+    names.insert(names.end(), made.begin(), made.end());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      auto& of = groups_.of[std::size_t(dimension)].emplace_back();
+      const Attributes* what = said(cells[i]);
+      if (what != nullptr && !what->name.empty()) of.push_back(given.at(shown_in_quotes(what->name)));
+      if (keys[i].first != 0) of.push_back(before + list(keys[i].first, keys[i].second));
+    }
+  }
+
+  bool is_wall(const FlatComplex::Face& face) const { return flat_.regions_bounded(face) != 0; }
+  template <class Cell>
+  bool is_wall(const Cell&) const {
+    return false;
   }
 
   /// Faces once more, by the leaves that they came from, in the order of the leaves.

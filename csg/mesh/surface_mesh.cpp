@@ -4,6 +4,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "csg/mesh/material_field.h"
 #include "csg/mesh/mesh.h"
 #include "csg/result/solid.h"
 
@@ -173,7 +174,9 @@ class SurfaceMesher {
 }  // namespace
 
 Mesh surface_mesh(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points) {
-  return SurfaceMesher(view, flat, points).run();
+  Mesh mesh = SurfaceMesher(view, flat, points).run();
+  add_properties(view, mesh);
+  return mesh;
 }
 
 Drawing drawing_of(const FlatComplex& flat) {

@@ -61,6 +61,29 @@ std::vector<RegionAttributes> NodeValue::attributes() const {
   return out;
 }
 
+std::vector<const Attributes*> all_said(const NodeValue& value) {
+  std::vector<const Attributes*> out;
+  for (Component i = 1; i <= value.component_count(); ++i) out.push_back(&value.attributes(i));
+  const LeafSets& sets = value.origins().sets;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    if (const SaidPointer& said = sets.said(LeafSetId(s))) out.push_back(&said->attributes);
+  }
+  return out;
+}
+
+const Attributes* said_of(const Complex& complex, const NodeValue& value, const Location& cell) {
+  const auto ask = [&](const ValueSources& sources) -> const Attributes* {
+    switch (cell.dimension) {
+      case 0: return sources.said(cell.vertex);
+      case 1: return sources.said(cell.edge);
+      case 2: return sources.said(cell.face);
+      default: return nullptr;
+    }
+  };
+  if (value.is_group()) return ask(GroupSources(complex, value.group()));
+  return ask(ComponentSources(complex, value.components()));
+}
+
 Selection selection_of(const Complex& complex, const NodeValue& value) {
   return value.is_group() ? selection_of(complex, value.group()) : value.components().selection;
 }

@@ -57,6 +57,13 @@ class NodeValue {
   mutable std::unique_ptr<Whole> whole_;
 };
 
+/// All that is said in a value: of its components in their order, then of cells by themselves. Lives as long as
+/// it.
+std::vector<const Attributes*> all_said(const NodeValue& value);
+
+/// What is said of a cell that speaks for itself (csg/operators/cell_sources.h); nullptr for others.
+const Attributes* said_of(const Complex& complex, const NodeValue& value, const Location& cell);
+
 Selection selection_of(const Complex& complex, const NodeValue& value);
 /// The simplified complex of a value, and its counts (kernel/selection/simplify.h); it depends on the value alone,
 /// not on what else is in the complex. `selection` is that of the value.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "csg/operators/paper_terms.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -130,7 +131,7 @@ void print_table(std::string& out, BooleanOp op, int dimension) {
     for (bool dominant : {true, false}) {
       if (!split && !dominant) continue;
       const TableRow& r = kRows[table_row(op, dominant, dimension, relation)];
-      out += std::string(" | ") + words(r.condition) + " (`" + r.id + "`)";
+      out += " | " + condition_words(r) + " (`" + r.id + "`)";
     }
     out += " |\n";
   }
@@ -237,7 +238,12 @@ std::string tables_markdown() {
       "tables are **our reading** of it: derived from the paper's text (section 3), from point-set identities\n"
       "and from its Fig. 10. A is the dominant operand (A > B) or the left one of two equals (A = B); the\n"
       "difference A - B ignores dominance. Edges and vertices that bound a kept face or edge are kept; the\n"
-      "rows of edges and vertices decide about the others.\n\n";
+      "rows of edges and vertices decide about the others.\n\n"
+      "The terms are those of its section 3. AinB: of A, inside a region of B; AoutB: of A, outside of all\n"
+      "regions of B; INTERS: of both. numRegA: how many regions of A the face bounds; nA: its outward normal\n"
+      "there; insideB: inside a region of B. numFaceA: how many faces of A the edge bounds; numEdgeA: how many\n"
+      "edges of A end at the vertex. dangOrLoose: an edge in the interior of a removed face, which it does not\n"
+      "bound; loose: a vertex there.\n\n";
   const char* dimensions[] = {"vertices", "edges", "faces"};
   for (BooleanOp op : {BooleanOp::unite, BooleanOp::intersect, BooleanOp::subtract}) {
     for (int dimension : {2, 1, 0}) {

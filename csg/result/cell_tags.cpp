@@ -1,6 +1,13 @@
 // The tags of a cell: its numbers in the flattened result, then its material and the first leaf that it came from.
 #include "csg/result/cell_tags.h"
 
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "kernel/base/sorted.h"
+
 namespace cnrg {
 
 std::int32_t CellTagger::region_number(FlatComplex::Index region) const {
@@ -12,9 +19,45 @@ Component material_component(const ResultView& view, const CellTags& tags) {
   return Component(entity ? tags.region : tags.component);
 }
 
-/// Material and source.
+PropertyFields::PropertyFields(const ResultView& view) {
+  std::map<std::string, std::set<Property>> values;
+  for (const Attributes* said : all_said(*view.value)) {
+    for (const auto& [key, value] : said->properties) values[key].insert(value);
+  }
+  for (const auto& [key, of_key] : values) {
+    Field& field = fields_.emplace_back();
+    field.key = key;
+    field.numeric = std::all_of(of_key.begin(), of_key.end(),
+                                [](const Property& value) { return std::holds_alternative<Rational>(value); });
+    if (field.numeric) continue;
+    for (const Property& value : of_key) field.texts.push_back(to_text(value));
+    sort_unique(field.texts);
+  }
+}
+
+double PropertyFields::number(const Field& field, const CellTags& tags) {
+  if (tags.said == nullptr) return std::numeric_limits<double>::quiet_NaN();
+  const auto it = tags.said->properties.find(field.key);
+  if (it == tags.said->properties.end()) return std::numeric_limits<double>::quiet_NaN();
+  return to_double(std::get<Rational>(it->second));
+}
+
+std::int32_t PropertyFields::text(const Field& field, const CellTags& tags) {
+  if (tags.said == nullptr) return 0;
+  const auto it = tags.said->properties.find(field.key);
+  if (it == tags.said->properties.end()) return 0;
+  const auto place = std::lower_bound(field.texts.begin(), field.texts.end(), to_text(it->second));
+  return static_cast<std::int32_t>(place - field.texts.begin()) + 1;
+}
+
+/// What is said, material and source.
 void CellTagger::finish(CellTags& tags, const FlatComplex::Provenance& origin) const {
-  const std::string& name = attributes_of(view_, material_component(view_, tags)).material.name();
+  const Component component = material_component(view_, tags);
+  const bool entity = tags.dimension < 3 && (view_.value->is_group() || view_.of_group);
+  tags.said = origin.said;
+  if (tags.said == nullptr && !entity && component != 0) tags.said = &attributes_of(view_, component);
+  const bool own = origin.said != nullptr && !origin.said->material.empty();
+  const std::string& name = (own ? *origin.said : attributes_of(view_, component)).material.name();
   for (std::size_t i = 0; i < view_.materials.size(); ++i) {
     if (view_.materials[i].name != name) continue;
     tags.material = std::int32_t(i + 1);

@@ -72,8 +72,8 @@ void Result::Data::name(ResultNames names) {
     }
   };
   std::set<const PlacedGrade*> grades;
-  for (Component i = 1; i <= value->component_count(); ++i) {
-    const RegionMaterial& material = value->attributes(i).material;
+  for (const Attributes* said : all_said(*value)) {
+    const RegionMaterial& material = said->material;
     add(material.name());
     if (material.grade() == nullptr || !grades.insert(material.grade()).second) continue;
     for (const auto& stop : material.grade()->grade.stops) {

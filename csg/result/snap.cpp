@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "csg/operators/cell_sources.h"
 #include "csg/result/flat.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
@@ -67,6 +68,16 @@ std::vector<Index> difference(const std::vector<Index>& a, const std::vector<Ind
   std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
   return rest;
 }
+
+/// What cells of the result a new cell comes from.
+struct Sources {
+  std::vector<LeafId> leaves;
+  SaidPointer said;
+  void clear() {
+    leaves.clear();
+    said.reset();
+  }
+};
 
 class Labeller {
  public:
@@ -142,6 +153,7 @@ class Labeller {
   const Components exact_value_;
   SimplifiedComplex simplified_;
   Components value_;
+  std::map<std::pair<const Attributes*, int>, SaidPointer> said_;  // by what the result says, and dimension
   Features kept_;
   /// Of the snapped complex. It names no regions of leaves: the result's region holds several of each, and a wall
   /// of one leaf may lie where another one has its own.
@@ -249,55 +261,55 @@ class Labeller {
   void decide_faces() {
     remains_.assign(complex_.face_count(), 0);
     face_state_.assign(complex_.face_count(), 0);
-    std::vector<LeafId> leaves;
+    Sources from;
     for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
       const auto& [front, back] = complex_.face_regions[f];
       const bool wall = region_[front] != region_[back];
       Component state = 0;
-      leaves.clear();
+      from.clear();
       for (const Index code : snapped_.faces[f]) {
         const FlatComplex::Face& face = flat_.faces[code >> 1];
         if (!wall && face.regions[0] != face.regions[1]) continue;
         remains_[f] = 1;
         prefer(state, face.component);
-        add(leaves, face);
+        add(from, face, 2);
       }
-      if (!remains_[f]) state = absorb(complex_.some_region(f), leaves);
+      if (!remains_[f]) state = absorb(complex_.some_region(f), from);
       face_state_[f] = state;
-      list(value_.selection.faces, value_.origins.faces, f, state, leaves);
+      list(value_.selection.faces, value_.origins.faces, f, state, from);
     }
   }
 
   void decide_edges() {
     edge_remains_.assign(complex_.edge_count(), 0);
     edge_state_.assign(complex_.edge_count(), 0);
-    std::vector<LeafId> leaves;
+    Sources from;
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
       const auto edges = snapped_.edges[e];
       Component state = 0;
-      leaves.clear();
+      from.clear();
       bool feature = false;
       for (const FaceUse& use : complex_.edge_uses[e]) {
         if (!remains_[use.face]) continue;
         edge_remains_[e] = 1;
         if (!edges.empty()) break;
         prefer(state, face_state_[use.face]);
-        for (const Index code : snapped_.faces[use.face]) add(leaves, flat_.faces[code >> 1]);
+        for (const Index code : snapped_.faces[use.face]) add(from, flat_.faces[code >> 1]);
       }
       for (const Index i : edges) edge_remains_[e] = edge_remains_[e] || flat_.edges[i].wire;
       if (edge_remains_[e]) {
         for (const Index i : edges) {
           prefer(state, flat_.edges[i].component);
-          add(leaves, flat_.edges[i]);
+          add(from, flat_.edges[i], 1);
           feature = feature || flat_.edges[i].feature;
         }
         if (!edges.empty()) kept_.edges.push_back(e);
         if (feature && state != 0) value_.features.edges.push_back(e);
       } else {
-        state = absorb(complex_.some_region(e), leaves);
+        state = absorb(complex_.some_region(e), from);
       }
       edge_state_[e] = state;
-      list(value_.selection.edges, value_.origins.edges, e, state, leaves);
+      list(value_.selection.edges, value_.origins.edges, e, state, from);
     }
   }
 
@@ -308,10 +320,10 @@ class Labeller {
       if (v.valid()) here[v].push_back(i);
     }
     std::vector<std::pair<VertexId, LeafId>> isolated;
-    std::vector<LeafId> leaves;
+    Sources from;
     for (const VertexId v : complex_.vertices) {
       Component around = 0, state = 0;
-      leaves.clear();
+      from.clear();
       bool remains = false, feature = false;
       for (const EdgeId e : complex_.vertex_edges[v]) {
         if (!edge_remains_[e]) continue;
@@ -325,20 +337,20 @@ class Labeller {
       }
       for (const Index i : here[v]) remains = remains || flat_.vertices[i].free;
       if (!remains) {
-        state = absorb(complex_.some_region(v), leaves);
+        state = absorb(complex_.some_region(v), from);
       } else if (here[v].empty()) {
         state = around;
         for (const EdgeId e : complex_.vertex_edges[v]) {
-          for (const Index i : snapped_.edges[e]) add(leaves, flat_.edges[i]);
+          for (const Index i : snapped_.edges[e]) add(from, flat_.edges[i]);
           for (const FaceUse& use : complex_.edge_uses[e]) {
-            for (const Index code : snapped_.faces[use.face]) add(leaves, flat_.faces[code >> 1]);
+            for (const Index code : snapped_.faces[use.face]) add(from, flat_.faces[code >> 1]);
           }
         }
       } else {
         for (const Index i : here[v]) {
           const FlatComplex::Vertex& vertex = flat_.vertices[i];
           prefer(state, vertex.component);
-          add(leaves, vertex);
+          add(from, vertex, 0);
           feature = feature || vertex.feature;
           for (const LeafCell& cell : vertex.origin.cells) {
             if (cell.dimension == 0) isolated.emplace_back(v, cell.leaf);
@@ -347,38 +359,47 @@ class Labeller {
         kept_.vertices.push_back(v);
         if (feature && state != 0) value_.features.vertices.push_back(v);
       }
-      list(value_.selection.vertices, value_.origins.vertices, v, state, leaves);
+      list(value_.selection.vertices, value_.origins.vertices, v, state, from);
     }
     sort_unique(isolated);
     sources_.isolated_leaves = SparseLists(isolated);
   }
 
   void list_regions() {
-    std::vector<LeafId> leaves;
+    Sources from;
     for (const RegionId r : IdRange<RegionId>(complex_.region_count)) {
-      leaves.clear();
-      const Component state = absorb(r, leaves);
-      list(value_.selection.regions, value_.origins.regions, r, state, leaves);
+      from.clear();
+      const Component state = absorb(r, from);
+      list(value_.selection.regions, value_.origins.regions, r, state, from);
     }
   }
 
   /// A cell inside of a region: its component and leaves.
-  Component absorb(RegionId r, std::vector<LeafId>& leaves) const {
+  Component absorb(RegionId r, Sources& from) const {
     const Component state = component(r);
-    if (state != 0) add(leaves, flat_.regions[region_[r]]);
+    if (state != 0) add(from, flat_.regions[region_[r]]);
     return state;
   }
   template <class Cell>
-  static void add(std::vector<LeafId>& leaves, const Cell& cell) {
-    leaves.insert(leaves.end(), cell.origin.leaves.begin(), cell.origin.leaves.end());
+  static void add(Sources& from, const Cell& cell) {
+    from.leaves.insert(from.leaves.end(), cell.origin.leaves.begin(), cell.origin.leaves.end());
+  }
+  /// The same of a cell of the result that the new one is a piece of: what is said of that is said of this.
+  template <class Cell>
+  void add(Sources& from, const Cell& cell, int dimension) {
+    add(from, cell);
+    if (cell.origin.said == nullptr) return;
+    SaidPointer& said = said_[{cell.origin.said, dimension}];
+    if (said == nullptr) said = std::make_shared<const Said>(Said{*cell.origin.said, dimension});
+    from.said = merged(from.said, said, Dominance::equal);
   }
   template <class IdT>
   void list(std::vector<std::pair<IdT, Component>>& cells, std::vector<LeafSetId>& origins, IdT id,
-            Component state, std::vector<LeafId>& leaves) {
+            Component state, Sources& from) {
     if (state == 0) return;
-    sort_unique(leaves);
+    sort_unique(from.leaves);
     cells.emplace_back(id, state);
-    origins.push_back(value_.origins.sets.intern(leaves));
+    origins.push_back(value_.origins.sets.intern(from.leaves, from.said));
   }
 
   /// Faces of the snapped complex lie on the leaf faces that the result's faces lie on. One more leaf has the
@@ -450,6 +471,19 @@ class Labeller {
   }
 };
 
+/// What is said of cells tells them apart; where they came from does not, since all edges of the result are kept.
+class FromAllLeaves : public ComponentSources {
+ public:
+  FromAllLeaves(const Complex& complex, const Components& x) : ComponentSources(complex, x) {
+    for (const LeafId leaf : IdRange<LeafId>(complex.leaf_count)) all_.push_back(leaf);
+  }
+  void leaves_of(FaceId, std::vector<LeafId>& out) const override { out = all_; }
+  void leaves_of(EdgeId, std::vector<LeafId>& out) const override { out = all_; }
+
+ private:
+  std::vector<LeafId> all_;
+};
+
 }  // namespace
 
 struct SnappedResult::Data {
@@ -471,8 +505,9 @@ SnappedResult::SnappedResult(const ResultView& view, bool raw) {
   data_->of_group = view.value->is_group() || view.of_group;
   const Features kept = labeller.kept();
   data_->complex = labeller.complex();
+  const FromAllLeaves sources(*data_->complex, data_->value.components());
   data_->simplified = simplify(*data_->complex, data_->value.components().selection, kept,
-                               raw ? SimplifyMode::raw : SimplifyMode::features);
+                               raw ? SimplifyMode::raw : SimplifyMode::features, &sources);
 }
 
 SnappedResult::~SnappedResult() = default;

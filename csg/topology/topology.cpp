@@ -13,6 +13,7 @@
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
 #include "csg/topology/around.h"
+#include "csg/topology/manufacturable.h"
 #include "csg/topology/region_graph.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
@@ -170,6 +171,14 @@ struct Shapes {
   }
 };
 
+/// The first names, and how many more.
+std::string some_of(const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t i = 0; i < std::min(names.size(), kNamesPerReason); ++i) out += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > kNamesPerReason) out += " and " + grouped(names.size() - kNamesPerReason) + " more";
+  return out;
+}
+
 std::string shapes_text(const Shapes& shapes) {
   Table table;
   table.add_column("local shape", Table::Align::left);
@@ -182,14 +191,24 @@ std::string shapes_text(const Shapes& shapes) {
   }
   std::string out = table.text();
   out += "  manifold: one half-ball of solid; surface, surface border: one sheet without solid; wire: no face\n";
-  for (const auto& [key, names] : shapes.reasons) {
-    out += "  " + key.second + ":";
-    for (std::size_t i = 0; i < std::min(names.size(), kNamesPerReason); ++i) {
-      out += (i == 0 ? " " : ", ") + names[i];
-    }
-    if (names.size() > kNamesPerReason) out += " and " + grouped(names.size() - kNamesPerReason) + " more";
-    out += "\n";
+  for (const auto& [key, names] : shapes.reasons) out += "  " + key.second + ": " + some_of(names) + "\n";
+  return out;
+}
+
+std::string manufacturable_text(const Manufacturability& m, std::span<const RegionAttributes> components) {
+  if (m.yes()) return "manufacturable: yes, " + grouped(m.solids) + (m.solids == 1 ? " solid\n" : " solids\n");
+  std::string out = "manufacturable: no\n";
+  if (m.solids == 0) out += "  there is no solid\n";
+  const auto add = [&](const char* what, const std::vector<std::string>& names) {
+    if (!names.empty()) out += std::string("  ") + what + ": " + some_of(names) + "\n";
+  };
+  add("faces without thickness", m.dangling_faces);
+  add("wires", m.wires);
+  add("loose points", m.loose_points);
+  for (const auto& t : m.touches) {
+    append_line(out, "  " + component_name(components, t.component) + ", " + t.reason + ": " + some_of(t.cells));
   }
+  for (const Component c : m.unbounded) append_line(out, "  " + component_name(components, c) + " is unbounded");
   return out;
 }
 
@@ -231,6 +250,7 @@ struct Facts {
   Shapes shapes;
   std::vector<Sheet> sheets;
   RegionGraph graph;
+  Manufacturability manufacturability;
 };
 
 /// Nothing of the empty set.
@@ -255,7 +275,8 @@ std::optional<Facts> facts_of(const Complex& complex, const Selection& selection
                std::move(betti),
                std::move(shapes),
                std::move(found),
-               region_graph(simplified, components)};
+               region_graph(simplified, components),
+               cnrg::manufacturability(complex, selection, simplified, neighbourhoods)};
 }
 
 std::string text_of(const std::optional<Facts>& facts, const Complex& complex, const SimplifiedComplex& simplified,
@@ -270,7 +291,8 @@ std::string text_of(const std::optional<Facts>& facts, const Complex& complex, c
   out += neighbourhoods_text(simplified, neighbourhoods, facts->shapes.odd_vertices);
   out += sheets_text(facts->sheets);
   out += shells_text(simplified, components);
-  return out + adjacency_text(facts->graph);
+  out += adjacency_text(facts->graph);
+  return out + manufacturable_text(facts->manufacturability, components);
 }
 
 using Json = nlohmann::ordered_json;
@@ -323,6 +345,13 @@ Json json_of(const std::optional<Facts>& facts) {
     adjacent.push_back({{"components", {component(0), component(1)}}, {"faces", e.faces}});
   }
   out["adjacent"] = adjacent;
+  const Manufacturability& m = facts->manufacturability;
+  Json touches = Json::array();
+  for (const auto& t : m.touches)
+    touches.push_back({{"component", t.component}, {"reason", t.reason}, {"cells", t.cells}});
+  out["manufacturable"] = {{"yes", m.yes()},          {"solids", m.solids},       {"faces", m.dangling_faces},
+                           {"wires", m.wires},        {"points", m.loose_points}, {"touches", touches},
+                           {"unbounded", m.unbounded}};
   return out;
 }
 

@@ -34,8 +34,8 @@ SimplifiedEuler simplified_euler(const Complex& complex, const Selection& select
 /// Lines of text: Euler-Poincare with its terms; Betti numbers of the point set and of each component over Z/2 and
 /// Q; vertices and edges by their local shape, each way not to be a manifold with the cells concerned (named as
 /// `cnrg locate` names them), with radial orders and neighbourhoods there; sheets; shells and adjacency of
-/// regions. `simplified` is that of `selection`; `components[i - 1]` is what is known of component i, for as many
-/// components as there are entries.
+/// regions; what stands in the way of making the value (manufacturable.h). `simplified` is that of `selection`;
+/// `components[i - 1]` is what is known of component i, for as many components as there are entries.
 std::string topology_text(const Complex& complex, const Selection& selection, const SimplifiedComplex& simplified,
                           std::span<const RegionAttributes> components);
 

@@ -9,6 +9,7 @@
 #include "csg/explain/explain.h"
 #include "csg/explain/fates.h"
 #include "csg/operators/node_value.h"
+#include "csg/operators/paper_terms.h"
 #include "csg/result/palette.h"
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
@@ -416,7 +417,7 @@ Json classes_data(const Tree& tree, const Evaluation& evaluation, const KeptValu
       for (int d = 0; d < 3; ++d) {
         if (!dimensions[static_cast<std::size_t>(d)]) continue;
         const TableRow& row = table_rows()[table_row(boolean, fate.dominant, d, fate.relation)];
-        entry["rows"][std::to_string(d)] = {row.id, words(row.condition)};
+        entry["rows"][std::to_string(d)] = {row.id, condition_words(row)};
       }
     }
     list[std::to_string(component)] = entry;
@@ -470,7 +471,7 @@ Json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& 
   Json removals = Json::array();
   for (const auto& [number, count] : row.removals) {
     const TableRow& rule = table_rows()[number];
-    removals.push_back({rule.id, words(rule.condition), count});
+    removals.push_back({rule.id, condition_words(rule), count});
   }
   out["removed"] = removals;
   out["cells"] = Cells(flat, tables).json(true);

@@ -185,6 +185,11 @@ std::string check_boolean_facts(const BooleanFacts& f) {
                : "a cell inside of regions is not where the point sets say";
   }
   if (v.removed == f.result.entity) return "removed and still an entity, or the other way round";
+  for (const OperandFacts* o : {&f.a, &f.b}) {
+    // numFace > 0 or dangOrLoose, numEdge > 0 or loose: the paper's terms for what is not free.
+    if (v.row->dimension < 2 && o->state.entity && o->free != (o->bounds == 0 && o->within == 0))
+      return "free, and in the paper's terms not, or the other way round";
+  }
   if (v.bounds_kept) return v.removed ? "removed though it bounds a kept cell" : "";
   const bool cut = v.row->condition == Condition::inside_region_b && v.removed;  // of a wall: see tables.h
   return condition_holds(f) == v.removed || cut ? "" : std::string("the facts do not explain ") + v.row->id;

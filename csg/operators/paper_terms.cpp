@@ -1,0 +1,28 @@
+// An edge in the interior of a face is used twice by its loops, once in each direction; one of its boundary once.
+#include "csg/operators/paper_terms.h"
+
+#include <algorithm>
+
+namespace cnrg {
+
+std::string condition_words(const TableRow& row) {
+  std::string ours = words(row.condition);
+  const auto not_free = [&](const std::string& operand) {
+    return row.dimension == 1 ? "numFace" + operand + " > 0 or dangOrLoose"
+                              : "numEdge" + operand + " > 0 or loose";
+  };
+  switch (row.condition) {
+    case Condition::not_free_a: return ours + ": " + not_free("A");
+    case Condition::not_free_b: return ours + ": " + not_free("B");
+    case Condition::free_in_neither: return ours + ": " + not_free("") + ", in A and in B";
+    case Condition::inside_region_b: return "insideB: " + ours;
+    default: return ours;
+  }
+}
+
+bool in_interior(const Complex& complex, EdgeId e, FaceId f) {
+  const auto uses = complex.edge_uses[e];
+  return std::count_if(uses.begin(), uses.end(), [&](const FaceUse& use) { return use.face == f; }) == 2;
+}
+
+}  // namespace cnrg
