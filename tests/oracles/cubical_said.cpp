@@ -131,7 +131,7 @@ class Sayings {
     const auto label = [&](Cell d) { return v.labels[static_cast<std::size_t>(d)]; };
     const auto& up = grid_.around(c);
     return std::any_of(cubes.begin(), cubes.end(), [&](Cell d) { return label(d) != label(cubes[0]); }) &&
-           std::any_of(up.begin(), up.end(), [&](Cell d) { return label(d) == 0; });
+           std::all_of(up.begin(), up.end(), [&](Cell d) { return label(d) == 0; });
   }
 
   /// The same of components: what has one component, or none, all around and is of another one itself.
