@@ -34,6 +34,7 @@
 #include "csg/leaves/leaf.h"
 #include "csg/leaves/mesh_data.h"
 #include "csg/leaves/shapes.h"
+#include "csg/materials/sampler.h"
 #include "csg/tree/tree.h"
 
 // Operators.

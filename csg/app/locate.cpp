@@ -22,6 +22,7 @@
 #include "csg/evaluate/places.h"
 #include "csg/explain/lives.h"
 #include "csg/leaves/surface_parameters.h"
+#include "csg/materials/sampler.h"
 #include "csg/operators/node_value.h"
 #include "csg/text/escape.h"
 #include "csg/text/input_file.h"

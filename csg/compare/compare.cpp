@@ -136,11 +136,10 @@ class Comparer {
     if (!options_.materials) return;
     const std::string& mark = marks_.material;
     const std::string word_a = a.material.name();
-    const std::string word_b =
-        b.material.name().starts_with(mark) ? b.material.name().substr(mark.size()) : b.material.name();
+    const std::string word_b = without_mark(b.material.name(), mark);
     const PlacedGrade *grade_a = a.material.grade(), *grade_b = b.material.grade();
     const bool same_grades =
-        grade_a == nullptr || grade_b == nullptr ? grade_a == grade_b : same_grade(*grade_a, *grade_b);
+        grade_a == nullptr || grade_b == nullptr ? grade_a == grade_b : same_grade(*grade_a, *grade_b, mark);
     if (word_a == word_b && same_grades) return;
     out_.attributes.push_back({{in_a, in_b}, true, {word_a, word_b}, word_a == word_b});
   }

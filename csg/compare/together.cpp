@@ -50,6 +50,11 @@ class Joiner {
       mark_it(material.name);
       auto* const distance = material.grade ? std::get_if<DistanceGrade>(&material.grade->along) : nullptr;
       if (distance != nullptr) mark_it(distance->to);
+      if (material.grade) {
+        for (Grade::Stop& stop : material.grade->stops) {
+          for (auto& part : stop.mixture) mark_it(part.first);
+        }
+      }
       out_.tree.materials.push_back(std::move(material));
     }
     out_.nodes[side] = NodeId(first + root.index());

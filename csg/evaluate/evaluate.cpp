@@ -152,7 +152,8 @@ Outcome run_operator(const Tree& tree, const Unfolding& unfolding, InstanceId id
     if (is_topological(node.op)) operands.back().below = below.of(operand);
   }
   try {
-    return operate(complex, node, grades.on(instance, node.material), operands, validate);
+    return operate(complex, node, grades.on(instance, node.material), operands, validate,
+                   grades.placement(instance));
   } catch (const InputError& e) {
     throw TreeError(tree.file, node.operator_at, e.what());
   }

@@ -1,72 +1,27 @@
 // A material is given in the coordinates in which its node is placed: the transforms above the node move it, the
 // node's own does not. Distances are measured to triangles, segments and points of a simplified value.
+//
+// A graded material whose stops name others needs these, too, and what they name: all of them are looked up when
+// the outer one is first used, each target once.
 #include "csg/evaluate/grades.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "kernel/exact/triangulate.h"
+#include "csg/materials/distance_target.h"
 
 namespace cnrg {
-namespace {
-
-class TargetBuilder {
- public:
-  TargetBuilder(const Complex& complex, const SimplifiedComplex& simplified)
-      : complex_(complex), simplified_(simplified) {}
-
-  std::optional<DistanceTarget> run() {
-    std::vector<char> on_face(complex_.edge_count(), 0);
-    std::vector<std::vector<VertexId>> walks;
-    for (const auto& face : simplified_.faces) {
-      for (const HalfFace cell : face.cells) {
-        walks.clear();
-        for (const LoopId l : complex_.face_loops[cell.face()]) {
-          auto& walk = walks.emplace_back();
-          for (const HalfEdge h : complex_.loop[l]) {
-            walk.push_back(complex_.origin(h));
-            on_face[h.edge().index()] = 1;
-          }
-        }
-        const Projection axes = projection_of(complex_.points, complex_.plane(cell.face()));
-        for (const auto& t : triangulate(complex_.points, axes, walks)) {
-          target_.triangles.push_back({number(t[0]), number(t[1]), number(t[2])});
-        }
-      }
-    }
-    for (const auto& edge : simplified_.edges) {
-      for (const HalfEdge h : edge.chain) {
-        if (on_face[h.edge().index()]) continue;
-        const auto& [a, b] = complex_.edge_ends[h.edge()];
-        target_.segments.push_back({number(a), number(b)});
-      }
-    }
-    for (const auto& vertex : simplified_.vertices) {
-      if (numbers_.count(vertex.cell) == 0) target_.vertices.push_back({number(vertex.cell)});
-    }
-    if (unbounded_) return std::nullopt;
-    return std::move(target_);
-  }
-
- private:
-  std::uint32_t number(VertexId v) {
-    unbounded_ = unbounded_ || complex_.on_frame(v);
-    const auto [it, fresh] = numbers_.try_emplace(v, static_cast<std::uint32_t>(target_.points.size()));
-    if (fresh) target_.points.push_back(complex_.points.rational(v));
-    return it->second;
-  }
-
-  const Complex& complex_;
-  const SimplifiedComplex& simplified_;
-  DistanceTarget target_;
-  std::map<VertexId, std::uint32_t> numbers_;
-  bool unbounded_ = false;
-};
-
-}  // namespace
 
 std::optional<DistanceTarget> distance_target(const Complex& complex, const KeptValue& value) {
-  return TargetBuilder(complex, *value.simplified).run();
+  TargetBuilder builder(complex);
+  for (const auto& face : value.simplified->faces) {
+    for (const HalfFace cell : face.cells) builder.add(cell.face());
+  }
+  for (const auto& edge : value.simplified->edges) {
+    for (const HalfEdge h : edge.chain) builder.add(h.edge());
+  }
+  for (const auto& vertex : value.simplified->vertices) builder.add(vertex.cell);
+  return builder.take();
 }
 
 Grades::Grades(const Tree& tree, const Unfolding& unfolding, const std::function<Evaluation(NodeId)>& evaluate)
@@ -74,53 +29,75 @@ Grades::Grades(const Tree& tree, const Unfolding& unfolding, const std::function
   std::map<std::string, std::shared_ptr<const DistanceTarget>> targets;  // by name of the node
   for (const Instance& instance : unfolding.instances) {
     for (const std::string& name : materials_of(tree.nodes[instance.node])) {
-      const Material& material = *tree.material(name);
-      if (!material.grade || grades_.count(name) != 0) continue;
-      Grade& grade = grades_.emplace(name, *material.grade).first->second;
-      auto* distance = std::get_if<DistanceGrade>(&grade.along);
-      if (distance == nullptr) continue;
-      auto& target = targets[distance->to];
-      if (!target) {
-        const NodeId node = tree.find(distance->to);
-        const Evaluation evaluation = evaluate(node);
-        std::optional<DistanceTarget> found = distance_target(*evaluation.complex, evaluation.value(node));
-        const std::string what =
-            "the material `" + name + "` is measured by the distance to `" + distance->to + "`, ";
-        if (!found) {
-          throw TreeError(
-              tree.file, material.to_at,
-              what + "which is unbounded; cut it with a box, or use `linear` for the distance to a plane");
-        }
-        if (found->empty()) {
-          throw TreeError(tree.file, material.to_at,
-                          what + "which is empty; name a node with faces, wires or points");
-        }
-        target = std::make_shared<const DistanceTarget>(std::move(*found));
-      }
-      distance->target = target;
+      if (tree.material(name)->grade && graded_.count(name) == 0) add(name, targets, evaluate);
     }
   }
 }
 
-RegionMaterial Grades::placed(const std::string& name, Grade grade, Transform placement) {
+void Grades::add(const std::string& name, std::map<std::string, std::shared_ptr<const DistanceTarget>>& targets,
+                 const std::function<Evaluation(NodeId)>& evaluate) {
+  PlacedGrade& graded = graded_[name];
+  for (const Material* material : tree_.graded_in(name)) {
+    Grade grade = *material->grade;
+    if (auto* distance = std::get_if<DistanceGrade>(&grade.along)) {
+      auto& target = targets[distance->to];
+      if (!target) target = target_of(*material, distance->to, evaluate);
+      distance->target = target;
+    }
+    if (material->name == name) graded.grade = std::move(grade);
+    else graded.nested.emplace(material->name, std::move(grade));
+  }
+}
+
+std::shared_ptr<const DistanceTarget> Grades::target_of(const Material& material, const std::string& to,
+                                                        const std::function<Evaluation(NodeId)>& evaluate) const {
+  const NodeId node = tree_.find(to);
+  const Evaluation evaluation = evaluate(node);
+  std::optional<DistanceTarget> found = distance_target(*evaluation.complex, evaluation.value(node));
+  const std::string what = "the material `" + material.name + "` is measured by the distance to `" + to + "`, ";
+  if (!found) {
+    throw TreeError(tree_.file, material.to_at,
+                    what + "which is unbounded; cut it with a box, or use `linear` for the distance to a plane");
+  }
+  if (found->empty()) {
+    throw TreeError(tree_.file, material.to_at, what + "which is empty; name a node with faces, wires or points");
+  }
+  return std::make_shared<const DistanceTarget>(std::move(*found));
+}
+
+RegionMaterial Grades::placed(const std::string& name, PlacedGrade grade) {
   auto& known = placed_[name];
-  PlacedGrade one{std::move(grade), std::move(placement)};
-  const auto it = std::find_if(known.begin(), known.end(), [&](const auto& p) { return *p == one; });
+  const auto it = std::find_if(known.begin(), known.end(), [&](const auto& p) { return *p == grade; });
   if (it != known.end()) return {name, *it};
-  known.push_back(std::make_shared<const PlacedGrade>(std::move(one)));
+  known.push_back(std::make_shared<const PlacedGrade>(std::move(grade)));
   return {name, known.back()};
 }
 
 RegionMaterial Grades::on(const Instance& instance, const std::string& name) {
-  const auto it = grades_.find(name);
-  if (it == grades_.end()) return name;
-  const std::optional<Transform>& own = tree_.nodes[instance.node].transform;
-  return placed(name, it->second, own ? *instance.transform * own->inverse() : *instance.transform);
+  RegionMaterial out(name);
+  if (const auto it = graded_.find(name); it != graded_.end()) {
+    PlacedGrade grade = it->second;
+    grade.placement = placement(instance);
+    out = placed(name, std::move(grade));
+  }
+  const Material* declared = name.empty() ? nullptr : tree_.material(name);
+  if (declared != nullptr && declared->dominance) out.set_dominance(*declared->dominance);
+  return out;
 }
 
 RegionMaterial Grades::moved(const Instance& instance, const RegionMaterial& own) {
   if (own.grade() == nullptr) return own;
-  return placed(own.name(), own.grade()->grade, *instance.transform * own.grade()->placement);
+  PlacedGrade grade = *own.grade();
+  grade.placement = *instance.transform * grade.placement;
+  RegionMaterial out = placed(own.name(), std::move(grade));
+  out.set_dominance(own.dominance());
+  return out;
+}
+
+Transform Grades::placement(const Instance& instance) const {
+  if (instance.transform == nullptr) return {};
+  const std::optional<Transform>& own = tree_.nodes[instance.node].transform;
+  return own ? *instance.transform * own->inverse() : *instance.transform;
 }
 
 }  // namespace cnrg

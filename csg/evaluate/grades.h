@@ -23,17 +23,26 @@ class Grades {
   /// TreeError, at the place of the mention, for one that is empty or unbounded.
   Grades(const Tree& tree, const Unfolding& unfolding, const std::function<Evaluation(NodeId)>& evaluate);
 
-  /// The material of that name on a node of an instance; empty for no name.
+  /// The material of that name on a node of an instance, with its dominance; empty for no name.
   RegionMaterial on(const Instance& instance, const std::string& name);
-  /// A material that a leaf brings along in its own coordinates, where the instance puts the leaf.
+  /// A material that a leaf brings along in its own coordinates, where the instance puts the leaf; its
+  /// dominance is its own.
   RegionMaterial moved(const Instance& instance, const RegionMaterial& own);
+  /// From the coordinates in which a node is given, its own transform done, to those of the complex. For instances
+  /// that have a transform; the identity for others.
+  Transform placement(const Instance& instance) const;
 
  private:
   const Tree& tree_;
-  std::map<std::string, Grade> grades_;  ///< by material, distances with their targets
+  std::map<std::string, PlacedGrade> graded_;  ///< by material, with their targets and not yet placed
   /// By material; equal placements are one object.
   std::map<std::string, std::vector<std::shared_ptr<const PlacedGrade>>> placed_;
-  RegionMaterial placed(const std::string& name, Grade grade, Transform placement);
+
+  void add(const std::string& name, std::map<std::string, std::shared_ptr<const DistanceTarget>>& targets,
+           const std::function<Evaluation(NodeId)>& evaluate);
+  std::shared_ptr<const DistanceTarget> target_of(const Material& material, const std::string& to,
+                                                  const std::function<Evaluation(NodeId)>& evaluate) const;
+  RegionMaterial placed(const std::string& name, PlacedGrade grade);
 };
 
 }  // namespace cnrg

@@ -7,8 +7,10 @@
 #include <optional>
 
 #include "csg/operators/below.h"
+#include "csg/operators/blend.h"
 #include "csg/operators/fold.h"
 #include "csg/operators/identities.h"
+#include "csg/operators/material_levels.h"
 #include "csg/operators/say.h"
 #include "kernel/base/error.h"
 
@@ -61,8 +63,36 @@ PartedGroup group_operand(const Complex& complex, const Node& node, const Operan
   return parted(complex, group_of(complex, value.components()));
 }
 
+/// Who decides in a step whose operands are `a` and `b`.
+StepRule rule_of(const Node& node, Dominance dominance, const PartedGroup& a, const PartedGroup& b) {
+  if (node.blend) return StepRule::blend;
+  const bool open = node.op != Operator::subtract && dominance == Dominance::equal && !stated_dominance(node);
+  return open && (a.ranked || b.ranked) ? StepRule::materials : StepRule::operands;
+}
+
+/// One step of a Boolean node.
+FoldResult step_of(const Complex& complex, const Node& node, const Transform& placement, Dominance dominance,
+                   PartedGroup left, PartedGroup right) {
+  switch (rule_of(node, dominance, left, right)) {
+    case StepRule::blend: return blended_union(complex, placement, std::move(left), std::move(right));
+    case StepRule::materials:
+      return boolean_by_materials(complex, boolean_op(node.op), std::move(left), std::move(right));
+    default:
+      return boolean_fold(complex, boolean_op(node.op), std::span(&dominance, 1),
+                          {std::move(left), std::move(right)});
+  }
+}
+
+/// What a step gives becomes the value so far.
+void add_step(FoldResult step, PartedGroup& value, Outcome& outcome) {
+  outcome.removals.add(step.removals);
+  std::move(step.conflicts.begin(), step.conflicts.end(), std::back_inserter(outcome.conflicts));
+  value = std::move(step.group);
+}
+
 /// A Boolean node: the fold ((a op b) op c) op ... of its operands.
-Outcome boolean_of(const Complex& complex, const Node& node, std::span<const Operand> operands) {
+Outcome boolean_of(const Complex& complex, const Node& node, const Transform& placement,
+                   std::span<const Operand> operands) {
   std::vector<PartedGroup> values;
   values.reserve(operands.size());
   std::vector<Dominance> dominances;
@@ -76,13 +106,26 @@ Outcome boolean_of(const Complex& complex, const Node& node, std::span<const Ope
     dominances.push_back(dominance_of(node, left, values.back()));
     left.dominance = std::max(left.dominance, values.back().dominance);
   }
-  FoldResult result = boolean_fold(complex, boolean_op(node.op), dominances, std::move(values));
-  return {std::move(result.group), std::move(result.removals), std::move(result.conflicts)};
+  const bool ranked =
+      std::any_of(values.begin(), values.end(), [](const PartedGroup& value) { return value.ranked; });
+  const bool alike = std::find(dominances.begin(), dominances.end(), Dominance::equal) != dominances.end();
+  if (!node.blend && !(ranked && alike && !node.dominant)) {
+    FoldResult result = boolean_fold(complex, boolean_op(node.op), dominances, std::move(values));
+    return {std::move(result.group), std::move(result.removals), std::move(result.conflicts)};
+  }
+  Outcome outcome;
+  PartedGroup value = std::move(values[0]);
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    add_step(step_of(complex, node, placement, dominances[k - 1], std::move(value), std::move(values[k])), value,
+             outcome);
+  }
+  outcome.value = std::move(value);
+  return outcome;
 }
 
 /// The same in folds of two, each shown to `see` as whole groups.
-Outcome boolean_in_steps(const Complex& complex, const Node& node, std::span<const Operand> operands,
-                         const std::function<void(const BooleanStep&)>& see) {
+Outcome boolean_in_steps(const Complex& complex, const Node& node, const Transform& placement,
+                         std::span<const Operand> operands, const std::function<void(const BooleanStep&)>& see) {
   const BooleanOp op = boolean_op(node.op);
   Outcome outcome;
   PartedGroup value = group_operand(complex, node, operands[0]);
@@ -90,12 +133,11 @@ Outcome boolean_in_steps(const Complex& complex, const Node& node, std::span<con
     PartedGroup right = group_operand(complex, node, operands[k]);
     const Dominance dominance = dominance_of(node, value, right);
     const Group left_whole = whole(value), right_whole = whole(right);
-    FoldResult step = boolean_fold(complex, op, std::span(&dominance, 1), {std::move(value), std::move(right)});
+    const StepRule rule = rule_of(node, dominance, value, right);
+    FoldResult step = step_of(complex, node, placement, dominance, std::move(value), std::move(right));
     const Group result = whole(step.group);
-    see({op, dominance, left_whole, right_whole, result, k});
-    outcome.removals.add(step.removals);
-    std::move(step.conflicts.begin(), step.conflicts.end(), std::back_inserter(outcome.conflicts));
-    value = std::move(step.group);
+    see({op, dominance, left_whole, right_whole, result, k, rule});
+    add_step(std::move(step), value, outcome);
   }
   outcome.value = std::move(value);
   return outcome;
@@ -112,12 +154,13 @@ Outcome side_of(const Complex& complex, const Node& node, std::span<const Operan
   const Dominance dominance = Dominance::left;
   FoldResult cut = boolean_fold(complex, BooleanOp::intersect, std::span(&dominance, 1),
                                 {std::move(block), parted(complex, right)});
-  if (see) see({BooleanOp::intersect, dominance, left, right, whole(cut.group), 1});
+  if (see) see({BooleanOp::intersect, dominance, left, right, whole(cut.group), 1, StepRule::operands});
   return {std::move(cut.group), std::move(cut.removals), std::move(cut.conflicts)};
 }
 
-Outcome validated_boolean(const Complex& complex, const Node& node, std::span<const Operand> operands) {
-  return boolean_in_steps(complex, node, operands, [&](const BooleanStep& step) {
+Outcome validated_boolean(const Complex& complex, const Node& node, const Transform& placement,
+                          std::span<const Operand> operands) {
+  return boolean_in_steps(complex, node, placement, operands, [&](const BooleanStep& step) {
     require_identity(node, check_boolean(complex, step.op, step.left, step.right, step.result));
   });
 }
@@ -252,7 +295,25 @@ void apply_attributes(const Complex& complex, const Node& node, const RegionMate
 void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
                    const std::function<void(const BooleanStep&)>& see) {
   if (node.op == Operator::below || node.op == Operator::above) side_of(complex, node, operands, see);
-  else boolean_in_steps(complex, node, operands, see);
+  else boolean_in_steps(complex, node, {}, operands, see);
+}
+
+namespace {
+
+template <class IdT>
+Verdict verdict_in(const Complex& complex, const BooleanStep& step, IdT cell) {
+  Dominance dominance = step.dominance;
+  if (step.rule == StepRule::materials) dominance = levels_at(complex, step.left, step.right, cell).dominance();
+  if (step.rule == StepRule::blend) dominance = step.left.has(cell) ? Dominance::left : Dominance::right;
+  return verdict(complex, step.op, dominance, step.left, step.right, step.result, cell);
+}
+
+}  // namespace
+
+Verdict verdict(const Complex& complex, const BooleanStep& step, FaceId f) { return verdict_in(complex, step, f); }
+Verdict verdict(const Complex& complex, const BooleanStep& step, EdgeId e) { return verdict_in(complex, step, e); }
+Verdict verdict(const Complex& complex, const BooleanStep& step, VertexId v) {
+  return verdict_in(complex, step, v);
 }
 
 Topological topological(Operator op) {
@@ -265,13 +326,14 @@ Topological topological(Operator op) {
 }
 
 Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
-                std::span<const Operand> operands, bool validate) {
+                std::span<const Operand> operands, bool validate, const Transform& placement) {
   Outcome outcome;
   switch (node.op) {
     case Operator::unite:
     case Operator::intersect:
     case Operator::subtract:
-      outcome = validate ? validated_boolean(complex, node, operands) : boolean_of(complex, node, operands);
+      outcome = validate ? validated_boolean(complex, node, placement, operands)
+                         : boolean_of(complex, node, placement, operands);
       break;
     case Operator::sum:
     case Operator::product:

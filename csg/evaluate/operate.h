@@ -11,6 +11,7 @@
 #include "csg/operators/boolean.h"
 #include "csg/operators/cnrg.h"
 #include "csg/operators/node_value.h"
+#include "csg/operators/verdict.h"
 #include "csg/tree/tree.h"
 
 namespace cnrg {
@@ -32,9 +33,17 @@ struct Operand {
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes; `material`
 /// is the node's, empty for none. With `validate` each Boolean, complement and CNRG operator is checked against
 /// the identities of csg/SEMANTICS.md#identities; InvariantError names the node and the first violation.
-/// InputError when the operands do not suit the operator: the message names the operator to insert.
+/// InputError when the operands do not suit the operator: the message names the operator to insert. Mixtures that
+/// the node makes itself (`blend`) are placed by `placement`, as its material is.
 Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
-                std::span<const Operand> operands, bool validate);
+                std::span<const Operand> operands, bool validate, const Transform& placement = {});
+
+/// Who decides about the entities of a step.
+enum class StepRule : std::uint8_t {
+  operands,   ///< one dominance for all of them
+  materials,  ///< those of the regions around each (csg/operators/material_levels.h)
+  blend,      ///< nobody: all stay (csg/operators/blend.h)
+};
 
 /// One step of the fold ((a op b) op c) of a Boolean node, before the node's attributes.
 struct BooleanStep {
@@ -42,10 +51,17 @@ struct BooleanStep {
   Dominance dominance;
   const Group &left, &right, &result;
   std::size_t operand;  ///< the place of the right operand
+  StepRule rule;
 };
 
-/// Evaluates a Boolean node as `operate` does and shows every step; of `below` and `above` the one step in which the
-/// solid is cut.
+/// What became of an entity in a step. Where the materials decide, the row is that of the dominance there; a blend
+/// keeps each entity as if its own operand dominated.
+Verdict verdict(const Complex& complex, const BooleanStep& step, FaceId f);
+Verdict verdict(const Complex& complex, const BooleanStep& step, EdgeId e);
+Verdict verdict(const Complex& complex, const BooleanStep& step, VertexId v);
+
+/// Evaluates a Boolean node as `operate` does and shows every step; of `below` and `above` the one step in which
+/// the solid is cut.
 void for_each_step(const Complex& complex, const Node& node, std::span<const Operand> operands,
                    const std::function<void(const BooleanStep&)>& see);
 

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "csg/explain/lives.h"
+#include "csg/materials/sampler.h"
 #include "kernel/base/error.h"
 #include "kernel/complex/interior.h"
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/evaluate/operate.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/origins.h"
 #include "csg/operators/verdict.h"
@@ -50,6 +51,8 @@ struct OperandFacts {
 struct BooleanFacts {
   BooleanOp op = BooleanOp::unite;
   bool dominant = false;  ///< A > B; otherwise A = B. The difference does not ask.
+  StepRule rule = StepRule::operands;
+  std::string level_a, level_b;  ///< where materials decide: the dominance of each there; empty where one is not
   OperandFacts a, b;
   Verdict verdict;
   std::size_t kept_around = 0;  ///< kept faces (edges) that the edge (vertex) bounds; 0 in a kept face's interior

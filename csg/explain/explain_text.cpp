@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "csg/explain/explain.h"
+#include "csg/materials/sampler.h"
 #include "csg/operators/paper_terms.h"
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
@@ -204,12 +205,27 @@ std::string point_set_words(const BooleanFacts& f) {
 }
 
 std::string standing_words(const BooleanFacts& f) {
+  if (f.rule == StepRule::blend) return "blend";
   return f.op == BooleanOp::subtract ? "A - B" : f.dominant ? "A > B" : "A = B";
+}
+
+/// Who decided, where it was not one operand for all cells.
+void add_rule(const BooleanFacts& f, std::vector<Line>& lines) {
+  const bool both = f.a.state.component != 0 && f.b.state.component != 0;
+  if (f.rule == StepRule::blend) {
+    lines.push_back({"blend", f.verdict.entity ? "the walls of both operands stay"
+                              : both           ? "in both: their materials are mixed"
+                                               : "in one of them: its own material"});
+  }
+  if (f.rule != StepRule::materials || !both) return;
+  lines.push_back({"materials", "their dominance here is " + f.level_a + " in A and " + f.level_b +
+                                    " in B: " + (f.dominant ? "A > B" : "A = B")});
 }
 
 void add_boolean(const BooleanFacts& f, int dimension, std::vector<Line>& lines) {
   lines.push_back({"A = " + f.a.name, operand_words(f.a, 'A', dimension)});
   lines.push_back({"B = " + f.b.name, operand_words(f.b, 'B', dimension)});
+  add_rule(f, lines);
   if (!f.verdict.entity) {
     lines.push_back({dimension == 3 ? "3-cell" : "no entity", point_set_words(f)});
     return;

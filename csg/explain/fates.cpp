@@ -50,7 +50,7 @@ void ask_tables(const Complex& complex, const Node& node, const std::vector<Oper
     for (const Group* group : {&step.left, &step.right}) {
       for_each_list(*group, [&](const auto& cells) {
         for (const auto cell : cells) {
-          note(verdict(complex, step.op, step.dominance, step.left, step.right, step.result, cell), marks[cell]);
+          note(verdict(complex, step, cell), marks[cell]);
         }
       });
     }

@@ -7,6 +7,7 @@
 
 #include "csg/evaluate/simplified_value.h"
 #include "csg/operators/component_lists.h"
+#include "csg/operators/material_levels.h"
 #include "csg/operators/paper_terms.h"
 #include "csg/tree/unfold.h"
 #include "kernel/base/error.h"
@@ -148,15 +149,22 @@ std::size_t kept_around(const Complex& complex, const Group& result, const Locat
 }
 
 Verdict verdict_of(const Complex& complex, const BooleanStep& step, const Location& cell) {
-  const auto ask = [&](auto id) {
-    return verdict(complex, step.op, step.dominance, step.left, step.right, step.result, id);
-  };
+  const auto ask = [&](auto id) { return verdict(complex, step, id); };
   switch (cell.dimension) {
     case 0: return ask(cell.vertex);
     case 1: return ask(cell.edge);
     case 2: return ask(cell.face);
     default: return {};
   }
+}
+
+LevelsAt levels_of(const Complex& complex, const BooleanStep& step, const Location& cell) {
+  return with_id(cell, [&](auto id) { return levels_at(complex, step.left, step.right, id); });
+}
+
+/// Of a blend: the operand whose entity it is.
+Dominance owner_of(const BooleanStep& step, const Location& cell) {
+  return has(step.left, cell) ? Dominance::left : has(step.right, cell) ? Dominance::right : Dominance::equal;
 }
 
 CellSet only(const Location& cell) {
@@ -315,12 +323,22 @@ void Lives::add_booleans(const Node& node, InstanceId id, const std::vector<Piec
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       BooleanFacts facts;
       facts.op = s.op;
-      facts.dominant = s.op != BooleanOp::subtract && s.dominance != Dominance::equal;
+      facts.rule = s.rule;
+      const LevelsAt levels = s.rule == StepRule::materials ? levels_of(complex_, s, pieces[p].cell) : LevelsAt();
+      const Dominance dominance = s.rule == StepRule::materials ? levels.dominance()
+                                  : s.rule == StepRule::blend   ? owner_of(s, pieces[p].cell)
+                                                                : s.dominance;
+      facts.dominant = s.op != BooleanOp::subtract && dominance != Dominance::equal;
       facts.a = facts_of(complex_, s.left, pieces[p], left,
                          first && is_closed_complement(*operands[is_side ? 1 : 0].value));
       facts.b = facts_of(complex_, s.right, pieces[p], right,
                          !is_side && is_closed_complement(*operands[s.operand].value));
-      if (s.op != BooleanOp::subtract && s.dominance == Dominance::right) std::swap(facts.a, facts.b);
+      if (levels.left) facts.level_a = to_decimal(*levels.left);
+      if (levels.right) facts.level_b = to_decimal(*levels.right);
+      if (s.op != BooleanOp::subtract && dominance == Dominance::right) {
+        std::swap(facts.a, facts.b);
+        std::swap(facts.level_a, facts.level_b);
+      }
       facts.verdict = verdict_of(complex_, s, pieces[p].cell);
       facts.kept_around = kept_around(complex_, s.result, pieces[p].cell);
       facts.result = state_in(complex_, s.result, pieces[p].cell);

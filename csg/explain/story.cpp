@@ -44,6 +44,11 @@ Json json_of(const BooleanFacts& f, int dimension) {
            {"a", json_of(f.a, dimension)},
            {"b", json_of(f.b, dimension)},
            {"result", json_of(f.result)}};
+  if (f.rule == StepRule::blend) out["rule"] = "blend";
+  if (f.rule == StepRule::materials) {
+    out["rule"] = "materials";
+    out["levels"] = {f.level_a, f.level_b};
+  }
   if (!f.verdict.entity) return out;
   out["relation"] = name(f.verdict.relation);
   out["row"] = f.verdict.row->id;

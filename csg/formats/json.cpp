@@ -3,15 +3,19 @@
 // {
 //   "format": "cnrg result", "version": 1, "node": name, "group": true | false, "dominance": fraction of a group,
 //   "leaves": [{"name"}],
-//   "materials": [{"name", "color"}],
+//   "materials": [{"name", "color", "dominance"}],                   a dominance that is not 0
 //   "grades": [{"material", "placement": {"linear": [row], "offset"},      if a material is graded
 //     "linear": {"from", "to"} or "distance": {"to", "points", "vertices", "segments", "triangles"},
-//     "stops": [{"at", "mixture"}]}],
-//   "components": [{"name", "material", "leaves": [leaf], "grade", "properties", "dominance"}],   component i is
-//   at
-//                                                                                                 [i - 1]
-//   "attributes": [{"name", "material", "grade", "properties"}],     if something is said of cells of dimension <
-//   3 "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted "frame":
+//     "stops": [{"at", "mixture"}],
+//     "nested": [{"material", "linear" or "distance", "stops"}]}],   of graded materials in mixtures, if there are
+//     any
+//       or, in place of the last four, "blend": [{"material", "grade",          a grade before this one in the
+//       list
+//         "boundary": {"points", "vertices", "segments", "triangles"}}]}],          of two
+//   "components": [{"name", "material", "leaves": [leaf], "grade", "properties", "dominance"}],
+//                                                                    component i is at [i - 1]
+//   "attributes": [{"name", "material", "grade", "properties"}],     what is said of cells of dimension < 3, if
+//   any "points": [[x, y, z]],                                           strings `p` or `p/q`, sorted "frame":
 //   [point],                                                points that stand for infinity "vertices": [{"point",
 //   "component", "origin", ...}], "edges": [{"points": [point], "closed", "component", "origin", ...}], "faces":
 //   [{"loops": [[point]], "component", "regions": [front, back], "patch", "triangles", "origin", ...}], "regions":
@@ -46,6 +50,7 @@
 #include <span>
 
 #include "csg/formats/formats.h"
+#include "csg/formats/json_grades.h"
 #include "csg/result/file_numbers.h"
 #include "csg/text/escape.h"
 #include "csg/text/json_text.h"
@@ -90,8 +95,11 @@ class JsonWriter {
       text_ += ",\n\"dominance\": " + line_of(to_string(view_.value->group().dominance));
     }
     leaves();
-    list("materials", view_.materials, [](const auto& m) { return Json{{"name", m.name}, {"color", m.color}}; });
     number_said();
+    for_each_material([&](const RegionMaterial& m) {
+      if (m.has_dominance()) dominances_.emplace(m.name(), m.dominance());
+    });
+    list("materials", view_.materials, [&](const auto& m) { return material(m); });
     add_grades();
     if (view_.value->is_group()) {
       list("components", view_.value->group().regions, [&](const RegionAttributes& a) { return component(a); });
@@ -122,8 +130,9 @@ class JsonWriter {
   std::string text_;
   std::map<LeafId, std::size_t> leaf_number_;
   std::vector<const Attributes*> said_;
-  std::vector<RegionMaterial> grades_;
-  std::vector<std::size_t> patch_;  // by face
+  GradeNumbers grades_;
+  std::map<std::string, Rational> dominances_;  // of materials
+  std::vector<std::size_t> patch_;              // by face
   std::map<std::vector<PatchCorner>, std::size_t> cell_number_;
 
   template <class Range, class Make>
@@ -171,14 +180,19 @@ class JsonWriter {
     list("leaves", leaf_number_, [&](const auto& entry) { return Json{{"name", leaf_name(view_, entry.first)}}; });
   }
 
+  /// The dominance of a material is known where a component or a cell is made of it.
+  Json material(const ResultView::Material& m) const {
+    Json result{{"name", m.name}, {"color", m.color}};
+    if (const auto it = dominances_.find(m.name); it != dominances_.end())
+      result["dominance"] = to_string(it->second);
+    return result;
+  }
+
   /// `leaves`: of a component.
   Json attributes(const Attributes& a, const std::vector<LeafId>* leaves = nullptr) const {
     Json result{{"name", a.name}, {"material", a.material.name()}};
     if (leaves != nullptr) result["leaves"] = leaf_numbers(*leaves);
-    if (a.material.grade() != nullptr) {
-      const auto same = [&](const RegionMaterial& m) { return m == a.material; };
-      result["grade"] = std::find_if(grades_.begin(), grades_.end(), same) - grades_.begin();
-    }
+    if (a.material.grade() != nullptr) result["grade"] = grades_.number(a.material);
     for (const auto& [key, value] : a.properties) {
       Json& property = result["properties"][key];
       if (std::holds_alternative<Rational>(value)) property = {{"number", to_text(value)}};
@@ -208,45 +222,16 @@ class JsonWriter {
                static_cast<std::size_t>(std::find_if(said_.begin(), said_.end(), same) - said_.begin()));
   }
 
-  /// The graded materials of components and cells, each once.
-  void add_grades() {
-    const auto see = [&](const RegionMaterial& material) {
-      if (material.grade() == nullptr) return;
-      if (std::find(grades_.begin(), grades_.end(), material) == grades_.end()) grades_.push_back(material);
-    };
+  template <class See>
+  void for_each_material(See see) const {
     for (const RegionAttributes& a : view_.value->attributes()) see(a.material);
     for (const Attributes* a : said_) see(a->material);
-    if (!grades_.empty()) list("grades", grades_, [&](const RegionMaterial& m) { return grade(m); });
   }
 
-  static Json numbers(const RationalPoint& p) { return {to_string(p[0]), to_string(p[1]), to_string(p[2])}; }
-
-  static Json grade(const RegionMaterial& material) {
-    const auto& [grade, placement] = *material.grade();
-    Json rows = Json::array();
-    for (const auto& row : placement.linear) rows.push_back(numbers(row));
-    Json result{{"material", material.name()},
-                {"placement", {{"linear", rows}, {"offset", numbers(placement.offset)}}}};
-    if (const auto* linear = std::get_if<LinearGrade>(&grade.along)) {
-      result["linear"] = {{"from", numbers(linear->from)}, {"to", numbers(linear->to)}};
-    } else {
-      const auto& distance = std::get<DistanceGrade>(grade.along);
-      Json points = Json::array();
-      for (const RationalPoint& p : distance.target->points) points.push_back(numbers(p));
-      result["distance"] = {{"to", distance.to},
-                            {"points", points},
-                            {"vertices", distance.target->vertices},
-                            {"segments", distance.target->segments},
-                            {"triangles", distance.target->triangles}};
-    }
-    Json stops = Json::array();
-    for (const Grade::Stop& stop : grade.stops) {
-      Json mixture = Json::object();
-      for (const auto& [name, fraction] : stop.mixture) mixture[name] = to_string(fraction);
-      stops.push_back({{"at", to_string(stop.at)}, {"mixture", mixture}});
-    }
-    result["stops"] = stops;
-    return result;
+  /// The graded materials of components and cells, each once.
+  void add_grades() {
+    for_each_material([&](const RegionMaterial& material) { grades_.add(material); });
+    if (!grades_.all().empty()) list("grades", grades_.all(), [&](const auto& m) { return grades_.json(m); });
   }
 
   Json leaf_numbers(const std::vector<LeafId>& leaves) const {

@@ -2,6 +2,7 @@
 #include "csg/imports/read_grades.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "csg/geometry/exact_vectors.h"
@@ -29,9 +30,9 @@ void read_simplices(const Cursor& list, std::size_t points, std::vector<std::arr
   }
 }
 
-DistanceGrade read_distance(const Cursor& distance) {
+SharedTarget read_target(const Cursor& distance) {
   DistanceTarget target;
-  const Cursor points = distance.only({"to", "points", "vertices", "segments", "triangles"}).member("points");
+  const Cursor points = distance.member("points");
   for (std::size_t i = 0; i < points.array().size(); ++i) target.points.push_back(points.at(i).point());
   read_simplices(distance.member("vertices"), target.points.size(), target.vertices);
   read_simplices(distance.member("segments"), target.points.size(), target.segments);
@@ -42,7 +43,7 @@ DistanceGrade read_distance(const Cursor& distance) {
       distance.refuse("a triangle has no area");
     }
   }
-  return {distance.member("to").text(), std::make_shared<const DistanceTarget>(std::move(target))};
+  return std::make_shared<const DistanceTarget>(std::move(target));
 }
 
 Mixture read_mixture(const Cursor& object) {
@@ -58,43 +59,122 @@ Mixture read_mixture(const Cursor& object) {
   return mixture;
 }
 
+using SeeMaterial = std::function<void(const std::string&, const Cursor&)>;
+
+std::variant<LinearGrade, DistanceGrade, BlendGrade> read_along(const Cursor& one) {
+  if (one.has("linear") == one.has("distance")) one.refuse("a grade has `linear` or `distance`");
+  if (one.has("distance")) {
+    const Cursor distance = one.member("distance").only({"to", "points", "vertices", "segments", "triangles"});
+    SharedTarget target = read_target(distance);
+    return DistanceGrade{distance.member("to").text(), std::move(target)};
+  }
+  const LinearGrade linear{one.member("linear").only({"from", "to"}).member("from").point(),
+                           one.member("linear").member("to").point()};
+  if (linear.from == linear.to) one.member("linear").refuse("`from` and `to` are one point");
+  return linear;
+}
+
+Grade read_grade(const Cursor& one, const std::string& own, const SeeMaterial& material) {
+  Grade grade{read_along(one), {}};
+  const Cursor stops = one.member("stops");
+  if (stops.array().size() == 0) stops.refuse("a stop is needed here");
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    const Rational at = stops.at(k).only({"at", "mixture"}).member("at").rational();
+    if (k > 0 && at <= grade.stops.back().at) stops.refuse("stops are ascending");
+    const Cursor mixture = stops.at(k).member("mixture");
+    mixture.each_member([&](const std::string& name, const Cursor& part) {
+      material(name, part);
+      if (name == own) part.refuse("a graded material is made of itself");
+    });
+    grade.stops.push_back({at, read_mixture(mixture)});
+  }
+  return grade;
+}
+
+/// Every nested grade is named by the outer one, or by one that is; and none by itself, nor by those inside of it.
+void check_nested(const PlacedGrade& placed, const Cursor& list) {
+  std::map<std::string, std::size_t> named;  // by those that have not been reached
+  const auto each_in = [&](const Grade& grade, auto see) {
+    for (const Grade::Stop& stop : grade.stops) {
+      for (const auto& part : stop.mixture) {
+        if (placed.nested.contains(part.first)) see(part.first);
+      }
+    }
+  };
+  for (const auto& [name, grade] : placed.nested) each_in(grade, [&](const std::string& n) { ++named[n]; });
+  std::set<std::string> wanted;
+  each_in(placed.grade, [&](const std::string& n) { wanted.insert(n); });
+  std::vector<std::string> free;
+  for (const auto& [name, grade] : placed.nested) {
+    if (!named.contains(name)) free.push_back(name);
+  }
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    if (!wanted.contains(free[i])) list.refuse("no stop names `" + free[i] + "`");
+    each_in(placed.nested.at(free[i]), [&](const std::string& n) {
+      wanted.insert(n);
+      if (--named[n] == 0) free.push_back(n);
+    });
+  }
+  if (free.size() != placed.nested.size()) list.refuse("a graded material is made of itself");
+}
+
+void read_nested(const Cursor& list, const SeeMaterial& material, PlacedGrade& placed) {
+  if (list.array().size() == 0) list.refuse("without nested grades there is no such member");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Cursor one = list.at(i).only({"material", "linear", "distance", "stops"});
+    const Cursor name = one.member("material");
+    material(name.text(), name);
+    if (!placed.nested.empty() && !(placed.nested.rbegin()->first < name.text())) {
+      name.refuse("nested grades are in the order of their names, and each stands once");
+    }
+    placed.nested.emplace(name.text(), read_grade(one, name.text(), material));
+  }
+  check_nested(placed, list);
+}
+
+using Grades = std::vector<std::shared_ptr<const PlacedGrade>>;
+
+BlendGrade::Side read_side(const Cursor& side, const Cursor& list, const Grades& before,
+                           const SeeMaterial& material, const std::function<void(Index)>& inner) {
+  side.only({"material", "grade", "boundary"});
+  const Cursor name = side.member("material");
+  material(name.text(), name);
+  BlendGrade::Side out{RegionMaterial(name.text()), nullptr};
+  if (side.has("grade")) {
+    const Index grade = side.member("grade").number(before.size(), "grade before this one");
+    if (list.at(grade).member("material").text() != name.text()) {
+      side.member("grade").refuse("this grade is of another material");
+    }
+    inner(grade);
+    out.material = RegionMaterial(name.text(), before[grade]);
+  }
+  out.boundary = read_target(side.member("boundary").only({"points", "vertices", "segments", "triangles"}));
+  return out;
+}
+
 }  // namespace
 
-std::vector<std::shared_ptr<const PlacedGrade>> read_grades(
-    const Cursor& root, const std::function<void(const std::string&, const Cursor&)>& material) {
-  std::vector<std::shared_ptr<const PlacedGrade>> grades;
+std::vector<std::shared_ptr<const PlacedGrade>> read_grades(const Cursor& root, const SeeMaterial& material,
+                                                            const std::function<void(Index)>& inner) {
+  Grades grades;
   if (!root.has("grades")) return grades;
   const Cursor list = root.member("grades");
-  std::set<std::string> graded;
   for (std::size_t i = 0; i < list.array().size(); ++i) {
-    const Cursor name = list.at(i).member("material");
+    const Cursor one = list.at(i);
+    const Cursor name = one.member("material");
     material(name.text(), name);
-    graded.insert(name.text());
-  }
-  for (std::size_t i = 0; i < list.array().size(); ++i) {
-    const Cursor one = list.at(i).only({"material", "placement", "linear", "distance", "stops"});
-    if (one.has("linear") == one.has("distance")) one.refuse("a grade has `linear` or `distance`");
     PlacedGrade placed;
     placed.placement = read_placement(one.member("placement"));
-    if (one.has("linear")) {
-      const LinearGrade linear{one.member("linear").only({"from", "to"}).member("from").point(),
-                               one.member("linear").member("to").point()};
-      if (linear.from == linear.to) one.member("linear").refuse("`from` and `to` are one point");
-      placed.grade.along = linear;
+    if (one.has("blend")) {
+      one.only({"material", "placement", "blend"});
+      const Cursor sides = one.member("blend");
+      sides.array_of(2, "two materials blend");
+      placed.grade.along = BlendGrade{read_side(sides.at(0), list, grades, material, inner),
+                                      read_side(sides.at(1), list, grades, material, inner)};
     } else {
-      placed.grade.along = read_distance(one.member("distance"));
-    }
-    const Cursor stops = one.member("stops");
-    if (stops.array().size() == 0) stops.refuse("a stop is needed here");
-    for (std::size_t k = 0; k < stops.size(); ++k) {
-      const Rational at = stops.at(k).only({"at", "mixture"}).member("at").rational();
-      if (k > 0 && at <= placed.grade.stops.back().at) stops.refuse("stops are ascending");
-      const Cursor mixture = stops.at(k).member("mixture");
-      mixture.each_member([&](const std::string& name, const Cursor& part) {
-        material(name, part);
-        if (graded.contains(name)) part.refuse("the material of a stop is not graded itself");
-      });
-      placed.grade.stops.push_back({at, read_mixture(mixture)});
+      one.only({"material", "placement", "linear", "distance", "stops", "nested"});
+      placed.grade = read_grade(one, name.text(), material);
+      if (one.has("nested")) read_nested(one.member("nested"), material, placed);
     }
     grades.push_back(std::make_shared<const PlacedGrade>(std::move(placed)));
   }

@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "csg/imports/json_cursor.h"
-#include "csg/materials/material.h"
+#include "csg/materials/grade.h"
 
 namespace cnrg::result {
 
 /// The entries of `grades` in their order; none where the file has no such member. Throws LeafFileError
-/// for what is wrong in them. `material` is called with each name of one and its place.
+/// for what is wrong in them. `material` is called with each name of one and its place, `inner` with the number of
+/// each entry that a blend is of.
 std::vector<std::shared_ptr<const PlacedGrade>> read_grades(
-    const Cursor& root, const std::function<void(const std::string&, const Cursor&)>& material);
+    const Cursor& root, const std::function<void(const std::string&, const Cursor&)>& material,
+    const std::function<void(Index)>& inner);
 
 }  // namespace cnrg::result

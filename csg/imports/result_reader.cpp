@@ -2,6 +2,7 @@
 // result has, things that are named and do not exist, things that exist and are not named. What the cells are is
 // known only once they are made (result_check.cpp).
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "csg/geometry/exact_vectors.h"
@@ -104,8 +105,8 @@ class Reader {
   Content content_;
   CellTable& table_ = content_.table;
   std::vector<Edge>& edges_ = content_.edges;
-  std::vector<char> frame_;  // by point
-  std::set<std::string> materials_;
+  std::vector<char> frame_;                    // by point
+  std::map<std::string, Rational> materials_;  // with their dominance
   std::vector<std::shared_ptr<const PlacedGrade>> made_grades_;
   Index next_said_ = 0;
   Named points_, leaves_, components_, grades_, said_, cells_, patches_;
@@ -146,10 +147,12 @@ class Reader {
 
   void read_materials() {
     each("materials", [&](const Cursor& m) {
-      m.only({"name", "color"});
+      m.only({"name", "color", "dominance"});
       const std::string name = m.member("name").text(), color = m.member("color").text();
       if (name.empty()) m.refuse("a material has a name");
-      if (!materials_.insert(name).second) m.refuse("two materials have this name");
+      const Rational dominance = m.has("dominance") ? m.member("dominance").rational() : Rational(0);
+      if (m.has("dominance") && dominance == 0) m.member("dominance").refuse("a dominance of 0 is left out");
+      if (!materials_.emplace(name, dominance).second) m.refuse("two materials have this name");
       const bool hex = color.size() == 7 && color[0] == '#' &&
                        color.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
       if (!color.empty() && !hex) m.member("color").refuse("a color is \"#rrggbb\" or empty");
@@ -184,6 +187,7 @@ class Reader {
         of.member("grade").refuse("this grade is of another material, `" + of_grade + "`");
       made = {made.name(), made_grades_[grade]};
     }
+    if (!made.empty()) made.set_dominance(materials_.at(made.name()));
     Attributes out{of.member("name").text(), std::move(made), {}};
     if (!of.has("properties")) return out;
     const Cursor properties = of.member("properties");
@@ -226,9 +230,10 @@ class Reader {
   void read_components() {
     const Rational of_group = dominance(root_, table_.group);
     if (table_.group) table_.dominances.push_back(of_group);
-    made_grades_ =
-        read_grades(root_, [&](const std::string& name, const Cursor& at) { require_material(name, at); });
-    grades_.resize(made_grades_.size());
+    if (root_.has("grades")) grades_.resize(root_.member("grades").array().size());
+    made_grades_ = read_grades(
+        root_, [&](const std::string& name, const Cursor& at) { require_material(name, at); },
+        [&](Index inner) { grades_.name(inner); });
     each("components", [&](const Cursor& c) {
       c.only({"name", "material", "leaves", "dominance", "grade", "properties"});
       content_.components.push_back(attributes(c));

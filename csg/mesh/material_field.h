@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "csg/materials/sampler.h"
 #include "csg/mesh/mesh.h"
 #include "csg/result/cell_tags.h"
 

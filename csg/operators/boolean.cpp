@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "csg/operators/detect_regions.h"
+#include "csg/operators/subgroup.h"
 #include "csg/operators/table_engine.h"
 #include "kernel/base/sorted.h"
 #include "kernel/selection/scratch.h"
@@ -11,43 +12,11 @@
 namespace cnrg {
 namespace {
 
-// Completes `out`, whose faces are some of `g`: takes the edges, vertices and features in their closure, and all
-// origins.
-void keep_walls(const Complex& complex, const Group& g, Group& out) {
-  Marks<EdgeId> edges(complex.edge_count());
-  Marks<VertexId> vertices(complex.points.size());
-  for (FaceId f : out.faces) {
-    for (LoopId l : complex.face_loops[f]) {
-      for (HalfEdge h : complex.loop[l]) {
-        edges[h.edge()] = 1;
-        vertices[complex.origin(h)] = 1;
-      }
-    }
-    for (VertexId v : complex.face_vertices[f]) vertices[v] = 1;
-  }
-  LeafSetMap map(g.origins.sets, out.origins.sets);
-  const auto pick = [&](const auto& from, const auto& from_origins, const auto& marks, auto& to, auto& origins) {
-    for (std::size_t k = 0; k < from.size(); ++k) {
-      if (!marks[from[k]]) continue;
-      to.push_back(from[k]);
-      origins.push_back(map(from_origins[k]));
-    }
-  };
-  pick(g.edges, g.origins.edges, edges, out.edges, out.origins.edges);
-  pick(g.vertices, g.origins.vertices, vertices, out.vertices, out.origins.vertices);
-  std::size_t k = 0;
-  for (FaceId f : out.faces) {
-    while (g.faces[k] != f) ++k;
-    out.origins.faces.push_back(map(g.origins.faces[k]));
-  }
-  const auto still = [](const auto& from, const auto& marks, auto& to) {
-    for (auto id : from) {
-      if (marks[id]) to.push_back(id);
-    }
-  };
-  still(g.features.edges, edges, out.features.edges);
-  still(g.features.vertices, vertices, out.features.vertices);
-  out.dominance = g.dominance;
+// A group of some faces of `g` with all that bounds them; regions are none.
+Group walls_of(const Complex& complex, const Group& g, const std::vector<FaceId>& faces) {
+  WantedEntities wanted(complex);
+  for (const FaceId f : faces) wanted.add(f);
+  return wanted.of(g);
 }
 
 }  // namespace
@@ -68,7 +37,7 @@ BooleanResult boolean_operation(const Complex& complex, BooleanOp op, Dominance 
 }
 
 Group complement(const Complex& complex, const Group& g) {
-  Group out;
+  std::vector<FaceId> walls;
   Marks<RegionId> held(complex.region_count);
   for (const auto& [cell, region] : g.cells) held[cell] = 1;
   std::vector<RegionId> inside;
@@ -77,9 +46,9 @@ Group complement(const Complex& complex, const Group& g) {
   }
   for (FaceId f : g.faces) {
     const auto& [front, back] = complex.face_regions[f];
-    if (held.get(front) != held.get(back)) out.faces.push_back(f);
+    if (held.get(front) != held.get(back)) walls.push_back(f);
   }
-  keep_walls(complex, g, out);
+  Group out = walls_of(complex, g, walls);
   out.cells = detect_regions(complex, inside, out.faces);
   std::vector<LeafId> leaves;
   for (const RegionAttributes& region : g.regions) {
@@ -93,14 +62,14 @@ Group complement(const Complex& complex, const Group& g) {
 }
 
 Group regularize(const Complex& complex, const Group& g) {
-  Group out;
+  std::vector<FaceId> walls;
   Scratch<RegionId, std::uint32_t> region(complex.region_count);
   for (const auto& [cell, number] : g.cells) region[cell] = number;
   for (FaceId f : g.faces) {
     const auto& [front, back] = complex.face_regions[f];
-    if (region.get(front) != region.get(back)) out.faces.push_back(f);
+    if (region.get(front) != region.get(back)) walls.push_back(f);
   }
-  keep_walls(complex, g, out);
+  Group out = walls_of(complex, g, walls);
   out.cells = g.cells;
   out.regions = g.regions;
   return out;

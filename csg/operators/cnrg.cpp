@@ -191,9 +191,13 @@ ComponentAttributes strongest(const Components& x, std::vector<AttributeConflict
   ComponentAttributes out;
   if (x.attributes.empty()) return out;
   out.dominance = largest_dominance(x);
+  std::optional<Rational> level;  // of the materials among the strongest
+  for (const ComponentAttributes& a : x.attributes) {
+    if (a.dominance == out.dominance) level = std::max(level, std::optional(a.material.dominance()));
+  }
   for (std::size_t i = 0; i < x.attributes.size(); ++i) {
     const ComponentAttributes& a = x.attributes[i];
-    if (a.dominance != out.dominance) continue;
+    if (a.dominance != out.dominance || a.material.dominance() != level) continue;
     out.name = joined(out.name, a.name);
     std::vector<Yielded> yielded;
     fill_in(out, a, yielded);

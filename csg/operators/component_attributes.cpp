@@ -36,8 +36,10 @@ std::string joined(const std::string& a, const std::string& b) {
 Dominance dominant(const ComponentAttributes& a, const ComponentAttributes& b,
                    std::optional<Dominance> dominance) {
   if (dominance) return *dominance;
-  if (a.dominance == b.dominance) return Dominance::equal;
-  return a.dominance > b.dominance ? Dominance::left : Dominance::right;
+  const bool tie = a.dominance == b.dominance;  // then materials decide
+  const Rational& of_a = tie ? a.material.dominance() : a.dominance;
+  const Rational& of_b = tie ? b.material.dominance() : b.dominance;
+  return of_a == of_b ? Dominance::equal : of_a > of_b ? Dominance::left : Dominance::right;
 }
 
 Combined combine(const ComponentAttributes& a, const ComponentAttributes& b, std::optional<Dominance> dominance) {

@@ -103,7 +103,10 @@ class Fold {
 
   void put_together(Parts made, PartedGroup& out) {
     out.dominance = operands_[0].dominance;
-    for (const PartedGroup& operand : operands_) out.dominance = std::max(out.dominance, operand.dominance);
+    for (const PartedGroup& operand : operands_) {
+      out.dominance = std::max(out.dominance, operand.dominance);
+      out.ranked = out.ranked || operand.ranked;
+    }
     // The longest list of parts stays where it is; the others are merged into it.
     const auto most = std::max_element(operands_.begin(), operands_.end(), [](const auto& a, const auto& b) {
       return a.parts.size() < b.parts.size();

@@ -222,9 +222,28 @@ const std::vector<std::optional<Rational>>& Part::volumes(const Complex& complex
   return volumes_;
 }
 
+namespace {
+
+/// Some region, sheet, wire or point is of a material with a dominance of its own.
+bool ranked(const Group& group) {
+  for (const RegionAttributes& region : group.regions) {
+    if (region.material.has_dominance()) return true;
+  }
+  const LeafSets& sets = group.origins.sets;
+  if (!sets.says_anything()) return false;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const SaidPointer& said = sets.said(LeafSetId(i));
+    if (said != nullptr && said->attributes.material.has_dominance()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 PartedGroup parted(const Complex& complex, Group group) {
   PartedGroup out;
   out.dominance = group.dominance;
+  out.ranked = ranked(group);
   if (!empty(group)) out.parts.push_back(std::make_shared<const Part>(complex, std::move(group)));
   return out;
 }

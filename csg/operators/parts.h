@@ -98,6 +98,9 @@ struct PartedGroup {
   /// that they cost what is new in a value.
   std::optional<Totals> totals;
   std::vector<PartRef> fresh;
+  /// A material in it may have a dominance of its own, or may have had one: an operator that need not ask does
+  /// not.
+  bool ranked = false;
 };
 
 /// The sums over all parts, kept in the value.
@@ -116,6 +119,7 @@ PartedGroup changed(const Complex& complex, const PartedGroup& value, Change cha
     change(group);
     PartedGroup one = parted(complex, std::move(group));
     out.parts.insert(out.parts.end(), one.parts.begin(), one.parts.end());
+    out.ranked = out.ranked || one.ranked;
   }
   return out;
 }

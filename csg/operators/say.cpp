@@ -20,13 +20,14 @@ class Speaker {
         edges_(complex.edge_count()),
         vertices_(complex.points.size()) {}
 
-  /// `stands(i)`: cell i stands for itself, if it bounds nothing.
-  template <class Faces, class Stands>
-  void faces(const Faces& faces, std::vector<LeafSetId>& origins, Stands stands) {
+  /// `stands(i)`: cell i stands for itself, if it bounds nothing. `inside(i)`: face i is in the interior of a
+  /// component, where some other leaf cuts it, and nothing bounds it.
+  template <class Faces, class Stands, class Inside>
+  void faces(const Faces& faces, std::vector<LeafSetId>& origins, Stands stands, Inside inside) {
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const FaceId f = faces[i];
       const bool said = sets_.said(origins[i]) != nullptr || stands(i);
-      mark(f, said ? kOfSheet : kOfWall);
+      if (said || !inside(i)) mark(f, said ? kOfSheet : kOfWall);
       if (said) origins[i] = with(origins[i], 2);
     }
   }
@@ -42,7 +43,7 @@ class Speaker {
       if (say_of(origins[i], dimension) && dimension == 1) {
         for (const VertexId v : complex_.edge_ends[e]) vertices_[v] |= kOfWire;
       }
-      if (around == 0) {
+      if (around == 0 && stands(i)) {
         for (const VertexId v : complex_.edge_ends[e]) vertices_[v] |= kBounds;
       }
     }
@@ -108,10 +109,14 @@ void say(const Complex& complex, const Attributes& what, Saying saying, Group& g
   for (const auto& [cell, number] : group.cells) region[cell] = number;
   Speaker speaker(complex, what, saying, group.origins.sets);
   const auto always = [](std::size_t) { return true; };
-  speaker.faces(group.faces, group.origins.faces, [&](std::size_t i) {
-    const auto& [front, back] = complex.face_regions[group.faces[i]];
-    return region.get(front) == region.get(back);
-  });
+  const auto never = [](std::size_t) { return false; };
+  speaker.faces(
+      group.faces, group.origins.faces,
+      [&](std::size_t i) {
+        const auto& [front, back] = complex.face_regions[group.faces[i]];
+        return region.get(front) == region.get(back);
+      },
+      never);
   speaker.edges(group.edges, group.origins.edges, always);
   speaker.vertices(group.vertices, group.origins.vertices, always);
 }
@@ -132,10 +137,13 @@ void say(const Complex& complex, const Attributes& what, Saying saying, Componen
   const auto stands_out = [&](const auto& list) {
     return [&](std::size_t i) { return list[i].second != region.get(complex.some_region(list[i].first)); };
   };
-  speaker.faces(ids(s.faces), o.faces, [&](std::size_t i) {
+  const auto alike = [&](std::size_t i, bool stands) {
     const auto& [front, back] = complex.face_regions[s.faces[i].first];
-    return region.get(front) == region.get(back) && region.get(front) != s.faces[i].second;
-  });
+    return region.get(front) == region.get(back) && (region.get(front) != s.faces[i].second) == stands;
+  };
+  speaker.faces(
+      ids(s.faces), o.faces, [&](std::size_t i) { return alike(i, true); },
+      [&](std::size_t i) { return alike(i, false); });
   speaker.edges(ids(s.edges), o.edges, stands_out(s.edges));
   speaker.vertices(ids(s.vertices), o.vertices, stands_out(s.vertices));
 }

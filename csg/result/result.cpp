@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "csg/materials/grade.h"
 #include "csg/result/result_data.h"
 #include "kernel/selection/canonical.h"
 #include "kernel/selection/measure.h"
@@ -65,20 +66,17 @@ void Result::Data::name(ResultNames names) {
   node = std::move(names.result);
   for (std::string& leaf : names.leaves) leaves.push_back({std::move(leaf)});
   for (ResultNames::Material& m : names.materials) materials.push_back({std::move(m.name), std::move(m.color)});
+  std::set<std::string> known;
+  for (const ResultView::Material& m : materials) known.insert(m.name);
   const auto add = [&](const std::string& material) {
-    const auto same = [&](const ResultView::Material& m) { return m.name == material; };
-    if (!material.empty() && std::none_of(materials.begin(), materials.end(), same)) {
-      materials.push_back({material, ""});
-    }
+    if (!material.empty() && known.insert(material).second) materials.push_back({material, ""});
   };
   std::set<const PlacedGrade*> grades;
   for (const Attributes* said : all_said(*value)) {
     const RegionMaterial& material = said->material;
     add(material.name());
     if (material.grade() == nullptr || !grades.insert(material.grade()).second) continue;
-    for (const auto& stop : material.grade()->grade.stops) {
-      for (const auto& part : stop.mixture) add(part.first);
-    }
+    for_each_name(*material.grade(), add);
   }
 }
 

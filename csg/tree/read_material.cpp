@@ -1,8 +1,10 @@
 // A mixture may name a material that the file declares further down. So each mention is noted with its place, and
-// all are checked when every material is known.
+// all are checked when every material is known: that it is declared, and that no material is made of itself.
 #include "csg/tree/read_material.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 
 #include "csg/geometry/exact_vectors.h"
 #include "csg/tree/suggest.h"
@@ -16,13 +18,24 @@ bool is_color(const std::string& text) {
          text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
 }
 
-/// What mixtures are of, with the place of each mention: checked when all materials are known.
-using Mentions = std::vector<std::pair<std::string, Value>>;
+/// A material in the mixture of another one, with the place.
+struct Mention {
+  std::size_t by;  ///< which material of the file
+  std::string name;
+  Value at;
+};
+
+/// What mixtures are of: checked when all materials are known.
+struct Mentions {
+  std::vector<Mention> all{};
+  std::size_t by = 0;  ///< the material that is read
+  void add(const std::string& name, const Value& at) { all.push_back({by, name, at}); }
+};
 
 Mixture read_mixture(const Value& value, const std::string& what, Mentions& mentions) {
   if (!value.is_map()) {
-    mentions.emplace_back(value.text(what), value);
-    return {{mentions.back().first, 1}};
+    mentions.add(value.text(what), value);
+    return {{mentions.all.back().name, 1}};
   }
   Mixture mixture;
   Rational sum = 0;
@@ -30,7 +43,7 @@ Mixture read_mixture(const Value& value, const std::string& what, Mentions& ment
     const Rational fraction = e.value.number("the fraction of `" + e.key + "`");
     if (fraction < 0) e.value.fail("the fraction of `" + e.key + "` is negative; give 0 or more");
     sum += fraction;
-    mentions.emplace_back(e.key, e.value);
+    mentions.add(e.key, e.value);
     if (fraction != 0) mixture.emplace_back(e.key, fraction);
   }
   if (sum != 1) {
@@ -76,20 +89,72 @@ Grade read_distance(const Value& value, const std::string& what, Mentions& menti
   return grade;
 }
 
-void check_mention(const std::vector<Material>& materials, const std::string& name, const Value& value) {
-  std::vector<std::string_view> known;
-  for (const Material& m : materials) {
-    if (m.name == name) {
-      if (m.grade)
-        value.fail("the material `" + name + "` is graded itself; mix materials that are the same all over");
-      return;
+/// The material that each mention names, by its place in the file.
+std::vector<std::size_t> resolve(const std::vector<Material>& materials, const Mentions& mentions) {
+  std::map<std::string, std::size_t, std::less<>> places;
+  for (std::size_t i = 0; i < materials.size(); ++i) places.emplace(materials[i].name, i);
+  std::vector<std::size_t> out;
+  for (const Mention& mention : mentions.all) {
+    const auto it = places.find(mention.name);
+    if (it == places.end()) {
+      std::vector<std::string_view> known;
+      for (const Material& m : materials) known.push_back(m.name);
+      const std::string hint = did_you_mean(mention.name, known);
+      mention.at.fail("the material `" + mention.name + "` is not declared" +
+                      (hint.empty() ? "; add `" + mention.name + ": {}` to `materials`" : hint));
     }
-    if (!m.grade) known.push_back(m.name);
+    out.push_back(it->second);
   }
-  const std::string hint = did_you_mean(name, known);
-  value.fail("the material `" + name + "` is not declared" +
-             (hint.empty() ? "; add `" + name + ": {}` to `materials`" : hint));
+  return out;
 }
+
+/// A walk from material to material along mentions, without recursion: they may nest to any depth.
+class CycleSearch {
+ public:
+  CycleSearch(const std::vector<Material>& materials, const Mentions& mentions)
+      : materials_(materials), mentions_(mentions), named_(resolve(materials, mentions)), of_(materials.size()) {
+    for (std::size_t k = 0; k < mentions.all.size(); ++k) of_[mentions.all[k].by].push_back(k);
+  }
+
+  /// Fails at a mention that closes a cycle.
+  void run() {
+    enum : char { fresh, open, done };
+    std::vector<char> state(materials_.size(), fresh);
+    std::vector<std::size_t> next(materials_.size(), 0), way;
+    for (std::size_t start = 0; start < materials_.size(); ++start) {
+      if (state[start] != fresh) continue;
+      way.push_back(start), state[start] = open;
+      while (!way.empty()) {
+        const std::size_t at = way.back();
+        if (next[at] == of_[at].size()) {
+          state[at] = done, way.pop_back();
+          continue;
+        }
+        const std::size_t mention = of_[at][next[at]++], to = named_[mention];
+        if (state[to] == open) refuse(way, to, mentions_.all[mention].at);
+        if (state[to] == fresh) way.push_back(to), state[to] = open;
+      }
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::vector<std::size_t>& way, std::size_t to, const Value& at) const {
+    constexpr std::size_t kListed = 20;
+    const auto first = std::find(way.begin(), way.end(), to);
+    const auto length = static_cast<std::size_t>(way.end() - first);
+    std::string words;
+    for (std::size_t i = 0; i < std::min(length, kListed); ++i)
+      words += "`" + materials_[first[static_cast<std::ptrdiff_t>(i)]].name + "` -> ";
+    if (length > kListed) words += std::to_string(length - kListed) + " more -> ";
+    at.fail("the material `" + materials_[to].name + "` is made of itself: " + words + "`" + materials_[to].name +
+            "`; remove one of the mentions");
+  }
+
+  const std::vector<Material>& materials_;
+  const Mentions& mentions_;
+  const std::vector<std::size_t> named_;      // by mention
+  std::vector<std::vector<std::size_t>> of_;  // mentions by material
+};
 
 }  // namespace
 
@@ -99,13 +164,16 @@ std::vector<Material> read_materials(const Value& value) {
   Mentions mentions;
   for (const Value::Entry& e : value.entries("`materials`")) {
     Material material{.name = e.key, .at = e.key_at};
+    mentions.by = materials.size();
     if (!e.value.is_empty()) {
       const std::string what = "material `" + e.key + "`";
-      const Fields f(e.value, what, {"color", "linear", "distance"});
+      const Fields f(e.value, what, {"color", "dominance", "linear", "distance"});
       if (const Value* color = f.find("color")) {
         material.color = color->text(f.name("color"));
         if (!is_color(material.color)) color->fail_type(f.name("color"), "a text such as \"#998877\"");
       }
+      if (const Value* dominance = f.find("dominance"))
+        material.dominance = dominance->number(f.name("dominance"));
       const Value *linear = f.find("linear"), *distance = f.find("distance");
       if (linear && distance) {
         distance->fail(what + " is both `linear` and by `distance`; leave one out");
@@ -118,7 +186,7 @@ std::vector<Material> read_materials(const Value& value) {
     }
     materials.push_back(std::move(material));
   }
-  for (const auto& [name, at] : mentions) check_mention(materials, name, at);
+  CycleSearch(materials, mentions).run();
   return materials;
 }
 

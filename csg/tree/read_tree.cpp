@@ -48,8 +48,8 @@ constexpr std::array<OperatorName, 16> kOperators{{
     {"simplify", Operator::simplify},
 }};
 
-constexpr std::array<std::string_view, 9> kAttributes{"material",  "name",   "attributes", "dominance", "each",
-                                                      "translate", "rotate", "scale",      "mirror"};
+constexpr std::array<std::string_view, 10> kAttributes{
+    "material", "name", "attributes", "dominance", "blend", "each", "translate", "rotate", "scale", "mirror"};
 
 template <class Range>
 bool contains(const Range& range, std::string_view name) {
@@ -233,6 +233,7 @@ class TreeReader {
     for (const Value::Entry& e : entries) {
       if (&e != operation && e.key != "within") read_attribute(tree_.nodes[id], e);
     }
+    check_blend(tree_.nodes[id], entries);
   }
 
   /// The second operand of `below` and `above`.
@@ -320,6 +321,8 @@ class TreeReader {
       node.forget_features = read_mode(e.value, "`simplify`");
     } else if (e.key == "dominance") {
       read_dominance(node, e);
+    } else if (e.key == "blend") {
+      read_blend(node, e);
     } else {
       const Transform step = read_transform(e);
       node.transform = node.transform ? step * *node.transform : step;
@@ -361,6 +364,25 @@ class TreeReader {
       node.dominance = e.value.number("`dominance`");
     } else {
       e.value.fail_type("`dominance`", has_sides(node.op) ? "left, right, equal or a number" : "a number");
+    }
+  }
+
+  void read_blend(Node& node, const Value::Entry& e) {
+    if (e.value.text("`blend`") != "linear") e.value.fail_type("`blend`", "linear");
+    if (node.op != Operator::unite) {
+      document_.fail(e.key_at, "`blend` is for union; remove it from `" + node.operator_name + "`");
+    }
+    node.blend = true;
+  }
+
+  /// Where operands blend, none of them dominates.
+  void check_blend(const Node& node, const std::vector<Value::Entry>& entries) const {
+    if (!node.blend || !node.dominant) return;
+    for (const Value::Entry& e : entries) {
+      if (e.key == "dominance") {
+        document_.fail(e.key_at, "`" + node.name + "` blends its operands, so none of them dominates; leave out " +
+                                     "`dominance: " + e.value.raw() + "` or `blend`");
+      }
     }
   }
 
@@ -458,6 +480,27 @@ const Material* Tree::material(const std::string& name) const {
   return it == materials.end() ? nullptr : &*it;
 }
 
+std::vector<const Material*> Tree::graded_in(const std::string& name) const {
+  std::map<std::string_view, const Material*> known;
+  for (const Material& m : materials) {
+    if (m.grade) known.emplace(m.name, &m);
+  }
+  std::vector<const Material*> out;
+  const auto take = [&](std::string_view of) {
+    const auto it = known.find(of);
+    if (it == known.end()) return;
+    out.push_back(it->second);
+    known.erase(it);
+  };
+  take(name);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    for (const Grade::Stop& stop : out[i]->grade->stops) {
+      for (const auto& part : stop.mixture) take(part.first);
+    }
+  }
+  return out;
+}
+
 std::vector<std::string> materials_of(const Node& node) {
   std::vector<std::string> out;
   if (!node.material.empty()) out.push_back(node.material);
@@ -479,10 +522,10 @@ std::vector<Diagnostic> unused_nodes(const Tree& tree, const std::vector<NodeId>
     for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
       if (!used[id.index()]) continue;
       for (const std::string& name : materials_of(tree.nodes[id])) {
-        const Material* material = tree.material(name);
-        const auto* distance =
-            material && material->grade ? std::get_if<DistanceGrade>(&material->grade->along) : nullptr;
-        if (distance && !used[tree.find(distance->to).index()]) all.push_back(tree.find(distance->to));
+        for (const Material* material : tree.graded_in(name)) {
+          const auto* distance = std::get_if<DistanceGrade>(&material->grade->along);
+          if (distance && !used[tree.find(distance->to).index()]) all.push_back(tree.find(distance->to));
+        }
       }
     }
   }

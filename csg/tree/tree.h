@@ -18,6 +18,7 @@
 
 #include "csg/leaves/shapes.h"
 #include "csg/materials/attributes.h"
+#include "csg/materials/grade.h"
 #include "csg/tree/position.h"
 
 namespace cnrg {
@@ -70,15 +71,17 @@ struct Node {
   Properties properties;  ///< the attribute `attributes`
   std::optional<Rational> dominance;
   std::optional<DominantOperand> dominant;
+  bool blend = false;            ///< of a union: what overlaps is a mixture (csg/operators/blend.h)
   bool regularize = false;       ///< the attribute: regularize the node's value
   bool forget_features = false;  ///< `simplify` with mode `points`
   bool each = false;             ///< interior, closure, boundary, regularize: every component by itself
 };
 
 struct Material {
-  std::string name, color{};     ///< color `#rrggbb`; empty: not given
-  std::optional<Grade> grade{};  ///< of one that changes with position
-  Position at{}, to_at{};        ///< of its key; of the node's name in `distance`
+  std::string name, color{};            ///< color `#rrggbb`; empty: not given
+  std::optional<Grade> grade{};         ///< of one that changes with position
+  Position at{}, to_at{};               ///< of its key; of the node's name in `distance`
+  std::optional<Rational> dominance{};  ///< who wins where numbers of nodes are equal; 0 without it
 };
 
 /// What a reader gives: a value, which refers to nothing and may be copied.
@@ -100,6 +103,9 @@ struct Tree {
   std::vector<NodeId> operands(NodeId node) const;
   /// The material of that name, or nullptr.
   const Material* material(const std::string& name) const;
+  /// The graded materials that a material is made of: itself, if it is graded, and those that stops name, at any
+  /// depth, each once.
+  std::vector<const Material*> graded_in(const std::string& name) const;
 };
 
 using InstanceId = Id<struct InstanceTag>;
@@ -107,8 +113,8 @@ using InstanceId = Id<struct InstanceTag>;
 /// A node under one accumulated transform: a node that two users place differently is two instances.
 struct Instance {
   NodeId node;
-  /// All transforms from a root down to the node, its own included. Of leaves and of nodes with a material: others
-  /// have none, since nobody asks, and a product of many transforms is long.
+  /// All transforms from a root down to the node, its own included. Of leaves and of nodes with a material or a
+  /// blend: others have none, since nobody asks, and a product of many transforms is long.
   std::shared_ptr<const Transform> transform;
   std::vector<InstanceId> operands;  ///< in the order of the node's operands
   std::uint32_t number = 1;          ///< from 1 among the instances of the node

@@ -95,7 +95,7 @@ class Walk {
                           tree_.nodes[frame.node].name + "`; share nodes under one transform or use fewer copies");
     }
     const Node& node = tree_.nodes[frame.node];
-    const bool placed = node.op == Operator::leaf || !node.material.empty();
+    const bool placed = node.op == Operator::leaf || !node.material.empty() || node.blend;
     const InstanceId id =
         result_.instances.push_back({frame.node, placed ? places_.transform(frame.place) : nullptr,
                                      std::move(frame.done), ++result_.count[frame.node]});

@@ -304,7 +304,7 @@ TEST_CASE("materials of a mixture are read back, and none that there is not", "[
   };
   REQUIRE(written.find(mixture) != std::string::npos);
   CHECK_THAT(with("brass").err, Contains("/grades/0/stops/0/mixture/brass: `materials` has none of this name"));
-  CHECK_THAT(with("graded").err, Contains("mixture/graded: the material of a stop is not graded itself"));
+  CHECK_THAT(with("graded").err, Contains("mixture/graded: a graded material is made of itself"));
 }
 
 TEST_CASE("files of doubles are snapped where rounding breaks them, or not", "[app][snap]") {

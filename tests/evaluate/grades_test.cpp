@@ -3,6 +3,7 @@
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
+#include "csg/materials/sampler.h"
 #include "csg/operators/node_value.h"
 
 namespace cnrg {

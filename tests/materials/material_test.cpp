@@ -1,12 +1,11 @@
 // Graded materials at points: stops, placements, and distances against a search over all simplices.
-#include "csg/materials/material.h"
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <optional>
 #include <random>
 
 #include "csg/geometry/exact_vectors.h"
+#include "csg/materials/sampler.h"
 #include "kernel/exact/distance.h"
 
 namespace cnrg {

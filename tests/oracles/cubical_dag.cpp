@@ -5,7 +5,7 @@
 
 #include "kernel/selection/simplify.h"
 #include "tests/oracles/cubical_pair.h"
-#include "tests/oracles/dag_reference.h"
+#include "tests/oracles/cubical_values.h"
 #include "tests/oracles/dag_values.h"
 
 namespace cubical {
@@ -14,31 +14,9 @@ namespace {
 using cnrg::Operator;
 using cnrg::Rational;
 using cnrg::RationalPoint;
-using cnrg::properties::CellIncidence;
 using cnrg::properties::DagNode;
 using cnrg::properties::RandomDag;
 using cnrg::scenes::Motion;
-using Labels = CellIncidence::Labels;
-
-/// The cells in the boundary of each cell of the grid, of all dimensions.
-CellIncidence incidence(const Grid& grid) {
-  std::vector<std::vector<std::size_t>> closure(static_cast<std::size_t>(grid.cells()));
-  std::vector<Cell> order(closure.size());
-  for (Cell c = 0; c < grid.cells(); ++c) order[static_cast<std::size_t>(c)] = c;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Cell a, Cell b) { return grid.dimension(a) < grid.dimension(b); });
-  for (const Cell c : order) {
-    auto& own = closure[static_cast<std::size_t>(c)];
-    for (const Cell b : grid.boundary(c)) {
-      const auto& below = closure[static_cast<std::size_t>(b)];
-      own.push_back(static_cast<std::size_t>(b));
-      own.insert(own.end(), below.begin(), below.end());
-    }
-    std::sort(own.begin(), own.end());
-    own.erase(std::unique(own.begin(), own.end()), own.end());
-  }
-  return CellIncidence(std::move(closure));
-}
 
 bool is_group_boolean(Operator op) {
   return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
@@ -67,123 +45,6 @@ void drop_dominance_without_features(RandomDag& dag) {
       node.dominant = cnrg::DominantOperand::equal;
   }
 }
-
-class BruteForce {
- public:
-  BruteForce(const Grid& grid, const RandomDag& dag) : grid_(grid), cells_(incidence(grid)), dag_(dag) {}
-
-  struct Value {
-    bool is_group = false;
-    Group group;              ///< of a group
-    Labels labels;            ///< the component of each cell; the entities of a group are the last
-    bool complement = false;  ///< the complement of a group: `group` is what it stands for
-  };
-
-  /// The values of all nodes, or nothing and the reason why not.
-  std::string run(std::vector<Value>& values) const {
-    for (const DagNode& node : dag_.nodes) {
-      Value value;
-      if (std::string f = apply(node, values, value); !f.empty()) return f;
-      values.push_back(std::move(value));
-    }
-    return {};
-  }
-
- private:
-  Value of_group(Group g) const {
-    Value value;
-    value.is_group = true;
-    value.labels.assign(static_cast<std::size_t>(grid_.cells()), 0);
-    for (Cell c = 0; c < grid_.cells(); ++c) {
-      auto& label = value.labels[static_cast<std::size_t>(c)];
-      if (grid_.dimension(c) < 3 && g.entity[c]) label = static_cast<std::uint32_t>(g.region_count) + 1;
-      else label = static_cast<std::uint32_t>(std::max(0, region_around(grid_, g, c)));
-    }
-    value.group = std::move(g);
-    return value;
-  }
-
-  /// Closed components as a group (csg/SEMANTICS.md#from-one-family-to-the-other).
-  Group group_of_components(const Labels& x) const {
-    Group g;
-    g.inside.assign(static_cast<std::size_t>(grid_.cells()), 0);
-    g.entity = g.inside;
-    std::vector<char> inner(x.size(), 1);  // the whole star is of one component
-    for (Cell c = 0; c < grid_.cells(); ++c)
-      for (const Cell d : grid_.cubes(c)) mark_star(c, d, x, inner);
-    for (Cell c = 0; c < grid_.cells(); ++c) {
-      if (grid_.dimension(c) == 3) g.inside[c] = x[static_cast<std::size_t>(c)] != 0;
-      else g.entity[c] = x[static_cast<std::size_t>(c)] != 0 && !inner[static_cast<std::size_t>(c)];
-    }
-    complete(grid_, g);
-    return g;
-  }
-
-  /// All cells between a cell and a cube of its star.
-  void mark_star(Cell c, Cell cube, const Labels& x, std::vector<char>& inner) const {
-    const auto p = grid_.position(c), q = grid_.position(cube);
-    for (int code = 1; code < 8; ++code) {
-      auto r = p;
-      for (int k = 0; k < 3; ++k)
-        if (code >> k & 1) r[k] = q[k];
-      if (x[static_cast<std::size_t>(grid_.at(r[0], r[1], r[2]))] != x[static_cast<std::size_t>(c)])
-        inner[static_cast<std::size_t>(c)] = 0;
-    }
-  }
-
-  Group operand(const Value& value) const {
-    return value.is_group || value.complement ? value.group : group_of_components(value.labels);
-  }
-
-  std::string apply(const DagNode& node, const std::vector<Value>& values, Value& out) const {
-    if (node.op == Operator::leaf) {
-      out = of_group(group_of(grid_, dag_.leaves[node.leaf]));
-    } else if (is_group_boolean(node.op)) {
-      Group g = operand(values[node.operands[0]]);
-      for (std::size_t k = 1; k < node.operands.size(); ++k) {
-        const Group b = operand(values[node.operands[k]]);
-        const auto dominant = node.dominant.value_or(cnrg::DominantOperand::equal);
-        const Op op = node.op == Operator::unite       ? Op::unite
-                      : node.op == Operator::intersect ? Op::intersect
-                                                       : Op::subtract;
-        const bool swapped = dominant == cnrg::DominantOperand::right && op != Op::subtract;
-        g = boolean_operation(grid_, op, dominant != cnrg::DominantOperand::equal, swapped ? b : g,
-                              swapped ? g : b);
-        if (g.region_count < 0) return "the brute force itself left an invalid group";
-      }
-      out = of_group(std::move(g));
-    } else {
-      const Value& first = values[node.operands[0]];
-      if (node.op == Operator::simplify) {
-        out = first;
-      } else if (first.is_group && !node.each &&
-                 (node.op == Operator::closure || node.op == Operator::regularize)) {
-        out = node.op == Operator::closure ? first : of_group(regularize(grid_, first.group));
-      } else {
-        std::vector<Labels> x;
-        for (const std::size_t i : node.operands) x.push_back(values[i].labels);
-        out.labels = operator_by_definition(cells_, node, x);
-        if (node.op == Operator::complement && first.is_group) {
-          out.complement = true;
-          out.group = complement(grid_, first.group);
-        }
-      }
-    }
-    if (node.regularize) {
-      if (out.is_group) {
-        out = of_group(regularize(grid_, out.group));
-      } else {
-        out.labels = regularized_by_definition(cells_, out.labels);
-        out.complement = false;
-      }
-    }
-    return {};
-  }
-
-  const Grid& grid_;
-  const CellIncidence cells_;
-  const RandomDag& dag_;
-};
 
 template <class IdT>
 cnrg::Component component_of(const std::vector<std::pair<IdT, cnrg::Component>>& list, IdT id) {
@@ -291,8 +152,8 @@ CubicalDag random_cubical_dag(const Grid& grid, std::uint64_t seed, bool moved) 
 }
 
 std::string compare_by_brute_force(const Grid& grid, const CubicalDag& dag) {
-  std::vector<BruteForce::Value> want;
-  if (std::string f = BruteForce(grid, dag.dag).run(want); !f.empty()) return f;
+  std::vector<Value> want;
+  if (std::string f = values_by_brute_force(grid, dag.dag, want); !f.empty()) return f;
   const cnrg::properties::DagValues have = cnrg::properties::evaluate(placed(dag));
   const cnrg::Complex& complex = have.complex();
   const cnrg::Locator locator(complex);

@@ -70,6 +70,49 @@ Standing standing(const DagNode& node, const std::vector<Standing>& below) {
   return node.regularize && value != Standing::group ? Standing::closed : value;
 }
 
+/// `key: value` for what is said and for the number of dominance.
+std::vector<std::string> attribute_fields(const Attributes& said) {
+  std::vector<std::string> out;
+  if (!said.name.empty()) out.push_back("name: \"" + said.name + "\"");
+  if (!said.material.empty()) out.push_back("material: " + said.material.name());
+  std::string properties;
+  for (const auto& [key, value] : said.properties) {
+    const bool text = std::holds_alternative<std::string>(value);
+    properties +=
+        (properties.empty() ? "" : ", ") + key + (text ? ": \"" : ": ") + to_text(value) + (text ? "\"" : "");
+  }
+  if (!properties.empty()) out.push_back("attributes: {" + properties + "}");
+  return out;
+}
+
+std::string text_of_leaf(const DagNode& node, const scenes::Leaf& leaf) {
+  std::string out = "    group:\n" + scenes::group_text(leaf), parts;
+  for (const auto& [number, said] : node.parts) {
+    const bool occurs = std::any_of(leaf.faces.begin(), leaf.faces.end(),
+                                    [&, k = number](const auto& f) { return f.front == k || f.back == k; });
+    std::string fields;
+    for (const std::string& field : attribute_fields(said)) fields += (fields.empty() ? "" : ", ") + field;
+    if (occurs && !fields.empty()) parts += "        " + std::to_string(number) + ": {" + fields + "}\n";
+  }
+  if (!parts.empty()) out += "      regions:\n" + parts;
+  for (const std::string& field : attribute_fields(node.said)) out += "    " + field + "\n";
+  if (node.number) out += "    dominance: " + std::to_string(*node.number) + "\n";
+  return out;
+}
+
+/// The materials that somebody names, declared.
+std::string declared_materials(const RandomDag& dag) {
+  std::map<std::string, bool> names;
+  for (const DagNode& node : dag.nodes) {
+    if (!node.said.material.empty()) names[node.said.material.name()];
+    for (const auto& [number, said] : node.parts)
+      if (!said.material.empty()) names[said.material.name()];
+  }
+  std::string out;
+  for (const auto& [name, unused] : names) out += (out.empty() ? "materials: {" : ", ") + name + ": {}";
+  return out.empty() ? out : out + "}\n";
+}
+
 RationalPoint middle(const RationalPoint& p, const RationalPoint& q) {
   return {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
 }
@@ -318,11 +361,11 @@ std::string name_of(const RandomDag& dag, std::size_t node) {
 
 std::string tree_file(const RandomDag& dag) {
   std::ostringstream out;
-  out << "cnrg: 1\nnodes:\n";
+  out << "cnrg: 1\n" << declared_materials(dag) << "nodes:\n";
   for (std::size_t i = 0; i < dag.nodes.size(); ++i) {
     const DagNode& node = dag.nodes[i];
     if (node.op == Operator::leaf) {
-      out << "  " << name_of(dag, i) << ":\n    group:\n" << scenes::group_text(dag.leaves[node.leaf]);
+      out << "  " << name_of(dag, i) << ":\n" << text_of_leaf(node, dag.leaves[node.leaf]);
       continue;
     }
     out << "  " << name_of(dag, i) << ": {" << name(node.op) << ": ";
@@ -336,6 +379,8 @@ std::string tree_file(const RandomDag& dag) {
       out << "]";
     }
     if (node.dominant) out << ", dominance: " << name(*node.dominant);
+    if (node.number) out << ", dominance: " << *node.number;
+    for (const std::string& field : attribute_fields(node.said)) out << ", " << field;
     if (node.each) out << ", each: true";
     if (node.regularize) out << ", regularize: true";
     out << "}\n";
@@ -428,6 +473,12 @@ std::vector<RandomDag> smaller(const RandomDag& dag) {
     change(node.regularize, [](DagNode& n) { n.regularize = false; });
     change(node.points, [](DagNode& n) { n.points = false; });
     change(node.dominant.has_value(), [](DagNode& n) { n.dominant.reset(); });
+    change(node.number.has_value(), [](DagNode& n) { n.number.reset(); });
+    change(!node.said.name.empty(), [](DagNode& n) { n.said.name.clear(); });
+    change(!node.said.material.empty(), [](DagNode& n) { n.said.material = {}; });
+    for (const auto& [key, value] : node.said.properties)
+      change(true, [k = key](DagNode& n) { n.said.properties.erase(k); });
+    for (const auto& [number, said] : node.parts) change(true, [k = number](DagNode& n) { n.parts.erase(k); });
     // A use of an inner node by a leaf below it.
     for (std::size_t k = 0; k < node.operands.size(); ++k) {
       if (dag.nodes[node.operands[k]].op == Operator::leaf) continue;

@@ -6,10 +6,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "csg/materials/attributes.h"
 #include "csg/tree/tree.h"
 #include "tests/scenes/scene.h"
 
@@ -17,12 +19,15 @@ namespace cnrg::properties {
 
 struct DagNode {
   Operator op = Operator::leaf;
-  std::size_t leaf = 0;                     ///< of a leaf
-  std::vector<std::size_t> operands;        ///< smaller numbers
-  std::optional<DominantOperand> dominant;  ///< of a group Boolean, sum or product
-  bool each = false;                        ///< of a topological operator
-  bool regularize = false;                  ///< the attribute
-  bool points = false;                      ///< mode `points` of `simplify`
+  std::size_t leaf = 0;                       ///< of a leaf
+  std::vector<std::size_t> operands;          ///< smaller numbers
+  std::optional<DominantOperand> dominant;    ///< of a group Boolean, sum or product
+  bool each = false;                          ///< of a topological operator
+  bool regularize = false;                    ///< the attribute
+  bool points = false;                        ///< mode `points` of `simplify`
+  std::optional<int> number;                  ///< `dominance` as a number; not with `dominant`
+  Attributes said;                            ///< name, material and attributes
+  std::map<std::uint32_t, Attributes> parts;  ///< of a leaf: name and material of regions, by number
 };
 
 struct RandomDag {

@@ -32,15 +32,16 @@ constexpr const char* kScene = R"(cnrg: 1
 materials:
   steel: {color: "#667788"}
   ceramic: {}
-  graded: {linear: {from: [0, 0, 0], to: [0, 0, 4], stops: [[0, steel], [1, ceramic]]}}
+  graded: {linear: {from: [0, 0, 0], to: [0, 0, 4], stops: [[0, steel], [1, skin]]}}
   skin: {distance: {to: floor, stops: [[0, steel], [5, ceramic]]}}
 nodes:
   bar: {cylinder: {from: [0, 0, 0], to: [0, 0, 4], radius: 1, segments: 8}, material: graded}
   head: {box: {min: [-2, -2, 4], max: [2, 2, 6]}, material: skin, dominance: 1}
-  floor: {polygon: {outer: [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]], holes: [[[5, 5, 0], [6, 5, 0], [5, 6, 0]]]}}
-  wire: {polyline: [[-9, -9, 0], [-9, -9, 5]]}
-  dot: {points: [[7, 0, 0], [8, 8, 8]]}
-  model: {union: [floor, wire, dot, bar, head]}
+  floor: {polygon: {outer: [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]], holes: [[[5, 5, 0], [6, 5, 0], [5, 6, 0]]]}, name: slab, attributes: {thickness: 1/2, kind: paved}}
+  wire: {polyline: [[-9, -9, 0], [-9, -9, 5]], material: skin}
+  dot: {points: [[7, 0, 0], [8, 8, 8]], material: steel}
+  tip: {box: {min: [0, 0, 5], max: [3, 3, 8]}, material: ceramic}
+  model: {union: [floor, wire, dot, bar, {union: [head, tip], blend: linear}]}
   plane: {plane: {point: [0, 0, 2], normal: [0, 1, 3]}}
   open: {subtract: [{interior: model}, plane]}
   endless: {sum: [plane, {complement: model}]}
@@ -211,12 +212,14 @@ TEST_CASE("csg/FORMATS.md has the columns of rows and the arrays of .vtu", "[pag
   Words arrays;
   const std::string vtu = w.read("t.vtu");
   static const std::regex name("DataArray type=\"[A-Za-z0-9]+\" Name=\"([^\"]+)\"");
-  static const std::regex named("^(region|material|source_leaf) .*|^(patch) .*: .*");
+  static const std::regex named("^(region|material|source_leaf|name) .*|^(patch) .*: .*");
   for (std::sregex_iterator i(vtu.begin(), vtu.end(), name), end; i != end; ++i) {
     const bool patch = i->str(1).starts_with("patch ");
     arrays.insert(std::regex_replace(i->str(1), named, patch ? "$2 LEAF: PATCH" : "$1 NAME"));
   }
   for (const std::string cells : {"Points", "connectivity", "offsets", "types"}) CHECK(arrays.erase(cells) == 1);
+  CHECK(arrays.erase("thickness") + arrays.erase("kind") + arrays.erase("kind paved") == 3);
+  arrays.insert("KEY TEXT");
   CHECK(arrays.erase("fraction of steel") + arrays.erase("fraction of ceramic") == 2);
   arrays.insert("fraction of NAME");
   CHECK(first_words(formats(), "array") == arrays);

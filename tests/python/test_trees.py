@@ -173,6 +173,31 @@ class Expressions(Folder):
             a = cnrg.box([0, 0, 0], [1, 1, 1], material=cnrg.material("rock", "#112233"))
             (a | cnrg.box([2, 2, 2], [3, 3, 3], material=cnrg.material("rock", "#445566"))).evaluate()
 
+    def test_materials_of_materials(self):
+        skin = cnrg.box([0, 0, 0], [4, 4, 4])
+        inner = cnrg.material("inner", distance={"to": skin, "stops": [[0, "ceramic"], [1, cnrg.material("steel", "#112233")]]})
+        outer = cnrg.material(
+            "outer", linear={"from": [0, 0, 0], "to": [0, 0, 4], "stops": [[0, inner], [1, {inner: "1/4", "tin": "3/4"}]]}
+        )
+        a = cnrg.box([0, 0, 0], [4, 4, 4], material=outer)
+        b = cnrg.box([2, 1, 1], [8, 7, 6], material=cnrg.material("hard", dominance="5/2"))
+        for model in a | b, a & b, cnrg.union(a, b, blend="linear"):
+            text = model.to_yaml()
+            self.assertEqual(self.exact_here(model.evaluate()), self.exact(text))
+            self.assertEqual(cnrg.parse(text).to_yaml(), text)
+            self.assertEqual(pickle.loads(pickle.dumps(model)).to_yaml(), text)
+            # A node of a tree that was read brings the materials of its materials along into another tree.
+            taken = (cnrg.parse(text).result - cnrg.box([9, 9, 9], [10, 10, 10])).to_yaml()
+            for part in "inner: {distance: {to:", 'steel: {color: "#112233"}':
+                self.assertIn(part, taken)
+        self.assertIn("dominance: 5/2", text)
+        self.assertIn("#112233", text)
+        self.assertEqual(cnrg.union(a, b, blend="linear").evaluate().components[2].material, "hard & outer")
+        with self.assertRaisesRegex(cnrg.InputError, "`blend` is for union"):
+            cnrg.intersection(a, b, blend="linear")
+        with self.assertRaisesRegex(cnrg.InputError, "none of them dominates"):
+            cnrg.union(a, b, blend="linear", dominance="left")
+
     def test_a_node_does_not_change(self):
         box = cnrg.box([0, 0, 0], [1, 1, 1])
         with self.assertRaises(AttributeError):

@@ -293,7 +293,7 @@ TEST_CASE("faults of graded materials", "[tree]") {
   material(line + "[[0, s]]}", 49, {"two or more stops"});
   material(line + "[[1, s], [1, s]]}", 59, {"does not come after the one at 1", "ascending"});
   material(line + "[[0, s], [1, t]]}", 62, {"`t` is not declared"});
-  material(line + "[[0, s], [1, m]]}", 62, {"`m` is graded itself"});
+  material(line + "[[0, s], [1, m]]}", 62, {"the material `m` is made of itself: `m` -> `m`"});
   material(line + "[[0, s], [1, {s: 1/2}]]}", 62, {"add up to 1/2", "add up to 1,"});
   material(line + "[[0, s], [1, {s: -1}]]}", 66, {"fraction of `s` is negative"});
   material(line + "[[0, s], 1]}", 58, {"[NUMBER, MATERIAL]"});

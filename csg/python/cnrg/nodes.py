@@ -130,13 +130,14 @@ def fault(message: str) -> InputError:
 class Material:
     """A material, constant or graded; `material` makes one. Two of one name in one tree must say the same."""
 
-    __slots__ = ("name", "data", "to", "site")
+    __slots__ = ("name", "data", "to", "site", "mixed")
 
-    def __init__(self, name: str, data: dict[str, Any], to: Node | None, site: Site):
+    def __init__(self, name: str, data: dict[str, Any], to: Node | None, site: Site, mixed: Iterable[Material] = ()):
         self.name = name
         self.data = data  # without the node in `distance`, which is `to`
         self.to = to
         self.site = site
+        self.mixed = tuple(mixed)  # the materials that stops name as such, not by a text
 
     def __repr__(self) -> str:
         return f"cnrg.material({self.name!r})"
@@ -148,29 +149,45 @@ def material(
     *,
     linear: Mapping[str, Any] | None = None,
     distance: Mapping[str, Any] | None = None,
+    dominance: Number | None = None,
 ) -> Material:
     """A material of regions.
 
     color: "#rrggbb", for pictures and files.
     linear: {"from": point, "to": point, "stops": [[0, "a"], [1, {"a": "1/2", "b": "1/2"}]]}: graded along a line.
     distance: {"to": node, "stops": [...]}: graded by the distance to the faces, wires and points of a node.
+    dominance: who wins where two materials meet and the numbers of the operands are equal; 0 without it.
+    In stops a material is a name or another `material(...)`, which may be graded itself.
     """
     if not isinstance(name, str):
         raise TypeError(f"material: a name is wanted, not {type(name).__name__}")
     data: dict[str, Any] = {}
     to = None
+    mixed: list[Material] = []
+
+    def named(item: Any) -> Any:
+        """Materials in stops by their names."""
+        if isinstance(item, Material):
+            mixed.append(item)
+            return item.name
+        if isinstance(item, Mapping):
+            return {named(key): named(part) for key, part in item.items()}
+        return [named(part) for part in item] if isinstance(item, (list, tuple)) else item
+
     if color is not None:
         data["color"] = data_of(color)
+    if dominance is not None:
+        data["dominance"] = exact(dominance)
     if linear is not None:
-        data["linear"] = data_of(linear)
+        data["linear"] = data_of(named(linear))
     if distance is not None:
         if not isinstance(distance, Mapping) or not isinstance(distance.get("to"), Node):
             raise TypeError('material: distance is a map {"to": node, "stops": [...]}')
         to = distance["to"]
-        data["distance"] = data_of({key: item for key, item in distance.items() if key != "to"})
+        data["distance"] = data_of(named({key: item for key, item in distance.items() if key != "to"}))
     from .tree import check_material
 
-    made = Material(name, data, to, site_of_caller())
+    made = Material(name, data, to, site_of_caller(), mixed)
     check_material(made)
     return made
 
@@ -374,7 +391,7 @@ def _again(operator: str, operands: Any, value: Any, attributes: Any, key: Any, 
 
 _TRANSFORMS = ("translate", "rotate", "scale", "mirror")
 _FILES = ("mesh", "heightfield", "step", "brep", "cnrg")  # leaves that may read one
-_ATTRIBUTES = ("material", "name", "dominance", "regularize", "simplify", "each") + _TRANSFORMS
+_ATTRIBUTES = ("material", "name", "dominance", "blend", "regularize", "simplify", "each") + _TRANSFORMS
 
 
 def _each(each: bool) -> tuple[tuple[str, Any], ...]:
@@ -392,7 +409,7 @@ def _attributes(given: Mapping[str, Any]) -> list[tuple[str, Any]]:
         if name == "material":
             if not isinstance(value, Material):
                 value = material(value)
-        elif name in ("name", "simplify"):
+        elif name in ("name", "simplify", "blend"):
             if not isinstance(value, str):
                 raise TypeError(f"{name}: a text is wanted, not {type(value).__name__}")
             value = data_of(value)
@@ -466,10 +483,14 @@ def checked(node: Node) -> Node:
     return node
 
 
-def union(*nodes: Node, dominance: Number | str | None = None, **attributes: Any) -> Node:
+def union(
+    *nodes: Node, dominance: Number | str | None = None, blend: str | None = None, **attributes: Any
+) -> Node:
     """The union of groups, from left to right. dominance: "left", "right" or "equal" says which operand dominates; a
-    number is that of the value; without it the operand with the larger number dominates."""
-    return made("union", _operands("union", nodes), attributes=_attributes({"dominance": dominance, **attributes}))
+    number is that of the value; without it the operand with the larger number dominates. blend: "linear" mixes the
+    materials of regions that overlap."""
+    given = _attributes({"dominance": dominance, "blend": blend, **attributes})
+    return made("union", _operands("union", nodes), attributes=given)
 
 
 def intersection(*nodes: Node, dominance: Number | str | None = None, **attributes: Any) -> Node:

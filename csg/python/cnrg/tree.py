@@ -45,6 +45,19 @@ def _own_material(node: Node) -> Material | None:
     return next((value for name, value in node.attributes if name == "material"), None)
 
 
+def _own_materials(node: Node) -> list[Material]:
+    """The node's own material and those in its stops, at any depth, each once."""
+    own = _own_material(node)
+    listed = [] if own is None else [own]
+    seen = {id(m) for m in listed}
+    for m in listed:
+        for inner in m.mixed:
+            if id(inner) not in seen:
+                seen.add(id(inner))
+                listed.append(inner)
+    return listed
+
+
 def _operator_value(node: Node, operand: Callable[[Node], Any], path: Callable[[str], str]) -> Iterator[Any]:
     """The value of the operator's key in pieces: texts, and what `operand` makes of operands."""
     if isinstance(node.value, MeshArrays):
@@ -148,17 +161,15 @@ class _Text:
                 elif id(node) not in seen:
                     seen.add(id(node))
                     stack.append((node, True))
-                    own = _own_material(node)
-                    if own is not None and own.to is not None:
-                        stack.append((own.to, False))
+                    stack.extend((own.to, False) for own in _own_materials(node) if own.to is not None)
                     stack.extend((below, False) for below in reversed(node.operands))
         place = {id(node): i for i, node in enumerate(order)}
         known = [node for node in listed if id(node) in place]
         self._inline = {id(node) for node in listed if node.is_inline and all(node is not root for root in roots)}
         for node in listed:  # what a distance is measured to needs a name
-            own = _own_material(node)
-            if own is not None and own.to is not None:
-                self._inline.discard(id(own.to))
+            for own in _own_materials(node):
+                if own.to is not None:
+                    self._inline.discard(id(own.to))
         return sorted(known, key=lambda node: place[id(node)]) + [n for n in listed if id(n) not in place]
 
     def _named(self) -> dict[int, str]:
@@ -198,8 +209,7 @@ class _Text:
         for m in given:
             declare(m)
         for node in self.nodes:
-            own = _own_material(node)
-            for m in ([own] if own else []) + [Material(name, {}, None, node.site) for name in _of_regions(node)]:
+            for m in _own_materials(node) + [Material(name, {}, None, node.site) for name in _of_regions(node)]:
                 declare(m)
         for m in list(declared.values()):
             for name in _mixed(m.data):
@@ -503,6 +513,7 @@ def _as_expressions(tree: Any, file: str) -> Tree:
     for m in materials.values():
         if m.to is not None:
             m.to = nodes[m.to]  # type: ignore[call-overload]
+        m.mixed = tuple(materials[name] for name in _mixed(m.data))
     ordered = [materials[name] for name in graded]
     known: dict[str, Node] = {}
     for r, n in zip(records, nodes):  # inline ones come last, and give way

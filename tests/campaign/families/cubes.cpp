@@ -2,6 +2,7 @@
 #include "tests/campaign/families/families.h"
 #include "tests/oracles/cubical_dag.h"
 #include "tests/oracles/cubical_pair.h"
+#include "tests/oracles/cubical_said.h"
 
 namespace cnrg::campaign {
 namespace {
@@ -76,6 +77,24 @@ void add_cubes(Families& families) {
   };
   dags("cube-trees", "brute force on cubes: every operator", 1.5, 80'000'000, false);
   dags("cube-trees-mapped", "brute force on cubes: every operator, mapped", 0.7, 90'000'000, true);
+
+  Recipe<GridDag> said;
+  said.name = "said-trees";
+  said.oracle = "brute force on cubes: what is said of each cell";
+  said.share = 1;
+  said.make = [](std::uint64_t seed) {
+    const bool large = seed % 8 == 0;
+    return GridDag{large, cubical::random_said_dag(grid(large), seed + 100'000'000, seed % 5 == 0)};
+  };
+  said.compare = [](const GridDag& d) { return cubical::compare_said(grid(d.large), d.dag); };
+  said.smaller = [](const GridDag& d) {
+    std::vector<GridDag> out;
+    for (cubical::CubicalDag& less : cubical::smaller(grid(d.large), d.dag))
+      out.push_back({d.large, std::move(less)});
+    return out;
+  };
+  said.text = [](const GridDag& d) { return cubical::tree_file(d.dag); };
+  add(families, said);
 }
 
 }  // namespace cnrg::campaign

@@ -1,0 +1,25 @@
+// Graded materials as members of a .json (the format is that of json.cpp).
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "csg/materials/grade.h"
+
+namespace cnrg {
+
+/// The graded materials of a result, each once; those that a blend is of come before it.
+class GradeNumbers {
+ public:
+  /// Materials that are not graded are passed over.
+  void add(const RegionMaterial& material);
+  std::size_t number(const RegionMaterial& material) const;
+  const std::vector<RegionMaterial>& all() const { return grades_; }
+  /// The entry of one of `all` in the list `grades`.
+  nlohmann::ordered_json json(const RegionMaterial& material) const;
+
+ private:
+  std::vector<RegionMaterial> grades_;
+};
+
+}  // namespace cnrg

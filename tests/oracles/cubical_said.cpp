@@ -1,0 +1,698 @@
+#include "tests/oracles/cubical_said.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "kernel/complex/complex.h"
+#include "tests/oracles/cubical_pair.h"
+#include "tests/oracles/cubical_values.h"
+#include "tests/oracles/dag_values.h"
+
+namespace cubical {
+namespace {
+
+using cnrg::Attributes;
+using cnrg::DominantOperand;
+using cnrg::Operator;
+using cnrg::Rational;
+using cnrg::properties::DagNode;
+using cnrg::properties::RandomDag;
+
+/// What is said of a cell, and the dimension of the sheet, wire or point that it is said of.
+struct Thing {
+  Attributes attributes;
+  int dimension = 2;
+  bool known = true;  ///< false: the page does not say what
+};
+using Said = std::vector<std::optional<Thing>>;  // by cell of the grid; nothing: no sheet, wire or point
+
+using Warning = std::tuple<std::string, std::string, std::string>;  // key, kept, other
+
+struct Saying {
+  Said said;
+  Said stands_for;                                 ///< of the complement of a group: of the group of its closure
+  std::vector<std::optional<Attributes>> regions;  ///< of a group, by region - 1; nothing: not known here
+  std::set<Warning> warnings;
+  bool warnings_known = true;
+};
+
+std::string text(const Attributes& a) {
+  std::string out = "[" + a.name + "|" + a.material.name();
+  for (const auto& [key, value] : a.properties) out += "|" + key + "=" + cnrg::to_text(value);
+  return out + "]";
+}
+
+/// What `stronger` says replaces what is there, properties key by key.
+void say(Attributes& a, const Attributes& stronger) {
+  if (!stronger.name.empty()) a.name = stronger.name;
+  if (!stronger.material.empty()) a.material = stronger.material;
+  for (const auto& [key, value] : stronger.properties) a.properties[key] = value;
+}
+
+/// What `kept` does not say is taken from `other`; what both say differently is noted.
+void take(Attributes& kept, const Attributes& other, std::set<Warning>* warnings) {
+  if (kept.name.empty()) kept.name = other.name;
+  if (kept.material.empty()) kept.material = other.material;
+  else if (!other.material.empty() && kept.material.name() != other.material.name() && warnings != nullptr)
+    warnings->insert({"", kept.material.name(), other.material.name()});
+  for (const auto& [key, value] : other.properties) {
+    const auto [it, fresh] = kept.properties.emplace(key, value);
+    if (!fresh && it->second != value && warnings != nullptr)
+      warnings->insert({key, cnrg::to_text(it->second), cnrg::to_text(value)});
+  }
+}
+
+bool is_group_boolean(Operator op) {
+  return op == Operator::unite || op == Operator::intersect || op == Operator::subtract;
+}
+
+class Sayings {
+ public:
+  Sayings(const Grid& grid, const RandomDag& dag, const std::vector<Value>& values)
+      : grid_(grid), dag_(dag), values_(values) {}
+
+  std::vector<Saying> run() {
+    for (std::size_t i = 0; i < dag_.nodes.size(); ++i) out_.push_back(of_node(i));
+    return out_;
+  }
+
+ private:
+  static bool is_region(const Group& g, Cell c) { return g.region[static_cast<std::size_t>(c)] > 0; }
+  bool is_active(const Value& v, Cell c) const { return v.labels[static_cast<std::size_t>(c)] != 0; }
+
+  /// Adds a sheet, wire or point to all cells in the closure of a cell. The thing of lower dimension counts.
+  void put(Said& said, Cell c, const Thing& thing) const {
+    auto& at = said[static_cast<std::size_t>(c)];
+    if (!at || at->dimension > thing.dimension) at = thing;
+    for (const Cell b : grid_.boundary(c)) put(said, b, thing);
+  }
+
+  /// What was the border of a sheet and is all that is left is a wire now.
+  static void lower(std::optional<Thing>& at, const std::optional<Thing>& fresh) {
+    if (!fresh) return;
+    if (!at) at = fresh;
+    at->dimension = std::min(at->dimension, fresh->dimension);
+  }
+
+  /// Sheets, wires and points of a group.
+  void put_all(const Group& g, Said& said) const {
+    Said fresh(said.size());
+    for (Cell c = 0; c < grid_.cells(); ++c) {
+      if (grid_.dimension(c) == 3 || !g.entity[c]) continue;
+      const auto& up = grid_.around(c);
+      if (grid_.dimension(c) == 2 ? g.region[up[0]] == g.region[up.back()]
+                                  : std::none_of(up.begin(), up.end(), [&](Cell d) { return g.entity[d] != 0; }))
+        put(fresh, c, {{}, grid_.dimension(c)});
+    }
+    for (std::size_t i = 0; i < said.size(); ++i) lower(said[i], fresh[i]);
+  }
+
+  /// All cells that have the cell in their boundary are of one component, or of none.
+  bool even_around(const Value& v, Cell c) const {
+    const auto label = v.labels[static_cast<std::size_t>(grid_.cubes(c)[0])];
+    std::vector<Cell> up{c};
+    for (int d = grid_.dimension(c); d < 3; ++d) {
+      std::vector<Cell> higher;
+      for (const Cell x : up) higher.insert(higher.end(), grid_.around(x).begin(), grid_.around(x).end());
+      for (const Cell y : higher)
+        if (v.labels[static_cast<std::size_t>(y)] != label) return false;
+      up = std::move(higher);
+    }
+    return v.labels[static_cast<std::size_t>(c)] != label;
+  }
+
+  /// An edge or vertex between 3-cells of several components, of the walls of which nothing is left: whether it
+  /// stands for itself the page does not say.
+  bool hangs_between(const Value& v, Cell c) const {
+    const auto& cubes = grid_.cubes(c);
+    const auto label = [&](Cell d) { return v.labels[static_cast<std::size_t>(d)]; };
+    const auto& up = grid_.around(c);
+    return std::any_of(cubes.begin(), cubes.end(), [&](Cell d) { return label(d) != label(cubes[0]); }) &&
+           std::all_of(up.begin(), up.end(), [&](Cell d) { return label(d) == 0; });
+  }
+
+  /// The same of components: what has one component, or none, all around and is of another one itself.
+  void put_all(const Value& v, Said& said) const {
+    if (v.is_group) {
+      put_all(v.group, said);
+      return;
+    }
+    Said fresh(said.size());
+    for (Cell c = 0; c < grid_.cells(); ++c) {
+      if (grid_.dimension(c) == 3 || !is_active(v, c)) continue;
+      if (even_around(v, c)) {
+        put(fresh, c, {{}, grid_.dimension(c)});
+      } else if (grid_.dimension(c) < 2 && hangs_between(v, c)) {
+        put(fresh, c, {{}, grid_.dimension(c), false});
+      }
+    }
+    for (std::size_t i = 0; i < said.size(); ++i)
+      if (is_active(v, static_cast<Cell>(i))) lower(said[i], fresh[i]);
+  }
+
+  /// What operand `k` of a node says, as a group.
+  Saying as_group(std::size_t node, const Group& g) const {
+    const Value& v = values_[node];
+    Saying s = out_[node];
+    if (v.complement) s.said = s.stands_for;
+    for (Cell c = 0; c < grid_.cells(); ++c)
+      if (grid_.dimension(c) == 3 || !g.entity[c]) s.said[static_cast<std::size_t>(c)].reset();
+    if (!v.is_group) s.regions.assign(static_cast<std::size_t>(g.region_count), std::nullopt);
+    return s;
+  }
+
+  /// Of a cell that two operands have.
+  std::optional<Thing> merged(const std::optional<Thing>& left, const std::optional<Thing>& right,
+                              DominantOperand dominant, Cell c, std::set<Warning>* warnings) const {
+    if (!left || !right) return left ? left : right;
+    if (!left->known || !right->known) return left->known ? right : left;
+    if (left->dimension != right->dimension) return left->dimension < right->dimension ? left : right;
+    if (dominant != DominantOperand::equal) return dominant == DominantOperand::left ? left : right;
+    Thing out = *left;
+    take(out.attributes, right->attributes, left->dimension == grid_.dimension(c) ? warnings : nullptr);
+    return out;
+  }
+
+  Saying step(const Saying& a, const Group& ga, const Saying& b, const Group& gb, const Step& how,
+              const Group& last) const {
+    Saying out;
+    out.warnings = a.warnings;
+    out.warnings_known = a.warnings_known;
+    out.said.resize(a.said.size());
+    for (Cell c = 0; c < grid_.cells(); ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      if (grid_.dimension(c) == 3 || !how.result.entity[i]) continue;
+      const bool in_a = ga.entity[i] != 0, in_b = gb.entity[i] != 0;
+      if (in_a && in_b && how.op != Op::subtract)
+        // Cells that go in a later step are not told.
+        out.said[i] = merged(a.said[i], b.said[i], how.dominant, c, last.entity[i] != 0 ? &out.warnings : nullptr);
+      else out.said[i] = in_a ? a.said[i] : b.said[i];
+    }
+    out.regions.resize(static_cast<std::size_t>(how.result.region_count));
+    for (int r = 1; r <= how.result.region_count; ++r)
+      out.regions[static_cast<std::size_t>(r - 1)] = region(a, ga, b, gb, how, r, out);
+    return out;
+  }
+
+  std::optional<Attributes> region(const Saying& a, const Group& ga, const Saying& b, const Group& gb,
+                                   const Step& how, int r, Saying& out) const {
+    std::set<int> of_a, of_b;
+    for (Cell c = 0; c < grid_.cells(); ++c) {
+      if (grid_.dimension(c) != 3 || how.result.region[static_cast<std::size_t>(c)] != r) continue;
+      if (is_region(ga, c)) of_a.insert(ga.region[static_cast<std::size_t>(c)]);
+      if (is_region(gb, c) && how.op != Op::subtract) of_b.insert(gb.region[static_cast<std::size_t>(c)]);
+    }
+    // One of several regions of one operand counts; the page does not say which.
+    const auto one = [&](const std::set<int>& numbers, const Saying& s) -> std::optional<Attributes> {
+      std::optional<Attributes> first;
+      for (const int k : numbers) {
+        const auto& next = s.regions[static_cast<std::size_t>(k - 1)];
+        if (!next || (first && !(*first == *next))) return std::nullopt;
+        first = next;
+      }
+      return first;
+    };
+    const auto left = one(of_a, a), right = one(of_b, b);
+    if (how.dominant == DominantOperand::left && !of_a.empty()) return left;
+    if (how.op == Op::subtract) return left;
+    if (how.dominant == DominantOperand::right && !of_b.empty()) return right;
+    if (of_a.empty()) return right;
+    if (of_b.empty()) return left;
+    if (!left || !right) {
+      out.warnings_known = false;
+      return std::nullopt;
+    }
+    Attributes both = *left;
+    take(both, *right, &out.warnings);
+    return both;
+  }
+
+  Saying of_node(std::size_t i) {
+    const DagNode& node = dag_.nodes[i];
+    const Value& value = values_[i];
+    Saying s;
+    s.said.resize(static_cast<std::size_t>(grid_.cells()));
+    if (node.op == Operator::leaf) {
+      s.regions.resize(static_cast<std::size_t>(value.group.region_count));
+      put_all(value.group, s.said);
+      for (auto& at : s.said)
+        if (at) say(at->attributes, node.said);
+      for (std::size_t r = 0; r < s.regions.size(); ++r) {
+        // For what has none of its own; names of several regions are numbered.
+        s.regions[r] = node.said;
+        auto& name = s.regions[r]->name;
+        if (name.empty()) name = cnrg::properties::name_of(dag_, i);
+        if (s.regions.size() > 1) name += "." + std::to_string(r + 1);
+        const auto own = node.parts.find(static_cast<std::uint32_t>(r + 1));
+        if (own != node.parts.end()) say(*s.regions[r], own->second);
+      }
+      return s;
+    }
+    if (is_group_boolean(node.op)) {
+      Saying a = as_group(node.operands[0], value.operands[0]);
+      a.warnings.clear();
+      a.warnings_known = true;
+      for (std::size_t k = 0; k < value.steps.size(); ++k) {
+        const Group& ga = k == 0 ? value.operands[0] : value.steps[k - 1].result;
+        const Saying b = as_group(node.operands[k + 1], value.operands[k + 1]);
+        a = step(a, ga, b, value.operands[k + 1], value.steps[k], value.steps.back().result);
+      }
+      // Equal values of operands of a fold may be met in other steps than these.
+      if (value.steps.size() > 1) a.warnings_known = false;
+      s = std::move(a);
+      if (node.regularize) s = kept(s, value);
+    } else {
+      s = of_components(node, value);
+    }
+    if (!node.said.empty()) {
+      put_all(value, s.said);
+      if (value.complement) {
+        for (Cell c = 0; c < grid_.cells(); ++c)
+          if (grid_.dimension(c) == 3 || !value.group.entity[c]) s.stands_for[static_cast<std::size_t>(c)].reset();
+        put_all(value.group, s.stands_for);
+        for (auto& at : s.stands_for)
+          if (at) say(at->attributes, node.said);
+      }
+      for (auto& at : s.said)
+        if (at) say(at->attributes, node.said);
+      for (auto& region : s.regions)
+        if (region) say(*region, node.said);
+    }
+    return s;
+  }
+
+  /// What a value keeps of what is said: that of its active cells. Regions of a group that it has as they were.
+  Saying kept(Saying s, const Value& value) const {
+    for (Cell c = 0; c < grid_.cells(); ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      if (grid_.dimension(c) == 3 || !(value.is_group ? value.group.entity[i] != 0 : is_active(value, c)))
+        s.said[i].reset();
+    }
+    s.regions.assign(value.is_group ? static_cast<std::size_t>(value.group.region_count) : 0, std::nullopt);
+    s.warnings_known = false;
+    return s;
+  }
+
+  /// Where `closure` and its like add cells to what was a sheet or wire, these are in the closure of it; of which,
+  /// where there are several, the page does not say.
+  void add_closure(const Value& value, const DagNode& node, Said& said) const {
+    const Said before = said;
+    const auto fresh = [&](Cell c) {
+      const auto i = static_cast<std::size_t>(c);
+      if (!value.first_labels.empty() && value.first_labels[i] == 0) return true;
+      return std::none_of(node.operands.begin(), node.operands.end(),
+                          [&](std::size_t k) { return values_[k].labels[i] != 0; });
+    };
+    const auto visit = [&](const auto& self, Cell above, Cell c) -> void {
+      for (const Cell b : grid_.boundary(c)) {
+        const auto i = static_cast<std::size_t>(b);
+        if (is_active(value, b) && fresh(b)) said[i] = Thing{{}, grid_.dimension(above), false};
+        self(self, above, b);
+      }
+    };
+    for (Cell c = 0; c < grid_.cells(); ++c)
+      if (grid_.dimension(c) < 3 && before[static_cast<std::size_t>(c)]) visit(visit, c, c);
+  }
+
+  Saying of_components(const DagNode& node, const Value& value) const {
+    const bool dominant_given = node.dominant && *node.dominant != DominantOperand::equal;
+    Saying s = out_[node.operands[0]];
+    const std::size_t count = node.op == Operator::cnrg_subtract ? 1 : node.operands.size();
+    for (std::size_t k = 1; k < count; ++k) {
+      const Saying& b = out_[node.operands[k]];
+      for (Cell c = 0; c < grid_.cells(); ++c) {
+        const auto i = static_cast<std::size_t>(c);
+        s.said[i] =
+            merged(s.said[i], b.said[i], dominant_given ? *node.dominant : DominantOperand::equal, c, nullptr);
+      }
+    }
+    // What an operator takes off and `regularize` puts back has lost what was said of it.
+    for (std::size_t i = 0; i < value.first_labels.size(); ++i)
+      if (value.first_labels[i] == 0) s.said[i].reset();
+    add_closure(value, node, s.said);
+    // `simplify` hands on what a complement stands for.
+    if (value.complement)
+      s.stands_for =
+          node.op == Operator::complement ? out_[node.operands[0]].said : out_[node.operands[0]].stands_for;
+    const bool same = value.is_group && node.op == Operator::simplify && !node.regularize;
+    const auto regions = s.regions;
+    s = kept(std::move(s), value);
+    if (same) s.regions = regions;
+    return s;
+  }
+
+  const Grid& grid_;
+  const RandomDag& dag_;
+  const std::vector<Value>& values_;
+  std::vector<Saying> out_;
+};
+
+// --- what the program says
+
+template <class IdT>
+std::ptrdiff_t place_in(const std::vector<IdT>& list, IdT id) {
+  const auto it = std::lower_bound(list.begin(), list.end(), id);
+  return it != list.end() && *it == id ? it - list.begin() : -1;
+}
+template <class IdT>
+std::ptrdiff_t place_in(const std::vector<std::pair<IdT, cnrg::Component>>& list, IdT id) {
+  const auto it = std::lower_bound(list.begin(), list.end(), std::pair<IdT, cnrg::Component>(id, 0));
+  return it != list.end() && it->first == id ? it - list.begin() : -1;
+}
+
+class Told {
+ public:
+  explicit Told(const cnrg::NodeValue& value) : value_(value) {}
+  /// What is said of an active cell of lower dimension; nullptr: nothing.
+  const cnrg::Said* at(const cnrg::Location& at) const {
+    if (value_.is_group()) {
+      const cnrg::Group& g = value_.group();
+      return find(g.vertices, g.edges, g.faces, g.origins, at);
+    }
+    const cnrg::Components& x = value_.components();
+    return find(x.selection.vertices, x.selection.edges, x.selection.faces, x.origins, at);
+  }
+
+ private:
+  template <class V, class E, class F>
+  static const cnrg::Said* find(const V& vertices, const E& edges, const F& faces, const cnrg::Origins& origins,
+                                const cnrg::Location& at) {
+    const auto said = [&](const auto& list, const auto& sets, auto id) -> const cnrg::Said* {
+      const std::ptrdiff_t k = place_in(list, id);
+      return k < 0 ? nullptr : origins.sets.said(sets[static_cast<std::size_t>(k)]).get();
+    };
+    if (at.dimension == 0) return said(vertices, origins.vertices, at.vertex);
+    if (at.dimension == 1) return said(edges, origins.edges, at.edge);
+    if (at.dimension == 2) return said(faces, origins.faces, at.face);
+    return nullptr;
+  }
+  const cnrg::NodeValue& value_;
+};
+
+/// The warnings of a node: "... keeps the material `a` where `b` has equal dominance", "... the attribute `k: a`
+/// ...".
+std::set<Warning> told_warnings(const cnrg::Evaluation& evaluation, const std::string& node) {
+  std::set<Warning> out;
+  for (const cnrg::Diagnostic& d : evaluation.diagnostics) {
+    if (d.level != cnrg::Diagnostic::Level::warning || d.message.rfind("`" + node + "`: ", 0) != 0) continue;
+    const std::string& m = d.message;
+    const auto between = [&](const std::string& from, const std::string& to, std::size_t after) {
+      const std::size_t a = m.find(from, after) + from.size();
+      return m.substr(a, m.find(to, a) - a);
+    };
+    const std::string other = between("` where `", "`", 0);
+    const std::size_t material = m.find("keeps the material `"), key = m.find("keeps the attribute `");
+    if (material != std::string::npos) out.insert({"", between("keeps the material `", "`", 0), other});
+    else if (key != std::string::npos) {
+      const std::string both = between("keeps the attribute `", "` where", key);
+      const std::size_t colon = both.find(": ");
+      out.insert({both.substr(0, colon), both.substr(colon + 2), other});
+    }
+  }
+  return out;
+}
+
+std::string cell_text(const Grid& grid, Cell c) {
+  const auto p = grid.position(c);
+  return "(" + std::to_string(p[0]) + "," + std::to_string(p[1]) + "," + std::to_string(p[2]) + ")/2";
+}
+
+const cnrg::SimplifiedComplex::Place& place_of(const cnrg::SimplifiedComplex& s, const cnrg::Location& at) {
+  if (at.dimension == 0) return s.vertex_place[at.vertex.index()];
+  if (at.dimension == 1) return s.edge_place[at.edge.index()];
+  if (at.dimension == 2) return s.face_place[at.face.index()];
+  return s.region_place[at.region.index()];
+}
+
+bool says_as_much(const Attributes& all, const Attributes& some) {
+  Attributes both = all;
+  say(both, some);
+  return both == all;
+}
+
+/// What a cell says for itself: of a thing of its own dimension, and not what its component says already.
+Attributes speaks(const Grid& grid, Cell c, const Saying& want, const Attributes& component) {
+  const auto& at = want.said[static_cast<std::size_t>(c)];
+  if (!at || at->dimension != grid.dimension(c) || says_as_much(component, at->attributes)) return {};
+  return at->attributes;
+}
+
+/// No simplified cell holds cells that say different things, nor swallows one that speaks.
+std::string compare_merging(const Grid& grid, const Value& value, const Saying& want,
+                            const std::vector<cnrg::Location>& places, const cnrg::NodeValue& have,
+                            const cnrg::SimplifiedComplex& simplified, const cnrg::Selection& selection) {
+  std::map<std::pair<int, std::uint32_t>, std::pair<Attributes, Cell>> first;
+  const auto component = [&](const cnrg::Location& at) -> Attributes {
+    const auto of = [](const auto& list, auto id) {
+      const std::ptrdiff_t k = place_in(list, id);
+      return k < 0 ? cnrg::Component(0) : list[static_cast<std::size_t>(k)].second;
+    };
+    const cnrg::Component k = at.dimension == 0   ? of(selection.vertices, at.vertex)
+                              : at.dimension == 1 ? of(selection.edges, at.edge)
+                              : at.dimension == 2 ? of(selection.faces, at.face)
+                                                  : of(selection.regions, at.region);
+    return k == 0 ? Attributes{} : static_cast<Attributes>(have.attributes(k));
+  };
+  for (int d : {3, 2, 1, 0}) {
+    for (Cell c = 0; c < grid.cells(); ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      if (grid.dimension(c) != d || value.labels[i] == 0 || grid.on_rim(c)) continue;
+      const auto& at = places[i];
+      const auto& place = place_of(simplified, at);
+      const Attributes said = speaks(grid, c, want, component(at));
+      // What is said of a sheet is said of its edges, which speak where they are all that is left of it.
+      const auto& at_all = want.said[i];
+      const auto [it, fresh] = first.try_emplace({place.dimension, place.index},
+                                                 std::pair(at_all ? at_all->attributes : Attributes{}, c));
+      if (!fresh && !(it->second.first == said) && !said.empty())
+        return cell_text(grid, c) + " says " + text(said) + " and is in one simplified cell with " +
+               cell_text(grid, it->second.second) + ", which says " + text(it->second.first);
+    }
+  }
+  return {};
+}
+
+/// A wire in a sheet, or a point on either, of which the same is said: the page does not say whether it is to be
+/// seen.
+bool says_the_same_around(const Grid& grid, const Group& g, const Said& said) {
+  for (Cell c = 0; c < grid.cells(); ++c) {
+    const auto& at = said[static_cast<std::size_t>(c)];
+    if (grid.dimension(c) > 1 || !g.entity[c] || !at || at->dimension != grid.dimension(c)) continue;
+    std::vector<Cell> above = grid.around(c);
+    for (int d = grid.dimension(c) + 1; d <= 2; ++d) {
+      std::vector<Cell> higher;
+      for (const Cell u : above) {
+        const auto& other = said[static_cast<std::size_t>(u)];
+        if (g.entity[u] && other && other->attributes == at->attributes && other->dimension > at->dimension)
+          return true;
+        higher.insert(higher.end(), grid.around(u).begin(), grid.around(u).end());
+      }
+      above = std::move(higher);
+    }
+  }
+  return false;
+}
+
+/// Components with what their cells say, as states of the canonical form. What does not speak for itself takes the
+/// state of that which it is a cut in, so that it does not stand in the way.
+std::vector<int> states(const Grid& grid, const Value& value, const Saying& want) {
+  const Group& g = value.group;
+  std::vector<std::string> says(value.labels.size());
+  const auto up = [&](Cell c) {
+    std::vector<Cell> out;
+    for (const Cell d : grid.around(c))
+      if (grid.dimension(d) < 3 && g.entity[d]) out.push_back(d);
+    return out;
+  };
+  const auto of = [&](Cell c) -> std::string& { return says[static_cast<std::size_t>(c)]; };
+  const auto axis = [&](Cell f) {
+    const auto p = grid.position(f);
+    return p[0] % 2 == 0 ? 0 : p[1] % 2 == 0 ? 1 : 2;
+  };
+  for (int d : {2, 1, 0}) {
+    for (Cell c = 0; c < grid.cells(); ++c) {
+      if (grid.dimension(c) != d || !g.entity[c]) continue;
+      const auto& at = want.said[static_cast<std::size_t>(c)];
+      const auto around = up(c);
+      if (at && !at->attributes.empty() && (at->dimension == d || around.empty())) {
+        of(c) = text(at->attributes);
+      } else if (d == 1) {
+        if (around.size() == 2 && axis(around[0]) == axis(around[1]) && of(around[0]) == of(around[1]))
+          of(c) = of(around[0]);
+      } else if (d == 0 && !around.empty()) {
+        std::vector<Cell> wires;
+        for (const Cell e : around) {
+          const auto& other = want.said[static_cast<std::size_t>(e)];
+          if ((other && other->dimension == 1 && !other->attributes.empty()) || up(e).empty()) wires.push_back(e);
+        }
+        const auto& edges = wires.empty() ? around : wires;
+        if (std::all_of(edges.begin(), edges.end(), [&](Cell e) { return of(e) == of(edges[0]); }))
+          of(c) = of(edges[0]);
+      }
+    }
+  }
+  std::map<std::pair<std::uint32_t, std::string>, int> numbers;
+  std::vector<int> out(value.labels.size(), 0);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (value.labels[i] != 0)
+      out[i] = numbers.try_emplace({value.labels[i], says[i]}, static_cast<int>(numbers.size()) + 1).first->second;
+  return out;
+}
+
+}  // namespace
+
+std::string compare_said(const Grid& grid, const CubicalDag& dag, SaidTally* tally) {
+  std::vector<Value> values;
+  if (std::string f = values_by_brute_force(grid, dag.dag, values); !f.empty()) return f;
+  const std::vector<Saying> want = Sayings(grid, dag.dag, values).run();
+  RandomDag placed = dag.dag;
+  for (cnrg::scenes::Leaf& leaf : placed.leaves) place(dag.place, leaf);
+  const cnrg::properties::DagValues have = cnrg::properties::evaluate(placed);
+  const cnrg::Locator locator(have.complex());
+  std::vector<cnrg::Location> places;
+  for (Cell c = 0; c < grid.cells(); ++c) {
+    const auto p = grid.position(c);
+    places.push_back(locator.locate(dag.place({Rational(p[0], 2), Rational(p[1], 2), Rational(p[2], 2)})));
+  }
+  SaidTally ignored;
+  SaidTally& met = tally == nullptr ? ignored : *tally;
+  for (std::size_t i = 0; i < want.size(); ++i) {
+    const cnrg::NodeValue& value = *have.values[i];
+    const std::string node = cnrg::properties::name_of(dag.dag, i);
+    const std::string words = node + " (" + cnrg::properties::operator_name(dag.dag.nodes[i]) + "): ";
+    const Told told(value);
+    ++met.nodes;
+    bool all_known = true;
+    for (Cell c = 0; c < grid.cells(); ++c) {
+      if (grid.dimension(c) == 3) continue;
+      const auto& w = want[i].said[static_cast<std::size_t>(c)];
+      const cnrg::Said* h = told.at(places[static_cast<std::size_t>(c)]);
+      const Attributes expected = w ? w->attributes : Attributes{},
+                       said = h == nullptr ? Attributes{} : h->attributes;
+      if (w && !w->known) {
+        all_known = false;
+        continue;
+      }
+      if (!(expected == said))
+        return words + "of " + cell_text(grid, c) + " is said " + text(said) + ", should be " + text(expected);
+      met.said_cells += !said.empty();
+    }
+    if (value.is_group()) {
+      const cnrg::Group& g = value.group();
+      for (Cell c = 0; c < grid.cells(); ++c) {
+        const auto k = static_cast<std::size_t>(c);
+        if (grid.dimension(c) != 3 || values[i].group.region[k] == 0) continue;
+        const auto& w = want[i].regions[static_cast<std::size_t>(values[i].group.region[k] - 1)];
+        if (!w) continue;
+        const Attributes& h = g.regions[g.region_of(places[k].region) - 1];
+        if (!(*w == h))
+          return words + "region at " + cell_text(grid, c) + " is " + text(h) + ", should be " + text(*w);
+        ++met.regions;
+      }
+      if (is_group_boolean(dag.dag.nodes[i].op) && want[i].warnings_known && !dag.dag.nodes[i].regularize) {
+        const std::set<Warning> warned = told_warnings(have.evaluation, node);
+        std::string differ;
+        for (const auto& [key, kept, other] : want[i].warnings)
+          if (!warned.contains({key, kept, other}))
+            differ += " missing: " + key + " " + kept + " / " + other + ";";
+        for (const auto& [key, kept, other] : warned)
+          if (!want[i].warnings.contains({key, kept, other}))
+            differ += " too many: " + key + " " + kept + " / " + other + ";";
+        if (!differ.empty()) return words + "warnings" + differ;
+        met.conflicts += warned.size();
+      }
+    }
+    if (!all_known) continue;
+    const cnrg::Selection selection = selection_of(have.complex(), value);
+    for (const auto mode : {cnrg::SimplifyMode::features, cnrg::SimplifyMode::points}) {
+      const cnrg::SimplifiedComplex simplified = cnrg::simplify(have.complex(), value, selection, mode);
+      if (std::string f = compare_merging(grid, values[i], want[i], places, value, simplified, selection);
+          !f.empty())
+        return words + f;
+      const bool bounded = [&] {
+        for (Cell c = 0; c < grid.cells(); ++c)
+          if (grid.on_rim(c) && grid.dimension(c) == 3 && values[i].labels[static_cast<std::size_t>(c)] != 0)
+            return false;
+        return true;
+      }();
+      if (mode != cnrg::SimplifyMode::points || !bounded || !value.is_group() ||
+          says_the_same_around(grid, values[i].group, want[i].said))
+        continue;
+      const auto counts = active_counts(simplified);
+      const auto by_force = canonical_counts(grid, states(grid, values[i], want[i]));
+      if (counts != by_force) {
+        std::string f = "simplified counts";
+        for (const std::size_t n : counts) f += " " + std::to_string(n);
+        f += ", should be";
+        for (const std::size_t n : by_force) f += " " + std::to_string(n);
+        return words + f;
+      }
+      ++met.counted;
+    }
+  }
+  return {};
+}
+
+namespace {
+
+Attributes random_attributes(std::mt19937_64& random) {
+  const auto pick = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+  Attributes out;
+  if (pick(2) == 0) out.name = std::array{"bolt", "fault", "a.2", "x & y"}[static_cast<std::size_t>(pick(4))];
+  if (pick(2) == 0) out.material = std::array{"rock", "steel", "ore"}[static_cast<std::size_t>(pick(3))];
+  for (const char* key : {"k", "section"}) {
+    if (pick(2) == 0) continue;
+    switch (pick(5)) {
+      case 0: out.properties[key] = Rational(1); break;
+      case 1: out.properties[key] = Rational(1, 2); break;
+      case 2: out.properties[key] = std::string("1"); break;
+      default: out.properties[key] = std::string(pick(2) == 0 ? "round" : "1/2"); break;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+CubicalDag random_said_dag(const Grid& grid, std::uint64_t seed, bool moved) {
+  std::mt19937_64 random(seed * 7 + 5);
+  const auto pick = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
+  CubicalDag out = random_cubical_dag(grid, seed, moved);
+  const bool booleans = seed % 2 == 0;
+  if (booleans) {  // over the same leaves
+    std::vector<DagNode> nodes;
+    for (std::size_t l = 0; l < out.dag.leaves.size(); ++l) {
+      nodes.emplace_back();
+      nodes.back().leaf = l;
+    }
+    for (int k = 1 + pick(4); k > 0; --k) {
+      DagNode node;
+      node.op = std::array{Operator::unite, Operator::unite, Operator::intersect,
+                           Operator::subtract}[static_cast<std::size_t>(pick(4))];
+      const int most = static_cast<int>(nodes.size());
+      for (int n = pick(4) == 0 ? 3 : 2; n > 0; --n)
+        node.operands.push_back(
+            static_cast<std::size_t>(pick(2) == 0 ? most - 1 - pick(std::min(most, 2)) : pick(most)));
+      if (node.op != Operator::subtract && pick(3) != 0) node.dominant = static_cast<DominantOperand>(pick(3));
+      nodes.push_back(std::move(node));
+    }
+    out.dag.nodes = std::move(nodes);
+    out.dag = cnrg::properties::compact(std::move(out.dag));
+  }
+  for (DagNode& node : out.dag.nodes) {
+    if (node.op == Operator::leaf ? pick(4) != 0 : pick(4) == 0) node.said = random_attributes(random);
+    if (booleans && !node.dominant && pick(3) == 0) node.number = pick(3);
+    if (node.op != Operator::leaf) continue;
+    for (std::uint32_t r = 1; r <= 3; ++r) {
+      if (pick(3) != 0) continue;
+      node.parts[r] = random_attributes(random);
+      node.parts[r].properties.clear();
+    }
+  }
+  return out;
+}
+
+}  // namespace cubical
