@@ -43,6 +43,7 @@
 #include "csg/operators/components.h"
 #include "csg/operators/group.h"
 #include "csg/operators/say.h"
+#include "csg/operators/select.h"
 
 // Results, their files, and what is told of them.
 #include "csg/compare/difference.h"

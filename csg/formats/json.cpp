@@ -130,6 +130,7 @@ class JsonWriter {
   std::string text_;
   std::map<LeafId, std::size_t> leaf_number_;
   std::vector<const Attributes*> said_;
+  std::map<Attributes, std::size_t, AttributesOrder> said_number_;
   GradeNumbers grades_;
   std::map<std::string, Rational> dominances_;  // of materials
   std::vector<std::size_t> patch_;              // by face
@@ -209,17 +210,15 @@ class JsonWriter {
       for (const auto& cell : cells) {
         const Attributes* said = cell.origin.said;
         if (said == nullptr) continue;
-        const auto same = [&](const Attributes* a) { return *a == *said; };
-        if (std::none_of(said_.begin(), said_.end(), same)) said_.push_back(said);
+        const bool fresh = said_number_.try_emplace(*said, said_.size()).second;
+        if (fresh) said_.push_back(said);
       }
     };
     see(flat_.vertices), see(flat_.edges), see(flat_.faces);
   }
   void add_said(JsonObject& object, const FlatComplex::Provenance& origin) const {
     if (origin.said == nullptr) return;
-    const auto same = [&](const Attributes* a) { return *a == *origin.said; };
-    object.add("attributes",
-               static_cast<std::size_t>(std::find_if(said_.begin(), said_.end(), same) - said_.begin()));
+    object.add("attributes", said_number_.at(*origin.said));
   }
 
   template <class See>

@@ -2,6 +2,8 @@
 #include "csg/materials/attributes.h"
 
 #include <algorithm>
+#include <functional>
+#include <tuple>
 
 #include "kernel/exact/rational.h"
 
@@ -10,6 +12,15 @@ namespace cnrg {
 std::string to_text(const Property& value) {
   if (const auto* number = std::get_if<Rational>(&value)) return to_string(*number);
   return std::get<std::string>(value);
+}
+
+bool AttributesOrder::operator()(const Attributes& a, const Attributes& b) const {
+  const auto key = [](const Attributes& x) {
+    return std::tuple<const std::string&, const std::string&, const Properties&>(x.name, x.material.name(),
+                                                                                 x.properties);
+  };
+  if (key(a) != key(b)) return key(a) < key(b);
+  return a.material != b.material && std::less<>()(a.material.grade(), b.material.grade());
 }
 
 bool Yielded::is_in(const Attributes& attributes) const {

@@ -29,6 +29,11 @@ struct Attributes {
   friend bool operator==(const Attributes&, const Attributes&) = default;
 };
 
+/// Some order of attributes, the same in every run but for materials graded differently under one name.
+struct AttributesOrder {
+  bool operator()(const Attributes& a, const Attributes& b) const;
+};
+
 /// A material, or the value of a property, that gave way to another one without being dominated.
 struct Yielded {
   std::string key{};          ///< of the property; empty: it is the material

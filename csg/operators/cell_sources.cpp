@@ -3,6 +3,7 @@
 #include "csg/operators/cell_sources.h"
 
 #include <algorithm>
+#include <map>
 
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
@@ -43,15 +44,12 @@ bool add_leaves(const LeafSets& sets, LeafSetId set, std::vector<LeafId>& out) {
 
 ValueSources::ValueSources(const Complex& complex, const LeafSets& sets) : complex_(complex), sets_(sets) {
   if (!sets.says_anything()) return;
-  std::vector<const Attributes*> distinct;
+  std::map<Attributes, std::uint32_t, AttributesOrder> distinct;
   marks_.resize(sets.size(), 0);
   for (std::size_t s = 0; s < sets.size(); ++s) {
     const SaidPointer& said = sets.said(LeafSetId(s));
     if (said == nullptr || said->attributes.empty()) continue;
-    const auto it = std::find_if(distinct.begin(), distinct.end(),
-                                 [&](const Attributes* known) { return *known == said->attributes; });
-    marks_[s] = static_cast<std::uint32_t>(it - distinct.begin()) + 1;
-    if (it == distinct.end()) distinct.push_back(&said->attributes);
+    marks_[s] = distinct.try_emplace(said->attributes, static_cast<std::uint32_t>(distinct.size() + 1)).first->second;
   }
 }
 

@@ -121,7 +121,7 @@ void say(const Complex& complex, const Attributes& what, Saying saying, Group& g
   speaker.vertices(group.vertices, group.origins.vertices, always);
 }
 
-// A cell in the interior of a component does not stand for itself: it is of the component of the 3-cells around.
+// A cell next to a 3-cell of its own component does not stand for itself: it is inside of that, or where it ends.
 void say(const Complex& complex, const Attributes& what, Saying saying, Components& components) {
   const Selection& s = components.selection;
   Origins& o = components.origins;
@@ -134,8 +134,13 @@ void say(const Complex& complex, const Attributes& what, Saying saying, Componen
     for (const auto& entry : list) cells.push_back(entry.first);
     return cells;
   };
+  std::vector<RegionId> around;
   const auto stands_out = [&](const auto& list) {
-    return [&](std::size_t i) { return list[i].second != region.get(complex.some_region(list[i].first)); };
+    return [&](std::size_t i) {
+      around.clear();
+      complex.star_regions(list[i].first, around);
+      return std::none_of(around.begin(), around.end(), [&](RegionId r) { return region.get(r) == list[i].second; });
+    };
   };
   const auto alike = [&](std::size_t i, bool stands) {
     const auto& [front, back] = complex.face_regions[s.faces[i].first];
