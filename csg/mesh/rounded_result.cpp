@@ -57,8 +57,10 @@ RoundedResult::RoundedResult(const ResultView& view, const FlatComplex& flat, co
 RoundedResult::~RoundedResult() = default;
 
 void RoundedResult::fail(const std::string& what) const {
-  throw RoundingFault(format_ + " holds doubles, and rounding to them " + what +
-                      "; snap it (`cnrg` does, without --no-snap and --curved), or write .json, which is exact");
+  throw RoundingFault(
+      format_ + " holds doubles, and rounding to them " + what +
+      "; snap the result first (`cnrg` does so by itself, without --no-snap and --curved; in programs " +
+      "`snap`), or write .json, which is exact");
 }
 
 void RoundedResult::match_regions() {

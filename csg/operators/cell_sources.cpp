@@ -49,7 +49,8 @@ ValueSources::ValueSources(const Complex& complex, const LeafSets& sets) : compl
   for (std::size_t s = 0; s < sets.size(); ++s) {
     const SaidPointer& said = sets.said(LeafSetId(s));
     if (said == nullptr || said->attributes.empty()) continue;
-    marks_[s] = distinct.try_emplace(said->attributes, static_cast<std::uint32_t>(distinct.size() + 1)).first->second;
+    marks_[s] =
+        distinct.try_emplace(said->attributes, static_cast<std::uint32_t>(distinct.size() + 1)).first->second;
   }
 }
 

@@ -139,7 +139,8 @@ void say(const Complex& complex, const Attributes& what, Saying saying, Componen
     return [&](std::size_t i) {
       around.clear();
       complex.star_regions(list[i].first, around);
-      return std::none_of(around.begin(), around.end(), [&](RegionId r) { return region.get(r) == list[i].second; });
+      return std::none_of(around.begin(), around.end(),
+                          [&](RegionId r) { return region.get(r) == list[i].second; });
     };
   };
   const auto alike = [&](std::size_t i, bool stands) {

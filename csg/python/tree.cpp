@@ -113,6 +113,17 @@ py::object data_of(const YAML::Node& node) {
   return py::str(text);
 }
 
+/// Texts as they are, and numbers as the only item of a tuple.
+py::object properties_of(const Node& node) {
+  py::dict map;
+  for (const auto& [key, value] : node.properties) {
+    const py::str text(to_text(value));
+    if (std::holds_alternative<Rational>(value)) map[py::str(key)] = py::make_tuple(text);
+    else map[py::str(key)] = text;
+  }
+  return std::move(map);
+}
+
 /// A node of a tree file as data: what the reader decided of it, and the values of its keys as they are written.
 struct NodeRecord {
   std::string name, operator_name;
@@ -174,7 +185,8 @@ class Records {
     for (const auto& entry : map) {
       const std::string key = entry.first.Scalar();
       const bool is_operand = key == "within";
-      if (key != node.operator_name && !is_operand) r.attributes.emplace_back(key, data_of(entry.second));
+      if (key == "attributes") r.attributes.emplace_back(key, properties_of(node));
+      else if (key != node.operator_name && !is_operand) r.attributes.emplace_back(key, data_of(entry.second));
       else if (r.is_leaf) r.value = data_of(entry.second);
       else open_.push_back(entry.second);
     }

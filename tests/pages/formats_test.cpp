@@ -45,7 +45,7 @@ nodes:
   plane: {plane: {point: [0, 0, 2], normal: [0, 1, 3]}}
   open: {subtract: [{interior: model}, plane]}
   endless: {sum: [plane, {complement: model}]}
-  curved: {aggregate: [{boundary: {sphere: {center: [0, 0, 9], radius: 1, segments: 8}}}, bar]}
+  curved: {aggregate: [{boundary: {sphere: {center: [0, 0, 9], radius: 1, segments: 8}}, name: shell, attributes: {thickness: 1/2, kind: paved}}, bar]}
 result: model
 )";
 

@@ -1,13 +1,25 @@
 """Each leaf of the tree file has its function, with its keys; so have operators and attributes."""
 import inspect
+import json
 import os
 import re
+import tempfile
 import unittest
+import warnings
+from fractions import Fraction
 from pathlib import Path
 
 import cnrg
 
 PAGE = (Path(os.environ["CNRG_SOURCES"]) / "csg" / "FORMATS.md").read_text()
+
+
+def bytes_of(node):
+    """The exact `.json` of a node."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "result.json"
+        node.evaluate().write(path)
+        return path.read_bytes()
 
 
 def keys_of_leaves():
@@ -60,13 +72,40 @@ class Leaves(unittest.TestCase):
             if line.startswith("| `"):
                 name = line.split("|")[1].strip(" `")
                 box = cnrg.box([0, 0, 0], [1, 1, 1])
-                node = box.boundary() if name == "each" else box
+                node = box.boundary() if name == "each" else box | box.translate([1, 0, 0]) if name == "blend" else box
                 value = {
                     "material": "rock", "name": "a", "dominance": 1, "regularize": True, "simplify": "points", "each": True,
                     "translate": [1, 0, 0], "rotate": {"axis": [0, 0, 1], "degrees": 90}, "scale": 2,
-                    "mirror": {"normal": [1, 0, 0]},
+                    "mirror": {"normal": [1, 0, 0]}, "attributes": {"diameter": 25, "section": "round"}, "blend": "linear",
                 }[name]
                 self.assertIn(f"{name}: ", node.with_(**{name: value}).to_yaml())
+
+    def test_numbers_and_texts_of_attributes_stay_what_they_are(self):
+        said = {"a": 25, "b": 0.1, "c": Fraction(1, 3), "d": "25", "e": "1/3 of it", "f g": "true"}
+        bolt = cnrg.polyline([[0, 0, 0], [0, 0, 1]], attributes=said, name="bolt", material="steel")
+        text = bolt.to_yaml()
+        again = cnrg.parse(text).result
+        self.assertEqual(again.to_yaml(), text)
+        properties = json.loads(bytes_of(again))["attributes"][0]["properties"]
+        self.assertEqual(properties["a"], {"number": "25"})
+        self.assertEqual(properties["b"], {"number": str(Fraction(0.1))})
+        self.assertEqual(properties["c"], {"number": "1/3"})
+        self.assertEqual([properties[key] for key in ("d", "e", "f g")], ["25", "1/3 of it", "true"])
+        self.assertEqual(bytes_of(again), bytes_of(bolt))
+        for wrong in (3, [("a", 1)], {"a": None}, {"a": [1]}, {"a": float("nan")}, {"name": "b"}):
+            with self.assertRaises((TypeError, cnrg.InputError)):
+                bolt.with_(attributes=wrong)
+
+    def test_a_misspelt_key_is_told_with_the_one_that_is_meant(self):
+        with self.assertRaisesRegex(TypeError, "did you mean 'segments'"):
+            cnrg.cylinder([0, 0, 0], [0, 0, 1], 1, segment=8)
+
+    def test_an_open_mesh_is_told_of(self):
+        with warnings.catch_warnings(record=True) as seen:
+            warnings.simplefilter("always")
+            cnrg.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).evaluate()
+        self.assertIn("surface without regions", str(seen[0].message))
+        self.assertIs(seen[0].category, cnrg.Notice)
 
     def test_every_public_name_has_words(self):
         for name in cnrg.__all__:

@@ -152,7 +152,8 @@ def evaluate(
     progress: None, True for a bar, or a function f(stage, done, total).
 
     Raises InputError with the place of the node in the script or the file, FileError; KeyboardInterrupt ends it at
-    once. Other threads run meanwhile. Warnings go to `warnings` as cnrg.Notice; all are in `Evaluation.notices`.
+    once. Other threads run meanwhile. Warnings and notices, such as that a mesh is open, go to
+    `warnings` as cnrg.Notice, and are in `Evaluation.notices`.
     """
     if isinstance(model, Tree):
         if weld is not None:
@@ -182,6 +183,5 @@ def evaluate_tree(
         evaluation = _cnrg.evaluate(tree._tree, kept[1:], threads, bool(rows), bool(raw), bool(validate), shown)
     made = Evaluation(tree, evaluation, kept)
     for notice in made.notices:
-        if notice.level == "warning":
-            warnings.warn_explicit(str(notice), Notice, *site_of_caller())
+        warnings.warn_explicit(str(notice), Notice, *site_of_caller())
     return made

@@ -9,6 +9,7 @@ evaluated.
 
 from __future__ import annotations
 
+import difflib
 import os
 import re
 import sys
@@ -41,13 +42,19 @@ class Exact(str):
     __slots__ = ()
 
 
+class Text(str):
+    """A text that stands in a tree in quotes, since without them it might be a number."""
+
+    __slots__ = ()
+
+
 def quoted(text: str) -> str:
     """A text as YAML has it; InputError for one that is not Unicode."""
     try:
         text.encode()
     except UnicodeEncodeError:
         raise fault(f"the text {text!a} is not Unicode: it has half of a character; mend it") from None
-    if _PLAIN.match(text) and text.lower() not in _WORDS:
+    if not isinstance(text, Text) and _PLAIN.match(text) and text.lower() not in _WORDS:
         return text
     escaped = []
     for c in text:
@@ -312,9 +319,10 @@ class Node:
     # Attributes and transforms, as in a tree file.
 
     def with_(self, **attributes: Any) -> Node:
-        """The same node with more attributes: material, name, dominance, translate, rotate, scale, mirror.
+        """The same node with more attributes: material, name, attributes, dominance, translate, rotate, scale, mirror.
 
-        material: a name or a `material(...)`. name: of its regions. dominance: a number, or of an operator "left",
+        material: a name or a `material(...)`. name: of its regions, sheets, wires and points. attributes: numbers and
+        texts by keys of your own, `{"diameter": 25}`. dominance: a number, or of an operator "left",
         "right" or "equal". Transforms act after those that it has; any other attribute replaces the one of its name.
         """
         more = _attributes(attributes)
@@ -391,19 +399,22 @@ def _again(operator: str, operands: Any, value: Any, attributes: Any, key: Any, 
 
 _TRANSFORMS = ("translate", "rotate", "scale", "mirror")
 _FILES = ("mesh", "heightfield", "step", "brep", "cnrg")  # leaves that may read one
-_ATTRIBUTES = ("material", "name", "dominance", "blend", "regularize", "simplify", "each") + _TRANSFORMS
+_ATTRIBUTES = ("material", "name", "attributes", "dominance", "blend", "regularize", "simplify", "each") + _TRANSFORMS
 
 
 def _each(each: bool) -> tuple[tuple[str, Any], ...]:
     return (("each", True),) if each else ()
 
 
-def _attributes(given: Mapping[str, Any]) -> list[tuple[str, Any]]:
-    """Attributes as data, in their order; None is as if it were not given."""
+def _attributes(given: Mapping[str, Any], keys: Iterable[str] = ()) -> list[tuple[str, Any]]:
+    """Attributes as data, in their order; None is as if it were not given. `keys`: what else one could have meant."""
     out: list[tuple[str, Any]] = []
     for name, value in given.items():
         if name not in _ATTRIBUTES:
-            raise TypeError(f"there is no attribute {name!r}; there are " + ", ".join(_ATTRIBUTES))
+            known = (*keys, *_ATTRIBUTES)
+            near = difflib.get_close_matches(name, known, 1)
+            hint = f"; did you mean {near[0]!r}?" if near else "; there are " + ", ".join(known)
+            raise TypeError(f"there is no {name!r}{hint}")
         if value is None:
             continue
         if name == "material":
@@ -417,6 +428,8 @@ def _attributes(given: Mapping[str, Any]) -> list[tuple[str, Any]]:
             if isinstance(value, str) and value.isalpha() and value not in ("left", "right", "equal"):
                 raise fault(f"dominance: left, right, equal or a number is wanted, not {value!r}")
             value = value if isinstance(value, str) and value.isalpha() else exact(value)
+        elif name == "attributes":
+            value = _properties(value)
         elif name == "scale" and isinstance(value, str):
             value = exact(value)
         elif name in ("each", "regularize"):
@@ -425,6 +438,15 @@ def _attributes(given: Mapping[str, Any]) -> list[tuple[str, Any]]:
             value = _exactly(value)
         out.append((name, value))
     return out
+
+
+def _properties(value: Any) -> dict[str, Any]:
+    """Numbers, which are exact, and texts by key."""
+    if not isinstance(value, Mapping):
+        raise TypeError(f"attributes: keys with numbers or texts are wanted, not {type(value).__name__}")
+    for item in value.values():
+        data_of(item)
+    return {data_of(str(key)): Text(item) if isinstance(item, str) and not isinstance(item, Exact) else exact(item) for key, item in value.items()}
 
 
 def _exactly(value: Any) -> Any:
@@ -470,9 +492,10 @@ def made(
 
 def leaf(operator: str, value: Any, attributes: Mapping[str, Any]) -> Node:
     """A leaf with the keys of the tree file; those that are None are left out."""
+    keys = tuple(value) if isinstance(value, dict) else ()
     if isinstance(value, dict):
         value = {key: item for key, item in value.items() if item is not None}
-    return made(operator, (), value, _attributes(attributes))
+    return made(operator, (), value, _attributes(attributes, keys))
 
 
 def checked(node: Node) -> Node:

@@ -486,6 +486,8 @@ class Result:
 
         FileError if the page was not built into this package (that takes Node.js).
         """
+        if path is not None and not os.fspath(path).endswith((".html", ".htm")):
+            raise InputError(f"{os.fspath(path)}: a page is an .html file", *site_of_caller())
         template = Path(__file__).with_name("view.html")
         try:
             page = template.read_text(encoding="utf-8")

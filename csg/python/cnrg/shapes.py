@@ -259,7 +259,7 @@ def mesh(points: Any, faces: Any, *, fill: str | None = None, weld: Number | Non
         arrays = _cnrg.MeshData(doubles, corners, offsets)
     except InputError as e:
         raise fault(e.message) from None
-    return made("mesh", (), MeshArrays(arrays, keys), _attributes(attributes))
+    return made("mesh", (), MeshArrays(arrays, keys), _attributes(attributes, ("fill", "weld")))
 
 
 def _corners(numpy: Any, faces: Any) -> tuple[Any, Any]:

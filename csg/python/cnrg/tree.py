@@ -13,7 +13,7 @@ from typing import Any, Callable, Iterable, Iterator, Mapping
 
 from . import _cnrg
 from .errors import Error, InputError
-from .nodes import Exact, Material, MeshArrays, Node, Number, Site, data_of, exact, quoted, text_of
+from .nodes import Exact, Material, MeshArrays, Node, Number, Site, Text, data_of, exact, quoted, text_of
 
 _EXPRESSION = "<expression>"
 _PLACE = re.compile(re.escape(_EXPRESSION) + r":(\d+):(\d+)")
@@ -475,6 +475,11 @@ def _as_expressions(tree: Any, file: str) -> Tree:
             materials[name] = Material(name, data, to, (file, 1))  # a number until all are there
         return materials[name]
 
+    def attribute(name: str, value: Any) -> Any:
+        if name == "attributes":
+            return {key: exact(item[0]) if isinstance(item, tuple) else Text(item) for key, item in value.items()}
+        return material_of(value) if name == "material" else data_of(value)
+
     def build(i: int) -> Node:
         r = records[i]
         value: Any = None
@@ -486,7 +491,7 @@ def _as_expressions(tree: Any, file: str) -> Tree:
                 value["file"] = os.path.join(folder, value["file"])
         elif r.forgets_features and all(name != "simplify" for name, _ in r.attributes):
             value = "points"
-        attributes = [(n, material_of(v) if n == "material" else data_of(v)) for n, v in r.attributes]
+        attributes = [(n, attribute(n, v)) for n, v in r.attributes]
         below = [nodes[k] for k in r.operands]
         return Node(
             r.operator_name,
