@@ -444,9 +444,11 @@ def _properties(value: Any) -> dict[str, Any]:
     """Numbers, which are exact, and texts by key."""
     if not isinstance(value, Mapping):
         raise TypeError(f"attributes: keys with numbers or texts are wanted, not {type(value).__name__}")
-    for item in value.values():
-        data_of(item)
-    return {data_of(str(key)): Text(item) if isinstance(item, str) and not isinstance(item, Exact) else exact(item) for key, item in value.items()}
+    properties: dict[str, Any] = {}
+    for key, item in value.items():
+        is_text = isinstance(data_of(item), str) and not isinstance(item, Exact)
+        properties[data_of(str(key))] = Text(item) if is_text and isinstance(item, str) else exact(item)
+    return properties
 
 
 def _exactly(value: Any) -> Any:
