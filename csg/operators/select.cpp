@@ -66,6 +66,7 @@ class Picker {
     std::vector<RegionId> cells;
     add_star(cell, cells);
     std::vector<std::uint32_t> regions;
+    regions.reserve(cells.size());
     for (const RegionId r : cells) regions.push_back(group_.region_of(r));
     std::sort(regions.begin(), regions.end());
     regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
