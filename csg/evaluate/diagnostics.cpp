@@ -101,4 +101,13 @@ std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, c
   return out;
 }
 
+std::vector<Diagnostic> empty_selection(const Tree& tree, NodeId node, const NodeValue& value) {
+  const Node& picking = tree.nodes[node];
+  if (picking.op != Operator::select || value.component_count() != 0) return {};
+  const std::string& of = tree.nodes[tree.operands(node).front()].name;
+  return {{tree.file, picking.operator_at, Diagnostic::Level::warning,
+           "`" + picking.name + "` picks nothing of `" + of + "`; `cnrg eval --list --node " + of +
+               "` lists what can be picked"}};
+}
+
 }  // namespace cnrg

@@ -21,4 +21,7 @@ std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, c
                                            const std::vector<AttributeConflict>& conflicts,
                                            SimplifiedValue& simplified);
 
+/// A warning, if the node is a `select` that has picked nothing.
+std::vector<Diagnostic> empty_selection(const Tree& tree, NodeId node, const NodeValue& value);
+
 }  // namespace cnrg

@@ -122,6 +122,15 @@ void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const Eval
 class LeavesBelow {
  public:
   LeavesBelow(const PreparedLeaves& leaves, const Unfolding& unfolding) : leaves_(leaves), unfolding_(unfolding) {}
+  /// Those that the operator of `node` wants to know of its operand `id`.
+  std::shared_ptr<const std::vector<LeafId>> wanted_by(const Node& node, InstanceId id, bool first_operand) {
+    const auto nodes = leaves_wanted(node, first_operand);
+    if (!nodes) return nullptr;
+    if (nodes->empty()) return of(id);
+    return std::make_shared<const std::vector<LeafId>>(leaves_.below(unfolding_, id, *nodes));
+  }
+
+ private:
   std::shared_ptr<const std::vector<LeafId>> of(InstanceId id) {
     const std::vector<InstanceId>& operands = unfolding_.instances[id].operands;
     if (!known_ || (last_ != id && (operands.size() != 1 || operands[0] != last_)))
@@ -130,7 +139,6 @@ class LeavesBelow {
     return known_;
   }
 
- private:
   const PreparedLeaves& leaves_;
   const Unfolding& unfolding_;
   InstanceId last_;
@@ -145,11 +153,9 @@ Outcome run_operator(const Tree& tree, const Unfolding& unfolding, InstanceId id
   std::vector<Operand> operands;
   for (const InstanceId operand : instance.operands) {
     NodeValue* const value = &values[operand];
-    operands.push_back({value,
-                        tree.nodes[unfolding.instances[operand].node].name,
+    operands.push_back({value, tree.nodes[unfolding.instances[operand].node].name,
                         values.expendable(operand) ? value : nullptr,
-                        {}});
-    if (is_topological(node.op)) operands.back().below = below.of(operand);
+                        below.wanted_by(node, operand, operands.empty())});
   }
   try {
     return operate(complex, node, grades.on(instance, node.material), operands, validate,
@@ -206,6 +212,7 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
     }
     SimplifiedValue simplified(complex, values[id]);
     append(result.diagnostics, material_conflicts(tree, tree.nodes[node], values[id], conflicts, simplified));
+    append(result.diagnostics, empty_selection(tree, node, values[id]));
     const bool is_root = std::find(unfolding.roots.begin(), unfolding.roots.end(), id) != unfolding.roots.end();
     if (options.rows || is_root) {
       // The result is simplified for its files in any case, so that is no part of the time of its row.

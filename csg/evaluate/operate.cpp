@@ -12,6 +12,8 @@
 #include "csg/operators/identities.h"
 #include "csg/operators/material_levels.h"
 #include "csg/operators/say.h"
+#include "csg/operators/select.h"
+#include "csg/tree/selector.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -156,6 +158,28 @@ Outcome side_of(const Complex& complex, const Node& node, std::span<const Operan
                                 {std::move(block), parted(complex, right)});
   if (see) see({BooleanOp::intersect, dominance, left, right, whole(cut.group), 1, StepRule::operands});
   return {std::move(cut.group), std::move(cut.removals), std::move(cut.conflicts)};
+}
+
+/// What is picked out of the first operand; the others are sets of points in which, or at which, it lies.
+Outcome selected(const Complex& complex, const Node& node, std::span<const Operand> operands, bool validate) {
+  Criteria criteria = node.selector->criteria;
+  if (operands[0].below) criteria.leaves = *operands[0].below;
+  const std::span<const Operand> places = operands.subspan(1);
+  const auto points = [&](std::span<const Operand> of) {
+    std::optional<CellSet> set;
+    for (const Operand& operand : of) {
+      const CellSet more = support(selection_of(complex, *operand.value));
+      set = set ? unite(*set, more) : more;
+    }
+    return set;
+  };
+  criteria.inside = points(places.first(node.selector->inside));
+  criteria.touching = points(places.subspan(node.selector->inside));
+  const NodeValue& of = *operands[0].value;
+  if (!of.is_group()) return {select(complex, of.components(), criteria), {}, {}};
+  Group picked = select(complex, of.group(), criteria);
+  if (validate) require_identity(node, check_group(complex, picked));
+  return {NodeValue(complex, std::move(picked)), {}, {}};
 }
 
 Outcome validated_boolean(const Complex& complex, const Node& node, const Transform& placement,
@@ -316,6 +340,12 @@ Verdict verdict(const Complex& complex, const BooleanStep& step, VertexId v) {
   return verdict_in(complex, step, v);
 }
 
+std::optional<std::span<const NodeId>> leaves_wanted(const Node& node, bool first_operand) {
+  if (is_topological(node.op)) return std::span<const NodeId>();
+  if (node.op != Operator::select || !first_operand || node.selector->from.empty()) return std::nullopt;
+  return node.selector->from;
+}
+
 Topological topological(Operator op) {
   switch (op) {
     case Operator::interior: return Topological::interior;
@@ -362,6 +392,7 @@ Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& 
         outcome.value.stands_for = operands[0].value->stands_for;
       }
       break;
+    case Operator::select: outcome = selected(complex, node, operands, validate); break;
     case Operator::leaf: throw InvariantError("operate: `" + node.name + "` is a leaf");
   }
   apply_attributes(complex, node, material, outcome.value);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -27,8 +28,12 @@ struct Operand {
   const NodeValue* value = nullptr;
   std::string name;            ///< of its node, for messages
   NodeValue* spent = nullptr;  ///< the same value where nobody needs it any more: it may be moved from
-  std::shared_ptr<const std::vector<LeafId>> below;  ///< for topological operators: the leaves below it, ascending
+  std::shared_ptr<const std::vector<LeafId>> below;  ///< leaves below it, ascending: those of `leaves_wanted`
 };
+
+/// Which leaves below an operand its operator wants to know: those at or below these nodes, of an empty list all;
+/// nothing if it wants none.
+std::optional<std::span<const NodeId>> leaves_wanted(const Node& node, bool first_operand);
 
 /// The value of an inner node: its operator on the operands, from left to right, then its attributes; `material`
 /// is the node's, empty for none. With `validate` each Boolean, complement and CNRG operator is checked against

@@ -103,12 +103,9 @@ PreparedLeaves::PreparedLeaves(const Tree& tree) : tree_(&tree), prepared_(tree.
   }
 }
 
-std::vector<LeafId> PreparedLeaves::below(const Unfolding& unfolding, InstanceId instance) const {
-  std::vector<LeafId> leaves;
-  for (const InstanceId i : instances_below(unfolding.instances, instance)) {
-    if (leaf_of_[i].valid()) leaves.push_back(leaf_of_[i]);
-  }
-  return leaves;
+std::vector<LeafId> PreparedLeaves::below(const Unfolding& unfolding, InstanceId instance,
+                                          std::span<const NodeId> nodes) const {
+  return leaves_below(unfolding.instances, leaf_of_, instance, nodes);
 }
 
 void PreparedLeaves::prepare_node(NodeId id) {

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,9 @@ class PreparedLeaves {
   const std::vector<LeafInstance>& instances() const { return instances_; }
   /// The leaf of an instance; none() for an inner node.
   LeafId leaf_of(InstanceId instance) const { return leaf_of_[instance]; }
-  /// The leaves below an instance, ascending; its own if it is one.
-  std::vector<LeafId> below(const Unfolding& unfolding, InstanceId instance) const;
+  /// As `leaves_below` (csg/tree/unfold.h) has it.
+  std::vector<LeafId> below(const Unfolding& unfolding, InstanceId instance,
+                            std::span<const NodeId> nodes = {}) const;
   const Node& node_of(LeafId leaf) const { return tree_->nodes[nodes_[leaf]]; }
 
   /// What people say of the regions 1 to `count` of a leaf: the shape's own words, else those of the node,

@@ -302,9 +302,17 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
 }
 
 std::vector<Operand> Lives::operands_of(InstanceId id) const {
+  const Instance& instance = evaluation_.instances[id];
+  const Node& node = tree_.nodes[instance.node];
   std::vector<Operand> out;
-  for (const InstanceId operand : evaluation_.instances[id].operands) {
-    out.push_back({evaluation_.values[operand].get(), name_of(operand), nullptr, {}});
+  for (const InstanceId operand : instance.operands) {
+    Operand& added = out.emplace_back();
+    added.value = evaluation_.values[operand].get();
+    added.name = name_of(operand);
+    if (const auto wanted = leaves_wanted(node, out.size() == 1)) {
+      added.below = std::make_shared<const std::vector<LeafId>>(
+          leaves_below(evaluation_.instances, leaf_of_, operand, *wanted));
+    }
   }
   return out;
 }

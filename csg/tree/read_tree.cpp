@@ -18,6 +18,9 @@
 #include "csg/tree/read_from_input.h"
 #include "csg/tree/read_leaf.h"
 #include "csg/tree/read_material.h"
+#include "csg/tree/read_properties.h"
+#include "csg/tree/read_selector.h"
+#include "csg/tree/selector.h"
 #include "csg/tree/suggest.h"
 #include "csg/tree/tree.h"
 #include "csg/tree/yaml_value.h"
@@ -29,7 +32,7 @@ struct OperatorName {
   std::string_view name;
   Operator op;
 };
-constexpr std::array<OperatorName, 16> kOperators{{
+constexpr std::array<OperatorName, 17> kOperators{{
     {"union", Operator::unite},
     {"intersection", Operator::intersect},
     {"difference", Operator::subtract},
@@ -46,6 +49,7 @@ constexpr std::array<OperatorName, 16> kOperators{{
     {"below", Operator::below},
     {"above", Operator::above},
     {"simplify", Operator::simplify},
+    {"select", Operator::select},
 }};
 
 constexpr std::array<std::string_view, 10> kAttributes{
@@ -105,6 +109,7 @@ class TreeReader {
       tree_.weld_at = weld->at();
     }
     check_graph();
+    check_selectors();
     check_distances();
     tree_.dag = std::make_shared<const Dag>(std::move(dag_));
   }
@@ -278,6 +283,10 @@ class TreeReader {
       for (std::size_t i = 0; i < operands.size(); ++i) read_operand(id, operands[i], i + 1);
       return;
     }
+    if (known->op == Operator::select) {
+      read_selection(id, e.value);
+      return;
+    }
     if (e.value.is_list()) e.value.fail_type("`" + e.key + "`", "one node, by name or {...}");
     if (known->op == Operator::simplify && e.value.is_map()) {
       const std::vector<Value::Entry> entries = e.value.entries("`simplify`");
@@ -290,6 +299,43 @@ class TreeReader {
       }
     }
     read_operand(id, e.value, 1);
+  }
+
+  /// `{of: NODE, CRITERION: ..., ...}`.
+  void read_selection(NodeId id, const Value& value) {
+    if (!value.is_map()) {
+      value.fail_type("`select`", "a map {of: NODE, ...} with what is picked, such as {of: model, dimension: 2}");
+    }
+    const Fields f(value, "select",
+                   {"of", "dimension", "name", "material", "attributes", "region", "from", "source face",
+                    "between", "inside", "touching"});
+    read_operand(id, f.at("of", "NODE"), 1);
+    auto selector = std::make_shared<Selector>();
+    Criteria& criteria = selector->criteria = read_criteria(f);
+    if (const Value* material = f.find("material")) {
+      for (const Value& v : one_or_more(*material, f.name("material"))) {
+        criteria.materials.push_back(v.text(f.name("material")));
+        check_material(v);
+      }
+    }
+    if (const Value* from = f.find("from")) {
+      selector->from_at = from->at();
+      for (const Value& v : one_or_more(*from, f.name("from"))) selector->from.push_back(named(v, f.name("from")));
+    }
+    if (const Value::Entry* face = f.entry("source face"); face != nullptr && selector->from.size() != 1) {
+      document_.fail(face->key_at,
+                     "`source face` is a face of one leaf; name that: {from: LEAF, source face: 0, ...}");
+    }
+    std::size_t number = 1;
+    const auto add_places = [&](const char* key) {
+      if (const Value* places = f.find(key)) {
+        for (const Value& v : one_or_more(*places, f.name(key))) read_operand(id, v, ++number);
+      }
+    };
+    add_places("inside");
+    selector->inside = number - 1;
+    add_places("touching");
+    tree_.nodes[id].selector = std::move(selector);
   }
 
   /// True for `points`.
@@ -327,27 +373,6 @@ class TreeReader {
       const Transform step = read_transform(e);
       node.transform = node.transform ? step * *node.transform : step;
     }
-  }
-
-  /// Any keys, each with a number or a text; a number in quotes is a text.
-  static Properties read_properties(const Value& value) {
-    constexpr const char* kWanted = "a map of keys with numbers or texts, such as {diameter: 25, section: round}";
-    if (!value.is_map()) value.fail_type("`attributes`", kWanted);
-    Properties properties;
-    for (const Value::Entry& e : value.entries("`attributes`")) {
-      const std::string what = "the attribute `" + e.key + "`";
-      if (e.key.empty()) value.document().fail(e.key_at, "an attribute needs a name");
-      if (e.key == "name" || e.key == "material" || e.key == "dominance") {
-        value.document().fail(e.key_at,
-                              "`" + e.key + "` is a key of the node itself; write it beside `attributes`");
-      }
-      const std::string text = e.value.text(what);
-      const bool quoted = e.value.node().Tag() == "!";
-      NumberText number = quoted ? NumberText{} : read_number(text);
-      if (number.value) properties.emplace(e.key, std::move(*number.value));
-      else properties.emplace(e.key, text);
-    }
-    return properties;
   }
 
   void read_dominance(Node& node, const Value::Entry& e) {
@@ -415,6 +440,27 @@ class TreeReader {
       f.at("normal", "").fail("`normal` of mirror has no direction; write one such as [1, 0, 0]");
     const Value* point = f.find("point");
     return Transform::reflection(normal, point ? point->point(f.name("point")) : RationalPoint{0, 0, 0});
+  }
+
+  /// What is asked for is below what it is picked from.
+  void check_selectors() {
+    for (const NodeId id : IdRange<NodeId>(tree_.nodes.size())) {
+      const Node& node = tree_.nodes[id];
+      if (node.op != Operator::select || node.selector->from.empty()) continue;
+      const NodeId of = dag_.operands(id).front();
+      const std::vector<char> below = dag_.reachable({of});
+      for (const NodeId from : node.selector->from) {
+        if (!node.selector->criteria.source_faces.empty() && tree_.nodes[from].op != Operator::leaf) {
+          document_.fail(node.selector->from_at, "`source face` is a face of a leaf, and `" +
+                                                     tree_.nodes[from].name + "` is a `" +
+                                                     tree_.nodes[from].operator_name + "`; name the leaf");
+        }
+        if (below[from.index()]) continue;
+        document_.fail(node.selector->from_at, "nothing of `" + tree_.nodes[of].name + "` is from `" +
+                                                   tree_.nodes[from].name +
+                                                   "`; name a leaf or another node that it is made of");
+      }
+    }
   }
 
   void check_distances() {

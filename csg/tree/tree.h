@@ -5,8 +5,7 @@
 //   * `dominance: number` is the number of the node's value; without it a leaf has 0 and a Boolean the larger
 //     one of its operands. `dominance: left|right|equal` is for a Boolean's own operands.
 //   * `material`, `name` and `attributes` of a leaf are those of its regions that have none of their own, and of
-//   its
-//     sheets, wires and points; on an inner node they replace what these had.
+//     its sheets, wires and points; on an inner node they replace what these had.
 //   * An operand that is written in place, not named, is an inline node; a YAML alias of it is the same node.
 #pragma once
 
@@ -24,6 +23,7 @@
 namespace cnrg {
 
 class Dag;
+struct Selector;
 
 enum class Operator : std::uint8_t {
   leaf,
@@ -47,6 +47,8 @@ enum class Operator : std::uint8_t {
   above,
   // Of values of both families.
   simplify,
+  // What somebody picks out of one (csg/tree/selector.h).
+  select,
 };
 
 /// Interior, closure, boundary and regularize: they may act on `each` component.
@@ -75,6 +77,7 @@ struct Node {
   bool regularize = false;       ///< the attribute: regularize the node's value
   bool forget_features = false;  ///< `simplify` with mode `points`
   bool each = false;             ///< interior, closure, boundary, regularize: every component by itself
+  std::shared_ptr<const Selector> selector;  ///< of `select`
 };
 
 struct Material {

@@ -146,4 +146,22 @@ std::vector<InstanceId> instances_below(const IdVector<InstanceId, Instance>& in
   return found;
 }
 
+std::vector<LeafId> leaves_below(const IdVector<InstanceId, Instance>& instances,
+                                 const IdVector<InstanceId, LeafId>& leaf_of, InstanceId root,
+                                 std::span<const NodeId> nodes) {
+  const std::vector<InstanceId> below = instances_below(instances, root);
+  std::vector<char> wanted(root.index() + 1, 0);
+  std::vector<LeafId> leaves;
+  for (std::size_t k = below.size(); k-- > 0;) {  // users before operands
+    const InstanceId id = below[k];
+    if (nodes.empty() || std::find(nodes.begin(), nodes.end(), instances[id].node) != nodes.end())
+      wanted[id.index()] = 1;
+    if (!wanted[id.index()]) continue;
+    for (const InstanceId operand : instances[id].operands) wanted[operand.index()] = 1;
+    if (leaf_of[id].valid()) leaves.push_back(leaf_of[id]);
+  }
+  std::reverse(leaves.begin(), leaves.end());
+  return leaves;
+}
+
 }  // namespace cnrg

@@ -4,6 +4,7 @@
 // the accumulated matrices are equal, exactly, it stays one. Values are computed per instance.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "csg/tree/tree.h"
@@ -30,5 +31,11 @@ IdVector<InstanceId, LeafId> number_leaves(const Tree& tree, const IdVector<Inst
 
 /// An instance and all below it, ascending: operands before users, itself the last.
 std::vector<InstanceId> instances_below(const IdVector<InstanceId, Instance>& instances, InstanceId root);
+
+/// The leaves below an instance, ascending, by their numbers `leaf_of`; its own if it is one. With `nodes` only
+/// those that are at or below one of these nodes there.
+std::vector<LeafId> leaves_below(const IdVector<InstanceId, Instance>& instances,
+                                 const IdVector<InstanceId, LeafId>& leaf_of, InstanceId root,
+                                 std::span<const NodeId> nodes = {});
 
 }  // namespace cnrg
