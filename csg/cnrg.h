@@ -35,6 +35,7 @@
 #include "csg/leaves/mesh_data.h"
 #include "csg/leaves/shapes.h"
 #include "csg/materials/sampler.h"
+#include "csg/tree/selector.h"
 #include "csg/tree/tree.h"
 
 // Operators.

@@ -113,15 +113,48 @@ py::object data_of(const YAML::Node& node) {
   return py::str(text);
 }
 
-/// Texts as they are, and numbers as the only item of a tuple.
+/// A text as it is, and a number as the only item of a tuple.
+py::object data_of(const Property& value) {
+  const py::str text(to_text(value));
+  if (std::holds_alternative<Rational>(value)) return py::make_tuple(text);
+  return text;
+}
+
 py::object properties_of(const Node& node) {
   py::dict map;
-  for (const auto& [key, value] : node.properties) {
-    const py::str text(to_text(value));
-    if (std::holds_alternative<Rational>(value)) map[py::str(key)] = py::make_tuple(text);
-    else map[py::str(key)] = text;
-  }
+  for (const auto& [key, value] : node.properties) map[py::str(key)] = data_of(value);
   return std::move(map);
+}
+
+/// The criteria by their keys in a tree, each a list; nodes by number; how many operands are those of `inside`.
+py::object picked_by(const Selector& selector) {
+  const Criteria& c = selector.criteria;
+  py::dict criteria;
+  if (!c.dimensions.empty()) criteria["dimension"] = c.dimensions;
+  if (!c.names.empty()) criteria["name"] = c.names;
+  if (!c.materials.empty()) criteria["material"] = c.materials;
+  if (!c.properties.empty()) {
+    py::dict map;
+    for (const auto& [key, value] : c.properties) {
+      if (!map.contains(py::str(key))) map[py::str(key)] = py::list();
+      py::list(map[py::str(key)]).append(data_of(value));
+    }
+    criteria["attributes"] = map;
+  }
+  if (!c.regions.empty() || !c.region_numbers.empty()) {
+    py::list regions = py::cast(c.regions);
+    for (const Component number : c.region_numbers) regions.append(number);
+    criteria["region"] = regions;
+  }
+  if (!c.source_faces.empty()) criteria["source face"] = c.source_faces;
+  if (!c.between.empty()) {
+    py::list between;
+    for (const auto& [first, second] : c.between) between.append(py::make_tuple(first, second));
+    criteria["between"] = between;
+  }
+  std::vector<std::size_t> from;
+  for (const NodeId node : selector.from) from.push_back(node.index());
+  return py::make_tuple(criteria, from, selector.inside);
 }
 
 /// A node of a tree file as data: what the reader decided of it, and the values of its keys as they are written.
@@ -130,7 +163,8 @@ struct NodeRecord {
   bool is_inline = false, is_leaf = false, forgets_features = false;
   int line = 1, column = 1;
   std::vector<std::size_t> operands;
-  py::object value;  ///< of a leaf
+  py::object value;   ///< of a leaf
+  py::object picked;  ///< of `select`
   std::vector<std::pair<std::string, py::object>> attributes;
 };
 
@@ -181,6 +215,7 @@ class Records {
     r.forgets_features = node.op == Operator::simplify && node.forget_features;
     r.line = node.at.line;
     r.column = node.at.column;
+    if (node.selector) r.picked = picked_by(*node.selector);
     for (const NodeId operand : tree_.operands(id)) r.operands.push_back(operand.index());
     for (const auto& entry : map) {
       const std::string key = entry.first.Scalar();
@@ -234,6 +269,7 @@ void bind_tree(py::module_& module) {
       .def_readonly("column", &NodeRecord::column)
       .def_readonly("operands", &NodeRecord::operands)
       .def_readonly("value", &NodeRecord::value)
+      .def_readonly("picked", &NodeRecord::picked)
       .def_readonly("attributes", &NodeRecord::attributes);
 
   py::class_<TreeObject>(module, "Tree")

@@ -209,6 +209,18 @@ class MeshArrays:
         self.keys = keys
 
 
+class Picked:
+    """What `select` picks: criteria by their keys in a tree, the nodes that cells are from, and how many operands behind
+    the first one are those of `inside`; the others are those of `touching`."""
+
+    __slots__ = ("criteria", "sources", "inside")
+
+    def __init__(self, criteria: Mapping[str, Any], sources: Iterable[Node], inside: int):
+        self.criteria = dict(criteria)
+        self.sources = tuple(sources)
+        self.inside = inside
+
+
 class Node:
     """A node of a tree: a leaf or an operator, with its attributes.
 
@@ -315,6 +327,42 @@ class Node:
         if mode not in ("features", "points"):
             raise fault(f"simplify: the mode is features or points, not {mode!r}")
         return made("simplify", (self,), mode if mode == "points" else None)
+
+    def select(
+        self,
+        *,
+        dimension: int | Iterable[int] | None = None,
+        name: str | Iterable[str] | None = None,
+        material: str | Material | Iterable[str | Material] | None = None,
+        attributes: Mapping[str, Any] | None = None,
+        region: str | int | Iterable[str | int] | None = None,
+        from_: Node | Iterable[Node] | None = None,
+        source_face: int | Iterable[int] | None = None,
+        between: Iterable[Any] | None = None,
+        inside: Node | Iterable[Node] | None = None,
+        touching: Node | Iterable[Node] | None = None,
+    ) -> Node:
+        """What of it is picked: cells for which all that is given holds; of several values one suffices.
+
+        dimension: 3 regions, 2 faces, 1 edges, 0 vertices. name, material, attributes: of regions and of what stands
+        for itself, sheets, wires, points. region: the cell is, bounds or lies in a region of that name or number.
+        from_: it came from that leaf, or from one below that node; source_face: from that face of the leaf. between:
+        ("rock", "clay"), or several such pairs: a wall between regions of these names or materials; None is no region.
+        inside: all of it is in that node's points; touching: it or its boundary has a point there.
+        """
+        criteria = {
+            "dimension": dimension,
+            "name": name,
+            "material": material,
+            "attributes": attributes,
+            "region": region,
+            "source face": source_face,
+            "between": between,
+        }
+        sources = _listed("from_", from_)
+        within = _listed("inside", inside)
+        picked = Picked({k: criterion(k, v) for k, v in criteria.items() if v is not None}, sources, len(within))
+        return made("select", (self, *within, *_listed("touching", touching)), picked)
 
     # Attributes and transforms, as in a tree file.
 
@@ -446,9 +494,41 @@ def _properties(value: Any) -> dict[str, Any]:
         raise TypeError(f"attributes: keys with numbers or texts are wanted, not {type(value).__name__}")
     properties: dict[str, Any] = {}
     for key, item in value.items():
-        is_text = isinstance(data_of(item), str) and not isinstance(item, Exact)
-        properties[data_of(str(key))] = Text(item) if is_text and isinstance(item, str) else exact(item)
+        properties[data_of(str(key))] = _property(item)
     return properties
+
+
+def _property(value: Any) -> Any:
+    is_text = isinstance(data_of(value), str) and not isinstance(value, Exact)
+    return Text(value) if is_text and isinstance(value, str) else exact(value)
+
+
+def _listed(what: str, given: Node | Iterable[Node] | None) -> tuple[Node, ...]:
+    if given is None:
+        return ()
+    return _operands(what, (given,) if isinstance(given, Node) else tuple(given))
+
+
+def criterion(key: str, value: Any) -> Any:
+    """One criterion of `select` as data: texts in quotes, since a region may be given by number, too."""
+    if key == "attributes":
+        if not isinstance(value, Mapping):
+            raise TypeError(f"attributes: keys with numbers or texts are wanted, not {type(value).__name__}")
+        several = {k: isinstance(v, Iterable) and not isinstance(v, str) for k, v in value.items()}
+        return {
+            data_of(str(k)): [_property(item) for item in v] if several[k] else _property(v) for k, v in value.items()
+        }
+
+    def visit(item: Any) -> Any:
+        if isinstance(item, Material):
+            return Text(item.name)
+        if isinstance(item, str) and not isinstance(item, Exact):
+            return Text(item)
+        if isinstance(item, Iterable) and not isinstance(item, str):
+            return [visit(sub) for sub in item]
+        return data_of(item)
+
+    return visit(value)
 
 
 def _exactly(value: Any) -> Any:

@@ -13,7 +13,7 @@ from typing import Any, Callable, Iterable, Iterator, Mapping
 
 from . import _cnrg
 from .errors import Error, InputError
-from .nodes import Exact, Material, MeshArrays, Node, Number, Site, Text, data_of, exact, quoted, text_of
+from .nodes import Exact, Material, MeshArrays, Node, Number, Picked, Site, Text, criterion, data_of, exact, quoted, text_of
 
 _EXPRESSION = "<expression>"
 _PLACE = re.compile(re.escape(_EXPRESSION) + r":(\d+):(\d+)")
@@ -39,6 +39,11 @@ def _of_regions(node: Node) -> Iterator[str]:
         name = region.get("material") if isinstance(region, dict) else None
         if isinstance(name, str):
             yield name
+
+
+def _sources(node: Node) -> tuple[Node, ...]:
+    """Nodes that a node names beside its operands."""
+    return node.value.sources if isinstance(node.value, Picked) else ()
 
 
 def _own_material(node: Node) -> Material | None:
@@ -78,6 +83,22 @@ def _operator_value(node: Node, operand: Callable[[Node], Any], path: Callable[[
             yield "{of: "
             yield operand(node.operands[0])
             yield f", mode: {node.value}}}"
+    elif isinstance(node.value, Picked):
+        yield "{of: "
+        yield operand(node.operands[0])
+        yield "".join(f", {key}: {text_of(value)}" for key, value in node.value.criteria.items())
+        places = node.operands[1:]
+        nodes = {
+            "from": node.value.sources,
+            "inside": places[: node.value.inside],
+            "touching": places[node.value.inside :],
+        }
+        for key, listed in nodes.items():
+            for i, below in enumerate(listed):
+                yield ", " if i else f", {key}: ["
+                yield operand(below)
+            yield "]" if listed else ""
+        yield "}"
     elif node.operator in ("below", "above"):
         yield operand(node.operands[0])
         yield ", within: "
@@ -104,7 +125,11 @@ def check_form(node: Node) -> None:
     own = _own_material(node)
     if own is not None:
         names.add(own.name)
-    short = node if len(node.operands) <= 2 else Node(node.operator, node.operands[:2], node.value, node.attributes)
+    if isinstance(node.value, Picked):
+        wanted = node.value.criteria.get("material", [])
+        names.update([wanted] if isinstance(wanted, str) else wanted)
+    is_short = len(node.operands) <= 2 or isinstance(node.value, Picked)
+    short = node if is_short else Node(node.operator, node.operands[:2], node.value, node.attributes)
     value = "".join(
         "{points: [], faces: []" if isinstance(piece, _cnrg.MeshData) else piece
         for piece in _operator_value(short, lambda below: "p", lambda path: path)
@@ -162,14 +187,14 @@ class _Text:
                     seen.add(id(node))
                     stack.append((node, True))
                     stack.extend((own.to, False) for own in _own_materials(node) if own.to is not None)
+                    stack.extend((source, False) for source in _sources(node))
                     stack.extend((below, False) for below in reversed(node.operands))
         place = {id(node): i for i, node in enumerate(order)}
         known = [node for node in listed if id(node) in place]
         self._inline = {id(node) for node in listed if node.is_inline and all(node is not root for root in roots)}
-        for node in listed:  # what a distance is measured to needs a name
-            for own in _own_materials(node):
-                if own.to is not None:
-                    self._inline.discard(id(own.to))
+        for node in listed:  # what a distance is measured to, or a selection is from, needs a name
+            named = [own.to for own in _own_materials(node)] + list(_sources(node))
+            self._inline -= {id(other) for other in named if other is not None}
         return sorted(known, key=lambda node: place[id(node)]) + [n for n in listed if id(n) not in place]
 
     def _named(self) -> dict[int, str]:
@@ -480,6 +505,16 @@ def _as_expressions(tree: Any, file: str) -> Tree:
             return {key: exact(item[0]) if isinstance(item, tuple) else Text(item) for key, item in value.items()}
         return material_of(value) if name == "material" else data_of(value)
 
+    def picked(of: Any) -> Picked:
+        criteria, sources, inside = of
+        data: dict[str, Any] = {}
+        for key, values in criteria.items():
+            if key == "attributes":
+                data[key] = {k: [exact(v[0]) if isinstance(v, tuple) else Text(v) for v in vs] for k, vs in values.items()}
+            else:
+                data[key] = criterion(key, values[0] if len(values) == 1 else values)
+        return Picked(data, [nodes[k] for k in sources], inside)  # type: ignore[misc]
+
     def build(i: int) -> Node:
         r = records[i]
         value: Any = None
@@ -489,6 +524,8 @@ def _as_expressions(tree: Any, file: str) -> Tree:
                 value = os.path.join(folder, value)
             elif isinstance(value, dict) and isinstance(value.get("file"), str):
                 value["file"] = os.path.join(folder, value["file"])
+        elif r.picked is not None:
+            value = picked(r.picked)
         elif r.forgets_features and all(name != "simplify" for name, _ in r.attributes):
             value = "points"
         attributes = [(n, attribute(n, v)) for n, v in r.attributes]
@@ -506,7 +543,8 @@ def _as_expressions(tree: Any, file: str) -> Tree:
     stack = list(range(len(records)))[::-1]
     while stack:
         i = stack[-1]
-        missing = [k for k in records[i].operands if nodes[k] is None]
+        named = records[i].picked[1] if records[i].picked is not None else []
+        missing = [k for k in [*records[i].operands, *named] if nodes[k] is None]
         if missing and nodes[i] is None:
             stack.extend(reversed(missing))
             continue
