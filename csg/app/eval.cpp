@@ -14,7 +14,9 @@
 #include "csg/operators/node_value.h"
 #include "csg/text/escape.h"
 #include "csg/text/file.h"
+#include "csg/topology/selectables.h"
 #include "csg/topology/topology.h"
+#include "csg/tree/selector.h"
 
 namespace cnrg::app {
 namespace {
@@ -137,6 +139,32 @@ std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vec
   return text;
 }
 
+/// What is shown becomes what `criteria` pick of it.
+void select_in(Tree& tree, const std::string& criteria, std::vector<NodeId>& nodes, PictureRequest& picture) {
+  const auto picked = [&](NodeId node) { return add_selection(tree, node, criteria, "--select"); };
+  std::map<NodeId, NodeId> known;
+  for (NodeId& node : nodes) {
+    const auto [it, is_new] = known.try_emplace(node);
+    if (is_new) it->second = picked(node);
+    node = it->second;
+  }
+  for (PanelRequest& panel : picture.panels) {
+    if (!panel.node.empty()) panel.node += "/select";
+  }
+  if (nodes.empty()) tree.result = picked(tree.result);
+}
+
+/// The same nodes.
+std::string lists_of(const Tree& tree, const Evaluation& evaluation, std::vector<NodeId> nodes) {
+  if (nodes.empty()) nodes = {tree.result};
+  std::string text;
+  for (const NodeId node : nodes) {
+    append_line(text += "\n", "what `select` can pick of " + tree.nodes[node].name);
+    text += selectables_text(selectables(evaluation.result(node)));
+  }
+  return text;
+}
+
 }  // namespace
 
 int run_eval(const EvalArguments& arguments) {
@@ -152,12 +180,12 @@ int run_eval(const EvalArguments& arguments) {
     }
     if (arguments.binary) check_binary_file_name(path);
   }
-  const PictureRequest picture = picture_request(arguments.picture);
+  PictureRequest picture = picture_request(arguments.picture);
   if (picture.given && !pictures) {
     throw InputError(
         "cnrg: error: options of pictures are given, and no picture; add `-o FILE.svg`, .png or .pdf");
   }
-  const Tree tree = tree_of(arguments);
+  Tree tree = tree_of(arguments);
   require_writable(arguments.files, tree);
   EvaluateOptions options;
   options.threads = arguments.threads;
@@ -165,24 +193,26 @@ int run_eval(const EvalArguments& arguments) {
   options.rows = !arguments.quiet || std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
   options.region_volumes = arguments.trace;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));
-  const std::vector<FileRequest> files = requests(tree, arguments, options.nodes, picture);
-  options.keep_all =
-      std::any_of(picture.panels.begin(), picture.panels.end(), [](const auto& p) { return p.ghosts; });
   std::vector<NodeId> roots = options.nodes;
   roots.push_back(tree.result);
   print(unused_nodes(tree, roots), arguments.quiet);
+  if (!arguments.select.empty()) select_in(tree, arguments.select, options.nodes, picture);
+  const std::vector<FileRequest> files = requests(tree, arguments, options.nodes, picture);
+  options.keep_all =
+      std::any_of(picture.panels.begin(), picture.panels.end(), [](const auto& p) { return p.ghosts; });
 
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet, &clock);
   clock.begin("crossings");
   const bool crosses = arguments.certify ? require_certain(tree, evaluation, arguments.quiet)
                                          : tell_uncertain(tree, evaluation, arguments.quiet);
   clock.begin("results");
-  std::string topology;
+  std::string told;
   if (arguments.topology) {
     ProgressBar bar(arguments.quiet);
     bar.show("topology");
-    topology = topology_of(tree, evaluation, options.nodes);
+    told = topology_of(tree, evaluation, options.nodes);
   }
+  if (arguments.list) told += lists_of(tree, evaluation, options.nodes);
   FileWriter writer(tree, evaluation, arguments);
   const auto print_all = [&](bool whole) {
     if (!arguments.quiet) {
@@ -190,7 +220,7 @@ int run_eval(const EvalArguments& arguments) {
                              arguments.trace);
     }
     if (!arguments.quiet && arguments.trace) std::cout << refinement_summary(evaluation);
-    std::cout << topology << std::flush;
+    std::cout << told << std::flush;
     writer.tell_all();
   };
   try {

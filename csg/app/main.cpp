@@ -201,6 +201,13 @@ int run(int argc, char** argv) {
   sub->add_flag("--topology", eval.topology,
                 "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions "
                 "touch");
+  sub->add_flag("--list", eval.list,
+                "For the result, or each --node: what the operator `select` can pick, with numbers of cells");
+  sub->add_option(
+         "--select", eval.select,
+         "Files, --topology and --list show what this picks of the result, or of each --node: criteria of "
+         "the operator `select`, such as '{dimension: 2, between: [rock, clay]}'")
+      ->type_name("CRITERIA");
   constexpr const char* kSnap =
       "The rule: where rounding to doubles would break the result, move vertices until it does not, and say how "
       "far";

@@ -340,6 +340,9 @@ std::string cnrg_words(const Node& node, const LifeStep& step) {
     case Operator::closure: return "a group is closed: it stays as it is";
     case Operator::simplify:
       return node.forget_features ? "the same cells; features are forgotten" : "the same cells";
+    case Operator::select:
+      if (!in) return "left out: not in X";
+      return step.state.component != 0 ? "kept: it is picked, or bounds what is" : "left out: it is not picked";
     default: return overlay_words(node.op, step);
   }
 }

@@ -114,6 +114,25 @@ class TreeReader {
     tree_.dag = std::make_shared<const Dag>(std::move(dag_));
   }
 
+  /// As of `add_selection` (selector.h), on a tree that was read.
+  NodeId add_selection(NodeId of, const YAML::Node& root) {
+    const IdRange<NodeId> known(tree_.nodes.size());
+    for (std::size_t i = 0; i < tree_.nodes.size(); ++i) dag_.add_node();
+    for (const NodeId id : known) {
+      for (const NodeId operand : tree_.operands(id)) dag_.add_operand(id, operand, tree_.nodes[id].at);
+    }
+    const Value criteria(document_, root, {1, 1});
+    const NodeId id = add_node(tree_.nodes[of].name + "/select", true, criteria.at());
+    Node& node = tree_.nodes[id];
+    node.op = Operator::select;
+    node.operator_name = "select";
+    node.operator_at = criteria.at();
+    read_selection(id, criteria, of);
+    check_selectors();
+    tree_.dag = std::make_shared<const Dag>(std::move(dag_));
+    return id;
+  }
+
  private:
   void check_material(const Value& value) {
     std::vector<std::string_view> names;
@@ -301,15 +320,19 @@ class TreeReader {
     read_operand(id, e.value, 1);
   }
 
-  /// `{of: NODE, CRITERION: ..., ...}`.
-  void read_selection(NodeId id, const Value& value) {
+  /// `{of: NODE, CRITERION: ..., ...}`; without `of` where that is given.
+  void read_selection(NodeId id, const Value& value, NodeId of = {}) {
     if (!value.is_map()) {
-      value.fail_type("`select`", "a map {of: NODE, ...} with what is picked, such as {of: model, dimension: 2}");
+      value.fail_type("`select`", of.valid() ? "a map of what is picked, such as {dimension: 2}"
+                                             : "a map {of: NODE, ...} with what is picked, such as {of: model, "
+                                               "dimension: 2}");
     }
-    const Fields f(value, "select",
-                   {"of", "dimension", "name", "material", "attributes", "region", "from", "source face",
-                    "between", "inside", "touching"});
-    read_operand(id, f.at("of", "NODE"), 1);
+    std::vector<std::string_view> keys{"dimension",   "name",    "material", "attributes", "region", "from",
+                                       "source face", "between", "inside",   "touching"};
+    if (!of.valid()) keys.push_back("of");
+    const Fields f(value, "select", keys);
+    if (of.valid()) dag_.add_operand(id, of, value.at());
+    else read_operand(id, f.at("of", "NODE"), 1);
     auto selector = std::make_shared<Selector>();
     Criteria& criteria = selector->criteria = read_criteria(f);
     if (const Value* material = f.find("material")) {
@@ -605,6 +628,11 @@ Tree parse_tree(const std::string& text, const std::string& file, const ReadOpti
   tree.file = file;
   TreeReader(document, tree, options).read(load_yaml(document, text));
   return tree;
+}
+
+NodeId add_selection(Tree& tree, NodeId of, const std::string& criteria, const std::string& file) {
+  Document document{file, criteria.size() + 1'000'000};
+  return TreeReader(document, tree, {}).add_selection(of, load_yaml(document, criteria));
 }
 
 namespace {

@@ -2,11 +2,11 @@
 // named by nodes, sets of points are further operands of the node, behind the one that is picked from.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "csg/operators/select.h"
-#include "csg/tree/position.h"
-#include "kernel/base/ids.h"
+#include "csg/tree/tree.h"
 
 namespace cnrg {
 
@@ -17,5 +17,10 @@ struct Selector {
   Position from_at;        ///< of the key
   std::size_t inside = 0;  ///< so many operands behind the first are for `inside`, those after them for `touching`
 };
+
+/// Adds a node to the tree that picks cells of `of`. `criteria` is the value of `select` without `of`, such as
+/// `{dimension: 2, material: rock}`; nodes in it are those of the tree. The node is inline, called `OF/select`.
+/// Throws TreeError, with a place in `criteria` and `file` as its name, for what `select` does not take.
+NodeId add_selection(Tree& tree, NodeId of, const std::string& criteria, const std::string& file);
 
 }  // namespace cnrg

@@ -9,6 +9,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -82,7 +83,9 @@ struct Value::Entry {
 class Fields {
  public:
   /// Fails for a key that is not among `allowed`, naming the nearest.
-  Fields(const Value& map, std::string what, std::initializer_list<std::string_view> allowed);
+  Fields(const Value& map, std::string what, std::span<const std::string_view> allowed);
+  Fields(const Value& map, std::string what, std::initializer_list<std::string_view> allowed)
+      : Fields(map, std::move(what), std::span(allowed.begin(), allowed.size())) {}
   /// The value of a key, or nullptr.
   const Value* find(std::string_view key) const;
   const Value::Entry* entry(std::string_view key) const;

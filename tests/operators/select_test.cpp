@@ -111,6 +111,68 @@ TEST_CASE("cells are picked by the regions around them and by their leaves", "[s
   CHECK(s.pick(from) == Counts{4 + 2, 4 + 1, 1, 0});
 }
 
+TEST_CASE("cells are picked by faces of leaves, by place, and regions by number", "[select]") {
+  const Scene s;
+  // Face 5 of a box is its last one, x = 8 of the eastern; 4 is x = 4, the wall.
+  Criteria c = of_dimension({2});
+  c.leaves = {LeafId(1)};
+  std::size_t faces = 0;
+  for (std::uint32_t face = 0; face < 6; ++face) {
+    c.source_faces = {face};
+    CHECK(s.pick(c) == Counts{4, 4, 1, 0});
+    c.source_faces.push_back(face == 0 ? 1 : 0);
+    faces += s.pick(c)[2];
+  }
+  CHECK(faces == 12);
+  Criteria edges = of_dimension({1});
+  edges.leaves = {LeafId(1)};
+  edges.source_faces = {0};  // its border
+  CHECK(s.pick(edges) == Counts{4, 4, 0, 0});
+  Criteria number = of_dimension({3});
+  number.region_numbers = {2};
+  CHECK(s.pick(number) == Counts{8, 12, 6, 1});
+  number.region_numbers = {3};
+  CHECK(s.pick(number) == Counts{0, 0, 0, 0});
+
+  const std::vector<Group> leaves = leaf_groups(s.complex);
+  const CellSet west = support(selection_of(s.complex, leaves[0]));
+  Criteria inside;
+  inside.inside = west;  // its region, its skin, the fault; not the bolt
+  CHECK(s.pick(inside) == Counts{8 + 4, 12 + 4, 6 + 1, 1});
+  inside.inside = interior(s.complex, west);
+  inside.dimensions = {2};
+  CHECK(s.pick(inside) == Counts{4, 4, 1, 0});
+  inside.inside = boundary(s.complex, west);
+  CHECK(s.pick(inside) == Counts{8, 12, 6, 0});
+  Criteria touching = of_dimension({2});
+  touching.touching = support(selection_of(s.complex, leaves[1]));  // the wall, and four around it
+  CHECK(s.pick(touching) == Counts{12, 20, 11 - 1, 0});
+  touching.dimensions = {3};
+  CHECK(s.pick(touching) == Counts{12 + 4, 20 + 4, 11 + 1, 2});
+  touching.touching = support(selection_of(s.complex, leaves[2]));
+  CHECK(s.pick(touching) == Counts{8 + 4, 12 + 4, 6 + 1, 1});
+}
+
+TEST_CASE("of components single cells are picked, which keep their component", "[select]") {
+  const Scene s;
+  const Components all = components_of(s.complex, s.all);  // west, east, entities
+  REQUIRE(all.attributes.size() == 3);
+  Criteria c = of_dimension({3});
+  c.regions = {"east"};
+  const Components east = select(s.complex, all, c);
+  REQUIRE(east.attributes.size() == 1);
+  CHECK(east.attributes[0].name == "east");
+  CHECK(support(east.selection) == support(all.selection, 2));
+  Criteria steel;
+  steel.materials = {"steel"};
+  const Components bolt = select(s.complex, all, steel);
+  CHECK(bolt.selection.edges.size() == 1);
+  CHECK(support(bolt.selection).size() == 1);  // without its ends
+  CHECK(bolt.attributes.size() == 1);
+  CHECK(bolt.attributes[0].name == kEntitiesName);
+  CHECK(select(s.complex, all, {}).selection == all.selection);
+}
+
 /// Cells by dimension and id.
 using Cells = std::set<std::pair<int, std::size_t>>;
 
@@ -133,7 +195,7 @@ TEST_CASE("selections in random scenes are what brute force picks", "[select][ra
   std::mt19937 random(7);
   const auto number = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
   std::size_t picked_cells = 0;
-  for (int scene = 0; scene < 25; ++scene) {
+  for (int scene = 0; scene < 40; ++scene) {
     std::vector<Piece> pieces;
     std::vector<Attributes> said_of;
     const char* const materials[] = {"rock", "clay", "steel"};
@@ -149,6 +211,9 @@ TEST_CASE("selections in random scenes are what brute force picks", "[select][ra
     const auto built = complex_of(pieces);
     const Complex& complex = *built;
     const Group all = united(complex, named(complex, said_of));
+    std::vector<CellSet> sets;  // point sets to be inside of, or to touch
+    for (const Group& leaf : leaf_groups(complex)) sets.push_back(support(selection_of(complex, leaf)));
+    sets.push_back(interior(complex, sets[0]));
     // From each 3-cell to all in its closure.
     std::map<std::pair<int, std::size_t>, std::set<std::uint32_t>> around;
     std::vector<Cells> closure(all.regions.size() + 1);
@@ -175,6 +240,22 @@ TEST_CASE("selections in random scenes are what brute force picks", "[select][ra
       const std::string other = materials[number(3)];
       if (between == 1) c.between = {{material, std::nullopt}};
       if (between == 2) c.between = {{material, other}};
+      const int place = number(3);  // 0 nothing, 1 inside, 2 touching
+      const CellSet& set = sets[static_cast<std::size_t>(number(static_cast<int>(sets.size())))];
+      if (place == 1) c.inside = set;
+      if (place == 2) c.touching = set;
+      const auto in_set = [&](int d, std::size_t id) {
+        const auto in = [&](const auto& list) {
+          return std::any_of(list.begin(), list.end(), [&](auto cell) { return cell.index() == id; });
+        };
+        return d == 3 ? in(set.regions) : d == 2 ? in(set.faces) : d == 1 ? in(set.edges) : in(set.vertices);
+      };
+      const auto is_in_place = [&](int d, std::size_t id, const Cells& closed) {
+        if (place == 0) return true;
+        if (place == 1 || in_set(d, id)) return in_set(d, id);
+        return std::any_of(closed.begin(), closed.end(),
+                           [&](auto& cell) { return in_set(cell.first, cell.second); });
+      };
 
       const auto wants = [&](int d) {
         return c.dimensions.empty() || std::count(c.dimensions.begin(), c.dimensions.end(), d) != 0;
@@ -198,12 +279,19 @@ TEST_CASE("selections in random scenes are what brute force picks", "[select][ra
       Cells expected;
       const Origins& o = all.origins;
       for (std::size_t k = 0; k < all.faces.size(); ++k) {
+        Cells closed;
+        add_closure(complex, all.faces[k], closed);
+        if (!is_in_place(2, all.faces[k].index(), closed)) continue;
         if (holds(2, all.faces[k].index(), o.sets[o.faces[k]])) add_closure(complex, all.faces[k], expected);
       }
       for (std::size_t k = 0; k < all.edges.size(); ++k) {
+        Cells closed;
+        add_closure(complex, all.edges[k], closed);
+        if (!is_in_place(1, all.edges[k].index(), closed)) continue;
         if (holds(1, all.edges[k].index(), o.sets[o.edges[k]])) add_closure(complex, all.edges[k], expected);
       }
       for (std::size_t k = 0; k < all.vertices.size(); ++k) {
+        if (!is_in_place(0, all.vertices[k].index(), {})) continue;
         if (holds(0, all.vertices[k].index(), o.sets[o.vertices[k]])) expected.emplace(0, all.vertices[k].index());
       }
       std::vector<std::string> regions;
@@ -211,6 +299,13 @@ TEST_CASE("selections in random scenes are what brute force picks", "[select][ra
         const RegionAttributes& of = all.regions[r - 1];
         if (!wants(3) || between != 0 || ((asked & 1) && of.name != near)) continue;
         if ((asked & 2) && std::count(of.leaves.begin(), of.leaves.end(), leaf) == 0) continue;
+        bool all_in = true, touched = is_in_place(0, std::size_t(-1), closure[r]);
+        for (const auto& [cell, region] : all.cells) {
+          if (region != r) continue;
+          all_in = all_in && in_set(3, cell.index());
+          touched = touched || in_set(3, cell.index());
+        }
+        if ((place == 1 && !all_in) || (place == 2 && !touched)) continue;
         regions.push_back(of.name);
         expected.insert(closure[r].begin(), closure[r].end());
       }
