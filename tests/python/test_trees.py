@@ -413,11 +413,14 @@ class Files(Folder):
                 with self.subTest(given=given), warnings.catch_warnings(record=True):
                     warnings.simplefilter("always")
                     node = model.select(**given)
-                    cells = node.evaluate().cells
-                    found = (len(cells.vertices), len(cells.edges), len(cells.faces), cells.regions.count)
-                    self.assertEqual(found[:3], counts[:3])
+                    result = node.evaluate()
+                    found = tuple(len(getattr(result, kind)) for kind in ("vertices", "edges", "faces"))
+                    self.assertEqual(found, counts[:3])
+                    self.assertEqual(result.volume, 32 * counts[3])
                     text = node.to_yaml()
-                    self.assertEqual(cnrg.parse(text).to_yaml(), text)
+                    again = cnrg.parse(text).to_yaml()  # [5] and 5 are the same
+                    self.assertEqual(cnrg.parse(again).to_yaml(), again)
+                    self.assertEqual(self.exact(again), self.exact(text))
                     self.assertEqual(pickle.loads(pickle.dumps(node)).to_yaml(), text)
                     self.assertEqual(self.exact(text), self.exact_here(node.evaluate()))
         for given in [dict(dimension=4), dict(dimension=[]), dict(region=-1), dict(between=("rock",)),
