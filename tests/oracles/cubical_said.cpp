@@ -124,8 +124,8 @@ class Sayings {
     return v.labels[static_cast<std::size_t>(c)] != label;
   }
 
-  /// An edge or vertex between 3-cells of several components, of the walls of which nothing is left: whether it
-  /// stands for itself the page does not say.
+  /// An edge or vertex between 3-cells of several components, of the walls of which nothing is left: it bounds
+  /// nothing, so it stands for itself.
   bool hangs_between(const Value& v, Cell c) const {
     const auto& cubes = grid_.cubes(c);
     const auto label = [&](Cell d) { return v.labels[static_cast<std::size_t>(d)]; };
@@ -143,12 +143,13 @@ class Sayings {
     Said fresh(said.size());
     for (Cell c = 0; c < grid_.cells(); ++c) {
       if (grid_.dimension(c) == 3 || !is_active(v, c)) continue;
-      if (even_around(v, c)) {
+      if (even_around(v, c) || (grid_.dimension(c) < 2 && hangs_between(v, c))) {
         put(fresh, c, {{}, grid_.dimension(c)});
-      } else if (grid_.dimension(c) < 2 && hangs_between(v, c)) {
-        put(fresh, c, {{}, grid_.dimension(c), false});
       }
     }
+    // What lies in the closure of a sheet is the sheet's, though the sheet lost it once and it came back.
+    for (Cell c = 0; c < grid_.cells(); ++c)
+      if (grid_.dimension(c) == 2 && said[static_cast<std::size_t>(c)]) put(fresh, c, {{}, 2});
     for (std::size_t i = 0; i < said.size(); ++i)
       if (is_active(v, static_cast<Cell>(i))) lower(said[i], fresh[i]);
   }
