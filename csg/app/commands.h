@@ -75,7 +75,7 @@ int run_mesh(const MeshArguments& arguments);
 
 struct CompareArguments {
   std::string a, b, inside, node_a, node_b;
-  std::vector<std::string> ignored;  ///< components, materials, names, features
+  std::vector<std::string> ignored;  ///< components, materials, names, attributes, features
   bool quiet = false;
   int threads = 0, finer = 1;
 };

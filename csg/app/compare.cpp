@@ -44,6 +44,7 @@ int run_compare(const CompareArguments& arguments) {
     if (what == "components") options.components = false;
     else if (what == "materials") options.materials = false;
     else if (what == "names") options.names = false;
+    else if (what == "attributes") options.attributes = false;
     else options.features = false;
   }
   ProgressBar bar(arguments.quiet);

@@ -336,12 +336,13 @@ int run(int argc, char** argv) {
   sub->add_option("--node-b", compared.node_b, "Node of B; its result without it")
       ->type_name("N")
       ->check(name_fault);
-  sub->add_option(
-         "--ignore", compared.ignored,
-         "More than once: `names` or `materials` of components; `features`, that is lines and points that "
-         "parts of one surface or line have by themselves; `components`, that is all but the point sets")
+  sub->add_option("--ignore", compared.ignored,
+                  "More than once: `names`, `materials` or `attributes` (keys with values) of components, sheets, "
+                  "wires and "
+                  "points; `features`, that is lines and points that "
+                  "parts of one surface or line have by themselves; `components`, that is all but the point sets")
       ->type_name("WHAT")
-      ->check(CLI::IsMember({"names", "materials", "features", "components"}))
+      ->check(CLI::IsMember({"names", "materials", "attributes", "features", "components"}))
       ->expected(1)
       ->take_all();
   add_fineness(sub, compared);

@@ -5,13 +5,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "csg/compare/names.h"
 #include "csg/compare/partners.h"
 #include "csg/compare/same_material.h"
 #include "csg/compare/settled.h"
+#include "csg/operators/cell_sources.h"
 #include "csg/operators/node_value.h"
 #include "csg/text/escape.h"
 
@@ -23,7 +27,13 @@ struct Side {
   const KeptValue* kept;
   Selection selection;
   CellSet cells;
+  std::unique_ptr<const ValueSources> sources;
 };
+
+std::unique_ptr<const ValueSources> sources_of(const Complex& complex, const NodeValue& value) {
+  if (value.is_group()) return std::make_unique<GroupSources>(complex, value.group());
+  return std::make_unique<ComponentSources>(complex, value.components());
+}
 
 class Comparer {
  public:
@@ -35,6 +45,7 @@ class Comparer {
       sides_[side].kept = &kept;
       sides_[side].selection = selection_of(complex_, *kept.value);
       sides_[side].cells = support(sides_[side].selection);
+      sides_[side].sources = sources_of(complex_, *kept.value);
     }
   }
 
@@ -47,6 +58,7 @@ class Comparer {
     std::vector<std::vector<Piece>> pieces = pieces_of(complex_, sets_);
     for (std::size_t side = 0; side < 2; ++side) out_.only[side] = std::move(pieces[side]);
     for (std::size_t i = 0; i < out_.moved.size(); ++i) out_.moved[i].pieces = std::move(pieces[2 + i]);
+    for (std::size_t i = 0; i < out_.said.size(); ++i) out_.said[i].pieces = std::move(pieces[said_at_ + i]);
     for (std::size_t side = 0; side < 2 && features_at_ != 0; ++side) {
       out_.features[side] = std::move(pieces[features_at_ + side]);
     }
@@ -96,6 +108,7 @@ class Comparer {
     for (const auto& [in_a, in_b] : found.pairs) {
       if (!groups || in_a != entities[0]) compare_attributes(in_a, in_b);
     }
+    compare_said(alike, changed);
     if (!options_.features) return;
     // Between components that became one no cell is kept, of a group none but entities, which are compared above.
     if (!groups) {
@@ -129,19 +142,72 @@ class Comparer {
   }
 
   void compare_attributes(Component in_a, Component in_b) {
-    const RegionAttributes &a = value(0).attributes(in_a), &b = value(1).attributes(in_b);
-    if (options_.names && names_.differ(a.name, b.name)) {
-      out_.attributes.push_back({{in_a, in_b}, false, {names_.plain(a.name), names_.plain(b.name)}});
+    for (Comparison::Word& word : differing(value(0).attributes(in_a), value(1).attributes(in_b))) {
+      out_.attributes.push_back({{in_a, in_b}, std::move(word)});
     }
-    if (!options_.materials) return;
-    const std::string& mark = marks_.material;
-    const std::string word_a = a.material.name();
-    const std::string word_b = without_mark(b.material.name(), mark);
-    const PlacedGrade *grade_a = a.material.grade(), *grade_b = b.material.grade();
-    const bool same_grades =
-        grade_a == nullptr || grade_b == nullptr ? grade_a == grade_b : same_grade(*grade_a, *grade_b, mark);
-    if (word_a == word_b && same_grades) return;
-    out_.attributes.push_back({{in_a, in_b}, true, {word_a, word_b}, word_a == word_b});
+  }
+
+  /// What is said otherwise in `a`, of A, and `b`, of B.
+  std::vector<Comparison::Word> differing(const Attributes& a, const Attributes& b) const {
+    std::vector<Comparison::Word> out;
+    if (options_.names && names_.differ(a.name, b.name)) {
+      out.push_back({"name", false, {names_.plain(a.name), names_.plain(b.name)}});
+    }
+    if (options_.materials) {
+      const std::string& mark = marks_.material;
+      const std::string word_a = a.material.name();
+      const std::string word_b = without_mark(b.material.name(), mark);
+      const PlacedGrade *grade_a = a.material.grade(), *grade_b = b.material.grade();
+      const bool same_grades =
+          grade_a == nullptr || grade_b == nullptr ? grade_a == grade_b : same_grade(*grade_a, *grade_b, mark);
+      if (word_a != word_b || !same_grades) out.push_back({"material", false, {word_a, word_b}, word_a == word_b});
+    }
+    if (!options_.attributes) return out;
+    std::set<std::string> keys;
+    for (const Attributes* const one : {&a, &b}) {
+      for (const auto& [key, said] : one->properties) keys.insert(key);
+    }
+    for (const std::string& key : keys) {
+      const auto in_a = a.properties.find(key), in_b = b.properties.find(key);
+      const bool both = in_a != a.properties.end() && in_b != b.properties.end();
+      if (both && in_a->second == in_b->second) continue;
+      const auto text = [&](const auto& it, const Properties& all) {
+        return it == all.end() ? std::string() : said_text(it->second);
+      };
+      out.push_back({key, true, {text(in_a, a.properties), text(in_b, b.properties)}});
+    }
+    return out;
+  }
+
+  /// A number as it is, a text in quotes, as in a tree: so the text 25 is not the number.
+  static std::string said_text(const Property& value) {
+    if (const auto* const text = std::get_if<std::string>(&value)) return '"' + *text + '"';
+    return to_text(value);
+  }
+
+  /// Of cells that speak for themselves (cell_sources.h); those that differ are `changed`.
+  void compare_said(const CellSet& cells, CellSet& changed) {
+    const ValueSources &a = *sides_[0].sources, &b = *sides_[1].sources;
+    if (!a.marks_anything() && !b.marks_anything()) return;
+    static const Attributes kNothing;
+    std::map<std::vector<Comparison::Word>, CellSet> found;
+    const auto ask = [&](const auto& list, auto CellSet::*of) {
+      for (const auto cell : list) {
+        const Attributes *in_a = a.said(cell), *in_b = b.said(cell);
+        if (in_a == nullptr && in_b == nullptr) continue;
+        std::vector<Comparison::Word> words = differing(in_a ? *in_a : kNothing, in_b ? *in_b : kNothing);
+        if (!words.empty()) (found[std::move(words)].*of).push_back(cell);
+      }
+    };
+    ask(cells.vertices, &CellSet::vertices);
+    ask(cells.edges, &CellSet::edges);
+    ask(cells.faces, &CellSet::faces);
+    said_at_ = sets_.size();
+    for (auto& [words, set] : found) {
+      changed = unite(changed, set);
+      out_.said.push_back({words, {}});
+      sets_.push_back(std::move(set));
+    }
   }
 
   /// Cells that are a cell of their own in one simplified value, and within a larger one in the other.
@@ -169,7 +235,8 @@ class Comparer {
   const Complex& complex_;
   const CompareOptions& options_;
   std::array<Side, 2> sides_;
-  std::vector<CellSet> sets_;    // only in A, only in B, those of `moved`, features of A and of B
+  std::vector<CellSet> sets_;    // only in A, only in B, those of `moved`, of `said`, features of A and of B
+  std::size_t said_at_ = 0;      // where those of `said` begin
   std::size_t features_at_ = 0;  // where the latter begin; 0: nobody asked
   Comparison out_;
 };
@@ -190,7 +257,7 @@ Evaluation evaluated(const Tree& tree, NodeId node, const std::vector<NodeId>& m
 
 bool Comparison::same() const {
   return only[0].empty() && only[1].empty() && regrouped.empty() && moved.empty() && attributes.empty() &&
-         features[0].empty() && features[1].empty();
+         said.empty() && features[0].empty() && features[1].empty();
 }
 
 Comparison compare(const Tree& a, NodeId node_a, const Tree& b, NodeId node_b, const CompareOptions& options) {

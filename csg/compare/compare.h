@@ -48,13 +48,26 @@ struct Comparison {
   };
   std::vector<Moved> moved;
 
+  /// What is said of something in one value and not, or otherwise, in the other.
+  struct Word {
+    std::string what;                 ///< `name`, `material`, or the key of an attribute
+    bool property = false;            ///< it is such a key
+    std::array<std::string, 2> said;  ///< empty: nothing
+    bool same_word = false;           ///< materials of one name that change otherwise with position
+    friend auto operator<=>(const Word&, const Word&) = default;
+  };
   struct Attribute {
     std::array<Component, 2> of;
-    bool material = false;            ///< else the name
-    std::array<std::string, 2> said;  ///< empty: none
-    bool same_word = false;           ///< materials of one name that change otherwise with position
+    Word word;
   };
   std::vector<Attribute> attributes;
+
+  /// Faces, edges and vertices that both have in components that correspond, and of which other things are said.
+  struct Said {
+    std::vector<Word> words;
+    std::vector<Piece> pieces;
+  };
+  std::vector<Said> said;
 
   /// Vertices, edges and faces of the simplified value that the other one has within a larger cell, where nothing
   /// else differs.

@@ -135,15 +135,18 @@ std::string within(const Comparison& comparison, const Comparison::Moved& moved,
   return (what == kEntitiesLabel ? "an entity" : "in " + what) + " of " + kSides[side];
 }
 
+std::string what_of(const Comparison::Word& word) { return word.property ? shown(word.what) : word.what; }
+
+/// `rock` in A, no material in B
+std::string word_text(const Comparison::Word& word) {
+  if (word.same_word) return said(word.said[0], word.what) + " changes otherwise with position in A than in B";
+  return said(word.said[0], what_of(word)) + " in A, " + said(word.said[1], what_of(word)) + " in B";
+}
+
 std::string attribute_text(const Comparison& comparison, const Comparison::Attribute& attribute) {
-  const std::string where = both_of(comparison, attribute.of, attribute.material);
-  if (attribute.same_word) {
-    return "material of " + where + ": " + said(attribute.said[0], "material") +
-           " changes otherwise with position in A than in B";
-  }
-  const std::string what = attribute.material ? "material" : "name";
-  return what + " of " + where + ": " + said(attribute.said[0], what) + " in A, " + said(attribute.said[1], what) +
-         " in B";
+  return what_of(attribute.word) + " of " +
+         both_of(comparison, attribute.of, attribute.word.property || attribute.word.what != "name") + ": " +
+         word_text(attribute.word);
 }
 
 }  // namespace
@@ -166,7 +169,16 @@ std::string comparison_text(const Comparison& comparison, std::size_t most) {
   }
   if (comparison.moved.size() > most) lines.more(comparison.moved.size() - most, "pairs of components");
   for (const auto& one : comparison.attributes) attributes.push_back(attribute_text(comparison, one));
-  lines.list(attributes, "such names and materials");
+  lines.list(attributes, "such names, materials and attributes");
+  for (std::size_t i = 0; i < std::min(most, comparison.said.size()); ++i) {
+    std::string what, words;
+    for (const Comparison::Word& word : comparison.said[i].words) {
+      what += (what.empty() ? "" : ", ") + what_of(word);
+      words += (words.empty() ? ": " : "; ") + word_text(word);
+    }
+    lines.pieces(comparison.said[i].pieces, what + " of ", words);
+  }
+  if (comparison.said.size() > most) lines.more(comparison.said.size() - most, "things said of cells");
   for (std::size_t side = 0; side < 2; ++side) {
     lines.pieces(comparison.features[side], std::string("a cell of its own only in ") + kSides[side] + ": ");
   }

@@ -30,6 +30,13 @@ Json json_of(const std::vector<Piece>& pieces) {
   return out;
 }
 
+Json json_of(const Comparison::Word& word) {
+  return {{"what", word.property ? "attribute" : word.what},
+          {"key", word.property ? Json(word.what) : Json()},
+          {"said_a", word.said[0]},
+          {"said_b", word.said[1]}};
+}
+
 Json json_of(const Comparison& c) {
   Json out{{"same", c.same()}, {"components", c.components}};
   out["only_a"] = json_of(c.only[0]);
@@ -41,16 +48,22 @@ Json json_of(const Comparison& c) {
     moved.push_back({{"a", one.in[0]}, {"b", one.in[1]}, {"pieces", json_of(one.pieces)}});
   }
   for (const Comparison::Attribute& one : c.attributes) {
-    attributes.push_back({{"what", one.material ? "material" : "name"},
-                          {"a", one.of[0]},
-                          {"b", one.of[1]},
-                          {"said_a", one.said[0]},
-                          {"said_b", one.said[1]}});
+    Json entry = json_of(one.word);
+    entry["a"] = one.of[0];
+    entry["b"] = one.of[1];
+    attributes.push_back(std::move(entry));
+  }
+  Json said = Json::array();
+  for (const Comparison::Said& one : c.said) {
+    Json words = Json::array();
+    for (const Comparison::Word& word : one.words) words.push_back(json_of(word));
+    said.push_back({{"words", words}, {"pieces", json_of(one.pieces)}});
   }
   out["regrouped"] = regrouped;
   out["mostly"] = mostly;
   out["moved"] = moved;
   out["attributes"] = attributes;
+  out["said"] = said;
   out["features_a"] = json_of(c.features[0]);
   out["features_b"] = json_of(c.features[1]);
   return out;

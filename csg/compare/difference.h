@@ -14,7 +14,8 @@ struct CompareOptions {
   bool components = true;  ///< false: the point sets alone
   bool materials = true;
   bool names = true;
-  bool features = true;  ///< which cells are left after simplification
+  bool attributes = true;  ///< keys with values
+  bool features = true;    ///< which cells are left after simplification
   Watch watch{};
 };
 

@@ -9,6 +9,7 @@
 #include "csg/text/file.h"
 #include "csg/text/input_file.h"
 #include "csg/tree/dag.h"
+#include "csg/tree/selector.h"
 
 namespace cnrg {
 namespace {
@@ -19,6 +20,39 @@ void add_words(const std::string& name, std::set<std::string>& words) {
     const std::size_t end = std::min(name.find(" & ", begin), name.size());
     words.insert(name.substr(begin, end - begin));
     begin = end + 3;
+  }
+}
+
+constexpr std::string_view kJoint = " & ";
+
+/// A name whose words were each given by somebody, or are that of a node, which has the mark in front. From the
+/// eleventh word on, so that ways stay few, they are taken as given.
+std::vector<std::string> ways_to_be_called(const std::string& name, const std::string& mark, int words = 10) {
+  if (words == 0) return {name};
+  const std::size_t end = std::min(name.find(kJoint), name.size());
+  const std::string first = name.substr(0, end);
+  if (end == name.size()) return {first, mark + first};
+  std::vector<std::string> out;
+  for (const std::string& rest : ways_to_be_called(name.substr(end + kJoint.size()), mark, words - 1)) {
+    for (const std::string& word : {first, mark + first}) out.push_back(word + std::string(kJoint) + rest);
+  }
+  return out;
+}
+
+/// Sides of walls that may be called in any of the `ways` of a name.
+template <class Ways>
+void accept(std::vector<std::array<SideName, 2>>& between, Ways ways) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    std::vector<std::array<SideName, 2>> accepted;
+    for (const std::array<SideName, 2>& sides : between) {
+      if (!sides[side]) accepted.push_back(sides);
+      else
+        for (const std::string& way : ways(*sides[side])) {
+          accepted.push_back(sides);
+          accepted.back()[side] = way;
+        }
+    }
+    between = std::move(accepted);
   }
 }
 
@@ -34,6 +68,7 @@ class Joiner {
     const std::size_t first = out_.tree.nodes.size();
     for (Node node : tree.nodes) {
       mark_it(node.material);
+      if (node.selector) node.selector = joined(*node.selector, first, side);
       if (auto* group = node.shape ? std::get_if<GroupShape>(&*node.shape) : nullptr) {
         for (auto& [number, region] : group->regions) mark_it(region.material);
       }
@@ -68,6 +103,18 @@ class Joiner {
   }
 
  private:
+  /// Nodes by their new numbers, materials with their mark.
+  std::shared_ptr<const Selector> joined(Selector selector, std::size_t first, std::size_t side) const {
+    for (NodeId& node : selector.from) node = NodeId(first + node.index());
+    if (side == 1) {
+      for (std::string& name : selector.criteria.materials) name.insert(0, marks_.material);
+      accept(selector.criteria.between, [&](const std::string& name) {
+        return std::array{name, marks_.material + name};
+      });
+    }
+    return std::make_shared<const Selector>(std::move(selector));
+  }
+
   const Marks& marks_;
   Together out_;
   Dag dag_;
@@ -143,12 +190,24 @@ Given::Given(const Tree& tree, NodeId node) {
 }
 
 Tree marked(Tree tree, const Marks& marks) {
-  constexpr std::string_view kJoint = " & ";  // a name with it looks like several that were joined
   for (Node& node : tree.nodes) {
     node.name.insert(0, marks.node);
     for (std::size_t at = 0; (at = node.name.find(kJoint, at)) != std::string::npos;) {
-      node.name.insert(at += kJoint.size(), marks.node);
+      node.name.insert(at += kJoint.size(), marks.node);  // it looks like several that were joined
     }
+    if (!node.selector) continue;
+    // What is picked by a name may be called so by somebody or after its node.
+    Selector selector = *node.selector;
+    for (std::vector<std::string>* const names : {&selector.criteria.names, &selector.criteria.regions}) {
+      std::vector<std::string> accepted;
+      for (const std::string& name : *names) {
+        for (std::string& way : ways_to_be_called(name, marks.node)) accepted.push_back(std::move(way));
+      }
+      *names = std::move(accepted);
+    }
+    accept(selector.criteria.between,
+           [&](const std::string& name) { return ways_to_be_called(name, marks.node); });
+    node.selector = std::make_shared<const Selector>(std::move(selector));
   }
   return tree;
 }

@@ -123,8 +123,9 @@ py::tuple compare_sides(const py::object& a, const py::object& b, const std::vec
     if (what == "components") options.components = false;
     else if (what == "materials") options.materials = false;
     else if (what == "names") options.names = false;
+    else if (what == "attributes") options.attributes = false;
     else if (what == "features") options.features = false;
-    else throw InputError("ignore: `" + what + "` is none of components, materials, names, features");
+    else throw InputError("ignore: `" + what + "` is none of components, materials, names, attributes, features");
   }
   const Side first = side_of(a), second = side_of(b);
   const Difference found = apart(progress, [first, second, options](const Watch& watch) mutable {

@@ -259,7 +259,7 @@ class Result:
         """Do two results mean the same: the same points, components, materials, names and cells? Both are refined
         together, exactly; numbers of cells and names of nodes do not matter.
 
-        ignore: some of "components" (all but the point sets), "materials", "names", "features".
+        ignore: some of "components" (all but the point sets), "materials", "names", "attributes", "features".
         """
         if not isinstance(other, Result):
             raise TypeError(f"compare: a Result is wanted, not {type(other).__name__}")

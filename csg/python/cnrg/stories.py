@@ -154,7 +154,8 @@ class Comparison(Told):
 
     data: same; components (what they are called, of A and of B); only_a, only_b: pieces that only one has, each with
     dimension, counts, volume (None: unbounded), area, length and a point in it; regrouped, mostly: components that
-    correspond; moved; attributes: names and materials; features_a, features_b: cells of their own.
+    correspond; moved; attributes: names, materials and attributes of
+    components; said: those of sheets, wires and points; features_a, features_b: cells of their own.
     """
 
     def __init__(self, text: str, data: dict[str, Any]):
