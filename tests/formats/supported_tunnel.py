@@ -3,8 +3,8 @@
     supported_tunnel.py PROGRAM FOLDER    runs the program cnrg in an empty folder
 
 What each physical group measures is worked out here from the exact points of the result's .json, by the table of
-groups in csg/FORMATS.md; both programs open the .msh and have to find the same groups, as long and as large, with the
-numbers that the tree says of them.
+groups in csg/FORMATS.md; both programs open the .msh and have to find the same groups, as long and as large, with
+the numbers that the tree says of them.
 """
 import json
 import math
@@ -23,7 +23,8 @@ PAPERS = Path(__file__).resolve().parents[2] / "papers/pereira2012"
 TREES, FILES = FOLDER / "papers/pereira2012", FOLDER / "out/pereira2012"
 
 # What fig10-bolts.yaml says in numbers: by key and name of a group.
-SAID = {"diameter": {"bolts": 1 / 40, "spiles": 4 / 125}, "thickness": {"shell": 1 / 5}, "aperture": {"fault": 1 / 200}}
+SAID = {"diameter": {"bolts": 1 / 40, "spiles": 4 / 125}, "thickness": {"shell": 1 / 5},
+        "aperture": {"fault": 1 / 200}}
 DIMENSION = {"vertex": 0, "line": 1, "triangle": 2, "tetra": 3}
 
 
@@ -202,8 +203,8 @@ run(PROGRAM, "eval", "papers/pereira2012/fig10.yaml", "--quiet", "--node", "G1",
 run(PROGRAM, "eval", TREE, "--quiet", "-o", OUT + "model.json", "-o", OUT + "model.msh")
 run(PROGRAM, "mesh", TREE, "--quiet", "--quality", "2", "-o", OUT + "mesh.msh")
 groups = Groups(json.loads((FILES / "model.json").read_text()))
-# 45 bolts and three spiles are the steel; the shell is the shotcrete, on 0.625 of the tunnel less what is before the
-# box, around 48 sides of a prism about an axis of that direction.
+# Bolts and spiles are the steel; the shell is the shotcrete: the 48 sides of a prism, along 0.625 of the axis less
+# what is before the box, where the plane x = 0 cuts it as much longer on one side as shorter on the other.
 measure = groups.measures
 check_close(measure[1, "bolts"] + measure[1, "spiles"], measure[1, "material steel"], "steel")
 axis, side = math.hypot(260, 12, 7), 2 * 9 * math.sin(math.pi / 48)
