@@ -57,5 +57,6 @@
 #include "csg/result/arrays.h"
 #include "csg/result/measures.h"
 #include "csg/result/result.h"
+#include "csg/topology/selectables.h"
 #include "csg/topology/topology.h"
 #include "csg/view/page.h"

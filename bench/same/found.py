@@ -18,7 +18,7 @@ READ_BACK = {
 LEAVES = ("box prism pyramid tetrahedron polygon polyline points halfspace plane sphere cylinder cone torus extrude "
           "revolve bezier bspline coons heightfield mesh step brep group cnrg").split()
 OPERATORS = ("union intersection difference aggregate sum product subtract unify complement interior closure boundary "
-             "regularize below above simplify").split()
+             "regularize below above simplify select").split()
 TOO_FINE = re.compile(r"segments: \d{4}")  # takes minutes
 LEAF = re.compile(r"^\s*(" + "|".join(LEAVES) + r"): *(?=[\[{])")
 NODE = re.compile(r"^  (\w+): *(\{|$|(?:&\w+ )?\{)", re.M)

@@ -68,7 +68,7 @@ class TreeMaker:
             self.tilt = {"axis": r.choice(SLANTS[3:]), "degrees": r.choice((30, 31, 45, 90))}
         self.graded = r.randrange(5) == 0
         self.maker = LeafMaker(r, self.style)
-        self.names, self.nodes, self.standing, self.depth, self.uses = [], [], [], [], []
+        self.names, self.nodes, self.standing, self.depth, self.uses, self.made_of = [], [], [], [], [], []
         self.leaves, self.files, self.before = [], {}, []
 
     # Leaves.
@@ -128,6 +128,7 @@ class TreeMaker:
         self.names.append(("n" if operands else "a") + str(len(self.nodes)))
         self.nodes.append(node)
         self.standing.append(standing)
+        self.made_of.append(set(operands))
         self.uses.append(0)
         return len(self.nodes) - 1
 
@@ -147,7 +148,7 @@ class TreeMaker:
         value = OPEN
         if op in GROUP_BOOLEANS:
             return GROUP
-        if op == "simplify":
+        if op == "simplify" or (op == "select" and below[0] == GROUP):
             value = below[0]
         elif op in ("closure", "regularize"):
             value = GROUP if of_group else CLOSED
@@ -167,6 +168,8 @@ class TreeMaker:
         node = {op: value}
         if op == "simplify" and attributes.pop("points", False):
             node = {op: {"of": value, "mode": "points"}}
+        if op == "select":
+            node = {op: {"of": value, **self.criteria(operands[0])}}
         node.update(attributes)
         if op not in ("simplify", "regularize") and r.randrange(12) == 0:
             node["regularize"] = True
@@ -177,11 +180,50 @@ class TreeMaker:
         if r.randrange(12) == 0:
             node["name"] = r.choice(("joined", "rest", f"of {op}"))
         if r.randrange(12) == 0:
+            node["attributes"] = {"n": r.randrange(3)}
+        if r.randrange(12) == 0:
             node.update(self.motion())
         if op in GROUP_BOOLEANS and "dominance" not in node and r.randrange(6) == 0:
             node["dominance"] = r.choice((1, 3, Fraction(3, 2)))
         standing = self.result_of(op, operands, node.get("each"), node.get("regularize"))
         return self.push(node, standing, operands)
+
+    def criteria(self, of):
+        """What `select` picks of a node: one or two things."""
+        r = self.random
+        given = {"dimension": r.choice((1, 2, 2, 3, [2, 3]))} if r.randrange(3) else {}
+        leaves = sorted(i for i in self.below(of) if self.depth[i] == 0)
+        number = r.choice(leaves)
+        leaf = self.names[number]
+        self.uses[number] += 1  # so that it keeps its name
+        kind = r.randrange(7)
+        if kind == 0:
+            given["region"] = r.choice((1, 2, leaf))
+        elif kind == 1:
+            given["material"] = r.choice(("rock", "sand", "ore"))
+        elif kind == 2:
+            given["from"] = leaf
+            if r.randrange(2):
+                given["source face"] = r.randrange(3)
+        elif kind == 3:
+            given["between"] = r.choice((["rock", "null"], ["rock", "ore"], [leaf, "null"]))
+        elif kind < 6:
+            place = r.randrange(of + 1)
+            self.uses[place] += 1
+            given[("inside", "touching")[kind - 4]] = self.names[place]
+        else:
+            given["attributes"] = {"n": r.randrange(3)}
+        return given
+
+    def below(self, i):
+        """A node and all that it is made of, by number."""
+        found = {i}
+        stack = [i]
+        while stack:
+            for k in self.made_of[stack.pop()] - found:
+                found.add(k)
+                stack.append(k)
+        return found
 
     def add_many(self):
         r = self.random
@@ -225,7 +267,7 @@ class TreeMaker:
     def add_one(self):
         r = self.random
         op = r.choice(("unify", "complement", "interior", "interior", "closure", "boundary", "boundary",
-                       "regularize", "simplify"))
+                       "regularize", "simplify", "select", "select"))
         attributes = {}
         if op in TOPOLOGICAL and r.randrange(3) == 0:
             attributes["each"] = True

@@ -167,6 +167,16 @@ void bind_result_questions(py::module_& module) {
         apart(py::none(), [held = r.result](const Watch&) { return topology_report(held); });
     return py::make_tuple(text_of(report.text), text_of(report.json));
   });
+  module.def("selectables", [](const OneResult& r) {
+    const std::vector<Selectable> list =
+        apart(py::none(), [held = r.result](const Watch&) { return selectables(held); });
+    py::list out;
+    for (const Selectable& s : list) {
+      const auto& [vertices, edges, faces, regions] = s.cells;
+      out.append(py::make_tuple(s.key, text_of(s.value), regions, faces, edges, vertices, s.source_faces));
+    }
+    return out;
+  });
   module.def("compare", &compare_sides, py::arg("a"), py::arg("b"), py::arg("ignored"), py::arg("threads"),
              py::arg("progress"));
 }

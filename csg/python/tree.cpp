@@ -163,8 +163,8 @@ struct NodeRecord {
   bool is_inline = false, is_leaf = false, forgets_features = false;
   int line = 1, column = 1;
   std::vector<std::size_t> operands;
-  py::object value;   ///< of a leaf
-  py::object picked;  ///< of `select`
+  py::object value;                ///< of a leaf
+  py::object picked = py::none();  ///< of `select`
   std::vector<std::pair<std::string, py::object>> attributes;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "csg/text/number.h"
 #include "csg/tree/read_properties.h"
 
 namespace cnrg {
@@ -25,7 +26,7 @@ std::array<SideName, 2> read_sides(const Value& value, const std::string& what) 
 /// A name or a number; a number in quotes is a name.
 void read_region(const Value& value, const std::string& what, Criteria& criteria) {
   const std::string text = value.text(what);
-  if (is_quoted(value) || text.find_first_not_of("0123456789") != std::string::npos) {
+  if (is_quoted(value) || !read_number(text).value) {
     criteria.regions.push_back(text);
   } else {
     criteria.region_numbers.push_back(static_cast<Component>(value.integer(what, 1, kMostNumber)));

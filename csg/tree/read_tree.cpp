@@ -632,7 +632,13 @@ Tree parse_tree(const std::string& text, const std::string& file, const ReadOpti
 
 NodeId add_selection(Tree& tree, NodeId of, const std::string& criteria, const std::string& file) {
   Document document{file, criteria.size() + 1'000'000};
-  return TreeReader(document, tree, {}).add_selection(of, load_yaml(document, criteria));
+  const std::size_t before = tree.nodes.size();
+  try {
+    return TreeReader(document, tree, {}).add_selection(of, load_yaml(document, criteria));
+  } catch (...) {
+    tree.nodes.resize(before);
+    throw;
+  }
 }
 
 namespace {

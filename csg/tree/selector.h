@@ -20,7 +20,8 @@ struct Selector {
 
 /// Adds a node to the tree that picks cells of `of`. `criteria` is the value of `select` without `of`, such as
 /// `{dimension: 2, material: rock}`; nodes in it are those of the tree. The node is inline, called `OF/select`.
-/// Throws TreeError, with a place in `criteria` and `file` as its name, for what `select` does not take.
+/// Throws TreeError, with a place in `criteria` and `file` as its name, for what `select` does not take; the tree
+/// is then as it was.
 NodeId add_selection(Tree& tree, NodeId of, const std::string& criteria, const std::string& file);
 
 }  // namespace cnrg

@@ -110,31 +110,34 @@ class Sayings {
     for (std::size_t i = 0; i < said.size(); ++i) lower(said[i], fresh[i]);
   }
 
-  /// All cells that have the cell in their boundary are of one component, or of none.
-  bool even_around(const Value& v, Cell c) const {
-    const auto label = v.labels[static_cast<std::size_t>(grid_.cubes(c)[0])];
-    std::vector<Cell> up{c};
-    for (int d = grid_.dimension(c); d < 3; ++d) {
+  /// The cell is in the interior of its component, where some leaf cuts it.
+  bool is_inside(const Value& v, Cell c) const {
+    const auto label = [&](Cell d) { return v.labels[static_cast<std::size_t>(d)]; };
+    const auto& cubes = grid_.cubes(c);
+    return std::all_of(cubes.begin(), cubes.end(), [&](Cell d) { return label(d) == label(c); });
+  }
+
+  /// A face with one component, or none, on both sides and of another one itself; an edge or a vertex that bounds
+  /// no active cell of lower dimension than 3 but those inside of components, and is not inside of its own.
+  bool stands_for_itself(const Value& v, Cell c) const {
+    if (!is_active(v, c) || is_inside(v, c)) return false;
+    const auto& cubes = grid_.cubes(c);
+    if (grid_.dimension(c) == 2) {
+      return v.labels[static_cast<std::size_t>(cubes[0])] == v.labels[static_cast<std::size_t>(cubes[1])];
+    }
+    std::vector<Cell> up = grid_.around(c);
+    for (int d = grid_.dimension(c) + 1; d < 3; ++d) {
       std::vector<Cell> higher;
-      for (const Cell x : up) higher.insert(higher.end(), grid_.around(x).begin(), grid_.around(x).end());
-      for (const Cell y : higher)
-        if (v.labels[static_cast<std::size_t>(y)] != label) return false;
+      for (const Cell y : up) {
+        if (is_active(v, y) && !is_inside(v, y)) return false;
+        higher.insert(higher.end(), grid_.around(y).begin(), grid_.around(y).end());
+      }
       up = std::move(higher);
     }
-    return v.labels[static_cast<std::size_t>(c)] != label;
+    return true;
   }
 
-  /// An edge or vertex between 3-cells of several components, of the walls of which nothing is left: whether it
-  /// stands for itself the page does not say.
-  bool hangs_between(const Value& v, Cell c) const {
-    const auto& cubes = grid_.cubes(c);
-    const auto label = [&](Cell d) { return v.labels[static_cast<std::size_t>(d)]; };
-    const auto& up = grid_.around(c);
-    return std::any_of(cubes.begin(), cubes.end(), [&](Cell d) { return label(d) != label(cubes[0]); }) &&
-           std::all_of(up.begin(), up.end(), [&](Cell d) { return label(d) == 0; });
-  }
-
-  /// The same of components: what has one component, or none, all around and is of another one itself.
+  /// The same of a value of either kind.
   void put_all(const Value& v, Said& said) const {
     if (v.is_group) {
       put_all(v.group, said);
@@ -143,12 +146,11 @@ class Sayings {
     Said fresh(said.size());
     for (Cell c = 0; c < grid_.cells(); ++c) {
       if (grid_.dimension(c) == 3 || !is_active(v, c)) continue;
-      if (even_around(v, c)) {
-        put(fresh, c, {{}, grid_.dimension(c)});
-      } else if (grid_.dimension(c) < 2 && hangs_between(v, c)) {
-        put(fresh, c, {{}, grid_.dimension(c), false});
-      }
+      if (stands_for_itself(v, c)) put(fresh, c, {{}, grid_.dimension(c)});
     }
+    // What lies in the closure of a sheet is the sheet's, though the sheet lost it once and it came back.
+    for (Cell c = 0; c < grid_.cells(); ++c)
+      if (grid_.dimension(c) == 2 && said[static_cast<std::size_t>(c)]) put(fresh, c, {{}, 2});
     for (std::size_t i = 0; i < said.size(); ++i)
       if (is_active(v, static_cast<Cell>(i))) lower(said[i], fresh[i]);
   }

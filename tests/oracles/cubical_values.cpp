@@ -133,6 +133,7 @@ class BruteForce {
         out = first;
         out.operands.clear();
         out.steps.clear();
+        out.first_labels.clear();
       } else if (first.is_group && !node.each &&
                  (node.op == Operator::closure || node.op == Operator::regularize)) {
         out = node.op == Operator::closure ? first : of_group(regularize(grid_, first.group));

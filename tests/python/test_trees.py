@@ -386,6 +386,56 @@ class Files(Folder):
         with self.assertRaisesRegex(cnrg.InputError, "no faces"):
             cnrg.mesh(p, numpy.zeros((0, 3), int)).evaluate()
 
+    def test_select(self):
+        low = cnrg.box([0, 0, 0], [4, 4, 2], material="rock").named("low")
+        high = cnrg.box([0, 0, 2], [4, 4, 4], material="clay").named("high")
+        bolt = cnrg.polyline([[1, 1, 1], [1, 1, 5]], material="steel", attributes={"diameter": 25}).named("bolt")
+        model = cnrg.union(bolt, low, high, dominance="left").named("model")
+        corner = cnrg.points([[0, 0, 0]])
+        picked = {  # vertices, edges, faces, regions
+            (4, 4, 1, 0): [
+                dict(dimension=2, between=("rock", "clay")), dict(from_=high, source_face=5),
+                dict(from_=[high], source_face=[5]),
+            ],
+            (12, 20, 10, 0): [dict(dimension=2, between=[("rock", None), ("high", None)])],
+            (2, 1, 0, 0): [
+                dict(attributes={"diameter": [24, 25]}), dict(attributes={"diameter": 25.0}), dict(from_=bolt),
+                dict(material=cnrg.material("steel")), dict(dimension=1, material=["steel"], inside=[high]),
+            ],
+            (10, 13, 6, 1): [
+                dict(region="low"), dict(region=1), dict(dimension=3, touching=corner), dict(name="low"),
+                dict(region=["low"], inside=[low, high]),
+            ],
+            (0, 0, 0, 0): [dict(attributes={"diameter": "25"}), dict(region="1")],
+        }
+        for counts, criteria in picked.items():
+            for given in criteria:
+                with self.subTest(given=given), warnings.catch_warnings(record=True):
+                    warnings.simplefilter("always")
+                    node = model.select(**given)
+                    result = node.evaluate()
+                    found = tuple(len(getattr(result, kind)) for kind in ("vertices", "edges", "faces"))
+                    self.assertEqual(found, counts[:3])
+                    self.assertEqual(result.volume, 32 * counts[3])
+                    text = node.to_yaml()
+                    again = cnrg.parse(text).to_yaml()  # [5] and 5 are the same
+                    self.assertEqual(cnrg.parse(again).to_yaml(), again)
+                    self.assertEqual(self.exact(again), self.exact(text))
+                    self.assertEqual(pickle.loads(pickle.dumps(node)).to_yaml(), text)
+                    self.assertEqual(self.exact(text), self.exact_here(node.evaluate()))
+        for given in [dict(dimension=4), dict(dimension=[]), dict(region=-1), dict(between=("rock",)),
+                      dict(source_face=0), dict(from_=model, source_face=0), dict(material="gold"), dict(from_=corner)]:
+            with self.subTest(given=given), self.assertRaises(cnrg.InputError) as error:
+                here = line(); model.select(**given).evaluate()
+            self.assertEqual(error.exception.line, here)
+        for given in [dict(from_="low"), dict(inside=3), dict(attributes=3)]:
+            with self.subTest(given=given), self.assertRaises(TypeError):
+                model.select(**given)
+        listed = {(s.key, s.value): s for s in model.evaluate().selectables()}
+        self.assertEqual(listed["dimension", "3"][2:6], (2, 0, 0, 0))
+        self.assertEqual(listed["between", "[high, low]"][2:6], (0, 1, 4, 5))
+        self.assertEqual(listed["from", "low"].source_faces, [0, 1, 2, 3, 4, 5])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -56,7 +56,7 @@ from .shapes import (
     tetrahedron,
     torus,
 )
-from .stories import Comparison, Explanation, Step, Topology
+from .stories import Comparison, Explanation, Selectable, Step, Topology
 from .tetrahedra import Filled, Simplices, Tetrahedra
 from .tree import Tree, parse, read
 
@@ -87,6 +87,7 @@ __all__ = [
     "Step",
     "Stopped",
     "Tetrahedra",
+    "Selectable",
     "Topology",
     "Tree",
     "Vertices",

@@ -21,7 +21,7 @@ from .errors import FileError, InputError, Notice
 from .nodes import site_of_caller
 from .pictures import View, options_of, replace_file
 from .progress import Progress, Shown, threads_of
-from .stories import Comparison, Explanation, Topology
+from .stories import Comparison, Explanation, Selectable, Topology
 from .tetrahedra import Tetrahedra
 
 if TYPE_CHECKING:
@@ -248,6 +248,11 @@ class Result:
     def topology(self) -> Topology:
         """Euler-Poincaré term by term, Betti numbers, where it is a manifold and why not, shells, what touches what."""
         return self._once("topology", lambda: stories.topology(*_cnrg.topology(self._result)))
+
+    def selectables(self) -> list[Selectable]:
+        """What `Node.select` can pick of it: dimensions, regions, names, materials, attributes, leaves, pairs of
+        regions, with numbers of cells."""
+        return [Selectable(*one) for one in _cnrg.selectables(self._result)]
 
     def compare(self, other: Result, *, ignore: str | Iterable[str] = (), threads: int = 0,
                 progress: Progress = None) -> Comparison:

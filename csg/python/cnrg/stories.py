@@ -10,7 +10,7 @@ import json
 import re
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Callable
+from typing import Any, Callable, NamedTuple
 
 _EXACT = {"u", "v", "t", "volume"}
 
@@ -95,6 +95,19 @@ def _step(data: dict[str, Any]) -> Step:
         data["node"], data["operator"], state["component"], state["name"], state["entity"],
         tuple(b["row"] for b in asked), any(b["removed"] for b in asked), data,
     )
+
+
+class Selectable(NamedTuple):
+    """One criterion of `Node.select`, and for how many cells it holds: key and value as in a tree. source_faces: of
+    `from`, the faces of that leaf in which faces of the result lie."""
+
+    key: str
+    value: str
+    regions: int
+    faces: int
+    edges: int
+    vertices: int
+    source_faces: list[int]
 
 
 class Topology(Told):
