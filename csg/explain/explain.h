@@ -83,6 +83,17 @@ struct Regularization {
   friend bool operator==(const Regularization&, const Regularization&) = default;
 };
 
+/// What is said of a cell at a node under one key, where the node does not only hand it on.
+struct Word {
+  std::string key;                ///< `name`, `material`, or that of an attribute
+  std::string value;              ///< a text of an attribute is in quotes; empty: nothing is said any more
+  bool given = false;             ///< the node says so itself
+  std::vector<std::string> from;  ///< the operands that say so
+  /// Operands that say something else, and what.
+  std::vector<std::pair<std::string, std::string>> gave_way;
+  friend bool operator==(const Word&, const Word&) = default;
+};
+
 /// A cell at one instance of a node.
 struct LifeStep {
   NodeId node;
@@ -94,6 +105,7 @@ struct LifeStep {
   std::vector<StarFacts> stars;                             ///< of a topological operator on components
   std::optional<OperandFacts> regularized;                  ///< of `regularize` of a group
   std::optional<Regularization> attribute;
+  std::vector<Word> said;  ///< only filled for lives that are shown
   friend bool operator==(const LifeStep&, const LifeStep&) = default;
 };
 using Life = std::vector<LifeStep>;

@@ -365,9 +365,32 @@ void add_cnrg(const Node& node, const LifeStep& step, int dimension, std::vector
 
 // --- a step
 
+/// `steel`, given here; `rock` of ground gave way
+std::string word_text(const Word& word) {
+  const auto quoted = [](const std::string& value) { return "`" + shown(value) + "`"; };
+  std::string out = word.value.empty() ? "nothing any more" : quoted(word.value);
+  if (word.given) out += ", given here";
+  else if (!word.from.empty()) out += ", as " + listed(word.from) + " says";
+  for (const auto& [name, value] : word.gave_way) {
+    out += "; " + quoted(value) + " of " + shown(name) +
+           (word.given           ? " is replaced"
+            : word.value.empty() ? " is gone"
+                                 : " gave way");
+  }
+  return out;
+}
+
+void add_words(const LifeStep& step, std::vector<Line>& lines) {
+  if (step.state.component == 0) return;
+  for (const Word& word : step.said) lines.push_back({word.key, word_text(word)});
+}
+
 std::vector<Line> details(const Node& node, const LifeStep& step, int dimension) {
   std::vector<Line> lines;
-  if (node.op == Operator::leaf) return lines;
+  if (node.op == Operator::leaf) {
+    add_words(step, lines);
+    return lines;
+  }
   for (std::size_t k = 0; k < step.booleans.size(); ++k) {
     const BooleanFacts& f = step.booleans[k];
     if (f.a.state.component == 0 && f.b.state.component == 0) continue;
@@ -387,6 +410,7 @@ std::vector<Line> details(const Node& node, const LifeStep& step, int dimension)
     if (r.group) lines.push_back({"", regularized_words(*r.group, dimension)});
     add_stars(Operator::regularize, r.stars, dimension, lines);
   }
+  add_words(step, lines);
   return lines;
 }
 

@@ -228,7 +228,8 @@ Lives::Lives(const Tree& tree, const Evaluation& evaluation, NodeId node)
     : tree_(tree),
       evaluation_(evaluation),
       complex_(*evaluation.complex),
-      leaf_of_(number_leaves(tree, evaluation.instances)) {
+      leaf_of_(number_leaves(tree, evaluation.instances)),
+      said_(complex_) {
   require(!evaluation.values.empty(), "explain: the evaluation has not kept all values");
   const NodeValue* value = evaluation.value(node).value.get();
   InstanceId root;
@@ -299,6 +300,21 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
     default: break;
   }
   if (node.regularize && node.op != Operator::leaf) add_attribute(node, id, pieces, named, steps);
+  if (named) add_words(id, pieces, steps);
+}
+
+void Lives::add_words(InstanceId id, const std::vector<Piece>& pieces, std::vector<LifeStep>& steps) {
+  const Instance& instance = evaluation_.instances[id];
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    LifeStep& step = steps[p];
+    std::vector<std::pair<std::string, const Attributes*>> operands;
+    for (std::size_t k = 0; k < instance.operands.size(); ++k) {
+      const auto& [name, state] = step.operands[k];
+      operands.emplace_back(name, said_.of(*evaluation_.values[instance.operands[k]], pieces[p].cell, state));
+    }
+    const Attributes* const here = said_.of(*evaluation_.values[id], pieces[p].cell, step.state);
+    step.said = SaidAt::changes(tree_.nodes[instance.node], here, operands);
+  }
 }
 
 std::vector<Operand> Lives::operands_of(InstanceId id) const {

@@ -8,6 +8,7 @@
 
 #include "csg/evaluate/operate.h"
 #include "csg/explain/explain.h"
+#include "csg/explain/said_at.h"
 #include "csg/operators/components.h"
 
 namespace cnrg {
@@ -55,6 +56,7 @@ class Lives {
                     const NodeValue& value, bool named);
   const SimplifiedComplex& simplified(const NodeValue& value);
   const std::string& name_of(InstanceId id) const { return evaluation_.rows[id.index()].name; }
+  void add_words(InstanceId id, const std::vector<Piece>& pieces, std::vector<LifeStep>& steps);
   std::vector<Operand> operands_of(InstanceId id) const;
 
   const Tree& tree_;
@@ -62,6 +64,7 @@ class Lives {
   const Complex& complex_;
   std::vector<InstanceId> below_;         ///< the root and all below it, operands before users
   IdVector<InstanceId, LeafId> leaf_of_;  ///< none() for inner nodes
+  SaidAt said_;
   std::map<const NodeValue*, SimplifiedComplex> simplified_;
   std::vector<std::unique_ptr<NodeValue>> made_;  ///< values before the attribute `regularize`
 };

@@ -139,6 +139,17 @@ class Teller {
     const Node& node = tree_.nodes[step.node];
     Json out{{"node", step.name}, {"operator", node.operator_name}, {"line", node.operator_at.line}};
     out["state"] = json_of(step.state);
+    if (!step.said.empty()) {
+      out["said"] = list_of(step.said, [](const Word& word) {
+        return Json{{"key", word.key},
+                    {"value", word.value},
+                    {"given", word.given},
+                    {"from", word.from},
+                    {"gave_way", list_of(word.gave_way, [](const auto& other) {
+                       return Json{{"name", other.first}, {"value", other.second}};
+                     })}};
+      });
+    }
     if (node.op == Operator::leaf) {
       out["leaf_cells"] = list_of(step.leaf_cells, [&](const LeafCell& cell) { return of(cell); });
       return out;

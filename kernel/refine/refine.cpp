@@ -23,6 +23,7 @@
 #include "kernel/refine/faces.h"
 #include "kernel/refine/keyed_points.h"
 #include "kernel/refine/pair_lists.h"
+#include "kernel/refine/shared_vertices.h"
 
 namespace cnrg {
 
@@ -86,6 +87,7 @@ Refinement Refiner::run() {
 void Refiner::group_sheets() {
   report_.candidates = contacts_.candidates;
   report_.contacts = contacts_.kinds;
+  report_.contacts.back() = shared_vertices(soup_, r_.input);
   const std::size_t n = r_.input.corners.size();
   UnionFind joined(n);
   for (const auto& [f, g] : contacts_.coplanar) joined.unite(f.value(), g.value());

@@ -41,7 +41,10 @@ struct Saying {
 
 std::string text(const Attributes& a) {
   std::string out = "[" + a.name + "|" + a.material.name();
-  for (const auto& [key, value] : a.properties) out += "|" + key + "=" + cnrg::to_text(value);
+  for (const auto& [key, value] : a.properties) {
+    const char* const quote = std::holds_alternative<std::string>(value) ? "'" : "";
+    out += "|" + key + "=" + quote + cnrg::to_text(value) + quote;
+  }
   return out + "]";
 }
 
@@ -107,20 +110,28 @@ class Sayings {
                                   : std::none_of(up.begin(), up.end(), [&](Cell d) { return g.entity[d] != 0; }))
         put(fresh, c, {{}, grid_.dimension(c)});
     }
+    put_closures(said, fresh);
     for (std::size_t i = 0; i < said.size(); ++i) lower(said[i], fresh[i]);
   }
 
-  /// The cell is in the interior of its component, where some leaf cuts it.
-  bool is_inside(const Value& v, Cell c) const {
+  /// What lies in the closure of a sheet is the sheet's, though the sheet lost it once and it came back.
+  void put_closures(const Said& said, Said& fresh) const {
+    for (Cell c = 0; c < grid_.cells(); ++c)
+      if (grid_.dimension(c) == 2 && said[static_cast<std::size_t>(c)]) put(fresh, c, {{}, 2});
+  }
+
+  /// How many of the 3-cells around a cell are of its own component, and how many there are.
+  std::pair<std::size_t, std::size_t> own_around(const Value& v, Cell c) const {
     const auto label = [&](Cell d) { return v.labels[static_cast<std::size_t>(d)]; };
     const auto& cubes = grid_.cubes(c);
-    return std::all_of(cubes.begin(), cubes.end(), [&](Cell d) { return label(d) == label(c); });
+    const auto own = std::count_if(cubes.begin(), cubes.end(), [&](Cell d) { return label(d) == label(c); });
+    return {static_cast<std::size_t>(own), cubes.size()};
   }
 
   /// A face with one component, or none, on both sides and of another one itself; an edge or a vertex that bounds
-  /// no active cell of lower dimension than 3 but those inside of components, and is not inside of its own.
+  /// no other such cell and no wall. Next to its own component a cell is inside of it, or where it ends.
   bool stands_for_itself(const Value& v, Cell c) const {
-    if (!is_active(v, c) || is_inside(v, c)) return false;
+    if (!is_active(v, c) || own_around(v, c).first != 0) return false;
     const auto& cubes = grid_.cubes(c);
     if (grid_.dimension(c) == 2) {
       return v.labels[static_cast<std::size_t>(cubes[0])] == v.labels[static_cast<std::size_t>(cubes[1])];
@@ -129,7 +140,8 @@ class Sayings {
     for (int d = grid_.dimension(c) + 1; d < 3; ++d) {
       std::vector<Cell> higher;
       for (const Cell y : up) {
-        if (is_active(v, y) && !is_inside(v, y)) return false;
+        const auto [own, all] = own_around(v, y);
+        if (is_active(v, y) && (d == 2 ? own < all : own == 0)) return false;
         higher.insert(higher.end(), grid_.around(y).begin(), grid_.around(y).end());
       }
       up = std::move(higher);
@@ -148,9 +160,7 @@ class Sayings {
       if (grid_.dimension(c) == 3 || !is_active(v, c)) continue;
       if (stands_for_itself(v, c)) put(fresh, c, {{}, grid_.dimension(c)});
     }
-    // What lies in the closure of a sheet is the sheet's, though the sheet lost it once and it came back.
-    for (Cell c = 0; c < grid_.cells(); ++c)
-      if (grid_.dimension(c) == 2 && said[static_cast<std::size_t>(c)]) put(fresh, c, {{}, 2});
+    put_closures(said, fresh);
     for (std::size_t i = 0; i < said.size(); ++i)
       if (is_active(v, static_cast<Cell>(i))) lower(said[i], fresh[i]);
   }

@@ -1,10 +1,12 @@
 // The six kinds of pairs in contact (Gursoz et al. 1991), wires and points among faces.
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "kernel/base/error.h"
 #include "tests/refine/expectation.h"
 #include "tests/scenes/fixture.h"
 #include "tests/scenes/measure.h"
+#include "tests/scenes/seeds.h"
 
 namespace cnrg::scenes {
 namespace {
@@ -78,6 +80,53 @@ TEST_CASE("Vertex and vertex", "[contacts]") {
   const auto built_c = valid_complex(f);
   const Complex& c = *built_c;
   CHECK(c.region_vertices[RegionId(0)].size() == 2);
+  CHECK(contacts(f, vertex_vertex) == 1);
+}
+
+TEST_CASE("Vertices in one place are counted for every pair of leaves", "[contacts]") {
+  // Corners, ends of wires and points alike; three leaves in one place are three pairs.
+  const std::string face = "leaf none\nface 0 0 0, 4 0 0, 0 4 0\n";
+  CHECK(contacts(face + "leaf none\nwire 4 0 0, 4 0 4\nleaf none\npoint 0 4 0", vertex_vertex) == 2);
+  CHECK(contacts(face + "leaf none\nwire 4 0 0, 4 0 4\nleaf none\npoint 4 0 0", vertex_vertex) == 3);
+  CHECK(contacts(face + face, vertex_vertex) == 3);
+  CHECK(contacts(face + face + face, vertex_vertex) == 9);
+  // Within a leaf equal points are one vertex, whatever is on them.
+  CHECK(contacts(face + "face 0 0 0, 4 0 0, 0 0 4\nwire 0 0 0, 0 0 -4\npoint 0 0 0", vertex_vertex) == 0);
+  // A face that reaches no corner of the other, though it shares a part of its border.
+  CHECK(contacts(face + "leaf none\nface 1 0 0, 3 0 0, 2 1 0", vertex_vertex) == 0);
+  // Boxes that share a wall, an edge, a corner.
+  const std::string box = "leaf sides\nbox 0 0 0, 1 1 1\n";
+  CHECK(contacts(box + "leaf sides\nbox 1 0 0, 2 1 1", vertex_vertex) == 4);
+  CHECK(contacts(box + "leaf sides\nbox 1 1 0, 2 2 1", vertex_vertex) == 2);
+  CHECK(contacts(box + "leaf sides\nbox 1 1 1, 2 2 2", vertex_vertex) == 1);
+}
+
+TEST_CASE("Vertices in one place are as many as equal coordinates say", "[contacts]") {
+  const auto [first, last] = seeds(60);
+  std::uint64_t total = 0;
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    const std::vector<Leaf> leaves = random_scene(seed, 4, Position::degenerate).leaves;
+    std::vector<std::set<RationalPoint>> corners;
+    for (const Leaf& leaf : leaves) {
+      std::set<RationalPoint>& all = corners.emplace_back(leaf.points.begin(), leaf.points.end());
+      for (const auto& wire : leaf.wires) all.insert(wire.begin(), wire.end());
+      for (const Face& face : leaf.faces) {
+        for (const Polygon& loop : face.loops) all.insert(loop.begin(), loop.end());
+      }
+    }
+    std::uint64_t expected = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        for (const RationalPoint& p : corners[i]) expected += corners[j].count(p);
+      }
+    }
+    RefineReport report;
+    build_complex(make_soup(leaves), {}, &report);
+    INFO("seed " << seed);
+    CHECK(report.contacts[vertex_vertex] == expected);
+    total += expected;
+  }
+  CHECK(total > 0);
 }
 
 TEST_CASE("A wire through a corner of a face", "[contacts]") {

@@ -1,0 +1,86 @@
+#include "csg/explain/said_at.h"
+
+#include <algorithm>
+#include <set>
+
+namespace cnrg {
+namespace {
+
+using Words = std::map<std::string, std::string>;  // what is said, by key
+
+/// A text of an attribute is in quotes, since a number is none.
+Words words_of(const Attributes* said) {
+  Words words;
+  if (said == nullptr) return words;
+  if (!said->name.empty()) words["name"] = said->name;
+  if (!said->material.empty()) words["material"] = said->material.name();
+  for (const auto& [key, value] : said->properties) {
+    const bool is_text = std::holds_alternative<std::string>(value);
+    words[key] = is_text ? '"' + to_text(value) + '"' : to_text(value);
+  }
+  return words;
+}
+
+bool gives(const Node& node, const std::string& key) {
+  if (key == "name") return !node.label.empty();
+  if (key == "material") return !node.material.empty();
+  return node.properties.contains(key);
+}
+
+std::string value_in(const Words& words, const std::string& key) {
+  const auto it = words.find(key);
+  return it == words.end() ? std::string() : it->second;
+}
+
+}  // namespace
+
+const Attributes* SaidAt::of(const NodeValue& value, const Location& cell, const CellState& state) {
+  if (state.component == 0) return nullptr;
+  const bool of_component = cell.dimension == 3 || (state.group && !state.entity);
+  if (!of_component) {
+    const ValueSources& all = sources(value);
+    const Attributes* const own = cell.dimension == 2   ? all.said(cell.face)
+                                  : cell.dimension == 1 ? all.said(cell.edge)
+                                                        : all.said(cell.vertex);
+    if (own != nullptr || state.group) return own;
+  }
+  return &value.attributes(state.component);
+}
+
+const ValueSources& SaidAt::sources(const NodeValue& value) {
+  std::unique_ptr<const ValueSources>& known = sources_[&value];
+  if (known == nullptr) {
+    if (value.is_group()) known = std::make_unique<GroupSources>(complex_, value.group());
+    else known = std::make_unique<ComponentSources>(complex_, value.components());
+  }
+  return *known;
+}
+
+std::vector<Word> SaidAt::changes(const Node& node, const Attributes* said,
+                                  const std::vector<std::pair<std::string, const Attributes*>>& operands) {
+  const bool is_leaf = node.op == Operator::leaf;
+  const Words here = words_of(said);
+  std::vector<std::pair<std::string, Words>> below;
+  std::set<std::string> keys;
+  for (const auto& [key, value] : here) keys.insert(key);
+  for (const auto& [name, what] : operands) {
+    below.emplace_back(name, words_of(what));
+    for (const auto& [key, value] : below.back().second) keys.insert(key);
+  }
+  std::vector<Word> out;
+  for (const std::string& key : keys) {
+    Word word{key, value_in(here, key), {}, {}, {}};
+    word.given = !word.value.empty() && (gives(node, key) || is_leaf);
+    for (const auto& [name, words] : below) {
+      const std::string other = value_in(words, key);
+      if (other == word.value && !other.empty()) word.from.push_back(name);
+      else if (!other.empty()) word.gave_way.emplace_back(name, other);
+    }
+    // A region is called after its leaf where nobody names it: that is told with its number.
+    if (key == "name" && node.label.empty() && (is_leaf || word.from.empty() || word.gave_way.empty())) continue;
+    if (word.given || !word.gave_way.empty()) out.push_back(std::move(word));
+  }
+  return out;
+}
+
+}  // namespace cnrg
