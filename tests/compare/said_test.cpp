@@ -6,6 +6,8 @@
 #include "csg/formats/result_file.h"
 #include "tests/app/program.h"
 #include "tests/compare/trees.h"
+#include "tests/oracles/cubical_said.h"
+#include "tests/scenes/seeds.h"
 
 namespace cnrg {
 namespace {
@@ -62,6 +64,25 @@ TEST_CASE("A result that was read back says the same", "[compare]") {
   const Tree other = test::tree(slope(", material: clay, attributes: {d: 26}", ", name: f"));
   CHECK_THAT(comparison_text(compare(other, other.result, back, back.result)),
              Catch::StartsWith("d of an edge of length 2 about (2, 2, 5): `26` in A, `25` in B\n"));
+}
+
+TEST_CASE("A random tree with names, materials and attributes is the same as its result that was read back",
+          "[compare]") {
+  const Workshop w;
+  const cubical::Grid grid(4);
+  std::size_t said = 0;
+  const auto [first, last] = scenes::seeds(80);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    const std::string text = cubical::tree_file(cubical::random_said_dag(grid, seed, seed % 4 == 0));
+    const Tree tree = parse_tree(text, "said.yaml");
+    write(w.path("said.json").string(), evaluate(tree, {}).result());
+    const Tree back = tree_of_file(w.path("said.json").string());
+    const Comparison comparison = compare(tree, tree.result, back, back.result);
+    INFO("seed " << seed << ": " << comparison_text(comparison) << text);
+    REQUIRE(comparison.same());
+    said += w.read("said.json").find("\"attributes\"") != std::string::npos;
+  }
+  CHECK(said > 0);
 }
 
 TEST_CASE("Selections mean the same in both trees", "[compare]") {

@@ -46,7 +46,8 @@ TEST_CASE("the installed headers are cnrg.h and what it includes", "[install]") 
   // A surface that a person can read: whoever makes it larger says why here. Ten of them are all that the Python
   // module asks of a result: each says what it gives in plain numbers and texts and includes no more than these.
   // Seven are what is said of cells, and who decides where two say different things: attributes, dominance,
-  // gradients and their samples, `said`, `say`; and three are `select`, which asks for it, how a tree says so, and what may be asked for.
+  // gradients and their samples, `said`, `say`; and three are `select`, which asks for it, how a tree says so, and
+  // what may be asked for.
   CHECK(installed.size() <= 50);
 }
 

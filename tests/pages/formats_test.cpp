@@ -129,6 +129,7 @@ TEST_CASE("csg/FORMATS.md has the keys of every part of a leaf and an attribute"
   const auto material = [](const std::string& text) { return "{cnrg: 1, materials: {m: {" + text + "}}}"; };
   const std::map<std::string, std::string> probes{
       {"simplify", node("simplify: {of: a, @}")},
+      {"select", node("select: {of: a, @}")},
       {"rotate", node("points: [[0, 0, 0]], rotate: {@}")},
       {"mirror", node("points: [[0, 0, 0]], mirror: {@}")},
       {"profile", node("extrude: {profile: {@}}")},
