@@ -12,16 +12,18 @@ using namespace cnrg::test;
 
 namespace {
 
-void check_case(const std::string& name) {
+/// Runs a script of this folder with the program, words, and an empty folder.
+void check_script(const std::string& script, const std::string& words) {
   const Scratch dir;
   const std::string log = dir / "log";
-  const std::string command = "/usr/bin/python3 '" CNRG_SOURCES "/tests/formats/ecosystem.py' '" CNRG_PROGRAM
-                              "' " +
-                              name + " '" + dir.path() + "' >'" + log + "' 2>&1";
+  const std::string command = "/usr/bin/python3 '" CNRG_SOURCES "/tests/formats/" + script +
+                              "' '" CNRG_PROGRAM "' " + words + " '" + dir.path() + "' >'" + log + "' 2>&1";
   const int status = std::system(command.c_str());
   INFO(text_of(log));
   CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
 }
+
+void check_case(const std::string& name) { check_script("ecosystem.py", name); }
 
 }  // namespace
 
@@ -40,3 +42,6 @@ TEST_CASE(".vtu and .msh in meshio, VTK and Gmsh: results that rounding breaks",
 }
 TEST_CASE("surfaces that VTK writes are read, in every form", "[ecosystem]") { check_case("read"); }
 TEST_CASE("labels of cells and flat cells of grids in VTK's files", "[ecosystem]") { check_case("labelled"); }
+TEST_CASE("the supported tunnel in meshio and Gmsh: measures and properties of all groups", "[ecosystem]") {
+  check_script("supported_tunnel.py", "");
+}
