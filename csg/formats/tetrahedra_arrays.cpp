@@ -2,6 +2,7 @@
 
 #include "csg/formats/mesh_file.h"
 #include "csg/result/result_data.h"
+#include "csg/result/said_table.h"
 
 namespace cnrg {
 namespace {
@@ -16,7 +17,7 @@ constexpr std::array<Ends, 3> kEdges2{{{0, 1}, {1, 2}, {0, 2}}};
 constexpr std::array<Ends, 6> kEdges3{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
 
 template <class List, class Edges>
-void add(const Mesh& mesh, const List& simplices, std::size_t dimension, const Edges& edges,
+void add(const Mesh& mesh, const List& simplices, std::size_t dimension, const Edges& edges, SaidTableMaker& said,
          TetrahedraArrays::Simplices& out) {
   for (const auto& simplex : simplices) {
     for (const Mesh::Index p : mesh.nodes(simplex, edges)) out.points.push_back(static_cast<Number>(p));
@@ -27,6 +28,7 @@ void add(const Mesh& mesh, const List& simplices, std::size_t dimension, const E
     out.back.push_back(tags.back);
     out.region.push_back(tags.region);
     out.material.push_back(tags.material);
+    out.said.push_back(said.place(tags));
     out.leaf.push_back(tags.leaf);
     out.face.push_back(tags.face);
   }
@@ -54,10 +56,12 @@ TetrahedraArrays TetrahedralResult::arrays() const {
   const Mesh& mesh = data_->made.mesh;
   TetrahedraArrays out;
   for (const auto& p : mesh.points) out.points.insert(out.points.end(), p.begin(), p.end());
-  add(mesh, mesh.vertices, 0, kNoEdges, out.of[0]);
-  add(mesh, mesh.segments, 1, kEdges1, out.of[1]);
-  add(mesh, mesh.triangles, 2, kEdges2, out.of[2]);
-  add(mesh, mesh.tetrahedra, 3, kEdges3, out.of[3]);
+  SaidTableMaker said;
+  add(mesh, mesh.vertices, 0, kNoEdges, said, out.of[0]);
+  add(mesh, mesh.segments, 1, kEdges1, said, out.of[1]);
+  add(mesh, mesh.triangles, 2, kEdges2, said, out.of[2]);
+  add(mesh, mesh.tetrahedra, 3, kEdges3, said, out.of[3]);
+  out.said = said.table(data_->result.data().view());
   for (std::size_t d = 0; d < 4; ++d) {
     for (const std::string& name : mesh.groups[d]) out.groups[d].push_back({name, {}});
     for (const Mesh::Entity& entity : mesh.entities[d]) {

@@ -10,6 +10,7 @@
 
 #include "csg/formats/result_file.h"
 #include "csg/mesh/cell_groups.h"
+#include "csg/result/arrays.h"
 #include "csg/result/result.h"
 
 namespace cnrg {
@@ -25,7 +26,8 @@ struct TetrahedraArrays {
     Numbers component;    ///< of that cell, from 1
     Numbers front, back;  ///< the components of the regions on both sides of a triangle; 0: none
     Numbers region;       ///< the component of the region that holds it, is behind it, or in front; 0: none
-    Numbers material;     ///< of that region, a place in `materials` plus 1; 0: none
+    Numbers material;     ///< its own or of that region, a place in `materials` plus 1; 0: none
+    Numbers said;         ///< what is said of that cell, a place in `said`; -1: nothing
     Numbers leaf, face;   ///< the face of a leaf that it came from, as in a .vtu; -1: none
   };
   std::vector<double> points;   ///< x, y, z of each
@@ -33,6 +35,7 @@ struct TetrahedraArrays {
   std::array<std::vector<CellGroup>, 4> groups;  ///< by dimension
   std::vector<std::string> leaves;               ///< names of leaves, by `Simplices::leaf`
   std::vector<std::string> materials;            ///< names
+  SaidTable said;
   std::vector<RegionTetrahedra> regions;  ///< of each region of the result that is filled, in the order of cells
   RoundingReport rounding;
   bool curved = false;                                              ///< of second order

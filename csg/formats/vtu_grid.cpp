@@ -9,10 +9,10 @@
 #include <map>
 
 #include "csg/mesh/material_field.h"
+#include "csg/result/said_table.h"
 #include "csg/text/escape.h"
 #include "csg/text/xml.h"
 #include "kernel/base/parallel.h"
-#include "kernel/base/sorted.h"
 
 namespace cnrg {
 namespace {
@@ -82,33 +82,12 @@ void append_names(std::string& text, const std::string& array, const std::vector
   }
 }
 
-/// Names that are said of sheets, wires and points, ascending.
-std::vector<std::string> said_names(const ResultView& view) {
-  std::vector<std::string> names;
-  const LeafSets& sets = view.value->origins().sets;
-  for (std::size_t s = 0; s < sets.size(); ++s) {
-    const SaidPointer& said = sets.said(LeafSetId(s));
-    if (said != nullptr && !said->attributes.name.empty()) names.push_back(said->attributes.name);
-  }
-  sort_unique(names);
-  return names;
-}
-
 /// From 1, of a sheet, a wire or a point; 0: it has none.
 std::int32_t number_of_name(const std::vector<std::string>& names, const CellTags& tags) {
   if (tags.said == nullptr || tags.dimension == 3) return 0;
   const auto it = std::lower_bound(names.begin(), names.end(), tags.said->name);
   if (it == names.end() || *it != tags.said->name) return 0;
   return static_cast<std::int32_t>(it - names.begin()) + 1;
-}
-
-/// A key as the name of an array, unlike those of the grid's own arrays.
-std::string array_name(const std::string& key) {
-  static constexpr std::array kOwn{
-      "dimension", "cell",        "component",   "region", "region_front", "region_back", "regions_bounded",
-      "material",  "source_leaf", "source_face", "name",   "patch",        "parameters"};
-  const bool taken = std::find(kOwn.begin(), kOwn.end(), key) != kOwn.end() || key.starts_with("fraction of ");
-  return shown(key) + (taken ? "'" : "");
 }
 
 }  // namespace

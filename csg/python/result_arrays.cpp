@@ -3,6 +3,7 @@
 
 #include "numbers.h"
 #include "results.h"
+#include "said.h"
 #include "views.h"
 #include "watched.h"
 
@@ -28,6 +29,7 @@ py::dict common(const Owner& owner, const Arrays::Common& cells) {
   out["entity"] = flags(owner, cells.entity);
   out["holder"] = view(owner, cells.holder);
   out["material"] = view(owner, cells.material);
+  out["said"] = view(owner, cells.said);
   out["leaf"] = view(owner, cells.leaf);
   out["leaf_face"] = view(owner, cells.leaf_face);
   out["origin_leaves"] = lists(owner, cells.origin.leaves);
@@ -98,13 +100,14 @@ py::dict data_of(const ArraysObject& object) {
   for (const Arrays::Component& c : a.components) {
     py::list of;
     for (const std::int32_t leaf : c.leaves) of.append(leaf);
-    components.append(py::make_tuple(text_of(c.name), text_of(c.material), of));
+    components.append(py::make_tuple(text_of(c.name), text_of(c.material), of, to_dict(c.properties)));
   }
   for (const ResultNames::Material& m : a.materials)
     materials.append(py::make_tuple(text_of(m.name), text_of(m.color)));
   out["leaves"] = leaves;
   out["components"] = components;
   out["materials"] = materials;
+  out["said"] = said_of(owner, a.said);
   out["group"] = a.group;
   return out;
 }

@@ -3,6 +3,7 @@
 
 #include "numbers.h"
 #include "results.h"
+#include "said.h"
 #include "views.h"
 #include "watched.h"
 
@@ -40,6 +41,7 @@ py::dict simplices(const Owner& owner, const TetrahedraArrays::Simplices& of, py
   out["region_back"] = view(owner, of.back);
   out["region"] = view(owner, of.region);
   out["material"] = view(owner, of.material);
+  out["said"] = view(owner, of.said);
   out["source_leaf"] = view(owner, of.leaf);
   out["source_face"] = view(owner, of.face);
   return out;
@@ -68,6 +70,7 @@ py::dict data_of(const TetrahedraObject& object) {
   }
   out["leaves"] = leaves;
   out["materials"] = materials;
+  out["said"] = said_of(owner, a.said);
   out["regions"] = regions;
   py::dict fields;
   for (const auto& [name, values] : a.fields) fields[text_of(name)] = view(owner, values, 4);

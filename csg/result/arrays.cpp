@@ -11,6 +11,7 @@
 #include "csg/result/flat.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
+#include "csg/result/said_table.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -57,6 +58,7 @@ class Filler {
   const FlatComplex flat_;
   const std::map<LeafId, std::size_t> leaf_numbers_;
   const CellTagger tagger_;
+  SaidTableMaker said_;
   ResultArrays out_;
   /// The edge between two neighbouring points of its chain, as edge * 2 if from the first of the key to the
   /// second.
@@ -75,10 +77,11 @@ class Filler {
   }
 
   template <class Cell>
-  void add_common(ResultArrays::Common& to, const Cell& cell, const CellTags& tags) const {
+  void add_common(ResultArrays::Common& to, const Cell& cell, const CellTags& tags) {
     const auto leaf = leaf_numbers_.find(LeafId(static_cast<std::size_t>(tags.leaf)));
     to.holder.push_back(tags.region);
     to.material.push_back(tags.material - 1);
+    to.said.push_back(said_.place(tags));
     to.leaf.push_back(leaf == leaf_numbers_.end() ? kNone : static_cast<Number>(leaf->second));
     to.leaf_face.push_back(tags.face);
     to.component.push_back(static_cast<Number>(cell.component));
@@ -206,9 +209,11 @@ class Filler {
       ResultArrays::Component& to = out_.components.emplace_back();
       to.name = from.name;
       to.material = from.material.name();
+      to.properties = from.properties;
       for (const LeafId leaf : from.leaves) to.leaves.push_back(static_cast<Number>(leaf_numbers_.at(leaf)));
     }
     out_.materials = view_.materials;
+    out_.said = said_.table(view_);
     out_.group = view_.value->is_group() || view_.of_group;
   }
 };

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "csg/materials/attributes.h"
 #include "csg/result/result.h"
 
 namespace cnrg {
@@ -24,6 +25,19 @@ struct ListOffsets {
 };
 struct NumberLists : ListOffsets {
   std::vector<std::int32_t> values;
+};
+
+/// What is said of cells of a result: each different thing once, and this again as columns of numbers, which are
+/// the cell data of a .vtu.
+struct SaidTable {
+  std::vector<Attributes> said;
+  struct Column {
+    std::string array;  ///< its name in a .vtu: `name`, which only cells of dimension < 3 have there, or a key
+    std::vector<std::string> texts;    ///< ascending; empty if all values are numbers
+    std::vector<double> numbers;       ///< of each of `said`; not a number (NaN) where it has none
+    std::vector<std::int32_t> places;  ///< instead, where there are texts: the place of each, from 1; 0: none
+  };
+  std::vector<Column> columns;
 };
 
 struct ResultArrays {
@@ -42,9 +56,12 @@ struct ResultArrays {
     Numbers component;
     Flags entity;  ///< active, and not just the interior of a region of its component
     Origins origin;
-    Numbers holder;    ///< the component of the region that it is, that is behind it, in front or around; 0: none
-    Numbers material;  ///< of an entity of a group that of `holder`, else of its component; a place in `materials`
-    Numbers leaf;      ///< the first leaf with a face that it came from, else the first leaf; a place in `leaves`
+    Numbers holder;  ///< the component of the region that it is, that is behind it, in front or around; 0: none
+    /// Of a sheet, a wire or a point its own, if it has one; else of an entity of a group that of `holder`, else
+    /// of its component; a place in `materials`.
+    Numbers material;
+    Numbers said;       ///< what is said of it (CellTags::said), a place in `said`; kNone: nothing
+    Numbers leaf;       ///< the first leaf with a face that it came from, else the first leaf; a place in `leaves`
     Numbers leaf_face;  ///< the number of that face; kNone: from no face
   };
   struct Vertices : Common {
@@ -100,11 +117,13 @@ struct ResultArrays {
   std::vector<std::string> leaves;  ///< names of those that the result names, as in a .json
   struct Component {
     std::string name, material;
+    Properties properties;
     Numbers leaves;
   };
   std::vector<Component> components;             ///< of component i at i - 1
   std::vector<ResultNames::Material> materials;  ///< those of the tree, and others that components have
-  bool group = false;                            ///< a group; its entities are the last component, if it has any
+  SaidTable said;
+  bool group = false;  ///< a group; its entities are the last component, if it has any
 };
 
 /// Throws InputError when a coordinate is beyond the range of doubles.

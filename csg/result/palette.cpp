@@ -24,6 +24,14 @@ CellColor of_kind(int dimension) {
           {}};
 }
 
+/// Of a material of the tree: the one that it has there, else that of its place in the list.
+CellColor of_name(const ResultView& view, const std::string& material) {
+  const auto& all = view.materials;
+  const auto at = std::find_if(all.begin(), all.end(), [&](const auto& m) { return m.name == material; });
+  const bool colored = at != all.end() && !at->color.empty();
+  return {colored ? rgb(at->color) : palette_color(static_cast<std::size_t>(at - all.begin())), material};
+}
+
 /// 2^n modulo the size of the palette.
 std::size_t power_of_two(std::size_t n) {
   std::size_t out = 1;
@@ -84,8 +92,8 @@ Rgb relation_color(Relation relation) {
 ColorBy default_colors(const ResultView& view) {
   const auto& materials = view.materials;
   if (std::any_of(materials.begin(), materials.end(), [](const auto& m) { return !m.color.empty(); })) {
-    for (Component c = 1; c <= view.value->component_count(); ++c) {
-      if (!view.value->attributes(c).material.empty()) return ColorBy::material;
+    for (const Attributes* said : all_said(*view.value)) {
+      if (!said->material.empty()) return ColorBy::material;
     }
   }
   return view.value->is_group() || view.of_group ? ColorBy::region : ColorBy::component;
@@ -137,10 +145,7 @@ CellColor CellColors::of_material(int dimension, Component component) const {
     if (dimension < 3) return of_kind(dimension);
     return materials_ ? CellColor{no_color(), "no material"} : of_component(component);
   }
-  const auto& all = view_.materials;
-  const auto at = std::find_if(all.begin(), all.end(), [&](const auto& m) { return m.name == name; });
-  const bool colored = at != all.end() && !at->color.empty();
-  return {colored ? rgb(at->color) : palette_color(static_cast<std::size_t>(at - all.begin())), name};
+  return of_name(view_, name);
 }
 
 CellColor CellColors::of_component(Component component) const {
@@ -171,7 +176,11 @@ CellColor CellColors::of(ColorBy by, int dimension, FlatComplex::Index i) const 
   };
   switch (by) {
     case ColorBy::region: return dimension == 3 ? of_region(i) : of_kind(dimension);
-    case ColorBy::material: return of_material(dimension, cell([](const auto& c) { return c.component; }));
+    case ColorBy::material: {
+      const Attributes* said = cell([](const auto& c) { return c.origin.said; });
+      if (said != nullptr && !said->material.empty()) return of_name(view_, said->material.name());
+      return of_material(dimension, cell([](const auto& c) { return c.component; }));
+    }
     case ColorBy::component: return of_component(cell([](const auto& c) { return c.component; }));
     default: return leaves_.of(cell([](const auto& c) { return c.origin.leaves; }));
   }

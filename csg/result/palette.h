@@ -41,7 +41,7 @@ Rgb relation_color(Relation relation);
 
 enum class ColorBy : std::uint8_t {
   region,     ///< sheets, wires and points in their own colors
-  material,   ///< of its material; see CellColors::of_material where there is none
+  material,   ///< of its own material, else of its component's; see CellColors::of_material where there is none
   component,  ///< of a component of a CNRG operator or a region of a group, entities with them
   source,     ///< the leaves that a cell came from
 };

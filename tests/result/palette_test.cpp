@@ -115,6 +115,33 @@ TEST_CASE("where nothing has a material, by material is by component", "[palette
   CHECK(c.regions(ColorBy::material) == c.regions(ColorBy::component));
 }
 
+TEST_CASE("sheets, wires and points have the color of their own material, others that of their kind",
+          "[palette]") {
+  const std::string text =
+      "cnrg: 1\nmaterials: {rock: {color: \"#998877\"}, steel: {}}\nnodes:\n"
+      "  a: {box: {min: [0, 0, 0], max: [2, 2, 2]}}\n"
+      "  s: {polygon: [[8, 0, 0], [9, 0, 0], [9, 1, 0]], material: rock}\n"
+      "  t: {polygon: [[8, 0, 5], [9, 0, 5], [9, 1, 5]]}\n"
+      "  w: {polyline: [[1, 1, 1], [1, 1, 3]], material: steel}\n"
+      "  p: {points: [[7, 7, 7]], material: steel}\n"
+      "  all: {union: [a, s, t, w, p], dominance: right}\nresult: all\n";
+  const Colored all(text, "all");
+  CHECK(default_colors(all.view) == ColorBy::material);
+  const auto count = [&](int dimension, std::size_t size, const std::string& meaning, const Rgb& color) {
+    std::size_t out = 0;
+    for (FlatComplex::Index i = 0; i < size; ++i) {
+      const CellColor c = all.colors.of(ColorBy::material, dimension, i);
+      out += c.text == meaning && c.color == color;
+    }
+    return out;
+  };
+  CHECK(count(2, all.flat.faces.size(), "rock", rgb("#998877")) == 1);
+  CHECK(count(2, all.flat.faces.size(), "", sheet_color()) == 6 + 1);      // walls of the box, and the sheet t
+  CHECK(count(1, all.flat.edges.size(), "steel", palette_color(1)) == 2);  // in the box and above it
+  CHECK(count(1, all.flat.edges.size(), "", wire_color()) == 12 + 3 + 3);
+  CHECK(count(0, all.flat.vertices.size(), "steel", palette_color(1)) == 1);
+}
+
 TEST_CASE("the sets of four leaves have colors of their own; copies of a leaf are one", "[palette]") {
   const LeafColors leaves({{"a"}, {"b"}, {"a"}, {"c"}, {"d"}});
   std::set<std::string> seen;

@@ -12,7 +12,7 @@
 A node is an expression, as a tree file has it, and means the same. Everything is computed in exact arithmetic.
 """
 
-from .cells import Cells, Component, Edges, Faces, Lists, Regions, Vertices
+from .cells import Cells, Component, Edges, Faces, Lists, Regions, Said, SaidTable, Vertices
 from .errors import Error, FileError, InputError, InvariantError, Notice, Stopped
 from .evaluation import Diagnostic, Evaluation, Row, evaluate
 from .nodes import (
@@ -83,6 +83,8 @@ __all__ = [
     "Regions",
     "Result",
     "Row",
+    "Said",
+    "SaidTable",
     "Simplices",
     "Step",
     "Stopped",

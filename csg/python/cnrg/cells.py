@@ -11,9 +11,9 @@ A side of a face is one number, 2 * face + side, where side 0 is its front and 1
 from __future__ import annotations
 
 import operator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any, Iterator, Sequence, overload
+from typing import Any, Iterator, Mapping, Sequence, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -113,7 +113,10 @@ class Cells:
         """(n,) int32: the component of the region that the cell is, that is behind it, in front of it or around it; 0:
         none"""
         self.material: Ints = data["material"]
-        """(n,) int32: a place in Result.materials, -1: none; an entity of a group has that of its holder"""
+        """(n,) int32: a place in Result.materials, -1: none; a sheet, wire or point has its own, if it has one; else an
+        entity of a group has that of its holder"""
+        self.said: Ints = data["said"]
+        """(n,) int32: what is said of the cell, a place in Result.said; -1: nothing"""
         self.leaf: Ints = data["leaf"]
         """(n,) int32: the first leaf with a face that the cell came from, else the first leaf; a place in
         Result.leaves"""
@@ -298,6 +301,65 @@ class Component:
     """with a region there"""
     volume: Fraction | None
     """exact, in cubic units; None: unbounded"""
+    attributes: Mapping[str, Fraction | str] = field(default_factory=dict, repr=False, hash=False)
+    """what else is said of it, numbers exactly, in the units that the tree has them in"""
+
+
+@dataclass(frozen=True)
+class Said:
+    """What people say of a region, a component, a sheet, a wire or a point."""
+
+    name: str
+    """"" if it has none"""
+    material: str
+    """"" if it has none"""
+    attributes: Mapping[str, Fraction | str] = field(hash=False)
+    """by key: numbers exactly, in the units that the tree has them in, or texts"""
+
+
+class SaidTable(Sequence[Said]):
+    """All that is said of cells, each different thing once; `said` of cells has places in it."""
+
+    __slots__ = ("_said", "_columns")
+
+    def __init__(self, data: Any):
+        said, columns = data
+        self._said = tuple(Said(*one) for one in said)
+        self._columns = columns
+
+    def __len__(self) -> int:
+        return len(self._said)
+
+    @overload
+    def __getitem__(self, i: int) -> Said: ...
+    @overload
+    def __getitem__(self, i: slice) -> tuple[Said, ...]: ...
+    def __getitem__(self, i: Any) -> Any:
+        return self._said[i] if isinstance(i, slice) else self._said[_number(i, len(self))]
+
+    def values(self, key: str, said: Ints) -> list[Fraction | str | None]:
+        """Of each cell the attribute of this key, exactly; None where it has none. said: of these cells."""
+        of = [one.attributes.get(key) for one in self._said] + [None]  # the last for -1
+        return [of[place] for place in said.tolist()]
+
+    def _tags(self, said: Ints, dimension: Ints | int) -> dict[str, Any]:
+        """Cell data as of a .vtu: numbers as (n,) float64, NaN where there is none; texts, and the names of cells of
+        dimension < 3, as (n,) int32, 0 where there is none."""
+        tags = {}
+        for array, texts, values in self._columns:
+            none = np.int32(0) if texts else np.float64(np.nan)
+            of = np.append(values, none)[said]
+            tags[array] = np.where(np.asarray(dimension) == 3, none, of) if array == "name" else of
+        return tags
+
+    @property
+    def texts(self) -> dict[str, list[str]]:
+        """Of the cell data of to_meshio and to_vtk that hold numbers of texts, by array: the text of each number; that
+        of 0, where there is none, is empty."""
+        return {array: ["", *texts] for array, texts, _ in self._columns if texts}
+
+    def __repr__(self) -> str:
+        return repr(self._said)
 
 
 def _number(i: Any, count: int) -> int:

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _cnrg, convert, stories
-from .cells import Cells, Component, Edges, ExactPoints, Faces, Regions, Vertices
+from .cells import Cells, Component, Edges, ExactPoints, Faces, Regions, Said, SaidTable, Vertices
 from .errors import FileError, InputError, Notice
 from .nodes import site_of_caller
 from .pictures import View, options_of, replace_file
@@ -151,8 +151,8 @@ class Result:
     def _make_components(self) -> list[Component]:
         leaves = self.leaves
         return [
-            Component(i, name, material, tuple(leaves[k] for k in of), self._result.volume_of(i))
-            for i, (name, material, of) in enumerate(self._data["components"], 1)
+            Component(i, name, material, tuple(leaves[k] for k in of), self._result.volume_of(i), attributes)
+            for i, (name, material, of, attributes) in enumerate(self._data["components"], 1)
         ]
 
     @property
@@ -169,6 +169,19 @@ class Result:
     def materials(self) -> list[tuple[str, str]]:
         """Name and color ("#rrggbb", or "") of each; those of the tree come first."""
         return list(self._data["materials"])
+
+    @property
+    def said(self) -> SaidTable:
+        """What is said of cells: name, material, attributes, each different thing once. `said` of vertices, edges,
+        faces and regions has places in it: result.said[result.faces.said[5]], if that is not -1."""
+        return self._once("said", lambda: SaidTable(self._data["said"]))
+
+    def said_of(self, places: Places) -> list[Said | None]:
+        """Of each of n places that `locate` found: what is said of its cell, as `cnrg locate` prints it; None:
+        nothing."""
+        kinds = [cells for _, cells in self._counted()]
+        said = [-1 if cell < 0 else int(kinds[d].said[cell]) for d, cell in zip(places.dimension, places.cell)]
+        return [None if place < 0 else self.said[place] for place in said]
 
     @property
     def groups(self) -> list[dict[str, NDArray[np.int32]]]:
@@ -369,6 +382,7 @@ class Result:
         tags["material"] = cells.material[numbers] + np.int32(1)
         tags["source_leaf"] = cells.leaf[numbers]
         tags["source_face"] = cells.leaf_face[numbers]
+        tags.update(self.said._tags(cells.said[numbers], dimension))
         return tags
 
     def _bounded_points(self) -> NDArray[np.float64]:
@@ -412,6 +426,7 @@ class Result:
             "RegionNames": ["outside", *(c.name for c in self.components)],
             "MaterialNames": ["none", *(name for name, _ in self.materials)],
             "LeafNames": list(self.leaves),
+            **{f"{array} texts": texts for array, texts in self.said.texts.items()},
         }
         return convert.to_vtk(points, kinds, offsets, np.concatenate([p for *_, p, _ in parts]), data, names)
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import convert
+from .cells import SaidTable
 
 _DATA = ("cell", "component", "region", "region_front", "region_back", "material", "source_leaf", "source_face")
 
@@ -45,6 +46,8 @@ class Simplices:
         """(n,) int32: behind"""
         self.material: NDArray[np.int32] = data["material"]
         """(n,) int32: a place in Tetrahedra.materials plus 1; 0: none"""
+        self.said: NDArray[np.int32] = data["said"]
+        """(n,) int32: what is said of that cell, a place in Tetrahedra.said; -1: nothing"""
         self.source_leaf: NDArray[np.int32] = data["source_leaf"]
         """(n,) int32: the leaf that it came from, a place in Tetrahedra.leaves; -1: none"""
         self.source_face: NDArray[np.int32] = data["source_face"]
@@ -74,6 +77,8 @@ class Tetrahedra:
         """what was made of each region"""
         self.materials: tuple[str, ...] = tuple(data["materials"])
         self.leaves: tuple[str, ...] = tuple(data["leaves"])
+        self.said = SaidTable(data["said"])
+        """what is said of the cells that simplices lie in: name, material, attributes, each different thing once"""
         self.fields: dict[str, NDArray[np.float64]] = data["fields"]
         """(tetrahedra, 4) float64 at corners: `fraction of steel` of graded materials"""
         self.moved: int = data["moved"]
@@ -85,7 +90,8 @@ class Tetrahedra:
         blocks = []
         for d, of in enumerate((self.vertices, self.segments, self.triangles, self.tetrahedra)):
             data = {name: getattr(of, name) for name in _DATA}
-            data = {"dimension": np.full(len(of), d, dtype=np.int32), **data}
+            data = {"dimension": np.full(len(of), d, dtype=np.int32), **data,
+                    **self.said._tags(of.said, d)}
             blocks.append(convert.Block(d, convert.curved_kind(d, self.curved), of.points, of.cell, data))
         return [block for block in blocks if len(block.cells)]
 
@@ -97,7 +103,8 @@ class Tetrahedra:
         """A vtkUnstructuredGrid (for PyVista: pyvista.wrap(...)), with cell data as of a .vtu. ImportError without
         vtk."""
         names = {"RegionNames": ["outside", *(c.name for c in self._result.components)],
-                 "MaterialNames": ["none", *self.materials], "LeafNames": list(self.leaves)}
+                 "MaterialNames": ["none", *self.materials], "LeafNames": list(self.leaves),
+                 **{f"{array} texts": texts for array, texts in self.said.texts.items()}}
         return convert.blocks_to_vtk(self.points, self._blocks(), names)
 
     def write(self, path: str | os.PathLike[str]) -> None:
