@@ -42,10 +42,46 @@ struct Lists {
   }
 };
 
+/// What is said of faces, edges and vertices by themselves, each thing once, with the color that pictures by
+/// material give it.
+class SaidList {
+ public:
+  SaidList(const CellColors& colors, PageTables& tables) : colors_(colors), tables_(tables) {}
+
+  /// From 1; 0: nothing is said.
+  std::uint32_t number(int dimension, Index i, const Attributes* said) {
+    if (said == nullptr) return 0;
+    const auto [it, fresh] = numbers_.try_emplace(*said, static_cast<std::uint32_t>(numbers_.size()) + 1);
+    if (fresh) {
+      Json entry = json_of(*said);
+      if (!said->material.empty()) {
+        entry["color"] = number_in(tables_.colors, hex(colors_.of(ColorBy::material, dimension, i).color));
+      }
+      list_.push_back(std::move(entry));
+    }
+    return it->second;
+  }
+  Json take() { return std::move(list_); }
+
+  static Json json_of(const Attributes& said) {
+    Json properties = Json::array();
+    for (const auto& [key, value] : said.properties) properties.push_back({shown(key), shown(to_text(value))});
+    return {{"name", shown(said.name)}, {"material", shown(said.material.name())}, {"attributes", properties}};
+  }
+
+ private:
+  const CellColors& colors_;
+  PageTables& tables_;
+  std::map<Attributes, std::uint32_t, AttributesOrder> numbers_;
+  Json list_ = Json::array();
+};
+
 /// The cells of a flattened value as columns.
 class Cells {
  public:
-  Cells(const FlatComplex& flat, PageTables& tables) : flat_(flat), tables_(tables) {}
+  /// With `said`, what is said of cells is listed there.
+  Cells(const FlatComplex& flat, PageTables& tables, SaidList* said = nullptr)
+      : flat_(flat), tables_(tables), said_(said) {}
 
   /// `origins`: also where cells came from, and what only cells of a result have.
   Json json(bool origins) {
@@ -63,6 +99,7 @@ class Cells {
  private:
   const FlatComplex& flat_;
   PageTables& tables_;
+  SaidList* const said_;
 
   std::uint32_t origin(const FlatComplex::Provenance& from) const {
     return from.cells.empty() ? 0 : number_in(tables_.origins, from.cells) + 1;
@@ -76,9 +113,12 @@ class Cells {
     return packed(numbers);
   }
   template <class List>
-  void add_common(Json& out, const List& cells, bool origins) const {
+  void add_common(Json& out, int dimension, const List& cells, bool origins) const {
     out["component"] = column(cells, [](const auto& c) { return c.component; });
     if (origins) out["origin"] = column(cells, [&](const auto& c) { return origin(c.origin); });
+    if (said_ == nullptr || dimension == 3) return;
+    Index i = 0;
+    out["said"] = column(cells, [&](const auto& c) { return said_->number(dimension, i++, c.origin.said); });
   }
 
   Json vertices(bool origins) const {
@@ -86,7 +126,7 @@ class Cells {
     out["point"] = column(flat_.vertices, [](const auto& v) { return v.point; });
     out["flags"] = column(flat_.vertices, [](const auto& v) { return v.entity | v.feature << 1 | v.free << 2; });
     out["region"] = column(flat_.vertices, [](const auto& v) { return optional(v.region); });
-    add_common(out, flat_.vertices, origins);
+    add_common(out, 0, flat_.vertices, origins);
     return out;
   }
 
@@ -99,7 +139,7 @@ class Cells {
       return e.closed | e.entity << 1 | e.feature << 2 | e.wire << 3 | e.slit << 4;
     });
     out["region"] = column(flat_.edges, [](const auto& e) { return optional(e.region); });
-    add_common(out, flat_.edges, origins);
+    add_common(out, 1, flat_.edges, origins);
     return out;
   }
 
@@ -122,7 +162,7 @@ class Cells {
     isolated.into(out, "isolated");
     triangles.into(out, "triangles");
     out["flags"] = column(flat_.faces, [](const auto& f) { return f.entity | !f.facets.empty() << 1; });
-    add_common(out, flat_.faces, origins);
+    add_common(out, 2, flat_.faces, origins);
     if (!origins) return out;
     out["front"] = column(flat_.faces, [](const auto& f) { return optional(f.regions[0]); });
     out["back"] = column(flat_.faces, [](const auto& f) { return optional(f.regions[1]); });
@@ -152,7 +192,7 @@ class Cells {
     out["sides"] = packed(sides);
     out["bounded"] = column(flat_.regions, [](const auto& r) { return r.bounded; });
     out["volume"] = volumes;
-    add_common(out, flat_.regions, true);
+    add_common(out, 3, flat_.regions, true);
     return out;
   }
 };
@@ -229,8 +269,7 @@ Json radial_orders(const Complex& complex, const SimplifiedComplex& s, PageTable
 
 /// Numbers of colors: by material and by component for each component, from 0; by region for each region. By
 /// source a color is of an origin, and the page has it once.
-Json colors(const ResultView& view, const FlatComplex& flat, PageTables& tables) {
-  const CellColors colors(view, flat);
+Json color_numbers(const ResultView& view, const FlatComplex& flat, const CellColors& colors, PageTables& tables) {
   const auto number = [&](const CellColor& c) { return number_in(tables.colors, hex(c.color)); };
   Json out;
   Numbers material, component, region;
@@ -461,7 +500,8 @@ Json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& 
     const RegionAttributes& a = kept.value->attributes(c);
     Numbers leaves;
     for (const LeafId leaf : a.leaves) leaves.push_back(leaf.value());
-    components.push_back({{"name", shown(a.name)}, {"material", shown(a.material.name())}, {"leaves", leaves}});
+    components.push_back(SaidList::json_of(a));
+    components.back()["leaves"] = leaves;
   }
   out["components"] = components;
   out["counts"] = row.cells;
@@ -474,8 +514,11 @@ Json node_data(const Tree& tree, const Evaluation& evaluation, const KeptValue& 
     removals.push_back({rule.id, condition_words(rule), count});
   }
   out["removed"] = removals;
-  out["cells"] = Cells(flat, tables).json(true);
-  out["colors"] = colors(view, flat, tables);
+  const CellColors colors(view, flat);
+  SaidList said(colors, tables);
+  out["cells"] = Cells(flat, tables, &said).json(true);
+  out["said"] = said.take();
+  out["colors"] = color_numbers(view, flat, colors, tables);
   out["radial"] = radial_orders(complex, *kept.simplified, tables);
 
   if (told.topology) add_topology(evaluation, kept, flat, tables, out);

@@ -78,11 +78,11 @@ struct Scene {
 
 /// A block with an inner wall, a sheet through it, a wire and a point, open sets and a tunnel.
 const char* const kMixed = R"(cnrg: 1
-materials: {rock: {color: "#998877"}}
+materials: {rock: {color: "#998877"}, steel: {}}
 nodes:
-  ground: {box: {min: [0, 0, 0], max: [9, 9, 6]}, material: rock, name: ground}
+  ground: {box: {min: [0, 0, 0], max: [9, 9, 6]}, material: rock, name: ground, attributes: {n: 1/2}}
   fault:  {polygon: [[2, -1, -1], [7, -1, 7], [7, 10, 7], [2, 10, -1]]}
-  bolt:   {polyline: [[6, 5, 3], [6, 5, "29/6"]]}
+  bolt:   {polyline: [[6, 5, 3], [6, 5, "29/6"]], material: steel, attributes: {diameter: 25, kind: "<b>"}}
   mark:   {points: [[1, 1, 1]]}
   tunnel: {cylinder: {from: [6, -1, 3], to: [6, 10, 3], radius: 1, segments: 12}}
   split:  {union: [bolt, mark, fault, ground], dominance: left}
@@ -339,13 +339,32 @@ TEST_CASE("a page has the colors that stills have", "[view]") {
       const auto by_component = numbers(node["colors"]["component"]);
       for (FlatComplex::Index i = 0; i < counts[d]; ++i) {
         const auto expect = [&](ColorBy by) { return hex(colors.of(by, static_cast<int>(d), i).color); };
-        CHECK(color(by_material[component[i]]) == expect(ColorBy::material));
+        const std::uint32_t own = columns.contains("said") ? numbers(columns["said"])[i] : 0;
+        const Json& said = own == 0 ? Json() : node["said"][own - 1];
+        CHECK(color(said.contains("color") ? said["color"].get<std::uint32_t>() : by_material[component[i]]) ==
+              expect(ColorBy::material));
         CHECK(color(by_component[component[i]]) == expect(ColorBy::component));
         CHECK(color(sources[origin[i]]) == expect(ColorBy::source));
         if (d == 3) CHECK(color(numbers(node["colors"]["region"])[i]) == expect(ColorBy::region));
       }
     }
   }
+}
+
+TEST_CASE("a page has what is said of cells", "[view]") {
+  const Scene scene(kMixed);
+  const Json& model = scene.node("model");
+  REQUIRE(model["said"].size() == 1);  // of the bolt; of the fault and the mark nothing is said
+  CHECK(model["said"][0]["material"] == "steel");
+  CHECK(model["said"][0]["attributes"] ==
+        Json::array({Json::array({"diameter", "25"}), Json::array({"kind", "<b>"})}));
+  const auto wires = numbers(model["cells"]["edges"]["said"]);
+  CHECK(std::count(wires.begin(), wires.end(), 1) == 1);
+  for (const char* const kind : {"vertices", "faces"}) {
+    const auto others = numbers(model["cells"][kind]["said"]);
+    CHECK(std::count(others.begin(), others.end(), 0) == static_cast<std::ptrdiff_t>(others.size()));
+  }
+  CHECK(model["components"][0]["attributes"] == Json::array({Json::array({"n", "1/2"})}));
 }
 
 TEST_CASE("beyond its limits a page says what it leaves out", "[view]") {

@@ -87,7 +87,8 @@ export class Geometry {
     if (by === 'source') return [...new Set(model.origin(cell).map((o) => model.page.leaves[o.leaf] || 'frame'))].join(' + ') || 'no leaf';
     if (!c) return '';
     if (by === 'component') return model.componentName(c);
-    if (by === 'material' && material) return material;
+    const own = model.said(cell)?.material;
+    if (by === 'material' && (own || material)) return own || material;
     if (cell.kind !== 'r') return '';
     if (by === 'region') return `r${cell.i}${name ? ' ' + name : ''}`;
     return model.node.components.some((x) => x.material) ? 'no material' : model.componentName(c);
@@ -257,7 +258,7 @@ export class Geometry {
       if (!own && !model.radial.uses.of(e).some((f) => model.cells.faces.component[f] || model.active(model.cells.faces.front[f]) || model.active(model.cells.faces.back[f]))) continue;
       if (wire) this.legend.set('wire', {label: 'wire', sign: 'wire', tint: this.wire});
       if (!own) this.legend.set('dashed', {label: 'missing edge', sign: 'dash', tint: look.ink});
-      const plain = look.colour === 'region' || (look.colour === 'material' && !model.node.components[own - 1]?.material);
+      const plain = look.colour === 'region' || (look.colour === 'material' && !model.node.components[own - 1]?.material && !model.said(cell)?.material);
       const tint = wire && plain ? (look.dark ? mix(this.wire, [255, 255, 255], 0.35) : this.wire)
         : painted && own && (wire || look.colour !== 'material') ? mix(this.tintOf(cell), look.ink, 0.4) : look.ink;
       const width = wire ? 3.2 : border[e] ? 2.0 : 1;

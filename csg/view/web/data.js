@@ -49,9 +49,9 @@ function columns(json, names) {
 export function readCells(json) {
   const cells = {
     points: unpack(json.points),
-    vertices: columns(json.vertices, ['point', 'flags', 'region', 'component', 'origin']),
-    edges: columns(json.edges, ['flags', 'region', 'component', 'origin']),
-    faces: columns(json.faces, ['flags', 'component', 'origin', 'front', 'back', 'patch']),
+    vertices: columns(json.vertices, ['point', 'flags', 'region', 'component', 'origin', 'said']),
+    edges: columns(json.edges, ['flags', 'region', 'component', 'origin', 'said']),
+    faces: columns(json.faces, ['flags', 'component', 'origin', 'said', 'front', 'back', 'patch']),
     regions: {component: [], shells: null},
   };
   cells.edges.points = lists(json.edges, 'points');

@@ -49,11 +49,19 @@ export class Model {
     const {name} = this.node.components[c - 1] ?? {};
     return name ? `${c} ${name}` : `component ${c}`;
   }
+  /** What is said of a cell: of a sheet, a wire or a point by itself, of a region, or a cell of a component without
+   *  regions, what is said of the component; null: nothing. */
+  said(cell) {
+    const number = this.column(cell.kind).said?.[cell.i], own = number ? this.node.said[number - 1] : null;
+    if (own || (this.node.group && cell.kind !== 'r')) return own;
+    return this.node.components[this.component(cell) - 1] ?? null;
+  }
   /** The colour of a cell by `region`, `material`, `component` or `source`. */
   colour(by, cell) {
     const {page: {colours}, colours: mine} = this;
     if (by === 'region' && cell.kind !== 'r') return {v: colours.point, e: colours.wire, f: colours.sheet}[cell.kind];
-    const number = by === 'region' ? mine.region[cell.i]
+    const own = by === 'material' ? this.said(cell)?.color : undefined;
+    const number = own !== undefined ? own : by === 'region' ? mine.region[cell.i]
       : by === 'material' ? mine.material[cell.kind][this.component(cell)]
       : by === 'source' ? colours.sources[this.column(cell.kind).origin[cell.i]]
       : mine.component[this.component(cell)];

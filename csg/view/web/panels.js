@@ -72,7 +72,7 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
     return null;
   }
   if (cell.kind === cell.kind.toUpperCase()) return showEntity(holder, model, cell, copied);
-  const {kind, i} = cell, {cells} = model, c = model.component(cell), component = model.node.components[c - 1];
+  const {kind, i} = cell, {cells} = model, c = model.component(cell), component = model.node.components[c - 1], said = model.said(cell);
   const flags = model.column(kind).flags?.[i] ?? 0;
   const entity = kind === 'e' ? flags & 2 : kind === 'r' ? 0 : flags & 1;
   const says = [];
@@ -90,7 +90,9 @@ export function showCell(holder, model, cell, {pick, tintOf, copied, axes}) {
     h('p', {class: 'title'}, h('strong', {id: 'picked'}, nameOf(cell)), ` ${WORDS[kind]}`, ...says.map((s) => h('span', {class: 'tag'}, s))),
     terms(
       c ? ['component', swatch(tintOf(cell)), ' ', model.componentName(c)] : null,
-      component?.material ? ['material', component.material] : null,
+      said?.name && said !== component ? ['name', said.name] : null,
+      said?.material || component?.material ? ['material', said?.material || component.material] : null,
+      ...(said?.attributes ?? []).map(([key, value]) => [key, value]),
       volume ? ['volume', h('span', {class: 'number'}, exactText(volume[0])), volume[0].includes('/') ? h('span', {class: 'soft'}, ` ≈ ${volume[1]}`) : ''] : null,
       shape ? ['around it', shape] : null,
       origin.length ? ['from', h('ul', {class: 'plain'}, ...origin.map((o) => h('li', {}, model.page.leaves[o.leaf] || 'frame', ': ', o.text)))] : null,
