@@ -142,7 +142,7 @@ TEST_CASE("bash completes commands, options, files, nodes and choices", "[app][m
   CHECK(completed(w, {"cnrg", "eval", "-", "--node", ""}).empty());
 
   CHECK(completed(w, {"cnrg", "compare", "a", "b", "--ignore", ""}) ==
-        Words{"components", "features", "materials", "names"});
+        Words{"attributes", "components", "features", "materials", "names"});
   CHECK(completed(w, {"cnrg", "eval", "slope.yaml", "--color-by", "s"}) == Words{"source"});
   CHECK(completed(w, {"cnrg", "eval", "slope.yaml", "--threads", ""}).empty());
 }

@@ -94,6 +94,9 @@ export class Geometry {
     return model.node.components.some((x) => x.material) ? 'no material' : model.componentName(c);
   }
 
+  /** True where a sheet, a wire or a point is shown in the colour of its own material, not in that of its kind. */
+  ownMaterial(cell) { return this.look.colour === 'material' && Boolean(this.model.said(cell)?.material); }
+
   // --- geometry
 
   /** Where the points of the cells are in the scene. */
@@ -198,7 +201,7 @@ export class Geometry {
       const own = faces.component[f];
       if (!own && !model.active(faces.front[f])) continue;  // bounds nothing that is there
       const tint = own ? this.tintOf({kind: 'f', i: f}) : this.none;
-      if (own) this.legend.set('sheet', {label: 'sheet', sign: 'sheet', tint: this.sheet});
+      if (own && !this.ownMaterial({kind: 'f', i: f})) this.legend.set('sheet', {label: 'sheet', sign: 'sheet', tint: this.sheet});
       const owner = model.active(faces.front[f]) ? numbering.bytes('r', faces.front[f] - 1) : NOTHING;
       this.pushFace(this.sheets, model.cells, f, false, tint, numbering.bytes('f', f), owner, this.shift(faces.front[f]), own ? SHEETS : HATCHED);
     }
@@ -256,9 +259,9 @@ export class Geometry {
       const cell = {kind: 'e', i: e}, own = edges.component[e], wire = faceless[e] && own;
       if (!look.inner && !wire && this.enclosed(e)) continue;
       if (!own && !model.radial.uses.of(e).some((f) => model.cells.faces.component[f] || model.active(model.cells.faces.front[f]) || model.active(model.cells.faces.back[f]))) continue;
-      if (wire) this.legend.set('wire', {label: 'wire', sign: 'wire', tint: this.wire});
+      if (wire && !this.ownMaterial(cell)) this.legend.set('wire', {label: 'wire', sign: 'wire', tint: this.wire});
       if (!own) this.legend.set('dashed', {label: 'missing edge', sign: 'dash', tint: look.ink});
-      const plain = look.colour === 'region' || (look.colour === 'material' && !model.node.components[own - 1]?.material && !model.said(cell)?.material);
+      const plain = look.colour === 'region' || (look.colour === 'material' && !model.node.components[own - 1]?.material && !this.ownMaterial(cell));
       const tint = wire && plain ? (look.dark ? mix(this.wire, [255, 255, 255], 0.35) : this.wire)
         : painted && own && (wire || look.colour !== 'material') ? mix(this.tintOf(cell), look.ink, 0.4) : look.ink;
       const width = wire ? 3.2 : border[e] ? 2.0 : 1;
@@ -279,9 +282,9 @@ export class Geometry {
     for (let v = 0; v < model.counts.v; ++v) {
       const cell = {kind: 'v', i: v}, p = vertices.point[v], own = vertices.component[v], alone = !ends[p] && own;
       if (ends[p] === 1) continue;
-      if (alone) this.legend.set('point', {label: 'isolated point', sign: 'point', tint: this.point});
+      if (alone && !this.ownMaterial(cell)) this.legend.set('point', {label: 'isolated point', sign: 'point', tint: this.point});
       if (!own) this.legend.set('hollow', {label: 'missing vertex', sign: 'hollow', tint: look.ink});
-      const tint = alone ? (look.dark ? mix(this.point, [255, 255, 255], 0.35) : this.point) : look.ink;
+      const tint = alone && this.ownMaterial(cell) ? this.tintOf(cell) : alone ? (look.dark ? mix(this.point, [255, 255, 255], 0.35) : this.point) : look.ink;
       for (const shift of this.shiftsOf(cell)) {
         this.pushPoint(this.points, model.cells, p, tint, numbering.bytes('v', v), shift, alone ? 2 : 1, alone ? 2 : own ? 0 : 1);
       }
