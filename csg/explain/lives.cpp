@@ -310,6 +310,9 @@ void Lives::add_words(InstanceId id, const std::vector<Piece>& pieces, std::vect
     std::vector<std::pair<std::string, const Attributes*>> operands;
     for (std::size_t k = 0; k < instance.operands.size(); ++k) {
       const auto& [name, state] = step.operands[k];
+      // What is said of a bolt does not give way to what is said of the rock around it, nor the other way round.
+      const bool both_groups = state.group && step.state.group && pieces[p].cell.dimension < 3;
+      if (both_groups && state.entity != step.state.entity) continue;
       operands.emplace_back(name, said_.of(*evaluation_.values[instance.operands[k]], pieces[p].cell, state));
     }
     const Attributes* const here = said_.of(*evaluation_.values[id], pieces[p].cell, step.state);

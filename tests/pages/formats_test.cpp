@@ -70,7 +70,7 @@ Words known_keys(const Workshop& w, std::string tree) {
   INFO(tree << said);
   const std::size_t at = said.find(mark);
   REQUIRE(at != std::string::npos);
-  static const std::regex word("[a-z]+");
+  static const std::regex word("[a-z]+( [a-z]+)*");
   const std::string list = said.substr(at + mark.size());
   Words keys;
   for (std::sregex_iterator i(list.begin(), list.end(), word), end; i != end; ++i) keys.insert(i->str());

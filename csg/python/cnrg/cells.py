@@ -345,9 +345,9 @@ class SaidTable(Sequence[Said]):
     def _tags(self, said: Ints, dimension: Ints | int) -> dict[str, Any]:
         """Cell data as of a .vtu: numbers as (n,) float64, NaN where there is none; texts, and the names of cells of
         dimension < 3, as (n,) int32, 0 where there is none."""
-        tags = {}
+        tags: dict[str, Any] = {}
         for array, texts, values in self._columns:
-            none = np.int32(0) if texts else np.float64(np.nan)
+            none: Any = np.int32(0) if texts else np.float64(np.nan)
             of = np.append(values, none)[said]
             tags[array] = np.where(np.asarray(dimension) == 3, none, of) if array == "name" else of
         return tags
