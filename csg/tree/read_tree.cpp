@@ -327,8 +327,8 @@ class TreeReader {
                                              : "a map {of: NODE, ...} with what is picked, such as {of: model, "
                                                "dimension: 2}");
     }
-    std::vector<std::string_view> keys{"dimension",   "name",    "material", "attributes", "region", "from",
-                                       "source face", "between", "inside",   "touching"};
+    std::vector<std::string_view> keys{"dimension", "name",        "material", "attributes", "region",
+                                       "from",      "source face", "between",  "inside",     "touching"};
     if (!of.valid()) keys.push_back("of");
     const Fields f(value, "select", keys);
     if (of.valid()) dag_.add_operand(id, of, value.at());
