@@ -467,11 +467,14 @@ class TreeReader {
 
   /// What is asked for is below what it is picked from.
   void check_selectors() {
+    NodeId last;  // many pick from one node
+    std::vector<char> below;
     for (const NodeId id : IdRange<NodeId>(tree_.nodes.size())) {
       const Node& node = tree_.nodes[id];
       if (node.op != Operator::select || node.selector->from.empty()) continue;
       const NodeId of = dag_.operands(id).front();
-      const std::vector<char> below = dag_.reachable({of});
+      if (last != of) below = dag_.reachable({of});
+      last = of;
       for (const NodeId from : node.selector->from) {
         if (!node.selector->criteria.source_faces.empty() && tree_.nodes[from].op != Operator::leaf) {
           document_.fail(node.selector->from_at, "`source face` is a face of a leaf, and `" +
