@@ -35,6 +35,7 @@ struct Saying {
   Said said;
   Said stands_for;                                 ///< of the complement of a group: of the group of its closure
   std::vector<std::optional<Attributes>> regions;  ///< of a group, by region - 1; nothing: not known here
+  std::vector<std::optional<Attributes>> owners;   ///< by active cell: those of its component; nothing: not known
   std::set<Warning> warnings;
   bool warnings_known = true;
 };
@@ -78,7 +79,11 @@ class Sayings {
       : grid_(grid), dag_(dag), values_(values) {}
 
   std::vector<Saying> run() {
-    for (std::size_t i = 0; i < dag_.nodes.size(); ++i) out_.push_back(of_node(i));
+    for (std::size_t i = 0; i < dag_.nodes.size(); ++i) {
+      Saying s = of_node(i);
+      s.owners = values_[i].is_group ? owners_in_group(values_[i], s) : owners(i);
+      out_.push_back(std::move(s));
+    }
     return out_;
   }
 
@@ -356,6 +361,108 @@ class Sayings {
     return s;
   }
 
+  // What is said of the component of each cell.
+
+  using Owners = std::vector<std::optional<Attributes>>;
+
+  static Owners owners_in_group(const Value& v, const Saying& s) {
+    Owners out(v.labels.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      if (v.labels[i] == 0) continue;
+      const bool is_region = v.labels[i] <= static_cast<std::uint32_t>(v.group.region_count);
+      if (is_region) out[i] = s.regions[v.labels[i] - 1];
+      else out[i] = Attributes{"entities", {}, {}};
+    }
+    return out;
+  }
+
+  Owners owners(std::size_t node_number) const {
+    const DagNode& node = dag_.nodes[node_number];
+    const Value& value = values_[node_number];
+    const Value& x = values_[node.operands[0]];
+    const std::string operator_name = cnrg::properties::operator_name(node);
+    Owners out(value.labels.size());
+    if (node.each) return out;  // components that share cells: the page does not say in which order
+    Owners before = out_[node.operands[0]].owners;
+    std::vector<bool> in_x(out.size());
+    for (std::size_t i = 0; i < in_x.size(); ++i) in_x[i] = x.labels[i] != 0;
+    for (std::size_t k = 1; k < node.operands.size(); ++k) meet(node, k, before, in_x);
+    if (node.op == Operator::unify || node.op == Operator::complement) {
+      std::optional<Attributes> one = node.op == Operator::unify ? of_all(before, in_x) : Attributes();
+      if (one && (one->name.empty() || one->name == "entities" || one->name.find(" & ") != std::string::npos))
+        one->name = cnrg::properties::name_of(dag_, node_number);
+      before.assign(out.size(), one);
+      if (node.op == Operator::complement)
+        for (std::size_t i = 0; i < in_x.size(); ++i) in_x[i] = !in_x[i];
+    }
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      if (value.labels[i] == 0) continue;
+      // What an operator adds is called after it, what the attribute `regularize` adds as by that operator.
+      const bool there = value.first_labels.empty() || value.first_labels[i] != 0;
+      if (!there) out[i] = Attributes{"regularize", {}, {}};
+      else out[i] = in_x[i] ? before[i] : Attributes{operator_name, {}, {}};
+      if (out[i]) say(*out[i], node.said);
+    }
+    return out;
+  }
+
+  /// A step of `aggregate`, `sum`, `product` or `subtract`.
+  void meet(const DagNode& node, std::size_t k, Owners& owners, std::vector<bool>& in_x) const {
+    const Value& y = values_[node.operands[k]];
+    const Owners& others = out_[node.operands[k]].owners;
+    const DominantOperand dominant = node.dominant.value_or(DominantOperand::equal);
+    for (std::size_t i = 0; i < owners.size(); ++i) {
+      const bool in_y = y.labels[i] != 0;
+      if (node.op == Operator::cnrg_subtract) {
+        if (in_y) in_x[i] = false;
+        continue;
+      }
+      if (in_x[i] && in_y) {
+        if (dominant == DominantOperand::right) owners[i] = others[i];
+        else if (dominant == DominantOperand::equal)
+          owners[i] = owners[i] && others[i] ? std::optional(joined(*owners[i], *others[i])) : std::nullopt;
+      } else if (in_y) {
+        owners[i] = others[i];
+      }
+      in_x[i] = node.op == Operator::product ? in_x[i] && in_y : in_x[i] || in_y;
+    }
+  }
+
+  /// Of two equal components: names word by word, the rest of the left one, what it lacks of the other.
+  static Attributes joined(const Attributes& a, const Attributes& b) {
+    Attributes out = a;
+    take(out, b, nullptr);
+    out.name.clear();
+    std::vector<std::string> words;
+    for (const std::string* name : {&a.name, &b.name}) {
+      for (std::size_t begin = 0; begin < name->size();) {
+        const std::size_t end = std::min(name->find(" & ", begin), name->size());
+        const std::string word = name->substr(begin, end - begin);
+        if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+        begin = end + 3;
+      }
+    }
+    // That entities are entities goes without saying where the other one has a name.
+    if (words.size() > 1) words.erase(std::remove(words.begin(), words.end(), "entities"), words.end());
+    for (const std::string& word : words) out.name += (out.name.empty() ? "" : " & ") + word;
+    return out;
+  }
+
+  /// Of all cells together; nothing where two say different things, since the page does not say whose counts.
+  static std::optional<Attributes> of_all(const Owners& owners, const std::vector<bool>& active) {
+    std::optional<Attributes> all;
+    for (std::size_t i = 0; i < owners.size(); ++i) {
+      if (!active[i]) continue;
+      if (!owners[i]) return std::nullopt;
+      if (!all) all = owners[i];
+      std::set<Warning> odds;
+      take(*all, *owners[i], &odds);
+      if (!odds.empty()) return std::nullopt;
+      *all = joined(*all, *owners[i]);
+    }
+    return all ? all : Attributes();
+  }
+
   const Grid& grid_;
   const RandomDag& dag_;
   const std::vector<Value>& values_;
@@ -452,29 +559,48 @@ Attributes speaks(const Grid& grid, Cell c, const Saying& want, const Attributes
   return at->attributes;
 }
 
+/// What is said of the component that a cell is of; nothing for an inactive cell.
+std::optional<Attributes> component_at(const cnrg::NodeValue& have, const cnrg::Selection& selection,
+                                       const cnrg::Location& at) {
+  const auto of = [](const auto& list, auto id) {
+    const std::ptrdiff_t k = place_in(list, id);
+    return k < 0 ? cnrg::Component(0) : list[static_cast<std::size_t>(k)].second;
+  };
+  const cnrg::Component k = at.dimension == 0   ? of(selection.vertices, at.vertex)
+                            : at.dimension == 1 ? of(selection.edges, at.edge)
+                            : at.dimension == 2 ? of(selection.faces, at.face)
+                                                : of(selection.regions, at.region);
+  if (k == 0) return std::nullopt;
+  return static_cast<Attributes>(have.attributes(k));
+}
+
+/// Each active cell is of a component of which the right things are said.
+std::string compare_owners(const Grid& grid, const Saying& want, const std::vector<cnrg::Location>& places,
+                           const cnrg::NodeValue& have, const cnrg::Selection& selection, SaidTally& met) {
+  for (Cell c = 0; c < grid.cells(); ++c) {
+    const auto& owner = want.owners[static_cast<std::size_t>(c)];
+    if (!owner || grid.on_rim(c)) continue;
+    const std::optional<Attributes> said = component_at(have, selection, places[static_cast<std::size_t>(c)]);
+    if (!said || !(*said == *owner))
+      return "the component at " + cell_text(grid, c) + " is " + (said ? text(*said) : "none") + ", should be " +
+             text(*owner);
+    ++met.owners;
+  }
+  return {};
+}
+
 /// No simplified cell holds cells that say different things, nor swallows one that speaks.
 std::string compare_merging(const Grid& grid, const Value& value, const Saying& want,
                             const std::vector<cnrg::Location>& places, const cnrg::NodeValue& have,
                             const cnrg::SimplifiedComplex& simplified, const cnrg::Selection& selection) {
   std::map<std::pair<int, std::uint32_t>, std::pair<Attributes, Cell>> first;
-  const auto component = [&](const cnrg::Location& at) -> Attributes {
-    const auto of = [](const auto& list, auto id) {
-      const std::ptrdiff_t k = place_in(list, id);
-      return k < 0 ? cnrg::Component(0) : list[static_cast<std::size_t>(k)].second;
-    };
-    const cnrg::Component k = at.dimension == 0   ? of(selection.vertices, at.vertex)
-                              : at.dimension == 1 ? of(selection.edges, at.edge)
-                              : at.dimension == 2 ? of(selection.faces, at.face)
-                                                  : of(selection.regions, at.region);
-    return k == 0 ? Attributes{} : static_cast<Attributes>(have.attributes(k));
-  };
   for (int d : {3, 2, 1, 0}) {
     for (Cell c = 0; c < grid.cells(); ++c) {
       const auto i = static_cast<std::size_t>(c);
       if (grid.dimension(c) != d || value.labels[i] == 0 || grid.on_rim(c)) continue;
       const auto& at = places[i];
       const auto& place = place_of(simplified, at);
-      const Attributes said = speaks(grid, c, want, component(at));
+      const Attributes said = speaks(grid, c, want, component_at(have, selection, at).value_or(Attributes()));
       // What is said of a sheet is said of its edges, which speak where they are all that is left of it.
       const auto& at_all = want.said[i];
       const auto [it, fresh] = first.try_emplace({place.dimension, place.index},
@@ -617,8 +743,9 @@ std::string compare_said(const Grid& grid, const CubicalDag& dag, SaidTally* tal
         met.conflicts += warned.size();
       }
     }
-    if (!all_known) continue;
     const cnrg::Selection selection = selection_of(have.complex(), value);
+    if (std::string f = compare_owners(grid, want[i], places, value, selection, met); !f.empty()) return words + f;
+    if (!all_known) continue;
     for (const auto mode : {cnrg::SimplifyMode::features, cnrg::SimplifyMode::points}) {
       const cnrg::SimplifiedComplex simplified = cnrg::simplify(have.complex(), value, selection, mode);
       if (std::string f = compare_merging(grid, values[i], want[i], places, value, simplified, selection);
