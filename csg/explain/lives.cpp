@@ -307,16 +307,22 @@ void Lives::add_words(InstanceId id, const std::vector<Piece>& pieces, std::vect
   const Instance& instance = evaluation_.instances[id];
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     LifeStep& step = steps[p];
+    const Location& cell = pieces[p].cell;
+    const Attributes* const here = said_.of(*evaluation_.values[id], cell, step.state);
+    const bool by_itself = cell.dimension < 3 && step.state.group && step.state.entity;
     std::vector<std::pair<std::string, const Attributes*>> operands;
     for (std::size_t k = 0; k < instance.operands.size(); ++k) {
       const auto& [name, state] = step.operands[k];
       // What is said of a bolt does not give way to what is said of the rock around it, nor the other way round.
-      const bool both_groups = state.group && step.state.group && pieces[p].cell.dimension < 3;
+      const bool both_groups = state.group && step.state.group && cell.dimension < 3;
       if (both_groups && state.entity != step.state.entity) continue;
-      operands.emplace_back(name, said_.of(*evaluation_.values[instance.operands[k]], pieces[p].cell, state));
+      const NodeValue& value = *evaluation_.values[instance.operands[k]];
+      const Attributes* said = said_.of(value, cell, state);
+      // Where a bolt lies in a sheet it is the bolt.
+      if (said == nullptr && here != nullptr && by_itself && state.entity) said = said_.around(value, cell);
+      operands.emplace_back(name, said);
     }
-    const Attributes* const here = said_.of(*evaluation_.values[id], pieces[p].cell, step.state);
-    step.said = SaidAt::changes(tree_.nodes[instance.node], here, operands);
+    step.said = SaidAt::changes(tree_.nodes[instance.node], here, operands, by_itself);
   }
 }
 

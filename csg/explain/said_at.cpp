@@ -47,6 +47,13 @@ const Attributes* SaidAt::of(const NodeValue& value, const Location& cell, const
   return &value.attributes(state.component);
 }
 
+const Attributes* SaidAt::around(const NodeValue& value, const Location& cell) {
+  const ValueSources& all = sources(value);
+  return cell.dimension == 2   ? all.said_around(cell.face)
+         : cell.dimension == 1 ? all.said_around(cell.edge)
+                               : all.said_around(cell.vertex);
+}
+
 const ValueSources& SaidAt::sources(const NodeValue& value) {
   std::unique_ptr<const ValueSources>& known = sources_[&value];
   if (known == nullptr) {
@@ -57,7 +64,8 @@ const ValueSources& SaidAt::sources(const NodeValue& value) {
 }
 
 std::vector<Word> SaidAt::changes(const Node& node, const Attributes* said,
-                                  const std::vector<std::pair<std::string, const Attributes*>>& operands) {
+                                  const std::vector<std::pair<std::string, const Attributes*>>& operands,
+                                  bool by_itself) {
   const bool is_leaf = node.op == Operator::leaf;
   const Words here = words_of(said);
   std::vector<std::pair<std::string, Words>> below;
@@ -76,8 +84,17 @@ std::vector<Word> SaidAt::changes(const Node& node, const Attributes* said,
       if (other == word.value && !other.empty()) word.from.push_back(name);
       else if (!other.empty()) word.gave_way.emplace_back(name, other);
     }
-    // A region is called after its leaf where nobody names it: that is told with its number.
-    if (key == "name" && node.label.empty() && (is_leaf || word.from.empty() || word.gave_way.empty())) continue;
+    if (key == "name" && !by_itself && node.label.empty()) {
+      // A region is called after its leaf where nobody names it: that is told with its number.
+      if (is_leaf) continue;
+      if (word.value.find(" & ") != std::string::npos && word.from.empty()) {  // joined
+        for (const auto& [name, value] : word.gave_way) word.from.push_back(name);
+        word.gave_way.clear();
+        out.push_back(std::move(word));
+        continue;
+      }
+      if (word.from.empty() || word.gave_way.empty()) continue;
+    }
     if (word.given || !word.gave_way.empty()) out.push_back(std::move(word));
   }
   return out;

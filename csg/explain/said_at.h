@@ -21,10 +21,14 @@ class SaidAt {
   /// what is said of theirs. nullptr: nothing.
   const Attributes* of(const NodeValue& value, const Location& cell, const CellState& state);
 
+  /// Of an entity: what is said of the sheet or wire that it lies in or bounds, if it does not speak for itself.
+  const Attributes* around(const NodeValue& value, const Location& cell);
+
   /// What changes at a node: `said` there, and what its operands say, by their names (nullptr: nothing). Empty
-  /// where a node only hands on.
+  /// where a node only hands on. `by_itself`: it is said of the cell, not of the component that it is in.
   static std::vector<Word> changes(const Node& node, const Attributes* said,
-                                   const std::vector<std::pair<std::string, const Attributes*>>& operands);
+                                   const std::vector<std::pair<std::string, const Attributes*>>& operands,
+                                   bool by_itself);
 
  private:
   const ValueSources& sources(const NodeValue& value);

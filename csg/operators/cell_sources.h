@@ -24,6 +24,13 @@ class ValueSources : public CellSources {
   const Attributes* said(EdgeId e) const;
   const Attributes* said(VertexId v) const;
 
+  /// The same of an active cell that does not speak for itself but lies in the closure of what does.
+  template <class IdT>
+  const Attributes* said_around(IdT cell) const {
+    const LeafSetId set = set_of(cell);
+    return set.valid() && sets_.said(set) ? &sets_.said(set)->attributes : nullptr;
+  }
+
   bool marks_anything() const override { return !marks_.empty(); }
   std::uint32_t mark(FaceId f) const override { return mark_of(said_set(f)); }
   std::uint32_t mark(EdgeId e) const override { return mark_of(said_set(e)); }

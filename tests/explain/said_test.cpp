@@ -66,5 +66,25 @@ TEST_CASE("wires speak for themselves", "[explain]") {
         "bolts: name bolts given/");
 }
 
+TEST_CASE("names that are lost or joined, and a wire in a sheet", "[explain]") {
+  const std::string twice =
+      "  a: {polyline: [[1, 1, 1], [1, 1, 5]], name: bolts, attributes: {k: 1}}\n"
+      "  b: {polyline: [[1, 1, 1], [1, 1, 5]]}\n";
+  CHECK(said_at(twice + "  model: {union: [a, b], dominance: right}\n", {1, 1, 3}) ==
+        "a: k 1 given/a: name bolts given/model: k - not 1 of a/model: name - not bolts of a/");
+  CHECK(said_at(twice + "  model: {union: [a, b]}\n", {1, 1, 3}) == "a: k 1 given/a: name bolts given/");
+  CHECK(
+      said_at("  left: {box: {min: [0, 0, 0], max: [2, 2, 2]}}\n  right: {box: {min: [1, 0, 0], max: [3, 2, 2]}}\n"
+              "  model: {sum: [left, right]}\n",
+              {Rational(3, 2), 1, 1}) == "model: name left & right from left from right/");
+  CHECK(said_at("  fault: {polygon: [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], material: clay, attributes: "
+                "{open: 1}}\n"
+                "  bolt: {polyline: [[1, 1, 0], [3, 1, 0]], material: steel}\n"
+                "  model: {union: [fault, bolt], dominance: left}\n",
+                {2, 1, 0}) ==
+        "bolt: material steel given/model: material steel from bolt not clay of fault/"
+        "model: open - not 1 of fault/");
+}
+
 }  // namespace
 }  // namespace cnrg
