@@ -207,7 +207,10 @@ int run(int argc, char** argv) {
          "--select", eval.select,
          "Files, --topology and --list show what this picks of the result, or of each --node: criteria of "
          "the operator `select`, such as '{dimension: 2, between: [rock, clay]}'")
-      ->type_name("CRITERIA");
+      ->type_name("CRITERIA")
+      ->check([](const std::string& text) {
+        return text.empty() ? std::string("it is empty; give criteria, such as '{dimension: 2}'") : std::string();
+      });
   constexpr const char* kSnap =
       "The rule: where rounding to doubles would break the result, move vertices until it does not, and say how "
       "far";

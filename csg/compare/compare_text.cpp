@@ -137,16 +137,20 @@ std::string within(const Comparison& comparison, const Comparison::Moved& moved,
 
 std::string what_of(const Comparison::Word& word) { return word.property ? shown(word.what) : word.what; }
 
-/// `rock` in A, no material in B
-std::string word_text(const Comparison::Word& word) {
-  if (word.same_word) return said(word.said[0], word.what) + " changes otherwise with position in A than in B";
-  return said(word.said[0], what_of(word)) + " in A, " + said(word.said[1], what_of(word)) + " in B";
+/// `rock` in A, no material in B; with its key: material `rock` in A, no material in B
+std::string word_text(const Comparison::Word& word, bool with_key) {
+  const auto side = [&](std::size_t k) {
+    const bool key = with_key && !word.said[k].empty();
+    return (key ? what_of(word) + " " : "") + said(word.said[k], what_of(word));
+  };
+  if (word.same_word) return side(0) + " changes otherwise with position in A than in B";
+  return side(0) + " in A, " + side(1) + " in B";
 }
 
 std::string attribute_text(const Comparison& comparison, const Comparison::Attribute& attribute) {
   return what_of(attribute.word) + " of " +
          both_of(comparison, attribute.of, attribute.word.property || attribute.word.what != "name") + ": " +
-         word_text(attribute.word);
+         word_text(attribute.word, false);
 }
 
 }  // namespace
@@ -171,12 +175,11 @@ std::string comparison_text(const Comparison& comparison, std::size_t most) {
   for (const auto& one : comparison.attributes) attributes.push_back(attribute_text(comparison, one));
   lines.list(attributes, "such names, materials and attributes");
   for (std::size_t i = 0; i < std::min(most, comparison.said.size()); ++i) {
-    std::string what, words;
+    std::string words;
     for (const Comparison::Word& word : comparison.said[i].words) {
-      what += (what.empty() ? "" : ", ") + what_of(word);
-      words += (words.empty() ? ": " : "; ") + word_text(word);
+      words += (words.empty() ? ": " : "; ") + word_text(word, true);
     }
-    lines.pieces(comparison.said[i].pieces, what + " of ", words);
+    lines.pieces(comparison.said[i].pieces, "in both: ", words);
   }
   if (comparison.said.size() > most) lines.more(comparison.said.size() - most, "things said of cells");
   for (std::size_t side = 0; side < 2; ++side) {

@@ -295,7 +295,9 @@ void apply_attributes(const Complex& complex, const Node& node, const RegionMate
       if (node.forget_features) part.features = {};
       if (!says) return;
       for (RegionAttributes& region : part.regions) replace(region, given);
-      say(complex, given, Saying::replaces, part);
+      // A layer is called sand, not the horizon that it ends at.
+      const bool is_layer = node.op == Operator::below || node.op == Operator::above;
+      say(complex, given, is_layer ? Saying::replaces_standing : Saying::replaces, part);
     });
   }
   if (node.dominance) group.dominance = *node.dominance;

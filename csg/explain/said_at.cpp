@@ -84,16 +84,16 @@ std::vector<Word> SaidAt::changes(const Node& node, const Attributes* said,
       if (other == word.value && !other.empty()) word.from.push_back(name);
       else if (!other.empty()) word.gave_way.emplace_back(name, other);
     }
+    const bool joined = word.value.find(" & ") != std::string::npos && !word.given && word.from.empty();
+    if (joined && (key == "name" || key == "material")) {
+      for (const auto& [name, value] : word.gave_way) word.from.push_back(name);
+      word.gave_way.clear();
+      out.push_back(std::move(word));
+      continue;
+    }
     if (key == "name" && !by_itself && node.label.empty()) {
       // A region is called after its leaf where nobody names it: that is told with its number.
-      if (is_leaf) continue;
-      if (word.value.find(" & ") != std::string::npos && word.from.empty()) {  // joined
-        for (const auto& [name, value] : word.gave_way) word.from.push_back(name);
-        word.gave_way.clear();
-        out.push_back(std::move(word));
-        continue;
-      }
-      if (word.from.empty() || word.gave_way.empty()) continue;
+      if (is_leaf || word.from.empty() || word.gave_way.empty()) continue;
     }
     if (word.given || !word.gave_way.empty()) out.push_back(std::move(word));
   }

@@ -67,7 +67,7 @@ LeafSetId ValueSources::said_set(EdgeId e) const {
   const auto uses = complex_.edge_uses[e];
   const bool speaks =
       sets_.said(set)->dimension <= 1 ||
-      std::none_of(uses.begin(), uses.end(), [&](const FaceUse& use) { return set_of(use.face).valid(); });
+      std::none_of(uses.begin(), uses.end(), [&](const FaceUse& use) { return stands_out(use.face); });
   return speaks ? set : LeafSetId::none();
 }
 
@@ -78,9 +78,9 @@ LeafSetId ValueSources::said_set(VertexId v) const {
   if (sets_.said(set)->dimension == 0) return set;
   const auto edges = complex_.vertex_edges[v];
   const auto faces = complex_.vertex_faces[v];
-  const auto active = [&](auto cell) { return set_of(cell).valid(); };
+  const auto there = [&](auto cell) { return stands_out(cell); };
   const bool bounds =
-      std::any_of(edges.begin(), edges.end(), active) || std::any_of(faces.begin(), faces.end(), active);
+      std::any_of(edges.begin(), edges.end(), there) || std::any_of(faces.begin(), faces.end(), there);
   return bounds ? LeafSetId::none() : set;
 }
 
@@ -144,6 +144,33 @@ LeafSetId ComponentSources::set_of(FaceId f) const { return set_in(x_.selection.
 LeafSetId ComponentSources::set_of(EdgeId e) const { return set_in(x_.selection.edges, x_.origins.edges, e); }
 LeafSetId ComponentSources::set_of(VertexId v) const {
   return set_in(x_.selection.vertices, x_.origins.vertices, v);
+}
+
+namespace {
+
+Component component_in(const std::vector<std::pair<RegionId, Component>>& regions, RegionId r) {
+  const std::size_t k = place_in(regions, r);
+  return k == regions.size() ? 0 : regions[k].second;
+}
+
+}  // namespace
+
+bool ComponentSources::stands_out(FaceId f) const {
+  const std::size_t k = place_in(x_.selection.faces, f);
+  if (k == x_.selection.faces.size()) return false;
+  const auto sides = complex_.face_regions[f];
+  return std::any_of(sides.begin(), sides.end(), [&](RegionId r) {
+    return component_in(x_.selection.regions, r) != x_.selection.faces[k].second;
+  });
+}
+bool ComponentSources::stands_out(EdgeId e) const {
+  const std::size_t k = place_in(x_.selection.edges, e);
+  if (k == x_.selection.edges.size()) return false;
+  std::vector<RegionId> around;
+  complex_.star_regions(e, around);
+  return std::any_of(around.begin(), around.end(), [&](RegionId r) {
+    return component_in(x_.selection.regions, r) != x_.selection.edges[k].second;
+  });
 }
 
 void ComponentSources::leaves_of(FaceId f, std::vector<LeafId>& out) const {

@@ -47,6 +47,9 @@ class ValueSources : public CellSources {
   virtual LeafSetId telling_set_of(FaceId f) const { return set_of(f); }
   virtual LeafSetId telling_set_of(EdgeId e) const { return set_of(e); }
   virtual LeafSetId telling_set_of(VertexId v) const { return set_of(v); }
+  /// It is there, and not just a cut that some leaf makes in the interior of a component.
+  virtual bool stands_out(FaceId f) const { return set_of(f).valid(); }
+  virtual bool stands_out(EdgeId e) const { return set_of(e).valid(); }
 
   const Complex& complex_;
   const LeafSets& sets_;
@@ -89,6 +92,8 @@ class ComponentSources : public ValueSources {
   LeafSetId telling_set_of(FaceId f) const override;
   LeafSetId telling_set_of(EdgeId e) const override;
   LeafSetId telling_set_of(VertexId v) const override;
+  bool stands_out(FaceId f) const override;
+  bool stands_out(EdgeId e) const override;
   const Components& x_;
   std::set<std::pair<Component, LeafSetId>> repeated_;  // of cells of which the same is said as of their component
 };

@@ -26,7 +26,7 @@ class Speaker {
   void faces(const Faces& faces, std::vector<LeafSetId>& origins, Stands stands, Inside inside) {
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const FaceId f = faces[i];
-      const bool said = sets_.said(origins[i]) != nullptr || stands(i);
+      const bool said = stands(i) || (saying_ != Saying::replaces_standing && sets_.said(origins[i]) != nullptr);
       if (said || !inside(i)) mark(f, said ? kOfSheet : kOfWall);
       if (said) origins[i] = with(origins[i], 2);
     }
@@ -76,7 +76,9 @@ class Speaker {
   }
 
   bool say_of(LeafSetId& origin, int dimension) {
-    if (const SaidPointer& before = sets_.said(origin)) dimension = std::min(dimension, before->dimension);
+    const SaidPointer& before = sets_.said(origin);
+    if (dimension == kNone && saying_ == Saying::replaces_standing) return false;
+    if (before) dimension = std::min(dimension, before->dimension);
     if (dimension == kNone) return false;
     origin = with(origin, dimension);
     return true;
@@ -87,8 +89,8 @@ class Speaker {
     if (!fresh) return it->second;
     Said said{{}, dimension};
     if (const SaidPointer& before = sets_.said(origin)) said.attributes = before->attributes;
-    if (saying_ == Saying::replaces) replace(said.attributes, what_);
-    else fill_in(said.attributes, what_);
+    if (saying_ == Saying::fills_in) fill_in(said.attributes, what_);
+    else replace(said.attributes, what_);
     const std::vector<LeafId> leaves(sets_[origin].begin(), sets_[origin].end());
     return it->second = sets_.intern(leaves, std::make_shared<const Said>(std::move(said)));
   }

@@ -6,8 +6,9 @@
 
 namespace cnrg {
 
-/// Does what is said give way to what was said before, or replace it?
-enum class Saying : std::uint8_t { fills_in, replaces };
+/// Does what is said give way to what was said before, or replace it? `replaces_standing`: the same, but of what
+/// stands for itself in the value alone; a wall of it keeps what was said.
+enum class Saying : std::uint8_t { fills_in, replaces, replaces_standing };
 
 /// Says `what` of all sheets, wires and isolated vertices of the group, and of the cells of which something is
 /// said already (said.h); its regions stay as they are.

@@ -1,5 +1,6 @@
-// Each cell is asked once; what is around it is read off the complex. What is picked of a group is marked with its
-// closure (subgroup.h), and one pass over the lists of the group takes what is marked.
+// Each cell of the simplified value is asked by the cells that it unites; what is around these is read off the
+// complex. What is picked of a group is marked with its closure (subgroup.h), and one pass over the lists of the
+// group takes what is marked.
 #include "csg/operators/select.h"
 
 #include <algorithm>
@@ -52,18 +53,24 @@ class Picker {
   template <class IdT>
   bool picks(IdT cell, const Attributes* said, LeafSetId origin, Component own) const {
     return one_of(criteria_.dimensions, dimension_of(cell)) && says(said) &&
-           comes_from(cell, value_.origins.sets[origin]) && is_in_place(cell) && is_among_regions(cell, own);
+           comes_from(cell, value_.origins.sets[origin]) && is_among_regions(cell, own);
+  }
+  template <class IdT>
+  bool is_inside(IdT cell) const {
+    return !criteria_.inside || has(*criteria_.inside, cell);
+  }
+  template <class IdT>
+  bool touches(IdT cell) const {
+    return !criteria_.touching || has(touching_, cell);
   }
 
   /// A region of a group, with its 3-cells.
   bool picks_region(Component region, std::span<const RegionId> cells) const {
     const RegionAttributes& said = attributes(value_, region);
-    const auto inside = [&](RegionId r) { return has(*criteria_.inside, r); };
-    const auto touches = [&](RegionId r) { return has(touching_, r); };
     return one_of(criteria_.dimensions, 3) && criteria_.between.empty() && criteria_.source_faces.empty() &&
            says(&said) && is_wanted(region) && from(said.leaves) &&
-           (!criteria_.inside || std::all_of(cells.begin(), cells.end(), inside)) &&
-           (!criteria_.touching || std::any_of(cells.begin(), cells.end(), touches));
+           std::all_of(cells.begin(), cells.end(), [&](RegionId r) { return is_inside(r); }) &&
+           std::any_of(cells.begin(), cells.end(), [&](RegionId r) { return touches(r); });
   }
 
  private:
@@ -99,11 +106,6 @@ class Picker {
     return std::any_of(cells.begin(), cells.end(), [&](const LeafCell& of) {
       return of.dimension == 2 && one_of(criteria_.source_faces, of.number);
     });
-  }
-
-  template <class IdT>
-  bool is_in_place(IdT cell) const {
-    return (!criteria_.inside || has(*criteria_.inside, cell)) && (!criteria_.touching || has(touching_, cell));
   }
 
   template <class IdT>
@@ -166,20 +168,77 @@ class Picker {
   CellSet touching_;
 };
 
+/// Which cells of the simplified value are picked: the criteria hold for one of the cells that it unites, all of
+/// them are inside, one of them touches.
+class PickedPlaces {
+ public:
+  explicit PickedPlaces(const SimplifiedComplex& simplified) : simplified_(simplified) {
+    const std::array<std::size_t, 4> counts{simplified.vertices.size(), simplified.edges.size(),
+                                            simplified.faces.size(), simplified.regions.size()};
+    for (std::size_t d = 0; d < 4; ++d) states_[d].resize(counts[d]);
+  }
+
+  /// A cell of the value; `picked`: the criteria hold for it.
+  template <class IdT>
+  void see(IdT cell, bool picked, bool inside, bool touches) {
+    State* const state = at(cell);
+    if (state == nullptr) return;
+    state->asked |= picked && place(cell).dimension == dimension_of(cell);
+    state->outside |= !inside;
+    state->touches |= touches;
+  }
+  template <class IdT>
+  bool has(IdT cell) {
+    const State* const state = at(cell);
+    return state != nullptr && state->asked && !state->outside && state->touches;
+  }
+
+ private:
+  struct State {
+    bool asked = false, outside = false, touches = false;
+  };
+  const SimplifiedComplex::Place& place(VertexId v) const { return simplified_.vertex_place[v.index()]; }
+  const SimplifiedComplex::Place& place(EdgeId e) const { return simplified_.edge_place[e.index()]; }
+  const SimplifiedComplex::Place& place(FaceId f) const { return simplified_.face_place[f.index()]; }
+  const SimplifiedComplex::Place& place(RegionId r) const { return simplified_.region_place[r.index()]; }
+  template <class IdT>
+  State* at(IdT cell) {
+    const SimplifiedComplex::Place& p = place(cell);
+    if (p.index == SimplifiedComplex::kNowhere) return nullptr;
+    return &states_[static_cast<std::size_t>(p.dimension)][p.index];
+  }
+
+  const SimplifiedComplex& simplified_;
+  std::array<std::vector<State>, 4> states_;
+};
+
 }  // namespace
 
 Group select(const Complex& complex, const Group& group, const Criteria& criteria) {
   const Picker picker(complex, group, criteria);
   const GroupSources sources(complex, group);
-  WantedEntities wanted(complex);
-  const auto want = [&](const auto& cells, const auto& origins) {
+  const SimplifiedComplex simplified =
+      simplify(complex, selection_of(complex, group), group.features, SimplifyMode::features, &sources);
+  PickedPlaces picked(simplified);
+  const auto ask = [&](const auto& cells, const auto& origins) {
     for (std::size_t k = 0; k < cells.size(); ++k) {
-      if (picker.picks(cells[k], sources.said(cells[k]), origins[k], 0)) wanted.add(cells[k]);
+      const auto cell = cells[k];
+      picked.see(cell, picker.picks(cell, sources.said(cell), origins[k], 0), picker.is_inside(cell),
+                 picker.touches(cell));
     }
   };
-  want(group.faces, group.origins.faces);
-  want(group.edges, group.origins.edges);
-  want(group.vertices, group.origins.vertices);
+  ask(group.faces, group.origins.faces);
+  ask(group.edges, group.origins.edges);
+  ask(group.vertices, group.origins.vertices);
+  WantedEntities wanted(complex);
+  const auto want = [&](const auto& cells) {
+    for (const auto cell : cells) {
+      if (picked.has(cell)) wanted.add(cell);
+    }
+  };
+  want(group.faces);
+  want(group.edges);
+  want(group.vertices);
 
   std::vector<std::vector<RegionId>> cells_of(group.regions.size());
   for (const auto& [cell, region] : group.cells) cells_of[region - 1].push_back(cell);
@@ -213,13 +272,23 @@ Components select(const Complex& complex, const Components& components, const Cr
     }
     return &components.attributes[component - 1];
   };
+  const SimplifiedComplex simplified =
+      simplify(complex, components.selection, components.features, SimplifyMode::features, &sources);
+  PickedPlaces picked(simplified);
+  for_each_list(components, [&](const auto& cells, const auto& origins) {
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const auto& [cell, component] = cells[k];
+      picked.see(cell, picker.picks(cell, said(cell, component), origins[k], component), picker.is_inside(cell),
+                 picker.touches(cell));
+    }
+  });
   Components out;
   LeafSetMap map(components.origins.sets, out.origins.sets);
   std::vector<Component> number(components.attributes.size() + 1, 0);
   const auto pick = [&](auto& to, auto& to_origins, const auto& cells, const auto& origins) {
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const auto& [cell, component] = cells[k];
-      if (!picker.picks(cell, said(cell, component), origins[k], component)) continue;
+      if (!picked.has(cell)) continue;
       to.push_back(cells[k]);
       to_origins.push_back(map(origins[k]));
       number[component] = 1;

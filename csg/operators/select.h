@@ -5,6 +5,10 @@
 // apart into values of their own first and to look for names there, loses what a cell is the wall between; the
 // complex knows it.
 //
+// Asked are the cells that people see: those that simplification leaves (kernel/selection/simplify.h). The complex
+// has more, where other leaves cut them, and a selection must not depend on these: a vertex that some wire has
+// left in a face is none that anybody would pick.
+//
 // Of a group its regions and entities are asked, and what is picked is closed, or it would be no group: faces
 // bring their edges and vertices, edges their ends, and regions all entities on their boundary, sheets, wires and
 // points inside of them included. Of components each cell is asked, and comes alone: they need not be closed.

@@ -187,7 +187,10 @@ CellColor CellColors::of(ColorBy by, int dimension, FlatComplex::Index i) const 
 }
 
 CellColor CellColors::skin(ColorBy by, FlatComplex::Index region, FlatComplex::Index face) const {
-  const bool own = flat_.faces[face].component != 0 && (by == ColorBy::component || by == ColorBy::source);
+  const FlatComplex::Face& f = flat_.faces[face];
+  const bool said = f.origin.said != nullptr && !f.origin.said->material.empty();
+  const bool own =
+      f.component != 0 && (by == ColorBy::component || by == ColorBy::source || (by == ColorBy::material && said));
   return own ? of(by, 2, face) : of(by, 3, region);
 }
 

@@ -76,7 +76,7 @@ class CellColors {
   /// Of cell i of a dimension.
   CellColor of(ColorBy by, int dimension, FlatComplex::Index i) const;
   /// Of the side of face `face` that is the skin of region `region`: the region's color, except by component and
-  /// by source, where a face of the set has its own.
+  /// by source, where a face of the set has its own, and by material, where it has one by itself.
   CellColor skin(ColorBy by, FlatComplex::Index region, FlatComplex::Index face) const;
 
   /// A cell of dimension 2 or lower without material has the color of its kind; a region the color of `no

@@ -23,6 +23,29 @@ constexpr std::array<const char*, 7> kKeys{"dimension",  "region", "name",   "ma
                                            "attributes", "from",   "between"};
 enum Key : std::uint8_t { dimension, region, name, material, attributes, from, between };
 
+/// As a tree has it: in quotes where the text alone would be something else, such as a number.
+std::string typed(const std::string& text) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == '.' || c == ' ' || c == '&' || c == '/' || static_cast<unsigned char>(c) >= 0x80;
+  };
+  static const std::set<std::string> kWords{"null", "Null",  "NULL",  "true", "True",
+                                            "TRUE", "false", "False", "FALSE"};
+  const bool letter =
+      !text.empty() && (text[0] == '_' || (text[0] >= 'a' && text[0] <= 'z') ||
+                        (text[0] >= 'A' && text[0] <= 'Z') || static_cast<unsigned char>(text[0]) >= 0x80);
+  if (letter && text.back() != ' ' && !kWords.contains(text) && std::all_of(text.begin(), text.end(), plain))
+    return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+  return out + '"';
+}
+
+std::string typed(const Property& value) {
+  if (const auto* const text = std::get_if<std::string>(&value)) return typed(*text);
+  return to_text(value);
+}
+
 class Lister {
  public:
   explicit Lister(const ResultView& view)
@@ -100,14 +123,14 @@ class Lister {
     if (!of_group_ && tags.component != 0) components.insert(Component(tags.component));
     for (const Component c : components) holds.insert(region_of(c));
     if (tags.said != nullptr) {
-      if (!tags.said->name.empty()) holds.insert({name, 0, tags.said->name});
-      if (!tags.said->material.empty()) holds.insert({material, 0, tags.said->material.name()});
+      if (!tags.said->name.empty()) holds.insert({name, 0, typed(tags.said->name)});
+      if (!tags.said->material.empty()) holds.insert({material, 0, typed(tags.said->material.name())});
       for (const auto& [key, value] : tags.said->properties) {
-        holds.insert({attributes, 0, "{" + key + ": " + to_text(value) + "}"});
+        holds.insert({attributes, 0, "{" + typed(key) + ": " + typed(value) + "}"});
       }
     }
     for (const LeafId leaf : origin.leaves) {
-      const std::string& leaf_name = (*view_.leaves)[leaf.index()].name;
+      const std::string leaf_name = typed((*view_.leaves)[leaf.index()].name);
       holds.insert({from, 0, leaf_name});
       for (const LeafCell& cell : origin.cells) {
         if (dimension_of_cell == 2 && cell.leaf == leaf && cell.dimension == 2)
@@ -123,18 +146,24 @@ class Lister {
   /// A region by its name, or by its number, if it has none.
   Criterion region_of(Component component) const {
     const std::string& called = attributes_of(view_, component).name;
-    if (!called.empty()) return {region, 0, called};
+    if (!called.empty()) return {region, 0, typed(called)};
     return {region, static_cast<int>(component), std::to_string(component)};
   }
 
-  /// What may stand in `between`: names of regions, else their materials; a region without both cannot be named.
+  /// What may stand in `between`: names of regions, and their materials.
   void add_pairs(const Regions& around, std::set<Criterion>& holds) const {
+    add_pairs(
+        around, [](const RegionAttributes& said) -> const std::string& { return said.name; }, holds);
+    add_pairs(
+        around, [](const RegionAttributes& said) -> const std::string& { return said.material.name(); }, holds);
+  }
+  template <class Called>
+  void add_pairs(const Regions& around, Called called, std::set<Criterion>& holds) const {
     std::vector<std::pair<Component, std::string>> sides;
     for (const Index r : around) {
       const Component component = flat_.active(r) ? flat_.regions[r].component : 0;
-      const RegionAttributes& said = attributes_of(view_, component);
-      const std::string& called = said.name.empty() ? said.material.name() : said.name;
-      if (component == 0 || !called.empty()) sides.emplace_back(component, component == 0 ? "null" : called);
+      const std::string& word = called(attributes_of(view_, component));
+      if (component == 0 || !word.empty()) sides.emplace_back(component, component == 0 ? "null" : typed(word));
     }
     for (const auto& [first, first_name] : sides) {
       for (const auto& [second, second_name] : sides) {

@@ -10,7 +10,7 @@ Properties read_properties(const Value& value) {
   Properties properties;
   for (const Value::Entry& e : value.entries("`attributes`")) {
     const std::string what = "the attribute `" + e.key + "`";
-    if (e.key.empty()) value.document().fail(e.key_at, "an attribute needs a name");
+    if (e.key.empty()) value.document().fail(e.key_at, "an attribute needs a name, such as `diameter: 25`");
     if (e.key == "name" || e.key == "material" || e.key == "dominance") {
       value.document().fail(e.key_at, "`" + e.key + "` is a key of the node itself; write it beside `attributes`");
     }
@@ -20,9 +20,14 @@ Properties read_properties(const Value& value) {
 }
 
 Property read_property(const Value& value, const std::string& what) {
+  if (!value.is_text()) value.fail_type(what, "a number or a text");
   const std::string text = value.text(what);
-  if (!is_quoted(value)) {
-    if (NumberText number = read_number(text); number.value) return std::move(*number.value);
+  if (is_quoted(value)) return text;
+  if (NumberText number = read_number(text); number.value) return std::move(*number.value);
+  const std::size_t sign = text.front() == '-' || text.front() == '+' ? 1 : 0;
+  const std::size_t first = sign + (text.size() > sign && text[sign] == '.' ? 1 : 0);
+  if (text.size() > first && text[first] >= '0' && text[first] <= '9') {
+    value.fail(what + ": `" + text + "` begins like a number and is none; mend it, or write a text in quotes");
   }
   return text;
 }

@@ -15,7 +15,10 @@ constexpr const char* kSides =
 
 std::array<SideName, 2> read_sides(const Value& value, const std::string& what) {
   const std::vector<Value> sides = value.list(what, kSides);
-  if (sides.size() != 2 || (sides[0].is_empty() && sides[1].is_empty())) value.fail_type(what, kSides);
+  if (sides.size() != 2) value.fail_type(what, kSides);
+  if (sides[0].is_empty() && sides[1].is_empty()) {
+    value.fail(what + ": null is no region, and on both sides it is no wall; name a region or a material");
+  }
   std::array<SideName, 2> out;
   for (std::size_t k = 0; k < 2; ++k) {
     if (!sides[k].is_empty()) out[k] = sides[k].text(what);
@@ -25,6 +28,7 @@ std::array<SideName, 2> read_sides(const Value& value, const std::string& what) 
 
 /// A name or a number; a number in quotes is a name.
 void read_region(const Value& value, const std::string& what, Criteria& criteria) {
+  if (!value.is_text()) value.fail_type(what, "a name or a number, from 1");
   const std::string text = value.text(what);
   if (is_quoted(value) || !read_number(text).value) {
     criteria.regions.push_back(text);
@@ -37,6 +41,7 @@ void read_wanted_properties(const Value& value, const std::string& what, Criteri
   if (!value.is_map()) value.fail_type(what, "a map of keys with values, such as {diameter: 25}");
   for (const Value::Entry& e : value.entries(what)) {
     const std::string name = "the attribute `" + e.key + "`";
+    if (e.key.empty()) value.document().fail(e.key_at, "an attribute has a name; write the one that is meant");
     for (const Value& v : one_or_more(e.value, name)) {
       criteria.properties.emplace_back(e.key, read_property(v, name));
     }

@@ -331,6 +331,9 @@ class TreeReader {
                                        "from",      "source face", "between",  "inside",     "touching"};
     if (!of.valid()) keys.push_back("of");
     const Fields f(value, "select", keys);
+    if (std::none_of(keys.begin(), keys.end(), [&](auto key) { return key != "of" && f.has(key); })) {
+      value.fail("select has nothing to pick by; add a criterion, such as dimension: 2");
+    }
     if (of.valid()) dag_.add_operand(id, of, value.at());
     else read_operand(id, f.at("of", "NODE"), 1);
     auto selector = std::make_shared<Selector>();

@@ -26,16 +26,17 @@ std::string slope(const std::string& bolt, const std::string& fault = "", const 
 TEST_CASE("Sheets, wires and points of which other things are said differ", "[compare]") {
   const std::string plain = slope(""), clay = slope(", material: clay, attributes: {d: 25}");
   CHECK(text(clay, clay).empty());
-  CHECK(
-      text(plain, clay) ==
-      "material, d of an edge of length 2 about (2, 2, 5): no material in A, `clay` in B; no d in A, `25` in B/"
-      "material, d of an edge of length 1 about (2, 2, 7/2): no material in A, `clay` in B; no d in A, `25` in B/"
-      "material, d of all 2 together: length 3: no material in A, `clay` in B; no d in A, `25` in B");
+  CHECK(text(plain, clay) ==
+        "in both: an edge of length 2 about (2, 2, 5): no material in A, material `clay` in B; no d in A, d `25` "
+        "in B/"
+        "in both: an edge of length 1 about (2, 2, 7/2): no material in A, material `clay` in B; no d in A, d "
+        "`25` in B/"
+        "in both: all 2 together: length 3: no material in A, material `clay` in B; no d in A, d `25` in B");
   CHECK(text(clay, slope(", material: clay, attributes: {d: \"25\"}"))
-            .find("d of an edge of length 2 about (2, 2, 5): "
-                  "`25` in A, `\"25\"` in B/") == 0);
+            .find("in both: an edge of length 2 about (2, 2, 5): "
+                  "d `25` in A, d `\"25\"` in B") == 0);
   CHECK(text(slope("", ", name: f"), slope("", ", name: g")) ==
-        "name of a face of area 4 about (2, 2, 1): `f` in A, `g` in B");
+        "in both: a face of area 4 about (2, 2, 1): name `f` in A, name `g` in B");
   CHECK(text(slope("", ", name: f"), slope("", ", name: f")).empty());
   CHECK(text(slope("", ", attributes: {open: 2/4}"), slope("", ", attributes: {open: 0.5}")).empty());
 
@@ -63,7 +64,7 @@ TEST_CASE("A result that was read back says the same", "[compare]") {
   CHECK(compare(tree, tree.result, back, back.result).same());
   const Tree other = test::tree(slope(", material: clay, attributes: {d: 26}", ", name: f"));
   CHECK_THAT(comparison_text(compare(other, other.result, back, back.result)),
-             Catch::StartsWith("d of an edge of length 2 about (2, 2, 5): `26` in A, `25` in B\n"));
+             Catch::StartsWith("in both: an edge of length 2 about (2, 2, 5): d `26` in A, d `25` in B\n"));
 }
 
 TEST_CASE("A random tree with names, materials and attributes is the same as its result that was read back",

@@ -86,10 +86,7 @@ TEST_CASE("a selection may be added to a tree that was read", "[select]") {
 }
 
 /// The criterion as a tree says it.
-std::string words(const Selectable& s) {
-  const std::string value = s.key == "name" || s.key == "from" ? "\"" + s.value + "\"" : s.value;
-  return "{" + s.key + ": " + value + ", dimension: ";
-}
+std::string words(const Selectable& s) { return "{" + s.key + ": " + s.value + ", dimension: "; }
 
 // On the cells of the refinement: simplification would unite faces where the edge between them goes with others.
 // Edges and vertices come along with faces, so these are not compared.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "csg/operators/boolean.h"
+#include "csg/operators/cell_sources.h"
 #include "csg/operators/identities.h"
 #include "csg/operators/say.h"
 #include "tests/operators/pieces.h"
@@ -173,6 +174,23 @@ TEST_CASE("of components single cells are picked, which keep their component", "
   CHECK(select(s.complex, all, {}).selection == all.selection);
 }
 
+TEST_CASE("what other leaves have cut is picked as one", "[select]") {
+  // A wire through the box, which the value knows nothing of, and a sheet that cuts its walls.
+  const auto built =
+      complex_of({box({0, 0, 0}, {4, 4, 4}), wire({2, 2, -1}, {2, 2, 9}), sheet({-1, -1, 2}, {5, 5, 2})});
+  const Complex& complex = *built;
+  const Group box = leaf_groups(complex)[0];
+  CHECK(sizes(select(complex, box, of_dimension({0}))) == Counts{8, 0, 0, 0});
+  Criteria edges = of_dimension({1});
+  edges.touching = CellSet{};
+  edges.touching->vertices.push_back(Locator(complex).locate({0, 0, 2}).vertex);  // where the sheet cuts an edge
+  CHECK(sizes(select(complex, box, edges)) == Counts{3, 2, 0, 0});                // all of that edge
+  const Group twelve = select(complex, box, of_dimension({1}));
+  const auto counts = active_counts(simplify(complex, selection_of(complex, twelve), twelve.features));
+  CHECK(counts[0] == 8);
+  CHECK(counts[1] == 12);
+}
+
 /// Cells by dimension and id.
 using Cells = std::set<std::pair<int, std::size_t>>;
 
@@ -214,6 +232,9 @@ TEST_CASE("selections in random scenes are what brute force picks", "[select][ra
     std::vector<CellSet> sets;  // point sets to be inside of, or to touch
     for (const Group& leaf : leaf_groups(complex)) sets.push_back(support(selection_of(complex, leaf)));
     sets.push_back(interior(complex, sets[0]));
+    const GroupSources sources(complex, all);
+    const SimplifiedComplex simplified =
+        simplify(complex, selection_of(complex, all), all.features, SimplifyMode::features, &sources);
     // From each 3-cell to all in its closure.
     std::map<std::pair<int, std::size_t>, std::set<std::uint32_t>> around;
     std::vector<Cells> closure(all.regions.size() + 1);
@@ -276,23 +297,41 @@ TEST_CASE("selections in random scenes are what brute force picks", "[select][ra
         return wants(d) && (!(asked & 1) || is_near) && (between == 0 || parts) &&
                (!(asked & 2) || std::count(leaves.begin(), leaves.end(), leaf) != 0);
       };
-      Cells expected;
+      // Cells that are one after simplification are picked as one.
+      struct Seen {
+        Cells closure;
+        bool asked = false, all_in_place = true, one_in_place = false;
+      };
+      std::map<std::pair<int, std::uint32_t>, Seen> seen;
+      const auto see = [&](int d, std::size_t id, const SimplifiedComplex::Place& at, const Cells& closed,
+                           std::span<const LeafId> leaves) {
+        Seen& one = seen[{at.dimension, at.index}];
+        one.closure.insert(closed.begin(), closed.end());
+        one.asked |= at.dimension == d && holds(d, id, leaves);
+        one.all_in_place &= is_in_place(d, id, closed);
+        one.one_in_place |= is_in_place(d, id, closed);
+      };
       const Origins& o = all.origins;
       for (std::size_t k = 0; k < all.faces.size(); ++k) {
         Cells closed;
         add_closure(complex, all.faces[k], closed);
-        if (!is_in_place(2, all.faces[k].index(), closed)) continue;
-        if (holds(2, all.faces[k].index(), o.sets[o.faces[k]])) add_closure(complex, all.faces[k], expected);
+        const std::size_t id = all.faces[k].index();
+        see(2, id, simplified.face_place[id], closed, o.sets[o.faces[k]]);
       }
       for (std::size_t k = 0; k < all.edges.size(); ++k) {
         Cells closed;
         add_closure(complex, all.edges[k], closed);
-        if (!is_in_place(1, all.edges[k].index(), closed)) continue;
-        if (holds(1, all.edges[k].index(), o.sets[o.edges[k]])) add_closure(complex, all.edges[k], expected);
+        const std::size_t id = all.edges[k].index();
+        see(1, id, simplified.edge_place[id], closed, o.sets[o.edges[k]]);
       }
       for (std::size_t k = 0; k < all.vertices.size(); ++k) {
-        if (!is_in_place(0, all.vertices[k].index(), {})) continue;
-        if (holds(0, all.vertices[k].index(), o.sets[o.vertices[k]])) expected.emplace(0, all.vertices[k].index());
+        const std::size_t id = all.vertices[k].index();
+        see(0, id, simplified.vertex_place[id], {{0, id}}, o.sets[o.vertices[k]]);
+      }
+      Cells expected;
+      for (const auto& [at, one] : seen) {
+        if (one.asked && (place == 2 ? one.one_in_place : one.all_in_place))
+          expected.insert(one.closure.begin(), one.closure.end());
       }
       std::vector<std::string> regions;
       for (std::size_t r = 1; r <= all.regions.size(); ++r) {

@@ -187,7 +187,7 @@ export class Geometry {
             if (faces.front[f] === faces.back[f]) continue;  // hangs in it
             if (!look.inner && model.active(faces.front[f]) && model.active(faces.back[f])) continue;
             const own = faces.component[f];
-            const painted = own && ['component', 'source'].includes(look.colour) ? this.tintOf({kind: 'f', i: f}) : tint;
+            const painted = own && (['component', 'source'].includes(look.colour) || this.ownMaterial({kind: 'f', i: f})) ? this.tintOf({kind: 'f', i: f}) : tint;
             if (!own) this.legend.set('open', {label: 'missing face', sign: 'hatch', tint});
             this.pushFace(this.skins, model.cells, f, front, painted, numbering.bytes('f', f), owner, this.shift(r + 1), own ? 0 : HATCHED);
           }
