@@ -65,9 +65,8 @@ LeafSetId ValueSources::said_set(EdgeId e) const {
   const LeafSetId set = telling_set_of(e);
   if (mark_of(set) == 0) return LeafSetId::none();
   const auto uses = complex_.edge_uses[e];
-  const bool speaks =
-      sets_.said(set)->dimension <= 1 ||
-      std::none_of(uses.begin(), uses.end(), [&](const FaceUse& use) { return stands_out(use.face); });
+  const bool speaks = sets_.said(set)->dimension <= 1 ||
+                      std::none_of(uses.begin(), uses.end(), [&](const FaceUse& use) { return bounds(use.face); });
   return speaks ? set : LeafSetId::none();
 }
 
@@ -78,10 +77,10 @@ LeafSetId ValueSources::said_set(VertexId v) const {
   if (sets_.said(set)->dimension == 0) return set;
   const auto edges = complex_.vertex_edges[v];
   const auto faces = complex_.vertex_faces[v];
-  const auto there = [&](auto cell) { return stands_out(cell); };
-  const bool bounds =
+  const auto there = [&](auto cell) { return bounds(cell); };
+  const bool end =
       std::any_of(edges.begin(), edges.end(), there) || std::any_of(faces.begin(), faces.end(), there);
-  return bounds ? LeafSetId::none() : set;
+  return end ? LeafSetId::none() : set;
 }
 
 const Attributes* ValueSources::said(FaceId f) const {

@@ -55,6 +55,12 @@ class ValueSources : public CellSources {
   const LeafSets& sets_;
 
  private:
+  /// It bounds: something is said of it, or it stands out.
+  template <class IdT>
+  bool bounds(IdT cell) const {
+    const LeafSetId set = set_of(cell);
+    return set.valid() && (mark_of(set) != 0 || stands_out(cell));
+  }
   std::uint32_t mark_of(LeafSetId set) const { return set.valid() ? marks_[set.index()] : 0; }
   /// The set of a cell that speaks for itself; none() for others.
   LeafSetId said_set(FaceId f) const;

@@ -86,6 +86,19 @@ TEST_CASE("A random tree with names, materials and attributes is the same as its
   CHECK(said > 0);
 }
 
+TEST_CASE("What is left of a sheet inside of a region says what the sheet said, read back, too", "[compare]") {
+  const Workshop w;
+  const Tree tree = test::tree(
+      "s: {polygon: [[4, 1, 1], [6, 1, 1], [6, 1, 3], [4, 1, 3]], name: given}\n"
+      "b: {box: {min: [0, 0, 0], max: [4, 4, 4]}}\n"
+      "e: {intersection: [s, b], dominance: left}\n"
+      "u: {union: [e, {box: {min: [0, 0, 0], max: [9, 9, 9]}}], dominance: left}");
+  write(w.path("edge.json").string(), evaluate(tree, {}).result());
+  const Tree back = tree_of_file(w.path("edge.json").string());
+  CHECK(comparison_text(compare(tree, tree.result, back, back.result)) == "");
+  CHECK_THAT(w.read("edge.json"), Catch::Contains("\"given\""));
+}
+
 TEST_CASE("Selections mean the same in both trees", "[compare]") {
   const std::string model = slope(", material: clay", ", name: f", ", material: rock");
   for (const char* const criteria :

@@ -8,6 +8,7 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/geometry/exact_vectors.h"
 #include "csg/operators/identities.h"
+#include "csg/operators/node_value.h"
 #include "kernel/complex/interior.h"
 #include "kernel/selection/measure.h"
 #include "tests/scenes/scene.h"
@@ -121,6 +122,31 @@ TEST_CASE("what is below a random graph has its cells under it, and the volume o
     integral.canonicalize();
     CHECK(volume_of(e, low) == integral);
   }
+}
+
+TEST_CASE("a layer's name is not that of the horizon at which it ends", "[below]") {
+  const Evaluation e = evaluated(
+      "cnrg: 1\nmaterials: {sand: {}, clay: {}}\nnodes:\n"
+      "  block:   {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: sand}\n"
+      "  horizon: {polygon: [[-1, -1, 2], [5, -1, 2], [5, 5, 2], [-1, 5, 2]], name: horizon, attributes: {age: "
+      "3}}\n"
+      "  low:     {below: horizon, within: block, material: clay, name: low, attributes: {age: 5}}\n"
+      "result: low\n",
+      {});
+  const Group& low = e.kept.front().value->group();
+  REQUIRE(low.regions.size() == 1);
+  CHECK(low.regions[0].name == "low");
+  CHECK(low.regions[0].material.name() == "clay");
+  std::size_t named = 0;
+  for (const LeafSetId set : low.origins.faces) {
+    const SaidPointer& said = low.origins.sets.said(set);
+    if (!said) continue;
+    ++named;
+    CHECK(said->attributes.name == "horizon");
+    CHECK(said->attributes.material.empty());
+    CHECK(to_text(said->attributes.properties.at("age")) == "3");
+  }
+  CHECK(named == 1);
 }
 
 TEST_CASE("a fold that hangs over, a bowl, a steep fault", "[below]") {
