@@ -126,17 +126,22 @@ StageRows stage_rows(const StageClock& clock, const Evaluation& evaluation, bool
   return out;
 }
 
-/// Of the nodes asked for; of the result when there are none.
-std::string topology_of(const Tree& tree, const Evaluation& evaluation, std::vector<NodeId> nodes) {
+/// Of each node asked for, or of the result when there are none: a head, and what `tell` says.
+template <class Tell>
+std::string told_of(const Tree& tree, std::vector<NodeId> nodes, const std::string& head, Tell tell) {
   if (nodes.empty()) nodes = {tree.result};
   std::string text;
   for (const NodeId node : nodes) {
-    const KeptValue& kept = evaluation.value(node);
-    append_line(text += "\n", "topology of " + tree.nodes[node].name);
-    text += topology_text(*evaluation.complex, selection_of(*evaluation.complex, *kept.value), *kept.simplified,
-                          kept.value->attributes());
+    append_line(text += "\n", head + tree.nodes[node].name);
+    text += tell(node);
   }
   return text;
+}
+
+std::string topology_of(const Evaluation& evaluation, NodeId node) {
+  const KeptValue& kept = evaluation.value(node);
+  return topology_text(*evaluation.complex, selection_of(*evaluation.complex, *kept.value), *kept.simplified,
+                       kept.value->attributes());
 }
 
 /// What is shown becomes what `criteria` pick of it.
@@ -152,17 +157,6 @@ void select_in(Tree& tree, const std::string& criteria, std::vector<NodeId>& nod
     if (!panel.node.empty()) panel.node += "/select";
   }
   if (nodes.empty()) tree.result = picked(tree.result);
-}
-
-/// The same nodes.
-std::string lists_of(const Tree& tree, const Evaluation& evaluation, std::vector<NodeId> nodes) {
-  if (nodes.empty()) nodes = {tree.result};
-  std::string text;
-  for (const NodeId node : nodes) {
-    append_line(text += "\n", "what `select` can pick of " + tree.nodes[node].name);
-    text += selectables_text(selectables(evaluation.result(node)));
-  }
-  return text;
 }
 
 }  // namespace
@@ -210,9 +204,13 @@ int run_eval(const EvalArguments& arguments) {
   if (arguments.topology) {
     ProgressBar bar(arguments.quiet);
     bar.show("topology");
-    told = topology_of(tree, evaluation, options.nodes);
+    told =
+        told_of(tree, options.nodes, "topology of ", [&](NodeId node) { return topology_of(evaluation, node); });
   }
-  if (arguments.list) told += lists_of(tree, evaluation, options.nodes);
+  if (arguments.list) {
+    told += told_of(tree, options.nodes, "what `select` can pick of ",
+                    [&](NodeId node) { return selectables_text(selectables(evaluation.result(node))); });
+  }
   FileWriter writer(tree, evaluation, arguments);
   const auto print_all = [&](bool whole) {
     if (!arguments.quiet) {

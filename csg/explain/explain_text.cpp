@@ -380,17 +380,10 @@ std::string word_text(const Word& word) {
   return out;
 }
 
-void add_words(const LifeStep& step, std::vector<Line>& lines) {
-  if (step.state.component == 0) return;
-  for (const Word& word : step.said) lines.push_back({word.key, word_text(word)});
-}
-
+/// What the operator made of it.
 std::vector<Line> details(const Node& node, const LifeStep& step, int dimension) {
   std::vector<Line> lines;
-  if (node.op == Operator::leaf) {
-    add_words(step, lines);
-    return lines;
-  }
+  if (node.op == Operator::leaf) return lines;
   for (std::size_t k = 0; k < step.booleans.size(); ++k) {
     const BooleanFacts& f = step.booleans[k];
     if (f.a.state.component == 0 && f.b.state.component == 0) continue;
@@ -410,7 +403,6 @@ std::vector<Line> details(const Node& node, const LifeStep& step, int dimension)
     if (r.group) lines.push_back({"", regularized_words(*r.group, dimension)});
     add_stars(Operator::regularize, r.stars, dimension, lines);
   }
-  add_words(step, lines);
   return lines;
 }
 
@@ -449,7 +441,10 @@ void add_life(const Tree& tree, const Life& life, int dimension, std::string& ou
     const Node& node = tree.nodes[step.node];
     append_line(out, padded(shown(step.name), names) + "  " + padded(operator_words(node, step), operators) +
                          "  " + padded(place(step), places) + "  " + outcome(node, step, dimension));
-    const std::vector<Line> lines = details(node, step, dimension);
+    std::vector<Line> lines = details(node, step, dimension);
+    if (step.state.component != 0) {
+      for (const Word& word : step.said) lines.push_back({word.key, word_text(word)});
+    }
     std::size_t labels = 0;
     for (const Line& line : lines) labels = std::max(labels, width_of(shown(line.label)));
     for (const Line& line : lines) append_line(out, "    " + padded(shown(line.label), labels) + "  " + line.text);

@@ -145,31 +145,18 @@ LeafSetId ComponentSources::set_of(VertexId v) const {
   return set_in(x_.selection.vertices, x_.origins.vertices, v);
 }
 
-namespace {
-
-Component component_in(const std::vector<std::pair<RegionId, Component>>& regions, RegionId r) {
-  const std::size_t k = place_in(regions, r);
-  return k == regions.size() ? 0 : regions[k].second;
-}
-
-}  // namespace
-
 bool ComponentSources::stands_out(FaceId f) const {
-  const std::size_t k = place_in(x_.selection.faces, f);
-  if (k == x_.selection.faces.size()) return false;
   const auto sides = complex_.face_regions[f];
-  return std::any_of(sides.begin(), sides.end(), [&](RegionId r) {
-    return component_in(x_.selection.regions, r) != x_.selection.faces[k].second;
-  });
+  return is_beside(sides, component_in(x_.selection.faces, f));
 }
 bool ComponentSources::stands_out(EdgeId e) const {
-  const std::size_t k = place_in(x_.selection.edges, e);
-  if (k == x_.selection.edges.size()) return false;
   std::vector<RegionId> around;
   complex_.star_regions(e, around);
-  return std::any_of(around.begin(), around.end(), [&](RegionId r) {
-    return component_in(x_.selection.regions, r) != x_.selection.edges[k].second;
-  });
+  return is_beside(around, component_in(x_.selection.edges, e));
+}
+bool ComponentSources::is_beside(std::span<const RegionId> around, Component own) const {
+  return own != 0 && std::any_of(around.begin(), around.end(),
+                                 [&](RegionId r) { return component_in(x_.selection.regions, r) != own; });
 }
 
 void ComponentSources::leaves_of(FaceId f, std::vector<LeafId>& out) const {

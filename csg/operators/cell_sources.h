@@ -9,6 +9,7 @@
 #pragma once
 
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -100,6 +101,8 @@ class ComponentSources : public ValueSources {
   LeafSetId telling_set_of(VertexId v) const override;
   bool stands_out(FaceId f) const override;
   bool stands_out(EdgeId e) const override;
+  /// A cell of a component, not just of none, with a 3-cell around it that is not of that component.
+  bool is_beside(std::span<const RegionId> around, Component own) const;
   const Components& x_;
   std::set<std::pair<Component, LeafSetId>> repeated_;  // of cells of which the same is said as of their component
 };

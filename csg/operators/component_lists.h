@@ -37,6 +37,13 @@ std::size_t place_in(const std::vector<std::pair<IdT, Component>>& list, IdT id)
   return it != list.end() && it->first == id ? static_cast<std::size_t>(it - list.begin()) : list.size();
 }
 
+/// The component of a cell in such a list; 0 when it is not there.
+template <class IdT>
+Component component_in(const std::vector<std::pair<IdT, Component>>& list, IdT id) {
+  const std::size_t k = place_in(list, id);
+  return k == list.size() ? 0 : list[k].second;
+}
+
 /// The largest dimension of the cells of each component, by component - 1; -1 for one without cells.
 std::vector<int> dimensions(const Components& x);
 

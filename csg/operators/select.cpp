@@ -32,10 +32,7 @@ constexpr int dimension_of(RegionId) { return 3; }
 
 // What the two kinds of values call the component of a 3-cell, and what is said of one.
 Component component_at(const Group& group, RegionId r) { return group.region_of(r); }
-Component component_at(const Components& x, RegionId r) {
-  const std::size_t k = place_in(x.selection.regions, r);
-  return k == x.selection.regions.size() ? 0 : x.selection.regions[k].second;
-}
+Component component_at(const Components& x, RegionId r) { return component_in(x.selection.regions, r); }
 const RegionAttributes& attributes(const Group& group, Component i) { return group.regions[i - 1]; }
 const RegionAttributes& attributes(const Components& x, Component i) { return x.attributes[i - 1]; }
 
