@@ -30,11 +30,6 @@ struct Side {
   std::unique_ptr<const ValueSources> sources;
 };
 
-std::unique_ptr<const ValueSources> sources_of(const Complex& complex, const NodeValue& value) {
-  if (value.is_group()) return std::make_unique<GroupSources>(complex, value.group());
-  return std::make_unique<ComponentSources>(complex, value.components());
-}
-
 class Comparer {
  public:
   Comparer(const Together& together, const Marks& marks, const Names& names, const Evaluation& evaluation,

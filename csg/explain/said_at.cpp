@@ -56,10 +56,7 @@ const Attributes* SaidAt::around(const NodeValue& value, const Location& cell) {
 
 const ValueSources& SaidAt::sources(const NodeValue& value) {
   std::unique_ptr<const ValueSources>& known = sources_[&value];
-  if (known == nullptr) {
-    if (value.is_group()) known = std::make_unique<GroupSources>(complex_, value.group());
-    else known = std::make_unique<ComponentSources>(complex_, value.components());
-  }
+  if (known == nullptr) known = sources_of(complex_, value);
   return *known;
 }
 

@@ -8,6 +8,7 @@
 // component: a bolt in rock that somebody has called rock is rock.
 #pragma once
 
+#include <memory>
 #include <set>
 #include <span>
 #include <utility>
@@ -17,6 +18,8 @@
 #include "kernel/selection/simplify.h"
 
 namespace cnrg {
+
+class NodeValue;
 
 class ValueSources : public CellSources {
  public:
@@ -106,5 +109,8 @@ class ComponentSources : public ValueSources {
   const Components& x_;
   std::set<std::pair<Component, LeafSetId>> repeated_;  // of cells of which the same is said as of their component
 };
+
+/// Those of a value of either kind, which must outlive them (defined with it, in node_value.cpp).
+std::unique_ptr<const ValueSources> sources_of(const Complex& complex, const NodeValue& value);
 
 }  // namespace cnrg

@@ -71,17 +71,19 @@ std::vector<const Attributes*> all_said(const NodeValue& value) {
   return out;
 }
 
+std::unique_ptr<const ValueSources> sources_of(const Complex& complex, const NodeValue& value) {
+  if (value.is_group()) return std::make_unique<GroupSources>(complex, value.group());
+  return std::make_unique<ComponentSources>(complex, value.components());
+}
+
 const Attributes* said_of(const Complex& complex, const NodeValue& value, const Location& cell) {
-  const auto ask = [&](const ValueSources& sources) -> const Attributes* {
-    switch (cell.dimension) {
-      case 0: return sources.said(cell.vertex);
-      case 1: return sources.said(cell.edge);
-      case 2: return sources.said(cell.face);
-      default: return nullptr;
-    }
-  };
-  if (value.is_group()) return ask(GroupSources(complex, value.group()));
-  return ask(ComponentSources(complex, value.components()));
+  const std::unique_ptr<const ValueSources> sources = sources_of(complex, value);
+  switch (cell.dimension) {
+    case 0: return sources->said(cell.vertex);
+    case 1: return sources->said(cell.edge);
+    case 2: return sources->said(cell.face);
+    default: return nullptr;
+  }
 }
 
 Selection selection_of(const Complex& complex, const NodeValue& value) {
@@ -90,22 +92,13 @@ Selection selection_of(const Complex& complex, const NodeValue& value) {
 
 SimplifiedComplex simplify(const Complex& complex, const NodeValue& value, const Selection& selection,
                            SimplifyMode mode) {
-  if (value.is_group()) {
-    const GroupSources sources(complex, value.group());
-    return simplify(complex, selection, value.features(), mode, &sources);
-  }
-  const ComponentSources sources(complex, value.components());
-  return simplify(complex, selection, value.features(), mode, &sources);
+  return simplify(complex, selection, value.features(), mode, sources_of(complex, value).get());
 }
 
 std::array<std::size_t, 4> simplified_counts(const Complex& complex, const NodeValue& value,
                                              const Selection& selection) {
-  if (value.is_group()) {
-    const GroupSources sources(complex, value.group());
-    return simplified_counts(complex, selection, value.features(), SimplifyMode::features, &sources);
-  }
-  const ComponentSources sources(complex, value.components());
-  return simplified_counts(complex, selection, value.features(), SimplifyMode::features, &sources);
+  return simplified_counts(complex, selection, value.features(), SimplifyMode::features,
+                           sources_of(complex, value).get());
 }
 
 Components components_of(const Complex& complex, const NodeValue& value) {
