@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "csg/app/panels.h"
+#include "csg/evaluate/evaluate.h"
 #include "csg/mesh/tetrahedra.h"
 
 namespace cnrg::app {
@@ -24,6 +25,7 @@ struct EvalArguments {
   bool binary = false;      ///< .stl and .ply in their binary forms
   bool parameters = false;  ///< .json and .vtu with the parameters of patches
   bool certify = false;     ///< uncertain crossings of curved patches are an error
+  Refining refining = Refining::chosen;
   int threads = 0, finer = 1;
 };
 /// `cnrg eval`: a row per node, a file per `-o`.

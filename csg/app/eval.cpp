@@ -184,6 +184,7 @@ int run_eval(const EvalArguments& arguments) {
   EvaluateOptions options;
   options.threads = arguments.threads;
   options.raw = arguments.raw;
+  options.refining = arguments.refining;
   options.rows = !arguments.quiet || std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
   options.region_volumes = arguments.trace;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));

@@ -198,6 +198,16 @@ int run(int argc, char** argv) {
       ->take_all();
   sub->add_flag("--trace", eval.trace, "Under each row: what each table row removed, volumes of regions");
   sub->add_flag("--raw", eval.raw, "Keep the unsimplified cells of the refinement");
+  sub->add_option_function<std::string>(
+         "--refine",
+         [&eval](const std::string& word) {
+           eval.refining = word == "apart" ? Refining::apart : Refining::together;
+         },
+         "Refine all leaves `together`, or every Boolean node `apart`; without it, apart what dies before it "
+         "meets "
+         "others. Results are the same")
+      ->type_name("WAY")
+      ->check(CLI::IsMember({"together", "apart"}));
   sub->add_flag("--topology", eval.topology,
                 "For the result, or each --node: Euler-Poincare, Betti numbers, manifoldness, which regions "
                 "touch");

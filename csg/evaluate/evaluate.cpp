@@ -4,10 +4,12 @@
 //        -> prepared leaves      prepared_leaves.h: files are read, everything that can be checked is checked
 //        -> common lines         csg/carriers/common_lines.h: of leaves that share a curved surface
 //        -> welded leaves        csg/weld: what is near coincides, where the tree has `weld`; round surfaces first
-//        -> soup -> complex      make_soup.cpp, then the kernel: all leaves are refined together, once
-//        -> leaf values          leaf_values.h
-//        -> node values          operate.h: a node selects cells and makes none; it costs what its operands touch
-//        -> rows, diagnostics    rows.h, diagnostics.h
+//        -> sections             sections.h: nodes that are refined apart, mostly none
+//        -> scopes               scopes.h: each section, then the whole tree:
+//             soup -> complex      make_soup.cpp, then the kernel: all leaves of the scope are refined together
+//             leaf values          leaf_values.h; those of sections come by carried_groups.h
+//             node values          operate.h: a node selects cells, makes none, and costs what its operands touch
+//             rows, diagnostics    rows.h, diagnostics.h
 //        -> kept values          value_store.h: every other value is freed after its last user
 //
 // The way through the nodes is a loop over instances: the depth of a tree costs no stack. One thing calls the
@@ -19,7 +21,6 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -28,28 +29,15 @@
 #include "csg/carriers/surface_numbers.h"
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/grades.h"
-#include "csg/evaluate/leaf_values.h"
-#include "csg/evaluate/operate.h"
 #include "csg/evaluate/prepared_leaves.h"
-#include "csg/evaluate/rows.h"
+#include "csg/evaluate/scopes.h"
 #include "csg/evaluate/simplified_value.h"
-#include "csg/evaluate/value_store.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/weld/weld_leaves.h"
 #include "csg/weld/weld_surfaces.h"
 
 namespace cnrg {
 namespace {
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// The result and the nodes asked for, each once.
 std::vector<NodeId> roots_of(const Tree& tree, const EvaluateOptions& options) {
@@ -64,105 +52,64 @@ void append(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-/// Soup and complex of all leaves, and what the complex does not know of them: names, parameters.
-void build_complex_of(const Tree& tree, const PreparedLeaves& leaves, const EvaluateOptions& options,
-                      Evaluation& result) {
-  const Stopwatch stopwatch;
-  RefineOptions refine_options;
-  refine_options.threads = options.threads;
-  refine_options.watch = options.watch;
+/// The leaves as they are refined: on common lines, and welded where the tree asks for that.
+struct PlacedLeaves {
   std::vector<LeafInstance> instances;
+  std::vector<std::vector<std::uint32_t>> surfaces;  // as `make_soup` has it
+};
+
+PlacedLeaves place(const Tree& tree, const PreparedLeaves& leaves, std::vector<Diagnostic>& diagnostics) {
+  PlacedLeaves out;
   leaves.locate_errors([&] {
     std::vector<NearSurfaces> near;
     std::vector<std::string> apart;
     const auto tell = [&](const std::string& notice) {
       if (!notice.empty())
-        result.diagnostics.push_back(
-            {tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
+        diagnostics.push_back({tree.file, tree.weld_at, Diagnostic::Level::notice, leaves.in_words(notice)});
     };
-    instances = leaves.instances();
+    out.instances = leaves.instances();
     WeldedSurfaces round;
     if (tree.weld) {
-      round = weld_surfaces(instances, *tree.weld);
-      instances = round.instances;
+      round = weld_surfaces(out.instances, *tree.weld);
+      out.instances = round.instances;
       tell(round.notice);
     }
-    const std::vector<std::vector<std::uint32_t>> surfaces = surface_numbers(instances);
-    instances = with_common_lines(std::move(instances), &near, &apart, round.anew);
+    out.surfaces = surface_numbers(out.instances);
+    out.instances = with_common_lines(std::move(out.instances), &near, &apart, round.anew);
     if (tree.weld) {
-      WeldedLeaves welded = weld_leaves(instances, *tree.weld, round.farthest);
-      instances = std::move(welded.instances);
+      WeldedLeaves welded = weld_leaves(out.instances, *tree.weld, round.farthest);
+      out.instances = std::move(welded.instances);
       tell(welded.notice);
       std::erase_if(near, [&](const NearSurfaces& pair) { return pair.apart <= to_double(*tree.weld); });
     }
-    append(result.diagnostics, leaves.near_notices(near));
-    append(result.diagnostics, leaves.located_notices(apart));
-    options.watch.check();
-    const Soup soup = make_soup(instances, options.reach, surfaces);
-    options.watch.check();
-    result.complex = build_complex(soup, refine_options, &result.refine);
+    append(diagnostics, leaves.near_notices(near));
+    append(diagnostics, leaves.located_notices(apart));
   });
-  if (options.validate) {
-    const std::string violation = validate(*result.complex);
-    require(violation.empty(), "the complex of the leaves is broken: " + violation);
-  }
-  result.leaf_names.resize(result.complex->leaf_count);
-  std::vector<PlacedParameters> placed;
-  for (std::size_t i = 0; i < instances.size(); ++i) {
-    result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
-    const PreparedLeaf& leaf = *instances[i].leaf;
-    placed.push_back({leaf.parameters(), instances[i].transform, leaf.surfaces(), leaf.boxes()});
-  }
-  result.parameters = std::make_shared<const SurfaceParameters>(*result.complex, std::move(placed));
-  result.refine_seconds = stopwatch.seconds();
+  return out;
 }
 
-/// The leaves below operands, one instance after the other. Along a chain of nodes with one operand each they are
-/// the same: to list them anew at each node would cost the square of its length.
-class LeavesBelow {
- public:
-  LeavesBelow(const PreparedLeaves& leaves, const Unfolding& unfolding) : leaves_(leaves), unfolding_(unfolding) {}
-  /// Those that the operator of `node` wants to know of its operand `id`.
-  std::shared_ptr<const std::vector<LeafId>> wanted_by(const Node& node, InstanceId id, bool first_operand) {
-    const auto nodes = leaves_wanted(node, first_operand);
-    if (!nodes) return nullptr;
-    if (nodes->empty()) return of(id);
-    return std::make_shared<const std::vector<LeafId>>(leaves_.below(unfolding_, id, *nodes));
-  }
+/// Nobody who wants to see all cells, or all values on one complex, is served by sections.
+Sections sections_of(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves,
+                     const PlacedLeaves& placed, const EvaluateOptions& options) {
+  if (options.refining == Refining::together || options.raw || options.keep_all || options.validate) return {};
+  IdVector<InstanceId, LeafId> leaf_of;
+  for (const InstanceId id : IdRange<InstanceId>(unfolding.instances.size()))
+    leaf_of.push_back(leaves.leaf_of(id));
+  return choose_sections(tree, unfolding, leaf_of, placed.instances, options.refining == Refining::apart);
+}
 
- private:
-  std::shared_ptr<const std::vector<LeafId>> of(InstanceId id) {
-    const std::vector<InstanceId>& operands = unfolding_.instances[id].operands;
-    if (!known_ || (last_ != id && (operands.size() != 1 || operands[0] != last_)))
-      known_ = std::make_shared<const std::vector<LeafId>>(leaves_.below(unfolding_, id));
-    last_ = id;
-    return known_;
+/// What the complex does not know of the leaves: names, parameters.
+void name_leaves(const PreparedLeaves& leaves, const PlacedLeaves& placed, std::optional<LeafPlaces> places,
+                 Evaluation& result) {
+  result.leaf_names.resize(result.complex->leaf_count);
+  std::vector<PlacedParameters> parameters;
+  for (std::size_t i = 0; i < placed.instances.size(); ++i) {
+    result.leaf_names[i] = leaves.node_of(LeafId(i)).name;
+    const PreparedLeaf& leaf = *placed.instances[i].leaf;
+    parameters.push_back({leaf.parameters(), placed.instances[i].transform, leaf.surfaces(), leaf.boxes()});
   }
-
-  const PreparedLeaves& leaves_;
-  const Unfolding& unfolding_;
-  InstanceId last_;
-  std::shared_ptr<const std::vector<LeafId>> known_;  // those below `last_`
-};
-
-/// The operator of an inner instance on its operands' values; faults of the input come at the operator's place.
-Outcome run_operator(const Tree& tree, const Unfolding& unfolding, InstanceId id, LeavesBelow& below,
-                     Grades& grades, const Complex& complex, ValueStore& values, bool validate) {
-  const Instance& instance = unfolding.instances[id];
-  const Node& node = tree.nodes[instance.node];
-  std::vector<Operand> operands;
-  for (const InstanceId operand : instance.operands) {
-    NodeValue* const value = &values[operand];
-    operands.push_back({value, tree.nodes[unfolding.instances[operand].node].name,
-                        values.expendable(operand) ? value : nullptr,
-                        below.wanted_by(node, operand, operands.empty())});
-  }
-  try {
-    return operate(complex, node, grades.on(instance, node.material), operands, validate,
-                   grades.placement(instance));
-  } catch (const InputError& e) {
-    throw TreeError(tree.file, node.operator_at, e.what());
-  }
+  result.parameters =
+      std::make_shared<const SurfaceParameters>(*result.complex, std::move(parameters), std::move(places));
 }
 
 /// `roots`: those whose values are kept. Without `graded` every material is the same all over.
@@ -180,10 +127,8 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
   append(result.diagnostics, leaves.notices());
 
   options.watch.begin("refine");
-  build_complex_of(tree, leaves, options, result);
-  const Complex& complex = *result.complex;
-  append(result.diagnostics, dropped_faces(tree, leaves, complex, result.refine));
-
+  const PlacedLeaves placed = place(tree, leaves, result.diagnostics);
+  options.watch.check();
   Grades grades(tree, graded ? unfolding : Unfolding(), [&](NodeId node) {
     EvaluateOptions alone;
     alone.threads = options.threads;
@@ -191,48 +136,22 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
     alone.rows = false;
     return evaluate_roots(tree, {node}, alone, false);
   });
-  ValueStore values(unfolding, options.keep_all);
-  put_leaf_values(tree, unfolding, leaves, grades, complex, values);
-  if (options.rows) prepare_totals(complex, unfolding, values);
-
-  LeavesBelow below(leaves, unfolding);
-  std::optional<SimplifiedComplex> of_result;
-  Steps steps(options.watch, "nodes", unfolding.instances.size());
-  for (const InstanceId id : IdRange<InstanceId>(unfolding.instances.size())) {
-    const NodeId node = unfolding.instances[id].node;
-    NodeRow row = row_of(tree, unfolding, id);
-    std::vector<AttributeConflict> conflicts;
-    if (!values.has(id)) {
-      const Stopwatch stopwatch;
-      Outcome outcome = run_operator(tree, unfolding, id, below, grades, complex, values, options.validate);
-      row.seconds = stopwatch.seconds();
-      row.removals = std::move(outcome.removals);
-      conflicts = std::move(outcome.conflicts);
-      values.put(id, std::move(outcome.value));
-    }
-    SimplifiedValue simplified(complex, values[id]);
-    append(result.diagnostics, material_conflicts(tree, tree.nodes[node], values[id], conflicts, simplified));
-    append(result.diagnostics, empty_selection(tree, node, values[id]));
-    const bool is_root = std::find(unfolding.roots.begin(), unfolding.roots.end(), id) != unfolding.roots.end();
-    if (options.rows || is_root) {
-      // The result is simplified for its files in any case, so that is no part of the time of its row.
-      const bool last = node == tree.result && is_root && values.used_once_more(id) && !options.raw;
-      if (last) simplified.get();
-      const Stopwatch stopwatch;
-      fill_totals(complex, values[id], options.region_volumes || is_root, last ? &simplified : nullptr, row);
-      row.totals_seconds = stopwatch.seconds();
-      if (last) of_result = std::move(simplified.get());
-    }
-    values.release_operands(id);
-    result.rows.push_back(std::move(row));
-    steps.step();
-  }
+  ScopeResult made = evaluate_scopes({tree, unfolding, leaves, placed.instances, placed.surfaces, options, grades},
+                                     sections_of(tree, unfolding, leaves, placed, options));
+  result.complex = made.complex;
+  const Complex& complex = *result.complex;
+  result.refine = std::move(made.refine);
+  result.refine_seconds = made.refine_seconds;
+  name_leaves(leaves, placed, std::move(made.places), result);
+  append(result.diagnostics, std::move(made.diagnostics));
+  result.rows = std::move(made.rows);
+  ValueStore& values = made.values;
   const SimplifyMode mode = options.raw ? SimplifyMode::raw : SimplifyMode::features;
   for (const InstanceId root : unfolding.roots) {
     const NodeId node = unfolding.instances[root].node;
     const NodeValue& value = values[root];
-    SimplifiedComplex simplified = of_result && node == tree.result
-                                       ? std::move(*of_result)
+    SimplifiedComplex simplified = made.of_result && node == tree.result
+                                       ? std::move(*made.of_result)
                                        : simplified_in_order(complex, value, selection_of(complex, value), mode);
     result.kept.push_back({node, values.share(root),
                            std::make_shared<const SimplifiedComplex>(std::move(simplified)),

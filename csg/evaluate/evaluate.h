@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,12 +27,21 @@ namespace cnrg {
 class NodeValue;
 class SurfaceParameters;
 
+/// What is refined in one (csg/evaluate/sections.h). It changes costs and, in rows, what removals count, never
+/// values.
+enum class Refining : std::uint8_t {
+  chosen,    ///< by boxes: nodes of which much dies are refined apart
+  together,  ///< all leaves; also with `raw`, `keep_all` and `validate`, and where a leaf is unbounded
+  apart,     ///< every Boolean node
+};
+
 struct EvaluateOptions {
-  int threads = 0;                   ///< 0: all cores
-  bool validate = false;             ///< check the complex and the identities of every node (InvariantError)
-  bool rows = true;                  ///< counts and volumes of all nodes; otherwise of the kept ones only
-  bool region_volumes = false;       ///< in rows: the volume of every region of every node
-  bool raw = false;                  ///< keep unsimplified cells
+  int threads = 0;              ///< 0: all cores
+  bool validate = false;        ///< check the complex and the identities of every node (InvariantError)
+  bool rows = true;             ///< counts and volumes of all nodes; otherwise of the kept ones only
+  bool region_volumes = false;  ///< in rows: the volume of every region of every node
+  bool raw = false;             ///< keep unsimplified cells
+  Refining refining = Refining::chosen;
   bool keep_all = false;             ///< keep the values of all instances in `Evaluation::values`
   std::vector<NodeId> nodes;         ///< kept besides the result
   std::vector<RationalPoint> reach;  ///< points that will be asked for: planes and half-spaces are cut beyond them
@@ -53,7 +63,7 @@ struct NodeRow {
   /// Exact volume in cubic units of all of them together; nothing when one is unbounded.
   std::optional<Rational> total;
   const std::optional<Rational>& volume() const { return total; }
-  /// Of each, ascending by component; filled for the kept nodes, for all with `EvaluateOptions::region_volumes`.
+  /// Of each, ascending by component; filled with `EvaluateOptions::region_volumes`.
   std::vector<std::optional<Rational>> volumes;
   std::vector<std::pair<Component, std::string>> named;  ///< parallel to `volumes`: the component and its name
   double seconds = 0;                                    ///< of the operator alone

@@ -45,23 +45,22 @@ NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instanc
 
 }  // namespace
 
-void put_leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, Grades& grades,
-                     const Complex& complex, ValueStore& values) {
-  const IdVector<InstanceId, Instance>& instances = unfolding.instances;
-  std::vector<std::vector<Attributes>> attributes;
-  for (const InstanceId i : IdRange<InstanceId>(instances.size())) {  // leaves come in this order
+void put_leaf_values(const Tree& tree, const Unfolding& unfolding, std::span<const InstanceId> instances,
+                     const PreparedLeaves& leaves, Grades& grades, const Complex& complex, ValueStore& values) {
+  std::vector<std::vector<Attributes>> attributes(leaves.instances().size());
+  for (const InstanceId i : instances) {
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
-    attributes.push_back(leaves.attributes(leaf, complex.leaf_regions[leaf], instances[i], grades));
+    attributes[leaf.index()] = leaves.attributes(leaf, complex.leaf_regions[leaf], unfolding.instances[i], grades);
   }
   std::vector<Group> groups = leaf_groups(complex, attributes);
-  for (const InstanceId i : IdRange<InstanceId>(instances.size())) {
+  for (const InstanceId i : instances) {
     const LeafId leaf = leaves.leaf_of(i);
     if (!leaf.valid()) continue;
-    const Node& node = tree.nodes[instances[i].node];
-    NodeValue value = value_of(tree, leaves, instances[i], grades, complex, leaf, std::move(groups[leaf.index()]));
+    const Instance& instance = unfolding.instances[i];
+    NodeValue value = value_of(tree, leaves, instance, grades, complex, leaf, std::move(groups[leaf.index()]));
     // Without a material: a leaf has its attributes already.
-    apply_attributes(complex, node, {}, value);
+    apply_attributes(complex, tree.nodes[instance.node], {}, value);
     values.put(i, std::move(value));
   }
 }

@@ -6,9 +6,10 @@
 
 namespace cnrg {
 
-/// Puts the value of every leaf: its group on the complex, with the attributes of its node; of a result read back
-/// (csg/leaves/cell_table.h) what its file says. TreeError, at the leaf, for a result whose cells do not fit.
-void put_leaf_values(const Tree& tree, const Unfolding& unfolding, const PreparedLeaves& leaves, Grades& grades,
-                     const Complex& complex, ValueStore& values);
+/// Puts the values of the leaves among some instances (ascending): its group on the complex, with the attributes
+/// of its node; of a result read back (csg/leaves/cell_table.h) what its file says. TreeError, at the leaf, for a
+/// result whose cells do not fit.
+void put_leaf_values(const Tree& tree, const Unfolding& unfolding, std::span<const InstanceId> instances,
+                     const PreparedLeaves& leaves, Grades& grades, const Complex& complex, ValueStore& values);
 
 }  // namespace cnrg

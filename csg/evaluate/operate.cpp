@@ -357,6 +357,10 @@ Topological topological(Operator op) {
   }
 }
 
+Outcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands) {
+  return boolean_of(complex, node, {}, operands);
+}
+
 Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
                 std::span<const Operand> operands, bool validate, const Transform& placement) {
   Outcome outcome;

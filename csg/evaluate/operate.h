@@ -43,6 +43,9 @@ std::optional<std::span<const NodeId>> leaves_wanted(const Node& node, bool firs
 Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& material,
                 std::span<const Operand> operands, bool validate, const Transform& placement = {});
 
+/// The first operands of an intersection as one: the fold of these alone, without the node's attributes.
+Outcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands);
+
 /// Who decides about the entities of a step.
 enum class StepRule : std::uint8_t {
   operands,   ///< one dominance for all of them

@@ -35,7 +35,10 @@ void fill_group(const Complex& complex, NodeValue& value, SimplifiedValue* simpl
   row.cells = active_counts(simplified->get());
   row.total = Rational(0);
   for (const PartRef& part : std::as_const(value).parts().parts) {
-    for (const std::optional<Rational>& volume : part->volumes(complex)) add_region(volume, row);
+    row.regions += part->group().regions.size();
+    const PartVolume& volume = part->volume(complex);
+    if (row.total && volume.unbounded == 0) *row.total += volume.bounded;
+    else row.total.reset();
   }
 }
 
@@ -86,13 +89,13 @@ void fill_totals(const Complex& complex, NodeValue& value, bool region_volumes, 
   if (region_volumes) fill_group_regions(complex, std::as_const(value).parts(), row);
 }
 
-void prepare_totals(const Complex& complex, const Unfolding& unfolding, ValueStore& values) {
-  tbb::parallel_for(std::size_t{0}, unfolding.instances.size(), [&](std::size_t i) {
+void prepare_totals(const Complex& complex, ValueStore& values) {
+  tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t i) {
     const InstanceId id(i);
     if (!values.has(id) || !values[id].is_group()) return;
     for (const PartRef& part : std::as_const(values[id]).parts().parts) {
       part->counts(complex);
-      part->volumes(complex);
+      part->volume(complex);
     }
   });
 }

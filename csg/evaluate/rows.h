@@ -21,6 +21,6 @@ void fill_totals(const Complex& complex, NodeValue& value, bool region_volumes, 
 
 /// The totals of the groups that are there, ahead of their rows and by all threads: no group's depend on
 /// another's.
-void prepare_totals(const Complex& complex, const Unfolding& unfolding, ValueStore& values);
+void prepare_totals(const Complex& complex, ValueStore& values);
 
 }  // namespace cnrg

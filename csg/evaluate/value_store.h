@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "csg/operators/node_value.h"
 #include "csg/tree/unfold.h"
@@ -15,28 +16,29 @@ namespace cnrg {
 
 class ValueStore {
  public:
-  /// `unfolding` must outlive this.
-  ValueStore(const Unfolding& unfolding, bool keep_all);
+  ValueStore(std::size_t instances, bool keep_all);
+  /// Before anything is evaluated: an operator that is going to run takes the value, or a root is.
+  void add_use(InstanceId id) { ++uses_[id]; }
 
   void put(InstanceId id, NodeValue value);
   /// False before it was put and after it was freed.
   bool has(InstanceId id) const { return values_[id] != nullptr; }
   /// The value must be there. It stays where it is until it is freed.
   NodeValue& operator[](InstanceId id) { return *values_[id]; }
+  std::size_t size() const { return values_.size(); }
   std::shared_ptr<const NodeValue> share(InstanceId id) const { return values_[id]; }
 
   /// Whether only one use is left: that of the operator that runs now, or of a root.
   bool used_once_more(InstanceId id) const { return uses_[id] == 1; }
   /// Whether the operator that runs now may take the value apart, since nobody sees it afterwards.
   bool expendable(InstanceId operand) const { return used_once_more(operand) && !keep_all_; }
-  /// The operator of `user` has run.
-  void release_operands(InstanceId user);
+  /// The operator that takes these has run.
+  void release(std::span<const InstanceId> operands);
 
   /// Of all instances, by InstanceId; empty places for those that were freed.
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> take();
 
  private:
-  const Unfolding& unfolding_;
   bool keep_all_;
   IdVector<InstanceId, std::shared_ptr<NodeValue>> values_;
   IdVector<InstanceId, std::size_t> uses_;

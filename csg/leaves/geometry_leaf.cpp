@@ -90,7 +90,8 @@ LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
   for (SourceId f : IdRange<SourceId>(from.face_count())) {
     const Soup::Face& face = from.face(f);
     const std::span<const PointId> corners = from.corners(f);
-    if (corners.size() == 3) {
+    const std::array<PointId, 3>* const plane = from.plane(f);
+    if (corners.size() == 3 && plane == nullptr) {
       const PointId a = moved(corners[0]), b = moved(corners[1]), c = moved(corners[2]);
       soup.add_triangle(leaf, a, mirrored ? c : b, mirrored ? b : c, face.leaf_face, face.patch, face.front,
                         face.back);
@@ -105,6 +106,9 @@ LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
       for (auto& loop : loops) std::reverse(loop.begin(), loop.end());
     }
     soup.add_face(leaf, loops, face.leaf_face, face.patch, face.front, face.back);
+    if (plane == nullptr) continue;
+    const auto& [a, b, c] = *plane;
+    soup.set_plane({moved(a), moved(mirrored ? c : b), moved(mirrored ? b : c)});
   }
   for (const Soup::Wire& wire : from.wires()) soup.add_wire(leaf, moved(wire.a), moved(wire.b), wire.leaf_edge);
   for (const Soup::Isolated& isolated : from.isolated()) soup.add_isolated(leaf, moved(isolated.point));

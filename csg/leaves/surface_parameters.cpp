@@ -72,12 +72,21 @@ Rational place_between(const RationalPoint& a, const RationalPoint& b, const Rat
 
 }  // namespace
 
-SurfaceParameters::SurfaceParameters(const Complex& complex, std::vector<PlacedParameters> leaves)
-    : complex_(complex) {
+LeafPlaces::LeafPlaces(const Complex& complex) {
+  std::vector<std::uint32_t> next(complex.leaf_count, 0);
+  for (const Soup::Face& face : complex.sources) faces.push_back(next[face.leaf.index()]++);
+  next.assign(complex.leaf_count, 0);
+  for (const Soup::Wire& wire : complex.wires) wires.push_back(next[wire.leaf.index()]++);
+}
+
+SurfaceParameters::SurfaceParameters(const Complex& complex, std::vector<PlacedParameters> leaves,
+                                     std::optional<LeafPlaces> places)
+    : complex_(complex), places_(std::move(places)) {
   for (PlacedParameters& placed : leaves) {
     leaves_.push_back(std::make_unique<Leaf>());
     leaves_.back()->placed = std::move(placed);
   }
+  if (places_) return;
   const auto count = [&](LeafId leaf, std::size_t number, std::size_t Leaf::*first, std::size_t Leaf::*all) {
     if (leaf.index() >= leaves_.size()) return;
     Leaf& of = *leaves_[leaf.index()];
@@ -103,7 +112,7 @@ const LeafParameters& SurfaceParameters::parameters(LeafId leaf) const {
   Leaf& of = *leaves_[leaf.index()];
   std::call_once(of.once, [&] {
     of.made = of.placed.source();
-    require(of.made->facet_count() == of.faces && of.made->wire_count() == of.wires,
+    require(places_ || (of.made->facet_count() == of.faces && of.made->wire_count() == of.wires),
             "parameters: a leaf has other faces than its soup");
   });
   return *of.made;
@@ -138,7 +147,13 @@ std::vector<std::vector<PatchCorner>> SurfaceParameters::cells(SourceId source) 
 }
 
 std::size_t SurfaceParameters::facet_of(SourceId source) const {
+  if (places_) return places_->faces[source];
   return source.index() - leaves_[complex_.sources[source].leaf.index()]->first_face;
+}
+
+std::size_t SurfaceParameters::wire_of(WireId wire) const {
+  if (places_) return places_->wires[wire];
+  return wire.index() - leaves_[complex_.wires[wire].leaf.index()]->first_wire;
 }
 
 std::vector<FacetBoxes::Box> SurfaceParameters::boxes(SourceId source) const {
@@ -195,7 +210,7 @@ std::vector<CurvePoint> SurfaceParameters::on_curves(const Location& cell, const
     const Soup::Wire& wire = complex_.wires[w];
     if (!has(wire.leaf) || !among(leaves, wire.leaf)) continue;
     const Leaf& leaf = *leaves_[wire.leaf.index()];
-    const LeafParameters::Wire of = parameters(wire.leaf).wire(w.index() - leaf.first_wire);
+    const LeafParameters::Wire of = parameters(wire.leaf).wire(wire_of(w));
     if (of.at[0] == of.at[1]) continue;  // it has none
     const RationalPoint a = leaf.placed.transform.apply(of.ends[0]), b = leaf.placed.transform.apply(of.ends[1]);
     const Rational t = of.at[0] + place_between(a, b, p) * (of.at[1] - of.at[0]);

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -46,10 +47,22 @@ struct PlacedCell {
   std::vector<PatchCorner> corners;
 };
 
+/// Of each soup face and wire that a complex came from, its place among those that its leaf has added. What knows
+/// parameters of facets (csg/leaves/surface_parameters.h) counts them so.
+struct LeafPlaces {
+  IdVector<SourceId, std::uint32_t> faces;
+  IdVector<WireId, std::uint32_t> wires;
+  LeafPlaces() = default;
+  /// Of a complex in which the faces of each leaf follow each other.
+  explicit LeafPlaces(const Complex& complex);
+};
+
 class SurfaceParameters {
  public:
   /// `leaves` by LeafId; `complex` must outlive this.
-  SurfaceParameters(const Complex& complex, std::vector<PlacedParameters> leaves);
+  /// Without `places` the faces and wires of a leaf follow each other among those of the complex.
+  SurfaceParameters(const Complex& complex, std::vector<PlacedParameters> leaves,
+                    std::optional<LeafPlaces> places = std::nullopt);
   ~SurfaceParameters();
 
   /// True if the leaf has patches or curves with parameters.
@@ -81,9 +94,11 @@ class SurfaceParameters {
  private:
   struct Leaf;
   std::size_t facet_of(SourceId source) const;
+  std::size_t wire_of(WireId wire) const;
   const LeafParameters& parameters(LeafId leaf) const;
   const Complex& complex_;
   std::vector<std::unique_ptr<Leaf>> leaves_;  // by LeafId
+  std::optional<LeafPlaces> places_;
 };
 
 /// The first place on each patch (curve): enough for people, on a seam or at a pole.

@@ -36,6 +36,13 @@ void add_labels(const Complex& complex, RegionId r, std::span<const LeafId> leav
   }
 }
 
+/// Those that the complex knows of the cell by itself.
+void add_further(std::span<const LeafCell> cells, std::span<const LeafId> leaves, std::vector<LeafCell>& out) {
+  for (const LeafCell& cell : cells) {
+    if (among(leaves, cell.leaf)) out.push_back(cell);
+  }
+}
+
 bool same(const SaidPointer& a, const SaidPointer& b) {
   return a == b || (a != nullptr && b != nullptr && *a == *b);
 }
@@ -133,6 +140,7 @@ std::vector<LeafCell> leaf_cells(const Complex& complex, VertexId v, std::span<c
   std::vector<RegionId> around;
   complex.star_regions(v, around);
   for (const RegionId r : around) add_labels(complex, r, leaves, out);
+  add_further(complex.vertex_leaf_cells[v], leaves, out);
   sort_unique(out);
   return out;
 }
@@ -144,6 +152,7 @@ std::vector<LeafCell> leaf_cells(const Complex& complex, EdgeId e, std::span<con
   std::vector<RegionId> around;
   complex.star_regions(e, around);
   for (const RegionId r : around) add_labels(complex, r, leaves, out);
+  add_further(complex.edge_leaf_cells[e], leaves, out);
   sort_unique(out);
   return out;
 }
@@ -152,6 +161,7 @@ std::vector<LeafCell> leaf_cells(const Complex& complex, FaceId f, std::span<con
   std::vector<LeafCell> out;
   add_cover(complex, f, leaves, out);
   for (const RegionId r : complex.face_regions[f]) add_labels(complex, r, leaves, out);
+  add_further(complex.face_leaf_cells[f], leaves, out);
   sort_unique(out);
   return out;
 }

@@ -90,16 +90,6 @@ struct Origins {
   std::vector<LeafSetId> vertices, edges, faces, regions;
 };
 
-/// A face, a wire, an isolated point or a region of a leaf that a cell lies in.
-struct LeafCell {
-  LeafId leaf;
-  std::uint8_t dimension = 2;  ///< 0 isolated point, 1 wire, 2 face, 3 region
-  /// Of the face or wire in its leaf (Soup::Face::leaf_face, Soup::Wire::leaf_edge), of the region from 1; 0 for a
-  /// point.
-  std::uint32_t number = 0;
-  friend auto operator<=>(const LeafCell&, const LeafCell&) = default;
-};
-
 /// The cells of the given leaves (ascending) whose point sets, boundaries included, hold the cell; ascending.
 std::vector<LeafCell> leaf_cells(const Complex& complex, VertexId v, std::span<const LeafId> leaves);
 std::vector<LeafCell> leaf_cells(const Complex& complex, EdgeId e, std::span<const LeafId> leaves);

@@ -213,11 +213,27 @@ const CellCounts& Part::counts(const Complex& complex) const {
   return counts_;
 }
 
+const PartVolume& Part::volume(const Complex& complex) const {
+  std::call_once(summed_, [&] {
+    std::vector<char> bounded(group_.regions.size() + 1, 1);
+    for (const auto& [cell, region] : group_.cells) {
+      if (complex.unbounded(cell)) bounded[region] = 0;
+    }
+    volume_.unbounded = static_cast<std::size_t>(std::count(bounded.begin(), bounded.end(), 0));
+    std::vector<RegionId> cells;
+    for (const auto& [cell, region] : group_.cells) {
+      if (bounded[region]) cells.push_back(cell);
+    }
+    volume_.bounded = cnrg::volume(complex, cells).value();
+  });
+  return volume_;
+}
+
 const std::vector<std::optional<Rational>>& Part::volumes(const Complex& complex) const {
   std::call_once(measured_, [&] {
     std::vector<std::vector<RegionId>> cells(group_.regions.size());
     for (const auto& [cell, region] : group_.cells) cells[region - 1].push_back(cell);
-    for (const auto& region : cells) volumes_.push_back(volume(complex, region));
+    for (const auto& region : cells) volumes_.push_back(cnrg::volume(complex, region));
   });
   return volumes_;
 }
@@ -266,11 +282,9 @@ void Totals::add(const Complex& complex, const Part& part) {
     raw[d] += counts.raw[d];
     simplified[d] += counts.simplified[d];
   }
-  regions += part.volumes(complex).size();
-  for (const std::optional<Rational>& v : part.volumes(complex)) {
-    if (v) bounded_volume += *v;
-    else ++unbounded;
-  }
+  regions += part.group().regions.size();
+  unbounded += part.volume(complex).unbounded;
+  bounded_volume += part.volume(complex).bounded;
 }
 
 void Totals::remove(const Complex& complex, const Part& part) {
@@ -279,11 +293,9 @@ void Totals::remove(const Complex& complex, const Part& part) {
     raw[d] -= counts.raw[d];
     simplified[d] -= counts.simplified[d];
   }
-  regions -= part.volumes(complex).size();
-  for (const std::optional<Rational>& v : part.volumes(complex)) {
-    if (v) bounded_volume -= *v;
-    else --unbounded;
-  }
+  regions -= part.group().regions.size();
+  unbounded -= part.volume(complex).unbounded;
+  bounded_volume -= part.volume(complex).bounded;
 }
 
 const Totals& totals_of(const Complex& complex, PartedGroup& value) {

@@ -34,6 +34,11 @@ struct CellCounts {
   std::array<std::size_t, 4> simplified{};
 };
 
+struct PartVolume {
+  Rational bounded;
+  std::size_t unbounded = 0;
+};
+
 /// A closed piece of a group that shares no point with the other parts of the same value; not empty. Its own
 /// `dominance` means nothing, that of the value counts.
 class Part {
@@ -45,8 +50,11 @@ class Part {
   /// The smallest 3-cell of each region: ascending, but for regions of a result read back, which keep the numbers
   /// of their file.
   const std::vector<RegionId>& first_cells() const { return first_cells_; }
-  /// Both are computed when they are first asked for; `complex` is that of the constructor. Thread-safe.
+  /// All three are computed when they are first asked for; `complex` is that of the constructor. Thread-safe.
   const CellCounts& counts(const Complex& complex) const;
+  /// How many of its regions have no bounds, and the exact volume of all others together: one sum over their outer
+  /// boundary. Volumes of regions have denominators of their own, and their sum by and by that of all of them.
+  const PartVolume& volume(const Complex& complex) const;
   /// Exact volumes by region, from region 1; nothing for an unbounded one.
   const std::vector<std::optional<Rational>>& volumes(const Complex& complex) const;
 
@@ -54,8 +62,9 @@ class Part {
   Group group_;
   PartBox box_;
   std::vector<RegionId> first_cells_;
-  mutable std::once_flag counted_, measured_;
+  mutable std::once_flag counted_, summed_, measured_;
   mutable CellCounts counts_;
+  mutable PartVolume volume_;
   mutable std::vector<std::optional<Rational>> volumes_;
 };
 

@@ -37,6 +37,16 @@ struct Label {
   friend auto operator<=>(const Label&, const Label&) = default;
 };
 
+/// A face, a wire, an isolated point or a region of a leaf that a cell lies in.
+struct LeafCell {
+  LeafId leaf;
+  std::uint8_t dimension = 2;  ///< 0 isolated point, 1 wire, 2 face, 3 region
+  /// Of the face or wire in its leaf (Soup::Face::leaf_face, Soup::Wire::leaf_edge), of the region from 1; 0 for a
+  /// point.
+  std::uint32_t number = 0;
+  friend auto operator<=>(const LeafCell&, const LeafCell&) = default;
+};
+
 /// A face around an edge: the face lies to the left of `half_edge` as seen from its front.
 struct FaceUse {
   FaceId face;
@@ -98,6 +108,11 @@ class Complex {
   std::size_t leaf_count = 0;
   SparseLists<VertexId, LeafId> isolated_leaves;  ///< leaves that have the vertex as an isolated point
   SparseLists<VertexId, LeafId> curve_ends;       ///< leaves whose curves end in the vertex
+  /// Cells of leaves that hold a cell, beside those that covers, wires and labels tell. They were removed before
+  /// this complex was refined (ComplexSources); none otherwise.
+  SparseLists<VertexId, LeafCell> vertex_leaf_cells;
+  SparseLists<EdgeId, LeafCell> edge_leaf_cells;
+  SparseLists<FaceId, LeafCell> face_leaf_cells;
   /// Attributes of soup faces. `surface` is 0 for faces that lie on their planes alone; those of a curved patch
   /// whose surface is not known have a number of its own.
   IdVector<SourceId, Soup::Face> sources;

@@ -18,7 +18,9 @@ ComplexDraft::ComplexDraft(const Soup& soup, const RefineOptions& options, Refin
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
   }
   const StageCounts before = stage_counts();
-  complex_ = ComplexBuilder(soup, refine(soup, out, options.watch), options.watch).build();
+  Refinement refinement = refine(soup, out, options.watch);
+  if (options.vertices) out.vertex_of = refinement.input.vertex_of;
+  complex_ = ComplexBuilder(soup, std::move(refinement), options.watch).build();
   const StageCounts after = stage_counts();
   out.stages = {after.filter - before.filter, after.interval - before.interval, after.exact - before.exact};
   const Complex& complex = *complex_;
@@ -36,9 +38,20 @@ void ComplexDraft::set_sources(ComplexSources sources) {
   c.segment_wires = std::move(sources.segment_wires);
   c.wires = std::move(sources.wires);
   c.isolated_leaves = std::move(sources.isolated_leaves);
+  c.curve_ends = std::move(sources.curve_ends);
   c.leaf_count = sources.leaf_count;
-  c.fills.assign(c.leaf_count, Fill::none);
-  c.leaf_regions.assign(c.leaf_count, 0);
+  if (sources.fills.empty()) {
+    c.fills.assign(c.leaf_count, Fill::none);
+    c.leaf_regions.assign(c.leaf_count, 0);
+  } else {
+    c.fills = std::move(sources.fills);
+    c.leaf_regions = std::move(sources.leaf_regions);
+    c.region_labels = std::move(sources.region_labels);
+    c.label_sets = std::move(sources.label_sets);
+  }
+  c.vertex_leaf_cells = std::move(sources.vertex_leaf_cells);
+  c.edge_leaf_cells = std::move(sources.edge_leaf_cells);
+  c.face_leaf_cells = std::move(sources.face_leaf_cells);
   number_surfaces(c);
 }
 

@@ -20,8 +20,16 @@ struct ComplexSources {
   Csr<SegmentId, SourceId> segment_faces;
   SparseLists<SegmentId, WireId> segment_wires;
   IdVector<WireId, Soup::Wire> wires;
-  SparseLists<VertexId, LeafId> isolated_leaves;
+  SparseLists<VertexId, LeafId> isolated_leaves, curve_ends;
   std::size_t leaf_count = 0;
+  // If `fills` is empty, the leaves have neither fills nor regions of their own, and labels stay as they are.
+  IdVector<LeafId, Fill> fills;
+  IdVector<LeafId, std::uint32_t> leaf_regions;
+  IdVector<RegionId, LabelSetId> region_labels;
+  Csr<LabelSetId, Label> label_sets;
+  SparseLists<VertexId, LeafCell> vertex_leaf_cells;
+  SparseLists<EdgeId, LeafCell> edge_leaf_cells;
+  SparseLists<FaceId, LeafCell> face_leaf_cells;
 };
 
 class ComplexDraft {
@@ -31,7 +39,7 @@ class ComplexDraft {
   const Complex& operator*() const { return *complex_; }
   const Complex* operator->() const { return complex_.get(); }
 
-  /// Replaces what the cells come from. The leaves then have neither fills nor regions of their own.
+  /// Replaces what the cells come from.
   void set_sources(ComplexSources sources);
   /// Finds the labels of the regions anew, from the soup that it was made of.
   void label(const Soup& soup);

@@ -225,7 +225,7 @@ void PointTable::add(std::span<const double> xyz) {
 }
 
 VertexId PointTable::add(double x, double y, double z) {
-  lo_.insert(lo_.end(), {x, y, z});
+  lo_.insert(lo_.end(), {x + 0.0, y + 0.0, z + 0.0});  // no zero keeps a sign: it would say how the point was made
   row_.push_back(kDouble);
   return VertexId(row_.size() - 1);
 }
@@ -392,8 +392,8 @@ void PointTable::enclose(const Definition& d, std::array<double, 3>& lo, std::ar
     }
   }
   for (int k = 0; k < 3; ++k) {
-    lo[k] = x[k].inf();
-    hi[k] = x[k].sup();
+    lo[k] = x[k].inf() + 0.0;  // no zero keeps a sign, as in `add`
+    hi[k] = x[k].sup() + 0.0;
     if (!(lo[k] <= hi[k])) {  // overflow on the way: only the exact stage can tell
       lo[k] = -std::numeric_limits<double>::infinity();
       hi[k] = std::numeric_limits<double>::infinity();

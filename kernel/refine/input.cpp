@@ -231,12 +231,20 @@ void take_corners(const Soup& soup, RefineInput& in) {
 void take_planes(const Soup& soup, RefineInput& in, RefineReport& report) {
   const std::size_t n = soup.face_count();
   const PointTable& t = in.points;
+  const auto told = [&](std::size_t i) { return soup.plane(SourceId(i)); };
   std::vector<std::array<VertexId, 3>> planes(n, {VertexId(0), VertexId(0), VertexId(0)});
   std::vector<Shape> shape(n);
   in.filters.resize(n);
   const auto& corners = std::as_const(in.corners);
-  for_each_index(n,
-                 [&](std::size_t i) { shape[i] = span_plane(t, corners[SourceId(i)], planes[i], in.filters[i]); });
+  for_each_index(n, [&](std::size_t i) {
+    if (const std::array<PointId, 3>* plane = told(i)) {
+      for (std::size_t k = 0; k < 3; ++k) planes[i][k] = in.vertex_of[(*plane)[k].index()];
+      in.filters[i] = filter_of(t, planes[i]);
+      shape[i] = Shape::planar;
+    } else {
+      shape[i] = span_plane(t, corners[SourceId(i)], planes[i], in.filters[i]);
+    }
+  });
   for (std::size_t i = 0; i < n; ++i) {
     if (shape[i] != Shape::warped) continue;
     throw InputError(face_name(soup, SourceId(i)) + ": the face is not planar: its corner " +
@@ -247,7 +255,7 @@ void take_planes(const Soup& soup, RefineInput& in, RefineReport& report) {
   tbb::enumerable_thread_specific<std::vector<SourceId>> turned;
   for_each_index(n, [&](std::size_t i) {
     const auto c = corners[SourceId(i)];
-    if (shape[i] == Shape::flat || c.size() == 3) return;
+    if (shape[i] == Shape::flat || c.size() == 3 || told(i) != nullptr) return;
     if (orientation(t, projection_of(t, PlaneId(i)), c) < 0) turned.local().push_back(SourceId(i));
   });
   for (const auto& list : turned) {

@@ -46,7 +46,11 @@ class PairTester {
   void choose_axis();
   /// Do chains of pairs found so far say that two faces are coplanar? No filter does, and exact zeros cost most.
   bool known_coplanar(SourceId f, SourceId g) {
-    return planes_.size() != 0 && planes_.find(f.value()) == planes_.find(g.value());
+    if (planes_.size() != 0 && planes_.find(f.value()) == planes_.find(g.value())) return true;
+    // Pieces of one input face have its plane, by its three points.
+    const auto [a, b, c] = t_.plane_points(RefineInput::plane(f));
+    const auto [d, e, h] = t_.plane_points(RefineInput::plane(g));
+    return a == d && ((b == e && c == h) || (b == h && c == e));
   }
   void note_coplanar(SourceId f, SourceId g) {
     if (planes_.size() == 0) planes_ = UnionFind(in_.corners.size());

@@ -11,6 +11,7 @@
 //   * `front` and `back` are regions of the leaf (0: none) on the two sides, for Fill::sides and Fill::solids.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -49,6 +50,10 @@ class Soup {
                     std::uint32_t patch, std::uint32_t front = 0, std::uint32_t back = 0);
   SourceId add_triangle(LeafId leaf, PointId a, PointId b, PointId c, std::uint32_t leaf_face, std::uint32_t patch,
                         std::uint32_t front = 0, std::uint32_t back = 0);
+  /// Says on which plane the last face lies: the one through three points of the soup that are not collinear, seen
+  /// counter-clockwise from its front. For a face cut out of an input face, which keeps the plane of that: its own
+  /// corners may be constructed points, and a plane through these has longer numbers. Nobody checks the corners.
+  void set_plane(const std::array<PointId, 3>& points);
   /// A wire from a to b; `leaf_edge` numbers the leaf's curves (the pieces of one tessellated curve share one).
   WireId add_wire(LeafId leaf, PointId a, PointId b, std::uint32_t leaf_edge);
   /// An isolated vertex of the leaf.
@@ -59,6 +64,11 @@ class Soup {
   /// Says which curved surfaces the patches of the last leaf lie on, by numbers from 1 that mean the same in all
   /// leaves; 0: none is known.
   void number_surfaces(const std::function<std::uint32_t(std::uint32_t patch)>& surface_of);
+
+  /// Puts the faces and the points in another order, in which cells are numbered: face `order[i]` becomes face i,
+  /// and so do points.
+  void reorder_faces(std::span<const SourceId> order);
+  void reorder_points(std::span<const PointId> order);
 
   /// Declares a leaf as the frame: a closed convex box, oriented outward, that cuts off what is unbounded. Points
   /// of other leaves are strictly inside, except where faces of unbounded leaves are cut off on it. Cells on and
@@ -90,6 +100,8 @@ class Soup {
   std::span<const PointId> corners(SourceId f) const {
     return {corners_.data() + offsets_[f.index()], corners_.data() + offsets_[f.index() + 1]};
   }
+  /// The plane that was said of a face; nullptr: it is that of its corners.
+  const std::array<PointId, 3>* plane(SourceId f) const;
   std::span<const Wire> wires() const { return wires_; }
   std::span<const Isolated> isolated() const { return isolated_; }
   std::span<const Isolated> curve_ends() const { return curve_ends_; }
@@ -107,6 +119,7 @@ class Soup {
   std::vector<Face> faces_;
   std::vector<std::uint32_t> offsets_{0};
   std::vector<PointId> corners_;
+  std::vector<std::pair<SourceId, std::array<PointId, 3>>> planes_;  // sorted by face
   std::vector<Wire> wires_;
   std::vector<Isolated> isolated_, curve_ends_;
   LeafId frame_;

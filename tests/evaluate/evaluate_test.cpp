@@ -29,6 +29,7 @@ Run run(const std::string& nodes, const std::string& result, std::vector<std::st
       {}};
   EvaluateOptions options;
   options.validate = true;
+  options.region_volumes = true;
   for (const std::string& name : others) options.nodes.push_back(r.tree.find(name));
   r.evaluation = evaluate(r.tree, options);
   return r;

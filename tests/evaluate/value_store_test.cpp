@@ -28,7 +28,11 @@ result: top
 /// All values put, as a leaf or an operator would.
 struct Filled {
   explicit Filled(std::vector<std::string> roots, bool keep_all = false)
-      : unfolding(unfold(tree(), ids(roots))), values(unfolding, keep_all) {
+      : unfolding(unfold(tree(), ids(roots))), values(unfolding.instances.size(), keep_all) {
+    for (const Instance& instance : unfolding.instances) {
+      for (const InstanceId operand : instance.operands) values.add_use(operand);
+    }
+    for (const InstanceId root : unfolding.roots) values.add_use(root);
     for (const InstanceId i : IdRange<InstanceId>(unfolding.instances.size())) {
       CHECK_FALSE(values.has(i));
       values.put(i, NodeValue());
@@ -47,7 +51,7 @@ struct Filled {
   }
   bool has(const std::string& name) const { return values.has(at(name)); }
   bool lives(const std::string& name) const { return !seen[at(name)].expired(); }
-  void run(const std::string& user) { values.release_operands(at(user)); }
+  void run(const std::string& user) { values.release(unfolding.instances[at(user)].operands); }
 
   Unfolding unfolding;
   ValueStore values;

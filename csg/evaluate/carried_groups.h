@@ -1,0 +1,149 @@
+// Values that were evaluated on complexes of their own and go on in another one.
+//
+// A section of a tree (sections.h) is refined by itself. What of its value its users may see is *carried* into
+// their refinement: the faces that stayed, the walls between 3-cells that came from different leaves, wires and
+// points. Everything that the section has removed stays behind, and so does every cut that only removed cells
+// made. That is what makes a section worth its while.
+//
+// To take the value as a solid with new faces would be simpler, and wrong in two ways. Its corners are constructed
+// points, and planes through these would have numbers that grow from section to section: so each face keeps the
+// plane of the input face that it is a piece of. And results tell which faces of which leaves they are made of: so
+// each carried cell knows what it came from, and once the next complex is built its cells are told
+// (kernel/complex/draft.h). Above it nobody can see that a value was carried.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "csg/leaves/surface_parameters.h"
+#include "csg/operators/group.h"
+#include "kernel/complex/draft.h"
+
+namespace cnrg {
+
+/// Of a point or vertex, its place among the points that a leaf has added; without a leaf it was constructed, and
+/// the place says in which order.
+using PointPlace = std::pair<LeafId, std::uint32_t>;
+
+class CarriedGroup {
+ public:
+  /// `places` and, by vertex, `points`: of `complex`, whose leaves have the same numbers where the group goes.
+  CarriedGroup(const Complex& complex, const Group& group, const LeafPlaces& places,
+               const IdVector<VertexId, PointPlace>& points);
+
+  /// One leaf whose labels are classes of 3-cells, to be added to a soup as it is.
+  const std::shared_ptr<const PreparedLeaf>& leaf() const { return leaf_; }
+
+ private:
+  friend class CarriedGroups;
+  using Index = std::uint32_t;
+  static constexpr Index kNone = 0xffffffffu;
+  class Maker;
+
+  /// Of a soup face of an input leaf: its attributes, by the numbers of leaves where the group goes, and its
+  /// place.
+  struct Source {
+    Soup::Face face;
+    Index place;
+  };
+  struct Wire {
+    Soup::Wire wire;
+    Index place;
+  };
+  /// The sides of input faces and the wires that cover an edge.
+  struct Segment {
+    std::vector<Index> sources, wires;
+  };
+  struct Face {
+    Index cover;       ///< place in `covers_`
+    LeafSetId origin;  ///< none(): it is no entity
+    Index gone;        ///< place in `gone_`
+  };
+  struct Edge {
+    std::array<Index, 2> ends;  ///< points
+    Index segments;             ///< place in `segments_of_`
+    LeafSetId origin;
+    bool feature;
+    Index gone;
+  };
+  struct Vertex {
+    Index point;
+    LeafSetId origin;
+    bool feature;
+    Index gone;
+    std::vector<LeafId> isolated, curve_ends;
+  };
+  struct Class {
+    std::uint32_t region;  ///< of the group
+    std::vector<Label> labels;
+  };
+
+  std::shared_ptr<const PreparedLeaf> leaf_;
+  std::vector<PointPlace> points_;                           // by point of the leaf
+  std::vector<Face> faces_;                                  // by leaf_face
+  std::vector<std::vector<std::pair<Index, bool>>> covers_;  // sources, each on the front of the face or not
+  std::vector<Edge> edges_;
+  std::vector<std::vector<Index>> segments_of_;  // distinct lists
+  std::vector<Vertex> vertices_;
+  std::vector<Class> classes_;  // by label - 1
+  std::vector<Source> sources_;
+  std::vector<Wire> wires_;
+  std::vector<Segment> segments_;
+  std::vector<std::vector<LeafCell>> gone_;  // distinct lists of leaves' cells that held a cell and were removed
+  std::vector<RegionAttributes> regions_;
+  Rational dominance_;
+  LeafSets sets_;
+};
+
+/// The groups that are carried into one complex. Their leaves are the last ones of its soup, in their order.
+class CarriedGroups {
+ public:
+  explicit CarriedGroups(std::vector<CarriedGroup> groups) : groups_(std::move(groups)) {}
+  bool empty() const { return groups_.empty(); }
+  const std::vector<CarriedGroup>& groups() const { return groups_; }
+
+  /// Puts faces and points of a soup whose last leaves are these groups in the order that they would have if all
+  /// had been refined together: results tell it, as in the numbers of regions. Of an empty list of groups it only
+  /// looks where points come from.
+  void put_in_order(Soup& soup);
+  /// After `put_in_order`: where the vertices of the new complex came from; `vertex_of` as RefineReport has it.
+  IdVector<VertexId, PointPlace> points(const Complex& complex, const std::vector<VertexId>& vertex_of) const;
+  /// After `put_in_order`: the values on the new complex.
+  std::vector<Group> on(const Complex& complex, const std::vector<VertexId>& vertex_of);
+  /// After `on`: what the cells of the complex come from. `places` become those of the new sources.
+  /// `surfaces` as `make_soup` has it: patches that it gives no number, and are curved, get one each.
+  ComplexSources sources(const Complex& complex, std::span<const std::vector<std::uint32_t>> surfaces,
+                         LeafPlaces& places) const;
+
+ private:
+  using Index = CarriedGroup::Index;
+  static constexpr Index kNone = CarriedGroup::kNone;
+  /// The carried cell of a group of which a cell of the complex is a piece.
+  struct Piece {
+    Index group;
+    int dimension;
+    Index index;
+    friend auto operator<=>(const Piece&, const Piece&) = default;
+  };
+  std::vector<CarriedGroup> groups_;
+  LeafId first_;                      // the leaf of the first group
+  std::vector<PointPlace> of_point_;  // by PointId of the soup
+  std::vector<PointId> moved_;        // by point of the soup before it was put in order
+  Csr<EdgeId, Piece> edges_;
+  IdVector<VertexId, std::uint32_t> place_;  // of a vertex in `vertices_`
+  Csr<Id<struct PlaceTag>, Piece> vertices_;
+
+  std::vector<SourceId> order_of_faces(const Soup& soup) const;
+  void match(const Complex& complex, const std::vector<VertexId>& vertex_of);
+  Index group_of(LeafId leaf) const { return leaf < first_ ? kNone : leaf.value() - first_.value(); }
+  template <class See>
+  void for_each_piece(const Complex& complex, FaceId f, const See& see) const;
+  LeafSetId origin(const Piece& piece) const;
+  const std::vector<LeafCell>& gone(const Piece& piece) const;
+  std::vector<LeafCell> gone(std::span<const Piece> pieces) const;
+};
+
+}  // namespace cnrg

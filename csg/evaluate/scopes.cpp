@@ -1,0 +1,353 @@
+#include "csg/evaluate/scopes.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <utility>
+
+#include "csg/evaluate/diagnostics.h"
+#include "csg/evaluate/leaf_values.h"
+#include "csg/evaluate/rows.h"
+#include "csg/evaluate/simplified_value.h"
+#include "csg/leaves/geometry_leaf.h"
+#include "kernel/base/sorted.h"
+
+namespace cnrg {
+namespace {
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void append(std::vector<Diagnostic>& all, std::vector<Diagnostic> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+void add(RefineReport& sum, const RefineReport& more) {
+  sum.candidates += more.candidates;
+  for (std::size_t k = 0; k < sum.contacts.size(); ++k) sum.contacts[k] += more.contacts[k];
+  sum.constructed += more.constructed;
+  sum.stages.filter += more.stages.filter;
+  sum.stages.interval += more.stages.interval;
+  sum.stages.exact += more.stages.exact;
+}
+
+/// The leaves below operands, one instance after the other. Along a chain of nodes with one operand each they are
+/// the same: to list them anew at each node would cost the square of its length.
+class LeavesBelow {
+ public:
+  LeavesBelow(const PreparedLeaves& leaves, const Unfolding& unfolding) : leaves_(leaves), unfolding_(unfolding) {}
+  /// Those that the operator of `node` wants to know of its operand `id`.
+  std::shared_ptr<const std::vector<LeafId>> wanted_by(const Node& node, InstanceId id, bool first_operand) {
+    const auto nodes = leaves_wanted(node, first_operand);
+    if (!nodes) return nullptr;
+    if (nodes->empty()) return of(id);
+    return std::make_shared<const std::vector<LeafId>>(leaves_.below(unfolding_, id, *nodes));
+  }
+
+ private:
+  std::shared_ptr<const std::vector<LeafId>> of(InstanceId id) {
+    const std::vector<InstanceId>& operands = unfolding_.instances[id].operands;
+    if (!known_ || (last_ != id && (operands.size() != 1 || operands[0] != last_)))
+      known_ = std::make_shared<const std::vector<LeafId>>(leaves_.below(unfolding_, id));
+    last_ = id;
+    return known_;
+  }
+
+  const PreparedLeaves& leaves_;
+  const Unfolding& unfolding_;
+  InstanceId last_;
+  std::shared_ptr<const std::vector<LeafId>> known_;  // those below `last_`
+};
+
+class Scopes {
+ public:
+  Scopes(const ScopeContext& context, Sections sections)
+      : x_(context),
+        tree_(context.tree),
+        instances_(context.unfolding.instances),
+        sections_(sections.roots.begin(), sections.roots.end()),
+        steps_(sections.steps.begin(), sections.steps.end()),
+        rows_(instances_.size()),
+        told_(instances_.size()),
+        below_(context.leaves, context.unfolding) {}
+
+  ScopeResult run() {
+    Scope top = evaluate(x_.unfolding.roots, {}, true);
+    std::vector<Diagnostic> diagnostics = std::move(dropped_);
+    std::vector<NodeRow> rows;
+    for (const InstanceId id : IdRange<InstanceId>(instances_.size())) {
+      rows.push_back(std::move(*rows_[id]));
+      append(diagnostics, std::move(told_[id]));
+    }
+    return {std::move(top.complex), std::move(top.places), std::move(report_), refine_seconds_,
+            std::move(top.values),  std::move(of_result_), std::move(rows),    std::move(diagnostics)};
+  }
+
+ private:
+  struct Scope {
+    std::vector<InstanceId> here;  // whose values are made here, operands before users
+    std::shared_ptr<const Complex> complex;
+    std::optional<LeafPlaces> places;
+    IdVector<VertexId, PointPlace> points;  // if it is carried on
+    ValueStore values;
+    std::map<InstanceId, NodeValue> first;  // of instances in steps: the value of their first operands
+  };
+
+  const ScopeContext& x_;
+  const Tree& tree_;
+  const IdVector<InstanceId, Instance>& instances_;
+  const std::set<InstanceId> sections_;
+  std::set<InstanceId> steps_;
+  IdVector<InstanceId, std::optional<NodeRow>> rows_;
+  IdVector<InstanceId, std::vector<Diagnostic>> told_;
+  std::vector<Diagnostic> dropped_;
+  std::set<std::string> dropped_texts_;
+  std::map<InstanceId, Removals> removed_in_steps_;
+  LeavesBelow below_;
+  RefineReport report_;
+  double refine_seconds_ = 0;
+  std::optional<SimplifiedComplex> of_result_;
+
+  /// The operands that an instance takes here: of one in steps the last one alone.
+  std::span<const InstanceId> operands_here(InstanceId id) const {
+    const std::span<const InstanceId> all = instances_[id].operands;
+    return steps_.count(id) != 0 ? all.last(1) : all;
+  }
+
+  /// Below some roots, which are none themselves: the sections and the instances whose values are made there.
+  void list(std::span<const InstanceId> roots, std::vector<InstanceId>& here,
+            std::vector<InstanceId>& sections) const {
+    const std::set<InstanceId> whole(roots.begin(), roots.end());
+    std::set<InstanceId> seen = whole;
+    std::vector<InstanceId> stack(roots.begin(), roots.end());
+    while (!stack.empty()) {
+      const InstanceId id = stack.back();
+      stack.pop_back();
+      if (whole.count(id) == 0 && sections_.count(id) != 0) {
+        sections.push_back(id);
+        continue;
+      }
+      here.push_back(id);
+      for (const InstanceId operand : operands_here(id)) {
+        if (seen.insert(operand).second) stack.push_back(operand);
+      }
+    }
+    sort_unique(here), sort_unique(sections);
+  }
+
+  /// All that is needed for the values of `roots`; `first`: operands of theirs that came by steps. The values of
+  /// operators are made by who asks, but for `all`.
+  Scope evaluate(std::span<const InstanceId> roots, std::vector<std::pair<InstanceId, CarriedGroup>> first,
+                 bool top) {
+    Scope scope{{}, nullptr, std::nullopt, {}, ValueStore(instances_.size(), x_.options.keep_all), {}};
+    std::vector<InstanceId> sections;
+    list(roots, scope.here, sections);
+    std::vector<CarriedGroup> carried;
+    std::vector<InstanceId> of;  // by carried group
+    for (const InstanceId id : scope.here) {
+      if (steps_.count(id) == 0) continue;
+      std::optional<CarriedGroup> value = first_of(id);
+      if (!value) {  // it must be formed at once: nothing of this scope has begun
+        steps_.erase(id);
+        return evaluate(roots, std::move(first), top);
+      }
+      first.emplace_back(id, std::move(*value));
+    }
+    for (const InstanceId id : sections) {
+      Scope section = evaluate(std::span(&id, 1), {}, false);
+      carried.emplace_back(*section.complex, section.values[id].group(), places_of(section), section.points);
+      of.push_back(id);
+    }
+    const std::size_t whole = carried.size();
+    for (auto& [id, value] : first) {
+      carried.push_back(std::move(value));
+      of.push_back(id);
+    }
+    refine(scope, CarriedGroups(std::move(carried)), of, whole, top);
+    for (const InstanceId id : scope.here) {
+      for (const InstanceId operand : operands_here(id)) scope.values.add_use(operand);
+    }
+    for (const InstanceId root : roots) scope.values.add_use(root);
+    if (x_.options.rows) prepare_totals(*scope.complex, scope.values);
+    make_values(scope, roots, top);
+    return scope;
+  }
+
+  static const LeafPlaces& places_of(Scope& scope) {
+    if (!scope.places) scope.places.emplace(*scope.complex);
+    return *scope.places;
+  }
+
+  /// The leaves of a scope and what is carried into it; then the values of both.
+  void refine(Scope& scope, CarriedGroups carried, const std::vector<InstanceId>& of, std::size_t whole,
+              bool top) {
+    const Stopwatch stopwatch;
+    RefineReport report;
+    x_.leaves.locate_errors([&] {
+      static const auto kAbsent = [] {
+        Soup none;
+        none.add_leaf(Fill::none);
+        return std::make_shared<const GeometryLeaf>(std::move(none), std::vector<Attributes>());
+      }();
+      std::vector<LeafInstance> instances(x_.placed.size(), LeafInstance{kAbsent, {}});
+      for (const InstanceId id : scope.here) {
+        if (const LeafId leaf = x_.leaves.leaf_of(id); leaf.valid())
+          instances[leaf.index()] = x_.placed[leaf.index()];
+      }
+      for (const CarriedGroup& group : carried.groups()) instances.push_back({group.leaf(), {}});
+      Soup soup = make_soup(instances, x_.options.reach, surfaces(instances.size()));
+      if (!sections_.empty() || !steps_.empty()) carried.put_in_order(soup);
+      x_.options.watch.check();
+      RefineOptions options;
+      options.threads = x_.options.threads;
+      options.watch = x_.options.watch;
+      if (!top) options.watch.progress = {};
+      options.vertices = !sections_.empty() || !steps_.empty();
+      ComplexDraft draft(soup, options, &report);
+      put_leaf_values(tree_, x_.unfolding, scope.here, x_.leaves, x_.grades, *draft, scope.values);
+      if (!top) scope.points = carried.points(*draft, report.vertex_of);
+      if (!carried.empty()) {
+        std::vector<Group> groups = carried.on(*draft, report.vertex_of);
+        scope.places.emplace(*draft);
+        draft.set_sources(carried.sources(*draft, x_.surfaces, *scope.places));
+        for (std::size_t i = 0; i < groups.size(); ++i) {
+          NodeValue value(*draft, std::move(groups[i]));
+          if (i < whole) scope.values.put(of[i], std::move(value));
+          else scope.first.emplace(of[i], std::move(value));
+        }
+      }
+      scope.complex = draft.finish();
+    });
+    for (Diagnostic& dropped : dropped_faces(tree_, x_.leaves, *scope.complex, report)) {
+      if (dropped_texts_.insert(dropped.message).second) dropped_.push_back(std::move(dropped));
+    }
+    add(report_, report);
+    refine_seconds_ += stopwatch.seconds();
+  }
+
+  std::vector<std::vector<std::uint32_t>> surfaces(std::size_t leaves) const {
+    std::vector<std::vector<std::uint32_t>> all = x_.surfaces;
+    if (!all.empty()) all.resize(leaves);
+    return all;
+  }
+
+  std::vector<Operand> operands_of(Scope& scope, InstanceId id) {
+    const Instance& instance = instances_[id];
+    const Node& node = tree_.nodes[instance.node];
+    std::vector<Operand> operands;
+    if (const auto first = scope.first.find(id); first != scope.first.end())
+      operands.push_back({&first->second, node.name, &first->second, nullptr});
+    for (const InstanceId operand : operands_here(id)) {
+      NodeValue* const value = &scope.values[operand];
+      operands.push_back({value, tree_.nodes[instances_[operand].node].name,
+                          scope.values.expendable(operand) ? value : nullptr,
+                          below_.wanted_by(node, operand, operands.empty())});
+    }
+    return operands;
+  }
+
+  /// The operator of an inner instance on its operands' values; faults of the input come at the operator's place.
+  Outcome run_operator(Scope& scope, InstanceId id) {
+    const Instance& instance = instances_[id];
+    const Node& node = tree_.nodes[instance.node];
+    try {
+      return operate(*scope.complex, node, x_.grades.on(instance, node.material), operands_of(scope, id),
+                     x_.options.validate, x_.grades.placement(instance));
+    } catch (const InputError& e) {
+      throw TreeError(tree_.file, node.operator_at, e.what());
+    }
+  }
+
+  void make_values(Scope& scope, std::span<const InstanceId> roots, bool top) {
+    const Complex& complex = *scope.complex;
+    std::optional<Steps> steps;
+    if (top) steps.emplace(x_.options.watch, "nodes", scope.here.size());
+    for (const InstanceId id : scope.here) {
+      const NodeId node = instances_[id].node;
+      NodeRow row = row_of(tree_, x_.unfolding, id);
+      std::vector<AttributeConflict> conflicts;
+      if (!scope.values.has(id)) {
+        const Stopwatch stopwatch;
+        Outcome outcome = run_operator(scope, id);
+        row.seconds = stopwatch.seconds();
+        row.removals = std::move(removed_in_steps_[id]);
+        row.removals.add(outcome.removals);
+        conflicts = std::move(outcome.conflicts);
+        scope.values.put(id, std::move(outcome.value));
+        scope.first.erase(id);
+      }
+      const NodeValue& value = scope.values[id];
+      if (!rows_[id]) {
+        SimplifiedValue simplified(complex, value);
+        append(told_[id], material_conflicts(tree_, tree_.nodes[node], value, conflicts, simplified));
+        append(told_[id], empty_selection(tree_, node, value));
+        const bool is_root = top && std::find(roots.begin(), roots.end(), id) != roots.end();
+        if (x_.options.rows || is_root) {
+          // The result is simplified for its files in any case, so that is no part of the time of its row.
+          const bool last = node == tree_.result && is_root && scope.values.used_once_more(id) && !x_.options.raw;
+          if (last) simplified.get();
+          const Stopwatch stopwatch;
+          fill_totals(complex, scope.values[id], x_.options.region_volumes, last ? &simplified : nullptr, row);
+          row.totals_seconds = stopwatch.seconds();
+          if (last) of_result_ = std::move(simplified.get());
+        }
+        rows_[id] = std::move(row);
+      }
+      scope.values.release(operands_here(id));
+      if (steps) steps->step();
+      else x_.options.watch.check();
+    }
+  }
+
+  /// All operands of an instance but the last one, folded from left to right, each step in a scope of its own.
+  /// Nothing if materials met there, since who keeps which is told in cells of the whole.
+  std::optional<CarriedGroup> first_of(InstanceId id) {
+    const std::vector<InstanceId>& all = instances_[id].operands;
+    const Node& node = tree_.nodes[instances_[id].node];
+    std::optional<CarriedGroup> value;
+    Removals removals;
+    for (std::size_t k = value ? 1 : 2; k < all.size(); ++k) {
+      std::vector<InstanceId> roots(all.begin() + (k == 2 ? 0 : static_cast<std::ptrdiff_t>(k) - 1),
+                                    all.begin() + static_cast<std::ptrdiff_t>(k));
+      std::vector<std::pair<InstanceId, CarriedGroup>> first;
+      if (value) first.emplace_back(id, std::move(*value));
+      const std::vector<InstanceId> distinct = unique(roots);
+      Scope scope = evaluate(distinct, std::move(first), false);
+      std::vector<Operand> operands;
+      if (k > 2) operands.push_back({&scope.first.at(id), node.name, &scope.first.at(id), nullptr});
+      for (const InstanceId operand : roots)
+        operands.push_back({&scope.values[operand], tree_.nodes[instances_[operand].node].name, nullptr, nullptr});
+      Outcome outcome = [&] {
+        try {
+          return first_steps(*scope.complex, node, operands);
+        } catch (const InputError& e) {
+          throw TreeError(tree_.file, node.operator_at, e.what());
+        }
+      }();
+      if (!outcome.conflicts.empty()) return std::nullopt;
+      removals.add(outcome.removals);
+      value.emplace(*scope.complex, outcome.value.group(), places_of(scope), scope.points);
+    }
+    removed_in_steps_[id] = std::move(removals);
+    return value;
+  }
+  static std::vector<InstanceId> unique(std::vector<InstanceId> list) {
+    sort_unique(list);
+    return list;
+  }
+};
+
+}  // namespace
+
+ScopeResult evaluate_scopes(const ScopeContext& context, Sections sections) {
+  return Scopes(context, std::move(sections)).run();
+}
+
+}  // namespace cnrg

@@ -1,0 +1,51 @@
+// A *scope* is what is refined together: instances of a tree below some roots, down to the leaves or to sections
+// (sections.h), whose values are carried in. The whole tree is one, and each section.
+//
+// Scopes are evaluated from below: a section's complex is gone before the next scope is refined, all but what is
+// carried on.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "csg/evaluate/carried_groups.h"
+#include "csg/evaluate/evaluate.h"
+#include "csg/evaluate/grades.h"
+#include "csg/evaluate/operate.h"
+#include "csg/evaluate/prepared_leaves.h"
+#include "csg/evaluate/sections.h"
+#include "csg/evaluate/value_store.h"
+
+namespace cnrg {
+
+/// The tree as all scopes see it; what is referred to must outlive them.
+struct ScopeContext {
+  const Tree& tree;
+  const Unfolding& unfolding;
+  const PreparedLeaves& leaves;
+  const std::vector<LeafInstance>& placed;  ///< by LeafId: as they are refined (`weld`, common lines)
+  const std::vector<std::vector<std::uint32_t>>& surfaces;  ///< as `make_soup` has it
+  const EvaluateOptions& options;
+  Grades& grades;
+};
+
+/// What came of the whole tree.
+struct ScopeResult {
+  std::shared_ptr<const Complex> complex;
+  std::optional<LeafPlaces> places;  ///< of `complex`, if values were carried into it
+  RefineReport refine;               ///< sums over all scopes
+  double refine_seconds = 0;
+  ValueStore values;
+  std::optional<SimplifiedComplex> of_result;  ///< where it was made on the way
+  std::vector<NodeRow> rows;                   ///< of all instances, in their order
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// Evaluates all instances of the unfolding. `sections` may be empty.
+ScopeResult evaluate_scopes(const ScopeContext& context, Sections sections);
+
+}  // namespace cnrg

@@ -1,0 +1,176 @@
+// Sections and steps: which nodes are refined apart, what that saves, and that nothing else tells of it.
+#include "csg/evaluate/sections.h"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "csg/evaluate/evaluate.h"
+#include "csg/formats/result_file.h"
+#include "csg/operators/node_value.h"
+
+namespace cnrg {
+namespace {
+
+Tree tree_of(const std::string& nodes, const std::string& materials = "{}") {
+  return parse_tree("cnrg: 1\nmaterials: " + materials + "\nnodes:\n" + nodes + "result: r\n", "t.yaml");
+}
+
+Evaluation evaluated(const Tree& tree, Refining refining, std::vector<NodeId> nodes = {}) {
+  EvaluateOptions options;
+  options.refining = refining;
+  options.nodes = std::move(nodes);
+  return evaluate(tree, options);
+}
+
+std::string bytes_of(const Result& result, const std::string& ending) {
+  const std::string path = (std::filesystem::temp_directory_path() / ("evaluate_sections." + ending)).string();
+  write(path, result, FileOptions{true});
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  std::filesystem::remove(path);
+  return text.str();
+}
+
+/// Refined apart and together the result has the same files; returns both evaluations.
+std::pair<Evaluation, Evaluation> same(const Tree& tree) {
+  std::pair<Evaluation, Evaluation> both{evaluated(tree, Refining::apart), evaluated(tree, Refining::together)};
+  for (const char* ending : {"json", "vtu"})
+    CHECK(bytes_of(both.first.result(), ending) == bytes_of(both.second.result(), ending));
+  REQUIRE(both.first.rows.size() == both.second.rows.size());
+  for (std::size_t i = 0; i < both.first.rows.size(); ++i) {
+    const NodeRow &a = both.first.rows[i], &b = both.second.rows[i];
+    CHECK(a.name == b.name);
+    CHECK(a.cells == b.cells);
+    CHECK(a.regions == b.regions);
+    CHECK(a.total == b.total);
+  }
+  return both;
+}
+
+/// Balls around the corners of a grid that all reach far out of a box, each cut to it.
+std::string cut_balls(int count, int segments) {
+  std::string nodes = "  box: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n", all;
+  for (int i = 0; i < count; ++i) {
+    const std::string n = std::to_string(i);
+    nodes += "  ball" + n + ": {sphere: {center: [" + std::to_string(i % 3 - 1) + ", " +
+             std::to_string(i / 3 % 3) + ", \"" + n + "/7\"], radius: \"" + std::to_string(11 + i) +
+             "/8\", segments: " + std::to_string(segments) + "}}\n  cut" + n + ": {intersection: [ball" + n +
+             ", box]}\n";
+    all += (i == 0 ? "" : ", ") + ("cut" + n);
+  }
+  return nodes + "  r: {union: [" + all + "]}\n";
+}
+
+TEST_CASE("what dies before it meets others is refined apart, and meets nothing", "[sections]") {
+  const Tree tree = tree_of(cut_balls(9, 24));
+  const Evaluation chosen = evaluated(tree, Refining::chosen), together = evaluated(tree, Refining::together);
+  CHECK(bytes_of(chosen.result(), "json") == bytes_of(together.result(), "json"));
+  CHECK(chosen.complex->face_count() * 4 < together.complex->face_count());
+  CHECK(chosen.refine.contacts[0] * 2 < together.refine.contacts[0]);
+}
+
+TEST_CASE("where little dies all is refined together", "[sections]") {
+  std::string nodes = "  plate: {box: {min: [0, 0, 0], max: [20, 20, 1]}}\n", last = "plate";
+  for (int i = 0; i < 8; ++i) {
+    const std::string n = std::to_string(i), x = std::to_string(2 * i + 2);
+    nodes += "  drill" + n + ": {cylinder: {from: [" + x + ", 5, -1], to: [" + x +
+             ", 5, 2], radius: \"1/2\", segments: 64}}\n  d" + n + ": {difference: [" + last + ", drill" + n +
+             "]}\n";
+    last = "d" + n;
+  }
+  const Tree tree = tree_of(nodes + "  r: {simplify: " + last + "}\n");
+  const Evaluation chosen = evaluated(tree, Refining::chosen), together = evaluated(tree, Refining::together);
+  CHECK(chosen.complex->face_count() == together.complex->face_count());
+  CHECK(chosen.refine.candidates == together.refine.candidates);
+  same(tree);
+}
+
+TEST_CASE("an intersection of many is formed in steps, of which none meets what died before", "[sections]") {
+  std::string all;
+  for (int i = 0; i < 12; ++i) {
+    all += (i == 0 ? "" : ", ") + std::string("{sphere: {center: [\"") + std::to_string(i) + "/5\", \"" +
+           std::to_string(i * i % 7) + "/9\", 0], radius: \"3/2\", segments: 20}}";
+  }
+  const Tree tree = tree_of("  r: {intersection: [" + all + "]}\n");
+  const auto [apart, together] = same(tree);
+  CHECK(apart.complex->face_count() * 4 < together.complex->face_count());
+}
+
+TEST_CASE("sheets, wires, points and what is said of them are carried", "[sections]") {
+  const Tree tree = tree_of(R"(  rock: {box: {min: [0, 0, 0], max: [6, 6, 6]}, material: rock}
+  ore: {box: {min: [2, 2, 2], max: [4, 4, 8]}, material: ore, dominance: 2}
+  fault: {polygon: [[1, -1, -1], [1, 7, -1], [5, 7, 7], [5, -1, 7]], name: fault, attributes: {aperture: 2}}
+  bolt: {polyline: [[3, 3, -2], [3, 3, 3], [3, 5, 5], [9, 5, 5]], material: steel, attributes: {diameter: 25}}
+  ends: {points: [[3, 3, 3], [1, 1, 1], [9, 9, 9]], name: gauge}
+  ground: {union: [rock, ore]}
+  cracked: {union: [fault, bolt, ends], dominance: equal}
+  inside: {intersection: [cracked, ground]}
+  model: {union: [ground, inside], dominance: right}
+  shaft: {cylinder: {from: [2, 3, -1], to: [2, 3, 7], radius: 1, segments: 12}}
+  dug: {difference: [model, shaft]}
+  lid: {box: {min: [-1, -1, 5], max: [7, 7, 7]}}
+  cut: {intersection: [dug, lid]}
+  r: {union: [cut, {difference: [dug, lid]}]}
+)",
+                            "{rock: {}, ore: {dominance: 3}, steel: {}}");
+  same(tree);
+}
+
+TEST_CASE("faces keep their planes however often they are carried", "[sections]") {
+  // Oblique cuts of cuts: were planes made of constructed corners, their numbers would double at each level.
+  std::string nodes = "  d0: {sphere: {center: [0, 0, 0], radius: 4, segments: 9}}\n";
+  for (int i = 1; i <= 8; ++i) {
+    const std::string n = std::to_string(i);
+    nodes += "  k" + n + ": {box: {min: [-4, -4, -4], max: [4, 4, 3]}, rotate: {axis: [" +
+             std::to_string(i % 3 + 1) + ", " + std::to_string(i % 4 - 2) +
+             ", 1], degrees: " + std::to_string(17 * i) + "}}\n  d" + n + ": {intersection: [d" +
+             std::to_string(i - 1) + ", k" + n + "]}\n";
+  }
+  const auto [apart, together] = same(tree_of(nodes + "  r: {simplify: d8}\n"));
+  std::size_t most = 0, before = 0;
+  const auto longest = [](const Complex& complex) {
+    std::size_t bits = 0;
+    for (const VertexId v : complex.vertices)
+      bits = std::max(bits, mpz_sizeinbase(complex.points.exact(v).w.get_mpz_t(), 2));
+    return bits;
+  };
+  most = longest(*apart.complex), before = longest(*together.complex);
+  CHECK(most <= before);
+}
+
+TEST_CASE("a node that was asked for is on the complex of the result", "[sections]") {
+  const Tree tree = tree_of(cut_balls(4, 12));
+  const Evaluation asked = evaluated(tree, Refining::apart, {tree.find("cut2")});
+  const Evaluation together = evaluated(tree, Refining::together, {tree.find("cut2")});
+  CHECK(bytes_of(asked.result("cut2"), "json") == bytes_of(together.result("cut2"), "json"));
+  CHECK(bytes_of(asked.result(), "json") == bytes_of(together.result(), "json"));
+}
+
+TEST_CASE("an intersection in which materials conflict is formed at once", "[sections]") {
+  const Tree tree = tree_of(R"(  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}, material: rock}
+  b: {box: {min: [1, 1, 1], max: [5, 5, 5]}, material: sand}
+  c: {box: {min: [2, 0, 2], max: [6, 6, 6]}, material: ore}
+  r: {intersection: [a, b, c], dominance: equal}
+)",
+                            "{rock: {}, sand: {}, ore: {}}");
+  const auto [apart, together] = same(tree);
+  REQUIRE(apart.diagnostics.size() == together.diagnostics.size());
+  for (std::size_t i = 0; i < apart.diagnostics.size(); ++i)
+    CHECK(apart.diagnostics[i].message == together.diagnostics[i].message);
+}
+
+TEST_CASE("leaves that have several regions, or none that is bounded, are refined together", "[sections]") {
+  const Tree half = tree_of(R"(  a: {box: {min: [0, 0, 0], max: [4, 4, 4]}}
+  b: {halfspace: {point: [1, 1, 1], normal: [1, 2, 3]}}
+  c: {box: {min: [2, 0, 2], max: [6, 6, 6]}}
+  r: {union: [{intersection: [a, b]}, c]}
+)");
+  const auto [apart, together] = same(half);
+  CHECK(apart.complex->face_count() == together.complex->face_count());
+}
+
+}  // namespace
+}  // namespace cnrg
