@@ -19,14 +19,6 @@
 namespace cnrg {
 namespace {
 
-BooleanOp boolean_op(Operator op) {
-  switch (op) {
-    case Operator::unite: return BooleanOp::unite;
-    case Operator::intersect: return BooleanOp::intersect;
-    default: return BooleanOp::subtract;
-  }
-}
-
 std::optional<Dominance> stated_dominance(const Node& node) {
   if (!node.dominant) return std::nullopt;
   switch (*node.dominant) {
@@ -36,12 +28,29 @@ std::optional<Dominance> stated_dominance(const Node& node) {
   }
 }
 
-/// The dominance that the node states; if it states none, the operand with the greater number dominates.
+}  // namespace
+
+BooleanOp boolean_op(Operator op) {
+  switch (op) {
+    case Operator::unite: return BooleanOp::unite;
+    case Operator::intersect: return BooleanOp::intersect;
+    default: return BooleanOp::subtract;
+  }
+}
+
 Dominance dominance_of(const Node& node, const PartedGroup& a, const PartedGroup& b) {
   if (const auto stated = stated_dominance(node)) return *stated;
   if (a.dominance == b.dominance) return Dominance::equal;
   return a.dominance > b.dominance ? Dominance::left : Dominance::right;
 }
+
+StepRule rule_of(const Node& node, Dominance dominance, const PartedGroup& a, const PartedGroup& b) {
+  if (node.blend) return StepRule::blend;
+  const bool open = node.op != Operator::subtract && dominance == Dominance::equal && !stated_dominance(node);
+  return open && (a.ranked || b.ranked) ? StepRule::materials : StepRule::operands;
+}
+
+namespace {
 
 void require_identity(const Node& node, const std::string& violation) {
   if (!violation.empty()) throw InvariantError("`" + node.name + "`: " + violation);
@@ -63,13 +72,6 @@ PartedGroup group_operand(const Complex& complex, const Node& node, const Operan
                      (operand.name.find('/') == std::string::npos ? operand.name : "{...}") + "}");
   }
   return parted(complex, group_of(complex, value.components()));
-}
-
-/// Who decides in a step whose operands are `a` and `b`.
-StepRule rule_of(const Node& node, Dominance dominance, const PartedGroup& a, const PartedGroup& b) {
-  if (node.blend) return StepRule::blend;
-  const bool open = node.op != Operator::subtract && dominance == Dominance::equal && !stated_dominance(node);
-  return open && (a.ranked || b.ranked) ? StepRule::materials : StepRule::operands;
 }
 
 /// One step of a Boolean node.

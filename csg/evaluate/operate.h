@@ -46,12 +46,19 @@ Outcome operate(const Complex& complex, const Node& node, const RegionMaterial& 
 /// The first operands of an intersection as one: the fold of these alone, without the node's attributes.
 Outcome first_steps(const Complex& complex, const Node& node, std::span<const Operand> operands);
 
+BooleanOp boolean_op(Operator op);
+/// The dominance that the node states for a step; if it states none, the operand with the greater number
+/// dominates.
+Dominance dominance_of(const Node& node, const PartedGroup& a, const PartedGroup& b);
+
 /// Who decides about the entities of a step.
 enum class StepRule : std::uint8_t {
   operands,   ///< one dominance for all of them
   materials,  ///< those of the regions around each (csg/operators/material_levels.h)
   blend,      ///< nobody: all stay (csg/operators/blend.h)
 };
+
+StepRule rule_of(const Node& node, Dominance dominance, const PartedGroup& a, const PartedGroup& b);
 
 /// One step of the fold ((a op b) op c) of a Boolean node, before the node's attributes.
 struct BooleanStep {

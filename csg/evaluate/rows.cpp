@@ -23,14 +23,7 @@ void add_region(const std::optional<Rational>& volume, NodeRow& row) {
 }
 
 void fill_group(const Complex& complex, NodeValue& value, SimplifiedValue* simplified, NodeRow& row) {
-  if (simplified == nullptr) {
-    const Totals& totals = totals_of(complex, value.parts());
-    row.raw_cells = totals.raw;
-    row.cells = totals.simplified;
-    row.regions = totals.regions;
-    row.total = totals.volume();
-    return;
-  }
+  if (simplified == nullptr) return fill_totals(totals_of(complex, value.parts()), row);
   row.raw_cells = raw_counts(simplified->selection());
   row.cells = active_counts(simplified->get());
   row.total = Rational(0);
@@ -79,6 +72,13 @@ NodeRow row_of(const Tree& tree, const Unfolding& unfolding, InstanceId id) {
   row.name = unfolding.count[instance.node] == 1 ? node.name : node.name + "#" + std::to_string(instance.number);
   row.operator_name = node.operator_name;
   return row;
+}
+
+void fill_totals(const Totals& totals, NodeRow& row) {
+  row.raw_cells = totals.raw;
+  row.cells = totals.simplified;
+  row.regions = totals.regions;
+  row.total = totals.volume();
 }
 
 void fill_totals(const Complex& complex, NodeValue& value, bool region_volumes, SimplifiedValue* simplified,

@@ -1,8 +1,9 @@
 // The rows of an evaluation: an instance in numbers.
 //
 // Its totals (counts of cells, number and volume of its regions) are kept with the parts of a group (parts.h), so
-// that a chain of unions pays for each part once and not in every row. Only the result pays otherwise: its cells
-// are simplified for its files in any case, and counted there.
+// that a chain of unions pays for each part once and not in every row; the nodes of a chain that is one fold get
+// theirs from its steps (chains.h). Only the result pays otherwise: its cells are simplified for its files in any
+// case, and counted there.
 #pragma once
 
 #include "csg/evaluate/evaluate.h"
@@ -13,6 +14,9 @@ namespace cnrg {
 
 /// A row with node, name and operator and without numbers.
 NodeRow row_of(const Tree& tree, const Unfolding& unfolding, InstanceId id);
+
+/// Fills the totals of a row of a group.
+void fill_totals(const Totals& totals, NodeRow& row);
 
 /// Fills the totals of a row; `region_volumes`: also the volume and name of each region or component.
 /// `simplified`, of the same value, where it is at hand and no other node uses the value; else nullptr.

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "csg/evaluate/chains.h"
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/leaf_values.h"
 #include "csg/evaluate/rows.h"
@@ -14,6 +15,8 @@
 
 namespace cnrg {
 namespace {
+
+constexpr std::size_t kShortestChain = 3;
 
 class Stopwatch {
  public:
@@ -266,43 +269,122 @@ class Scopes {
   }
 
   void make_values(Scope& scope, std::span<const InstanceId> roots, bool top) {
-    const Complex& complex = *scope.complex;
     std::optional<Steps> steps;
     if (top) steps.emplace(x_.options.watch, "nodes", scope.here.size());
+    const std::map<InstanceId, std::vector<InstanceId>> chains = chains_in(scope);
+    std::set<InstanceId> later;  // nodes of chains but the last ones
+    for (const auto& [last, chain] : chains) later.insert(chain.begin(), chain.end() - 1);
     for (const InstanceId id : scope.here) {
-      const NodeId node = instances_[id].node;
-      NodeRow row = row_of(tree_, x_.unfolding, id);
-      std::vector<AttributeConflict> conflicts;
-      if (!scope.values.has(id)) {
-        const Stopwatch stopwatch;
-        Outcome outcome = run_operator(scope, id);
-        row.seconds = stopwatch.seconds();
-        row.removals = std::move(removed_in_steps_[id]);
-        row.removals.add(outcome.removals);
-        conflicts = std::move(outcome.conflicts);
-        scope.values.put(id, std::move(outcome.value));
-        scope.first.erase(id);
+      if (later.count(id) == 0) {
+        const auto chain = chains.find(id);
+        if (chain == chains.end()) make_value(scope, id, roots, top);
+        else make_chain(scope, chain->second, roots, top);
       }
+      if (steps) steps->step();
+      else x_.options.watch.check();
+    }
+  }
+
+  /// The value of an instance, if there is none yet, and its row.
+  void make_value(Scope& scope, InstanceId id, std::span<const InstanceId> roots, bool top) {
+    NodeRow row = row_of(tree_, x_.unfolding, id);
+    std::vector<AttributeConflict> conflicts;
+    if (!scope.values.has(id)) {
+      const Stopwatch stopwatch;
+      Outcome outcome = run_operator(scope, id);
+      row.seconds = stopwatch.seconds();
+      row.removals = std::move(removed_in_steps_[id]);
+      row.removals.add(outcome.removals);
+      conflicts = std::move(outcome.conflicts);
+      scope.values.put(id, std::move(outcome.value));
+      scope.first.erase(id);
+    }
+    finish(scope, id, std::move(row), conflicts, roots, top);
+  }
+
+  void finish(Scope& scope, InstanceId id, NodeRow row, const std::vector<AttributeConflict>& conflicts,
+              std::span<const InstanceId> roots, bool top) {
+    const NodeId node = row.node;
+    if (!rows_[id]) {
       const NodeValue& value = scope.values[id];
+      SimplifiedValue simplified(*scope.complex, value);
+      append(told_[id], material_conflicts(tree_, tree_.nodes[node], value, conflicts, simplified));
+      append(told_[id], empty_selection(tree_, node, value));
+      const bool is_root = top && std::find(roots.begin(), roots.end(), id) != roots.end();
+      if (x_.options.rows || is_root) {
+        // The result is simplified for its files in any case, so that is no part of the time of its row.
+        const bool last = node == tree_.result && is_root && scope.values.used_once_more(id) && !x_.options.raw;
+        if (last) simplified.get();
+        const Stopwatch stopwatch;
+        fill_totals(*scope.complex, scope.values[id], x_.options.region_volumes, last ? &simplified : nullptr,
+                    row);
+        row.totals_seconds = stopwatch.seconds();
+        if (last) of_result_ = std::move(simplified.get());
+      }
+      rows_[id] = std::move(row);
+    }
+    scope.values.release(operands_here(id));
+  }
+
+  /// The chains among the instances of a scope, each by its last one: nodes in their order. A value that is seen
+  /// has a use that is no first operand, or an option asks for it.
+  std::map<InstanceId, std::vector<InstanceId>> chains_in(Scope& scope) const {
+    std::map<InstanceId, std::vector<InstanceId>> chains;
+    if (x_.options.validate || x_.options.keep_all || x_.options.region_volumes) return chains;
+    const auto node_of = [&](InstanceId id) -> const Node& { return tree_.nodes[instances_[id].node]; };
+    for (const InstanceId id : scope.here) {
+      if (scope.values.has(id) || steps_.count(id) != 0 || !can_be_in_chain(node_of(id))) continue;
+      const InstanceId first = operands_here(id).front();
+      auto before = chains.find(first);
+      std::vector<InstanceId> chain;
+      if (before != chains.end() && node_of(first).op == node_of(id).op && can_be_followed(node_of(first)) &&
+          scope.values.used_once_more(first)) {
+        chain = std::move(before->second);
+        chains.erase(before);
+      }
+      chain.push_back(id);
+      chains.emplace(id, std::move(chain));
+    }
+    std::erase_if(chains, [](const auto& entry) { return entry.second.size() < kShortestChain; });
+    return chains;
+  }
+
+  void make_chain(Scope& scope, const std::vector<InstanceId>& chain, std::span<const InstanceId> roots,
+                  bool top) {
+    std::vector<ChainNode> nodes;
+    for (const InstanceId id : chain) {
+      ChainNode& node = nodes.emplace_back();
+      node.node = &tree_.nodes[instances_[id].node];
+      for (const InstanceId operand : operands_here(id)) {
+        if (scope.values.has(operand))
+          node.operands.push_back(
+              {&scope.values[operand], tree_.nodes[instances_[operand].node].name, nullptr, {}});
+      }
+    }
+    std::optional<ChainOutcome> outcome = evaluate_chain(*scope.complex, nodes, x_.options.rows);
+    if (!outcome) {
+      for (const InstanceId id : chain) make_value(scope, id, roots, top);
+      return;
+    }
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const InstanceId id = chain[i];
+      ChainStep& step = outcome->nodes[i];
+      NodeRow row = row_of(tree_, x_.unfolding, id);
+      row.seconds = step.seconds;
+      row.removals = std::move(step.removals);
+      if (id == chain.back()) {
+        NodeValue value(std::move(outcome->value));
+        apply_attributes(*scope.complex, *nodes[i].node, x_.grades.on(instances_[id], nodes[i].node->material),
+                         value);
+        scope.values.put(id, std::move(value));
+        finish(scope, id, std::move(row), {}, roots, top);
+        continue;
+      }
       if (!rows_[id]) {
-        SimplifiedValue simplified(complex, value);
-        append(told_[id], material_conflicts(tree_, tree_.nodes[node], value, conflicts, simplified));
-        append(told_[id], empty_selection(tree_, node, value));
-        const bool is_root = top && std::find(roots.begin(), roots.end(), id) != roots.end();
-        if (x_.options.rows || is_root) {
-          // The result is simplified for its files in any case, so that is no part of the time of its row.
-          const bool last = node == tree_.result && is_root && scope.values.used_once_more(id) && !x_.options.raw;
-          if (last) simplified.get();
-          const Stopwatch stopwatch;
-          fill_totals(complex, scope.values[id], x_.options.region_volumes, last ? &simplified : nullptr, row);
-          row.totals_seconds = stopwatch.seconds();
-          if (last) of_result_ = std::move(simplified.get());
-        }
+        if (step.totals) fill_totals(*step.totals, row);
         rows_[id] = std::move(row);
       }
       scope.values.release(operands_here(id));
-      if (steps) steps->step();
-      else x_.options.watch.check();
     }
   }
 

@@ -2,6 +2,7 @@
 #include "csg/operators/fold.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 
 #include "csg/operators/clusters.h"
@@ -12,19 +13,30 @@ namespace {
 
 using Parts = std::vector<PartRef>;
 
+// What the tally of a fold needs (tally.h).
+bool can_tally(const Complex& complex, const std::vector<PartedGroup>& operands) {
+  if (complex.frame.valid()) return false;
+  return std::all_of(operands.begin(), operands.end(), [](const PartedGroup& operand) {
+    return std::none_of(operand.parts.begin(), operand.parts.end(),
+                        [](const PartRef& part) { return part->group().origins.sets.says_anything(); });
+  });
+}
+
 class Fold {
  public:
   Fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
-       std::vector<PartedGroup> operands)
+       std::vector<PartedGroup> operands, bool tallies = false)
       : complex_(complex),
         op_(op),
         dominances_(dominances),
         operands_(std::move(operands)),
+        tallies_(tallies),
         busy_(operands_.size()),
         steps_(dominances.size()) {}
 
-  FoldResult run() {
-    FoldResult out;
+  /// The value; what the steps did is in `steps` then.
+  PartedGroup run() {
+    PartedGroup out;
     const std::vector<Cluster> clusters = find_clusters(op_, operands_);
     Parts made;
     for (const Cluster& cluster : clusters) {
@@ -33,12 +45,22 @@ class Fold {
     }
     take_out(clusters);
     for (std::uint32_t k = 0; k < operands_.size(); ++k) {
-      if (!stays(k)) drop(k);
+      const bool kept = stays(k);
+      if (tallies_ && kept != (k == 0)) {
+        for (const PartRef& part : operands_[k].parts) add(*part.get(), kept ? 1 : -1, steps_[step_of(k)]);
+      }
+      if (!kept) drop(k);
     }
-    put_together(std::move(made), out.group);
-    for (FoldStep& step : steps_) add(step, out);
+    put_together(std::move(made), out);
+    for (FoldStep& step : steps_) {
+      // Stable: those of one region stay as they are.
+      std::stable_sort(step.conflicts.begin(), step.conflicts.end(),
+                       [](const auto& a, const auto& b) { return a.first < b.first; });
+    }
     return out;
   }
+
+  std::vector<FoldStep>& steps() { return steps_; }
 
  private:
   Group evaluate(const Cluster& cluster) {
@@ -52,14 +74,37 @@ class Fold {
       return of_operand;
     };
     std::uint32_t operand = next->operand;
-    TableEngine engine(complex_, op_, take(operand));
+    if (operand > 0) tally(cluster, operand);
+    TableEngine engine(complex_, op_, take(operand), tallies_);
     while (true) {
       // An intersection with an operand that has no part here leaves nothing.
       if (op_ == BooleanOp::intersect && !engine.empty()) ++operand;
       else operand = next == cluster.end() ? none() : next->operand;
       if (operand >= operands_.size()) return engine.group();
-      engine.step(dominances_[operand - 1], take(operand), steps_[operand - 1]);
+      const auto start = std::chrono::steady_clock::now();
+      FoldStep& step = steps_[operand - 1];
+      engine.step(dominances_[operand - 1], take(operand), step);
+      step.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
+  }
+
+  // The first operand of a cluster that came after operand 0 is there from its own step on.
+  void tally(const Cluster& cluster, std::uint32_t operand) {
+    if (!tallies_) return;
+    for (const PartPlace& place : cluster) {
+      if (place.operand == operand) add(*operands_[operand].parts[place.part].get(), 1, steps_[operand - 1]);
+    }
+  }
+  void add(const Part& part, int sign, FoldStep& step) const {
+    Totals totals;
+    totals.add(complex_, part);
+    if (totals.unbounded > 0) step.tallied = false;
+    for (std::size_t d = 0; d < 4; ++d) {
+      step.change.raw[d] += sign * static_cast<long>(totals.raw[d]);
+      step.change.simplified[d] += sign * static_cast<long>(totals.simplified[d]);
+    }
+    step.change.regions += sign * static_cast<long>(totals.regions);
+    step.change.volume += sign * totals.bounded_volume;
   }
   std::uint32_t none() const { return static_cast<std::uint32_t>(operands_.size()); }
 
@@ -152,18 +197,11 @@ class Fold {
     std::inplace_merge(parts.begin(), parts.begin() + middle, parts.end(), before);
   }
 
-  static void add(FoldStep& step, FoldResult& out) {
-    for (const auto& [row, count] : step.removed) out.removals.add(row, count);
-    // Stable: those of one region stay as they are.
-    std::stable_sort(step.conflicts.begin(), step.conflicts.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (auto& [region, conflict] : step.conflicts) out.conflicts.push_back(std::move(conflict));
-  }
-
   const Complex& complex_;
   BooleanOp op_;
   std::span<const Dominance> dominances_;
   std::vector<PartedGroup> operands_;
+  bool tallies_;
   std::vector<Parts> busy_;  // by operand: its parts in clusters
   std::vector<FoldStep> steps_;
 };
@@ -172,7 +210,40 @@ class Fold {
 
 FoldResult boolean_fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
                         std::vector<PartedGroup> operands) {
-  return Fold(complex, op, dominances, std::move(operands)).run();
+  Fold fold(complex, op, dominances, std::move(operands));
+  FoldResult out;
+  out.group = fold.run();
+  for (FoldStep& step : fold.steps()) {
+    for (const auto& [row, count] : step.removed) out.removals.add(row, count);
+    for (auto& [region, conflict] : step.conflicts) out.conflicts.push_back(std::move(conflict));
+  }
+  return out;
+}
+
+FoldInSteps boolean_fold_in_steps(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
+                                  std::vector<PartedGroup> operands, bool totals) {
+  std::optional<Totals> sums;
+  if (totals && can_tally(complex, operands)) sums = Totals();
+  if (sums) {
+    for (const PartRef& part : operands[0].parts) sums->add(complex, *part.get());
+  }
+  Fold fold(complex, op, dominances, std::move(operands), sums.has_value());
+  FoldInSteps out;
+  out.group = fold.run();
+  for (FoldStep& step : fold.steps()) {
+    StepOfFold& told = out.steps.emplace_back();
+    for (const auto& [row, count] : step.removed) told.removals.add(row, count);
+    for (auto& [region, conflict] : step.conflicts) told.conflicts.push_back(std::move(conflict));
+    told.seconds = step.seconds;
+    if (sums && step.tallied) sums->add(step.change);
+    else sums.reset();
+    told.totals = sums;
+  }
+  if (sums) {
+    out.group.totals = sums;
+    out.group.fresh.clear();
+  }
+  return out;
 }
 
 }  // namespace cnrg

@@ -5,6 +5,7 @@
 // dropped as a whole: what is outside of the other operand, a row keeps always or removes always.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,5 +25,23 @@ struct FoldResult {
 /// `boolean_operation` step by step. Move in operands that are not needed any more: their lists are used again.
 FoldResult boolean_fold(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
                         std::vector<PartedGroup> operands);
+
+/// What became of the value in one step.
+struct StepOfFold {
+  Removals removals;                         ///< in table order
+  std::vector<AttributeConflict> conflicts;  ///< in the order of the regions of the step's result
+  std::optional<Totals> totals;              ///< of the value after the step
+  double seconds = 0;
+};
+
+struct FoldInSteps {
+  PartedGroup group;
+  std::vector<StepOfFold> steps;  ///< one less than operands
+};
+
+/// The same, told step by step. With `totals` the sums over the value after each step are known, unless something
+/// is said of single cells, the space has a frame, a region has no bounds, or a merged face would be one-sided.
+FoldInSteps boolean_fold_in_steps(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
+                                  std::vector<PartedGroup> operands, bool totals);
 
 }  // namespace cnrg

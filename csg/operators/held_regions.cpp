@@ -158,6 +158,10 @@ void HeldRegions::intersect(Roles roles, Conflicts& conflicts) {
   }
   for (const RegionId c : held_cells_) inside_[c] = 0, sets_.reset(c);
   for (const RegionId c : both) inside_[c] = 1;
+  outside_next_.clear();
+  for (const RegionId c : held_cells_) {
+    if (!in_held(c)) outside_next_.push_back(c);
+  }
   held_cells_ = both;
   for (const RegionId c : both) {
     for_each_neighbour(c, [&](RegionId other) {

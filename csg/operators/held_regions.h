@@ -32,6 +32,9 @@ class HeldRegions {
   void take_in(std::span<const Group* const> parts);
   const std::vector<RegionId>& next_cells() const { return next_cells_; }
 
+  /// 3-cells of held that the last step took away because they are not of next.
+  const std::vector<RegionId>& outside_next() const { return outside_next_; }
+
   bool in_held(RegionId cell) const { return inside_[cell] != 0; }
   bool in_next(RegionId cell) const { return next_region_[cell] != 0; }
   /// Of two 3-cells of held (of next): are they of one region?
@@ -84,6 +87,8 @@ class HeldRegions {
   std::vector<std::unique_ptr<RegionAttributes>> pool_;
   std::vector<RegionId> held_cells_;                            // all of held, and some that were taken away
   std::vector<std::pair<RegionId, std::uint32_t>> told_apart_;  // pieces of a difference, when a row asked
+
+  std::vector<RegionId> outside_next_;  // of an intersection: taken away by the last step
 
   // Next.
   Scratch<RegionId, std::uint32_t> next_region_;   // 1 + index of the region

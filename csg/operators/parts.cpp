@@ -298,6 +298,16 @@ void Totals::remove(const Complex& complex, const Part& part) {
   bounded_volume -= part.volume(complex).bounded;
 }
 
+void Totals::add(const TotalsChange& change) {
+  const auto added = [](std::size_t& n, long more) { n = static_cast<std::size_t>(static_cast<long>(n) + more); };
+  for (std::size_t d = 0; d < 4; ++d) {
+    added(raw[d], change.raw[d]);
+    added(simplified[d], change.simplified[d]);
+  }
+  added(regions, change.regions);
+  bounded_volume += change.volume;
+}
+
 const Totals& totals_of(const Complex& complex, PartedGroup& value) {
   if (!value.totals) {
     value.totals.emplace();

@@ -68,6 +68,13 @@ class Part {
   mutable std::vector<std::optional<Rational>> volumes_;
 };
 
+/// What an operator adds to the sums over a value and takes off them.
+struct TotalsChange {
+  std::array<long, 4> raw{}, simplified{};
+  long regions = 0;
+  Rational volume = 0;
+};
+
 /// Sums over parts: their counts of cells, their regions and volumes.
 struct Totals {
   std::array<std::size_t, 4> raw{}, simplified{};
@@ -77,6 +84,7 @@ struct Totals {
   std::optional<Rational> volume() const { return unbounded == 0 ? std::optional(bounded_volume) : std::nullopt; }
   void add(const Complex& complex, const Part& part);
   void remove(const Complex& complex, const Part& part);
+  void add(const TotalsChange& change);
 };
 
 /// A part in a list, with its box at hand: most parts are passed over by their boxes.

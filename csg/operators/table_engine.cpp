@@ -23,9 +23,11 @@
 #include "csg/operators/table_engine.h"
 
 #include <array>
+#include <optional>
 
 #include "csg/operators/bounds.h"
 #include "csg/operators/held_regions.h"
+#include "csg/operators/tally.h"
 
 namespace cnrg {
 namespace {
@@ -42,7 +44,7 @@ enum class Who : std::uint8_t { held = kHeld, next = kNext };
 
 class TableEngine::State {
  public:
-  State(const Complex& complex, BooleanOp op, Parts first)
+  State(const Complex& complex, BooleanOp op, Parts first, bool tallies)
       : complex_(complex),
         op_(op),
         faces_(complex.face_count()),
@@ -51,6 +53,7 @@ class TableEngine::State {
         regions_(complex, op, faces_) {
     for (const Group* part : first) load(*part);
     regions_.load(first);
+    if (tallies) tally_.emplace(complex, faces_, edges_, vertices_, sets_, regions_, first);
   }
 
   void step(Dominance dominance, Parts next, FoldStep& step) {
@@ -62,7 +65,13 @@ class TableEngine::State {
     decide(edges_, 1, next, &Group::edges);
     decide(vertices_, 0, next, &Group::vertices);
     regions_.update(roles_, next, step.conflicts);
+    CellSet changed;
+    if (tally_) changed = what_changes(next);
     commit(next);
+    if (tally_) {
+      tally_->update(changed, step.change);
+      step.tallied = step.tallied && tally_->known();
+    }
     std::vector<AttributeConflict> of_entities;
     at_odds_.take_to(of_entities);
     for (AttributeConflict& conflict : of_entities)
@@ -280,6 +289,28 @@ class TableEngine::State {
 
   // --- the end of a step
 
+  // Entities that held loses or that are of next and stay, and the 3-cells that this step was about.
+  CellSet what_changes(Parts next) {
+    CellSet out;
+    const auto list = [&](const auto& marks, auto entities, auto& cells) {
+      for (const Group* part : next) {
+        for (const auto cell : part->*entities) {
+          if (marks.has(cell, kHeld) || marks.kept(cell)) cells.push_back(cell);
+        }
+      }
+      for (const auto cell : marks.asked) {
+        if (marks.has(cell, kRemoved)) cells.push_back(cell);
+      }
+    };
+    list(faces_, &Group::faces, out.faces);
+    list(edges_, &Group::edges, out.edges);
+    list(vertices_, &Group::vertices, out.vertices);
+    out.regions = regions_.next_cells();
+    const std::vector<RegionId>& gone = regions_.outside_next();
+    out.regions.insert(out.regions.end(), gone.begin(), gone.end());
+    return out;
+  }
+
   void commit(Parts next) {
     if (op_ == BooleanOp::subtract) mark_borders(next);
     for (const Group* part : next) {
@@ -386,10 +417,12 @@ class TableEngine::State {
   std::array<std::size_t, kTableRows> removed_{};
   std::vector<RegionId> around_;
   AtOdds at_odds_;
+
+  std::optional<Tally> tally_;  // keeps references to the marks above
 };
 
-TableEngine::TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts)
-    : state_(std::make_unique<State>(complex, op, parts)) {}
+TableEngine::TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts, bool tallies)
+    : state_(std::make_unique<State>(complex, op, parts, tallies)) {}
 TableEngine::~TableEngine() = default;
 
 void TableEngine::step(Dominance dominance, std::span<const Group* const> parts, FoldStep& step) {

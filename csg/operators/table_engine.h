@@ -12,22 +12,27 @@
 #include <vector>
 
 #include "csg/operators/attributes.h"
+#include "csg/operators/parts.h"
 #include "csg/operators/tables.h"
 
 namespace cnrg {
 
-/// What one step of a fold did.
+/// What one step of a fold did, in one engine or in several.
 struct FoldStep {
   std::map<std::size_t, std::size_t> removed;  ///< row of the tables -> entities
   /// Each with the smallest 3-cell of its region of the step's result, in that order; those of entities, which
   /// have none, are the last.
   std::vector<std::pair<RegionId, AttributeConflict>> conflicts;
+  TotalsChange change;  ///< of an engine that tallies: what the step does to the sums over the value is added
+  bool tallied = true;  ///< false: it is not known
+  double seconds = 0;   ///< for whoever takes the time
 };
 
 class TableEngine {
  public:
-  /// Starts as the group of the first operand's `parts`, which share no point with each other.
-  TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts);
+  /// Starts as the group of the first operand's `parts`, which share no point with each other. `tallies`: each
+  /// step says what it changes in the sums over the value (tally.h); nothing may be said of any cell.
+  TableEngine(const Complex& complex, BooleanOp op, std::span<const Group* const> parts, bool tallies = false);
   ~TableEngine();
   /// One step with the next operand, given as its parts, which may be none; what it did is added to `step`.
   void step(Dominance dominance, std::span<const Group* const> parts, FoldStep& step);

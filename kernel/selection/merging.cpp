@@ -120,6 +120,21 @@ void Merging::collect_domain(const Selection& selection, const Features& feature
   domain_.vertices = vertex_fate_.ids();
 }
 
+void Merging::put(FaceId f, Component state) {
+  face_state_[f] = state;
+  face_fate_[f] = state == 0 ? Fate::in_region : Fate::kept;
+}
+
+void Merging::put(EdgeId e, Component state, bool feature) {
+  edge_state_[e] = state;
+  edge_fate_[e] = state == 0 ? Fate::in_region : feature ? Fate::kept : decide(e);
+}
+
+void Merging::put(VertexId v, Component state, bool feature) {
+  vertex_state_[v] = state;
+  vertex_fate_[v] = state == 0 ? Fate::in_region : feature || pinned(v) ? Fate::kept : decide(v);
+}
+
 void Merging::decide_faces() {
   for (FaceId f : domain_.faces) {
     const auto& [front, back] = complex_.face_regions[f];

@@ -59,6 +59,13 @@ class Merging {
   Merging(const Complex& complex, const Selection& selection, const Features& features, SimplifyMode mode,
           const CellSources* sources);
 
+  /// Decides about one cell again, of a selection that changes (csg/operators/tally.h). Of what changed, and of
+  /// all in its closure, faces are put first, then edges, then vertices. Cells put one by one are not united:
+  /// `domain`, `region`, `face` and `chain` do not know of them.
+  void put(FaceId f, Component state);
+  void put(EdgeId e, Component state, bool feature);
+  void put(VertexId v, Component state, bool feature);
+
   /// The closure of the active cells and the features, but for the frame.
   const CellSet& domain() const { return domain_; }
   Fate fate(FaceId f) const { return complex_.on_frame(f) ? Fate::hidden : face_fate_[f]; }

@@ -182,9 +182,36 @@ std::size_t check_evaluation(const Complex& complex, std::vector<Group> leaves, 
   return most;
 }
 
+/// A fold of values, told step by step, against folds of two. Returns how many steps had totals.
+std::size_t check_steps(const Complex& complex, BooleanOp op, std::span<const Dominance> dominances,
+                        const std::vector<PartedGroup>& values) {
+  const FoldInSteps fold = boolean_fold_in_steps(complex, op, dominances, values, true);
+  REQUIRE(fold.steps.size() == dominances.size());
+  PartedGroup left = values[0];
+  std::size_t told = 0;
+  for (std::size_t k = 0; k < dominances.size(); ++k) {
+    FoldResult step = fold_of_two(complex, op, dominances[k], left, values[k + 1]);
+    left = std::move(step.group);
+    CHECK((fold.steps[k].removals == step.removals));
+    check_same(fold.steps[k].conflicts, step.conflicts);
+    if (!fold.steps[k].totals) continue;
+    ++told;
+    const Totals &totals = *fold.steps[k].totals, &expected = totals_of(complex, left);
+    INFO("step " << k);
+    CHECK((totals.raw == expected.raw));
+    CHECK((totals.simplified == expected.simplified));
+    CHECK(totals.regions == expected.regions);
+    CHECK(totals.unbounded == expected.unbounded);
+    CHECK((totals.bounded_volume == expected.bounded_volume));
+  }
+  check_same(whole(fold.group), whole(left));
+  return told;
+}
+
 /// A fold of values with any number of parts, at once, in folds of two, and of whole groups step by step. Returns
 /// how many conflicts there were.
-std::size_t check_fold(const Complex& complex, const std::vector<PartedGroup>& values, Random& random) {
+std::size_t check_fold(const Complex& complex, const std::vector<PartedGroup>& values, Random& random,
+                       std::size_t& steps_told) {
   const auto op = static_cast<BooleanOp>(random.below(3));
   const bool by_number = random.one_in(2);
   std::vector<Dominance> dominances;
@@ -218,6 +245,7 @@ std::size_t check_fold(const Complex& complex, const std::vector<PartedGroup>& v
   for (std::size_t i = 1; i < at_once.group.parts.size(); ++i) {
     CHECK(before(at_once.group.parts[i - 1], at_once.group.parts[i]));
   }
+  steps_told += check_steps(complex, op, dominances, values);
   return conflicts.size();
 }
 
@@ -271,8 +299,9 @@ std::size_t check_overlays(const Complex& complex, const std::vector<PartedGroup
 }
 
 /// Folds of leaves, of some of them united before, of complements and of surfaces that lie in others. Returns how
-/// many conflicts the folds of both families had at least.
-std::size_t check_folds(const Complex& complex, std::vector<Group> leaves, Random& random) {
+/// many conflicts the folds of both families had at least; adds how many steps had totals.
+std::size_t check_folds(const Complex& complex, std::vector<Group> leaves, Random& random,
+                        std::size_t& steps_told) {
   std::vector<PartedGroup> values;
   for (Group& leaf : leaves) {
     leaf.dominance = random.below(3);
@@ -301,7 +330,7 @@ std::size_t check_folds(const Complex& complex, std::vector<Group> leaves, Rando
     for (std::size_t i = some.size(); i > 1; --i) {
       std::swap(some[i - 1], some[static_cast<std::size_t>(random.below(static_cast<int>(i)))]);
     }
-    conflicts += check_fold(complex, some, random);
+    conflicts += check_fold(complex, some, random, steps_told);
     if (some.size() > 1) overlay_conflicts += check_overlays(complex, some, random);
   }
   return std::min(conflicts, overlay_conflicts);
@@ -361,13 +390,15 @@ result: all
     }
     INFO("seed " << seed);
     check_evaluation(*evaluation.complex, leaves, seed % 2 == 0, random);
-    check_folds(*evaluation.complex, leaves, random);
+    std::size_t steps_told = 0;
+    check_folds(*evaluation.complex, leaves, random, steps_told);
+    CHECK(steps_told == 0);  // the space has a frame
   }
 }
 
 TEST_CASE("A fold at once is the fold step by step", "[parts]") {
   const auto [first, last] = scenes::seeds(30);
-  std::size_t conflicts = 0;
+  std::size_t conflicts = 0, steps_told = 0;
   for (std::uint64_t seed = first; seed < last; ++seed) {
     for (const auto position : {scenes::Position::general, scenes::Position::degenerate}) {
       INFO("seed " << seed << ", position " << static_cast<int>(position));
@@ -375,10 +406,12 @@ TEST_CASE("A fold at once is the fold step by step", "[parts]") {
       const auto leaves = scattered_leaves(seed, 8, position, static_cast<int>(seed % 3));
       const auto built_complex = build_complex(scenes::make_soup(leaves), {.threads = 1});
       const Complex& complex = *built_complex;
-      conflicts += check_folds(complex, leaf_groups(complex, random_attributes(complex, random)), random);
+      conflicts +=
+          check_folds(complex, leaf_groups(complex, random_attributes(complex, random)), random, steps_told);
     }
   }
   CHECK(conflicts > 0);
+  CHECK(steps_told > 0);
 }
 
 TEST_CASE("A fold at once: a sheet taken from a wall and from a crack", "[parts]") {
