@@ -1,11 +1,16 @@
-// Compares the time and the peak memory of two builds of the program, and their files byte for byte.
+// Compares the instructions, the time and the peak memory of two builds of the program, and their files byte for
+// byte.
 //
-//   bench_guard BASE HEAD --folder FOLDER [--rounds N] [--threads N] [--max-time R] [--max-memory R]
+//   bench_guard BASE HEAD --folder FOLDER [--rounds N] [--threads N] [--max-instructions R] [--max-time R]
+//               [--max-memory R] [--only CASE,...]
 //
 // BASE and HEAD are the programs `cnrg`. The cases are generated: meshes and trees are written into FOLDER, the
 // same files for both. Each round runs `cnrg eval TREE --quiet -o FILE.json` with both, first one and then the
-// other in turns, since a machine warms up. Time is that of the whole process, reading and writing included. Exit
-// status 1 if files differ, a run fails, or a ratio of least times or of peak memory is above its limit.
+// other in turns, since a machine warms up. Time is that of the whole process, reading and writing included. Then
+// valgrind counts the instructions of one run of each with one thread: counts repeat where times do not, to a
+// millionth; it takes 20 times as long. With --rounds 0 they alone are compared, with --max-instructions 0 they
+// are not counted. Exit status 1 if files differ, a run fails, or a ratio of instructions, of least times or of
+// peak memory is above its limit.
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -25,6 +30,7 @@
 #include "bench/cases/chain_tree.h"
 #include "bench/cases/child.h"
 #include "bench/cases/statistics.h"
+#include "bench/cases/tree_cases.h"
 #include "bench/command.h"
 
 namespace cnrg::bench {
@@ -35,8 +41,9 @@ namespace fs = std::filesystem;
 struct Options {
   std::array<std::string, 2> programs;  // base, head
   std::string folder;
+  std::vector<std::string> only;
   int rounds = 5, threads = 0;
-  double max_time = 1.15, max_memory = 1.10;
+  double max_instructions = 1.03, max_time = 1.15, max_memory = 1.10;
 };
 
 struct GuardCase {
@@ -91,6 +98,11 @@ std::vector<GuardCase> write_cases(const fs::path& folder) {
   cases.push_back(tree_case(folder, "scattered-chain", scattered_chain({500, 1})));
   cases.push_back(tree_case(folder, "winding-chain", winding_chain(150, 1)));
   cases.push_back(tree_case(folder, "shared-layers", shared_layers(40, 1)));
+  cases.push_back(tree_case(folder, "cut-spheres16", cut_spheres(16, 1)));
+  cases.push_back(tree_case(folder, "shared-boxes10", shared_boxes(10)));
+  cases.push_back(tree_case(folder, "plate200", plate_difference(200)));
+  cases.push_back(tree_case(folder, "plate-chain200", plate_chain(200)));
+  cases.push_back(tree_case(folder, "fractures100", fractures_in_block(100, 1)));
   return cases;
 }
 
@@ -118,10 +130,24 @@ struct Run {
   double seconds = 0, bytes = 0;
 };
 
-/// Throws if the program fails.
-Run run_program(const Options& options, int which, const GuardCase& c, const std::string& out) {
-  const std::string& program = options.programs[which];
-  const std::string threads = std::to_string(options.threads), log = out + ".log";
+std::string first_line(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  return line;
+}
+
+/// The program with its file `out`, its words in `out`.log; `before` stands before it in the command. Throws if it
+/// fails.
+Run run_program(const Options& options, int which, const GuardCase& c, const std::string& out, int threads,
+                const std::vector<std::string>& before = {}) {
+  const std::string log = out + ".log";
+  std::vector<std::string> words = before;
+  words.insert(words.end(), {options.programs[which], "eval", c.tree, "--quiet", "--threads",
+                             std::to_string(threads), "-o", out});
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
   const auto begin = std::chrono::steady_clock::now();
   const pid_t pid = fork();
   if (pid < 0) throw std::runtime_error("the system gives no process");
@@ -129,22 +155,36 @@ Run run_program(const Options& options, int which, const GuardCase& c, const std
     const int fd = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     dup2(fd, STDOUT_FILENO);
     dup2(fd, STDERR_FILENO);
-    execl(program.c_str(), program.c_str(), "eval", c.tree.c_str(), "--quiet", "--threads", threads.c_str(), "-o",
-          out.c_str(), static_cast<char*>(nullptr));
+    execvp(arguments[0], arguments.data());
     _exit(127);
   }
   int status = 0;
   rusage usage{};
   wait4(pid, &status, 0, &usage);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+    throw std::runtime_error(words[0] + " could not be started; is it installed?");
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    std::ifstream file(log);
-    std::string first;
-    std::getline(file, first);
+    const std::string first = first_line(log);
     throw std::runtime_error(c.name + ": " + (which == 0 ? "base" : "head") +
-                             " failed: " + (first.empty() ? "crashed or could not be started" : first));
+                             " failed: " + (first.empty() ? "crashed" : first));
   }
   return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
           static_cast<double>(usage.ru_maxrss) * 1024};
+}
+
+/// Of one run with one thread, as valgrind says: `==PID== I   refs:      3,863,506,832`.
+double instructions(const Options& options, int which, const GuardCase& c, const std::string& out) {
+  run_program(options, which, c, out, 1,
+              {"valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"});
+  std::ifstream log(out + ".log");
+  for (std::string line; std::getline(log, line);) {
+    const std::size_t at = line.find("refs:");
+    if (at == std::string::npos) continue;
+    line.erase(0, at + 5);
+    line.erase(std::remove(line.begin(), line.end(), ','), line.end());
+    return std::stod(line);
+  }
+  throw std::runtime_error("valgrind counted no instructions of " + c.name);
 }
 
 bool same_bytes(const std::string& a, const std::string& b) {
@@ -154,8 +194,8 @@ bool same_bytes(const std::string& a, const std::string& b) {
 }
 
 struct Comparison {
-  double least = 0, middle = 0, memory = 0;  // ratios, head : base
-  double base_seconds = 0, base_bytes = 0;
+  double instructions = 1, least = 1, middle = 1, memory = 1;  // ratios, head : base; 1 if not measured
+  double base_instructions = 0, base_seconds = 0, base_bytes = 0;
   bool same = true;
 };
 
@@ -167,18 +207,40 @@ Comparison compare(const Options& options, const GuardCase& c) {
   for (int round = 0; round < options.rounds; ++round) {
     for (int turn = 0; turn < 2; ++turn) {
       const int which = (round + turn) % 2;
-      const Run run = run_program(options, which, c, files[which]);
+      const Run run = run_program(options, which, c, files[which], options.threads);
       seconds[which].push_back(run.seconds);
       bytes[which].push_back(run.bytes);
     }
     result.same = result.same && same_bytes(files[0], files[1]);
   }
+  if (options.max_instructions > 0) {
+    std::array<double, 2> counts{};
+    for (int which = 0; which < 2; ++which) counts[which] = instructions(options, which, c, files[which]);
+    result.base_instructions = counts[0];
+    result.instructions = counts[1] / counts[0];
+    result.same = result.same && same_bytes(files[0], files[1]);
+  }
+  if (options.rounds == 0) return result;
   result.base_seconds = least(seconds[0]);
   result.base_bytes = least(bytes[0]);
   result.least = least(seconds[1]) / least(seconds[0]);
   result.middle = median(seconds[1]) / median(seconds[0]);
   result.memory = least(bytes[1]) / least(bytes[0]);
   return result;
+}
+
+/// Those that `only` names; all if it is empty.
+std::vector<GuardCase> chosen(std::vector<GuardCase> cases, const std::vector<std::string>& only) {
+  std::string names;
+  for (const GuardCase& c : cases) names += (names.empty() ? "" : " ") + c.name;
+  for (const std::string& name : only) {
+    if (std::none_of(cases.begin(), cases.end(), [&](const GuardCase& c) { return c.name == name; }))
+      throw std::runtime_error("'" + name + "' is no case; there are " + names);
+  }
+  std::erase_if(cases, [&](const GuardCase& c) {
+    return !only.empty() && std::find(only.begin(), only.end(), c.name) == only.end();
+  });
+  return cases;
 }
 
 int run(const Options& options) {
@@ -188,25 +250,30 @@ int run(const Options& options) {
   }
   if (!fs::is_directory(options.folder))
     throw std::runtime_error("'" + options.folder + "' is no folder; make it first");
-  const std::vector<GuardCase> cases = cases_in(options.folder);
+  const std::vector<GuardCase> cases = chosen(cases_in(options.folder), options.only);
   std::printf("head : base; whole processes with files, %d rounds\n", options.rounds);
-  std::printf("%-18s %9s %9s %9s %9s %9s  %s\n", "", "base s", "base MB", "least", "median", "memory", "bytes");
-  std::array<std::vector<double>, 3> ratios;
+  std::printf("%-18s %9s %9s %9s %12s %9s %9s %9s  %s\n", "", "base 1e6", "base s", "base MB", "instructions",
+              "least", "median", "memory", "bytes");
+  std::array<std::vector<double>, 4> ratios;
   int faults = 0;
   for (const GuardCase& c : cases) {
     const Comparison r = compare(options, c);
+    const bool more = options.max_instructions > 0 && r.instructions > options.max_instructions;
     const bool slow = r.least > options.max_time, large = r.memory > options.max_memory;
-    std::printf("%-18s %9.3f %9.1f %9.3f %9.3f %9.3f  %s%s%s\n", c.name.c_str(), r.base_seconds,
-                r.base_bytes / 1e6, r.least, r.middle, r.memory, r.same ? "same" : "DIFFERENT",
-                slow ? ", SLOWER" : "", large ? ", LARGER" : "");
+    std::printf("%-18s %9.0f %9.3f %9.1f %12.4f %9.3f %9.3f %9.3f  %s%s%s%s\n", c.name.c_str(),
+                r.base_instructions / 1e6, r.base_seconds, r.base_bytes / 1e6, r.instructions, r.least, r.middle,
+                r.memory, r.same ? "same" : "DIFFERENT", more ? ", MORE INSTRUCTIONS" : "", slow ? ", SLOWER" : "",
+                large ? ", LARGER" : "");
     std::fflush(stdout);
-    ratios[0].push_back(r.least);
-    ratios[1].push_back(r.middle);
-    ratios[2].push_back(r.memory);
-    faults += !r.same + slow + large;
+    ratios[0].push_back(r.instructions);
+    ratios[1].push_back(r.least);
+    ratios[2].push_back(r.middle);
+    ratios[3].push_back(r.memory);
+    faults += !r.same + more + slow + large;
   }
-  std::printf("%-18s %9s %9s %9.3f %9.3f %9.3f  %s\n", "geometric mean", "", "", geometric_mean(ratios[0]),
-              geometric_mean(ratios[1]), geometric_mean(ratios[2]),
+  std::printf("%-18s %9s %9s %9s %12.4f %9.3f %9.3f %9.3f  %s\n", "geometric mean", "", "", "",
+              geometric_mean(ratios[0]), geometric_mean(ratios[1]), geometric_mean(ratios[2]),
+              geometric_mean(ratios[3]),
               faults == 0 ? "all within the limits" : (std::to_string(faults) + " faults").c_str());
   return faults == 0 ? 0 : 1;
 }
@@ -216,12 +283,18 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   cnrg::bench::Options options;
-  CLI::App program{"Compares the time, peak memory and files of two builds of cnrg.", "bench_guard"};
+  CLI::App program{"Compares the instructions, time, peak memory and files of two builds of cnrg.", "bench_guard"};
   program.add_option("BASE", options.programs[0], "The program cnrg to compare with")->required();
   program.add_option("HEAD", options.programs[1], "The program cnrg to judge")->required();
   program.add_option("--folder", options.folder, "Where generated meshes, trees and results go")->required();
-  program.add_option("--rounds", options.rounds, "Runs of each")->check(CLI::Range(1, 1000));
+  program.add_option("--only", options.only, "These cases")->delimiter(',')->allow_extra_args(false);
+  program.add_option("--rounds", options.rounds, "Runs of each; 0: instructions alone")
+      ->check(CLI::Range(0, 1000));
   program.add_option("--threads", options.threads, "Threads; 0 is one per core")->check(CLI::Range(0, 4096));
+  program
+      .add_option("--max-instructions", options.max_instructions,
+                  "Largest ratio of instructions; 0: they are not counted")
+      ->check(CLI::NonNegativeNumber);
   program.add_option("--max-time", options.max_time, "Largest ratio of least times")->check(CLI::PositiveNumber);
   program.add_option("--max-memory", options.max_memory, "Largest ratio of peak memory")
       ->check(CLI::PositiveNumber);

@@ -1,20 +1,24 @@
-// Whole jobs by us, by CGAL's corefinement and by CGAL's Nef polyhedra, side by side in one run.
+// Whole jobs by us, by CGAL's corefinement and Nef polyhedra and by programs of others, side by side in one run.
 //
-//   bench_speed GROUP|CASE... [options]      `--help` lists the options, `--list` the cases
+//   bench_speed [GROUP|CASE...] [options]      `--help` lists the options, `--list` the cases
 //
+// Without names: the cases of `kTable`, without Nef.
 // Every run is a process of its own, which makes its case first; the systems take turns, so that a slow minute of
 // the machine meets all of them. Times are of the measured part (peer.h). `peak MB` is what was resident at most
 // during that part, `own MB` the same without what was resident before it: program and input. The first run of
-// each system is checked after its measurement. Exit status 1 if a result of ours is missing, wrong or invalid;
-// targets that are not met are told and change nothing.
+// each system is checked after its measurement. What takes more than `kLongRun` runs once. Trees are for us alone.
+// A file keeps the rows of each case as they were measured last. Exit status 1 if a result of ours is missing,
+// wrong or invalid; targets that are not met are told and change nothing.
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
+#include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "bench/cases/child.h"
 #include "bench/command.h"
+#include "bench/peers/program.h"
 #include "bench/speed_report.h"
 
 namespace cnrg::bench {
@@ -23,9 +27,15 @@ namespace {
 /// `validate` costs several times what is measured.
 constexpr std::size_t kValidatedTriangles = 650000;
 
+constexpr double kLongRun = 10;  // seconds
+
+constexpr const char* kTable[] = {"bunny100k+cow100k", "armadillo",         "spheres1M",
+                                  "box-triangles200",  "box-triangles2000", "plate1000",
+                                  "chain2000",         "cut-spheres64",     "cut-spheres64-apart"};
+
 struct Options {
-  std::vector<std::string> names;
-  std::string meshes, json;
+  std::vector<std::string> names, programs;
+  std::string meshes, json = "out/speed.json", commit;
   int rounds = 5, nef_rounds = 1, threads = 2;
   double nef_limit = 300;
   bool no_nef = false, list = false;
@@ -65,12 +75,19 @@ Outcome parsed(const nlohmann::json& in) {
 /// A system in turn.
 struct Contestant {
   Row row;
-  Outcome (*evaluate)(const Case& c, const Checks& checks, int threads);
+  std::function<Outcome(const Case& c, const Checks& checks, int threads)> evaluate;
   int threads = 1, rounds = 1;
   double limit = 0;  // seconds of the whole process; 0: none
+  bool goes_on(int round) const {
+    return round < rounds && row.failure.empty() && (row.runs.empty() || row.runs[0].seconds() < kLongRun);
+  }
 };
 
-std::vector<Contestant> contestants(const Options& options, const Recipe& recipe) {
+std::string with_threads(const std::string& name, int threads) {
+  return name + ", " + std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+}
+
+std::vector<Contestant> contestants(const Options& options, const CaseResult& result) {
   const auto one = [](const std::string& name, bool ours, auto evaluate, int threads, int rounds, double limit) {
     Contestant c;
     c.row.system = name;
@@ -82,16 +99,23 @@ std::vector<Contestant> contestants(const Options& options, const Recipe& recipe
     return c;
   };
   std::vector<Contestant> all;
-  if (options.threads > 1) {
-    all.push_back(one("cnrg, " + std::to_string(options.threads) + " threads", true, evaluate_ours,
-                      options.threads, options.rounds, 0));
+  const std::vector<int> threads = options.threads > 1 ? std::vector{options.threads, 1} : std::vector{1};
+  for (const int n : threads)
+    all.push_back(one(with_threads("cnrg", n), true, evaluate_ours, n, options.rounds, 0));
+  if (result.of_trees()) return all;
+  for (const std::string& text : options.programs) {
+    const NamedProgram program = named_program(text);
+    const auto evaluate = [path = program.path](const Case& c, const Checks& checks, int n) {
+      return evaluate_program(path, c, checks, n);
+    };
+    for (const int n : threads)
+      all.push_back(one(with_threads(program.name, n), false, evaluate, n, options.rounds, options.nef_limit));
   }
-  all.push_back(one("cnrg, 1 thread", true, evaluate_ours, 1, options.rounds, 0));
   all.push_back(one(kCorefinement, false, evaluate_corefinement, 1, options.rounds, options.nef_limit));
-  // Growth is about our own sizes; Nef would take hours.
-  if (!options.no_nef && recipe.group != "growth")
+  // Growth is about our own sizes; there and in long cases Nef would take hours.
+  if (!options.no_nef && result.group != "growth" && result.group != "long")
     all.push_back(one(kNef, false, evaluate_nef, 1, options.nef_rounds, options.nef_limit));
-  if (!options.no_nef && recipe.group == "nary")
+  if (!options.no_nef && result.group == "nary")
     all.push_back(one(kNefOneByOne, false, evaluate_nef_one_by_one, 1, options.nef_rounds, options.nef_limit));
   return all;
 }
@@ -143,8 +167,8 @@ CaseResult described(const Recipe& recipe, std::optional<long long>& volume) {
   const ChildResult child = run_child([&] {
     try {
       const Case c = recipe.make();
-      nlohmann::json out{{"operation", c.operation == Operation::unite ? "union" : "difference"},
-                         {"leaves", c.leaves.size()},
+      nlohmann::json out{{"operation", c.trees.empty() ? to_string(c.operation) : kEvaluation},
+                         {"leaves", std::max(c.leaves.size(), c.trees.size())},
                          {"triangles", c.triangles()},
                          {"input_cells", input_cells(c)}};
       if (c.volume) out["volume"] = *c.volume;
@@ -170,10 +194,10 @@ CaseResult described(const Recipe& recipe, std::optional<long long>& volume) {
 CaseResult run_case(const Recipe& recipe, const Options& options) {
   std::optional<long long> volume;
   CaseResult result = described(recipe, volume);
-  std::vector<Contestant> all = contestants(options, recipe);
+  std::vector<Contestant> all = contestants(options, result);
   for (int round = 0; round < std::max(options.rounds, options.nef_rounds); ++round) {
     for (Contestant& c : all) {
-      if (round < c.rounds && c.row.failure.empty()) run_once(c, recipe);
+      if (c.goes_on(round)) run_once(c, recipe);
     }
   }
   for (Contestant& c : all) result.rows.push_back(std::move(c.row));
@@ -208,7 +232,26 @@ void add_general_position(const std::vector<Recipe>& all, std::vector<Recipe>& s
       *std::find_if(all.begin(), all.end(), [](const Recipe& r) { return r.name == kGeneralPosition; }));
 }
 
-int run(const Options& options) {
+/// Without names: the table.
+Options completed(Options options) {
+  for (const std::string& text : options.programs) named_program(text);  // before the work, not after it
+  if (!options.names.empty()) return options;
+  options.names.assign(std::begin(kTable), std::end(kTable));
+  options.no_nef = true;
+  return options;
+}
+
+/// Before the work, not after it: that the file can have rows.
+void open_rows(const Options& options) {
+  if (const auto folder = std::filesystem::path(options.json).parent_path(); !folder.empty()) {
+    std::error_code ignored;  // the file tells
+    std::filesystem::create_directories(folder, ignored);
+  }
+  write_json(options.json, options.commit, {});
+}
+
+int run(const Options& given) {
+  const Options options = completed(given);
   const std::vector<Recipe> all = recipes(options.meshes);
   if (options.list) {
     for (const Recipe& recipe : all) {
@@ -217,9 +260,7 @@ int run(const Options& options) {
     }
     return 0;
   }
-  if (!options.json.empty() && !std::ofstream(options.json, std::ios::app))  // before the work, not after it
-    throw std::runtime_error(options.json + ": cannot be written; is the folder there?");
-  if (options.names.empty()) throw std::runtime_error("no case is named; name a group or a case of `--list`");
+  open_rows(options);
   std::vector<Recipe> some = chosen(all, options.names);
   add_general_position(all, some);
   std::vector<CaseResult> results;
@@ -231,10 +272,12 @@ int run(const Options& options) {
     }
     results.push_back(run_case(recipe, options));
     print_case(results.back());
+    write_json(options.json, options.commit, {results.back()});
   }
   if (results.empty()) throw std::runtime_error("no case ran; give the folder of the meshes: --meshes FOLDER");
   print_summary(results);
-  if (!options.json.empty()) write_json(options.json, results);
+  print_table(results);
+  std::printf("\nrows: %s\n", options.json.c_str());
   return std::all_of(results.begin(), results.end(), [](const CaseResult& r) { return r.right(); }) ? 0 : 1;
 }
 
@@ -245,16 +288,29 @@ int main(int argc, char** argv) {
   cnrg::bench::Options options;
   CLI::App program{"Whole jobs by cnrg, CGAL's corefinement and CGAL's Nef polyhedra, side by side.",
                    "bench_speed"};
-  program.add_option("NAMES", options.names, "Groups (pairs nary growth degenerate) or cases");
+  program.footer(
+      "Without names: one table of all kinds of cases but the group `long`, without Nef.\n"
+      "A program of another system is called as PROGRAM OPERATION A.off B.off... OUT.off, with `union` or "
+      "`difference`\n"
+      "(the first operand without all others); its threads are in the environment as CNRG_THREADS. What it "
+      "measures\n"
+      "itself it writes to standard error as a line `measured SECONDS BASE_BYTES PEAK_BYTES`; see\n"
+      "bench/peers/external.");
+  program.add_option("NAMES", options.names, "Groups (pairs nary growth degenerate trees long) or cases");
   program.add_flag("--list", options.list, "List the cases");
   program.add_option("--meshes", options.meshes, "Folder of the meshes of `pairs`, searched through")
       ->type_name("FOLDER");
   program.add_option("--rounds", options.rounds, "Runs of each system (5)")->check(CLI::Range(1, 1000));
-  program.add_option("--threads", options.threads, "Threads of our first row (2)")->check(CLI::Range(1, 4096));
+  program.add_option("--threads", options.threads, "Threads of the first row of who has them (2)")
+      ->check(CLI::Range(1, 4096));
   program.add_option("--nef-rounds", options.nef_rounds, "Runs of Nef (1)")->check(CLI::Range(1, 1000));
   program.add_option("--nef-limit", options.nef_limit, "Longest run of a peer in seconds (300)")
       ->check(CLI::PositiveNumber);
   program.add_flag("--no-nef", options.no_nef, "Without Nef");
-  program.add_option("--json", options.json, "Write all numbers to this file")->type_name("FILE");
+  program.add_option("--system", options.programs, "A program as one more system; ROUNDING is of sweeps alone")
+      ->type_name("NAME=PROGRAM[:ROUNDING]")
+      ->allow_extra_args(false);
+  program.add_option("--json", options.json, "The file of the rows (out/speed.json)")->type_name("FILE");
+  program.add_option("--commit", options.commit, "Of the sources, for the rows");
   return cnrg::bench::command(program, argc, argv, [&] { return cnrg::bench::run(options); });
 }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <thread>
 
 #include "bench/cases/statistics.h"
 
@@ -69,6 +70,7 @@ void print_targets(const CaseResult& result) {
     print_figure(formatted("time at most 1/%.0f of Nef", 1 / limit) + what, formatted("1/%.1f", 1 / ratio),
                  pair || many, ratio <= limit);
   }
+  if (result.of_trees()) return;
   const double own = bytes_per_triangle(result);
   const double all = static_cast<double>(ours.peak_bytes()) / static_cast<double>(result.triangles);
   print_figure(formatted("memory at most %.0f bytes per input triangle", kBytesPerTriangle),
@@ -192,8 +194,9 @@ void judge(CaseResult& result, const std::optional<long long>& volume) {
 }
 
 void print_case(const CaseResult& result) {
-  std::printf("\n%s: %s of %zu meshes, %zu triangles\n", result.name.c_str(), result.operation.c_str(),
-              result.leaves, result.triangles);
+  std::printf("\n%s: %s of %zu %s", result.name.c_str(), result.operation.c_str(), result.leaves,
+              result.of_trees() ? "trees\n" : "meshes");
+  if (!result.of_trees()) std::printf(", %zu triangles\n", result.triangles);
   std::printf("%-20s %9s %9s %8s %9s %9s %9s %9s  %s\n", "", "median s", "least s", "ratio", "peak MB", "own MB",
               "vertices", "faces", "volume");
   for (const Row& row : result.rows) {
@@ -237,15 +240,49 @@ void print_summary(const std::vector<CaseResult>& results) {
   std::printf("\n%zu cases, %zu not right\n", results.size(), wrong);
 }
 
-void write_json(const std::string& path, const std::vector<CaseResult>& results) {
-  nlohmann::json out = nlohmann::json::array();
+void print_table(const std::vector<CaseResult>& results) {
+  std::vector<std::string> systems;
+  for (const CaseResult& result : results)
+    for (const Row& row : result.rows)
+      if (std::find(systems.begin(), systems.end(), row.system) == systems.end()) systems.push_back(row.system);
+  std::printf("\nmedian seconds\n%-20s", "");
+  for (const std::string& system : systems) std::printf("  %s", system.c_str());
+  std::printf("\n");
   for (const CaseResult& result : results) {
-    nlohmann::json one{{"name", result.name},           {"group", result.group},
-                       {"operation", result.operation}, {"leaves", result.leaves},
-                       {"triangles", result.triangles}, {"input_cells", result.input_cells},
-                       {"oracle", result.oracle},       {"right", result.right()}};
+    std::printf("%-20s", result.name.c_str());
+    for (const std::string& system : systems) {
+      const Row* row = result.find(system);
+      const std::string figure = row == nullptr ? "" : formatted("%.3f", row->median_seconds());
+      std::printf("  %*s", static_cast<int>(system.size()), figure.c_str());
+    }
+    std::printf("\n");
+  }
+}
+
+void write_json(const std::string& path, const std::string& commit, const std::vector<CaseResult>& results) {
+  nlohmann::json out = nlohmann::json::array();
+  if (std::ifstream before(path); before && before.peek() != std::ifstream::traits_type::eof()) {
+    out = nlohmann::json::parse(before, nullptr, false);
+    const auto is_case = [](const nlohmann::json& one) { return one.is_object() && one.contains("name"); };
+    if (!out.is_array() || !std::all_of(out.begin(), out.end(), is_case))
+      throw std::runtime_error(path + ": has no rows of this benchmark; name another file");
+  }
+  for (const CaseResult& result : results) {
+    nlohmann::json one{{"name", result.name},
+                       {"group", result.group},
+                       {"operation", result.operation},
+                       {"leaves", result.leaves},
+                       {"triangles", result.triangles},
+                       {"input_cells", result.input_cells},
+                       {"oracle", result.oracle},
+                       {"right", result.right()},
+                       {"commit", commit},
+                       {"cores", std::thread::hardware_concurrency()}};
     for (const Row& row : result.rows) one["rows"].push_back(json_of(row));
-    out.push_back(std::move(one));
+    const auto same =
+        std::find_if(out.begin(), out.end(), [&](const auto& o) { return o["name"] == result.name; });
+    if (same != out.end()) *same = std::move(one);
+    else out.push_back(std::move(one));
   }
   std::ofstream file(path);
   file << out.dump(1) << "\n";

@@ -23,11 +23,15 @@ struct Row {
   std::size_t own_bytes() const;   ///< the largest of the runs, without the input
 };
 
+/// The operation of cases that are trees.
+inline constexpr const char* kEvaluation = "evaluation";
+
 struct CaseResult {
   std::string name, group, operation;
   std::size_t leaves = 0, triangles = 0, input_cells = 0;
   std::vector<Row> rows;  ///< ours come first
   std::string oracle;     ///< what the volumes were compared with; empty: nothing
+  bool of_trees() const { return operation == kEvaluation; }
   const Row& ours() const { return rows[0]; }
   const Row* find(const std::string& system) const;  ///< nullptr unless it has a result
   /// Nothing of ours failed, is wrong or invalid.
@@ -50,7 +54,11 @@ void print_case(const CaseResult& result);
 /// Growth with size and number of leaves, and degenerate cases against general position, as far as they ran.
 void print_summary(const std::vector<CaseResult>& results);
 
-/// Throws std::runtime_error if the file cannot be written.
-void write_json(const std::string& path, const std::vector<CaseResult>& results);
+/// All cases in one: the median seconds of each system, blank where it has no result or does not take the case.
+void print_table(const std::vector<CaseResult>& results);
+
+/// In the file the results replace those of the same cases; others stay. Throws std::runtime_error if it is no
+/// such file or cannot be written.
+void write_json(const std::string& path, const std::string& commit, const std::vector<CaseResult>& results);
 
 }  // namespace cnrg::bench

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "bench/command.h"
+#include "bench/peers/program.h"
 #include "bench/sweep/plan.h"
 #include "bench/sweep/schedule.h"
 #include "bench/sweep/store.h"
@@ -33,37 +34,12 @@ struct Options {
 /// A message on one line, whatever is in the names of files and in the words of other programs.
 void say(const std::string& message) { std::fprintf(stderr, "bench/run: %s\n", shown(message).c_str()); }
 
-/// Names of files and columns are made of it.
-void check_name(const std::string& name) {
-  constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
-  if (name.find_first_not_of(kLetters) != std::string::npos)
-    throw std::runtime_error("'" + name + "' is no name of a system; it has letters, digits, - and _ only");
-  if (name == kTruth)
-    throw std::runtime_error("'truth' is no name of a system: it says who confirms the exact result");
-}
-
 /// NAME=PROGRAM or NAME=PROGRAM:ROUNDING.
 System program_of(const std::string& text) {
-  const std::size_t equals = text.find('='), colon = text.rfind(':');
-  if (equals == std::string::npos || equals == 0)
-    throw std::runtime_error("'" + text + "' is no NAME=PROGRAM or NAME=PROGRAM:ROUNDING");
-  double rounding = 1e-12;
-  std::string program = text.substr(equals + 1);
-  if (colon != std::string::npos && colon > equals) {
-    std::size_t end = 0;
-    try {
-      rounding = std::stod(text.substr(colon + 1), &end);
-    } catch (const std::exception&) {
-    }
-    if (end == 0 || end != text.size() - colon - 1 || !(rounding >= 0 && rounding < 1))
-      throw std::runtime_error("'" + text.substr(colon + 1) + "' is no rounding; it is such as 1e-12");
-    program = text.substr(equals + 1, colon - equals - 1);
-  }
-  check_name(text.substr(0, equals));
-  std::error_code error;
-  const auto path = std::filesystem::canonical(program, error);
-  if (error) throw std::runtime_error(program + ": there is no such program");
-  return external_system(text.substr(0, equals), path.string(), rounding);
+  const NamedProgram program = named_program(text);
+  if (program.name == kTruth)
+    throw std::runtime_error("'truth' is no name of a system: it says who confirms the exact result");
+  return external_system(program.name, program.path, program.rounding);
 }
 
 Setup setup_of(const Options& options) {

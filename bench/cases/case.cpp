@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "bench/cases/random.h"
+#include "bench/cases/tree_cases.h"
 
 namespace cnrg::bench {
 namespace {
@@ -102,6 +103,30 @@ std::map<std::string, std::string> files_by_name(const std::string& folder) {
   return files;
 }
 
+/// Nobody says which triangles are one face.
+Case in_triangles(Case c) {
+  for (TriangleMesh& leaf : c.leaves) {
+    leaf.faces.clear();
+    leaf.polygons.clear();
+  }
+  return c;
+}
+
+Case boxes_in_triangles(int count) {
+  return in_triangles(union_of("box-triangles" + std::to_string(count), random_boxes(count, 1)));
+}
+
+Case of_trees(std::vector<std::string> trees, std::optional<long long> volume = {}) {
+  Case c;
+  c.volume = volume;
+  c.trees = std::move(trees);
+  return c;
+}
+
+Case chain(int steps) { return of_trees({plate_chain(steps)}, PlateWithHoles{steps}.volume()); }
+
+constexpr unsigned kFractures = 5, kSpheres = 9;  // seeds
+
 struct Generated {
   const char *name, *group;
   Case (*make)();
@@ -111,6 +136,9 @@ const Generated kGenerated[] = {
     {"spheres64", "nary", [] { return spheres_on_lattice(4); }},
     {"boxes200", "nary", [] { return union_of("boxes200", random_boxes(200, 1)); }},
     {"boxes2000", "nary", [] { return union_of("boxes2000", random_boxes(2000, 1)); }},
+    {"box-triangles200", "nary", [] { return boxes_in_triangles(200); }},
+    {"box-triangles2000", "nary", [] { return boxes_in_triangles(2000); }},
+    {"plate1000", "nary", [] { return plate(1000); }},
     {"menger1", "nary", [] { return menger(1); }},
     {"menger2", "nary", [] { return menger(2); }},
     {"menger3", "nary", [] { return menger(3); }},
@@ -125,6 +153,13 @@ const Generated kGenerated[] = {
     {"touching", "degenerate",  // along edges and in vertices
      [] { return union_of("touching", unit_cubes(8, [](int x, int y, int z) { return (x + y + z) % 2 == 0; })); }},
     {"mirrored", "degenerate", mirrored},
+    {"chain2000", "trees", [] { return chain(2000); }},
+    {"cut-spheres64", "trees", [] { return of_trees({cut_spheres(64, kSpheres)}); }},
+    {"cut-spheres64-apart", "trees", [] { return of_trees(cut_spheres_apart(64, kSpheres)); }},
+    {"plate4000", "long", [] { return plate(4000); }},
+    {"chain4000", "long", [] { return chain(4000); }},
+    {"fractures1000", "long", [] { return of_trees({fractures_in_block(1000, kFractures)}, 1000000); }},
+    {"shared-boxes18", "long", [] { return of_trees({shared_boxes(18)}, 1 << 18); }},
 };
 
 }  // namespace
@@ -192,6 +227,18 @@ Case menger(int level) {
   }
   sponge.volume = std::llround(std::pow(20, level));
   return sponge;
+}
+
+Case plate(int holes) {
+  const PlateWithHoles plate{holes};
+  const int width = plate.side() * PlateWithHoles::kSpacing, height = PlateWithHoles::kHeight;
+  Case c;
+  c.name = "plate" + std::to_string(holes);
+  c.operation = Operation::subtract;
+  c.volume = plate.volume();
+  c.leaves.push_back(box_mesh({{0, 0, 0}, {width, width, height}}));
+  for (int k = 0; k < holes; ++k) c.leaves.push_back(prism_mesh(plate.section(k), -height, 2 * height));
+  return in_triangles(std::move(c));
 }
 
 std::vector<Recipe> recipes(const std::string& meshes) {

@@ -1,10 +1,14 @@
-// Cases: meshes and the one n-ary Boolean on them, by name. A case is made again by each process that runs it.
+// Cases: meshes and the one n-ary Boolean on them, or trees, by name. A case is made again by each process that
+// runs it.
 //
 // Groups:
 //   pairs       unions of two meshes of people, one of them turned; they need a folder of meshes
-//   nary        one node with many operands: spheres on a lattice, random integer boxes, Menger sponges
+//   nary        one node with many operands: spheres on a lattice, random integer boxes (as polygons and as mere
+//               triangles), Menger sponges, a plate with holes
 //   growth      unions of two bumpy spheres in general position, 10,000 to 1,000,000 triangles each
 //   degenerate  operands that share faces, planes, edges or vertices exactly
+//   trees       whole trees (tree_cases.h)
+//   long        what runs for minutes
 #pragma once
 
 #include <functional>
@@ -23,6 +27,8 @@ struct Case {
   Operation operation = Operation::unite;
   /// The volume of the result where arithmetic on integers gives it.
   std::optional<long long> volume;
+  /// What is evaluated instead, one tree after the other: texts of tree files. Then there are no leaves.
+  std::vector<std::string> trees{};
   std::size_t triangles() const;
 };
 
@@ -45,6 +51,8 @@ std::vector<IntegerBox> random_boxes(int count, unsigned seed);
 Case union_of(const std::string& name, const std::vector<IntegerBox>& boxes);
 /// The cube [0, 3^level]^3 without its prisms, one difference.
 Case menger(int level);
+/// A plate without 24-sided prisms, one difference of triangles; its volume by integers.
+Case plate(int holes);
 /// A case that needs no files, by its name. Throws std::runtime_error if there is none.
 Case case_of(const std::string& name);
 

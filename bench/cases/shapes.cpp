@@ -138,6 +138,23 @@ TriangleMesh box_mesh(const IntegerBox& box) {
   return mesh;
 }
 
+TriangleMesh prism_mesh(const std::vector<std::array<int, 2>>& base, int low, int high) {
+  const auto n = static_cast<std::uint32_t>(base.size());
+  TriangleMesh mesh;
+  for (const int z : {low, high})
+    for (const auto& [x, y] : base) mesh.points.push_back({1.0 * x, 1.0 * y, 1.0 * z});
+  std::vector<std::vector<std::uint32_t>> polygons(2);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = (i + 1) % n;
+    polygons[0].push_back(n - 1 - i);
+    polygons[1].push_back(n + i);
+    polygons.push_back({i, next, n + next, n + i});
+  }
+  for (const std::vector<std::uint32_t>& p : polygons)
+    for (std::size_t k = 2; k < p.size(); ++k) mesh.triangles.push_back({p[0], p[k - 1], p[k]});
+  return mesh;
+}
+
 TriangleMesh tiled_cube(int n) {
   TriangleMesh mesh;
   LatticePoints lattice;

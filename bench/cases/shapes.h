@@ -26,6 +26,9 @@ struct IntegerBox {
 /// Twelve triangles, six planar faces.
 TriangleMesh box_mesh(const IntegerBox& box);
 
+/// Over a convex polygon, counter-clockwise, from one height to a larger one, in triangles alone.
+TriangleMesh prism_mesh(const std::vector<std::array<int, 2>>& base, int low, int high);
+
 /// The cube [0, n]^3, each side n x n squares of two triangles: 12 n^2 triangles, six planar faces.
 TriangleMesh tiled_cube(int n);
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -22,15 +20,6 @@ TriangleMesh read_mesh(const std::string& path) {
       mesh.triangles.push_back({file.corners[file.offsets[f]], file.corners[k - 1], file.corners[k]});
   if (mesh.triangles.empty()) throw std::runtime_error(path + ": has no faces");
   return mesh;
-}
-
-void write_off(const std::string& path, const TriangleMesh& mesh) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "w"), std::fclose);
-  if (!file) throw std::runtime_error(path + ": cannot be written; is the folder there and is there room?");
-  std::fprintf(file.get(), "OFF\n%zu %zu 0\n", mesh.points.size(), mesh.triangles.size());
-  for (const auto& [x, y, z] : mesh.points) std::fprintf(file.get(), "%.17g %.17g %.17g\n", x, y, z);
-  for (const auto& [a, b, c] : mesh.triangles) std::fprintf(file.get(), "3 %u %u %u\n", a, b, c);
-  if (std::fflush(file.get()) != 0) throw std::runtime_error(path + ": cannot be written; is there room?");
 }
 
 TriangleMesh turned(const TriangleMesh& mesh, double angle, const std::array<double, 3>& move) {

@@ -26,12 +26,8 @@ struct Outcome {
   std::string note;
 };
 
-struct Peer {
-  const char* name;
-  Outcome (*evaluate)(const Case& c, const Checks& checks, int threads);
-};
-
-/// The library: soup -> complex -> values of the leaves -> one n-ary node as a tree has it -> simplified result.
+/// The library: soup -> complex -> values of the leaves -> one n-ary node as a tree has it -> simplified result;
+/// of trees: parsed tree -> evaluation with its volume, as `cnrg eval --quiet`.
 Outcome evaluate_ours(const Case& c, const Checks& checks, int threads);
 /// CGAL, EPICK, in place; more than two operands one after the other. One thread.
 Outcome evaluate_corefinement(const Case& c, const Checks& checks, int threads);
@@ -39,5 +35,10 @@ Outcome evaluate_corefinement(const Case& c, const Checks& checks, int threads);
 Outcome evaluate_nef(const Case& c, const Checks& checks, int threads);
 /// The same, but many operands one after the other, as a loop over `+=` does.
 Outcome evaluate_nef_one_by_one(const Case& c, const Checks& checks, int threads);
+
+/// Any program, called as `EXECUTABLE OPERATION A.off B.off... OUT.off` with CNRG_THREADS in its environment. Its
+/// line `measured SECONDS BASE_BYTES PEAK_BYTES` on standard error is what is measured; without it the time and
+/// peak memory of its process are.
+Outcome evaluate_program(const std::string& executable, const Case& c, const Checks& checks, int threads);
 
 }  // namespace cnrg::bench

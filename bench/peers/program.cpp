@@ -107,6 +107,32 @@ std::string ProgramRun::reason() const {
   return last != errors.rend() ? *last : "ended with status " + std::to_string(status);
 }
 
+NamedProgram named_program(const std::string& text) {
+  constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  const std::size_t equals = text.find('='), colon = text.rfind(':');
+  if (equals == std::string::npos || equals == 0)
+    throw std::runtime_error("'" + text + "' is no NAME=PROGRAM or NAME=PROGRAM:ROUNDING");
+  NamedProgram result;
+  result.name = text.substr(0, equals);
+  std::string program = text.substr(equals + 1);
+  if (colon != std::string::npos && colon > equals) {
+    std::size_t end = 0;
+    try {
+      result.rounding = std::stod(text.substr(colon + 1), &end);
+    } catch (const std::exception&) {
+    }
+    if (end == 0 || end != text.size() - colon - 1 || !(result.rounding >= 0 && result.rounding < 1))
+      throw std::runtime_error("'" + text.substr(colon + 1) + "' is no rounding; it is such as 1e-12");
+    program = text.substr(equals + 1, colon - equals - 1);
+  }
+  if (result.name.find_first_not_of(kLetters) != std::string::npos)
+    throw std::runtime_error("'" + result.name + "' is no name of a system; it has letters, digits, - and _ only");
+  std::error_code error;
+  result.path = fs::canonical(program, error).string();
+  if (error) throw std::runtime_error(program + ": there is no such program");
+  return result;
+}
+
 bool on_path(const std::string& program) {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path ? path : "");

@@ -35,6 +35,16 @@ struct ProgramRun {
   std::string reason() const;
 };
 
+/// What an option `--system` says.
+struct NamedProgram {
+  std::string name, path;  ///< the path is absolute
+  double rounding = 1e-12;
+};
+
+/// NAME=PROGRAM or NAME=PROGRAM:ROUNDING. Throws std::runtime_error for anything else, for a name with letters
+/// that names of files do not have, and if there is no such program.
+NamedProgram named_program(const std::string& text);
+
 /// Whether PATH has a program of this name.
 bool on_path(const std::string& program);
 
