@@ -113,7 +113,7 @@ Case in_triangles(Case c) {
 }
 
 Case boxes_in_triangles(int count) {
-  return in_triangles(union_of("box-triangles" + std::to_string(count), random_boxes(count, 1)));
+  return in_triangles(union_of("box-triangles" + std::to_string(count), random_boxes(count, 1, {12, 5, 20})));
 }
 
 Case of_trees(std::vector<std::string> trees, std::optional<long long> volume = {}) {
@@ -177,14 +177,14 @@ Case sphere_pair(std::size_t triangles) {
       "spheres" + size, {bumpy_sphere(triangles, 1), moved(bumpy_sphere(triangles, 3), {0.4123, 0.3571, 0.2917})});
 }
 
-std::vector<IntegerBox> random_boxes(int count, unsigned seed) {
+std::vector<IntegerBox> random_boxes(int count, unsigned seed, const BoxSizes& sizes) {
   Random random(seed);
-  const int side = static_cast<int>(std::ceil(4 * std::cbrt(count)));
+  const int side = static_cast<int>(std::ceil(sizes.spacing * std::cbrt(count)));
   std::vector<IntegerBox> boxes(static_cast<std::size_t>(count));
   for (IntegerBox& box : boxes) {
     for (int k = 0; k < 3; ++k) {
       box.min[k] = random.integer(0, side - 1);
-      box.max[k] = box.min[k] + random.integer(1, 8);
+      box.max[k] = box.min[k] + random.integer(sizes.least, sizes.most);
     }
   }
   return boxes;

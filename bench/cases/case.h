@@ -45,8 +45,13 @@ std::vector<Recipe> recipes(const std::string& meshes);
 
 /// Two bumpy spheres of about `triangles` each, their union.
 Case sphere_pair(std::size_t triangles);
-/// `count` boxes with sides from 1 to 8, as many per volume whatever the count; many faces are coplanar.
-std::vector<IntegerBox> random_boxes(int count, unsigned seed);
+struct BoxSizes {
+  int spacing = 4;  ///< a box per cube of this side
+  int least = 1, most = 8;
+};
+/// `count` boxes, as many per volume whatever the count; many faces are coplanar, the more the smaller the
+/// numbers.
+std::vector<IntegerBox> random_boxes(int count, unsigned seed, const BoxSizes& sizes = {});
 /// Boxes of the same place in the lattice as meshes, their union; its volume by counting unit cubes.
 Case union_of(const std::string& name, const std::vector<IntegerBox>& boxes);
 /// The cube [0, 3^level]^3 without its prisms, one difference.

@@ -9,6 +9,8 @@
 #include <fstream>
 
 #include "bench/cases/child.h"
+#include "bench/peers/peer.h"
+#include "bench/peers/program.h"
 #include "tests/peers/models.h"
 
 namespace {
@@ -38,10 +40,13 @@ class Workshop {
   std::string file(const std::string& name) const { return path_ + "/" + name; }
   bool nothing_left() const { return fs::is_empty(temporary()); }
 
-  System program(const std::string& script) const {
+  std::string executable(const std::string& script) const {
     std::ofstream(file("program")) << "#!/bin/sh\n" << script << '\n';
     chmod(file("program").c_str(), 0700);
-    return bench::external_system("script", file("program"), 0x1p-50);
+    return file("program");
+  }
+  System program(const std::string& script) const {
+    return bench::external_system("script", executable(script), 0x1p-50);
   }
 
  private:
@@ -147,4 +152,43 @@ TEST_CASE("neither processes nor files stay behind when the limit strikes") {
   REQUIRE(pid > 0);
   CHECK(soon([&] { return kill(pid, 0) != 0; }));
   CHECK(soon([&] { return workshop.nothing_left(); }));
+}
+
+TEST_CASE("a program of a benchmark gets all operands at once and the threads, and says what it measured") {
+  const Workshop workshop;
+  const std::string log = workshop.file("log");
+  const std::string copy = "echo $1 $# $CNRG_THREADS > " + log + "; cp \"$3\" \"$5\"";
+  const bench::Case boxes =
+      bench::union_of("boxes", {{{0, 0, 0}, {1, 1, 1}}, {{1, 1, 1}, {2, 3, 4}}, {{0, 0, 0}, {9, 9, 9}}});
+  const bench::Outcome told =
+      bench::evaluate_program(workshop.executable(copy + "; echo measured 0.5 100 300 >&2"), boxes, {true}, 2);
+  CHECK(told.measures.seconds() == 0.5);
+  CHECK(told.measures.own_bytes() == 200);
+  CHECK(told.volume == 6);
+  CHECK(told.vertices == 8);
+  CHECK(told.faces == 12);
+  std::string words;
+  std::getline(std::ifstream(log), words);
+  CHECK(words == "union 5 2");
+  const bench::Outcome process = bench::evaluate_program(workshop.executable(copy), boxes, {true}, 1);
+  CHECK(process.measures.seconds() > 0);
+  CHECK(process.measures.seconds() != 0.5);
+  CHECK(process.measures.peak_bytes > 0);
+  CHECK_THROWS_WITH(bench::evaluate_program(workshop.executable("echo two only >&2; exit 1"), boxes, {}, 1),
+                    "two only");
+  CHECK_THROWS_WITH(bench::evaluate_program(workshop.executable("exit 0"), boxes, {}, 1),
+                    Catch::Contains("no result"));
+  CHECK(workshop.nothing_left());
+}
+
+TEST_CASE("a program is named with its path and its rounding") {
+  const bench::NamedProgram shell = bench::named_program("my-shell=/bin/../bin/sh:1e-9");
+  CHECK(shell.name == "my-shell");
+  CHECK(shell.path == fs::canonical("/bin/sh").string());
+  CHECK(shell.rounding == 1e-9);
+  CHECK(bench::named_program("s=/bin/sh").rounding == 1e-12);
+  CHECK_THROWS_WITH(bench::named_program("/bin/sh"), Catch::Contains("NAME=PROGRAM"));
+  CHECK_THROWS_WITH(bench::named_program("s=/bin/sh:much"), Catch::Contains("no rounding"));
+  CHECK_THROWS_WITH(bench::named_program("a b=/bin/sh"), Catch::Contains("no name"));
+  CHECK_THROWS_WITH(bench::named_program("s=/no/such"), Catch::Contains("no such program"));
 }
