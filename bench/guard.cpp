@@ -8,7 +8,8 @@
 // same files for both. Each round runs `cnrg eval TREE --quiet -o FILE.json` with both, first one and then the
 // other in turns, since a machine warms up. Time is that of the whole process, reading and writing included. Then
 // valgrind counts the instructions of one run of each with one thread: counts repeat where times do not, to a
-// millionth; it takes 20 times as long. With --rounds 0 they alone are compared, with --max-instructions 0 they
+// millionth; it takes 20 times as long. A case is not counted where valgrind, which rounds to the nearest whatever
+// a program asks for, gives another file. With --rounds 0 they alone are compared, with --max-instructions 0 they
 // are not counted. Exit status 1 if files differ, a run fails, or a ratio of instructions, of least times or of
 // peak memory is above its limit.
 #include <fcntl.h>
@@ -23,6 +24,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -130,6 +132,11 @@ struct Run {
   double seconds = 0, bytes = 0;
 };
 
+/// The program itself ended badly.
+struct Failure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 std::string first_line(const std::string& path) {
   std::ifstream file(path);
   std::string line;
@@ -165,18 +172,32 @@ Run run_program(const Options& options, int which, const GuardCase& c, const std
     throw std::runtime_error(words[0] + " could not be started; is it installed?");
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
     const std::string first = first_line(log);
-    throw std::runtime_error(c.name + ": " + (which == 0 ? "base" : "head") +
-                             " failed: " + (first.empty() ? "crashed" : first));
+    throw Failure(c.name + ": " + (which == 0 ? "base" : "head") +
+                  " failed: " + (first.empty() ? "crashed" : first));
   }
   return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
           static_cast<double>(usage.ru_maxrss) * 1024};
 }
 
-/// Of one run with one thread, as valgrind says: `==PID== I   refs:      3,863,506,832`.
-double instructions(const Options& options, int which, const GuardCase& c, const std::string& out) {
-  run_program(options, which, c, out, 1,
-              {"valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"});
-  std::ifstream log(out + ".log");
+bool same_bytes(const std::string& a, const std::string& b) {
+  std::ifstream first(a, std::ios::binary), second(b, std::ios::binary);
+  using Bytes = std::istreambuf_iterator<char>;
+  return first && second && std::equal(Bytes(first), Bytes(), Bytes(second), Bytes());
+}
+
+/// Of one run with one thread, as valgrind says: `==PID== I   refs:      3,863,506,832`. Nothing if that run does
+/// not write what the program writes without valgrind, which rounds to the nearest only: intervals need more.
+std::optional<double> instructions(const Options& options, int which, const GuardCase& c, const std::string& out) {
+  const std::string counted = c.tree + ".counted.json";
+  fs::remove(counted);
+  try {
+    run_program(options, which, c, counted, 1,
+                {"valgrind", "--tool=cachegrind", "--cache-sim=no", "--cachegrind-out-file=/dev/null"});
+  } catch (const Failure&) {
+    return {};
+  }
+  if (!same_bytes(out, counted)) return {};
+  std::ifstream log(counted + ".log");
   for (std::string line; std::getline(log, line);) {
     const std::size_t at = line.find("refs:");
     if (at == std::string::npos) continue;
@@ -187,14 +208,9 @@ double instructions(const Options& options, int which, const GuardCase& c, const
   throw std::runtime_error("valgrind counted no instructions of " + c.name);
 }
 
-bool same_bytes(const std::string& a, const std::string& b) {
-  std::ifstream first(a, std::ios::binary), second(b, std::ios::binary);
-  using Bytes = std::istreambuf_iterator<char>;
-  return first && second && std::equal(Bytes(first), Bytes(), Bytes(second), Bytes());
-}
-
 struct Comparison {
-  double instructions = 1, least = 1, middle = 1, memory = 1;  // ratios, head : base; 1 if not measured
+  std::optional<double> instructions;
+  double least = 1, middle = 1, memory = 1;  // ratios, head : base; 1 if not measured
   double base_instructions = 0, base_seconds = 0, base_bytes = 0;
   bool same = true;
 };
@@ -204,7 +220,7 @@ Comparison compare(const Options& options, const GuardCase& c) {
   std::array<std::string, 2> files;
   for (int which = 0; which < 2; ++which) files[which] = c.tree + (which == 0 ? ".base.json" : ".head.json");
   Comparison result;
-  for (int round = 0; round < options.rounds; ++round) {
+  for (int round = 0; round < std::max(1, options.rounds); ++round) {
     for (int turn = 0; turn < 2; ++turn) {
       const int which = (round + turn) % 2;
       const Run run = run_program(options, which, c, files[which], options.threads);
@@ -214,11 +230,11 @@ Comparison compare(const Options& options, const GuardCase& c) {
     result.same = result.same && same_bytes(files[0], files[1]);
   }
   if (options.max_instructions > 0) {
-    std::array<double, 2> counts{};
-    for (int which = 0; which < 2; ++which) counts[which] = instructions(options, which, c, files[which]);
-    result.base_instructions = counts[0];
-    result.instructions = counts[1] / counts[0];
-    result.same = result.same && same_bytes(files[0], files[1]);
+    const auto base = instructions(options, 0, c, files[0]), head = instructions(options, 1, c, files[1]);
+    if (base && head) {
+      result.base_instructions = *base;
+      result.instructions = *head / *base;
+    }
   }
   if (options.rounds == 0) return result;
   result.base_seconds = least(seconds[0]);
@@ -258,14 +274,16 @@ int run(const Options& options) {
   int faults = 0;
   for (const GuardCase& c : cases) {
     const Comparison r = compare(options, c);
-    const bool more = options.max_instructions > 0 && r.instructions > options.max_instructions;
+    const bool more = r.instructions && *r.instructions > options.max_instructions;
     const bool slow = r.least > options.max_time, large = r.memory > options.max_memory;
-    std::printf("%-18s %9.0f %9.3f %9.1f %12.4f %9.3f %9.3f %9.3f  %s%s%s%s\n", c.name.c_str(),
-                r.base_instructions / 1e6, r.base_seconds, r.base_bytes / 1e6, r.instructions, r.least, r.middle,
+    char counted[32] = "";
+    if (r.instructions) std::snprintf(counted, sizeof counted, "%.4f", *r.instructions);
+    std::printf("%-18s %9.0f %9.3f %9.1f %12s %9.3f %9.3f %9.3f  %s%s%s%s\n", c.name.c_str(),
+                r.base_instructions / 1e6, r.base_seconds, r.base_bytes / 1e6, counted, r.least, r.middle,
                 r.memory, r.same ? "same" : "DIFFERENT", more ? ", MORE INSTRUCTIONS" : "", slow ? ", SLOWER" : "",
                 large ? ", LARGER" : "");
     std::fflush(stdout);
-    ratios[0].push_back(r.instructions);
+    if (r.instructions) ratios[0].push_back(*r.instructions);
     ratios[1].push_back(r.least);
     ratios[2].push_back(r.middle);
     ratios[3].push_back(r.memory);

@@ -8,7 +8,7 @@
 namespace cnrg::bench {
 namespace {
 
-constexpr int kSides = 24, kRadius = 1000;
+constexpr int kSides = 24;
 
 using Thousandths = std::array<int, 3>;
 
@@ -41,9 +41,10 @@ std::string plate_leaves(const PlateWithHoles& plate) {
   for (int k = 0; k < plate.holes; ++k) {
     text += "  c" + std::to_string(k) + ": {prism: {base: [";
     for (const auto& [x, y] : plate.section(k))
-      text += "[" + std::to_string(x) + ", " + std::to_string(y) + ", -" + std::to_string(kRadius) + "], ";
+      text += "[" + std::to_string(x) + ", " + std::to_string(y) + ", -" +
+              std::to_string(PlateWithHoles::kHeight) + "], ";
     text.resize(text.size() - 2);
-    text += "], vector: [0, 0, " + std::to_string(2 * kRadius + PlateWithHoles::kHeight) + "]}}\n";
+    text += "], vector: [0, 0, " + std::to_string(3 * PlateWithHoles::kHeight) + "]}}\n";
   }
   return text;
 }

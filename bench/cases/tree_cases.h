@@ -7,8 +7,8 @@
 
 namespace cnrg::bench {
 
-/// A plate of 3,000 x 3,000 x 1,000 per hole and vertical prisms of 24 sides through it, on a square lattice; all
-/// coordinates are integers.
+/// A plate and vertical prisms of 24 sides through it, on a square lattice. Coordinates are integers, so that the
+/// volume is one, and long, as those of most models are: products of them are no doubles.
 struct PlateWithHoles {
   int holes = 0;
   /// How many places the lattice has along a side.
@@ -17,7 +17,7 @@ struct PlateWithHoles {
   std::vector<std::array<int, 2>> section(int k) const;
   /// What is left of the plate, by integers.
   long long volume() const;
-  static constexpr int kSpacing = 3000, kHeight = 1000;
+  static constexpr int kRadius = 1 << 20, kSpacing = 3 * kRadius, kHeight = 2;
 };
 
 /// The plate without all prisms in one difference, or in one difference per prism: ((plate - a) - b) - ... .
