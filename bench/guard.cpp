@@ -80,15 +80,27 @@ GuardCase mesh_case(const fs::path& folder, const std::string& name) {
   return tree_case(folder, name, text + "  all: {" + op + ": [" + operands + "]}\nresult: all\n");
 }
 
-/// One union of leaves `box`.
-GuardCase box_case(const fs::path& folder, int count) {
-  std::string text = "cnrg: 1\nnodes:\n  all:\n    union:\n";
+std::string leaf_of(const IntegerBox& box) {
   const auto point = [](const std::array<int, 3>& p) {
     return "[" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) + "]";
   };
-  for (const IntegerBox& box : random_boxes(count, 1))
-    text += "      - {box: {min: " + point(box.min) + ", max: " + point(box.max) + "}}\n";
+  return "{box: {min: " + point(box.min) + ", max: " + point(box.max) + "}}";
+}
+
+/// One union of leaves `box`.
+GuardCase box_case(const fs::path& folder, int count) {
+  std::string text = "cnrg: 1\nnodes:\n  all:\n    union:\n";
+  for (const IntegerBox& box : random_boxes(count, 1)) text += "      - " + leaf_of(box) + "\n";
   return tree_case(folder, "box-leaves" + std::to_string(count), text + "result: all\n");
+}
+
+/// Each of these boxes cut to the same one, and their union: as `cut_spheres`, but all points are integers, so
+/// that instructions can be counted.
+GuardCase cut_boxes(const fs::path& folder, int count) {
+  std::string text = "cnrg: 1\nnodes:\n  middle: " + leaf_of({{6, 6, 6}, {14, 14, 14}}) + "\n  all:\n    union:\n";
+  for (const IntegerBox& box : random_boxes(count, 1))
+    text += "      - {intersection: [" + leaf_of(box) + ", middle]}\n";
+  return tree_case(folder, "cut-boxes" + std::to_string(count), text + "result: all\n");
 }
 
 std::vector<GuardCase> write_cases(const fs::path& folder) {
@@ -101,6 +113,7 @@ std::vector<GuardCase> write_cases(const fs::path& folder) {
   cases.push_back(tree_case(folder, "winding-chain", winding_chain(150, 1)));
   cases.push_back(tree_case(folder, "shared-layers", shared_layers(40, 1)));
   cases.push_back(tree_case(folder, "cut-spheres16", cut_spheres(16, 1)));
+  cases.push_back(cut_boxes(folder, 200));
   cases.push_back(tree_case(folder, "shared-boxes10", shared_boxes(10)));
   cases.push_back(tree_case(folder, "plate200", plate_difference(200)));
   cases.push_back(tree_case(folder, "plate-chain200", plate_chain(200)));
@@ -259,6 +272,12 @@ std::vector<GuardCase> chosen(std::vector<GuardCase> cases, const std::vector<st
   return cases;
 }
 
+std::string ratio_text(double ratio) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4f", ratio);
+  return text;
+}
+
 int run(const Options& options) {
   for (const std::string& program : options.programs) {
     if (access(program.c_str(), X_OK) != 0)
@@ -276,10 +295,9 @@ int run(const Options& options) {
     const Comparison r = compare(options, c);
     const bool more = r.instructions && *r.instructions > options.max_instructions;
     const bool slow = r.least > options.max_time, large = r.memory > options.max_memory;
-    char counted[32] = "";
-    if (r.instructions) std::snprintf(counted, sizeof counted, "%.4f", *r.instructions);
+    const std::string counted = r.instructions ? ratio_text(*r.instructions) : "-";
     std::printf("%-18s %9.0f %9.3f %9.1f %12s %9.3f %9.3f %9.3f  %s%s%s%s\n", c.name.c_str(),
-                r.base_instructions / 1e6, r.base_seconds, r.base_bytes / 1e6, counted, r.least, r.middle,
+                r.base_instructions / 1e6, r.base_seconds, r.base_bytes / 1e6, counted.c_str(), r.least, r.middle,
                 r.memory, r.same ? "same" : "DIFFERENT", more ? ", MORE INSTRUCTIONS" : "", slow ? ", SLOWER" : "",
                 large ? ", LARGER" : "");
     std::fflush(stdout);
@@ -289,9 +307,9 @@ int run(const Options& options) {
     ratios[3].push_back(r.memory);
     faults += !r.same + more + slow + large;
   }
-  std::printf("%-18s %9s %9s %9s %12.4f %9.3f %9.3f %9.3f  %s\n", "geometric mean", "", "", "",
-              geometric_mean(ratios[0]), geometric_mean(ratios[1]), geometric_mean(ratios[2]),
-              geometric_mean(ratios[3]),
+  const std::string counted = ratios[0].empty() ? "-" : ratio_text(geometric_mean(ratios[0]));
+  std::printf("%-18s %9s %9s %9s %12s %9.3f %9.3f %9.3f  %s\n", "geometric mean", "", "", "", counted.c_str(),
+              geometric_mean(ratios[1]), geometric_mean(ratios[2]), geometric_mean(ratios[3]),
               faults == 0 ? "all within the limits" : (std::to_string(faults) + " faults").c_str());
   return faults == 0 ? 0 : 1;
 }
