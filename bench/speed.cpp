@@ -2,7 +2,7 @@
 //
 //   bench_speed [GROUP|CASE...] [options]      `--help` lists the options, `--list` the cases
 //
-// Without names: the cases of `kTable`, without Nef.
+// Without names, or with `table`: the cases of `kTable`, without Nef.
 // Every run is a process of its own, which makes its case first; the systems take turns, so that a slow minute of
 // the machine meets all of them. Times are of the measured part (peer.h). `peak MB` is what was resident at most
 // during that part, `own MB` the same without what was resident before it: program and input. The first run of
@@ -232,11 +232,14 @@ void add_general_position(const std::vector<Recipe>& all, std::vector<Recipe>& s
       *std::find_if(all.begin(), all.end(), [](const Recipe& r) { return r.name == kGeneralPosition; }));
 }
 
-/// Without names: the table.
+/// `table`, which is also meant without names, is its cases.
 Options completed(Options options) {
   for (const std::string& text : options.programs) named_program(text);  // before the work, not after it
-  if (!options.names.empty()) return options;
-  options.names.assign(std::begin(kTable), std::end(kTable));
+  if (options.names.empty()) options.names = {"table"};
+  const auto table = std::find(options.names.begin(), options.names.end(), "table");
+  if (table == options.names.end()) return options;
+  options.names.erase(table);
+  options.names.insert(options.names.end(), std::begin(kTable), std::end(kTable));
   options.no_nef = true;
   return options;
 }
@@ -289,14 +292,14 @@ int main(int argc, char** argv) {
   CLI::App program{"Whole jobs by cnrg, CGAL's corefinement and CGAL's Nef polyhedra, side by side.",
                    "bench_speed"};
   program.footer(
-      "Without names: one table of all kinds of cases but the group `long`, without Nef.\n"
+      "Without names, or with `table`: one table of all kinds of cases but the group `long`, without Nef.\n"
       "A program of another system is called as PROGRAM OPERATION A.off B.off... OUT.off, with `union` or "
       "`difference`\n"
       "(the first operand without all others); its threads are in the environment as CNRG_THREADS. What it "
       "measures\n"
       "itself it writes to standard error as a line `measured SECONDS BASE_BYTES PEAK_BYTES`; see\n"
       "bench/peers/external.");
-  program.add_option("NAMES", options.names, "Groups (pairs nary growth degenerate trees long) or cases");
+  program.add_option("NAMES", options.names, "Groups (table pairs nary growth degenerate trees long) or cases");
   program.add_flag("--list", options.list, "List the cases");
   program.add_option("--meshes", options.meshes, "Folder of the meshes of `pairs`, searched through")
       ->type_name("FOLDER");
