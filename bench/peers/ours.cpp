@@ -16,7 +16,7 @@ Outcome evaluate_trees(const Case& c, int threads) {
   for (const std::string& text : c.trees) trees.push_back(parse_tree(text, "tree.yaml"));
   EvaluateOptions options;
   options.threads = threads;
-  options.rows = false;
+  options.rows = Rows::kept;
   Outcome outcome;
   Rational volume = 0;
   Measurement measurement;

@@ -185,7 +185,8 @@ int run_eval(const EvalArguments& arguments) {
   options.threads = arguments.threads;
   options.raw = arguments.raw;
   options.refining = arguments.refining;
-  options.rows = !arguments.quiet || std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
+  const bool in_files = std::any_of(arguments.files.begin(), arguments.files.end(), shows_dag);
+  options.rows = !arguments.quiet || in_files ? Rows::all : Rows::none;
   options.region_volumes = arguments.trace;
   for (const std::string& name : arguments.nodes) options.nodes.push_back(node_of(tree, name));
   std::vector<NodeId> roots = options.nodes;

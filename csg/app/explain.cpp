@@ -41,7 +41,7 @@ int run_explain(const ExplainArguments& arguments) {
   const NodeId node = node_of(tree, arguments.node);
   EvaluateOptions options;
   options.threads = arguments.threads;
-  options.rows = false;
+  options.rows = Rows::none;
   options.keep_all = true;
   options.nodes = {node};
   if (!arguments.point.empty()) options.reach = {point};

@@ -161,7 +161,7 @@ class Places {
   void evaluate_with(bool again) {
     EvaluateOptions options;
     options.threads = arguments_.threads;
-    options.rows = false;
+    options.rows = Rows::none;
     options.nodes = {node_};
     options.reach = reach_;
     materials_.reset(), locator_.reset();  // they refer to the evaluation

@@ -80,7 +80,7 @@ int run_mesh(const MeshArguments& arguments) {
   print(unused_nodes(tree, {tree.result, node}), arguments.quiet);
   EvaluateOptions options;
   options.threads = arguments.threads;
-  options.rows = false;
+  options.rows = Rows::none;
   options.nodes = {node};
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);

@@ -240,7 +240,7 @@ Evaluation evaluated(const Tree& tree, NodeId node, const std::vector<NodeId>& m
                      const CompareOptions& options) {
   EvaluateOptions all;
   all.threads = options.threads;
-  all.rows = false;
+  all.rows = Rows::none;
   all.nodes = more;
   all.watch = options.watch;
   Tree asked = tree;

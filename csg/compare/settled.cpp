@@ -11,7 +11,7 @@ namespace cnrg {
 Settled::Settled(const Tree& tree, NodeId node, const Marks& marks, int threads) : file_("cnrg compare") {
   EvaluateOptions options;
   options.threads = threads;
-  options.rows = false;
+  options.rows = Rows::none;
   Tree asked = marked(tree, marks);
   asked.result = node;
   const Result result = evaluate(asked, options).result();

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "csg/operators/component_lists.h"
+#include "csg/operators/node_value.h"
 
 namespace cnrg {
 namespace {
@@ -73,16 +74,18 @@ std::vector<Diagnostic> dropped_faces(const Tree& tree, const PreparedLeaves& le
 }
 
 std::vector<Diagnostic> material_conflicts(const Tree& tree, const Node& node, const NodeValue& value,
-                                           const std::vector<AttributeConflict>& conflicts,
-                                           SimplifiedValue& simplified) {
+                                           const std::vector<AttributeConflict>& conflicts, const Complex& complex,
+                                           const SimplifiedValue& simplified) {
   std::vector<Diagnostic> out;
+  if (conflicts.empty()) return out;
+  const Selection selection = selection_of(complex, value);
   std::set<std::string> said;  // a fold may meet the same materials in the same cells more than once
   for (const AttributeConflict& conflict : conflicts) {
     // Cells that are not active any more went in a later step of a fold.
-    const CellSet cells = active_of(simplified.selection(), conflict.cells);
+    const CellSet cells = active_of(selection, conflict.cells);
     if (cells.empty()) continue;
-    const std::vector<Place> places = places_of(simplified.get(), cells);
-    const Component component = component_of(simplified.get(), places.front());
+    const std::vector<Place> places = places_of(*simplified, cells);
+    const Component component = component_of(*simplified, places.front());
     const bool is_region = !cells.regions.empty() || !value.is_group();
     const std::string what = conflict.key.empty() ? "the material" : "the attribute `" + conflict.key + ":";
     const std::string message = "`" + node.name + "`: " +

@@ -133,13 +133,12 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
     EvaluateOptions alone;
     alone.threads = options.threads;
     alone.watch = options.watch;
-    alone.rows = false;
+    alone.rows = Rows::none;
     return evaluate_roots(tree, {node}, alone, false);
   });
   ScopeResult made = evaluate_scopes({tree, unfolding, leaves, placed.instances, placed.surfaces, options, grades},
                                      sections_of(tree, unfolding, leaves, placed, options));
   result.complex = made.complex;
-  const Complex& complex = *result.complex;
   result.refine = std::move(made.refine);
   result.refine_seconds = made.refine_seconds;
   name_leaves(leaves, placed, std::move(made.places), result);
@@ -149,12 +148,10 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
   const SimplifyMode mode = options.raw ? SimplifyMode::raw : SimplifyMode::features;
   for (const InstanceId root : unfolding.roots) {
     const NodeId node = unfolding.instances[root].node;
-    const NodeValue& value = values[root];
-    SimplifiedComplex simplified = made.of_result && node == tree.result
-                                       ? std::move(*made.of_result)
-                                       : simplified_in_order(complex, value, selection_of(complex, value), mode);
     result.kept.push_back({node, values.share(root),
-                           std::make_shared<const SimplifiedComplex>(std::move(simplified)),
+                           made.of_result && node == tree.result
+                               ? *made.of_result
+                               : SimplifiedValue(result.complex, values.share(root), mode),
                            leaves.below(unfolding, root), tree.nodes[node].name});
   }
   for (const Material& m : tree.materials) result.materials.push_back({m.name, m.color});

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "csg/evaluate/simplified_value.h"
 #include "csg/operators/group.h"
 #include "csg/operators/tables.h"
 #include "csg/result/result.h"
@@ -35,10 +36,13 @@ enum class Refining : std::uint8_t {
   apart,     ///< every Boolean node
 };
 
+/// Of which nodes rows tell counts and volumes.
+enum class Rows : std::uint8_t { none, kept, all };
+
 struct EvaluateOptions {
-  int threads = 0;              ///< 0: all cores
-  bool validate = false;        ///< check the complex and the identities of every node (InvariantError)
-  bool rows = true;             ///< counts and volumes of all nodes; otherwise of the kept ones only
+  int threads = 0;        ///< 0: all cores
+  bool validate = false;  ///< check the complex and the identities of every node (InvariantError)
+  Rows rows = Rows::all;
   bool region_volumes = false;  ///< in rows: the volume of every region of every node
   bool raw = false;             ///< keep unsimplified cells
   Refining refining = Refining::chosen;
@@ -74,9 +78,9 @@ struct NodeRow {
 struct KeptValue {
   NodeId node;
   std::shared_ptr<const NodeValue> value;
-  std::shared_ptr<const SimplifiedComplex> simplified;  ///< with mode raw when the options say so
-  std::vector<LeafId> leaves;                           ///< the leaves below it, ascending
-  std::string name{};                                   ///< of the node
+  SimplifiedValue simplified;  ///< with mode raw when the options say so
+  std::vector<LeafId> leaves;  ///< the leaves below it, ascending
+  std::string name{};          ///< of the node
   /// The value as a group; InvariantError when it is components.
   const Group& group() const;
 };

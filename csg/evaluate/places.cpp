@@ -126,7 +126,7 @@ std::vector<Place> Places::of(std::span<const RationalPoint> points, const Watch
   }
   EvaluateOptions options;
   options.threads = threads;
-  options.rows = false;
+  options.rows = Rows::none;
   options.raw = data_->result.data().raw;
   options.nodes = {data_->node};
   options.reach = far;

@@ -12,7 +12,7 @@ Result result_of(const Evaluation& evaluation, const KeptValue& kept) {
   auto data = std::make_shared<Result::Data>();
   data->complex = evaluation.complex;
   data->value = kept.value;
-  data->simplified = kept.simplified;
+  data->simplified = kept.simplified.share();
   data->parameters = evaluation.parameters;
   data->raw = evaluation.raw;
   data->name({kept.name, evaluation.leaf_names, evaluation.materials});

@@ -22,10 +22,10 @@ void add_region(const std::optional<Rational>& volume, NodeRow& row) {
   else row.total.reset();
 }
 
-void fill_group(const Complex& complex, NodeValue& value, SimplifiedValue* simplified, NodeRow& row) {
+void fill_group(const Complex& complex, NodeValue& value, const SimplifiedValue* simplified, NodeRow& row) {
   if (simplified == nullptr) return fill_totals(totals_of(complex, value.parts()), row);
-  row.raw_cells = raw_counts(simplified->selection());
-  row.cells = active_counts(simplified->get());
+  row.raw_cells = simplified->counts().raw;
+  row.cells = simplified->counts().simplified;
   row.total = Rational(0);
   for (const PartRef& part : std::as_const(value).parts().parts) {
     row.regions += part->group().regions.size();
@@ -44,12 +44,12 @@ void fill_group_regions(const Complex& complex, const PartedGroup& group, NodeRo
 }
 
 void fill_components(const Complex& complex, const NodeValue& value, bool region_volumes,
-                     SimplifiedValue* simplified, NodeRow& row) {
+                     const SimplifiedValue* simplified, NodeRow& row) {
   const Selection& selection = value.components().selection;
   row.components = value.component_count();
   row.raw_cells = raw_counts(selection);
   row.cells =
-      simplified != nullptr ? active_counts(simplified->get()) : simplified_counts(complex, value, selection);
+      simplified != nullptr ? simplified->counts().simplified : simplified_counts(complex, value, selection);
   row.total = Rational(0);
   std::map<Component, std::vector<RegionId>> cells;
   for (const auto& [cell, component] : selection.regions) cells[component].push_back(cell);
@@ -81,7 +81,7 @@ void fill_totals(const Totals& totals, NodeRow& row) {
   row.total = totals.volume();
 }
 
-void fill_totals(const Complex& complex, NodeValue& value, bool region_volumes, SimplifiedValue* simplified,
+void fill_totals(const Complex& complex, NodeValue& value, bool region_volumes, const SimplifiedValue* simplified,
                  NodeRow& row) {
   row.is_group = value.is_group();
   if (!value.is_group()) return fill_components(complex, value, region_volumes, simplified, row);

@@ -116,7 +116,7 @@ class Scopes {
   LeavesBelow below_;
   RefineReport report_;
   double refine_seconds_ = 0;
-  std::optional<SimplifiedComplex> of_result_;
+  std::optional<SimplifiedValue> of_result_;
 
   /// The operands that an instance takes here: of one in steps the last one alone.
   std::span<const InstanceId> operands_here(InstanceId id) const {
@@ -178,7 +178,7 @@ class Scopes {
       for (const InstanceId operand : operands_here(id)) scope.values.add_use(operand);
     }
     for (const InstanceId root : roots) scope.values.add_use(root);
-    if (x_.options.rows) prepare_totals(*scope.complex, scope.values);
+    if (x_.options.rows == Rows::all) prepare_totals(*scope.complex, scope.values);
     make_values(scope, roots, top);
     return scope;
   }
@@ -307,19 +307,20 @@ class Scopes {
     const NodeId node = row.node;
     if (!rows_[id]) {
       const NodeValue& value = scope.values[id];
-      SimplifiedValue simplified(*scope.complex, value);
-      append(told_[id], material_conflicts(tree_, tree_.nodes[node], value, conflicts, simplified));
+      const SimplifiedValue simplified(scope.complex, scope.values.share(id));
+      append(told_[id],
+             material_conflicts(tree_, tree_.nodes[node], value, conflicts, *scope.complex, simplified));
       append(told_[id], empty_selection(tree_, node, value));
       const bool is_root = top && std::find(roots.begin(), roots.end(), id) != roots.end();
-      if (x_.options.rows || is_root) {
-        // The result is simplified for its files in any case, so that is no part of the time of its row.
-        const bool last = node == tree_.result && is_root && scope.values.used_once_more(id) && !x_.options.raw;
-        if (last) simplified.get();
+      const bool last = node == tree_.result && is_root && scope.values.used_once_more(id) && !x_.options.raw;
+      if (last) of_result_ = simplified;
+      if (x_.options.rows == Rows::all || (is_root && x_.options.rows == Rows::kept)) {
+        // The files need the simplified result, too, so that is no part of the time of its row.
+        if (last) simplified.counts();
         const Stopwatch stopwatch;
         fill_totals(*scope.complex, scope.values[id], x_.options.region_volumes, last ? &simplified : nullptr,
                     row);
         row.totals_seconds = stopwatch.seconds();
-        if (last) of_result_ = std::move(simplified.get());
       }
       rows_[id] = std::move(row);
     }
@@ -361,7 +362,7 @@ class Scopes {
               {&scope.values[operand], tree_.nodes[instances_[operand].node].name, nullptr, {}});
       }
     }
-    std::optional<ChainOutcome> outcome = evaluate_chain(*scope.complex, nodes, x_.options.rows);
+    std::optional<ChainOutcome> outcome = evaluate_chain(*scope.complex, nodes, x_.options.rows == Rows::all);
     if (!outcome) {
       for (const InstanceId id : chain) make_value(scope, id, roots, top);
       return;

@@ -18,6 +18,7 @@
 #include "csg/evaluate/operate.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/evaluate/sections.h"
+#include "csg/evaluate/simplified_value.h"
 #include "csg/evaluate/value_store.h"
 
 namespace cnrg {
@@ -40,8 +41,8 @@ struct ScopeResult {
   RefineReport refine;               ///< sums over all scopes
   double refine_seconds = 0;
   ValueStore values;
-  std::optional<SimplifiedComplex> of_result;  ///< where it was made on the way
-  std::vector<NodeRow> rows;                   ///< of all instances, in their order
+  std::optional<SimplifiedValue> of_result;  ///< where it was made on the way
+  std::vector<NodeRow> rows;                 ///< of all instances, in their order
   std::vector<Diagnostic> diagnostics;
 };
 

@@ -2,31 +2,39 @@
 // use.
 #pragma once
 
-#include <optional>
+#include <array>
+#include <memory>
 
-#include "csg/operators/node_value.h"
+#include "kernel/complex/complex.h"
 #include "kernel/selection/simplify.h"
 
 namespace cnrg {
 
-/// The simplified complex of a value with its cells in the order that depends on the result alone. `selection` is
-/// that of the value.
-SimplifiedComplex simplified_in_order(const Complex& complex, const NodeValue& value, const Selection& selection,
-                                      SimplifyMode mode = SimplifyMode::features);
+class NodeValue;
 
-/// Made when it is first asked for, once: conflicts of materials name its cells, the row of the result has its
-/// counts, the files of the result are it. Both `complex` and `value` must outlive this.
+/// Numbers of active cells by dimension.
+struct ActiveCells {
+  std::array<std::size_t, 4> raw{};  ///< as the refinement has them
+  std::array<std::size_t, 4> simplified{};
+};
+
+/// Made when it is first asked for, once, and shared by copies: conflicts of materials name its cells, the row of
+/// the result has their counts, the files of the result are it; and often nobody asks. It shares the complex and
+/// the value. Several threads may ask at a time.
 class SimplifiedValue {
  public:
-  SimplifiedValue(const Complex& complex, const NodeValue& value) : complex_(complex), value_(value) {}
-  const Selection& selection();
-  SimplifiedComplex& get();
+  SimplifiedValue(std::shared_ptr<const Complex> complex, std::shared_ptr<const NodeValue> value,
+                  SimplifyMode mode = SimplifyMode::features);
+  /// Its cells are in an order that depends on the value alone (kernel/selection/canonical.h).
+  const SimplifiedComplex& operator*() const;
+  const SimplifiedComplex* operator->() const { return &**this; }
+  std::shared_ptr<const SimplifiedComplex> share() const;
+  /// For less than the complex itself: no cell needs its number.
+  const ActiveCells& counts() const;
 
  private:
-  const Complex& complex_;
-  const NodeValue& value_;
-  std::optional<Selection> selection_;
-  std::optional<SimplifiedComplex> made_;
+  struct State;
+  std::shared_ptr<State> state_;
 };
 
 }  // namespace cnrg

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "csg/evaluate/simplified_value.h"
 #include "csg/operators/component_lists.h"
 #include "csg/operators/material_levels.h"
 #include "csg/operators/paper_terms.h"
 #include "csg/tree/unfold.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
+#include "kernel/selection/canonical.h"
+#include "kernel/selection/simplify.h"
 
 namespace cnrg {
 namespace {
@@ -453,7 +454,8 @@ void Lives::add_attribute(const Node& node, InstanceId id, const std::vector<Pie
 const SimplifiedComplex& Lives::simplified(const NodeValue& value) {
   const auto it = simplified_.find(&value);
   if (it != simplified_.end()) return it->second;
-  SimplifiedComplex made = simplified_in_order(complex_, value, selection_of(complex_, value));
+  SimplifiedComplex made = simplify(complex_, value, selection_of(complex_, value));
+  put_in_order(complex_, made);
   return simplified_.emplace(&value, std::move(made)).first->second;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "csg/imports/text_cursor.h"
@@ -39,6 +40,7 @@ class ObjReader {
       } else if (word == "g" || word == "usemtl") {
         std::string& name = word == "g" ? group_ : material_;
         name.clear();
+        number_.reset();
         for (std::string_view token = cursor_.token_in_line(); !token.empty(); token = cursor_.token_in_line()) {
           name.append(token).append(" ");
         }
@@ -74,12 +76,7 @@ class ObjReader {
   }
 
   void read_vertex() {
-    const int line = cursor_.line();
-    TextCursor probe = cursor_;
-    for (int k = 0; k < 3; ++k) {
-      if (probe.token_in_line().empty())
-        cursor_.fail_at(line, "a vertex with fewer than 3 coordinates: give x, y and z");
-    }
+    if (cursor_.tokens_left(3) < 3) cursor_.fail("a vertex with fewer than 3 coordinates: give x, y and z");
     cursor_.coordinates(mesh_, decimal_);
   }
 
@@ -117,7 +114,10 @@ class ObjReader {
   }
 
   std::uint32_t group_number() {
-    return numbers_.try_emplace({group_, material_}, static_cast<std::uint32_t>(numbers_.size())).first->second;
+    if (!number_)
+      number_ =
+          numbers_.try_emplace({group_, material_}, static_cast<std::uint32_t>(numbers_.size())).first->second;
+    return *number_;
   }
 
   TextCursor cursor_;
@@ -126,6 +126,7 @@ class ObjReader {
   std::vector<std::uint32_t> corner_list_;
   std::string group_, material_;
   std::map<std::pair<std::string, std::string>, std::uint32_t> numbers_;
+  std::optional<std::uint32_t> number_;  // of the group and material of now
   long long highest_ = -1;
   int highest_line_ = 0;
 };

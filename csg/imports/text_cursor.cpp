@@ -58,6 +58,14 @@ std::string_view TextCursor::token_in_line() {
   return {start, static_cast<std::size_t>(at_ - start)};
 }
 
+int TextCursor::tokens_left(int most) {
+  const char* const here = at_;
+  int count = 0;
+  while (count < most && !token_in_line().empty()) ++count;
+  at_ = here;
+  return count;
+}
+
 std::string_view TextCursor::token(const char* wanted) {
   if (!more()) fail_at_end(std::string("the file ends where ") + wanted + " is expected");
   return token_in_line();

@@ -21,6 +21,8 @@ class TextCursor {
   void next_line();
   /// The characters up to the next blank or line end. Empty at the end of the file or of the line.
   std::string_view token_in_line();
+  /// How many tokens, up to `most`, are ahead in this line; none is taken.
+  int tokens_left(int most);
   /// The next token, in whichever line; at the end of the file an error that says `wanted` is missing.
   std::string_view token(const char* wanted);
 

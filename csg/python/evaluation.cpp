@@ -13,7 +13,7 @@ std::shared_ptr<const EvaluatedTree> evaluate_tree(const TreeObject& tree, const
                                                    const py::object& progress) {
   EvaluateOptions options;
   options.threads = threads;
-  options.rows = rows;
+  options.rows = rows ? Rows::all : Rows::kept;
   options.raw = raw;
   options.validate = validate;
   for (const std::size_t node : nodes) options.nodes.emplace_back(node);

@@ -17,7 +17,7 @@ py::bytes picture_of(const OneResult& r, const std::string& extension, const Pic
     if (!ghosts || r.from == nullptr) return picture(extension, r.result, options, threads);
     EvaluateOptions all;
     all.threads = threads;
-    all.rows = false;
+    all.rows = Rows::none;
     all.keep_all = true;
     all.nodes = {r.node};
     all.watch = watch;

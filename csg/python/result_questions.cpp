@@ -84,7 +84,7 @@ std::shared_ptr<const EvaluatedTree> evaluate_all(const OneResult& r, const std:
   const std::shared_ptr<const Tree> tree = tree_of(r, "an explanation").tree;
   EvaluateOptions options;
   options.threads = threads;
-  options.rows = false;
+  options.rows = Rows::none;
   options.keep_all = true;
   options.nodes = {r.node};
   options.reach = reach;

@@ -40,7 +40,7 @@ void normalize(Json& json) {
 
 Json said(const Workshop& shop, const Tree& tree, NodeId node) {
   EvaluateOptions options;
-  options.rows = false;
+  options.rows = Rows::none;
   options.nodes = {node};
   const Evaluation evaluation = evaluate(tree, options);
   const std::string path = shop.path("value.json").string();

@@ -208,13 +208,13 @@ TEST_CASE("a chain of 10,000 nodes evaluates", "[evaluate]") {
   CHECK(r.row("n10000").cells == Cells{8, 12, 6, 1});
 }
 
-TEST_CASE("without rows only the kept nodes are measured", "[evaluate]") {
+TEST_CASE("only the nodes that somebody asks for are measured", "[evaluate]") {
   const Tree tree =
       parse_tree("cnrg: 1\nnodes:\n" + std::string("  a: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n") +
                      "  r: {regularize: a}\nresult: r\n",
                  "t.yaml");
   EvaluateOptions options;
-  options.rows = false;
+  options.rows = Rows::kept;
   options.validate = true;
   std::vector<std::string> stages;
   options.watch.progress = [&](std::string_view stage, std::size_t, std::size_t) {
@@ -227,6 +227,13 @@ TEST_CASE("without rows only the kept nodes are measured", "[evaluate]") {
   CHECK(stages == std::vector<std::string>{"leaves", "refine", "refine: input", "refine: contacts",
                                            "refine: crossings", "refine: faces", "refine: cells",
                                            "refine: regions", "nodes"});
+  options.rows = Rows::none;
+  const Evaluation none = evaluate(tree, options);
+  CHECK(none.rows[1].cells == Cells{0, 0, 0, 0});
+  CHECK_FALSE(none.rows[1].volume().has_value());
+  CHECK(none.kept[0].simplified.counts().simplified == e.rows[1].cells);
+  CHECK(none.kept[0].simplified.counts().raw == e.rows[1].raw_cells);
+  CHECK(active_counts(*none.kept[0].simplified) == e.rows[1].cells);
 }
 
 TEST_CASE("raw keeps the cells of the refinement", "[evaluate]") {

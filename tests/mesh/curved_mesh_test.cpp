@@ -52,7 +52,7 @@ struct Bent {
   double volume = 0;
   explicit Bent(const Tree& tree, const std::string& node = "", double quality = 1.4) {
     EvaluateOptions options;
-    options.rows = false;
+    options.rows = Rows::none;
     if (!node.empty()) options.nodes = {tree.find(node)};
     const Evaluation evaluation = evaluate(tree, options);
     const Result result = node.empty() ? evaluation.result() : evaluation.result(node);

@@ -208,7 +208,7 @@ std::string compare(const Places& places) {
   EvaluateOptions options;
   options.threads = 1;
   options.validate = true;
-  options.rows = false;
+  options.rows = Rows::none;
   options.reach = points;
   for (std::size_t i = 0; i < dag.nodes.size(); ++i)
     options.nodes.push_back(tree.find(properties::name_of(dag, i)));
