@@ -1,6 +1,7 @@
 // Uncertain places in words.
 #include "csg/evaluate/certify.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -23,10 +24,10 @@ std::string coordinates(const std::array<double, 3>& p) {
 }  // namespace
 
 Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t listed, bool at_vertices) {
-  std::vector<char> asked(evaluation.complex->edge_count(), 0);
-  for (const KeptValue& kept : evaluation.kept) {
-    for (std::size_t e = 0; e < asked.size(); ++e) asked[e] |= kept.simplified->edge_place[e].dimension == 1;
-  }
+  const auto asked = [&](EdgeId e) {
+    return std::any_of(evaluation.kept.begin(), evaluation.kept.end(),
+                       [&](const KeptValue& kept) { return kept.simplified->edge_place[e.index()].dimension == 1; });
+  };
   const Transversality found =
       transversality(*evaluation.complex, *evaluation.parameters, listed, asked, at_vertices);
   Certificate result{found.edges, found.places.size(), {}};

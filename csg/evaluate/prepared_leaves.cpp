@@ -2,9 +2,13 @@
 // who throws names a place as `leaf i, face j` or as `file:line:`, and a name and a position are put there.
 #include "csg/evaluate/prepared_leaves.h"
 
+#include <tbb/parallel_for.h>
+
+#include <exception>
 #include <optional>
 #include <regex>
 #include <string>
+#include <utility>
 
 namespace cnrg {
 namespace {
@@ -88,24 +92,49 @@ const std::string* file_of(const Shape& shape) {
 
 PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding)
     : tree_(&tree), prepared_(tree.nodes.size()), leaf_of_(number_leaves(tree, unfolding.instances)) {
+  std::vector<NodeId> nodes;
+  std::vector<char> listed(tree.nodes.size(), 0);
+  for (const InstanceId i : IdRange<InstanceId>(unfolding.instances.size())) {
+    const NodeId node = unfolding.instances[i].node;
+    if (leaf_of_[i].valid() && !std::exchange(listed[node.index()], 1)) nodes.push_back(node);
+  }
+  prepare_nodes(nodes);
   for (const InstanceId i : IdRange<InstanceId>(unfolding.instances.size())) {
     if (!leaf_of_[i].valid()) continue;
     const Instance& instance = unfolding.instances[i];
-    if (!prepared_[instance.node]) prepare_node(instance.node);
     nodes_.push_back(instance.node);
     instances_.push_back({prepared_[instance.node], *instance.transform});
   }
 }
 
 PreparedLeaves::PreparedLeaves(const Tree& tree) : tree_(&tree), prepared_(tree.nodes.size()) {
+  std::vector<NodeId> nodes;
   for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
-    if (tree.nodes[id].op == Operator::leaf) prepare_node(id);
+    if (tree.nodes[id].op == Operator::leaf) nodes.push_back(id);
   }
+  prepare_nodes(nodes);
 }
 
 std::vector<LeafId> PreparedLeaves::below(const Unfolding& unfolding, InstanceId instance,
                                           std::span<const NodeId> nodes) const {
   return leaves_below(unfolding.instances, leaf_of_, instance, nodes);
+}
+
+// Files of meshes are read at the same time; if several have faults that of the first node is told.
+void PreparedLeaves::prepare_nodes(const std::vector<NodeId>& nodes) {
+  std::vector<std::exception_ptr> faults(nodes.size());
+  tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
+    if (!std::holds_alternative<MeshShape>(*tree_->nodes[nodes[i]].shape)) return;
+    try {
+      prepare_node(nodes[i]);
+    } catch (...) {
+      faults[i] = std::current_exception();
+    }
+  });
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (faults[i]) std::rethrow_exception(faults[i]);
+    if (!prepared_[nodes[i]]) prepare_node(nodes[i]);
+  }
 }
 
 void PreparedLeaves::prepare_node(NodeId id) {

@@ -61,6 +61,7 @@ class PreparedLeaves {
   std::vector<Diagnostic> notices() const;
 
  private:
+  void prepare_nodes(const std::vector<NodeId>& nodes);
   void prepare_node(NodeId id);
   const Tree* tree_;
   IdVector<NodeId, std::shared_ptr<const PreparedLeaf>> prepared_;

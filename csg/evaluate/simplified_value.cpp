@@ -15,7 +15,7 @@ struct SimplifiedValue::State {
   SimplifyMode mode;
   std::once_flag made, ordered;
   SimplifiedComplex cells{};
-  ActiveCells counts{};
+  CellCounts counts{};
 
   void make() {
     std::call_once(made, [&] {
@@ -47,7 +47,7 @@ const SimplifiedComplex& SimplifiedValue::operator*() const {
 
 std::shared_ptr<const SimplifiedComplex> SimplifiedValue::share() const { return {state_, &**this}; }
 
-const ActiveCells& SimplifiedValue::counts() const {
+const CellCounts& SimplifiedValue::counts() const {
   state_->make();
   return state_->counts;
 }

@@ -2,7 +2,6 @@
 // use.
 #pragma once
 
-#include <array>
 #include <memory>
 
 #include "kernel/complex/complex.h"
@@ -11,12 +10,6 @@
 namespace cnrg {
 
 class NodeValue;
-
-/// Numbers of active cells by dimension.
-struct ActiveCells {
-  std::array<std::size_t, 4> raw{};  ///< as the refinement has them
-  std::array<std::size_t, 4> simplified{};
-};
 
 /// Made when it is first asked for, once, and shared by copies: conflicts of materials name its cells, the row of
 /// the result has their counts, the files of the result are it; and often nobody asks. It shares the complex and
@@ -30,7 +23,7 @@ class SimplifiedValue {
   const SimplifiedComplex* operator->() const { return &**this; }
   std::shared_ptr<const SimplifiedComplex> share() const;
   /// For less than the complex itself: no cell needs its number.
-  const ActiveCells& counts() const;
+  const CellCounts& counts() const;
 
  private:
   struct State;

@@ -72,8 +72,8 @@ bool cross_everywhere(const Facet& a, const Facet& b) {
 
 class Examination {
  public:
-  Examination(const Complex& complex, const SurfaceParameters& parameters, const std::vector<char>& asked,
-              bool at_vertices)
+  Examination(const Complex& complex, const SurfaceParameters& parameters,
+              const std::function<bool(EdgeId)>& asked, bool at_vertices)
       : complex_(complex),
         parameters_(parameters),
         asked_(asked),
@@ -118,7 +118,6 @@ class Examination {
     if (std::find(curved.begin(), curved.end(), 1) == curved.end()) return;
     std::vector<Around> around;
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
-      if (!asked_.empty() && asked_[e.index()] == 0) continue;
       around.clear();
       bool any = false, several = false;
       for (const FaceUse& use : complex_.edge_uses[e]) {
@@ -130,7 +129,7 @@ class Examination {
           around.push_back({{of.leaf, of.patch}, cover.source, use.face});
         }
       }
-      if (any && several) add_contacts(e, around);
+      if (any && several && asked_(e)) add_contacts(e, around);
     }
     std::sort(contacts_.begin(), contacts_.end(), [](const Contact& a, const Contact& b) {
       return std::tie(a.facets, a.edge) < std::tie(b.facets, b.edge);
@@ -422,7 +421,7 @@ class Examination {
 
   const Complex& complex_;
   const SurfaceParameters& parameters_;
-  const std::vector<char>& asked_;
+  const std::function<bool(EdgeId)>& asked_;
   const bool at_vertices_;
   Surfaces surfaces_;
   std::vector<Contact> contacts_;  // by facets, then edges
@@ -434,7 +433,7 @@ class Examination {
 }  // namespace
 
 Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described,
-                              const std::vector<char>& asked, bool at_vertices) {
+                              const std::function<bool(EdgeId)>& asked, bool at_vertices) {
   return Examination(complex, parameters, asked, at_vertices).run(described);
 }
 

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,11 +37,12 @@ struct Transversality {
   std::vector<UncertainPlace> places;  ///< by leaves, patches and edges
 };
 
-/// `at` and `finer` are filled in for the first `described` places. `asked`: whether an edge matters, by EdgeId;
-/// empty: all do. Without `at_vertices` a contact is left out that is uncertain only next to a vertex that both
-/// tessellations have, as where two equal pipes cross: how surfaces touch in such a point is decided when they are
-/// drawn, though it is not proven here.
-Transversality transversality(const Complex& complex, const SurfaceParameters& parameters, std::size_t described,
-                              const std::vector<char>& asked = {}, bool at_vertices = true);
+/// `at` and `finer` are filled in for the first `described` places. `asked`: whether an edge matters; it is asked
+/// of edges between leaves with a curved one among them. Without `at_vertices` a contact is left out that is
+/// uncertain only next to a vertex that both tessellations have, as where two equal pipes cross: how surfaces
+/// touch in such a point is decided when they are drawn, though it is not proven here.
+Transversality transversality(
+    const Complex& complex, const SurfaceParameters& parameters, std::size_t described,
+    const std::function<bool(EdgeId)>& asked = [](EdgeId) { return true; }, bool at_vertices = true);
 
 }  // namespace cnrg

@@ -25,12 +25,16 @@ struct RoundedSolid {
 /// Each double rounded to 24 bits; `moved` counts points that are not their exact coordinates then.
 void round_to_floats(const ResultView& view, const FlatComplex& flat, RoundedPoints& points) {
   points.moved = 0;
+  points.reach.resize(points.xyz.size());
   for (std::size_t i = 0; i < points.xyz.size(); ++i) {
     const RationalPoint exact = view.complex->points.rational(flat.points[i]);
     bool moved = false;
+    double off = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       double& x = points.xyz[i][k];
+      const double nearest = x;
       x = static_cast<double>(static_cast<float>(x));
+      off = std::max(off, std::abs(x - nearest));
       if (!std::isfinite(x)) {
         throw InputError(
             "a coordinate of the result is beyond the range of binary STL, 3.4e38; leave out --binary");
@@ -38,6 +42,7 @@ void round_to_floats(const ResultView& view, const FlatComplex& flat, RoundedPoi
       moved = moved || from_double(x) != exact[k];
     }
     points.moved += moved;
+    if (moved) points.reach[i] = std::nextafter(points.reach[i] + off, std::numeric_limits<double>::infinity());
   }
 }
 

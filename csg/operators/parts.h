@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "csg/operators/group.h"
+#include "kernel/selection/simplify.h"
 
 namespace cnrg {
 
@@ -26,12 +27,6 @@ struct PartBox {
     return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
            other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
   }
-};
-
-/// Active cells of a value by dimension.
-struct CellCounts {
-  std::array<std::size_t, 4> raw{};  ///< as the refinement has them
-  std::array<std::size_t, 4> simplified{};
 };
 
 struct PartVolume {

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
+#include "csg/result/slight_moves.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -26,7 +28,12 @@ RoundedPoints round_points(const ResultView& view, const FlatComplex& flat) {
     result.xyz.push_back(xyz);
     if (table.is_double(v)) continue;
     const RationalPoint exact = table.rational(v);
-    result.moved += !(is_double(exact[0]) && is_double(exact[1]) && is_double(exact[2]));
+    if (is_double(exact[0]) && is_double(exact[1]) && is_double(exact[2])) continue;
+    ++result.moved;
+    result.reach.resize(flat.points.size());
+    double& reach = result.reach[result.xyz.size() - 1];
+    for (int k = 0; k < 3; ++k) reach = std::max({reach, table.upper(v, k) - xyz[k], xyz[k] - table.lower(v)[k]});
+    reach = std::nextafter(reach, std::numeric_limits<double>::infinity());
   }
   return result;
 }
@@ -140,7 +147,7 @@ bool is_faithful(const RoundedPoints& points, const Drawing& drawing) {
 }
 
 RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing) {
-  return {points.moved, points.moved == 0 || is_faithful(points, drawing)};
+  return {points.moved, points.moved == 0 || moves_slightly(points, drawing) || is_faithful(points, drawing)};
 }
 
 void append(std::string& text, double value) {

@@ -14,6 +14,8 @@ namespace cnrg {
 struct RoundedPoints {
   std::vector<std::array<double, 3>> xyz;
   std::size_t moved = 0;  ///< points whose doubles are not their exact coordinates
+  /// Of each point: no coordinate is farther than this from the exact one. Empty if none has moved.
+  std::vector<double> reach{};
 };
 /// Throws InputError when a coordinate is beyond the range of double.
 RoundedPoints round_points(const ResultView& view, const FlatComplex& flat);
@@ -51,7 +53,7 @@ Redrawing redraw(const RoundedPoints& points, const Drawing& drawing);
 /// they were. A shell, a wire or a point may pass through a wall as a whole, so that nothing crosses afterwards.
 bool is_faithful(const RoundedPoints& points, const Drawing& drawing);
 
-/// Nothing is refined unless a point moved.
+/// Of a drawing that is embedded with its exact points. It is refined only where slight_moves.h tells nothing.
 RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing);
 
 /// Appends the shortest text that reads back as the same double.

@@ -91,6 +91,12 @@ std::string cell_name(int dimension, std::uint32_t index);
 /// The component of the cell at a place; 0 when it is inactive or not listed.
 Component component_of(const SimplifiedComplex& simplified, const SimplifiedComplex::Place& place);
 
+/// Active cells of a value by dimension.
+struct CellCounts {
+  std::array<std::size_t, 4> raw{};  ///< as the refinement has them
+  std::array<std::size_t, 4> simplified{};
+};
+
 /// Counts of active cells by dimension, 0 to 3.
 std::array<std::size_t, 4> active_counts(const SimplifiedComplex& simplified);
 

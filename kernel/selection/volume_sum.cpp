@@ -1,0 +1,245 @@
+#include "kernel/selection/volume_sum.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <span>
+
+#include "kernel/base/sorted.h"
+
+namespace cnrg {
+namespace {
+
+/// A numerator over the product of its poles, which are ascending and may be there more than once.
+struct PoleSum {
+  std::vector<std::uint32_t> poles;
+  Integer numerator, denominator;
+};
+
+Integer product(const std::vector<Integer>& weights, std::span<const std::uint32_t> poles) {
+  Integer out = 1;
+  for (const std::uint32_t p : poles) out *= weights[p];
+  return out;
+}
+
+PoleSum joined(const std::vector<Integer>& weights, PoleSum a, PoleSum b) {
+  std::vector<std::uint32_t> shared, all;
+  std::ranges::set_intersection(a.poles, b.poles, std::back_inserter(shared));
+  std::ranges::set_union(a.poles, b.poles, std::back_inserter(all));
+  const Integer common = product(weights, shared);
+  mpz_divexact(b.denominator.get_mpz_t(), b.denominator.get_mpz_t(), common.get_mpz_t());
+  a.numerator *= b.denominator;
+  b.denominator *= a.denominator;
+  mpz_divexact(a.denominator.get_mpz_t(), a.denominator.get_mpz_t(), common.get_mpz_t());
+  a.numerator += b.numerator * a.denominator;
+  return {std::move(all), std::move(a.numerator), std::move(b.denominator)};
+}
+
+PoleSum sum_of(const std::vector<Integer>& weights, std::span<const PoleSum> terms) {
+  if (terms.size() == 1) return terms[0];
+  const std::size_t half = terms.size() / 2;
+  PoleSum a, b;
+  const auto first = [&] { a = sum_of(weights, terms.first(half)); };
+  const auto second = [&] { b = sum_of(weights, terms.subspan(half)); };
+  constexpr std::size_t kFew = 64;  // terms that are not worth a thread
+  if (terms.size() <= kFew) first(), second();
+  else tbb::parallel_invoke(first, second);
+  return joined(weights, std::move(a), std::move(b));
+}
+
+}  // namespace
+
+VolumeSum::VolumeSum(const Complex& complex)
+    : complex_(complex), place_(complex.points.size()), weight_(complex.points.size()) {}
+
+void VolumeSum::add(FaceId f, int outward) {
+  bool doubles = true;
+  for (const LoopId l : complex_.face_loops[f]) {
+    for (const HalfEdge h : complex_.loop[l]) doubles = doubles && complex_.points.is_double(complex_.origin(h));
+  }
+  if (!doubles) return add_corners(f, outward);
+  double_faces_.emplace_back(f, outward);
+  for (const LoopId l : complex_.face_loops[f]) {
+    for (const HalfEdge h : complex_.loop[l]) number(complex_.origin(h));
+  }
+}
+
+void VolumeSum::add_corners(FaceId f, int outward) {
+  const std::uint64_t plane = std::uint64_t{complex_.plane(f).value()} << 32;
+  for (const LoopId l : complex_.face_loops[f]) {
+    for (const HalfEdge h : complex_.loop[l]) {
+      const std::uint64_t line = plane | std::ranges::min(complex_.edge_segments[h.edge()]).value();
+      corners_.push_back({line, complex_.target(h), outward});
+      corners_.push_back({line, complex_.origin(h), -outward});
+    }
+  }
+}
+
+void VolumeSum::merge_corners() {
+  std::sort(corners_.begin(), corners_.end());
+  for (std::size_t i = 0, end = 0; i < corners_.size(); i = end) {
+    int times = 0;
+    for (end = i; end < corners_.size() && corners_[end].same_place(corners_[i]); ++end)
+      times += corners_[end].times;
+    if (times == 0) continue;
+    const PlaneId plane(static_cast<std::uint32_t>(corners_[i].line >> 32));
+    const SegmentId segment(static_cast<std::uint32_t>(corners_[i].line));
+    // Any point of the plane serves as r; an input point is the shortest.
+    add_term(complex_.points.plane_points(plane)[0], origin(segment), corners_[i].vertex, times);
+  }
+  corners_ = {};
+}
+
+VertexId VolumeSum::origin(SegmentId s) const {
+  const auto [a, b] = complex_.segment_ends[s];
+  const auto rank = [&](VertexId v) {
+    return complex_.points.is_double(v) ? 0 : complex_.points.is_constructed(v) ? 2 : 1;
+  };
+  return rank(b) < rank(a) ? b : a;
+}
+
+void VolumeSum::add_term(VertexId r, VertexId o, VertexId v, int times) {
+  if (r == o || r == v || o == v) return;
+  const PointTable& points = complex_.points;
+  if (points.is_double(r) && points.is_double(o) && points.is_double(v)) {
+    determinants_.push_back({number(r), number(o), number(v), times});
+    return;
+  }
+  const ExactPoint &a = points.exact(r), &b = points.exact(o), &c = points.exact(v);
+  Term term{{kNoPole, kNoPole, kNoPole}, {}, 0};
+  term.numerator = a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+  if (term.numerator == 0) return;
+  term.numerator *= times;
+  std::size_t count = 0;
+  for (const VertexId p : {r, o, v}) {
+    const Weight& weight = weight_of(p);
+    term.exponent -= weight.exponent;
+    if (weight.pole != kNoPole) term.poles[count++] = weight.pole;
+  }
+  terms_.push_back(std::move(term));
+}
+
+std::uint32_t VolumeSum::number(VertexId v) {
+  if (place_.get(v) == 0) {
+    points_.add(complex_.points.doubles(v));
+    place_[v] = static_cast<std::uint32_t>(points_.size());
+  }
+  return place_.get(v) - 1;
+}
+
+const VolumeSum::Weight& VolumeSum::weight_of(VertexId v) {
+  if (weight_.get(v) == 0) {
+    Integer odd = complex_.points.exact(v).w;
+    const auto exponent = mpz_scan1(odd.get_mpz_t(), 0);
+    odd >>= exponent;
+    Pole pole = kNoPole;
+    if (odd != 1) {
+      pole = pole_.try_emplace(odd, static_cast<Pole>(weights_.size())).first->second;
+      if (pole == weights_.size()) weights_.push_back(std::move(odd));
+    }
+    known_weights_.push_back({static_cast<int>(exponent), pole});
+    weight_[v] = static_cast<std::uint32_t>(known_weights_.size());
+  }
+  return known_weights_[weight_.get(v) - 1];
+}
+
+// In units of 2^(3 exponent) of the points.
+Integer VolumeSum::sum_of_doubles() {
+  points_.scale();
+  const auto place = [&](VertexId v) -> std::size_t { return place_.get(v) - 1; };
+  const auto add_face = [&](FaceId f, bool plus, DeterminantSum& sum) {
+    const VertexId r = complex_.origin(complex_.loop[complex_.face_loops[f][0]][0]);
+    for (const LoopId l : complex_.face_loops[f]) {
+      for (const HalfEdge h : complex_.loop[l]) {
+        const VertexId p = complex_.origin(h), q = complex_.target(h);
+        if (p != r && q != r) sum.add(place(r), place(p), place(q), plus);
+      }
+    }
+  };
+  using Range = tbb::blocked_range<std::size_t>;
+  const auto add = [&](const Range& range, DeterminantSum sum) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      add_face(double_faces_[i].first, double_faces_[i].second > 0, sum);
+    return sum;
+  };
+  const Range all(0, double_faces_.size(), 1024);
+  DeterminantSum sum = !all.is_divisible() ? add(all, DeterminantSum(points_))
+                                           : tbb::parallel_reduce(all, DeterminantSum(points_), add,
+                                                                  [](DeterminantSum a, const DeterminantSum& b) {
+                                                                    a.add(b);
+                                                                    return a;
+                                                                  });
+  for (const auto& [r, p, q, times] : determinants_) {
+    for (int i = 0; i < std::abs(times); ++i) sum.add(r, p, q, times > 0);
+  }
+  return sum.value();
+}
+
+Rational VolumeSum::total() {
+  merge_corners();
+  Term doubles{{kNoPole, kNoPole, kNoPole}, sum_of_doubles(), 0};
+  doubles.exponent = 3 * points_.exponent();
+  terms_.push_back(std::move(doubles));
+  number_along_terms();
+  int exponent = terms_[0].exponent;
+  for (const Term& term : terms_) exponent = std::min(exponent, term.exponent);
+  std::ranges::sort(terms_, {}, &Term::poles);
+  std::vector<PoleSum> sums;
+  const Term* last = nullptr;
+  for (Term& term : terms_) {
+    term.numerator <<= static_cast<unsigned long>(term.exponent - exponent);
+    if (last == nullptr || last->poles != term.poles) {
+      std::vector<Pole> poles(term.poles.begin(), std::ranges::find(term.poles, kNoPole));
+      Integer denominator = product(weights_, poles);
+      sums.push_back({std::move(poles), 0, std::move(denominator)});
+    }
+    sums.back().numerator += term.numerator;
+    last = &term;
+  }
+  const PoleSum six = sum_of(weights_, sums);
+  Rational out(six.numerator, six.denominator);
+  out.canonicalize();
+  if (exponent >= 0) out <<= static_cast<unsigned long>(exponent);
+  else out >>= static_cast<unsigned long>(-exponent);
+  return out / 6;
+}
+
+// Depth first over the poles that have a term in common.
+void VolumeSum::number_along_terms() {
+  std::vector<std::pair<Pole, Pole>> links;
+  for (const Term& term : terms_) {
+    for (const Pole a : term.poles) {
+      for (const Pole b : term.poles) {
+        if (a != kNoPole && b != kNoPole) links.emplace_back(a, b);
+      }
+    }
+  }
+  sort_unique(links);
+  const auto by_first = [](const auto& a, const auto& b) { return a.first < b.first; };
+  std::vector<Pole> number(weights_.size()), open;
+  std::vector<char> known(weights_.size(), 0);
+  std::vector<Integer> weights;
+  for (Pole start = 0; start < weights_.size(); ++start) {
+    for (open.push_back(start); !open.empty();) {
+      const Pole p = open.back();
+      open.pop_back();
+      if (known[p]) continue;
+      known[p] = 1;
+      number[p] = static_cast<Pole>(weights.size());
+      weights.push_back(weights_[p]);
+      const auto [first, last] = std::equal_range(links.begin(), links.end(), std::pair(p, Pole{0}), by_first);
+      std::transform(first, last, std::back_inserter(open), [](const auto& link) { return link.second; });
+    }
+  }
+  weights_ = std::move(weights);
+  for (Term& term : terms_) {
+    for (Pole& p : term.poles) p = p == kNoPole ? p : number[p];
+    std::ranges::sort(term.poles);
+  }
+}
+
+}  // namespace cnrg
