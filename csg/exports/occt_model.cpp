@@ -429,7 +429,7 @@ class ModelMaker {
     std::map<std::pair<Component, std::vector<LeafId>>, TopoDS_Compound> points;
     for (const FlatComplex::Vertex& of : parts_.flat.vertices) {
       if (!of.free || of.component == 0 || !of.entity) continue;
-      TopoDS_Compound& all = points[{of.component, of.origin.leaves}];
+      TopoDS_Compound& all = points[{of.component, {of.origin.leaves.begin(), of.origin.leaves.end()}}];
       if (all.IsNull()) builder_.MakeCompound(all);
       builder_.Add(all, vertex(of.point));
     }

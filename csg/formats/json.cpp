@@ -233,7 +233,7 @@ class JsonWriter {
     if (!grades_.all().empty()) list("grades", grades_.all(), [&](const auto& m) { return grades_.json(m); });
   }
 
-  Json leaf_numbers(const std::vector<LeafId>& leaves) const {
+  Json leaf_numbers(std::span<const LeafId> leaves) const {
     Json result = Json::array();
     for (const LeafId leaf : leaves) result.push_back(leaf_number_.at(leaf));
     return result;

@@ -3,6 +3,7 @@
 #include "csg/operators/origins.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "kernel/base/sorted.h"
@@ -30,10 +31,38 @@ void add_wires(const Complex& complex, EdgeId e, std::span<const LeafId> leaves,
   }
 }
 
-void add_labels(const Complex& complex, RegionId r, std::span<const LeafId> leaves, std::vector<LeafCell>& out) {
-  for (const Label& label : complex.labels(r)) {
-    if (among(leaves, label.leaf)) out.push_back({label.leaf, 3, label.region});
+/// The labels of regions around a cell. Many faces of it look into few regions: those met last are not read again.
+class LabelsOnce {
+ public:
+  LabelsOnce(const Complex& complex, std::span<const LeafId> leaves, std::vector<LeafCell>& out)
+      : complex_(complex), leaves_(leaves), out_(out) {
+    last_.fill(RegionId::none());
   }
+  /// Nothing for none().
+  void add(RegionId r) {
+    if (!r.valid() || std::find(last_.begin(), last_.end(), r) != last_.end()) return;
+    last_[next_++ % last_.size()] = r;
+    append_leaf_cells(complex_, r, leaves_, out_);
+  }
+
+ private:
+  const Complex& complex_;
+  std::span<const LeafId> leaves_;
+  std::vector<LeafCell>& out_;
+  std::array<RegionId, 4> last_;
+  std::size_t next_ = 0;
+};
+
+void add_face(const Complex& complex, FaceId f, std::span<const LeafId> leaves, LabelsOnce& labels,
+              std::vector<LeafCell>& out) {
+  add_cover(complex, f, leaves, out);
+  for (const RegionId r : complex.face_regions[f]) labels.add(r);
+}
+
+void add_faces_around(const Complex& complex, EdgeId e, std::span<const LeafId> leaves, LabelsOnce& labels,
+                      std::vector<LeafCell>& out) {
+  labels.add(complex.edge_region[e]);
+  for (const FaceUse& use : complex.edge_uses[e]) add_face(complex, use.face, leaves, labels, out);
 }
 
 /// Those that the complex knows of the cell by itself.
@@ -127,49 +156,41 @@ std::vector<LeafId> LeafUnions::operator[](LeafSetId set) const {
   return leaves;
 }
 
-std::vector<LeafCell> leaf_cells(const Complex& complex, VertexId v, std::span<const LeafId> leaves) {
-  std::vector<LeafCell> out;
+void append_leaf_cells(const Complex& complex, VertexId v, std::span<const LeafId> leaves,
+                       std::vector<LeafCell>& out) {
+  LabelsOnce labels(complex, leaves, out);
+  labels.add(complex.vertex_region[v]);
   for (const EdgeId e : complex.vertex_edges[v]) {
-    for (const FaceUse& use : complex.edge_uses[e]) add_cover(complex, use.face, leaves, out);
+    add_faces_around(complex, e, leaves, labels, out);
     add_wires(complex, e, leaves, out);
   }
-  for (const FaceId f : complex.vertex_faces[v]) add_cover(complex, f, leaves, out);
+  for (const FaceId f : complex.vertex_faces[v]) add_face(complex, f, leaves, labels, out);
   for (const LeafId leaf : complex.isolated_leaves[v]) {
     if (among(leaves, leaf)) out.push_back({leaf, 0, 0});
   }
-  std::vector<RegionId> around;
-  complex.star_regions(v, around);
-  for (const RegionId r : around) add_labels(complex, r, leaves, out);
   add_further(complex.vertex_leaf_cells[v], leaves, out);
-  sort_unique(out);
-  return out;
 }
 
-std::vector<LeafCell> leaf_cells(const Complex& complex, EdgeId e, std::span<const LeafId> leaves) {
-  std::vector<LeafCell> out;
-  for (const FaceUse& use : complex.edge_uses[e]) add_cover(complex, use.face, leaves, out);
+void append_leaf_cells(const Complex& complex, EdgeId e, std::span<const LeafId> leaves,
+                       std::vector<LeafCell>& out) {
+  LabelsOnce labels(complex, leaves, out);
+  add_faces_around(complex, e, leaves, labels, out);
   add_wires(complex, e, leaves, out);
-  std::vector<RegionId> around;
-  complex.star_regions(e, around);
-  for (const RegionId r : around) add_labels(complex, r, leaves, out);
   add_further(complex.edge_leaf_cells[e], leaves, out);
-  sort_unique(out);
-  return out;
 }
 
-std::vector<LeafCell> leaf_cells(const Complex& complex, FaceId f, std::span<const LeafId> leaves) {
-  std::vector<LeafCell> out;
-  add_cover(complex, f, leaves, out);
-  for (const RegionId r : complex.face_regions[f]) add_labels(complex, r, leaves, out);
+void append_leaf_cells(const Complex& complex, FaceId f, std::span<const LeafId> leaves,
+                       std::vector<LeafCell>& out) {
+  LabelsOnce labels(complex, leaves, out);
+  add_face(complex, f, leaves, labels, out);
   add_further(complex.face_leaf_cells[f], leaves, out);
-  sort_unique(out);
-  return out;
 }
 
-std::vector<LeafCell> leaf_cells(const Complex& complex, RegionId r, std::span<const LeafId> leaves) {
-  std::vector<LeafCell> out;
-  add_labels(complex, r, leaves, out);
-  return out;
+void append_leaf_cells(const Complex& complex, RegionId r, std::span<const LeafId> leaves,
+                       std::vector<LeafCell>& out) {
+  for (const Label& label : complex.labels(r)) {
+    if (among(leaves, label.leaf)) out.push_back({label.leaf, 3, label.region});
+  }
 }
 
 }  // namespace cnrg

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "csg/operators/said.h"
+#include "kernel/base/sorted.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/selection.h"
 
@@ -90,10 +91,24 @@ struct Origins {
   std::vector<LeafSetId> vertices, edges, faces, regions;
 };
 
-/// The cells of the given leaves (ascending) whose point sets, boundaries included, hold the cell; ascending.
-std::vector<LeafCell> leaf_cells(const Complex& complex, VertexId v, std::span<const LeafId> leaves);
-std::vector<LeafCell> leaf_cells(const Complex& complex, EdgeId e, std::span<const LeafId> leaves);
-std::vector<LeafCell> leaf_cells(const Complex& complex, FaceId f, std::span<const LeafId> leaves);
-std::vector<LeafCell> leaf_cells(const Complex& complex, RegionId r, std::span<const LeafId> leaves);
+/// Appends the cells of the given leaves (ascending) whose point sets, boundaries included, hold the cell; in no
+/// order, and some more than once.
+void append_leaf_cells(const Complex& complex, VertexId v, std::span<const LeafId> leaves,
+                       std::vector<LeafCell>& out);
+void append_leaf_cells(const Complex& complex, EdgeId e, std::span<const LeafId> leaves,
+                       std::vector<LeafCell>& out);
+void append_leaf_cells(const Complex& complex, FaceId f, std::span<const LeafId> leaves,
+                       std::vector<LeafCell>& out);
+void append_leaf_cells(const Complex& complex, RegionId r, std::span<const LeafId> leaves,
+                       std::vector<LeafCell>& out);
+
+/// The same as a list by itself: ascending, each once.
+template <class IdT>
+std::vector<LeafCell> leaf_cells(const Complex& complex, IdT cell, std::span<const LeafId> leaves) {
+  std::vector<LeafCell> out;
+  append_leaf_cells(complex, cell, leaves, out);
+  sort_unique(out);
+  return out;
+}
 
 }  // namespace cnrg

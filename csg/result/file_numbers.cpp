@@ -4,7 +4,7 @@ namespace cnrg {
 
 std::map<LeafId, std::size_t> leaf_numbers(const ResultView& view, const FlatComplex& flat) {
   std::map<LeafId, std::size_t> numbers;
-  const auto see = [&](const std::vector<LeafId>& leaves) {
+  const auto see = [&](std::span<const LeafId> leaves) {
     for (const LeafId leaf : leaves) numbers.try_emplace(leaf, 0);
   };
   const auto see_all = [&](const auto& cells) {

@@ -26,11 +26,13 @@ constexpr Index kNone = FlatComplex::kNone;
 
 class Flattener {
  public:
-  explicit Flattener(const ResultView& view)
+  Flattener(const ResultView& view, Flat what)
       : view_(view),
+        whole_(what == Flat::whole),
         complex_(*view.complex),
-        simple_(*view.simplified),
-        points_(cnrg::put_in_order(complex_, simple_)),
+        own_(view.simplified->in_order ? SimplifiedComplex() : *view.simplified),
+        simple_(view.simplified->in_order ? *view.simplified : own_),
+        points_(simple_.in_order ? CanonicalPoints(complex_, simple_) : cnrg::put_in_order(complex_, own_)),
         of_group_(view.value->is_group() ? components_of(complex_, view.value->group()) : Components{}),
         value_(view.value->is_group() ? of_group_ : view.value->components()),
         sources_(complex_, value_) {}
@@ -48,8 +50,10 @@ class Flattener {
 
  private:
   const ResultView& view_;
+  const bool whole_;
   const Complex& complex_;
-  SimplifiedComplex simple_;  // in canonical order
+  SimplifiedComplex own_;            // what is given if that is not in order
+  const SimplifiedComplex& simple_;  // in canonical order
   const CanonicalPoints points_;
   const Components of_group_;  // a group as components
   const Components& value_;
@@ -106,28 +110,30 @@ class Flattener {
   template <class IdT, class Cells>
   FlatComplex::Provenance origin_of(const std::vector<std::pair<IdT, Component>>& list,
                                     const std::vector<LeafSetId>& sets, const Cells& cells) const {
-    FlatComplex::Provenance origin;
-    std::vector<LeafSetId> from;
+    thread_local std::vector<LeafSetId> from;
+    thread_local std::vector<LeafId> of;
+    thread_local std::vector<LeafCell> on;
+    from.clear(), of.clear(), on.clear();
     for (const auto& cell : cells) {
       const IdT id = id_of(cell);
       const std::size_t k = place_in(list, id);
       if (k == list.size()) continue;
       if (from.empty() || from.back() != sets[k]) from.push_back(sets[k]);
-      const std::vector<LeafCell> on = leaf_cells(complex_, id, value_.origins.sets[sets[k]]);
-      origin.cells.insert(origin.cells.end(), on.begin(), on.end());
+      append_leaf_cells(complex_, id, value_.origins.sets[sets[k]], on);
     }
     sort_unique(from);
     for (const LeafSetId set : from) {
       const auto leaves = value_.origins.sets[set];
-      origin.leaves.insert(origin.leaves.end(), leaves.begin(), leaves.end());
+      of.insert(of.end(), leaves.begin(), leaves.end());
     }
-    sort_unique(origin.leaves);
-    sort_unique(origin.cells);
-    return origin;
+    if (from.size() > 1) sort_unique(of);
+    sort_unique(on);
+    return {{of.begin(), of.end()}, {on.begin(), on.end()}};
   }
 
   Loop numbers(std::span<const VertexId> vertices) const {
     Loop loop;
+    loop.reserve(vertices.size());
     for (const VertexId v : vertices) {
       if (points_.number(v) != kNone) loop.push_back(points_.number(v));
     }
@@ -136,9 +142,13 @@ class Flattener {
 
   template <class Range>
   Loop loop_of(const Range& half_edges) const {
-    std::vector<VertexId> vertices;
-    for (const HalfEdge h : half_edges) vertices.push_back(complex_.origin(h));
-    return numbers(vertices);
+    Loop loop;
+    loop.reserve(half_edges.size());
+    for (const HalfEdge h : half_edges) {
+      const Index p = points_.number(complex_.origin(h));
+      if (p != kNone) loop.push_back(p);
+    }
+    return loop;
   }
 
   /// One facet of the complex as seen from the face's front (`cell.side()` is that front).
@@ -218,23 +228,23 @@ class Flattener {
       std::sort(face.isolated.begin(), face.isolated.end());
       const bool flat = is_flat(complex_, from);
       std::vector<std::pair<FlatComplex::Facet, HalfFace>> facets;
-      if (flat) {
-        facets.push_back({{face.loops, face.isolated}, from.cells[0]});
-      } else {
+      if (!flat) {
         std::vector<std::pair<Loop, HalfFace>> order;
         for (const HalfFace cell : from.cells) order.push_back({key(facet_of(cell)), cell});
         std::sort(order.begin(), order.end());
         for (const auto& [points, cell] : order) facets.push_back({facet_of(cell), cell});
       }
-      flipped_[i] = must_flip(face, facets[0].second);
+      const HalfFace first = flat ? from.cells[0] : facets[0].second;
+      flipped_[i] = must_flip(face, first);
       if (flipped_[i]) flip(face, facets);
+      if (flat) add_triangles(flipped_[i] ? first.opposite() : first, face.loops, face.isolated, face.triangles);
       for (auto& [facet, cell] : facets) {
         add_triangles(cell, facet.loops, facet.isolated, face.triangles);
-        if (flat) continue;
         face.facets.push_back(std::move(facet));
         face.facet_ends.push_back(Index(face.triangles.size()));
       }
       face.entity = from.component != 0 && !inside_component(from.component, from.regions);
+      if (!whole_) return;
       face.origin = origin_of(value_.selection.faces, value_.origins.faces, from.cells);
       face.origin.said = sources_.said(from.cells[0].face());
       face.patch = patch_of(from, face.origin.leaves);
@@ -280,7 +290,7 @@ class Flattener {
         if (FlatComplex::Patch(source.leaf, source.patch) == *face.patch) return source.surface;
       }
     }
-    const auto all = common_of<std::uint32_t>(from, [&](const Cover& cover, const Soup::Face& source) {
+    const auto& all = common_of<std::uint32_t>(from, [&](const Cover& cover, const Soup::Face& source) {
       return source.surface != 0 && is_own(face, cover) ? std::optional(source.surface) : std::nullopt;
     });
     return all.empty() ? 0 : all[0];
@@ -344,10 +354,11 @@ class Flattener {
     return place.dimension == 3 && place.index < simple_.regions.size() ? place.index : kNone;
   }
 
-  /// What `value` finds at covers of every cell of the face, ascending.
+  /// What `value` finds at covers of every cell of the face, ascending; until the next call in this thread.
   template <class T, class Value>
-  std::vector<T> common_of(const SimplifiedComplex::Face& face, Value value) const {
-    std::vector<T> common, here, both;
+  const std::vector<T>& common_of(const SimplifiedComplex::Face& face, Value value) const {
+    thread_local std::vector<T> common, here, both;
+    common.clear();
     for (std::size_t i = 0; i < face.cells.size(); ++i) {
       here.clear(), both.clear();
       for (const Cover& cover : complex_.cover(face.cells[i].face())) {
@@ -368,8 +379,8 @@ class Flattener {
   /// The first patch of `leaves` that covers all cells of the face. Patches of other leaves made no face one, so a
   /// reader must not make one of them.
   std::optional<FlatComplex::Patch> patch_of(const SimplifiedComplex::Face& face,
-                                             const std::vector<LeafId>& leaves) const {
-    const auto common = common_of<FlatComplex::Patch>(face, [&](const Cover&, const Soup::Face& source) {
+                                             std::span<const LeafId> leaves) const {
+    const auto& common = common_of<FlatComplex::Patch>(face, [&](const Cover&, const Soup::Face& source) {
       return source.leaf == complex_.frame ? std::nullopt
                                            : std::optional(FlatComplex::Patch(source.leaf, source.patch));
     });
@@ -402,7 +413,7 @@ class Flattener {
       edge.component = from.component;
       edge.wire = walks_[i] == 0;
       edge.slit = slit_[i];
-      std::vector<RegionId> regions;
+      thread_local std::vector<RegionId> regions;
       const EdgeId first = from.chain[0].edge();
       complex_.star_regions(first, regions);
       edge.entity = from.component != 0 && !inside_component(from.component, regions);
@@ -411,6 +422,7 @@ class Flattener {
       edge.feature = std::all_of(from.chain.begin(), from.chain.end(), [&](HalfEdge h) {
         return std::binary_search(features.begin(), features.end(), h.edge());
       });
+      if (!whole_) return;
       edge.origin = origin_of(value_.selection.edges, value_.origins.edges, from.chain);
       edge.origin.said = sources_.said(first);
       add_carriers(edge, from);
@@ -422,10 +434,11 @@ class Flattener {
       return leaf != complex_.frame &&
              std::binary_search(edge.origin.leaves.begin(), edge.origin.leaves.end(), leaf);
     };
-    std::vector<FlatComplex::Patch> curves;
+    thread_local std::vector<FlatComplex::Patch> around, on, patches, curves;
+    patches.clear(), curves.clear();
     for (std::size_t i = 0; i < from.chain.size(); ++i) {
       const EdgeId e = from.chain[i].edge();
-      std::vector<FlatComplex::Patch> around, on;
+      around.clear(), on.clear();
       for (const FaceUse& use : complex_.edge_uses[e]) {
         for (const Cover& cover : complex_.cover(use.face)) {
           const Soup::Face& source = complex_.sources[cover.source];
@@ -438,11 +451,14 @@ class Flattener {
           if (counts(wire.leaf)) on.emplace_back(wire.leaf, wire.leaf_edge);
         }
       }
-      keep_common(edge.patches, std::move(around), i == 0);
-      keep_common(curves, std::move(on), i == 0);
+      keep_common(patches, around, i == 0);
+      keep_common(curves, on, i == 0);
     }
+    edge.patches.assign(patches.begin(), patches.end());
     if (!curves.empty()) edge.curve = curves.front();
-    for (const FaceUse& use : complex_.edge_uses[from.chain[0].edge()]) {
+    const auto uses = complex_.edge_uses[from.chain[0].edge()];
+    edge.around.reserve(uses.size());
+    for (const FaceUse& use : uses) {
       const SimplifiedComplex::Place place = simple_.face_place[use.face.index()];
       if (place.dimension != 2 || place.index >= simple_.faces.size()) continue;
       const Index side = Index(use.before().side()) ^ front_[use.face];
@@ -450,12 +466,13 @@ class Flattener {
     }
   }
 
-  static void keep_common(std::vector<FlatComplex::Patch>& list, std::vector<FlatComplex::Patch> other,
+  static void keep_common(std::vector<FlatComplex::Patch>& list, std::vector<FlatComplex::Patch>& other,
                           bool first) {
     sort_unique(other);
-    std::vector<FlatComplex::Patch> both;
-    std::set_intersection(list.begin(), list.end(), other.begin(), other.end(), std::back_inserter(both));
-    list = first ? std::move(other) : std::move(both);
+    if (first) return list.assign(other.begin(), other.end());
+    std::erase_if(list, [&](const FlatComplex::Patch& patch) {
+      return !std::binary_search(other.begin(), other.end(), patch);
+    });
   }
 
   void make_vertices() {
@@ -473,12 +490,13 @@ class Flattener {
       vertex.point = points_.number(from.cell);
       vertex.component = from.component;
       vertex.free = !on_edge[vertex.point];
-      std::vector<RegionId> regions;
+      thread_local std::vector<RegionId> regions;
       complex_.star_regions(from.cell, regions);
       vertex.entity = from.component != 0 && !inside_component(from.component, regions);
       if (vertex.free && !in_face[vertex.point]) vertex.region = region_index(complex_.some_region(from.cell));
       const auto& features = value_.features.vertices;
       vertex.feature = std::binary_search(features.begin(), features.end(), from.cell);
+      if (!whole_) return;
       vertex.origin = origin_of(value_.selection.vertices, value_.origins.vertices, std::span(&from.cell, 1));
       vertex.origin.said = sources_.said(from.cell);
     });
@@ -498,10 +516,10 @@ class Flattener {
 
 }  // namespace
 
-FlatComplex flatten(const ResultView& view) {
+FlatComplex flatten(const ResultView& view, Flat what) {
   require(view.complex != nullptr && view.simplified != nullptr && view.value != nullptr,
           "flatten: a result without a complex");
-  return Flattener(view).run();
+  return Flattener(view, what).run();
 }
 
 const RegionAttributes& attributes_of(const ResultView& view, Component component) {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "csg/result/result_view.h"
+#include "kernel/base/short_list.h"
 
 namespace cnrg {
 
@@ -29,8 +30,8 @@ struct FlatComplex {
   /// Where an active cell came from, over all cells of the complex that it unites (of its own dimension): the
   /// leaves and their faces, wires, points and regions that hold it. Both ascending; empty for inactive cells.
   struct Provenance {
-    std::vector<LeafId> leaves;
-    std::vector<LeafCell> cells;
+    ShortList<LeafId, 2> leaves;
+    ShortList<LeafCell, 4> cells;
     /// What is said of a face, edge or vertex that speaks for itself (csg/operators/cell_sources.h); nullptr where
     /// nothing is said. Of the value that was flattened.
     const Attributes* said = nullptr;
@@ -109,7 +110,11 @@ struct FlatComplex {
   }
 };
 
-FlatComplex flatten(const ResultView& view);
+enum class Flat : std::uint8_t {
+  whole,
+  shapes,  ///< for formats of mere triangles: what comes of leaves is left empty, and `around`
+};
+FlatComplex flatten(const ResultView& view, Flat what = Flat::whole);
 
 /// Name, material and leaves of a component; empty for 0.
 const RegionAttributes& attributes_of(const ResultView& view, Component component);

@@ -108,7 +108,7 @@ LeafColors::LeafColors(const std::vector<LeafInfo>& leaves) {
   }
 }
 
-CellColor LeafColors::of(const std::vector<LeafId>& leaves) const {
+CellColor LeafColors::of(std::span<const LeafId> leaves) const {
   std::set<std::size_t> numbers;
   for (const LeafId leaf : leaves) numbers.insert(numbers_[leaf.index()]);
   if (numbers.empty()) return {no_color(), "no leaf"};

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,7 +62,7 @@ class LeafColors {
  public:
   explicit LeafColors(const std::vector<LeafInfo>& leaves);
   /// Of what came from these.
-  CellColor of(const std::vector<LeafId>& leaves) const;
+  CellColor of(std::span<const LeafId> leaves) const;
 
  private:
   std::vector<std::size_t> numbers_;  // by LeafId

@@ -5,8 +5,10 @@
 #include "csg/result/rounding.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "csg/result/slight_moves.h"
@@ -150,10 +152,23 @@ RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawi
   return {points.moved, points.moved == 0 || moves_slightly(points, drawing) || is_faithful(points, drawing)};
 }
 
+// Files say the same coordinates again and again, mostly soon after: those met last are kept as texts.
 void append(std::string& text, double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value).ptr;
-  text.append(buffer, end);
+  struct Known {
+    double value = 0;
+    std::uint8_t size = 0;  // 0: nothing is known
+    char digits[24];
+  };
+  thread_local std::vector<Known> known(1 << 12);
+  if (value == 0) value = 0.0;  // without a sign
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  Known& entry = known[bits * 0x9e3779b97f4a7c15u >> 52];
+  if (entry.size == 0 || std::bit_cast<std::uint64_t>(entry.value) != bits) {
+    entry.value = value;
+    entry.size = static_cast<std::uint8_t>(
+        std::to_chars(entry.digits, entry.digits + sizeof entry.digits, value).ptr - entry.digits);
+  }
+  text.append(entry.digits, entry.size);
 }
 
 void append(std::string& text, const std::array<double, 3>& xyz) {

@@ -102,6 +102,7 @@ class Ordering {
         if (place.index != kNowhere) place.index = maps[static_cast<std::size_t>(place.dimension)][place.index];
       });
     }
+    s_.in_order = true;
     return std::move(points_);
   }
 

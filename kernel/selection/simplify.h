@@ -55,6 +55,8 @@ struct SimplifiedComplex {
 
   // maps from cells, filled by simplify
   std::vector<Place> vertex_place, edge_place, face_place, region_place;
+
+  bool in_order = false;  ///< put_in_order (canonical.h) has given the cells their numbers
 };
 
 enum class SimplifyMode {
