@@ -118,6 +118,7 @@ class JsonWriter {
     patch_ = patch_numbers(flat_);
     if (view_.parameters != nullptr) cells();
     lines("faces", flat_.faces, [&](std::string& out, const auto& f) { face(out, f); });
+    find_parts();
     lines("regions", flat_.regions, [&](std::string& out, const auto& r) { region(out, r); });
     text_ += "\n}\n";
     return joined();
@@ -127,6 +128,7 @@ class JsonWriter {
   const ResultView& view_;
   FlatComplex flat_;
   std::vector<std::string> parts_;  // of the text, before `text_`
+  std::map<Component, const Part*> parts_by_component_;
   std::string text_;
   std::map<LeafId, std::size_t> leaf_number_;
   std::vector<const Attributes*> said_;
@@ -344,6 +346,24 @@ class JsonWriter {
     if (f.component != 0) add_origin(object, f.origin);
   }
 
+  /// The part of a group that has this region alone: whoever showed rows has measured it.
+  const Part* part_of(const FlatComplex::Region& r) const {
+    const auto found = parts_by_component_.find(r.component);
+    return found == parts_by_component_.end() ? nullptr : found->second;
+  }
+  void find_parts() {
+    if (!view_.value->is_group()) return;
+    const PartedGroup& group = view_.value->parts();
+    std::map<Component, std::size_t> regions;
+    for (const FlatComplex::Region& r : flat_.regions) ++regions[r.component];
+    Component component = 0;
+    for (const auto& [part, unused] : region_order(group)) {
+      ++component;
+      if (regions[component] == 1 && group.parts[part]->group().regions.size() == 1)
+        parts_by_component_[component] = group.parts[part].get();
+    }
+  }
+
   void region(std::string& out, const FlatComplex::Region& r) const {
     const RegionAttributes& attributes = attributes_of(view_, r.component);
     JsonObject object(out);
@@ -351,10 +371,10 @@ class JsonWriter {
     object.key("name") += line_of(attributes.name);
     object.key("material") += line_of(attributes.material.name());
     object.add("bounded", r.bounded);
-    const std::optional<Rational> size = r.bounded ? volume(*view_.complex, r.cells) : std::nullopt;
     object.key("volume");
-    if (size) append_quoted(out, *size);
-    else out += "null";
+    if (!r.bounded) out += "null";
+    else if (const Part* part = part_of(r)) append_quoted(out, part->volume(*view_.complex).bounded);
+    else append_quoted(out, volume(*view_.complex, r.cells).value());
     append_json(object.key("shells"), r.shells, [&](const std::vector<Index>& shell) {
       append_json(out, shell, [&](Index side) {
         append_json(out += "{\"face\":", side >> 1);

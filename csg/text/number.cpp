@@ -40,6 +40,15 @@ std::string fault_of(std::string_view text) {
   return " is no number; write a decimal such as 0.1 or 1.5e-3, or a fraction such as 1/3";
 }
 
+std::size_t bits_of(const Integer& x) { return mpz_sizeinbase(x.get_mpz_t(), 2); }
+
+std::size_t digits_of(const Integer& x) {
+  const std::size_t most = mpz_sizeinbase(x.get_mpz_t(), 10);  // exact, or one too many
+  Integer least;
+  mpz_ui_pow_ui(least.get_mpz_t(), 10, most - 1);
+  return mpz_cmpabs(x.get_mpz_t(), least.get_mpz_t()) < 0 ? most - 1 : most;
+}
+
 }  // namespace
 
 NumberText read_number(std::string_view text, std::size_t most) {
@@ -53,6 +62,12 @@ NumberText read_number(std::string_view text, std::size_t most) {
 
 std::string number_text(const Rational& value, std::string_view elsewhere) {
   constexpr std::size_t kReadable = 24, kPrinted = 160;
+  // Bits tell how many digits there are at least: a text that is not going to be shown is not made.
+  if (const std::size_t bits = bits_of(value.get_num()) + bits_of(value.get_den()); bits > 4 * kPrinted) {
+    return to_decimal(value) + " (the fraction has " +
+           std::to_string(digits_of(value.get_num()) + digits_of(value.get_den()) + (value < 0 ? 1 : 0)) +
+           " digits" + std::string(elsewhere) + ")";
+  }
   std::string exact = to_string(value);
   if (exact.size() <= kReadable) return exact;
   if (exact.size() <= kPrinted) return exact + " (" + to_decimal(value) + ")";

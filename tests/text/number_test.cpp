@@ -20,3 +20,19 @@ TEST_CASE("a number is read, or its fault is told") {
     CHECK_THAT(read_number(none).fault, Catch::StartsWith(" is no number; write"));
   }
 }
+
+TEST_CASE("digits of a fraction that is not shown are counted, not written") {
+  for (const unsigned long power : {250ul, 251ul, 1000ul}) {
+    Integer big;
+    mpz_ui_pow_ui(big.get_mpz_t(), 10, power);
+    for (const long more : {-1l, 0l, 1l}) {
+      for (const int sign : {1, -1}) {
+        Rational value(sign * (big + more), 7 * big * big + 1);
+        value.canonicalize();
+        const std::string told =
+            " (the fraction has " + std::to_string(to_string(value).size() - 1) + " digits, elsewhere)";
+        CHECK(number_text(value, ", elsewhere") == to_decimal(value) + told);
+      }
+    }
+  }
+}
