@@ -31,7 +31,7 @@ constexpr double kLongRun = 10;  // seconds
 
 constexpr const char* kTable[] = {"bunny100k+cow100k", "armadillo",         "spheres1M",
                                   "box-triangles200",  "box-triangles2000", "plate1000",
-                                  "chain2000",         "cut-spheres64",     "cut-spheres64-apart"};
+                                  "chain-2000",        "cut-spheres64",     "cut-spheres64-apart"};
 
 struct Options {
   std::vector<std::string> names, programs;

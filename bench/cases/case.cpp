@@ -153,11 +153,11 @@ const Generated kGenerated[] = {
     {"touching", "degenerate",  // along edges and in vertices
      [] { return union_of("touching", unit_cubes(8, [](int x, int y, int z) { return (x + y + z) % 2 == 0; })); }},
     {"mirrored", "degenerate", mirrored},
-    {"chain2000", "trees", [] { return chain(2000); }},
+    {"chain-2000", "trees", [] { return chain(2000); }},
     {"cut-spheres64", "trees", [] { return of_trees({cut_spheres(64, kSpheres)}); }},
     {"cut-spheres64-apart", "trees", [] { return of_trees(cut_spheres_apart(64, kSpheres)); }},
     {"plate4000", "long", [] { return plate(4000); }},
-    {"chain4000", "long", [] { return chain(4000); }},
+    {"chain-4000", "long", [] { return chain(4000); }},
     {"fractures1000", "long", [] { return of_trees({fractures_in_block(1000, kFractures)}, 1000000); }},
     {"shared-boxes18", "long", [] { return of_trees({shared_boxes(18)}, 1 << 18); }},
 };

@@ -27,8 +27,12 @@ std::vector<std::string> listed_rooms(const std::string& part) {
   return rooms;
 }
 
-/// The folder of a file of the repository, as it is written there.
-std::string room_of(const std::string& file) { return fs::path(file).parent_path().string(); }
+/// The folder of a file of the repository, as it is written there. A folder in a room is of that room.
+std::string room_of(const std::string& file) {
+  fs::path folder = fs::path(file).parent_path();
+  while (std::distance(folder.begin(), folder.end()) > 2) folder = folder.parent_path();
+  return folder.string();
+}
 
 /// Files of the house that one includes.
 std::vector<std::string> includes_of(const fs::path& file) {

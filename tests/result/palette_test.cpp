@@ -154,15 +154,15 @@ TEST_CASE("the sets of four leaves have colors of their own; copies of a leaf ar
     seen.insert(hex(leaves.of(some).color));
   }
   CHECK(seen.size() == 15);
-  const CellColor twice = leaves.of({LeafId(0), LeafId(2)});
+  const CellColor twice = leaves.of(std::array{LeafId(0), LeafId(2)});
   CHECK(twice.text == "a");
-  CHECK(twice.color == leaves.of({LeafId(2)}).color);
+  CHECK(twice.color == leaves.of(std::array{LeafId(2)}).color);
   CHECK(leaves.of({}).text == "no leaf");
   // Of very many leaves the last one's power of two is beyond every integer.
   std::vector<LeafInfo> many;
   for (int i = 0; i < 500; ++i) many.push_back({std::to_string(i)});
   const LeafColors most(many);
   std::set<std::string> pairs;
-  for (std::uint32_t i = 0; i < 21; ++i) pairs.insert(hex(most.of({LeafId(i), LeafId(499)}).color));
+  for (std::uint32_t i = 0; i < 21; ++i) pairs.insert(hex(most.of(std::array{LeafId(i), LeafId(499)}).color));
   CHECK(pairs.size() > 4);
 }

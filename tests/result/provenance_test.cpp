@@ -113,7 +113,7 @@ TEST_CASE("wires, points, and cells of components name where they came from") {
   const auto active = [](const auto& edge) { return edge.component != 0; };
   const auto inside = std::find_if(both.edges.begin(), both.edges.end(), active);
   REQUIRE(inside != both.edges.end());
-  CHECK(inside->origin.cells == std::vector<LeafCell>{{LeafId(0), 3, 1}, {LeafId(1), 1, 0}});
+  CHECK(inside->origin.cells == ShortList<LeafCell, 4>{{LeafId(0), 3, 1}, {LeafId(1), 1, 0}});
 
   c.show(sum(complex, sum(complex, a, wire).value, components_of(complex, c.leaves[2])).value);
   const Scratch dir;

@@ -207,7 +207,7 @@ TEST_CASE("snap: crossing sheets, wires and points keep what they came from", "[
   for (const auto& e : flat.edges) {
     if (!e.wire) continue;
     ++wires;
-    CHECK(e.origin.leaves == std::vector<LeafId>{LeafId(3)});
+    CHECK(e.origin.leaves == ShortList<LeafId, 2>{LeafId(3)});
     CHECK(std::count(e.origin.cells.begin(), e.origin.cells.end(), LeafCell{LeafId(3), 1, 0}) == 1);
   }
   for (const auto& v : flat.vertices) {
