@@ -29,9 +29,9 @@ constexpr std::size_t kValidatedTriangles = 650000;
 
 constexpr double kLongRun = 10;  // seconds
 
-constexpr const char* kTable[] = {"bunny100k+cow100k", "armadillo",         "spheres1M",
-                                  "box-triangles200",  "box-triangles2000", "plate1000",
-                                  "chain-2000",        "cut-spheres64",     "cut-spheres64-apart"};
+constexpr const char* kTable[] = {"bunny100k+cow100k",  "armadillo",           "spheres1M",
+                                  "triangle-boxes-200", "triangle-boxes-2000", "plate1000",
+                                  "chain-2000",         "cut-spheres64",       "cut-spheres64-apart"};
 
 struct Options {
   std::vector<std::string> names, programs;

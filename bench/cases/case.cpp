@@ -113,7 +113,7 @@ Case in_triangles(Case c) {
 }
 
 Case boxes_in_triangles(int count) {
-  return in_triangles(union_of("box-triangles" + std::to_string(count), random_boxes(count, 1, {12, 5, 20})));
+  return in_triangles(union_of("triangle-boxes-" + std::to_string(count), random_boxes(count, 1, {12, 5, 20})));
 }
 
 Case of_trees(std::vector<std::string> trees, std::optional<long long> volume = {}) {
@@ -136,8 +136,8 @@ const Generated kGenerated[] = {
     {"spheres64", "nary", [] { return spheres_on_lattice(4); }},
     {"boxes200", "nary", [] { return union_of("boxes200", random_boxes(200, 1)); }},
     {"boxes2000", "nary", [] { return union_of("boxes2000", random_boxes(2000, 1)); }},
-    {"box-triangles200", "nary", [] { return boxes_in_triangles(200); }},
-    {"box-triangles2000", "nary", [] { return boxes_in_triangles(2000); }},
+    {"triangle-boxes-200", "nary", [] { return boxes_in_triangles(200); }},
+    {"triangle-boxes-2000", "nary", [] { return boxes_in_triangles(2000); }},
     {"plate1000", "nary", [] { return plate(1000); }},
     {"menger1", "nary", [] { return menger(1); }},
     {"menger2", "nary", [] { return menger(2); }},
