@@ -25,8 +25,9 @@ std::string coordinates(const std::array<double, 3>& p) {
 
 Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t listed, bool at_vertices) {
   const auto asked = [&](EdgeId e) {
-    return std::any_of(evaluation.kept.begin(), evaluation.kept.end(),
-                       [&](const KeptValue& kept) { return kept.simplified->edge_place[e.index()].dimension == 1; });
+    return std::any_of(evaluation.kept.begin(), evaluation.kept.end(), [&](const KeptValue& kept) {
+      return kept.simplified->edge_place[e.index()].dimension == 1;
+    });
   };
   const Transversality found =
       transversality(*evaluation.complex, *evaluation.parameters, listed, asked, at_vertices);

@@ -102,7 +102,8 @@ class Cells {
   SaidList* const said_;
 
   std::uint32_t origin(const FlatComplex::Provenance& from) const {
-    return from.cells.empty() ? 0 : number_in(tables_.origins, std::vector(from.cells.begin(), from.cells.end())) + 1;
+    return from.cells.empty() ? 0
+                              : number_in(tables_.origins, std::vector(from.cells.begin(), from.cells.end())) + 1;
   }
 
   /// A column: a number of each cell.
