@@ -203,6 +203,7 @@ class Flattener {
       for (const Index p : loop) walk.push_back(flat_.points[p]);
     }
     std::vector<VertexId> inner;
+    inner.reserve(isolated.size());
     for (const Index p : isolated) inner.push_back(flat_.points[p]);
     std::vector<std::array<Index, 3>> here;
     for (const auto& t : triangulate(complex_.points, projection(cell), walks, inner)) {
@@ -303,7 +304,8 @@ class Flattener {
         if (source.surface != face.surface || !is_own(face, cover)) continue;
         for (PlacedCell& placed : view_.parameters->cells(cell.face(), std::span(&source.leaf, 1))) {
           if (placed.patch == source.patch)
-            face.cells_of_patches.push_back({{source.leaf, source.patch}, std::move(placed.corners)});
+            face.cells_of_patches.emplace_back(FlatComplex::Patch(source.leaf, source.patch),
+                                               std::move(placed.corners));
         }
         break;
       }

@@ -172,8 +172,8 @@ class Movement {
 
   bool parted_by(const Cell& on, const Cell& other) const {
     if (on.size == 3) {
-      const auto& [a, b, c] = on.points;
-      if (parts(on.corners(), on, other, [&](std::uint32_t p) { return side(a, b, c, p); })) return true;
+      const auto& t = on.points;
+      if (parts(on.corners(), on, other, [&](std::uint32_t p) { return side(t[0], t[1], t[2], p); })) return true;
     }
     if (on.size == 1) return false;
     for (std::size_t s = 0; s < (on.size == 3 ? 3u : 1u); ++s) {
