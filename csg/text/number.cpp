@@ -63,16 +63,15 @@ NumberText read_number(std::string_view text, std::size_t most) {
 std::string number_text(const Rational& value, std::string_view elsewhere) {
   constexpr std::size_t kReadable = 24, kPrinted = 160;
   // Bits tell how many digits there are at least: a text that is not going to be shown is not made.
-  if (const std::size_t bits = bits_of(value.get_num()) + bits_of(value.get_den()); bits > 4 * kPrinted) {
-    return to_decimal(value) + " (the fraction has " +
-           std::to_string(digits_of(value.get_num()) + digits_of(value.get_den()) + (value < 0 ? 1 : 0)) +
-           " digits" + std::string(elsewhere) + ")";
+  if (bits_of(value.get_num()) + bits_of(value.get_den()) <= 4 * kPrinted) {
+    std::string exact = to_string(value);
+    if (exact.size() <= kReadable) return exact;
+    if (exact.size() <= kPrinted) return exact + " (" + to_decimal(value) + ")";
   }
-  std::string exact = to_string(value);
-  if (exact.size() <= kReadable) return exact;
-  if (exact.size() <= kPrinted) return exact + " (" + to_decimal(value) + ")";
-  return to_decimal(value) + " (the fraction has " + std::to_string(exact.size() - 1) + " digits" +
-         std::string(elsewhere) + ")";
+  const bool whole = value.get_den() == 1;
+  const std::size_t digits = digits_of(value.get_num()) + (whole ? 0 : digits_of(value.get_den()));
+  return to_decimal(value) + " (the " + (whole ? "number" : "fraction") + " has " + std::to_string(digits) +
+         " digits" + std::string(elsewhere) + ")";
 }
 
 }  // namespace cnrg

@@ -30,9 +30,13 @@ TEST_CASE("digits of a fraction that is not shown are counted, not written") {
         Rational value(sign * (big + more), 7 * big * big + 1);
         value.canonicalize();
         const std::string told =
-            " (the fraction has " + std::to_string(to_string(value).size() - 1) + " digits, elsewhere)";
+            " (the fraction has " + std::to_string(to_string(abs(value)).size() - 1) + " digits, elsewhere)";
         CHECK(number_text(value, ", elsewhere") == to_decimal(value) + told);
       }
     }
   }
+  Integer ten;
+  mpz_ui_pow_ui(ten.get_mpz_t(), 10, 260);
+  CHECK(number_text(-ten, "") == "-1e260 (the number has 261 digits)");
+  CHECK(number_text(ten - 1, "; there") == "1e260 (the number has 260 digits; there)");
 }
