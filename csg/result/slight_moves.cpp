@@ -139,6 +139,10 @@ class Movement {
       const Vector v = vector(a, b);
       return v.size > v.off;
     }
+    return is_triangle(a, b, c);
+  }
+
+  bool is_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (side_along(axis, a, b, c) != 0) return true;
     }
@@ -181,6 +185,14 @@ class Movement {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (parts(through, on, other,
                   [&](std::uint32_t p) { return side_along(axis, through[0], through[1], p); }))
+          return true;
+      }
+      // Through a corner of the other, too, which is not on the line of the side: `other` has it in the plane,
+      // `on` has the side there, and these meet in nothing but an end of the side that is shared.
+      for (const std::uint32_t corner : other.corners()) {
+        if (has(on, corner) || !is_triangle(through[0], through[1], corner)) continue;
+        const std::array<std::uint32_t, 3> plane{through[0], through[1], corner};
+        if (parts(plane, on, other, [&](std::uint32_t p) { return side(plane[0], plane[1], plane[2], p); }))
           return true;
       }
     }

@@ -7,8 +7,8 @@
 // come to touch others, and only those that are near: these pairs are looked at, each as a whole, with a box
 // around each moving point that holds its way. Two cells are apart all the time if there is a plane with one on
 // each side, where the points that they share, and no others, may be on it. Planes tried are that of a triangle,
-// and through one of its sides or a segment those along a coordinate axis. Signs are those of determinants in
-// doubles with a bound of their error.
+// and those through one of its sides or a segment: along a coordinate axis, or through a corner of the other cell.
+// Signs are those of determinants in doubles with a bound of their error.
 //
 // Where no plane is found, or a sign is not certain, nothing is known.
 #pragma once
