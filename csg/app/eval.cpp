@@ -197,7 +197,8 @@ int run_eval(const EvalArguments& arguments) {
   options.keep_all =
       std::any_of(picture.panels.begin(), picture.panels.end(), [](const auto& p) { return p.ghosts; });
 
-  const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet, &clock);
+  // Kept to the end, when the system takes all memory back at once: to free it cell by cell takes long.
+  static const Evaluation& evaluation = *new Evaluation(evaluate_in_view(tree, options, arguments.quiet, &clock));
   clock.begin("crossings");
   const bool crosses = arguments.certify ? require_certain(tree, evaluation, arguments.quiet)
                                          : tell_uncertain(tree, evaluation, arguments.quiet);

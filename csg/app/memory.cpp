@@ -6,6 +6,7 @@
 
 #include <execinfo.h>
 #include <gmp.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -80,6 +81,10 @@ void guard_ends() {
   // for which it needs memory; here it finds it while there is some.
   void* frame;
   backtrace(&frame, 1);
+  // Pages that are given back to the system come again as zeros, which it writes: what is freed is kept for the
+  // next stage, but for the largest blocks.
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 512 << 20);
   mp_set_memory_functions(allocate, reallocate, release);
   std::set_terminate(end_uncaught);
 }

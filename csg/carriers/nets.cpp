@@ -111,10 +111,10 @@ class CommonNetsOfLeaves {
     std::vector<PlacedNets> all;
     for (std::size_t i = 0; i < instances_.size(); ++i) {
       const LeafInstance& instance = instances_[i];
-      if (!PlacedNets::has_nets(instance) || instance.transform.determinant() == 0) continue;
+      if (!PlacedNets::has_nets(instance) || instance.transform->determinant() == 0) continue;
       std::array<Rational, 12> entries;
       for (std::size_t k = 0; k < 12; ++k) {
-        entries[k] = k < 9 ? instance.transform.linear[k / 3][k % 3] : instance.transform.offset[k - 9];
+        entries[k] = k < 9 ? instance.transform->linear[k / 3][k % 3] : instance.transform->offset[k - 9];
       }
       const auto [it, is_new] = known.try_emplace({instance.leaf.get(), std::move(entries)}, all.size());
       if (is_new) {

@@ -239,7 +239,7 @@ std::vector<std::vector<std::uint32_t>> surface_numbers(const std::vector<LeafIn
   Numbers numbers;
   std::vector<std::vector<std::uint32_t>> result;
   for (const LeafInstance& instance : instances) {
-    if (instance.leaf->form() != nullptr && instance.transform.determinant() != 0)
+    if (instance.leaf->form() != nullptr && instance.transform->determinant() != 0)
       result.push_back(numbers.of(instance));
     else result.emplace_back();
   }

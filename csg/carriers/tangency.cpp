@@ -74,7 +74,7 @@ class Finder {
 
   void planes(const BesidePlanes& beside) {
     const LeafInstance& instance = instances_[beside.instance];
-    const Transform transform = in_space_of_tree_ ? instance.transform : to_space_ * instance.transform;
+    const Transform transform = in_space_of_tree_ ? *instance.transform : to_space_ * instance.transform;
     if (const auto* leaf = dynamic_cast<const UnboundedLeaf*>(instance.leaf.get())) {
       const ExactHalfspace plane = leaf->image(transform);
       const Point3 normal = to_doubles(plane.normal);

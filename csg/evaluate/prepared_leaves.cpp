@@ -103,7 +103,7 @@ PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding)
     if (!leaf_of_[i].valid()) continue;
     const Instance& instance = unfolding.instances[i];
     nodes_.push_back(instance.node);
-    instances_.push_back({prepared_[instance.node], *instance.transform});
+    instances_.push_back({prepared_[instance.node], instance.transform});
   }
 }
 

@@ -108,4 +108,9 @@ Transform Transform::operator*(const Transform& inner) const {
   return t;
 }
 
+const Transform& SharedTransform::operator*() const {
+  static const Transform kIdentity;
+  return shared_ ? *shared_ : kIdentity;
+}
+
 }  // namespace cnrg

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "kernel/exact/rational.h"
 
@@ -27,6 +28,20 @@ struct Transform {
   /// First `inner`, then this.
   Transform operator*(const Transform& inner) const;
   friend bool operator==(const Transform&, const Transform&) = default;
+};
+
+/// A transform that its copies share, since it is a thousand bytes long: the identity, if not said otherwise.
+class SharedTransform {
+ public:
+  SharedTransform() = default;
+  SharedTransform(Transform transform) : shared_(std::make_shared<const Transform>(std::move(transform))) {}
+  SharedTransform(std::shared_ptr<const Transform> shared) : shared_(std::move(shared)) {}
+  operator const Transform&() const { return **this; }
+  const Transform& operator*() const;
+  const Transform* operator->() const { return &**this; }
+
+ private:
+  std::shared_ptr<const Transform> shared_;  // empty: the identity
 };
 
 }  // namespace cnrg

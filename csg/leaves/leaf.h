@@ -94,7 +94,7 @@ std::shared_ptr<const PreparedLeaf> prepare(const Shape& shape);
 /// One instance of a leaf.
 struct LeafInstance {
   std::shared_ptr<const PreparedLeaf> leaf;
-  Transform transform{};
+  SharedTransform transform{};
 };
 
 /// Makes the soup of all instances, which it copies; LeafId(i) is instance i. If one is unbounded, the frame

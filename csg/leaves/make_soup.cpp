@@ -92,7 +92,7 @@ Soup make_soup(const std::vector<LeafInstance>& instances, std::span<const Ratio
   std::vector<UnboundedInstance> unbounded;
   for (const LeafInstance& instance : instances) {
     require(instance.leaf != nullptr, "make_soup: an instance without a leaf");
-    if (instance.transform.determinant() == 0) {
+    if (instance.transform->determinant() == 0) {
       throw InputError("the transforms of a leaf flatten it (their determinant is 0): give invertible ones");
     }
     const LeafId leaf = instance.leaf->add_to(soup, instance.transform);

@@ -137,7 +137,7 @@ std::shared_ptr<const LeafSurfaces> SurfaceParameters::surfaces(LeafId leaf) con
 
 const Transform& SurfaceParameters::transform(LeafId leaf) const {
   static const Transform kIdentity;
-  return leaf.index() < leaves_.size() ? leaves_[leaf.index()]->placed.transform : kIdentity;
+  return leaf.index() < leaves_.size() ? *leaves_[leaf.index()]->placed.transform : kIdentity;
 }
 
 std::vector<std::vector<PatchCorner>> SurfaceParameters::cells(SourceId source) const {
@@ -212,7 +212,7 @@ std::vector<CurvePoint> SurfaceParameters::on_curves(const Location& cell, const
     const Leaf& leaf = *leaves_[wire.leaf.index()];
     const LeafParameters::Wire of = parameters(wire.leaf).wire(wire_of(w));
     if (of.at[0] == of.at[1]) continue;  // it has none
-    const RationalPoint a = leaf.placed.transform.apply(of.ends[0]), b = leaf.placed.transform.apply(of.ends[1]);
+    const RationalPoint a = leaf.placed.transform->apply(of.ends[0]), b = leaf.placed.transform->apply(of.ends[1]);
     const Rational t = of.at[0] + place_between(a, b, p) * (of.at[1] - of.at[0]);
     result.push_back({wire.leaf, wire.leaf_edge, t});
   }

@@ -21,7 +21,7 @@ namespace cnrg {
 /// and where its facets lie.
 struct PlacedParameters {
   ParameterSource source;
-  Transform transform;
+  SharedTransform transform{};
   SurfaceSource surfaces{};
   std::shared_ptr<const FacetBoxes> boxes{};
 };

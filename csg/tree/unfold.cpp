@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "csg/geometry/placement.h"
 #include "csg/tree/count_instances.h"
@@ -35,6 +36,7 @@ class Walk {
  public:
   Walk(const Tree& tree, std::size_t most) : tree_(tree), most_(most) {
     result_.count.assign(tree.nodes.size(), 0);
+    own_.resize(tree.nodes.size());
     identity_ = places_.intern(Placement());
   }
 
@@ -66,15 +68,18 @@ class Walk {
   /// The instance when it is known; otherwise a frame for it is on the stack.
   InstanceId enter(NodeId id, std::size_t above) {
     const Node& node = tree_.nodes[id];
-    const std::size_t place = node.transform ? place_below(above, node) : above;
+    const std::size_t place = node.transform ? place_below(above, id) : above;
     const auto it = known_.find({id, place});
     if (it != known_.end()) return it->second;
     stack_.push_back({id, place, tree_.operands(id), {}});
     return {};
   }
 
-  std::size_t place_below(std::size_t above, const Node& node) {
-    Placement place = places_[above] * Placement(*node.transform);
+  std::size_t place_below(std::size_t above, NodeId id) {
+    const Node& node = tree_.nodes[id];
+    std::optional<Placement>& own = own_[id];
+    if (!own) own.emplace(*node.transform);
+    Placement place = places_[above] * *own;
     if (const std::size_t bits = place.bits(); above != identity_ && bits > kMostBits) {
       throw TreeError(
           tree_.file, node.at,
@@ -106,6 +111,7 @@ class Walk {
   const Tree& tree_;
   std::size_t most_;
   PlaceTable places_;
+  IdVector<NodeId, std::optional<Placement>> own_;  // of the transforms of nodes, as they are met
   std::size_t identity_ = 0;
   std::map<std::pair<NodeId, std::size_t>, InstanceId> known_;
   std::vector<Frame> stack_;

@@ -29,7 +29,8 @@ class ComplexBuilder {
   // Shells and regions (shells.cpp).
   void join_shells();
   void nest_shells();
-  std::vector<FaceId> farthest_faces() const;
+  std::vector<FaceId> farthest_faces(UnionFind& surfaces) const;
+  std::vector<FaceId> join_outermost(std::vector<FaceId> starts, UnionFind& surfaces);  // outermost.cpp
   void hang_wires();
   void number_regions();
   void list_region_faces(const std::vector<RegionId>& region_of);

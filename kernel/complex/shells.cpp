@@ -13,8 +13,8 @@ namespace cnrg {
 
 namespace {
 
-/// More rays than these are worth a tree of boxes.
-constexpr std::size_t kRaysWithoutTree = 16;
+/// More rays than these are worth a look for surfaces that need none, and a tree of boxes.
+constexpr std::size_t kFewRays = 16;
 
 }  // namespace
 
@@ -51,13 +51,19 @@ void ComplexBuilder::join_shells() {
   }
 }
 
-/// Surfaces: faces connected through edges. One ray for each, from a face that reaches far in x, to infinity.
+/// Surfaces: faces connected through edges. One ray for each that another may hold, from a face that reaches far
+/// in x, to infinity.
 void ComplexBuilder::nest_shells() {
   const auto infinity = static_cast<std::uint32_t>(shell_count_);
   space_ = UnionFind(shell_count_ + 1);
-  const std::vector<FaceId> starts = farthest_faces();
+  UnionFind surfaces(shell_count_);
+  for (std::size_t s = 0; s < side_shell_.size(); s += 2) {
+    surfaces.unite(side_shell_[s].value(), side_shell_[s + 1].value());
+  }
+  std::vector<FaceId> starts = farthest_faces(surfaces);
+  if (starts.size() > kFewRays) starts = join_outermost(std::move(starts), surfaces);
   if (starts.empty()) return;
-  const RayCaster caster(c_, starts.size() > kRaysWithoutTree);
+  const RayCaster caster(c_, starts.size() > kFewRays);
   std::vector<std::vector<std::uint32_t>> joins(starts.size());
   tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t i) {
     const RayCaster::Ray ray = caster.cast(interior_point(c_, starts[i]), starts[i]);
@@ -74,7 +80,7 @@ void ComplexBuilder::nest_shells() {
 }
 
 /// Of each surface the first face that reaches farthest in x. A surface is what the two sides of faces connect.
-std::vector<FaceId> ComplexBuilder::farthest_faces() const {
+std::vector<FaceId> ComplexBuilder::farthest_faces(UnionFind& surfaces) const {
   std::vector<double> x(c_.points.size());
   for_each_index(x.size(), [&](std::size_t v) { x[v] = c_.points.view(VertexId(v)).hi[0]; });
   IdVector<FaceId, double> reach(c_.face_count());
@@ -84,10 +90,6 @@ std::vector<FaceId> ComplexBuilder::farthest_faces() const {
     for (const HalfEdge h : c_.loop[c_.face_loops[f].front()]) far = std::max(far, x[c_.origin(h).index()]);
     reach[f] = far;
   });
-  UnionFind surfaces(shell_count_);
-  for (std::size_t s = 0; s < side_shell_.size(); s += 2) {
-    surfaces.unite(side_shell_[s].value(), side_shell_[s + 1].value());
-  }
   std::vector<FaceId> farthest(shell_count_);
   for (const FaceId f : IdRange<FaceId>(c_.face_count())) {
     FaceId& best = farthest[surfaces.find(shell(HalfFace(f, 0)).value())];
@@ -124,7 +126,7 @@ void ComplexBuilder::hang_wires() {
   for (std::uint32_t n = first_wire; n < space_.size(); ++n) {
     if (space_.find(n) == n) nodes.push_back(n);
   }
-  const RayCaster caster(c_, nodes.size() > kRaysWithoutTree);
+  const RayCaster caster(c_, nodes.size() > kFewRays);
   std::vector<std::uint32_t> found(nodes.size());
   tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
     const ExactPoint p = nodes[i] >= first_loose ? c_.points.exact(loose_[nodes[i] - first_loose])

@@ -29,6 +29,11 @@ struct Box {
     return lo[0] <= b.hi[0] && b.lo[0] <= hi[0] && lo[1] <= b.hi[1] && b.lo[1] <= hi[1] && lo[2] <= b.hi[2] &&
            b.lo[2] <= hi[2];
   }
+  /// Closed boxes, too.
+  bool inside(const Box& b) const {
+    return b.lo[0] <= lo[0] && hi[0] <= b.hi[0] && b.lo[1] <= lo[1] && hi[1] <= b.hi[1] && b.lo[2] <= lo[2] &&
+           hi[2] <= b.hi[2];
+  }
 };
 
 /// The smallest box around all.
