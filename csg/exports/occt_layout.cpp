@@ -107,7 +107,7 @@ void CadLayout::lay_facets(Index source) {
 }
 
 void CadLayout::add_face(Index source, const Chart* chart, std::vector<const CadParts::Facet*> facets,
-                         std::vector<Index> isolated) {
+                         std::span<const Index> isolated) {
   std::vector<UnrollFacet> unroll_facets;
   std::optional<CadParameters> last;
   for (const CadParts::Facet* facet : facets) {
@@ -137,14 +137,14 @@ void CadLayout::add_face(Index source, const Chart* chart, std::vector<const Cad
   face.source = source;
   face.chart = chart;
   face.same = unrolled->area > 0;
-  face.isolated = std::move(isolated);
+  face.isolated.assign(isolated.begin(), isolated.end());
   unrolled_.push_back(std::move(*unrolled));
 }
 
 void CadLayout::add_edges() {
   for (Index e = 0; e < parts_.flat.edges.size(); ++e) {
     const FlatComplex::Edge& edge = parts_.flat.edges[e];
-    std::vector<Index> points = edge.points;
+    std::vector<Index> points(edge.points.begin(), edge.points.end());
     if (edge.closed) points.push_back(points.front());
     else vertex_[points.front()] = vertex_[points.back()] = 1;
     const CadParts::Edge& of = parts_.edges[e];

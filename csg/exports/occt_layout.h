@@ -7,6 +7,7 @@
 #include <deque>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -89,7 +90,7 @@ class CadLayout {
   void lay_face(Index source);
   void lay_facets(Index source);
   void add_face(Index source, const Chart* chart, std::vector<const CadParts::Facet*> facets,
-                std::vector<Index> isolated);
+                std::span<const Index> isolated);
   void add_edges();
   void add_seams();
   void cut_chains();

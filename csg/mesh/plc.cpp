@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 
 #include "kernel/exact/triangulate.h"
 
@@ -63,7 +64,7 @@ class PlcMaker {
     }
   }
 
-  void add_facet(Index face, const std::vector<Loop>& loops, const std::vector<Index>& isolated, Index begin,
+  void add_facet(Index face, const std::vector<Loop>& loops, std::span<const Index> isolated, Index begin,
                  Index end) {
     const auto& triangles = flat_.faces[face].triangles;
     if (facets_ != PlcFacets::triangles && end - begin > 1) {
@@ -81,7 +82,7 @@ class PlcMaker {
 
   /// False where a facet has to be triangles: it is not as planar as asked for, walks over itself, or has a hole
   /// without a point of doubles in it.
-  bool make_polygons(const std::vector<Loop>& loops, const std::vector<Index>& isolated,
+  bool make_polygons(const std::vector<Loop>& loops, std::span<const Index> isolated,
                      const std::array<Index, 3>& corners, Plc::Facet& facet) {
     const VertexId a(corners[0]), b(corners[1]), c(corners[2]);
     const auto in_plane = [&](Index p) {
@@ -94,10 +95,10 @@ class PlcMaker {
     if (!std::all_of(isolated.begin(), isolated.end(), in_plane)) return false;
     const Projection axes = projection_of(table_, table_.add_plane(a, b, c));
     const std::size_t outer = outer_loop(loops, axes);
-    facet.polygons.push_back(loops[outer]);
+    facet.polygons.emplace_back(loops[outer].begin(), loops[outer].end());
     for (std::size_t k = 0; k < loops.size(); ++k) {
       if (k == outer) continue;
-      facet.polygons.push_back(loops[k]);
+      facet.polygons.emplace_back(loops[k].begin(), loops[k].end());
       Vector inside;
       if (!point_in(loops[k], corners, inside)) return false;
       facet.holes.push_back(inside);

@@ -153,7 +153,7 @@ class Cutter {
       if (!is_model && regions[front ? 1 : 0] == kNone) return;
     }
     kept_face_[f.index()] = is_model && where != 0 ? 1 : 0;
-    std::vector<FlatComplex::Loop> loops = facet_loops(*complex_, f, [&](VertexId v) { return number(v); });
+    auto loops = facet_loops<FlatComplex::Loop>(*complex_, f, [&](VertexId v) { return number(v); });
     // A piece that looks the other way than the first of its face is turned.
     auto at = pieces_.find({of, regions});
     if (const auto turned = pieces_.find({of, {regions[1], regions[0]}});

@@ -384,7 +384,7 @@ Scene without_crossings(const Scene& scene, int threads) {
     return n;
   };
   for (const FaceId f : IdRange<FaceId>(complex->face_count())) {
-    const std::vector<Scene::Loop> loops = facet_loops(*complex, f, number);
+    const auto loops = facet_loops<Scene::Loop>(*complex, f, number);
     for (const Cover& cover : complex->cover(f)) {
       Scene::Facet facet{scene.facets[complex->sources[cover.source].leaf_face].surface, loops};
       if (!cover.same) turn(facet.loops);

@@ -131,19 +131,18 @@ class Flattener {
     return {{of.begin(), of.end()}, {on.begin(), on.end()}};
   }
 
-  Loop numbers(std::span<const VertexId> vertices) const {
-    Loop loop;
-    loop.reserve(vertices.size());
+  template <class List = Loop, class Range>
+  List numbers(const Range& vertices) const {
+    List list;
     for (const VertexId v : vertices) {
-      if (points_.number(v) != kNone) loop.push_back(points_.number(v));
+      if (points_.number(v) != kNone) list.push_back(points_.number(v));
     }
-    return loop;
+    return list;
   }
 
   template <class Range>
   Loop loop_of(const Range& half_edges) const {
     Loop loop;
-    loop.reserve(half_edges.size());
     for (const HalfEdge h : half_edges) {
       const Index p = points_.number(complex_.origin(h));
       if (p != kNone) loop.push_back(p);
@@ -191,8 +190,8 @@ class Flattener {
   }
   static int cmpabs(const Integer& a, const Integer& b) { return mpz_cmpabs(a.get_mpz_t(), b.get_mpz_t()); }
 
-  void add_triangles(HalfFace cell, const std::vector<Loop>& loops, const std::vector<Index>& isolated,
-                     std::vector<std::array<Index, 3>>& triangles) const {
+  void add_triangles(HalfFace cell, const std::vector<Loop>& loops, std::span<const Index> isolated,
+                     ShortList<FlatComplex::Triangle, 1>& triangles) const {
     if (loops.size() == 1 && loops[0].size() == 3 && isolated.empty()) {
       triangles.push_back({loops[0][0], loops[0][1], loops[0][2]});
       return;
@@ -212,7 +211,7 @@ class Flattener {
       here.push_back(n);
     }
     std::sort(here.begin(), here.end());
-    triangles.insert(triangles.end(), here.begin(), here.end());
+    triangles.append(here.begin(), here.end());
   }
 
   void make_faces() {
@@ -225,7 +224,7 @@ class Flattener {
       face.regions = from.regions;
       for (const auto& loop : from.loops) face.loops.push_back(loop_of(loop));
       put_in_order(face.loops);
-      face.isolated = numbers(from.isolated);
+      face.isolated = numbers<decltype(face.isolated)>(from.isolated);
       std::sort(face.isolated.begin(), face.isolated.end());
       const bool flat = is_flat(complex_, from);
       std::vector<std::pair<FlatComplex::Facet, HalfFace>> facets;
@@ -316,7 +315,7 @@ class Flattener {
   /// Points of a facet, sorted: the same whichever side is the front.
   static Loop key(const FlatComplex::Facet& facet) {
     Loop result;
-    for (const Loop& loop : facet.loops) result.insert(result.end(), loop.begin(), loop.end());
+    for (const Loop& loop : facet.loops) result.append(loop.begin(), loop.end());
     std::sort(result.begin(), result.end());
     return result;
   }
@@ -401,7 +400,15 @@ class Flattener {
     for_each_index(simple_.edges.size(), [&](std::size_t i) {
       const auto& from = simple_.edges[i];
       FlatComplex::Edge& edge = flat_.edges[i];
-      edge.points = numbers(chain_vertices(complex_, from));
+      edge.component = from.component;
+      edge.wire = walks_[i] == 0;
+      edge.slit = slit_[i];
+      if (!whole_ && !edge.wire && !edge.slit && flat_.frame_points.empty()) return;
+      edge.points = loop_of(from.chain);
+      if (!from.closed) {
+        const Index last = points_.number(complex_.target(from.chain.back()));
+        if (last != kNone) edge.points.push_back(last);
+      }
       edge.closed = from.closed;
       if (edge.closed) {
         rotate_to_least(edge.points);
@@ -410,11 +417,8 @@ class Flattener {
         }
       } else {
         Loop reversed(edge.points.rbegin(), edge.points.rend());
-        if (reversed < edge.points) edge.points.swap(reversed);
+        if (reversed < edge.points) edge.points = std::move(reversed);
       }
-      edge.component = from.component;
-      edge.wire = walks_[i] == 0;
-      edge.slit = slit_[i];
       thread_local std::vector<RegionId> regions;
       const EdgeId first = from.chain[0].edge();
       complex_.star_regions(first, regions);
@@ -456,10 +460,9 @@ class Flattener {
       keep_common(patches, around, i == 0);
       keep_common(curves, on, i == 0);
     }
-    edge.patches.assign(patches.begin(), patches.end());
+    edge.patches = {patches.begin(), patches.end()};
     if (!curves.empty()) edge.curve = curves.front();
     const auto uses = complex_.edge_uses[from.chain[0].edge()];
-    edge.around.reserve(uses.size());
     for (const FaceUse& use : uses) {
       const SimplifiedComplex::Place place = simple_.face_place[use.face.index()];
       if (place.dimension != 2 || place.index >= simple_.faces.size()) continue;
@@ -479,8 +482,12 @@ class Flattener {
 
   void make_vertices() {
     std::vector<char> on_edge(flat_.points.size(), 0), in_face(flat_.points.size(), 0);
-    for (const auto& edge : flat_.edges) {
-      for (const Index p : edge.points) on_edge[p] = 1;
+    const auto mark = [&](VertexId v) {
+      if (points_.number(v) != kNone) on_edge[points_.number(v)] = 1;
+    };
+    for (const auto& edge : simple_.edges) {
+      for (const HalfEdge h : edge.chain) mark(complex_.origin(h));
+      mark(complex_.target(edge.chain.back()));
     }
     for (const auto& face : flat_.faces) {
       for (const Index p : face.isolated) in_face[p] = 1;
@@ -492,6 +499,7 @@ class Flattener {
       vertex.point = points_.number(from.cell);
       vertex.component = from.component;
       vertex.free = !on_edge[vertex.point];
+      if (!whole_ && !vertex.free) return;
       thread_local std::vector<RegionId> regions;
       complex_.star_regions(from.cell, regions);
       vertex.entity = from.component != 0 && !inside_component(from.component, regions);

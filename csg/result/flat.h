@@ -25,7 +25,8 @@ namespace cnrg {
 struct FlatComplex {
   using Index = std::uint32_t;
   static constexpr Index kNone = 0xffffffffu;
-  using Loop = std::vector<Index>;  ///< point numbers
+  using Triangle = std::array<Index, 3>;
+  using Loop = ShortList<Index, 4>;  ///< point numbers
 
   /// Where an active cell came from, over all cells of the complex that it unites (of its own dimension): the
   /// leaves and their faces, wires, points and regions that hold it. Both ascending; empty for inactive cells.
@@ -36,8 +37,12 @@ struct FlatComplex {
     /// nothing is said. Of the value that was flattened.
     const Attributes* said = nullptr;
   };
-  /// A patch of a leaf.
-  using Patch = std::pair<LeafId, std::uint32_t>;
+  /// A patch of a leaf, or a curve of one.
+  struct Patch {
+    LeafId first;
+    std::uint32_t second = 0;
+    friend auto operator<=>(const Patch&, const Patch&) = default;
+  };
   struct Vertex {
     Index point = 0;
     Component component = 0;
@@ -57,23 +62,23 @@ struct FlatComplex {
     Index region = kNone;  ///< the region that holds a wire
     Provenance origin;
     /// Patches, of the leaves that it came from, that are around all of it, and the curve that covers all of it.
-    std::vector<Patch> patches;
+    ShortList<Patch, 2> patches;
     std::optional<Patch> curve;  ///< Soup::Wire::leaf_edge
     /// The faces around it in radial order, each by the side that is seen first (face * 2 + side, 0: front); a
     /// slit twice.
-    std::vector<Index> around;
+    ShortList<Index, 2> around;
   };
   struct Facet {
     std::vector<Loop> loops;  ///< outer first, seen from the front counter-clockwise, holes clockwise
-    std::vector<Index> isolated;
+    ShortList<Index, 2> isolated;
     friend auto operator<=>(const Facet&, const Facet&) = default;
   };
   struct Face {
-    std::vector<Loop> loops;                      ///< boundary walks, the face to the left as seen from the front
-    std::vector<Index> isolated;                  ///< vertices in the interior, by point
-    std::vector<Facet> facets;                    ///< of a face that is not flat; empty for a flat one
-    std::vector<std::array<Index, 3>> triangles;  ///< counter-clockwise as seen from the front
-    std::vector<Index> facet_ends;  ///< of a face that is not flat: where the triangles of each facet end
+    std::vector<Loop> loops;           ///< boundary walks, the face to the left as seen from the front
+    ShortList<Index, 2> isolated;      ///< vertices in the interior, by point
+    std::vector<Facet> facets;         ///< of a face that is not flat; empty for a flat one
+    ShortList<Triangle, 1> triangles;  ///< counter-clockwise as seen from the front
+    std::vector<Index> facet_ends;     ///< of a face that is not flat: where the triangles of each facet end
     Component component = 0;
     bool entity = false;
     std::array<Index, 2> regions{kNone, kNone};  ///< on front and back
@@ -112,7 +117,8 @@ struct FlatComplex {
 
 enum class Flat : std::uint8_t {
   whole,
-  shapes,  ///< for formats of mere triangles: what comes of leaves is left empty, and `around`
+  shapes,  ///< for formats of mere triangles: without what comes of leaves, and without more than components and
+           ///< `wire` of edges and vertices that faces have on them, slits apart
 };
 FlatComplex flatten(const ResultView& view, Flat what = Flat::whole);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -51,6 +52,8 @@ class ShortList {
   const T& operator[](std::size_t i) const { return begin()[i]; }
   const T& front() const { return *begin(); }
   const T& back() const { return *(end() - 1); }
+  auto rbegin() const { return std::make_reverse_iterator(end()); }
+  auto rend() const { return std::make_reverse_iterator(begin()); }
 
   void push_back(T value) { append(&value, &value + 1); }
   /// Adds a range that is not part of this list.
@@ -64,8 +67,8 @@ class ShortList {
   friend bool operator==(const ShortList& a, const ShortList& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
   }
-  friend bool operator<(const ShortList& a, const ShortList& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  friend auto operator<=>(const ShortList& a, const ShortList& b) {
+    return std::lexicographical_compare_three_way(a.begin(), a.end(), b.begin(), b.end());
   }
 
  private:

@@ -193,8 +193,8 @@ TEST_CASE("walls over parts of one curve have common rulings where they overlap"
         const auto cells = parameters->cells(f);
         for (const PatchCorner& corner : cells.at(0)) {
           const RationalPoint p = point_of(blossom(given, std::vector<Rational>(given.size() - 1, corner.at[0])));
-          CHECK(walls[i].transform.apply(p + corner.at[1] * form->shape.vector) ==
-                both[i].transform.apply(corner.point));
+          CHECK(walls[i].transform->apply(p + corner.at[1] * form->shape.vector) ==
+                both[i].transform->apply(corner.point));
         }
       }
     }

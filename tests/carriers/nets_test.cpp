@@ -38,7 +38,7 @@ Facets facets_in(const LeafInstance& instance, const Net4& net, const Rectangle&
     REQUIRE(cells.size() == 1);
     bool all = true;
     for (const PatchCorner& corner : cells[0]) {
-      REQUIRE(at(net, corner.at[0], corner.at[1]) == instance.transform.apply(corner.point));
+      REQUIRE(at(net, corner.at[0], corner.at[1]) == instance.transform->apply(corner.point));
       all = all && inside(r, corner.at);
     }
     if (!all) continue;
@@ -193,7 +193,7 @@ TEST_CASE("leaves that share no more than points with others stay as they are") 
   const std::vector<LeafInstance> same = with_common_nets(given);
   for (std::size_t i = 0; i < given.size(); ++i) {
     CHECK(same[i].leaf == given[i].leaf);
-    CHECK(same[i].transform == given[i].transform);
+    CHECK(*same[i].transform == *given[i].transform);
   }
   // A fourth one that has a part of the first: both copies of that change, to one leaf.
   const LeafInstance part = sheet(piece_of(net, {{{0, ratio(1, 2)}, {ratio(1, 3), 1}}}), {std::nullopt, 4});
@@ -203,7 +203,7 @@ TEST_CASE("leaves that share no more than points with others stay as they are") 
   CHECK(changed[1].leaf == a.leaf);
   CHECK(changed[2].leaf == box.leaf);
   CHECK(changed[4].leaf != part.leaf);
-  CHECK(changed[0].transform.identity());
+  CHECK(changed[0].transform->identity());
 }
 
 TEST_CASE("leaves that were tessellated alike already have the facets that they had") {
