@@ -8,8 +8,8 @@ namespace cnrg::app {
 /// Says that memory ran out, for which it needs none; the exit status.
 int memory_ran_out() noexcept;
 
-/// Gives GMP allocators that end the program by `memory_ran_out`, and std::terminate a line that says why; and lets
-/// malloc keep what is freed. Call it first of all.
+/// Gives GMP allocators that end the program by `memory_ran_out`, and std::terminate a line that says why; and
+/// lets malloc keep what is freed. Call it first of all.
 void guard_ends();
 
 }  // namespace cnrg::app

@@ -193,4 +193,17 @@ void append_leaf_cells(const Complex& complex, RegionId r, std::span<const LeafI
   }
 }
 
+template <class IdT>
+std::vector<LeafCell> leaf_cells(const Complex& complex, IdT cell, std::span<const LeafId> leaves) {
+  std::vector<LeafCell> out;
+  append_leaf_cells(complex, cell, leaves, out);
+  sort_unique(out);
+  return out;
+}
+
+template std::vector<LeafCell> leaf_cells(const Complex&, VertexId, std::span<const LeafId>);
+template std::vector<LeafCell> leaf_cells(const Complex&, EdgeId, std::span<const LeafId>);
+template std::vector<LeafCell> leaf_cells(const Complex&, FaceId, std::span<const LeafId>);
+template std::vector<LeafCell> leaf_cells(const Complex&, RegionId, std::span<const LeafId>);
+
 }  // namespace cnrg

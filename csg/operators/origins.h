@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "csg/operators/said.h"
-#include "kernel/base/sorted.h"
 #include "kernel/complex/complex.h"
 #include "kernel/selection/selection.h"
 
@@ -104,11 +103,6 @@ void append_leaf_cells(const Complex& complex, RegionId r, std::span<const LeafI
 
 /// The same as a list by itself: ascending, each once.
 template <class IdT>
-std::vector<LeafCell> leaf_cells(const Complex& complex, IdT cell, std::span<const LeafId> leaves) {
-  std::vector<LeafCell> out;
-  append_leaf_cells(complex, cell, leaves, out);
-  sort_unique(out);
-  return out;
-}
+std::vector<LeafCell> leaf_cells(const Complex& complex, IdT cell, std::span<const LeafId> leaves);
 
 }  // namespace cnrg

@@ -102,6 +102,7 @@ std::vector<FaceId> ComplexBuilder::join_outermost(std::vector<FaceId> starts, U
     }
   }
   std::vector<Box> boxes;
+  boxes.reserve(list.size());
   for (const Surface& s : list) boxes.push_back(s.box);
   const BoxTree tree(std::move(boxes));
   std::vector<ShellId> outer(list.size());
