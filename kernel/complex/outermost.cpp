@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kernel/complex/builder.h"
 #include "kernel/refine/box_tree.h"
@@ -59,11 +60,13 @@ struct Surface {
 
   /// How far `volume` may be off. A determinant is six products of three coordinates of at most `size`, each of
   /// which is off by `off` and some roundings; adding n of them rounds n times what they are together at most.
+  /// Where numbers underflow a rounding is no part of them, but less than the least normal number.
   double error() const {
     double size = 0;
     for (std::size_t k = 0; k < 3; ++k) size = std::max(size, box.hi[k] - box.lo[k]);
     const auto n = static_cast<double>(terms);
-    return 6 * n * size * size * (size * (n + 20) * std::numeric_limits<double>::epsilon() + 4 * off);
+    return 6 * n * size * size * (size * (n + 20) * std::numeric_limits<double>::epsilon() + 4 * off) +
+           n * std::numeric_limits<double>::min();
   }
 
   /// The shell at infinity, if that is certain, given that the surface reaches out of all others.

@@ -1,8 +1,8 @@
 // Regions of scenes of many surfaces, beside the boxes that hold a point on each side of each face.
 //
 // Half the boxes are of one kind, so that they lie apart, in each other, touch in corners, edges and faces, or
-// cross; some are open, some turned inside out, and all are moved far from zero or made thin at times: where the
-// volume of a surface in doubles is not certain, a ray has to tell.
+// cross; some are open, some turned inside out, and all are moved far from zero, made thin or so small at times
+// that their volumes underflow: where the volume of a surface in doubles is not certain, a ray has to tell.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -70,8 +70,9 @@ TEST_CASE("regions of many surfaces are those of the boxes around them") {
       }
     }
     // Powers of two move the grid without rounding.
-    const double shift = random() % 3 == 0 ? std::ldexp(1, 40) : 0;
-    const std::array<double, 3> scale{1, random() % 3 == 0 ? std::ldexp(1, -12) : 1, 1};
+    const double unit = random() % 3 == 0 ? std::ldexp(1, -359) : 1;
+    const double shift = random() % 3 == 0 ? std::ldexp(unit, 40) : 0;
+    const std::array<double, 3> scale{unit, random() % 3 == 0 ? std::ldexp(unit, -12) : unit, unit};
     const auto move = [&](std::size_t k, double x) { return x * scale[k] + shift; };
     Soup soup;
     for (const TestBox& box : boxes) add_to(soup, box, random, move);
