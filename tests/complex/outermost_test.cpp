@@ -50,6 +50,16 @@ void add_to(Soup& soup, const TestBox& box, Random& random, const Move& move) {
   }
 }
 
+bool coplanar(const std::array<std::array<double, 3>, 4>& t) {
+  std::array<std::array<Rational, 3>, 3> v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) v[i][k] = from_double(t[i + 1][k]) - from_double(t[0][k]);
+  }
+  return v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) + v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
+             v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]) ==
+         0;
+}
+
 }  // namespace
 
 TEST_CASE("regions of many surfaces are those of the boxes around them") {
@@ -97,6 +107,57 @@ TEST_CASE("regions of many surfaces are those of the boxes around them") {
           found.insert(label.leaf.index());
         REQUIRE(found == expected);
       }
+    }
+  }
+}
+
+// Thin tetrahedra in a row, so small that products of their coordinates underflow: what their volume is in doubles
+// has any sign.
+TEST_CASE("regions of surfaces whose volume underflows are inside of them") {
+  const auto [first, end] = scenes::seeds(100);
+  for (std::uint64_t seed = first; seed < end; ++seed) {
+    INFO("seed " << seed);
+    std::mt19937_64 random(seed);
+    std::uniform_int_distribution<int> digit(-99, 99);
+    using Place = std::array<double, 3>;
+    std::vector<std::array<Place, 4>> tetrahedra;
+    Soup soup;
+    while (tetrahedra.size() < 30) {
+      std::array<Place, 4> t;
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t i = 0; i < 3; ++i) t[i][k] = std::ldexp(digit(random), 33);
+        t[3][k] = t[0][k] + t[1][k] - t[2][k] + digit(random);
+      }
+      for (Place& p : t) {
+        p[0] += std::ldexp(static_cast<double>(tetrahedra.size()), 42);
+        for (double& x : p) x = std::ldexp(x, -396);
+      }
+      if (coplanar(t)) continue;
+      const LeafId leaf = soup.add_leaf(Fill::parity);
+      std::array<PointId, 4> id;
+      for (std::size_t i = 0; i < 4; ++i) id[i] = soup.add_point(t[i][0], t[i][1], t[i][2]);
+      const std::size_t sides[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+      for (std::uint32_t f = 0; f < 4; ++f) {
+        const std::vector<std::vector<PointId>> loops{{id[sides[f][0]], id[sides[f][1]], id[sides[f][2]]}};
+        soup.add_face(leaf, loops, f, f);
+      }
+      tetrahedra.push_back(t);
+    }
+    const auto complex = build_complex(soup);
+    REQUIRE(complex->face_count() == 4 * tetrahedra.size());
+    for (const FaceId f : IdRange<FaceId>(complex->face_count())) {
+      const RationalPoint in_face = interior_point(*complex, f).rational();
+      const ExactPlane& plane = complex->points.exact_plane(complex->plane(f));
+      const unsigned in = complex->labels(complex->region(HalfFace(f, 0))).size() == 1 ? 0 : 1;
+      REQUIRE(complex->labels(complex->region(HalfFace(f, 1 - in))).empty());
+      const auto labels = complex->labels(complex->region(HalfFace(f, in)));
+      REQUIRE(labels.size() == 1);
+      Rational above = 0;  // four times how far the centroid is above the plane
+      for (const Place& p : tetrahedra[labels[0].leaf.index()]) {
+        above += plane.a * (from_double(p[0]) - in_face[0]) + plane.b * (from_double(p[1]) - in_face[1]) +
+                 plane.c * (from_double(p[2]) - in_face[2]);
+      }
+      REQUIRE((sgn(above) > 0) == (in == 0));
     }
   }
 }
