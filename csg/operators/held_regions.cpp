@@ -9,7 +9,7 @@
 
 namespace cnrg {
 
-// One region of an operand in a region of the result; sorted, these are its sources from the strongest on.
+// One region of an operand in a region of the result.
 struct HeldRegions::Source {
   RegionId result;
   bool second;     // not of the operand that comes first
@@ -188,6 +188,7 @@ void HeldRegions::combine(Roles roles, const std::vector<RegionId>& next_cells, 
   }
   std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) { return a.key() < b.key(); });
   sources.erase(std::unique(sources.begin(), sources.end(), same), sources.end());
+  put_strongest_first(sources);
 
   std::vector<std::pair<RegionId, RegionAttributes>> made;
   std::vector<const RegionAttributes*> of_region;
@@ -210,6 +211,22 @@ void HeldRegions::combine(Roles roles, const std::vector<RegionId>& next_cells, 
     if (source.held) drop_attributes(source.first);
   }
   for (auto& [region, attributes] : made) set_attributes(region, std::move(attributes));
+}
+
+// Several regions of one operand in one region of the result: cells have numbers that hang on what else is in the
+// tree, so these cannot choose.
+void HeldRegions::put_strongest_first(std::vector<Source>& sources) const {
+  const auto order = [&](const Source& source) {
+    const RegionAttributes& a = attributes_of(source);
+    return std::tie(a.leaves, a.name, a.material.name(), a.properties);
+  };
+  for (auto begin = sources.begin(); begin != sources.end();) {
+    const auto end = std::find_if(begin, sources.end(), [&](const Source& s) {
+      return s.result != begin->result || s.second != begin->second;
+    });
+    std::stable_sort(begin, end, [&](const Source& a, const Source& b) { return order(a) < order(b); });
+    begin = end;
+  }
 }
 
 // The leaves of one region of the result. A region of held that is one whole is of this result alone and goes when

@@ -58,6 +58,7 @@ class HeldRegions {
   void intersect(Roles roles, Conflicts& conflicts);
   void split(std::span<const Group* const> next);
   void combine(Roles roles, const std::vector<RegionId>& next_cells, Conflicts& conflicts);
+  void put_strongest_first(std::vector<Source>& sources) const;
   std::vector<RegionId> cells_of(std::span<const Source> sources, const Yielded& what,
                                  const std::vector<RegionId>& next_cells);
   std::vector<LeafId> leaves_of(std::span<const Source> sources);

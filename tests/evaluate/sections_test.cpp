@@ -1,15 +1,20 @@
 // Sections and steps: which nodes are refined apart, what that saves, and that nothing else tells of it.
 #include "csg/evaluate/sections.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <sstream>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
 #include "csg/operators/node_value.h"
+#include "tests/scenes/seeds.h"
 
 namespace cnrg {
 namespace {
@@ -170,6 +175,59 @@ TEST_CASE("leaves that have several regions, or none that is bounded, are refine
 )");
   const auto [apart, together] = same(half);
   CHECK(apart.complex->face_count() == together.complex->face_count());
+}
+
+// Regions melt in any order here, and several of one operand at once.
+std::string random_boxes(std::mt19937_64& random) {
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  const auto point = [](const std::array<std::size_t, 3>& p) {
+    return "[" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) + "]";
+  };
+  const char* const materials[] = {"", "", ", material: rock", ", material: sand", ", material: ore"};
+  const char* const operators[] = {"union", "union", "difference", "intersection"};
+  const std::size_t leaves = 5 + below(10), nodes = 2 + below(5);
+  std::string out;
+  for (std::size_t i = 0; i < leaves; ++i) {
+    std::array<std::size_t, 3> low, high;
+    for (std::size_t k = 0; k < 3; ++k) low[k] = below(6), high[k] = low[k] + 1 + below(4);
+    out += "  n" + std::to_string(i) + ": {box: {min: " + point(low) + ", max: " + point(high) + "}" +
+           materials[below(5)] + "}\n";
+  }
+  for (std::size_t i = leaves; i <= leaves + nodes; ++i) {
+    const bool last = i == leaves + nodes;
+    std::string operands;
+    for (std::size_t k = 0; k < 2 + below(3); ++k)
+      operands += (k == 0 ? "n" : ", n") + std::to_string(k == 0 ? i - 1 : below(i));
+    out += "  " + (last ? "r" : "n" + std::to_string(i)) + ": {" + operators[last ? 0 : below(4)] + ": [" +
+           operands + "]}\n";
+  }
+  return out;
+}
+
+/// What is said of each region, without its number.
+std::vector<std::tuple<Rational, std::string, std::string>> told(const Result& result) {
+  std::vector<std::tuple<Rational, std::string, std::string>> out;
+  for (Component c = 1; c <= result.component_count(); ++c) {
+    const RegionAttributes& attributes = result.attributes(c);
+    out.emplace_back(*result.volume(c), attributes.name, attributes.material.name());
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+TEST_CASE("which of the regions that melt keeps its name does not depend on the refinement", "[sections]") {
+  const auto [first, end] = scenes::seeds(300);
+  for (std::uint64_t seed = first; seed < end; ++seed) {
+    std::mt19937_64 random(seed);
+    const std::string nodes = random_boxes(random);
+    INFO("seed " << seed << "\n" << nodes);
+    const Tree tree = tree_of(nodes, "{rock: {}, sand: {}, ore: {}}");
+    const Evaluation apart = evaluated(tree, Refining::apart), together = evaluated(tree, Refining::together);
+    REQUIRE(told(apart.result()) == told(together.result()));
+    REQUIRE(apart.diagnostics.size() == together.diagnostics.size());
+    for (std::size_t i = 0; i < apart.diagnostics.size(); ++i)
+      REQUIRE(apart.diagnostics[i].message == together.diagnostics[i].message);
+  }
 }
 
 }  // namespace
