@@ -121,6 +121,7 @@ class CarriedGroups {
  private:
   using Index = CarriedGroup::Index;
   static constexpr Index kNone = CarriedGroup::kNone;
+  class SourcesMaker;
   /// The carried cell of a group of which a cell of the complex is a piece.
   struct Piece {
     Index group;
@@ -140,10 +141,16 @@ class CarriedGroups {
   void match(const Complex& complex, const std::vector<VertexId>& vertex_of);
   Index group_of(LeafId leaf) const { return leaf < first_ ? kNone : leaf.value() - first_.value(); }
   template <class See>
-  void for_each_piece(const Complex& complex, FaceId f, const See& see) const;
+  void for_each_piece(const Complex& complex, FaceId f, const See& see) const {
+    for (const Cover& cover : complex.cover(f)) {
+      const Soup::Face& source = complex.sources[cover.source];
+      const Index g = group_of(source.leaf);
+      if (g != kNone) see(Piece{g, 2, source.leaf_face});
+    }
+  }
+  std::span<const Piece> pieces(VertexId v) const { return vertices_[Id<PlaceTag>(place_[v])]; }
   LeafSetId origin(const Piece& piece) const;
   const std::vector<LeafCell>& gone(const Piece& piece) const;
-  std::vector<LeafCell> gone(std::span<const Piece> pieces) const;
 };
 
 }  // namespace cnrg

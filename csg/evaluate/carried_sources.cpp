@@ -1,0 +1,253 @@
+// What the cells of a complex with carried values come from. The refinement has told it of carried leaves, which
+// no result may name: each of their faces, wires, points and labels becomes those of the input that it stands for.
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "csg/evaluate/carried_groups.h"
+#include "kernel/base/sorted.h"
+
+namespace cnrg {
+
+class CarriedGroups::SourcesMaker {
+ public:
+  SourcesMaker(const CarriedGroups& carried, const Complex& complex, LeafPlaces& places)
+      : carried_(carried), groups_(carried.groups_), complex_(complex), places_(places) {}
+
+  ComplexSources run(std::span<const std::vector<std::uint32_t>> surfaces) {
+    out_.leaf_count = carried_.first_.index();
+    out_.fills = complex_.fills;
+    out_.fills.resize(out_.leaf_count);
+    out_.leaf_regions = complex_.leaf_regions;
+    out_.leaf_regions.resize(out_.leaf_count);
+    take_faces_and_wires();
+    number_surfaces(surfaces);
+    take_covers();
+    take_segments();
+    take_points();
+    take_removed();
+    take_labels();
+    return std::move(out_);
+  }
+
+ private:
+  const CarriedGroups& carried_;
+  const std::vector<CarriedGroup>& groups_;
+  const Complex& complex_;
+  LeafPlaces& places_;
+  ComplexSources out_;
+  IdVector<SourceId, SourceId> kept_;  // of the complex's own; none() for faces of groups
+  IdVector<WireId, WireId> kept_wires_;
+  std::vector<std::vector<SourceId>> source_of_;  // by group
+  std::vector<std::vector<WireId>> wire_of_;
+
+  bool is_own(LeafId leaf) const { return carried_.group_of(leaf) == kNone; }
+
+  /// A face or wire of a leaf that several groups, or the soup itself, have is one.
+  void take_faces_and_wires() {
+    std::vector<char> carried(complex_.leaf_count, 0);
+    for (const CarriedGroup& group : groups_) {
+      for (const auto& source : group.sources_) carried[source.face.leaf.index()] = 1;
+      for (const auto& wire : group.wires_) carried[wire.wire.leaf.index()] = 1;
+    }
+    const LeafPlaces of_soup = std::exchange(places_, {});
+    std::map<std::pair<LeafId, Index>, SourceId> known;
+    std::map<std::pair<LeafId, Index>, WireId> known_wires;
+    kept_ = take_own(complex_.sources, of_soup.faces, carried, known, out_.sources, places_.faces);
+    kept_wires_ = take_own(complex_.wires, of_soup.wires, carried, known_wires, out_.wires, places_.wires);
+    for (const CarriedGroup& group : groups_) {
+      auto& sources = source_of_.emplace_back();
+      for (const auto& [face, place] : group.sources_)
+        sources.push_back(take(face, place, known, out_.sources, places_.faces));
+      auto& wires = wire_of_.emplace_back();
+      for (const auto& [wire, place] : group.wires_)
+        wires.push_back(take(wire, place, known_wires, out_.wires, places_.wires));
+    }
+  }
+  /// Those of `all` that are not of carried leaves; `known` gets those of leaves that are carried, too.
+  template <class IdT, class Item, class Places, class Known>
+  IdVector<IdT, IdT> take_own(const IdVector<IdT, Item>& all, const Places& place_of,
+                              const std::vector<char>& carried, Known& known, IdVector<IdT, Item>& out,
+                              Places& places) const {
+    IdVector<IdT, IdT> kept(all.size());
+    for (const IdT i : IdRange<IdT>(all.size())) {
+      const LeafId leaf = all[i].leaf;
+      if (!is_own(leaf)) continue;
+      kept[i] = out.push_back(all[i]);
+      places.push_back(place_of[i]);
+      if (carried[leaf.index()]) known.try_emplace({leaf, place_of[i]}, kept[i]);
+    }
+    return kept;
+  }
+  template <class IdT, class Item, class Places, class Known>
+  static IdT take(const Item& item, Index place, Known& known, IdVector<IdT, Item>& out, Places& places) {
+    const auto [it, fresh] = known.try_emplace({item.leaf, place}, IdT(out.size()));
+    if (fresh) {
+      out.push_back(item);
+      places.push_back(place);
+    }
+    return it->second;
+  }
+
+  /// Curved patches without a number of the tree have got one in each complex; here they get one for all.
+  void number_surfaces(std::span<const std::vector<std::uint32_t>> surfaces) {
+    std::uint32_t most = 0;
+    for (const auto& of_leaf : surfaces) {
+      for (const std::uint32_t number : of_leaf) most = std::max(most, number);
+    }
+    std::map<std::pair<LeafId, std::uint32_t>, std::uint32_t> own;
+    for (Soup::Face& face : out_.sources) {
+      if (face.surface == 0) continue;
+      const std::size_t leaf = face.leaf.index();
+      const bool numbered = leaf < surfaces.size() && face.patch < surfaces[leaf].size();
+      face.surface = numbered ? surfaces[leaf][face.patch] : 0;
+      if (face.surface != 0) continue;
+      const auto next = static_cast<std::uint32_t>(most + 1 + own.size());
+      face.surface = own.try_emplace({face.leaf, face.patch}, next).first->second;
+    }
+  }
+
+  /// A piece of a carried face is a piece of the input faces that this one is a piece of.
+  void take_covers() {
+    std::map<std::vector<Cover>, SourceSetId> sets;
+    IdVector<SourceSetId, SourceSetId> renamed;
+    for (const SourceSetId set : IdRange<SourceSetId>(complex_.covers.size())) {
+      std::vector<Cover> list;
+      for (const Cover& cover : complex_.covers[set]) {
+        const Soup::Face& source = complex_.sources[cover.source];
+        const Index g = carried_.group_of(source.leaf);
+        if (g == kNone) {
+          list.push_back({kept_[cover.source], cover.same});
+          continue;
+        }
+        for (const auto& [s, same] : groups_[g].covers_[groups_[g].faces_[source.leaf_face].cover])
+          list.push_back({source_of_[g][s], same == cover.same});
+      }
+      sort_unique(list);
+      const auto [it, fresh] = sets.try_emplace(std::move(list), SourceSetId(sets.size()));
+      if (fresh) out_.covers.push_back(it->first);
+      renamed.push_back(it->second);
+    }
+    out_.face_cover = complex_.face_cover;
+    for (SourceSetId& set : out_.face_cover) set = renamed[set];
+  }
+
+  /// Those of the soup without the carried leaves, and under carried edges those of the sections.
+  void take_segments() {
+    out_.segment_ends = complex_.segment_ends;
+    std::vector<std::pair<SegmentId, WireId>> wires;
+    for (const SegmentId s : IdRange<SegmentId>(complex_.segment_ends.size())) {
+      std::vector<SourceId> faces;
+      for (const SourceId f : complex_.segment_faces[s]) {
+        if (kept_[f].valid()) faces.push_back(kept_[f]);
+      }
+      out_.segment_faces.push_back(faces);
+      for (const WireId w : complex_.segment_wires[s]) {
+        if (kept_wires_[w].valid()) wires.emplace_back(s, kept_wires_[w]);
+      }
+    }
+    std::map<Piece, SegmentId> of_edge;  // the first one of those of a carried edge
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+      const auto own = complex_.edge_segments[e];
+      std::vector<SegmentId> list(own.begin(), own.end());
+      for (const Piece& piece : carried_.edges_[e]) {
+        if (piece.dimension != 1) continue;
+        const CarriedGroup& group = groups_[piece.group];
+        const auto& segments = group.segments_of_[group.edges_[piece.index].segments];
+        const auto [it, fresh] = of_edge.try_emplace(piece, SegmentId(out_.segment_ends.size()));
+        if (fresh) {
+          for (const Index k : segments) {
+            const SegmentId s = out_.segment_ends.push_back(complex_.edge_ends[e]);
+            std::vector<SourceId> faces;
+            for (const Index f : group.segments_[k].sources) faces.push_back(source_of_[piece.group][f]);
+            out_.segment_faces.push_back(faces);
+            for (const Index w : group.segments_[k].wires) wires.emplace_back(s, wire_of_[piece.group][w]);
+          }
+        }
+        for (std::size_t k = 0; k < segments.size(); ++k) list.push_back(SegmentId(it->second.index() + k));
+      }
+      sort_unique(list);
+      out_.edge_segments.push_back(list);
+    }
+    out_.segment_wires = SparseLists(wires);
+  }
+
+  /// Isolated points, and ends of curves.
+  void take_points() {
+    std::vector<std::pair<VertexId, LeafId>> isolated, curve_ends;
+    for (const VertexId v : complex_.vertices) {
+      for (const LeafId leaf : complex_.isolated_leaves[v]) {
+        if (is_own(leaf)) isolated.emplace_back(v, leaf);
+      }
+      for (const LeafId leaf : complex_.curve_ends[v]) curve_ends.emplace_back(v, leaf);
+      for (const Piece& piece : carried_.pieces(v)) {
+        if (piece.dimension != 0) continue;
+        const CarriedGroup::Vertex& vertex = groups_[piece.group].vertices_[piece.index];
+        for (const LeafId leaf : vertex.isolated) isolated.emplace_back(v, leaf);
+        for (const LeafId leaf : vertex.curve_ends) curve_ends.emplace_back(v, leaf);
+      }
+    }
+    sort_unique(isolated), sort_unique(curve_ends);
+    out_.isolated_leaves = SparseLists(isolated);
+    out_.curve_ends = SparseLists(curve_ends);
+  }
+
+  /// What held cells and was removed in the sections.
+  void take_removed() {
+    std::vector<std::pair<FaceId, LeafCell>> at_faces;
+    std::vector<Piece> pieces;
+    for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+      pieces.clear();
+      carried_.for_each_piece(complex_, f, [&](const Piece& piece) { pieces.push_back(piece); });
+      add_removed(f, pieces, at_faces);
+    }
+    out_.face_leaf_cells = SparseLists(at_faces);
+    std::vector<std::pair<EdgeId, LeafCell>> at_edges;
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) add_removed(e, carried_.edges_[e], at_edges);
+    out_.edge_leaf_cells = SparseLists(at_edges);
+    std::vector<std::pair<VertexId, LeafCell>> at_vertices;
+    for (const VertexId v : complex_.vertices) add_removed(v, carried_.pieces(v), at_vertices);
+    out_.vertex_leaf_cells = SparseLists(at_vertices);
+  }
+  template <class IdT>
+  void add_removed(IdT cell, std::span<const Piece> pieces, std::vector<std::pair<IdT, LeafCell>>& list) const {
+    std::vector<LeafCell> all;
+    for (const Piece& piece : pieces) {
+      const std::vector<LeafCell>& of_piece = carried_.gone(piece);
+      all.insert(all.end(), of_piece.begin(), of_piece.end());
+    }
+    sort_unique(all);
+    for (const LeafCell& leaf_cell : all) list.emplace_back(cell, leaf_cell);
+  }
+
+  /// A class of a group stands for the regions of leaves in which its 3-cells lay.
+  void take_labels() {
+    std::map<std::vector<Label>, LabelSetId> sets;
+    IdVector<LabelSetId, LabelSetId> renamed;
+    for (const LabelSetId set : IdRange<LabelSetId>(complex_.label_sets.size())) {
+      std::vector<Label> list;
+      for (const Label& label : complex_.label_sets[set]) {
+        const Index g = carried_.group_of(label.leaf);
+        if (g == kNone) {
+          list.push_back(label);
+          continue;
+        }
+        const auto& labels = groups_[g].classes_[label.region - 1].labels;
+        list.insert(list.end(), labels.begin(), labels.end());
+      }
+      sort_unique(list);
+      const auto [it, fresh] = sets.try_emplace(std::move(list), LabelSetId(sets.size()));
+      if (fresh) out_.label_sets.push_back(it->first);
+      renamed.push_back(it->second);
+    }
+    out_.region_labels = complex_.region_labels;
+    for (LabelSetId& set : out_.region_labels) set = renamed[set];
+  }
+};
+
+ComplexSources CarriedGroups::sources(const Complex& complex, std::span<const std::vector<std::uint32_t>> surfaces,
+                                      LeafPlaces& places) const {
+  return SourcesMaker(*this, complex, places).run(surfaces);
+}
+
+}  // namespace cnrg
