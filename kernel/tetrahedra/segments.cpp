@@ -1,0 +1,140 @@
+#include "kernel/tetrahedra/segments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+/// So many points are looked at before one is chosen.
+constexpr std::size_t kLooked = 1000;
+
+}  // namespace
+
+SegmentChains::SegmentChains(PointTable& points, Tetrahedra& tetrahedra,
+                             std::vector<std::array<VertexId, 2>> segments)
+    : points_(points), tetrahedra_(tetrahedra), segments_(std::move(segments)), cuts_(segments_.size()) {
+  for (Index i = 0; i < segments_.size(); ++i) {
+    const auto& [a, b] = segments_[i];
+    require(pieces_.try_emplace(key(a, b), Piece{i, 0, 1}).second, "tetrahedra: a segment twice");
+  }
+}
+
+SegmentChains::Key SegmentChains::key(VertexId a, VertexId b) {
+  return std::uint64_t(std::min(a, b).value()) << 32 | std::max(a, b).value();
+}
+
+VertexId SegmentChains::at(const Piece& piece, double t) const {
+  if (t == 0) return segments_[piece.segment][0];
+  if (t == 1) return segments_[piece.segment][1];
+  return cuts_[piece.segment].at(t);
+}
+
+/// Of the points in the ball whose diameter is the piece, the one that sees it under the widest angle. Edges lead from
+/// its ends to all of them through points in the ball. Doubles are enough to choose.
+VertexId SegmentChains::in_the_way(VertexId a, VertexId b) const {
+  const auto p = points_.approx(a), q = points_.approx(b);
+  std::vector<VertexId> found{a, b};
+  std::unordered_set<VertexId> seen{a, b};
+  std::vector<Index> star;
+  VertexId best;
+  double widest = 0;
+  for (std::size_t i = 0; i < found.size() && found.size() < kLooked; ++i) {
+    tetrahedra_.around(found[i], star);
+    for (const Index t : star) {
+      for (const VertexId v : tetrahedra_.corners(t)) {
+        if (tetrahedra_.on_box(v) || !seen.insert(v).second) continue;
+        const auto x = points_.approx(v);
+        double dot = 0, u = 0, w = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          dot += (p[k] - x[k]) * (q[k] - x[k]);
+          u += (p[k] - x[k]) * (p[k] - x[k]);
+          w += (q[k] - x[k]) * (q[k] - x[k]);
+        }
+        if (dot > 0) continue;
+        found.push_back(v);
+        const double angle = -dot / std::sqrt(u * w);
+        if (best.valid() && angle <= widest) continue;
+        best = v;
+        widest = angle;
+      }
+    }
+  }
+  return best;
+}
+
+double SegmentChains::place_of_cut(const Piece& piece) const {
+  const double middle = (piece.from + piece.to) / 2;
+  const VertexId v = in_the_way(at(piece, piece.from), at(piece, piece.to));
+  if (!v.valid()) return middle;
+  const auto [a, b] = segments_[piece.segment];
+  const auto distance = [&](VertexId from, VertexId to) {
+    const auto p = points_.approx(from), q = points_.approx(to);
+    return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+  };
+  const double length = distance(a, b), margin = (piece.to - piece.from) / 5;
+  const auto inside = [&](double t) { return piece.from + margin < t && t < piece.to - margin; };
+  const double from_a = distance(a, v) / length, from_b = 1 - distance(b, v) / length;
+  const auto other = segment_of_.find(v);
+  const auto ends_at = [&](VertexId end) {
+    if (other == segment_of_.end()) return false;
+    const auto& ends = segments_[other->second];
+    return ends[0] == end || ends[1] == end;
+  };
+  if (ends_at(a) && inside(from_a)) return from_a;
+  if (ends_at(b) && inside(from_b)) return from_b;
+  const double near_from = piece.from + distance(at(piece, piece.from), v) / length;
+  const double near_to = piece.to - distance(at(piece, piece.to), v) / length;
+  if (near_from < middle && inside(near_from)) return near_from;
+  if (near_to > middle && inside(near_to)) return near_to;
+  return middle;
+}
+
+void SegmentChains::run(const Watch& watch) {
+  std::vector<Key> open;
+  open.reserve(pieces_.size());
+  for (const auto& [ends, piece] : pieces_) open.push_back(ends);
+  std::sort(open.begin(), open.end(), std::greater());
+  std::vector<std::array<VertexId, 2>> lost;
+  while (!open.empty()) {
+    watch.check();
+    const Key ends = open.back();
+    open.pop_back();
+    const auto found = pieces_.find(ends);
+    if (found == pieces_.end()) continue;
+    const Piece piece = found->second;
+    const VertexId a = at(piece, piece.from), b = at(piece, piece.to);
+    if (tetrahedra_.has_edge(a, b)) continue;
+    const double t = place_of_cut(piece);
+    require(piece.from < t && t < piece.to, "tetrahedra: a segment without end");
+    const auto& [first, last] = segments_[piece.segment];
+    const RationalPoint p = points_.rational(first), q = points_.rational(last);
+    const Rational part = from_double(t);
+    RationalPoint cut;
+    for (std::size_t k = 0; k < 3; ++k) cut[k] = p[k] + part * (q[k] - p[k]);
+    const VertexId v = points_.add(cut);
+    cuts_[piece.segment].emplace(t, v);
+    segment_of_.emplace(v, piece.segment);
+    pieces_.erase(found);
+    pieces_.emplace(key(a, v), Piece{piece.segment, piece.from, t});
+    pieces_.emplace(key(v, b), Piece{piece.segment, t, piece.to});
+    lost.clear();
+    tetrahedra_.insert(v, a, lost);
+    for (const auto& [c, d] : lost) {
+      if (pieces_.contains(key(c, d))) open.push_back(key(c, d));
+    }
+    open.push_back(key(a, v)), open.push_back(key(v, b));
+  }
+}
+
+std::vector<VertexId> SegmentChains::chain(Index segment) const {
+  std::vector<VertexId> out{segments_[segment][0]};
+  for (const auto& [t, v] : cuts_[segment]) out.push_back(v);
+  out.push_back(segments_[segment][1]);
+  return out;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,49 @@
+// Segments as chains of Delaunay edges.
+#pragma once
+
+#include <map>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "kernel/base/progress.h"
+#include "kernel/tetrahedra/tetrahedra.h"
+
+namespace cnrg {
+
+/// Cuts segments by new points until each piece is an edge of the Delaunay tetrahedra.
+///
+/// A piece is no edge where other points come near. To halve it then is enough in the end, but where segments meet at
+/// a small angle a cut of one is in the way of the other one, whose cut is in the way of the first, and so on. So a
+/// piece is cut as far from an end of its segment as the point is that is in its way (si2015): cuts of all segments
+/// at one end come to lie on common spheres, and are not in each other's way.
+class SegmentChains {
+ public:
+  using Index = std::uint32_t;
+  SegmentChains(PointTable& points, Tetrahedra& tetrahedra, std::vector<std::array<VertexId, 2>> segments);
+
+  void run(const Watch& watch);
+
+  /// After `run`: the points of a segment from its first end to its second one.
+  std::vector<VertexId> chain(Index segment) const;
+
+ private:
+  struct Piece {
+    Index segment;
+    double from, to;  // the part of the way from the first end
+  };
+  using Key = std::uint64_t;
+  PointTable& points_;
+  Tetrahedra& tetrahedra_;
+  std::vector<std::array<VertexId, 2>> segments_;
+  std::vector<std::map<double, VertexId>> cuts_;
+  std::unordered_map<Key, Piece> pieces_;  // by their ends
+  std::unordered_map<VertexId, Index> segment_of_;  // of a cut
+
+  static Key key(VertexId a, VertexId b);
+  VertexId at(const Piece& piece, double t) const;
+  VertexId in_the_way(VertexId a, VertexId b) const;
+  double place_of_cut(const Piece& piece) const;
+};
+
+}  // namespace cnrg

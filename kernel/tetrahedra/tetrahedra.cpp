@@ -1,0 +1,239 @@
+// A point is put in by taking away all tetrahedra around whose corners there is a sphere with the point inside; what
+// is left is a hole whose walls all see the point (bowyer1981). The way there is a walk from tetrahedron to
+// tetrahedron, which ends since tetrahedra are Delaunay.
+#include "kernel/tetrahedra/tetrahedra.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
+#include "kernel/exact/in_sphere.h"
+#include "kernel/exact/predicates.h"
+
+namespace cnrg {
+namespace {
+
+/// The bits of three numbers of 21 bits in turn: points with near codes are near.
+std::uint64_t morton(const std::array<std::uint32_t, 3>& cell) {
+  std::uint64_t code = 0;
+  for (int bit = 20; bit >= 0; --bit) {
+    for (const std::uint32_t c : cell) code = code << 1 | (c >> bit & 1u);
+  }
+  return code;
+}
+
+}  // namespace
+
+Tetrahedra::Tetrahedra(PointTable& points) : points_(points), first_corner_(VertexId(points.size())) {
+  make_box();
+  const double *low = points_.lower(first_corner_), *high = points_.lower(VertexId(first_corner_.index() + 7));
+  std::vector<std::pair<std::uint64_t, VertexId>> order;
+  for (std::size_t i = 0; i < first_corner_.index(); ++i) {
+    const auto xyz = points_.approx(VertexId(i));
+    std::array<std::uint32_t, 3> cell;
+    for (std::size_t k = 0; k < 3; ++k)
+      cell[k] = static_cast<std::uint32_t>((xyz[k] - low[k]) / (high[k] - low[k]) * 2097151);
+    order.emplace_back(morton(cell), VertexId(i));
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::array<VertexId, 2>> lost;
+  VertexId last = first_corner_;
+  for (const auto& [code, v] : order) {
+    insert(v, last, lost);
+    lost.clear();
+    last = v;
+  }
+}
+
+/// Six tetrahedra around the diagonal of a box; corner i has the upper x, y, z where i has bit 0, 1, 2.
+void Tetrahedra::make_box() {
+  std::array<double, 3> low{0, 0, 0}, high{0, 0, 0};
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const auto xyz = points_.approx(VertexId(i));
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = i == 0 ? xyz[k] : std::min(low[k], xyz[k]);
+      high[k] = i == 0 ? xyz[k] : std::max(high[k], xyz[k]);
+    }
+  }
+  double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  for (std::size_t k = 0; k < 3; ++k) size = std::max(size, std::max(std::abs(low[k]), std::abs(high[k])) * 1e-6);
+  if (size == 0) size = 1;
+  for (int i = 0; i < 8; ++i) {
+    const auto at = [&](int k) {
+      const auto axis = static_cast<std::size_t>(k);
+      return (i >> k & 1) != 0 ? high[axis] + size : low[axis] - size;
+    };
+    points_.add(at(0), at(1), at(2));
+  }
+  const auto corner = [&](int i) { return VertexId(first_corner_.index() + static_cast<std::size_t>(i)); };
+  at_.assign(points_.size(), kNone);
+  std::array<int, 3> axes{0, 1, 2};
+  std::vector<Index> all;
+  do {
+    const int i = 1 << axes[0], j = i | 1 << axes[1];
+    Corners c{corner(0), corner(i), corner(j), corner(7)};
+    if (orient3d(points_, c[0], c[1], c[2], c[3]) < 0) std::swap(c[1], c[2]);
+    all.push_back(add(c));
+  } while (std::next_permutation(axes.begin(), axes.end()));
+  for (const Index t : all) {
+    for (const Index u : all) {
+      for (int k = 0; t < u && k < 4; ++k) {
+        for (int l = 0; l < 4; ++l) {
+          auto f = face({t, k}), g = face({u, l});
+          std::sort(f.begin(), f.end()), std::sort(g.begin(), g.end());
+          if (f == g) join({t, k}, {u, l});
+        }
+      }
+    }
+  }
+}
+
+std::array<VertexId, 3> Tetrahedra::face(Face f) const {
+  const auto& [i, j, l] = kFace[static_cast<std::size_t>(f.k)];
+  const Corners& c = corners_[f.tetrahedron];
+  return {c[static_cast<std::size_t>(i)], c[static_cast<std::size_t>(j)], c[static_cast<std::size_t>(l)]};
+}
+
+Tetrahedra::Face Tetrahedra::opposite(Face f) const {
+  const Index u = neighbour(f.tetrahedron, f.k);
+  if (u == kNone) return {};
+  // Two tetrahedra share one face at most, so the numbers of the neighbours tell it.
+  const auto& back = neighbours_[u];
+  return {u, static_cast<int>(std::find(back.begin(), back.end(), f.tetrahedron) - back.begin())};
+}
+
+bool Tetrahedra::meet(Index t) const {
+  if (seen_[t] == round_) return false;
+  seen_[t] = round_;
+  return true;
+}
+
+void Tetrahedra::around(VertexId v, std::vector<Index>& out) const {
+  out.clear();
+  ++round_;
+  const Index start = at_[v.index()];
+  if (start == kNone) return;
+  meet(start);
+  out.push_back(start);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    for (int k = 0; k < 4; ++k) {
+      if (corners_[out[i]][static_cast<std::size_t>(k)] == v) continue;
+      const Index u = neighbour(out[i], k);
+      if (u != kNone && meet(u)) out.push_back(u);
+    }
+  }
+}
+
+bool Tetrahedra::has_edge(VertexId a, VertexId b) const {
+  static thread_local std::vector<Index> star;
+  around(a, star);
+  return std::any_of(star.begin(), star.end(), [&](Index t) {
+    return std::find(corners_[t].begin(), corners_[t].end(), b) != corners_[t].end();
+  });
+}
+
+Tetrahedra::Index Tetrahedra::locate(VertexId v, Index start) const {
+  Index t = start, from = kNone;
+  for (;;) {
+    bool moved = false;
+    for (int k = 0; k < 4 && !moved; ++k) {
+      const Index u = neighbour(t, k);
+      if (u == from && from != kNone) continue;
+      const auto [a, b, c] = face({t, k});
+      if (orient3d(points_, a, b, c, v) >= 0) continue;
+      require(u != kNone, "tetrahedra: a point outside of the box");
+      from = t, t = u, moved = true;
+    }
+    if (!moved) return t;
+  }
+}
+
+void Tetrahedra::insert(VertexId v, VertexId near, std::vector<std::array<VertexId, 2>>& lost) {
+  if (at_.size() < points_.size()) at_.resize(points_.size(), kNone);
+  const Index start = locate(v, at_[near.index()]);
+  std::vector<Index> hole{start};
+  std::vector<Face> walls;  // as the tetrahedra outside have them
+  std::vector<std::array<VertexId, 3>> open;
+  ++round_;
+  meet(start);
+  for (std::size_t i = 0; i < hole.size(); ++i) {
+    const Index t = hole[i];
+    for (int k = 0; k < 4; ++k) {
+      const Index u = neighbour(t, k);
+      if (u != kNone && seen_[u] == round_) continue;
+      if (u != kNone) {
+        const auto& [a, b, c, d] = corners_[u];
+        if (in_sphere_perturbed(points_, a, b, c, d, v) > 0) {
+          meet(u);
+          hole.push_back(u);
+          continue;
+        }
+      }
+      open.push_back(face({t, k}));
+      walls.push_back(u == kNone ? Face{} : opposite({t, k}));
+    }
+  }
+  std::vector<std::pair<std::uint64_t, Face>> sides;  // of the new tetrahedra, by the edge opposite to v
+  std::vector<std::array<VertexId, 2>> edges;
+  const auto key = [](VertexId a, VertexId b) {
+    return std::uint64_t(std::min(a, b).value()) << 32 | std::max(a, b).value();
+  };
+  for (const Index t : hole) {
+    const Corners& c = corners_[t];
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) edges.push_back({std::min(c[i], c[j]), std::max(c[i], c[j])});
+    }
+  }
+  remove(hole);
+  std::vector<std::array<VertexId, 2>> kept;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const auto& [a, b, c] = open[i];
+    const Index t = add({a, b, c, v});
+    join({t, 3}, walls[i]);
+    for (int k = 0; k < 3; ++k) {
+      const VertexId p = open[i][static_cast<std::size_t>((k + 1) % 3)], q = open[i][static_cast<std::size_t>((k + 2) % 3)];
+      sides.emplace_back(key(p, q), Face{t, k});
+      kept.push_back({std::min(p, q), std::max(p, q)});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  require(sides.size() % 2 == 0, "tetrahedra: a hole with a gap");
+  for (std::size_t i = 0; i < sides.size(); i += 2) {
+    require(sides[i].first == sides[i + 1].first, "tetrahedra: a hole with a gap");
+    join(sides[i].second, sides[i + 1].second);
+  }
+  sort_unique(edges), sort_unique(kept);
+  std::set_difference(edges.begin(), edges.end(), kept.begin(), kept.end(), std::back_inserter(lost));
+}
+
+void Tetrahedra::remove(std::span<const Index> tetrahedra) {
+  for (const Index t : tetrahedra) {
+    corners_[t].fill(VertexId::none());
+    free_.push_back(t);
+  }
+}
+
+Tetrahedra::Index Tetrahedra::add(const Corners& corners) {
+  Index t;
+  if (free_.empty()) {
+    t = static_cast<Index>(corners_.size());
+    corners_.push_back(corners);
+    neighbours_.push_back({kNone, kNone, kNone, kNone});
+    seen_.push_back(0);
+  } else {
+    t = free_.back();
+    free_.pop_back();
+    corners_[t] = corners;
+    neighbours_[t].fill(kNone);
+  }
+  for (const VertexId v : corners) at_[v.index()] = t;
+  return t;
+}
+
+void Tetrahedra::join(Face f, Face g) {
+  neighbours_[f.tetrahedron][static_cast<std::size_t>(f.k)] = g.tetrahedron;
+  if (g.tetrahedron != kNone) neighbours_[g.tetrahedron][static_cast<std::size_t>(g.k)] = f.tetrahedron;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,251 @@
+#include "kernel/tetrahedra/walls.h"
+
+#include <algorithm>
+#include <set>
+
+#include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
+#include "kernel/exact/in_sphere.h"
+#include "kernel/exact/predicates.h"
+
+namespace cnrg {
+namespace {
+
+template <class Corners>
+Corners sorted(Corners corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// Does a plane or line with these sides have one on each side, not both on it? Then the corners on it.
+template <class Corners, class Others, class Side>
+bool part(const Corners& p, const Others& q, const Side& side, std::vector<VertexId>& in_p,
+          std::vector<VertexId>& in_q) {
+  const auto side_of = [&](const auto& corners, std::vector<VertexId>& in, int& all) {
+    for (const VertexId v : corners) {
+      const int s = side(v);
+      if (s == 0) in.push_back(v);
+      else if (s == -all) return false;
+      else all = s;
+    }
+    return true;
+  };
+  int of_p = 0, of_q = 0;
+  return side_of(p, in_p, of_p) && side_of(q, in_q, of_q) && of_p != of_q;
+}
+
+}  // namespace
+
+int Walls::side(VertexId v) {
+  const auto [it, fresh] = side_.try_emplace(v, 0);
+  if (fresh) it->second = orient3d(points_, triangle_[0], triangle_[1], triangle_[2], v);
+  return it->second;
+}
+
+std::vector<Walls::Triangle> Walls::insert(const Triangle& triangle, std::span<const VertexId> border) {
+  triangle_ = triangle;
+  side_.clear();
+  for (const VertexId v : border) side_[v] = 0;
+  std::vector<Triangle> faces = faces_of(border);
+  if (faces.size() + 2 < border.size()) {
+    std::set<Index> passed;
+    std::vector<Index> star, all;
+    for (const VertexId v : border) {
+      tetrahedra_.around(v, star);
+      for (const Index t : star) {
+        if (pierced(t) && passed.insert(t).second) all.push_back(t);
+      }
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (int k = 0; k < 4; ++k) {
+        const Index u = tetrahedra_.neighbour(all[i], k);
+        if (u != Tetrahedra::kNone && !passed.contains(u) && pierced(u)) {
+          passed.insert(u);
+          all.push_back(u);
+        }
+      }
+    }
+    // Holes that share no face are filled one by one.
+    while (!passed.empty()) {
+      std::vector<Index> hole{*passed.begin()};
+      passed.erase(passed.begin());
+      for (std::size_t i = 0; i < hole.size(); ++i) {
+        for (int k = 0; k < 4; ++k) {
+          const auto found = passed.find(tetrahedra_.neighbour(hole[i], k));
+          if (found == passed.end()) continue;
+          hole.push_back(*found);
+          passed.erase(found);
+        }
+      }
+      fill(hole);
+    }
+    faces = faces_of(border);
+  }
+  require(faces.size() + 2 == border.size(), "tetrahedra: a triangle is not made of faces");
+  return faces;
+}
+
+/// The faces with three corners on the border that are not on a line.
+std::vector<Walls::Triangle> Walls::faces_of(std::span<const VertexId> border) {
+  std::vector<VertexId> on(border.begin(), border.end());
+  sort_unique(on);
+  std::set<Triangle> found;
+  std::vector<Triangle> out;
+  std::vector<Index> star;
+  for (const VertexId v : on) {
+    tetrahedra_.around(v, star);
+    for (const Index t : star) {
+      for (int k = 0; k < 4; ++k) {
+        Triangle f = tetrahedra_.face({t, k});
+        if (!std::all_of(f.begin(), f.end(), [&](VertexId p) { return std::binary_search(on.begin(), on.end(), p); })) continue;
+        if (!found.insert(sorted(f)).second) continue;
+        if (side(tetrahedra_.corners(t)[static_cast<std::size_t>(k)]) < 0) std::swap(f[1], f[2]);
+        out.push_back(f);
+      }
+    }
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// Does the triangle pass through the inside of a tetrahedron? Its border is made of edges, so where the plane cuts
+/// the tetrahedron, all of the cut is in the triangle or nothing of it: any edge across the plane tells.
+bool Walls::pierced(Index t) {
+  const auto& corners = tetrahedra_.corners(t);
+  VertexId above, below;
+  for (const VertexId v : corners) {
+    const int s = side(v);
+    if (s > 0) above = v;
+    if (s < 0) below = v;
+  }
+  if (!above.valid() || !below.valid()) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (orient3d(points_, below, above, triangle_[k], triangle_[(k + 1) % 3]) <= 0) return false;
+  }
+  return true;
+}
+
+void Walls::fill(std::span<const Index> hole) {
+  Open above, below;
+  std::set<VertexId> corners;
+  const std::set<Index> inside(hole.begin(), hole.end());
+  for (const Index t : hole) {
+    for (const VertexId v : tetrahedra_.corners(t)) corners.insert(v);
+    for (int k = 0; k < 4; ++k) {
+      if (inside.contains(tetrahedra_.neighbour(t, k))) continue;
+      const Triangle f = tetrahedra_.face({t, k});
+      const bool up = std::any_of(f.begin(), f.end(), [&](VertexId v) { return side(v) > 0; });
+      (up ? above : below).emplace(sorted(f), OpenFace{f, tetrahedra_.opposite({t, k})});
+    }
+  }
+  tetrahedra_.remove(hole);
+  std::vector<VertexId> up, down;
+  for (const VertexId v : corners) {
+    if (side(v) >= 0) up.push_back(v);
+    if (side(v) <= 0) down.push_back(v);
+  }
+  Open floor;
+  wrap(above, up, &floor);
+  below.merge(floor);
+  require(floor.empty(), "tetrahedra: a face twice");
+  wrap(below, down, nullptr);
+}
+
+/// Fills one half of a hole. Faces in the plane of the triangle go to `floor`, unless they are to be filled, too.
+void Walls::wrap(Open& open, const std::vector<VertexId>& corners, Open* floor) {
+  while (!open.empty()) {
+    const auto base = open.extract(open.begin());
+    const auto& [a, b, c] = base.mapped().corners;
+    if (floor != nullptr && side(a) == 0 && side(b) == 0 && side(c) == 0) {
+      floor->emplace(base.key(), base.mapped());
+      continue;
+    }
+    const VertexId d = apex(base.mapped().corners, open, corners);
+    const Index t = tetrahedra_.add({a, b, c, d});
+    tetrahedra_.join({t, 3}, base.mapped().outside);
+    for (int k = 0; k < 3; ++k) {
+      const auto [p, q, r] = tetrahedra_.face({t, k});
+      const auto [at, fresh] = open.try_emplace(sorted(Triangle{p, q, r}), OpenFace{{p, r, q}, {t, k}});
+      if (fresh) continue;
+      tetrahedra_.join({t, k}, at->second.outside);
+      open.erase(at);
+    }
+  }
+}
+
+/// Of the corners that the whole base sees the one with no other of them in its sphere.
+VertexId Walls::apex(const Triangle& base, const Open& open, const std::vector<VertexId>& corners) const {
+  const auto& [a, b, c] = base;
+  VertexId best;
+  for (const VertexId v : corners) {
+    if (v == a || v == b || v == c || orient3d(points_, a, b, c, v) <= 0) continue;
+    if (best.valid() && in_sphere_perturbed(points_, a, b, c, best, v) <= 0) continue;
+    const Tetrahedra::Corners t{a, b, c, v};
+    const bool free = std::none_of(open.begin(), open.end(), [&](const auto& face) {
+      return overlap(t, face.first);
+    });
+    if (free) best = v;
+  }
+  require(best.valid(), "tetrahedra: a hole that no tetrahedra fill");
+  return best;
+}
+
+/// Do a tetrahedron and a triangle have more in common than common corners span? If not, some plane parts them, and
+/// then one through corners of both: of a face of one of them, or of an edge of one and a corner of the other. What
+/// they have in common is in that plane.
+bool Walls::overlap(const Tetrahedra::Corners& t, const Triangle& face) const {
+  std::vector<VertexId> corners(t.begin(), t.end());
+  for (const VertexId v : face) {
+    if (std::find(t.begin(), t.end(), v) == t.end()) corners.push_back(v);
+  }
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      for (std::size_t k = j + 1; k < corners.size(); ++k) {
+        const VertexId a = corners[i], b = corners[j], c = corners[k];
+        std::vector<VertexId> in_t, in_face;
+        const auto side = [&](VertexId v) {
+          return v == a || v == b || v == c ? 0 : orient3d(points_, a, b, c, v);
+        };
+        if (!part(t, face, side, in_t, in_face)) continue;
+        const auto off = std::find_if(t.begin(), t.end(), [&](VertexId v) { return side(v) != 0; });
+        return overlap_in_plane(in_t, in_face, *off);
+      }
+    }
+  }
+  return true;
+}
+
+/// The same of corners in one plane, which does not pass through `off`.
+bool Walls::overlap_in_plane(const std::vector<VertexId>& p, const std::vector<VertexId>& q, VertexId off) const {
+  std::vector<VertexId> corners = p;
+  for (const VertexId v : q) {
+    if (std::find(p.begin(), p.end(), v) == p.end()) corners.push_back(v);
+  }
+  if (corners.size() == std::max(p.size(), q.size()) || corners.size() <= 3) return false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t j = i + 1; j < corners.size(); ++j) {
+      const VertexId a = corners[i], b = corners[j];
+      std::vector<VertexId> in_p, in_q;
+      const auto side = [&](VertexId v) { return v == a || v == b ? 0 : orient3d(points_, a, b, off, v); };
+      if (part(p, q, side, in_p, in_q)) return overlap_on_line(in_p, in_q);
+    }
+  }
+  return true;
+}
+
+bool Walls::overlap_on_line(std::vector<VertexId> p, std::vector<VertexId> q) const {
+  if (p.empty() || q.empty()) return false;
+  const auto before = [&](VertexId a, VertexId b) { return compare_lex(points_, a, b) < 0; };
+  std::sort(p.begin(), p.end(), before), std::sort(q.begin(), q.end(), before);
+  if (p == q) return false;
+  const VertexId low = before(p.front(), q.front()) ? q.front() : p.front();
+  const VertexId high = before(p.back(), q.back()) ? p.back() : q.back();
+  if (before(high, low)) return false;
+  const auto has = [](const std::vector<VertexId>& list, VertexId v) {
+    return std::find(list.begin(), list.end(), v) != list.end();
+  };
+  // One point in common, which is a corner of both, or a corner inside of the other one's segment.
+  return !(low == high && has(p, low) && has(q, low));
+}
+
+}  // namespace cnrg
