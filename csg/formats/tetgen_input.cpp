@@ -34,7 +34,8 @@ FileText tetgen_text(const ResultView& view, const std::string& format, bool pol
     throw InputError(format + " holds facets, and the result has no face; write .vtu or .json");
   }
   const RoundedResult rounded(view, flat, format);
-  const Plc plc = plc_of(view, flat, rounded, poly ? PlcFacets::all : PlcFacets::triangles);
+  Plc plc = plc_of(view, flat, rounded, poly ? PlcFacets::all : PlcFacets::triangles);
+  set_seeds(plc, rounded);
   const MeshGroups groups = mesh_groups(view, flat);
   const auto group = [&](int dimension, Index i) {
     const auto& of = groups.of[std::size_t(dimension)][i];

@@ -1,4 +1,4 @@
-// Faces as facets, edges as segments, and a seed point in each region and cavity. A facet goes to the mesher as a
+// Faces as facets, edges as segments. A facet goes to the mesher as a
 // whole where it can, since its own triangles would bind the mesh; else as these triangles.
 #include "csg/mesh/plc.h"
 
@@ -18,7 +18,7 @@ using Loop = FlatComplex::Loop;
 class PlcMaker {
  public:
   PlcMaker(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets)
-      : exact_(view.complex->points), flat_(flat), rounded_(rounded), facets_(facets) {
+      : exact_(view.complex->points), flat_(flat), facets_(facets) {
     plc_.points = rounded.points().xyz;
     for (const Vector& p : plc_.points) table_.add(p[0], p[1], p[2]);
   }
@@ -28,8 +28,8 @@ class PlcMaker {
     for (Index i = 0; i < flat_.edges.size(); ++i) add_edge(i);
     for (Index i = 0; i < flat_.regions.size(); ++i) {
       const auto& region = flat_.regions[i];
-      if (region.component != 0) plc_.regions.push_back({rounded_.seed(i), i});
-      else if (region.bounded) plc_.holes.push_back({rounded_.seed(i), i});
+      if (region.component != 0) plc_.regions.push_back({{}, i});
+      else if (region.bounded) plc_.holes.push_back({{}, i});
     }
     return std::move(plc_);
   }
@@ -37,7 +37,6 @@ class PlcMaker {
  private:
   const PointTable& exact_;
   const FlatComplex& flat_;
-  const RoundedResult& rounded_;
   const PlcFacets facets_;
   PointTable table_;  // the rounded points, by their numbers
   Plc plc_;
@@ -162,6 +161,12 @@ class PlcMaker {
 
 Plc plc_of(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets) {
   return PlcMaker(view, flat, rounded, facets).run();
+}
+
+void set_seeds(Plc& plc, const RoundedResult& rounded) {
+  for (auto* list : {&plc.regions, &plc.holes}) {
+    for (Plc::Seed& seed : *list) seed.point = rounded.seed(seed.region);
+  }
 }
 
 }  // namespace cnrg

@@ -28,6 +28,18 @@ struct Plc {
   std::vector<Seed> regions, holes;  ///< active regions; bounded inactive ones
 };
 
+/// What a mesher makes of it. The points of the complex keep their numbers; points of the mesher follow.
+struct PlcMesh {
+  using Index = Plc::Index;
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<Index, 4>> tetrahedra;
+  std::vector<std::int32_t> attribute;  ///< of each tetrahedron: place in `Plc::regions` + 1; others: in no region
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<std::int32_t> facet;  ///< of each triangle: place in `Plc::facets`; more: of none
+  std::vector<std::array<Index, 2>> segments;
+  std::vector<std::int32_t> edge;  ///< of each segment: the edge, or -1 where there is none
+};
+
 /// Which facets of faces are given to the mesher as a whole; all others are given as their triangles.
 enum class PlcFacets {
   triangles,  ///< none
@@ -35,6 +47,9 @@ enum class PlcFacets {
   all,        ///< all facets; rounding moves their points out of a plane by the last digits
 };
 
+/// The complex, without points of seeds.
 Plc plc_of(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets);
+/// A point in each region and cavity. Throws InputError for one too thin to hold one that we find.
+void set_seeds(Plc& plc, const RoundedResult& rounded);
 
 }  // namespace cnrg

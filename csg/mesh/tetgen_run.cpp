@@ -17,7 +17,7 @@
 namespace cnrg {
 namespace {
 
-using Index = TetgenResult::Index;
+using Index = PlcMesh::Index;
 
 void set_polygon(tetgenio::polygon& polygon, const auto& points) {
   polygon.numberofvertices = int(points.size());
@@ -148,9 +148,9 @@ void read_tuples(const MemoryFile& file, std::vector<std::array<Index, N>>& tupl
   for (std::size_t i = 0; i < numbers.size(); ++i) tuples[i / N][i % N] = Index(numbers[i]);
 }
 
-TetgenResult read_result(const MemoryFile& file) {
+PlcMesh read_result(const MemoryFile& file) {
   file.rewind();
-  TetgenResult result;
+  PlcMesh result;
   std::vector<double> coordinates, attributes;
   file.read_list(coordinates);
   result.points.resize(coordinates.size() / 3);
@@ -169,7 +169,7 @@ TetgenResult read_result(const MemoryFile& file) {
 
 }  // namespace
 
-TetgenResult run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds,
+PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds,
                         const std::stop_token& stop) {
   const MemoryFile result("TetGen");
   const ChildLimits limits{.seconds = std::size_t(std::max(seconds, 0))};

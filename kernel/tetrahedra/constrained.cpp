@@ -6,33 +6,54 @@
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/tetrahedra/segments.h"
-#include "kernel/tetrahedra/walls.h"
+#include "kernel/tetrahedra/wall.h"
 
 namespace cnrg {
 
-ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, std::span<const std::array<VertexId, 2>> segments,
-                                             std::span<const std::array<VertexId, 3>> triangles,
-                                             const Watch& watch) {
-  using Ends = std::array<VertexId, 2>;
-  const auto ends = [](VertexId a, VertexId b) { return Ends{std::min(a, b), std::max(a, b)}; };
-  std::vector<Ends> all;
-  for (const auto& [a, b] : segments) all.push_back(ends(a, b));
-  for (const auto& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) all.push_back(ends(t[k], t[(k + 1) % 3]));
+namespace {
+
+using Ends = std::array<VertexId, 2>;
+using Triangle = std::array<VertexId, 3>;
+
+Ends ends(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
+
+/// The sides of a facet that bind, each with the facet on its left.
+std::vector<Ends> border_of(const std::vector<Triangle>& facet, const std::vector<Ends>& segments) {
+  std::vector<Ends> sides, out;
+  for (const Triangle& t : facet) {
+    for (std::size_t k = 0; k < 3; ++k) sides.push_back({t[k], t[(k + 1) % 3]});
   }
-  sort_unique(all);
-  const auto place = [&](VertexId a, VertexId b) {
-    const auto at = std::lower_bound(all.begin(), all.end(), ends(a, b));
-    return static_cast<SegmentChains::Index>(at - all.begin());
-  };
+  std::sort(sides.begin(), sides.end());
+  for (const auto& [a, b] : sides) {
+    const bool inner = std::binary_search(sides.begin(), sides.end(), Ends{b, a});
+    if (!inner || std::binary_search(segments.begin(), segments.end(), ends(a, b))) out.push_back({a, b});
+  }
+  return out;
+}
+
+}  // namespace
+
+ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constraints& constraints,
+                                             const Watch& watch) {
+  const auto& [segments, facets] = constraints;
+  std::vector<Ends> bound;
+  for (const auto& [a, b] : segments) bound.push_back(ends(a, b));
+  sort_unique(bound);
+  std::vector<std::vector<Ends>> borders;
+  for (const auto& facet : facets) borders.push_back(border_of(facet, bound));
+  for (const auto& border : borders) {
+    for (const auto& [a, b] : border) bound.push_back(ends(a, b));
+  }
+  sort_unique(bound);
 
   watch.begin("tetrahedra: points");
   Tetrahedra tetrahedra(points);
   watch.begin("tetrahedra: segments");
-  SegmentChains chains(points, tetrahedra, all);
+  SegmentChains chains(points, tetrahedra, bound);
   chains.run(watch);
   const auto chain = [&](VertexId a, VertexId b) {
-    std::vector<VertexId> list = chains.chain(place(a, b));
+    const auto at = std::lower_bound(bound.begin(), bound.end(), ends(a, b));
+    std::vector<VertexId> list = chains.chain(static_cast<SegmentChains::Index>(at - bound.begin()));
     if (list.front() != a) std::reverse(list.begin(), list.end());
     return list;
   };
@@ -42,15 +63,17 @@ ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, std::span<const
     const std::vector<VertexId> list = chain(segments[i][0], segments[i][1]);
     for (std::size_t k = 0; k + 1 < list.size(); ++k) out.segments.push_back({{list[k], list[k + 1]}, i});
   }
-  Walls walls(points, tetrahedra);
-  Steps steps(watch, "tetrahedra: triangles", triangles.size());
-  for (ConstrainedTetrahedra::Index i = 0; i < triangles.size(); ++i) {
-    std::vector<VertexId> border;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::vector<VertexId> side = chain(triangles[i][k], triangles[i][(k + 1) % 3]);
-      border.insert(border.end(), side.begin(), side.end() - 1);
+  Steps steps(watch, "tetrahedra: facets", facets.size());
+  for (ConstrainedTetrahedra::Index i = 0; i < facets.size(); ++i) {
+    std::vector<Ends> border;
+    for (const auto& [a, b] : borders[i]) {
+      const std::vector<VertexId> list = chain(a, b);
+      for (std::size_t k = 0; k + 1 < list.size(); ++k) border.push_back({list[k], list[k + 1]});
     }
-    for (const auto& corners : walls.insert(triangles[i], border)) out.triangles.push_back({corners, i});
+    // Each point on a side parts a triangle.
+    const std::size_t count = facets[i].size() + border.size() - borders[i].size();
+    for (const Triangle& corners : Wall(points, tetrahedra, facets[i], std::move(border)).faces(count))
+      out.triangles.push_back({corners, i});
     steps.step();
   }
   for (Tetrahedra::Index t = 0; t < tetrahedra.size(); ++t) {

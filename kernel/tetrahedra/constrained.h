@@ -16,26 +16,33 @@
 
 namespace cnrg {
 
+/// What tetrahedra are to conform to. Facets and segments may meet only in common corners and common sides, a side of
+/// several triangles in a side of one; no point of the table may be inside of a segment or of a triangle.
+struct Constraints {
+  std::vector<std::array<VertexId, 2>> segments;
+  /// Triangles in one plane, turned alike, that fill a polygon with or without holes and overlap nowhere. A side of
+  /// two of them that is no segment does not bind: other faces may fill the polygon.
+  std::vector<std::vector<std::array<VertexId, 3>>> facets;
+};
+
 struct ConstrainedTetrahedra {
   using Index = std::uint32_t;
   std::vector<std::array<VertexId, 4>> tetrahedra;  ///< det(b - a, c - a, d - a) > 0; they fill a box
   struct Segment {
-    std::array<VertexId, 2> ends;  ///< from its first end to its second one
+    std::array<VertexId, 2> ends;  ///< in the direction of the input
     Index of;                      ///< place in the input
   };
   struct Triangle {
-    std::array<VertexId, 3> corners;  ///< turned as that of the input
-    Index of;
+    std::array<VertexId, 3> corners;  ///< turned as those of the input
+    Index of;                         ///< place of the facet
   };
-  std::vector<Segment> segments;    ///< pieces, ascending by `of`
+  std::vector<Segment> segments;  ///< pieces, ascending by `of`
   std::vector<Triangle> triangles;
 };
 
-/// Tetrahedra of the box around all points of the table, of which segments and triangles are unions of edges and of
-/// faces. These may meet only in common corners and sides, and no point may be inside of one; then it does not fail.
-/// The corners of the box, then points on segments and sides are added to the table. Throws InvariantError where the
-/// input is not so, Stopped.
-ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, std::span<const std::array<VertexId, 2>> segments,
-                                             std::span<const std::array<VertexId, 3>> triangles, const Watch& watch);
+/// Tetrahedra of the box around all points of the table, of which segments are unions of edges and facets of faces.
+/// The corners of the box, then points on segments and on sides of facets are added to the table. Throws
+/// InvariantError where the input is not as it should be, Stopped.
+ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constraints& constraints, const Watch& watch);
 
 }  // namespace cnrg

@@ -11,6 +11,12 @@ namespace {
 
 /// So many points are looked at before one is chosen.
 constexpr std::size_t kLooked = 1000;
+/// Where segments nearly touch, their cuts must lie opposite to each other more exactly than doubles tell; but numbers
+/// must not grow from cut to cut.
+constexpr unsigned kBits = 160;
+
+Rational shortened(const Rational& x) { return Rational(mpf_class(x, kBits)); }
+Rational root(const Rational& x) { return Rational(sqrt(mpf_class(x, kBits))); }
 
 }  // namespace
 
@@ -27,10 +33,10 @@ SegmentChains::Key SegmentChains::key(VertexId a, VertexId b) {
   return std::uint64_t(std::min(a, b).value()) << 32 | std::max(a, b).value();
 }
 
-VertexId SegmentChains::at(const Piece& piece, double t) const {
-  if (t == 0) return segments_[piece.segment][0];
-  if (t == 1) return segments_[piece.segment][1];
-  return cuts_[piece.segment].at(t);
+VertexId SegmentChains::at(Index segment, const Rational& t) const {
+  if (t == 0) return segments_[segment][0];
+  if (t == 1) return segments_[segment][1];
+  return cuts_[segment].at(t);
 }
 
 /// Of the points in the ball whose diameter is the piece, the one that sees it under the widest angle. Edges lead from
@@ -66,31 +72,30 @@ VertexId SegmentChains::in_the_way(VertexId a, VertexId b) const {
   return best;
 }
 
-double SegmentChains::place_of_cut(const Piece& piece) const {
-  const double middle = (piece.from + piece.to) / 2;
-  const VertexId v = in_the_way(at(piece, piece.from), at(piece, piece.to));
+Rational SegmentChains::place_of_cut(const Piece& piece) const {
+  const Rational middle = (piece.from + piece.to) / 2, margin = (piece.to - piece.from) / 5;
+  const VertexId v = in_the_way(at(piece.segment, piece.from), at(piece.segment, piece.to));
   if (!v.valid()) return middle;
-  const auto [a, b] = segments_[piece.segment];
-  const auto distance = [&](VertexId from, VertexId to) {
-    const auto p = points_.approx(from), q = points_.approx(to);
-    return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
-  };
-  const double length = distance(a, b), margin = (piece.to - piece.from) / 5;
-  const auto inside = [&](double t) { return piece.from + margin < t && t < piece.to - margin; };
-  const double from_a = distance(a, v) / length, from_b = 1 - distance(b, v) / length;
+  const auto& [a, b] = segments_[piece.segment];
+  const RationalPoint p = points_.rational(a), q = points_.rational(b), x = points_.rational(v);
+  Rational length = 0, along = 0, from_a = 0, from_b = 0;  // squares, but for `along`
+  for (std::size_t k = 0; k < 3; ++k) {
+    length += (q[k] - p[k]) * (q[k] - p[k]);
+    along += (x[k] - p[k]) * (q[k] - p[k]);
+    from_a += (x[k] - p[k]) * (x[k] - p[k]);
+    from_b += (x[k] - q[k]) * (x[k] - q[k]);
+  }
+  const auto inside = [&](const Rational& t) { return piece.from + margin < t && t < piece.to - margin; };
   const auto other = segment_of_.find(v);
-  const auto ends_at = [&](VertexId end) {
-    if (other == segment_of_.end()) return false;
-    const auto& ends = segments_[other->second];
-    return ends[0] == end || ends[1] == end;
-  };
-  if (ends_at(a) && inside(from_a)) return from_a;
-  if (ends_at(b) && inside(from_b)) return from_b;
-  const double near_from = piece.from + distance(at(piece, piece.from), v) / length;
-  const double near_to = piece.to - distance(at(piece, piece.to), v) / length;
-  if (near_from < middle && inside(near_from)) return near_from;
-  if (near_to > middle && inside(near_to)) return near_to;
-  return middle;
+  if (other != segment_of_.end()) {
+    for (const VertexId end : segments_[other->second]) {
+      if (end != a && end != b) continue;
+      const Rational t = end == a ? root(from_a / length) : 1 - root(from_b / length);
+      if (inside(t)) return t;
+    }
+  }
+  const Rational foot = shortened(along / length);
+  return inside(foot) ? foot : middle;
 }
 
 void SegmentChains::run(const Watch& watch) {
@@ -106,15 +111,13 @@ void SegmentChains::run(const Watch& watch) {
     const auto found = pieces_.find(ends);
     if (found == pieces_.end()) continue;
     const Piece piece = found->second;
-    const VertexId a = at(piece, piece.from), b = at(piece, piece.to);
+    const VertexId a = at(piece.segment, piece.from), b = at(piece.segment, piece.to);
     if (tetrahedra_.has_edge(a, b)) continue;
-    const double t = place_of_cut(piece);
-    require(piece.from < t && t < piece.to, "tetrahedra: a segment without end");
+    const Rational t = place_of_cut(piece);
     const auto& [first, last] = segments_[piece.segment];
     const RationalPoint p = points_.rational(first), q = points_.rational(last);
-    const Rational part = from_double(t);
     RationalPoint cut;
-    for (std::size_t k = 0; k < 3; ++k) cut[k] = p[k] + part * (q[k] - p[k]);
+    for (std::size_t k = 0; k < 3; ++k) cut[k] = p[k] + t * (q[k] - p[k]);
     const VertexId v = points_.add(cut);
     cuts_[piece.segment].emplace(t, v);
     segment_of_.emplace(v, piece.segment);

@@ -30,20 +30,20 @@ class SegmentChains {
  private:
   struct Piece {
     Index segment;
-    double from, to;  // the part of the way from the first end
+    Rational from, to;  // the part of the way from the first end
   };
   using Key = std::uint64_t;
   PointTable& points_;
   Tetrahedra& tetrahedra_;
   std::vector<std::array<VertexId, 2>> segments_;
-  std::vector<std::map<double, VertexId>> cuts_;
+  std::vector<std::map<Rational, VertexId>> cuts_;
   std::unordered_map<Key, Piece> pieces_;  // by their ends
   std::unordered_map<VertexId, Index> segment_of_;  // of a cut
 
   static Key key(VertexId a, VertexId b);
-  VertexId at(const Piece& piece, double t) const;
+  VertexId at(Index segment, const Rational& t) const;
   VertexId in_the_way(VertexId a, VertexId b) const;
-  double place_of_cut(const Piece& piece) const;
+  Rational place_of_cut(const Piece& piece) const;
 };
 
 }  // namespace cnrg

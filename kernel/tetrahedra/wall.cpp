@@ -1,4 +1,4 @@
-#include "kernel/tetrahedra/walls.h"
+#include "kernel/tetrahedra/wall.h"
 
 #include <algorithm>
 #include <set>
@@ -10,6 +10,9 @@
 
 namespace cnrg {
 namespace {
+
+/// From so many triangles on a facet has a tree of their boxes.
+constexpr std::size_t kMany = 32;
 
 template <class Corners>
 Corners sorted(Corners corners) {
@@ -36,96 +39,149 @@ bool part(const Corners& p, const Others& q, const Side& side, std::vector<Verte
 
 }  // namespace
 
-int Walls::side(VertexId v) {
+Wall::Wall(const PointTable& points, Tetrahedra& tetrahedra, std::span<const Triangle> facet,
+           std::vector<Ends> border)
+    : points_(points), tetrahedra_(tetrahedra), facet_(facet), border_(std::move(border)) {
+  for (const Triangle& t : facet_) corners_.insert(corners_.end(), t.begin(), t.end());
+  for (const Ends& ends : border_) corners_.push_back(ends[0]);
+  sort_unique(corners_);
+  std::sort(border_.begin(), border_.end());
+  for (const VertexId v : corners_) side_[v] = 0;
+}
+
+int Wall::side(VertexId v) {
   const auto [it, fresh] = side_.try_emplace(v, 0);
-  if (fresh) it->second = orient3d(points_, triangle_[0], triangle_[1], triangle_[2], v);
+  if (fresh) it->second = orient3d(points_, facet_[0][0], facet_[0][1], facet_[0][2], v);
   return it->second;
 }
 
-std::vector<Walls::Triangle> Walls::insert(const Triangle& triangle, std::span<const VertexId> border) {
-  triangle_ = triangle;
-  side_.clear();
-  for (const VertexId v : border) side_[v] = 0;
-  std::vector<Triangle> faces = faces_of(border);
-  if (faces.size() + 2 < border.size()) {
-    std::set<Index> passed;
-    std::vector<Index> star, all;
-    for (const VertexId v : border) {
-      tetrahedra_.around(v, star);
-      for (const Index t : star) {
-        if (pierced(t) && passed.insert(t).second) all.push_back(t);
-      }
-    }
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      for (int k = 0; k < 4; ++k) {
-        const Index u = tetrahedra_.neighbour(all[i], k);
-        if (u != Tetrahedra::kNone && !passed.contains(u) && pierced(u)) {
-          passed.insert(u);
-          all.push_back(u);
-        }
-      }
-    }
-    // Holes that share no face are filled one by one.
-    while (!passed.empty()) {
-      std::vector<Index> hole{*passed.begin()};
-      passed.erase(passed.begin());
-      for (std::size_t i = 0; i < hole.size(); ++i) {
-        for (int k = 0; k < 4; ++k) {
-          const auto found = passed.find(tetrahedra_.neighbour(hole[i], k));
-          if (found == passed.end()) continue;
-          hole.push_back(*found);
-          passed.erase(found);
-        }
-      }
-      fill(hole);
-    }
-    faces = faces_of(border);
+std::vector<Wall::Triangle> Wall::faces(std::size_t count) {
+  std::vector<Triangle> found = find();
+  if (found.size() < count) {
+    clear_the_way();
+    found = find();
   }
-  require(faces.size() + 2 == border.size(), "tetrahedra: a triangle is not made of faces");
-  return faces;
+  require(found.size() == count, "tetrahedra: a facet is not made of faces");
+  return found;
 }
 
-/// The faces with three corners on the border that are not on a line.
-std::vector<Walls::Triangle> Walls::faces_of(std::span<const VertexId> border) {
-  std::vector<VertexId> on(border.begin(), border.end());
-  sort_unique(on);
-  std::set<Triangle> found;
-  std::vector<Triangle> out;
+/// The faces with three corners of the facet, inside of its border.
+std::vector<Wall::Triangle> Wall::find() {
+  std::vector<Triangle> all;
   std::vector<Index> star;
-  for (const VertexId v : on) {
+  for (const VertexId v : corners_) {
     tetrahedra_.around(v, star);
     for (const Index t : star) {
       for (int k = 0; k < 4; ++k) {
         Triangle f = tetrahedra_.face({t, k});
-        if (!std::all_of(f.begin(), f.end(), [&](VertexId p) { return std::binary_search(on.begin(), on.end(), p); })) continue;
-        if (!found.insert(sorted(f)).second) continue;
+        const bool in = std::all_of(f.begin(), f.end(), [&](VertexId p) {
+          return std::binary_search(corners_.begin(), corners_.end(), p);
+        });
+        if (!in) continue;
         if (side(tetrahedra_.corners(t)[static_cast<std::size_t>(k)]) < 0) std::swap(f[1], f[2]);
-        out.push_back(f);
+        std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+        all.push_back(f);
       }
     }
   }
-  std::sort(out.begin(), out.end());
+  sort_unique(all);
+  return inside(all);
+}
+
+/// From the faces at the border to those that share with them a side that is none of it.
+std::vector<Wall::Triangle> Wall::inside(const std::vector<Triangle>& faces) const {
+  std::vector<std::pair<Ends, std::size_t>> sides;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) sides.push_back({{faces[i][k], faces[i][(k + 1) % 3]}, i});
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<char> seen(faces.size(), 0);
+  std::vector<Triangle> out;
+  const auto take = [&](const Ends& side) {
+    const auto at = std::lower_bound(sides.begin(), sides.end(), std::pair(side, std::size_t{0}));
+    if (at == sides.end() || at->first != side || seen[at->second]) return;
+    seen[at->second] = 1;
+    out.push_back(faces[at->second]);
+  };
+  for (const Ends& side : border_) take(side);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId a = out[i][k], b = out[i][(k + 1) % 3];
+      if (!std::binary_search(border_.begin(), border_.end(), Ends{a, b})) take({b, a});
+    }
+  }
   return out;
 }
 
-/// Does the triangle pass through the inside of a tetrahedron? Its border is made of edges, so where the plane cuts
-/// the tetrahedron, all of the cut is in the triangle or nothing of it: any edge across the plane tells.
-bool Walls::pierced(Index t) {
-  const auto& corners = tetrahedra_.corners(t);
+/// Takes all tetrahedra away that the facet passes through. Holes that share no face are filled one by one.
+void Wall::clear_the_way() {
+  std::set<Index> passed;
+  std::vector<Index> star, all;
+  for (const VertexId v : corners_) {
+    tetrahedra_.around(v, star);
+    for (const Index t : star) {
+      if (!passed.contains(t) && pierced(t)) all.push_back(*passed.insert(t).first);
+    }
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (int k = 0; k < 4; ++k) {
+      const Index u = tetrahedra_.neighbour(all[i], k);
+      if (u != Tetrahedra::kNone && !passed.contains(u) && pierced(u)) all.push_back(*passed.insert(u).first);
+    }
+  }
+  while (!passed.empty()) {
+    std::vector<Index> hole{*passed.begin()};
+    passed.erase(passed.begin());
+    for (std::size_t i = 0; i < hole.size(); ++i) {
+      for (int k = 0; k < 4; ++k) {
+        const auto found = passed.find(tetrahedra_.neighbour(hole[i], k));
+        if (found == passed.end()) continue;
+        hole.push_back(*found);
+        passed.erase(found);
+      }
+    }
+    fill(hole);
+  }
+}
+
+/// Does the facet pass through the inside of a tetrahedron? Its border is made of edges, so where the plane cuts the
+/// tetrahedron, all of the cut is in the facet or nothing of it: any edge across the plane tells.
+bool Wall::pierced(Index t) {
   VertexId above, below;
-  for (const VertexId v : corners) {
+  for (const VertexId v : tetrahedra_.corners(t)) {
     const int s = side(v);
     if (s > 0) above = v;
     if (s < 0) below = v;
   }
   if (!above.valid() || !below.valid()) return false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (orient3d(points_, below, above, triangle_[k], triangle_[(k + 1) % 3]) <= 0) return false;
+  const auto through = [&](const Triangle& f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (orient3d(points_, below, above, f[k], f[(k + 1) % 3]) < 0) return false;
+    }
+    return true;
+  };
+  if (facet_.size() < kMany) return std::any_of(facet_.begin(), facet_.end(), through);
+  const auto box_of = [&](std::span<const VertexId> corners) {
+    Box box;
+    for (const VertexId v : corners) {
+      const PointView p = points_.view(v);
+      box.extend(p.lo, p.hi);
+    }
+    return box;
+  };
+  if (!boxes_) {
+    std::vector<Box> boxes;
+    for (const Triangle& f : facet_) boxes.push_back(box_of(f));
+    boxes_.emplace(std::move(boxes));
   }
-  return true;
+  const Box edge = box_of(std::array{above, below});
+  bool found = false;
+  boxes_->query([&](const Box& box) { return !found && box.meets(edge); },
+                [&](std::uint32_t i) { found = found || through(facet_[i]); });
+  return found;
 }
 
-void Walls::fill(std::span<const Index> hole) {
+void Wall::fill(std::span<const Index> hole) {
   Open above, below;
   std::set<VertexId> corners;
   const std::set<Index> inside(hole.begin(), hole.end());
@@ -152,7 +208,7 @@ void Walls::fill(std::span<const Index> hole) {
 }
 
 /// Fills one half of a hole. Faces in the plane of the triangle go to `floor`, unless they are to be filled, too.
-void Walls::wrap(Open& open, const std::vector<VertexId>& corners, Open* floor) {
+void Wall::wrap(Open& open, const std::vector<VertexId>& corners, Open* floor) {
   while (!open.empty()) {
     const auto base = open.extract(open.begin());
     const auto& [a, b, c] = base.mapped().corners;
@@ -174,7 +230,7 @@ void Walls::wrap(Open& open, const std::vector<VertexId>& corners, Open* floor) 
 }
 
 /// Of the corners that the whole base sees the one with no other of them in its sphere.
-VertexId Walls::apex(const Triangle& base, const Open& open, const std::vector<VertexId>& corners) const {
+VertexId Wall::apex(const Triangle& base, const Open& open, const std::vector<VertexId>& corners) const {
   const auto& [a, b, c] = base;
   VertexId best;
   for (const VertexId v : corners) {
@@ -193,7 +249,7 @@ VertexId Walls::apex(const Triangle& base, const Open& open, const std::vector<V
 /// Do a tetrahedron and a triangle have more in common than common corners span? If not, some plane parts them, and
 /// then one through corners of both: of a face of one of them, or of an edge of one and a corner of the other. What
 /// they have in common is in that plane.
-bool Walls::overlap(const Tetrahedra::Corners& t, const Triangle& face) const {
+bool Wall::overlap(const Tetrahedra::Corners& t, const Triangle& face) const {
   std::vector<VertexId> corners(t.begin(), t.end());
   for (const VertexId v : face) {
     if (std::find(t.begin(), t.end(), v) == t.end()) corners.push_back(v);
@@ -216,7 +272,7 @@ bool Walls::overlap(const Tetrahedra::Corners& t, const Triangle& face) const {
 }
 
 /// The same of corners in one plane, which does not pass through `off`.
-bool Walls::overlap_in_plane(const std::vector<VertexId>& p, const std::vector<VertexId>& q, VertexId off) const {
+bool Wall::overlap_in_plane(const std::vector<VertexId>& p, const std::vector<VertexId>& q, VertexId off) const {
   std::vector<VertexId> corners = p;
   for (const VertexId v : q) {
     if (std::find(p.begin(), p.end(), v) == p.end()) corners.push_back(v);
@@ -233,7 +289,7 @@ bool Walls::overlap_in_plane(const std::vector<VertexId>& p, const std::vector<V
   return true;
 }
 
-bool Walls::overlap_on_line(std::vector<VertexId> p, std::vector<VertexId> q) const {
+bool Wall::overlap_on_line(std::vector<VertexId> p, std::vector<VertexId> q) const {
   if (p.empty() || q.empty()) return false;
   const auto before = [&](VertexId a, VertexId b) { return compare_lex(points_, a, b) < 0; };
   std::sort(p.begin(), p.end(), before), std::sort(q.begin(), q.end(), before);
