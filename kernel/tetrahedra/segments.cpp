@@ -73,7 +73,7 @@ VertexId SegmentChains::in_the_way(VertexId a, VertexId b) const {
 }
 
 Rational SegmentChains::place_of_cut(const Piece& piece) const {
-  const Rational middle = (piece.from + piece.to) / 2, margin = (piece.to - piece.from) / 5;
+  const Rational middle = (piece.from + piece.to) / 2;
   const VertexId v = in_the_way(at(piece.segment, piece.from), at(piece.segment, piece.to));
   if (!v.valid()) return middle;
   const auto& [a, b] = segments_[piece.segment];
@@ -85,6 +85,8 @@ Rational SegmentChains::place_of_cut(const Piece& piece) const {
     from_a += (x[k] - p[k]) * (x[k] - p[k]);
     from_b += (x[k] - q[k]) * (x[k] - q[k]);
   }
+  const Rational foot = along / length, away = root(from_a / length - foot * foot);
+  const Rational margin = std::min(away, Rational((piece.to - piece.from) / 5));
   const auto inside = [&](const Rational& t) { return piece.from + margin < t && t < piece.to - margin; };
   const auto other = segment_of_.find(v);
   if (other != segment_of_.end()) {
@@ -94,8 +96,8 @@ Rational SegmentChains::place_of_cut(const Piece& piece) const {
       if (inside(t)) return t;
     }
   }
-  const Rational foot = shortened(along / length);
-  return inside(foot) ? foot : middle;
+  if (inside(foot)) return shortened(foot);
+  return middle;
 }
 
 void SegmentChains::run(const Watch& watch) {
