@@ -1,6 +1,7 @@
 """What the program is asked about a tree, its answers as bytes, and where two answers part.
 
-All that it says counts: both streams, the exit status and every file, byte for byte, but for the times in the rows.
+All that it says counts: both streams, the exit status and every file, byte for byte, but for what
+`without_times` takes out.
 """
 import hashlib
 import json

@@ -203,9 +203,9 @@ int run(int argc, char** argv) {
          [&eval](const std::string& word) {
            eval.refining = word == "apart" ? Refining::apart : Refining::together;
          },
-         "Refine all leaves `together`, or every Boolean node `apart`; without it, apart what dies before it "
+         "Refine all leaves `together`, or every node that may be `apart`; without it, apart what dies before it "
          "meets "
-         "others. Results are the same")
+         "others")
       ->type_name("WAY")
       ->check(CLI::IsMember({"together", "apart"}));
   sub->add_flag("--topology", eval.topology,

@@ -49,8 +49,7 @@ void release(void* memory, std::size_t) { std::free(memory); }
 [[noreturn]] void end_uncaught() {
   try {
     const std::exception_ptr thrown = std::current_exception();
-    if (thrown == nullptr)
-      end_without_memory();  // functions of libraries that promise to throw nothing but lack it
+    if (thrown == nullptr) end_without_memory();  // a library's function that may not throw found no memory
     std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
     end_without_memory();

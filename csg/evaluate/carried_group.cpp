@@ -1,5 +1,5 @@
-// `CarriedGroup::Maker` takes a value apart: cells that are told apart by nothing but what the section has removed
-// are united by `simplify`, which is told by marks what must stay apart, and what is left becomes a soup.
+// `CarriedGroup::Maker` makes a soup of a value. `simplify` unites the cells between which only removed cells lie;
+// marks say what must stay apart.
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -179,7 +179,7 @@ class CarriedGroup::Maker {
     }
   }
 
-  // What held a cell and is removed: all that the complex tells, without what it tells of carried cells alone.
+  // What held a cell and was removed: all that held it, less what the carried cells around it still tell.
 
   void add_labels(RegionId r, std::vector<LeafCell>& out) const {
     if (class_of_[r] == 0) return;

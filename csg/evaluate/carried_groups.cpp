@@ -25,7 +25,7 @@ const std::vector<LeafCell>& CarriedGroups::gone(const Piece& piece) const {
   return group.gone_[piece.dimension == 1 ? group.edges_[piece.index].gone : group.vertices_[piece.index].gone];
 }
 
-/// Of each group a cell is a piece of one cell at most: of the smallest that holds it.
+/// Of each group a cell is a piece of one cell at most: of that of the lowest dimension that holds it.
 void CarriedGroups::match(const Complex& complex, const std::vector<VertexId>& vertex_of) {
   std::size_t points = 0;
   for (const CarriedGroup& group : groups_) points += group.points_.size();
@@ -81,7 +81,7 @@ void CarriedGroups::match(const Complex& complex, const std::vector<VertexId>& v
 }
 
 void CarriedGroups::put_in_order(Soup& soup) {
-  // The points of a leaf follow each other, and those of leaves in the order of these.
+  // Points are listed leaf by leaf, in the order of the leaves.
   const std::size_t own = soup.leaf_count() - groups_.size();
   std::vector<LeafId> leaf_of(soup.point_count(), LeafId(0));
   const auto see = [&](PointId p, LeafId leaf) {

@@ -9,7 +9,8 @@
 // points, and planes through these would have numbers that grow from section to section: so each face keeps the
 // plane of the input face that it is a piece of. And results tell which faces of which leaves they are made of: so
 // each carried cell knows what it came from, and once the next complex is built its cells are told
-// (kernel/complex/draft.h). Above it nobody can see that a value was carried.
+// (kernel/complex/draft.h). Above it only what csg/README.md lists (Refined apart) shows that a
+// value was carried.
 #pragma once
 
 #include <array>
@@ -43,8 +44,7 @@ class CarriedGroup {
   static constexpr Index kNone = 0xffffffffu;
   class Maker;
 
-  /// Of a soup face of an input leaf: its attributes, by the numbers of leaves where the group goes, and its
-  /// place.
+  /// An input face as the soup has it, with its leaf's number where the group goes, and its place in that leaf.
   struct Source {
     Soup::Face face;
     Index place;
@@ -106,8 +106,8 @@ class CarriedGroups {
   const std::vector<CarriedGroup>& groups() const { return groups_; }
 
   /// Puts faces and points of a soup whose last leaves are these groups in the order that they would have if all
-  /// had been refined together: results tell it, as in the numbers of regions. Of an empty list of groups it only
-  /// looks where points come from.
+  /// had been refined together: results show that order, as in the numbers of regions. Without groups it only
+  /// notes where points come from.
   void put_in_order(Soup& soup);
   /// After `put_in_order`: where the vertices of the new complex came from; `vertex_of` as RefineReport has it.
   IdVector<VertexId, PointPlace> points(const Complex& complex, const std::vector<VertexId>& vertex_of) const;

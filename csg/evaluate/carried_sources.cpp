@@ -1,5 +1,5 @@
-// What the cells of a complex with carried values come from. The refinement has told it of carried leaves, which
-// no result may name: each of their faces, wires, points and labels becomes those of the input that it stands for.
+// What the cells of a complex with carried values come from. The refinement names carried leaves, which no result
+// may: each of their faces, wires, points and labels becomes those of the input that it stands for.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -43,7 +43,7 @@ class CarriedGroups::SourcesMaker {
 
   bool is_own(LeafId leaf) const { return carried_.group_of(leaf) == kNone; }
 
-  /// A face or wire of a leaf that several groups, or the soup itself, have is one.
+  /// A face or wire that several groups have, or a group and the soup, is listed once.
   void take_faces_and_wires() {
     std::vector<char> carried(complex_.leaf_count, 0);
     for (const CarriedGroup& group : groups_) {

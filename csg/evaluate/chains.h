@@ -15,8 +15,8 @@
 
 namespace cnrg {
 
-/// Whether the node may be one of a chain: a Boolean, not by mixing. And whether another may follow: its value
-/// is that of its operator.
+/// Whether the node may be one of a chain: a Boolean without `blend`. And whether another may follow it: nothing
+/// changes the value of its operator afterwards, as attributes or `regularize` would.
 bool can_be_in_chain(const Node& node);
 bool can_be_followed(const Node& node);
 
@@ -38,8 +38,8 @@ struct ChainOutcome {
   std::vector<ChainStep> nodes;  ///< of all; `totals` where these were asked for
 };
 
-/// Nothing if the nodes must be evaluated one by one: an operand is no group, materials met, what is equal is
-/// decided by materials, or `totals` cannot be told. Operands stay as they are.
+/// Nothing if the nodes must be evaluated one by one: an operand is no group, materials or properties conflict,
+/// what is equal is decided by materials, or `totals` cannot be told. Operands stay as they are.
 std::optional<ChainOutcome> evaluate_chain(const Complex& complex, std::span<const ChainNode> chain, bool totals);
 
 }  // namespace cnrg

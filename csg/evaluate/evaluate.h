@@ -28,12 +28,12 @@ namespace cnrg {
 class NodeValue;
 class SurfaceParameters;
 
-/// What is refined in one (csg/evaluate/sections.h). It changes costs and, in rows, what removals count, never
-/// values.
+/// What is refined in one (csg/evaluate/sections.h). What else it changes than costs: csg/README.md, Refined
+/// apart.
 enum class Refining : std::uint8_t {
   chosen,    ///< by boxes: nodes of which much dies are refined apart
   together,  ///< all leaves; also with `raw`, `keep_all` and `validate`, and where a leaf is unbounded
-  apart,     ///< every Boolean node
+  apart,     ///< every Boolean node that may be
 };
 
 /// Of which nodes rows tell counts and volumes.

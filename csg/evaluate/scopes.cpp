@@ -145,24 +145,25 @@ class Scopes {
     sort_unique(here), sort_unique(sections);
   }
 
-  /// All that is needed for the values of `roots`; `first`: operands of theirs that came by steps. The values of
-  /// operators are made by who asks, but for `all`.
+  /// A scope with the values of `roots`. `first`: by intersection in steps, the value of its first operands.
+  /// `top`: the scope of the results.
   Scope evaluate(std::span<const InstanceId> roots, std::vector<std::pair<InstanceId, CarriedGroup>> first,
                  bool top) {
     Scope scope{{}, nullptr, std::nullopt, {}, ValueStore(instances_.size(), x_.options.keep_all), {}};
     std::vector<InstanceId> sections;
     list(roots, scope.here, sections);
-    std::vector<CarriedGroup> carried;
-    std::vector<InstanceId> of;  // by carried group
     for (const InstanceId id : scope.here) {
-      if (steps_.count(id) == 0) continue;
+      const auto is_it = [&](const auto& entry) { return entry.first == id; };
+      if (steps_.count(id) == 0 || std::any_of(first.begin(), first.end(), is_it)) continue;
       std::optional<CarriedGroup> value = first_of(id);
-      if (!value) {  // it must be formed at once: nothing of this scope has begun
+      if (!value) {  // it must be formed at once: the scope begins again, with what it has so far
         steps_.erase(id);
         return evaluate(roots, std::move(first), top);
       }
       first.emplace_back(id, std::move(*value));
     }
+    std::vector<CarriedGroup> carried;
+    std::vector<InstanceId> of;  // by carried group
     for (const InstanceId id : sections) {
       Scope section = evaluate(std::span(&id, 1), {}, false);
       carried.emplace_back(*section.complex, section.values[id].group(), places_of(section), section.points);
@@ -327,8 +328,8 @@ class Scopes {
     scope.values.release(operands_here(id));
   }
 
-  /// The chains among the instances of a scope, each by its last one: nodes in their order. A value that is seen
-  /// has a use that is no first operand, or an option asks for it.
+  /// The chains among the instances of a scope, each by its last one: nodes in their order. A value is not
+  /// seen if its only use is as the first operand of the next node and no option asks for it.
   std::map<InstanceId, std::vector<InstanceId>> chains_in(Scope& scope) const {
     std::map<InstanceId, std::vector<InstanceId>> chains;
     if (x_.options.validate || x_.options.keep_all || x_.options.region_volumes) return chains;
@@ -390,7 +391,7 @@ class Scopes {
   }
 
   /// All operands of an instance but the last one, folded from left to right, each step in a scope of its own.
-  /// Nothing if materials met there, since who keeps which is told in cells of the whole.
+  /// Nothing if materials or properties conflict there: who keeps which is told in cells of the whole.
   std::optional<CarriedGroup> first_of(InstanceId id) {
     const std::vector<InstanceId>& all = instances_[id].operands;
     const Node& node = tree_.nodes[instances_[id].node];

@@ -1,5 +1,6 @@
 // A *scope* is what is refined together: instances of a tree below some roots, down to the leaves or to sections
-// (sections.h), whose values are carried in. The whole tree is one, and each section.
+// (sections.h), whose values are carried in. There is one for the results, one for each section, and one for
+// each step of an intersection in steps.
 //
 // Scopes are evaluated from below: a section's complex is gone before the next scope is refined, all but what is
 // carried on.

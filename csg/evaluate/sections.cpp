@@ -1,9 +1,9 @@
-// Boxes from below, then a search from the results down: the first node on the way that pays is a section, and the
-// search goes on below it as in a tree of its own.
+// Boxes from below, then a search from the results down: every node that pays is a section, also below another
+// one.
 //
 // What counts is the number of faces that die: those outside of the box in which their node has anything left. Of
-// these only such count as meet a leaf that is not below the node. Both are asked of a tree of boxes, and all
-// questions together are as many as there are faces, or the search ends: it must never cost what it saves.
+// these only such count as meet the box of a leaf that is not below the node: a tree of boxes tells. After four
+// questions per face and a thousand more no node pays: the search must never cost what it saves.
 #include "csg/evaluate/sections.h"
 
 #include <algorithm>
@@ -139,8 +139,9 @@ class Choice {
     }
   }
 
-  /// What came of leaves with one region is known on their faces alone. Where a leaf has several, or an operator
-  /// above shows or asks what was removed, results tell more: which regions, wires and points of leaves lay there.
+  /// Nodes that are neither sections nor formed in steps. What came of leaves with one region is known on their
+  /// faces alone. Where a leaf has several, or an operator above shows or asks what was removed, results tell
+  /// more: which regions, wires and points of leaves lay there.
   void find_barred() {
     for (const InstanceId i : IdRange<InstanceId>(unfolding_.instances.size())) {
       if (const LeafId leaf = leaf_of_[i]; leaf.valid()) {
@@ -196,6 +197,8 @@ class Choice {
     return false;
   }
 
+  /// What dies must outweigh what is refined twice: leaves that others use, too, and what lives, roughly an
+  /// eighth.
   bool pays(InstanceId i) {
     if (faces_[i] < kWorth || left_ == 0 || !cuts(i)) return false;
     const std::vector<LeafId> below = leaves_below(unfolding_.instances, leaf_of_, i);
@@ -262,7 +265,7 @@ class Choice {
 
 Sections choose_sections(const Tree& tree, const Unfolding& unfolding, const IdVector<InstanceId, LeafId>& leaf_of,
                          const std::vector<LeafInstance>& leaves, bool all) {
-  // Nothing dies but in intersections and differences, and a result that is one has no other users.
+  // Nothing dies but in intersections and differences, and a node that was asked for is no section.
   const auto cuts = [&](InstanceId i) {
     const Node& node = tree.nodes[unfolding.instances[i].node];
     const bool is_root = std::find(unfolding.roots.begin(), unfolding.roots.end(), i) != unfolding.roots.end();

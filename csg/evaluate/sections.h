@@ -10,7 +10,8 @@
 // An intersection of many operands is a special case. It is formed in *steps*, from left to right, and what dies
 // in one step meets no later operand.
 //
-// The choice looks at boxes and numbers of faces only. It changes what an evaluation costs, not what it gives.
+// Of the nodes that may be sections the choice looks at boxes and numbers of faces only. It changes costs; what
+// else it changes is listed in csg/README.md (Refined apart).
 #pragma once
 
 #include <vector>

@@ -188,7 +188,7 @@ void HeldRegions::combine(Roles roles, const std::vector<RegionId>& next_cells, 
   }
   std::sort(sources.begin(), sources.end(), [](const Source& a, const Source& b) { return a.key() < b.key(); });
   sources.erase(std::unique(sources.begin(), sources.end(), same), sources.end());
-  put_strongest_first(sources);
+  put_in_order_of_leaves(sources);
 
   std::vector<std::pair<RegionId, RegionAttributes>> made;
   std::vector<const RegionAttributes*> of_region;
@@ -213,9 +213,9 @@ void HeldRegions::combine(Roles roles, const std::vector<RegionId>& next_cells, 
   for (auto& [region, attributes] : made) set_attributes(region, std::move(attributes));
 }
 
-// Several regions of one operand in one region of the result: cells have numbers that hang on what else is in the
-// tree, so these cannot choose.
-void HeldRegions::put_strongest_first(std::vector<Source>& sources) const {
+// Of several regions of one operand in one region of the result the leaves decide which goes first: numbers of
+// cells depend on what else is in the tree.
+void HeldRegions::put_in_order_of_leaves(std::vector<Source>& sources) const {
   const auto order = [&](const Source& source) {
     const RegionAttributes& a = attributes_of(source);
     return std::tie(a.leaves, a.name, a.material.name(), a.properties);
@@ -229,8 +229,8 @@ void HeldRegions::put_strongest_first(std::vector<Source>& sources) const {
   }
 }
 
-// The leaves of one region of the result. A region of held that is one whole is of this result alone and goes when
-// it is made, so its list is taken: a region that grows in n steps would be copied n times.
+// The leaves of one region of the result. A region of held that was not split goes into this result alone, so its
+// list is taken, not copied: a region that grows in n steps would be copied n times.
 std::vector<LeafId> HeldRegions::leaves_of(std::span<const Source> sources) {
   const auto longest = std::max_element(sources.begin(), sources.end(), [&](const Source& a, const Source& b) {
     return attributes_of(a).leaves.size() < attributes_of(b).leaves.size();

@@ -1,6 +1,7 @@
 // The regions of a fold: those of *held*, the value so far, changed in place, beside those of the *next* operand.
 //
-// Regions of held are disjoint sets of 3-cells, named by their smallest cell.
+// To find the regions of the value anew would cost all of its 3-cells at each step. Regions of held are disjoint
+// sets of 3-cells, named by their smallest cell.
 //   union         joins them at the 3-cells of next only. Where a wall of next comes to stand inside of a region,
 //                 this may fall into several: then its cells are joined anew. Rings link the members of a region,
 //                 so that they are found at their own cost; only unions ask for them.
@@ -41,7 +42,8 @@ class HeldRegions {
   bool same_in_held(RegionId a, RegionId b);
   bool same_in_next(RegionId a, RegionId b) const { return next_region_[a] == next_region_[b]; }
 
-  /// Materials that met, each with the smallest 3-cell of its region of the result, in that order.
+  /// Materials and properties that conflict, each with the smallest 3-cell of its region of the result, in that
+  /// order.
   using Conflicts = std::vector<std::pair<RegionId, AttributeConflict>>;
   /// The operator on regions, when the rows have decided about faces; held is the result then.
   void update(Roles roles, std::span<const Group* const> next, Conflicts& conflicts);
@@ -58,7 +60,7 @@ class HeldRegions {
   void intersect(Roles roles, Conflicts& conflicts);
   void split(std::span<const Group* const> next);
   void combine(Roles roles, const std::vector<RegionId>& next_cells, Conflicts& conflicts);
-  void put_strongest_first(std::vector<Source>& sources) const;
+  void put_in_order_of_leaves(std::vector<Source>& sources) const;
   std::vector<RegionId> cells_of(std::span<const Source> sources, const Yielded& what,
                                  const std::vector<RegionId>& next_cells);
   std::vector<LeafId> leaves_of(std::span<const Source> sources);

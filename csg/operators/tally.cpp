@@ -1,7 +1,7 @@
-// All that a count is made of is taken off for the cells around the change, the cells are decided again, and it is
-// put back: the number of
+// What the cells around the change add to the counts is taken off, the cells are decided again, and what they add
+// then is put on. The counts are the numbers of
 //   vertices  that are kept
-//   edges     that are kept, less one for each vertex inside of a chain, and one for each chain that is closed
+//   edges     that are kept, less one for each vertex inside of a chain, plus one for each closed chain
 //   faces     less one for each link over an edge inside of a face that joins two pieces
 //   regions   3-cells, less one for each link over a face that is no entity that joins two pieces
 #include "csg/operators/tally.h"
@@ -196,7 +196,7 @@ void Tally::count(const CellSet& cells, int sign, TotalsChange& out) {
   }
 }
 
-// From each edge at the vertices along its chain until that ends, comes back, or was seen before.
+// From each vertex along its chain, one way, until that ends, comes back, or was seen before.
 void Tally::count_closed_chains(std::span<const VertexId> vertices, int sign, TotalsChange& out) const {
   Marks<EdgeId> seen(complex_.edge_count());
   for (const VertexId start : vertices) {

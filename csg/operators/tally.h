@@ -23,14 +23,14 @@ namespace cnrg {
 
 class Tally {
  public:
-  /// Of what is held now. All references are kept. Nothing may be said of any cell, now and in later steps, and
-  /// the complex has no frame.
+  /// Of what is held now. References are kept. No cell has attributes of its own (said.h), now or in later steps,
+  /// and the complex has no frame.
   Tally(const Complex& complex, const EntityMarks<FaceId>& faces, const EntityMarks<EdgeId>& edges,
         const EntityMarks<VertexId>& vertices, const LeafUnions& sets, const HeldRegions& regions,
         std::span<const Group* const> held);
 
-  /// After a step that changed entities, of which some are held no more, and 3-cells: adds what that does to the
-  /// sums. Cells of which nothing changed may be listed, too; all of it in any order.
+  /// After a step: `changed` lists the entities and 3-cells that came or went, in any order; others may be among
+  /// them. Adds the change of the sums to `out`.
   void update(const CellSet& changed, TotalsChange& out);
   /// False once a region has no bounds or a merged face would be one-sided; changes are not known then.
   bool known() const { return known_ && !face_links_.one_sided(); }

@@ -149,7 +149,7 @@ bool is_faithful(const RoundedPoints& points, const Drawing& drawing) {
 }
 
 RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing) {
-  return {points.moved, points.moved == 0 || moves_slightly(points, drawing) || is_faithful(points, drawing)};
+  return {points.moved, points.moved == 0 || is_surely_faithful(points, drawing) || is_faithful(points, drawing)};
 }
 
 // Files say the same coordinates again and again, mostly soon after: those met last are kept as texts.

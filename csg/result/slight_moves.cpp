@@ -211,7 +211,7 @@ class Movement {
 
 }  // namespace
 
-bool moves_slightly(const RoundedPoints& points, const Drawing& drawing) {
+bool is_surely_faithful(const RoundedPoints& points, const Drawing& drawing) {
   require(points.reach.size() == points.xyz.size(), "slight moves: nobody knows how far the points have moved");
   return Movement(points, drawing).is_harmless();
 }

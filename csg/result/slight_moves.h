@@ -6,7 +6,7 @@
 // can pass through anything: what lies where before lies there afterwards. Only cells with points that move can
 // come to touch others, and only those that are near: these pairs are looked at, each as a whole, with a box
 // around each moving point that holds its way. Two cells are apart all the time if there is a plane with one on
-// each side, where the points that they share, and no others, may be on it. Planes tried are that of a triangle,
+// each side, and what they have on it meets in points alone that they share. Planes tried are that of a triangle,
 // and those through one of its sides or a segment: along a coordinate axis, or through a corner of the other cell.
 // Signs are those of determinants in doubles with a bound of their error.
 //
@@ -18,6 +18,6 @@
 namespace cnrg {
 
 /// True if rounding is certain to be faithful (`is_faithful`), given that the exact drawing is embedded.
-bool moves_slightly(const RoundedPoints& points, const Drawing& drawing);
+bool is_surely_faithful(const RoundedPoints& points, const Drawing& drawing);
 
 }  // namespace cnrg

@@ -18,8 +18,8 @@
 
 namespace cnrg {
 
-/// A list of which the first N elements (a power of two, at least 8 bytes) need no memory of their own. Pointers
-/// into a short list do not survive a move.
+/// A list that holds up to N elements in itself. N is a power of two, and N elements take at least the bytes of a
+/// pointer. Pointers into a short list do not survive a move.
 template <class T, std::size_t N>
 class ShortList {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);

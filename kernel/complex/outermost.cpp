@@ -79,8 +79,8 @@ struct Surface {
 
 }  // namespace
 
-/// Of `starts`, a face of each surface, those for which infinity has not been found. `surfaces` joins the shells
-/// of each surface.
+/// Joins to infinity the outer shells of surfaces that nothing holds. `starts`: a face of each surface; returns
+/// those of the other surfaces. `surfaces` joins the shells of each surface.
 std::vector<FaceId> ComplexBuilder::join_outermost(std::vector<FaceId> starts, UnionFind& surfaces) {
   std::vector<std::uint32_t> number(shell_count_);
   const auto surface_of = [&](FaceId f) { return surfaces.find(shell(HalfFace(f, 0)).value()); };

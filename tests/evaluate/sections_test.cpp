@@ -2,6 +2,7 @@
 #include "csg/evaluate/sections.h"
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -165,6 +166,32 @@ TEST_CASE("an intersection in which materials conflict is formed at once", "[sec
   REQUIRE(apart.diagnostics.size() == together.diagnostics.size());
   for (std::size_t i = 0; i < apart.diagnostics.size(); ++i)
     CHECK(apart.diagnostics[i].message == together.diagnostics[i].message);
+}
+
+TEST_CASE("steps of one intersection are kept where another one is formed at once", "[sections]") {
+  const auto balls = [](const std::string& name, int x, const std::array<std::string, 3>& materials) {
+    std::string nodes, all;
+    for (int i = 0; i < 3; ++i) {
+      const std::string n = name + std::to_string(i);
+      nodes += "  " + n + ": {sphere: {center: [" + std::to_string(x + i) + ", " + std::to_string(i * i) +
+               ", 0], radius: 3, segments: 56}, material: " + materials[static_cast<std::size_t>(i)] + "}\n";
+      all += (i == 0 ? "" : ", ") + n;
+    }
+    return nodes + "  " + name + ": {intersection: [" + all + "], dominance: equal}\n";
+  };
+  const std::string one = balls("one", 0, {"rock", "rock", "rock"}),
+                    two = balls("two", 90, {"rock", "sand", "ore"});
+  const std::string materials = "{rock: {}, sand: {}, ore: {}}";
+  const Evaluation kept =
+      evaluated(tree_of(one + two + "  r: {union: [one, two]}\n", materials), Refining::chosen);
+  const Evaluation turned =
+      evaluated(tree_of(two + one + "  r: {union: [two, one]}\n", materials), Refining::chosen);
+  const Evaluation together =
+      evaluated(tree_of(one + two + "  r: {union: [one, two]}\n", materials), Refining::together);
+  CHECK(kept.refine.candidates == turned.refine.candidates);
+  CHECK(kept.complex->face_count() == turned.complex->face_count());
+  CHECK(kept.complex->face_count() < together.complex->face_count());
+  CHECK(bytes_of(kept.result(), "json") == bytes_of(together.result(), "json"));
 }
 
 TEST_CASE("leaves that have several regions, or none that is bounded, are refined together", "[sections]") {

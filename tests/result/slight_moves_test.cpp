@@ -68,7 +68,7 @@ TEST_CASE("what is said to move slightly stays as it is", "[slight_moves]") {
     CAPTURE(seed);
     const bool faithful = is_faithful(points, drawing);
     if (!faithful) ++spoilt;
-    if (!moves_slightly(points, drawing)) continue;
+    if (!is_surely_faithful(points, drawing)) continue;
     ++proven;
     REQUIRE(faithful);
     // And at any other place within reach.
@@ -90,15 +90,15 @@ TEST_CASE("a point that passes through a wall is not called slight", "[slight_mo
   points.xyz = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 1e-17}};
   points.reach = {0, 0, 0, 1e-16};
   const Drawing drawing{{{0, 1, 2}}, {}, {3}, {}, {}, {}};
-  CHECK_FALSE(moves_slightly(points, drawing));
+  CHECK_FALSE(is_surely_faithful(points, drawing));
   points.xyz[3][2] = 1e-12;
-  CHECK(moves_slightly(points, drawing));
+  CHECK(is_surely_faithful(points, drawing));
   // Two triangles of one plane that share a side, and one that folds back onto the other.
   points.xyz = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}};
   points.reach = {1e-12, 1e-12, 1e-12, 1e-12};
-  CHECK(moves_slightly(points, {{{0, 1, 2}, {3, 2, 1}}}));
-  CHECK_FALSE(moves_slightly(points, {{{0, 1, 2}, {3, 0, 1}}}));
-  CHECK_FALSE(moves_slightly(points, {{{0, 1, 2}, {2, 1, 0}}}));
+  CHECK(is_surely_faithful(points, {{{0, 1, 2}, {3, 2, 1}}}));
+  CHECK_FALSE(is_surely_faithful(points, {{{0, 1, 2}, {3, 0, 1}}}));
+  CHECK_FALSE(is_surely_faithful(points, {{{0, 1, 2}, {2, 1, 0}}}));
 }
 
 }  // namespace
