@@ -325,6 +325,10 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
                 "No new points on faces and edges, so that the meshes of neighbours fit");
+  sub->add_flag(
+      "--constrained", mesh.options.constrained,
+      "Not by TetGen: exact constrained Delaunay tetrahedra, whatever their shapes; without it these are "
+      "made only where TetGen fails");
   sub->add_flag("--certify", mesh.certify, kCertify);
   CLI::Option* const curved =
       sub->add_flag("--curved", mesh.curved,

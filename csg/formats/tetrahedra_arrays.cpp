@@ -52,6 +52,8 @@ TetrahedralResult::TetrahedralResult(const Result& result, const TetrahedraOptio
   data_ = std::make_shared<const Data>(Data{result, std::move(made)});
 }
 
+const std::string& TetrahedralResult::refused() const { return data_->made.refused; }
+
 TetrahedraArrays TetrahedralResult::arrays() const {
   const Mesh& mesh = data_->made.mesh;
   TetrahedraArrays out;

@@ -1,5 +1,5 @@
-// Facets are parted where they are not planar in doubles. Regions are found from the walls: on each side of a face is
-// the region that the result has there, and it goes as far as the next wall.
+// Facets are parted where they are not planar in doubles. Regions are found from the walls: on each side of a face
+// is the region that the result has there, and it goes as far as the next wall.
 #include "csg/mesh/constrained_run.h"
 
 #include <algorithm>
@@ -182,9 +182,9 @@ class ConstrainedRun {
       rounded.add(xyz_[i][0], xyz_[i][1], xyz_[i][2]);
     }
     const auto& all = made_.tetrahedra;
-    thin_ = std::find_if(all.begin(), all.end(), [&](const auto& t) {
-              return orient3d(rounded, t[0], t[1], t[2], t[3]) <= 0;
-            }) - all.begin();
+    thin_ = std::find_if(all.begin(), all.end(),
+                         [&](const auto& t) { return orient3d(rounded, t[0], t[1], t[2], t[3]) <= 0; }) -
+            all.begin();
     return thin_ == static_cast<std::ptrdiff_t>(all.size());
   }
 

@@ -170,7 +170,7 @@ PlcMesh read_result(const MemoryFile& file) {
 }  // namespace
 
 PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds,
-                        const std::stop_token& stop) {
+                   const std::stop_token& stop) {
   const MemoryFile result("TetGen");
   const ChildLimits limits{.seconds = std::size_t(std::max(seconds, 0))};
   const auto work = [&] { return mesh(plc, "pAQMJ" + switches, frame, result); };

@@ -14,10 +14,10 @@ namespace cnrg {
 /// assertion of its own.
 enum class TetgenFrame { even, uneven };
 
-/// Fills the box, all of it, with tetrahedra. Runs TetGen's library with these switches besides `pAQMJ`, for so many seconds of processor time at most (0: no
-/// bound; there are models on which it never ends).
-/// Throws InputError with what TetGen said and what helps, std::bad_alloc when it runs out of memory, Stopped.
+/// Fills the box, all of it, with tetrahedra. Runs TetGen's library with these switches besides `pAQMJ`, for so
+/// many seconds of processor time at most (0: no bound; there are models on which it never ends). Throws
+/// InputError with what TetGen said and what helps, std::bad_alloc when it runs out of memory, Stopped.
 PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds,
-                        const std::stop_token& stop = {});
+                   const std::stop_token& stop = {});
 
 }  // namespace cnrg

@@ -1,5 +1,5 @@
-// TetGen is asked in several ways (kAttempts) until its answer is proven to be a mesh of the result. Where all of them
-// fail, exact tetrahedra are made that are bound to conform (constrained_run.h).
+// TetGen is asked in several ways (kAttempts) until its answer is proven to be a mesh of the result. Where all of
+// them fail, exact tetrahedra are made that are bound to conform (constrained_run.h).
 //
 // It computes in doubles with tolerances and may fail, or return a mesh in which a face is missing or a region
 // leaks, without a word. So its answer is not believed: simplices are taken from it by their markers, and then
@@ -58,8 +58,12 @@ class TetrahedraMaker {
           "the result has no region to fill with tetrahedra; `cnrg eval -o` writes its faces, wires "
           "and points");
     }
+    if (options_.constrained && (options_.keep_boundary || options_.quality > 0 || options_.max_volume > 0))
+      throw InputError(
+          "constrained Delaunay tetrahedra take no bound and need points on the boundary; leave one out");
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
-    if (const std::string refused = ask_tetgen(rounded); !refused.empty()) {
+    const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
+    if (options_.constrained || !refused.empty()) {
       if (options_.keep_boundary) throw InputError(refused);  // constrained tetrahedra need points on it
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
       options_.watch.begin("mesh: constrained tetrahedra");
@@ -109,7 +113,6 @@ class TetrahedraMaker {
   std::string ask_tetgen(const RoundedResult& rounded) {
     std::string refused;
     bool disproved = false;
-    if (getenv("CNRG_OWN")) return "forced";//HACK
     for (const Attempt& attempt : kAttempts) {
       if (options_.keep_boundary && attempt.facets == PlcFacets::all) continue;
       const bool keeps = std::string_view(attempt.switches) == "Y";

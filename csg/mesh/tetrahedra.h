@@ -9,10 +9,11 @@ struct TetrahedralMesh {
   Mesh mesh;
   RoundingReport rounding;
   std::vector<RegionTetrahedra> regions;  ///< in the order of the mesh's entities of dimension 3
-  std::string refused;  ///< why TetGen made none; empty if these are TetGen's
+  std::string refused;                    ///< why TetGen made none; empty if these are TetGen's
 };
 
-/// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015). Faces, wires and
+/// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015), or, where it makes
+/// none that are proven or with `constrained`, constrained Delaunay ones (constrained_run.h). Faces, wires and
 /// points outside of them are in the mesh as triangles, segments and points that conform, too. The boundary of a
 /// region is that of the result rounded to doubles, which must be embedded. A facet is given to TetGen as a whole,
 /// and where it cannot mesh that, or with `keep_boundary`, as triangles unless it is planar in doubles.
@@ -24,7 +25,7 @@ struct TetrahedralMesh {
 /// its face, and between regions are such triangles only.
 ///
 /// Throws InputError for a result without regions, open or unbounded, one that rounding breaks, and one of
-/// which TetGen makes no mesh that is proven, whichever of several ways it is asked.
+/// which neither makes a mesh that is proven.
 TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options = {});
 
 }  // namespace cnrg

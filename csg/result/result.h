@@ -100,6 +100,7 @@ struct TetrahedraOptions {
   double max_volume = 0;       ///< no tetrahedron is larger (cubic units); 0: no bound
   double quality = 0;          ///< largest ratio of circumradius to shortest edge, at least 1; 0: no bound
   bool keep_boundary = false;  ///< no new points on faces and edges, but inside of regions only
+  bool constrained = false;    ///< not by TetGen: constrained Delaunay tetrahedra, which takes none of the above
   int seconds = 600;           ///< of processor time for each way in which TetGen is asked; 0: no bound
   Watch watch{};               ///< told of the stages, and may stop them (throws Stopped)
 };

@@ -2,11 +2,11 @@
 //
 // Bound of the filter. Let u = 2^-53. Of the four minors of three rows each is a sum of six products of three
 // differences: three roundings from these, one of the product in its 2x2 minor, one of the minor's sum, one of the
-// product with z, two of sums. A square sum has two roundings per difference, one per square, two of sums. With the
-// product of both and two sums that is 3 + 5 + 5 + 1 + 2 = 16 in each of 24 products of five numbers: relative error
-// (1 + u)^16 - 1 < 16.1 u. With M the product of the largest absolute differences per axis and L the largest square
-// sum the error is below 24 * 16.1 u * 1.0001 M L < 4.3e-14 M L; we use 4.5e-14, which also covers the roundings of
-// the bound. The guards keep products of five from under- and overflow.
+// product with z, two of sums. A square sum has two roundings per difference, one per square, two of sums. With
+// the product of both and two sums that is 3 + 5 + 5 + 1 + 2 = 16 in each of 24 products of five numbers: relative
+// error (1 + u)^16 - 1 < 16.1 u. With M the product of the largest absolute differences per axis and L the largest
+// square sum the error is below 24 * 16.1 u * 1.0001 M L < 4.3e-14 M L; we use 4.5e-14, which also covers the
+// roundings of the bound. The guards keep products of five from under- and overflow.
 #include "kernel/exact/in_sphere.h"
 
 #include <algorithm>
@@ -95,8 +95,8 @@ int in_sphere(const PointTable& t, VertexId a, VertexId b, VertexId c, VertexId 
 
 int in_sphere_perturbed(const PointTable& t, VertexId a, VertexId b, VertexId c, VertexId d, VertexId e) {
   if (const int s = in_sphere(t, a, b, c, d, e)) return s;
-  // The determinant is linear in what a point is lifted by; the factor of e is -orient3d(a, b, c, d), and exchanging
-  // two points turns the sign.
+  // The determinant is linear in what a point is lifted by; the factor of e is -orient3d(a, b, c, d), and
+  // exchanging two points turns the sign.
   std::array<VertexId, 5> order{a, b, c, d, e};
   std::sort(order.begin(), order.end());
   for (std::size_t i = 5; i-- > 0;) {

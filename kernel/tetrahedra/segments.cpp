@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <unordered_set>
 
 #include "kernel/base/error.h"
@@ -9,10 +10,12 @@
 namespace cnrg {
 namespace {
 
+/// Cuts that are made at most, and for each point and segment that there is.
+constexpr std::size_t kCuts = 200'000, kCutsEach = 30;
 /// So many points are looked at before one is chosen.
 constexpr std::size_t kLooked = 1000;
-/// Where segments nearly touch, their cuts must lie opposite to each other more exactly than doubles tell; but numbers
-/// must not grow from cut to cut.
+/// Where segments nearly touch, their cuts must lie opposite to each other more exactly than doubles tell; but
+/// numbers must not grow from cut to cut.
 constexpr unsigned kBits = 160;
 
 Rational shortened(const Rational& x) { return Rational(mpf_class(x, kBits)); }
@@ -39,8 +42,8 @@ VertexId SegmentChains::at(Index segment, const Rational& t) const {
   return cuts_[segment].at(t);
 }
 
-/// Of the points in the ball whose diameter is the piece, the one that sees it under the widest angle. Edges lead from
-/// its ends to all of them through points in the ball. Doubles are enough to choose.
+/// Of the points in the ball whose diameter is the piece, the one that sees it under the widest angle. Edges lead
+/// from its ends to all of them through points in the ball. Doubles are enough to choose.
 VertexId SegmentChains::in_the_way(VertexId a, VertexId b) const {
   const auto p = points_.approx(a), q = points_.approx(b);
   std::vector<VertexId> found{a, b};
@@ -73,7 +76,7 @@ VertexId SegmentChains::in_the_way(VertexId a, VertexId b) const {
 }
 
 Rational SegmentChains::place_of_cut(const Piece& piece) const {
-  const Rational middle = (piece.from + piece.to) / 2;
+  Rational middle = (piece.from + piece.to) / 2;
   const VertexId v = in_the_way(at(piece.segment, piece.from), at(piece.segment, piece.to));
   if (!v.valid()) return middle;
   const auto& [a, b] = segments_[piece.segment];
@@ -100,12 +103,21 @@ Rational SegmentChains::place_of_cut(const Piece& piece) const {
   return middle;
 }
 
+std::string SegmentChains::crowded(VertexId v) const {
+  std::ostringstream text;
+  const auto [x, y, z] = points_.approx(v);
+  text << "tetrahedra need too many points near (" << x << ", " << y << ", " << z
+       << "): edges nearly touch there; move them apart or together, or join them by `weld`";
+  return text.str();
+}
+
 void SegmentChains::run(const Watch& watch) {
   std::vector<Key> open;
   open.reserve(pieces_.size());
   for (const auto& [ends, piece] : pieces_) open.push_back(ends);
   std::sort(open.begin(), open.end(), std::greater());
   std::vector<std::array<VertexId, 2>> lost;
+  const std::size_t most = points_.size() + kCuts + kCutsEach * (points_.size() + segments_.size());
   while (!open.empty()) {
     watch.check();
     const Key ends = open.back();
@@ -115,6 +127,7 @@ void SegmentChains::run(const Watch& watch) {
     const Piece piece = found->second;
     const VertexId a = at(piece.segment, piece.from), b = at(piece.segment, piece.to);
     if (tetrahedra_.has_edge(a, b)) continue;
+    if (points_.size() > most) throw InputError(crowded(a));
     const Rational t = place_of_cut(piece);
     const auto& [first, last] = segments_[piece.segment];
     const RationalPoint p = points_.rational(first), q = points_.rational(last);

@@ -13,15 +13,17 @@ namespace cnrg {
 
 /// Cuts segments by new points until each piece is an edge of the Delaunay tetrahedra.
 ///
-/// A piece is no edge where other points come near. To halve it then is enough in the end, but where segments meet at
-/// a small angle a cut of one is in the way of the other one, whose cut is in the way of the first, and so on. So a
-/// piece is cut as far from an end of its segment as the point is that is in its way (si2015): cuts of all segments
-/// at one end come to lie on common spheres, and are not in each other's way.
+/// A piece is no edge where other points come near. To halve it then would do in the end, but where segments meet
+/// at a small angle, or run side by side, a cut of one is in the way of the other one, whose cut is in the way of
+/// the first, and so on. So a piece is cut opposite to the point that is in its way; and if that is a cut of a
+/// segment with a common end, as far from there as that is (si2015): cuts of all segments at one end come to lie
+/// on common spheres.
 class SegmentChains {
  public:
   using Index = std::uint32_t;
   SegmentChains(PointTable& points, Tetrahedra& tetrahedra, std::vector<std::array<VertexId, 2>> segments);
 
+  /// Throws InputError, with a place, where more cuts are needed than anybody has use for: features nearly touch.
   void run(const Watch& watch);
 
   /// After `run`: the points of a segment from its first end to its second one.
@@ -37,13 +39,14 @@ class SegmentChains {
   Tetrahedra& tetrahedra_;
   std::vector<std::array<VertexId, 2>> segments_;
   std::vector<std::map<Rational, VertexId>> cuts_;
-  std::unordered_map<Key, Piece> pieces_;  // by their ends
+  std::unordered_map<Key, Piece> pieces_;           // by their ends
   std::unordered_map<VertexId, Index> segment_of_;  // of a cut
 
   static Key key(VertexId a, VertexId b);
   VertexId at(Index segment, const Rational& t) const;
   VertexId in_the_way(VertexId a, VertexId b) const;
   Rational place_of_cut(const Piece& piece) const;
+  std::string crowded(VertexId v) const;
 };
 
 }  // namespace cnrg

@@ -1,5 +1,5 @@
-// A point is put in by taking away all tetrahedra around whose corners there is a sphere with the point inside; what
-// is left is a hole whose walls all see the point (bowyer1981). The way there is a walk from tetrahedron to
+// A point is put in by taking away all tetrahedra around whose corners there is a sphere with the point inside;
+// what is left is a hole whose walls all see the point (bowyer1981). The way there is a walk from tetrahedron to
 // tetrahedron, which ends since tetrahedra are Delaunay.
 #include "kernel/tetrahedra/tetrahedra.h"
 
@@ -192,7 +192,8 @@ void Tetrahedra::insert(VertexId v, VertexId near, std::vector<std::array<Vertex
     const Index t = add({a, b, c, v});
     join({t, 3}, walls[i]);
     for (int k = 0; k < 3; ++k) {
-      const VertexId p = open[i][static_cast<std::size_t>((k + 1) % 3)], q = open[i][static_cast<std::size_t>((k + 2) % 3)];
+      const VertexId p = open[i][static_cast<std::size_t>((k + 1) % 3)],
+                     q = open[i][static_cast<std::size_t>((k + 2) % 3)];
       sides.emplace_back(key(p, q), Face{t, k});
       kept.push_back({std::min(p, q), std::max(p, q)});
     }

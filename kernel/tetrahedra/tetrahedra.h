@@ -1,8 +1,8 @@
 // Tetrahedra that fill a box, each with its four neighbours.
 //
 // The box is a part of the mesh: eight corners of its own, far enough outside of all points, so that there is no
-// border to treat in another way. Points are put in one by one; after each the tetrahedra are Delaunay: no point is
-// inside of the sphere around one of them. Points that lie on one sphere are parted by perturbation
+// border to treat in another way. Points are put in one by one; after each the tetrahedra are Delaunay: no point
+// is inside of the sphere around one of them. Points that lie on one sphere are parted by perturbation
 // (kernel/exact/in_sphere.h), so the order in which points come does not matter, and no tetrahedron is flat.
 #pragma once
 
@@ -29,8 +29,8 @@ class Tetrahedra {
     int k = 0;
   };
 
-  /// The Delaunay tetrahedra of all points of the table, which must be distinct, and of eight corners of a box that
-  /// are added to it.
+  /// The Delaunay tetrahedra of all points of the table, which must be distinct, and of eight corners of a box
+  /// that are added to it.
   explicit Tetrahedra(PointTable& points);
 
   std::size_t size() const { return corners_.size(); }
@@ -63,7 +63,7 @@ class Tetrahedra {
   std::vector<Corners> corners_;
   std::vector<std::array<Index, 4>> neighbours_;
   std::vector<Index> free_;
-  std::vector<Index> at_;  // by vertex: a tetrahedron that has it, or kNone
+  std::vector<Index> at_;                    // by vertex: a tetrahedron that has it, or kNone
   mutable std::vector<std::uint32_t> seen_;  // by tetrahedron: the last round that met it
   mutable std::uint32_t round_ = 0;
 

@@ -144,8 +144,8 @@ void Wall::clear_the_way() {
   }
 }
 
-/// Does the facet pass through the inside of a tetrahedron? Its border is made of edges, so where the plane cuts the
-/// tetrahedron, all of the cut is in the facet or nothing of it: any edge across the plane tells.
+/// Does the facet pass through the inside of a tetrahedron? Its border is made of edges, so where the plane cuts
+/// the tetrahedron, all of the cut is in the facet or nothing of it: any edge across the plane tells.
 bool Wall::pierced(Index t) {
   VertexId above, below;
   for (const VertexId v : tetrahedra_.corners(t)) {
@@ -237,18 +237,17 @@ VertexId Wall::apex(const Triangle& base, const Open& open, const std::vector<Ve
     if (v == a || v == b || v == c || orient3d(points_, a, b, c, v) <= 0) continue;
     if (best.valid() && in_sphere_perturbed(points_, a, b, c, best, v) <= 0) continue;
     const Tetrahedra::Corners t{a, b, c, v};
-    const bool free = std::none_of(open.begin(), open.end(), [&](const auto& face) {
-      return overlap(t, face.first);
-    });
+    const bool free =
+        std::none_of(open.begin(), open.end(), [&](const auto& face) { return overlap(t, face.first); });
     if (free) best = v;
   }
   require(best.valid(), "tetrahedra: a hole that no tetrahedra fill");
   return best;
 }
 
-/// Do a tetrahedron and a triangle have more in common than common corners span? If not, some plane parts them, and
-/// then one through corners of both: of a face of one of them, or of an edge of one and a corner of the other. What
-/// they have in common is in that plane.
+/// Do a tetrahedron and a triangle have more in common than common corners span? If not, some plane parts them,
+/// and then one through corners of both: of a face of one of them, or of an edge of one and a corner of the other.
+/// What they have in common is in that plane.
 bool Wall::overlap(const Tetrahedra::Corners& t, const Triangle& face) const {
   std::vector<VertexId> corners(t.begin(), t.end());
   for (const VertexId v : face) {

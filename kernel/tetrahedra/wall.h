@@ -12,18 +12,19 @@
 
 namespace cnrg {
 
-/// Makes a facet out of faces: tetrahedra that it passes through are taken away, and the two halves of each hole are
-/// filled by tetrahedra with corners of the hole alone (gift wrapping, shewchuk2000). Each new one stands on a face
-/// that is open, with the corner around whose sphere no other corner is that the face sees.
+/// Makes a facet out of faces: tetrahedra that it passes through are taken away, and the two halves of each hole
+/// are filled by tetrahedra with corners of the hole alone (gift wrapping, shewchuk2000). Each new one stands on a
+/// face that is open, with the corner around whose sphere no other corner is that the face sees.
 class Wall {
  public:
   using Index = Tetrahedra::Index;
   using Triangle = std::array<VertexId, 3>;
   using Ends = std::array<VertexId, 2>;
 
-  /// `facet`: triangles of one plane, turned alike, that overlap nowhere. `border`: its sides, each with the facet on
-  /// its left; they must be edges.
-  Wall(const PointTable& points, Tetrahedra& tetrahedra, std::span<const Triangle> facet, std::vector<Ends> border);
+  /// `facet`: triangles of one plane, turned alike, that overlap nowhere. `border`: its sides, each with the facet
+  /// on its left; they must be edges.
+  Wall(const PointTable& points, Tetrahedra& tetrahedra, std::span<const Triangle> facet,
+       std::vector<Ends> border);
 
   /// The faces, turned as the facet; `count` are known to be needed.
   std::vector<Triangle> faces(std::size_t count);

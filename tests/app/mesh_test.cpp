@@ -123,10 +123,16 @@ nodes:
   w: {union: [t, a], dominance: left}
 result: w
 )");
-  const Outcome o = w.run("mesh thin.yaml -o t.msh --quality 1.2");
+  Outcome o = w.run("mesh thin.yaml -o t.msh --quality 1.2 --keep-boundary");
   CHECK(o.status == 2);
   CHECK_THAT(o.err, StartsWith("thin.yaml:5:3: error: TetGen") && Contains("remove slivers"));
   CHECK_FALSE(std::filesystem::exists(w.path("t.msh")));
+  o = w.run("mesh thin.yaml -o t.msh --quality 1.2");
+  INFO(o.err);
+  CHECK(o.status == 0);
+  CHECK_THAT(o.err, Contains("t.msh: notice: TetGen was stopped by a fault of its own") &&
+                        Contains("; these are constrained Delaunay tetrahedra, without a bound"));
+  CHECK_THAT(o.out, Contains("all") && Contains(" 8\n"));
 }
 
 TEST_CASE("the tunnel of Pereira et al.: our tetrahedra, Gmsh's and tetgen's have the volumes of the regions",
@@ -254,7 +260,8 @@ result: model
   CHECK_THAT(o.out, Contains("2.000376"));
 }
 
-TEST_CASE("where TetGen does not end it is stopped, and bounds must be numbers", "[app][mesh]") {
+TEST_CASE("where TetGen does not end or fails there are constrained tetrahedra, and bounds must be numbers",
+          "[app][mesh]") {
   const Workshop w;
   // A box whose corners are off by a unit in the last place, and a point as near to it.
   w.write("t.yaml", R"(cnrg: 1
@@ -265,10 +272,19 @@ nodes:
   m: {union: [s, q]}
 result: m
 )");
-  const Outcome o = w.run("mesh t.yaml -o t.msh --seconds 1");
-  CHECK(o.status == 2);
-  CHECK_THAT(o.err, Catch::StartsWith("t.yaml:6:3: error: TetGen ") && Contains("--keep-boundary"));
+  const Outcome kept = w.run("mesh t.yaml -o t.msh --seconds 1 --keep-boundary");
+  CHECK(kept.status == 2);
+  CHECK_THAT(kept.err, Catch::StartsWith("t.yaml:6:3: error: "));
   CHECK_FALSE(std::filesystem::exists(w.path("t.msh")));
+  const Outcome o = w.run("mesh t.yaml -o t.msh --seconds 1");
+  INFO(o.err);
+  CHECK(o.status == 0);
+  CHECK_THAT(o.err, Contains("t.msh: notice: TetGen ") && Contains("; these are constrained Delaunay tetrahedra"));
+  CHECK(std::filesystem::exists(w.path("t.msh")));
+  const Outcome bound = w.run("mesh t.yaml -o u.msh --constrained --quality 2");
+  CHECK(bound.status == 2);
+  CHECK_THAT(bound.err, Contains("constrained Delaunay tetrahedra take no bound"));
+  CHECK_FALSE(std::filesystem::exists(w.path("u.msh")));
   for (const std::string option : {"--max-volume nan", "--max-volume inf", "--max-volume 0", "--quality nan"}) {
     INFO(option);
     const Outcome bad = w.run("mesh t.yaml -o t.msh " + option);

@@ -25,13 +25,14 @@ MeshFile meshed(const ResultView& view, const TetrahedraOptions& options = {}) {
   return mesh;
 }
 
-const TetrahedraOptions kKept{0, 0, true};
+const TetrahedraOptions kKept{0, 0, true}, kConstrained{0, 0, false, true};
 
 }  // namespace
 
 TEST_CASE("tetrahedra conform to a wall, a dangling face, a wire and a point", "[mesh]") {
   Case c = two_regions();
-  for (const TetrahedraOptions& options : {TetrahedraOptions{}, kKept, TetrahedraOptions{0.05, 1.5, false}}) {
+  for (const TetrahedraOptions& options :
+       {TetrahedraOptions{}, kKept, kConstrained, TetrahedraOptions{0.05, 1.5, false}}) {
     const MeshFile mesh = meshed(c.view(), options);
     CHECK(mesh.volume("rock") == 8);
     CHECK(mesh.volume("seam") == 8);
@@ -46,7 +47,7 @@ TEST_CASE("tetrahedra conform to a wall, a dangling face, a wire and a point", "
 }
 
 TEST_CASE("tetrahedra of regions with holes, cavities and edges in common", "[mesh]") {
-  for (const TetrahedraOptions& options : {TetrahedraOptions{}, kKept}) {
+  for (const TetrahedraOptions& options : {TetrahedraOptions{}, kKept, kConstrained}) {
     MeshFile mesh = meshed(ring().view(), options);
     CHECK(mesh.volume("region 1") == 24);
     CHECK(mesh.measure(mesh.in_group(2, "boundary of region 1")) == Approx(64).epsilon(1e-14));
@@ -136,7 +137,7 @@ TEST_CASE("a rim that comes back to its only vertex", "[mesh]") {
   add_wire(soup, {5, 0, 3}, {8, 0, 3});
   Case c(soup);
   c.show(c.unite());
-  for (const TetrahedraOptions& options : {TetrahedraOptions{}, kKept}) {
+  for (const TetrahedraOptions& options : {TetrahedraOptions{}, kKept, kConstrained}) {
     const MeshFile mesh = meshed(c.view(), options);
     CHECK(mesh.measure(mesh.in_group(1, "wire of leaf1")) == Approx(3).epsilon(1e-14));
     CHECK(mesh.names_of(3).size() == 1);
@@ -156,7 +157,8 @@ TEST_CASE("crossing fractures: their area and the volume of the rock are kept", 
                    {1, Rational(1, 7), Rational(13, 7)}});
   Case c(soup);
   c.show(c.unite(Dominance::right));
-  for (const TetrahedraOptions& options : {TetrahedraOptions{}, kKept, TetrahedraOptions{0, 1.4, false}}) {
+  for (const TetrahedraOptions& options :
+       {TetrahedraOptions{}, kKept, kConstrained, TetrahedraOptions{0, 1.4, false}}) {
     const MeshFile mesh = meshed(c.view(), options);
     CHECK(to_double(mesh.volume("region 1")) == Approx(8).epsilon(1e-14));
     CHECK(mesh.measure(mesh.in_group(2, "face of leaf1")) == Approx(16.0 / 9).epsilon(1e-14));

@@ -307,7 +307,8 @@ class Result:
         time for each way in which TetGen is asked, 0: no bound. curved: elements of second order on the true surfaces.
 
         InputError for a result that is not closed and bounded, has no region, or is broken by rounding (`snap()`
-        helps), and where TetGen makes no mesh that is proven.
+        helps), and where no mesh is proven. Where TetGen makes none, a warning (cnrg.Notice) says so: the tetrahedra
+        are constrained Delaunay ones then, and keep no bound.
         """
         max_volume, quality = (float(_cnrg.fraction(number)) for number in (max_volume, quality))
         seconds = operator.index(seconds)
@@ -320,6 +321,9 @@ class Result:
         with Shown(progress) as shown, self._placed():
             mesh = _cnrg.tetrahedralize(self._result, max_volume, quality, bool(keep_boundary), seconds, bool(curved),
                                         shown)
+        if refused := mesh.refused():
+            text = f"{refused.split(';')[0]}; these are constrained Delaunay tetrahedra, without a bound of size or quality"
+            warnings.warn_explicit(text, Notice, *site_of_caller())
         return Tetrahedra(mesh, self)
 
     # --- files and other packages

@@ -1,0 +1,266 @@
+// Constrained tetrahedra against what they are to be: positive, filling the box, face to face, with facets and
+// segments as unions of their faces and edges.
+#include "kernel/tetrahedra/constrained.h"
+
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "kernel/base/error.h"
+#include "kernel/exact/predicates.h"
+#include "tests/scenes/seeds.h"
+
+namespace cnrg {
+namespace {
+
+using Triangle = std::array<VertexId, 3>;
+
+RationalPoint cross(const RationalPoint& u, const RationalPoint& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+RationalPoint difference(const PointTable& t, VertexId a, VertexId b) {
+  const RationalPoint p = t.rational(a), q = t.rational(b);
+  return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+}
+
+RationalPoint area(const PointTable& t, const std::vector<Triangle>& triangles) {
+  RationalPoint sum{0, 0, 0};
+  for (const Triangle& f : triangles) {
+    const RationalPoint n = cross(difference(t, f[0], f[1]), difference(t, f[0], f[2]));
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
+  }
+  return sum;
+}
+
+/// Returns how many points were added.
+std::size_t check(PointTable& t, const Constraints& constraints) {
+  const std::size_t before = t.size();
+  const ConstrainedTetrahedra made = constrained_tetrahedra(t, constraints, {});
+  std::map<Triangle, int> faces;
+  std::set<std::array<VertexId, 2>> edges;
+  Rational volume = 0;
+  for (const auto& c : made.tetrahedra) {
+    REQUIRE(orient3d(t, c[0], c[1], c[2], c[3]) > 0);
+    const RationalPoint n = cross(difference(t, c[0], c[1]), difference(t, c[0], c[2]));
+    const RationalPoint d = difference(t, c[0], c[3]);
+    volume += n[0] * d[0] + n[1] * d[1] + n[2] * d[2];
+    for (std::size_t k = 0; k < 4; ++k) {
+      Triangle f{c[(k + 1) % 4], c[(k + 2) % 4], c[(k + 3) % 4]};
+      std::sort(f.begin(), f.end());
+      ++faces[f];
+      for (std::size_t l = 0; l < k; ++l) edges.insert({std::min(c[k], c[l]), std::max(c[k], c[l])});
+    }
+  }
+  const RationalPoint size = difference(t, VertexId(before), VertexId(before + 7));
+  CHECK(volume == 6 * size[0] * size[1] * size[2]);
+  CHECK(std::all_of(faces.begin(), faces.end(), [](const auto& face) { return face.second <= 2; }));
+
+  std::vector<std::vector<Triangle>> pieces(constraints.facets.size());
+  for (const auto& [corners, of] : made.triangles) {
+    pieces[of].push_back(corners);
+    Triangle f = corners;
+    std::sort(f.begin(), f.end());
+    REQUIRE(faces.contains(f));
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    CHECK(area(t, pieces[i]) == area(t, constraints.facets[i]));
+    const Triangle& f = constraints.facets[i][0];
+    for (const Triangle& piece : pieces[i]) {
+      for (const VertexId v : piece) CHECK(orient3d(t, f[0], f[1], f[2], v) == 0);
+    }
+  }
+  std::vector<RationalPoint> way(constraints.segments.size(), RationalPoint{0, 0, 0});
+  for (const auto& [ends, of] : made.segments) {
+    CHECK(edges.contains({std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}));
+    const RationalPoint d = difference(t, ends[0], ends[1]);
+    for (std::size_t k = 0; k < 3; ++k) way[of][k] += d[k];
+  }
+  for (std::size_t i = 0; i < way.size(); ++i)
+    CHECK(way[i] == difference(t, constraints.segments[i][0], constraints.segments[i][1]));
+  return t.size() - before - 8;
+}
+
+std::vector<VertexId> shared(const Triangle& p, const Triangle& q) {
+  std::vector<VertexId> out;
+  for (const VertexId v : p) {
+    if (std::find(q.begin(), q.end(), v) != q.end()) out.push_back(v);
+  }
+  return out;
+}
+
+/// Surely they have no more in common than corners and sides: some plane parts them, with nothing else on it of
+/// one.
+bool apart(const PointTable& t, const Triangle& p, const Triangle& q) {
+  const std::vector<VertexId> common = shared(p, q);
+  std::vector<VertexId> all(p.begin(), p.end());
+  for (const VertexId v : q) {
+    if (std::find(p.begin(), p.end(), v) == p.end()) all.push_back(v);
+  }
+  const auto sides = [&](const Triangle& f, const Triangle& plane, int& all_of_it, bool& only_common) {
+    for (const VertexId v : f) {
+      const int s = orient3d(t, plane[0], plane[1], plane[2], v);
+      if (s == 0) only_common = only_common && std::find(common.begin(), common.end(), v) != common.end();
+      else if (s == -all_of_it) return false;
+      else all_of_it = s;
+    }
+    return true;
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = i + 1; j < all.size(); ++j) {
+      for (std::size_t k = j + 1; k < all.size(); ++k) {
+        const Triangle plane{all[i], all[j], all[k]};
+        int of_p = 0, of_q = 0;
+        bool p_common = true, q_common = true;
+        if (sides(p, plane, of_p, p_common) && sides(q, plane, of_q, q_common) && of_p != of_q &&
+            (p_common || q_common))
+          return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Is a point in a closed triangle?
+bool holds(const PointTable& t, const Triangle& f, VertexId v) {
+  if (orient3d(t, f[0], f[1], f[2], v) != 0) return false;
+  for (const Projection axes : {Projection{0, 1}, Projection{1, 2}, Projection{2, 0}}) {
+    const int turn = orient2d(t, axes, f[0], f[1], f[2]);
+    if (turn == 0) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (orient2d(t, axes, f[k], f[(k + 1) % 3], v) * turn < 0) return false;
+    }
+    return true;
+  }
+  return true;
+}
+
+/// Triangles between random points that overlap nowhere.
+Constraints random_triangles(std::mt19937_64& random, PointTable& t) {
+  const bool lattice = random() % 2 == 0;
+  const std::uint64_t range = lattice ? 2 + random() % 5 : 1'000'000;
+  std::set<std::array<double, 3>> used;
+  const std::size_t count = 4 + random() % 30;
+  for (int tries = 0; used.size() < count && tries < 1000; ++tries)
+    used.insert({double(random() % range), double(random() % range), double(random() % range)});
+  std::vector<std::array<double, 3>> points(used.begin(), used.end());
+  std::shuffle(points.begin(), points.end(), random);
+  for (const auto& p : points) t.add(p[0], p[1], p[2]);
+  Constraints out;
+  for (std::size_t tries = 100 + random() % 600; tries > 0; --tries) {
+    Triangle f;
+    for (VertexId& v : f) v = VertexId(random() % points.size());
+    if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0] || collinear(t, f[0], f[1], f[2])) continue;
+    bool free = true;
+    for (std::size_t i = 0; free && i < points.size(); ++i) {
+      const VertexId v(i);
+      free = std::find(f.begin(), f.end(), v) != f.end() || !holds(t, f, v);
+    }
+    for (const auto& facet : out.facets) free = free && apart(t, f, facet[0]);
+    if (free) out.facets.push_back({f});
+  }
+  return out;
+}
+
+TEST_CASE("random triangles become faces of tetrahedra", "[tetrahedra]") {
+  const auto [begin, end] = scenes::seeds(120);
+  for (std::uint64_t seed = begin; seed < end; ++seed) {
+    INFO("seed " << seed);
+    std::mt19937_64 random(seed);
+    PointTable t;
+    const Constraints constraints = random_triangles(random, t);
+    check(t, constraints);
+  }
+}
+
+TEST_CASE("points of a lattice, all of them on common spheres", "[tetrahedra]") {
+  PointTable t;
+  for (int i = 0; i < 125; ++i) t.add(i % 5, i / 5 % 5, i / 25);
+  CHECK(check(t, {}) == 0);
+}
+
+TEST_CASE("points in one plane or on one line, one point, none", "[tetrahedra]") {
+  for (const int count : {0, 1, 2, 5}) {
+    PointTable line, plane;
+    for (int i = 0; i < count; ++i) line.add(i, 2 * i, 1), plane.add(i % 2, i / 2, 7);
+    CHECK(check(line, {}) == 0);
+    CHECK(check(plane, {}) == 0);
+  }
+}
+
+// Its sides leave no tetrahedron between six corners (Schönhardt, 1928), so none of it fills it without a new
+// point.
+TEST_CASE("a prism that is turned needs points", "[tetrahedra]") {
+  PointTable t;
+  for (int i = 0; i < 6; ++i) {
+    const double angle = (i % 3) * 2 * M_PI / 3 + (i < 3 ? 0 : M_PI / 6);
+    t.add(std::cos(angle), std::sin(angle), i / 3);
+  }
+  const auto v = [](int i) { return VertexId(static_cast<std::size_t>(i)); };
+  Constraints c;
+  c.facets = {{{v(0), v(2), v(1)}}, {{v(3), v(4), v(5)}}};
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    c.facets.push_back({{v(i), v(j), v(i + 3)}});
+    c.facets.push_back({{v(j), v(j + 3), v(i + 3)}});
+  }
+  check(t, c);
+}
+
+TEST_CASE("a facet with a hole, a wire and a point in it is one facet", "[tetrahedra]") {
+  PointTable t;
+  const auto v = [](int i) { return VertexId(static_cast<std::size_t>(i)); };
+  for (const auto& [x, y] : {std::pair(0, 0), {6, 0}, {6, 6}, {0, 6}, {2, 2}, {4, 2}, {4, 4}, {2, 4}})
+    t.add(x, y, 0);
+  t.add(3, 3, 1), t.add(5, 1, -2), t.add(1, 5, 2);
+  Constraints c;
+  auto& facet = c.facets.emplace_back();
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 1) % 4;
+    facet.push_back({v(i), v(j), v(4 + j)});
+    facet.push_back({v(i), v(4 + j), v(4 + i)});
+  }
+  c.segments = {{v(1), v(5)}, {v(8), v(9)}, {v(8), v(10)}};
+  check(t, c);
+}
+
+TEST_CASE("fans of thin triangles need few points", "[tetrahedra]") {
+  PointTable t;
+  constexpr int kSides = 60;
+  const VertexId apex = t.add(0, 0, 100);
+  for (int i = 0; i < kSides; ++i) t.add(std::cos(i * 2 * M_PI / kSides), std::sin(i * 2 * M_PI / kSides), 0);
+  Constraints c;
+  for (int i = 0; i < kSides; ++i) {
+    c.facets.push_back({{VertexId(static_cast<std::size_t>(1 + i)),
+                         VertexId(static_cast<std::size_t>(1 + (i + 1) % kSides)), apex}});
+  }
+  CHECK(check(t, c) < 40 * kSides);
+}
+
+TEST_CASE("segments that nearly cross are cut opposite to each other", "[tetrahedra]") {
+  for (const double distance : {1e-3, 1e-9, 1e-15}) {
+    PointTable t;
+    const VertexId a = t.add(-1, 0.125, 0), b = t.add(1, 0.25, 0);
+    const VertexId p = t.add(0.3, -1, distance), q = t.add(0.1, 1, distance);
+    Constraints c;
+    c.segments = {{a, b}, {p, q}};
+    CHECK(check(t, c) < 60);
+  }
+}
+
+TEST_CASE("triangles that cross are told, not believed", "[tetrahedra]") {
+  PointTable t;
+  t.add(-1, -1, 0), t.add(1, -1, 0), t.add(0, 2, 0), t.add(0, 0, -1), t.add(0.1, 0, 1), t.add(0, 9, 1);
+  const auto v = [](int i) { return VertexId(static_cast<std::size_t>(i)); };
+  Constraints c;
+  c.facets = {{{v(0), v(1), v(2)}}, {{v(3), v(4), v(5)}}};
+  CHECK_THROWS_AS(constrained_tetrahedra(t, c, {}), InvariantError);
+}
+
+}  // namespace
+}  // namespace cnrg
