@@ -37,9 +37,11 @@ ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constrain
                                              const Watch& watch) {
   const auto& [segments, facets] = constraints;
   std::vector<Ends> bound;
+  bound.reserve(segments.size());
   for (const auto& [a, b] : segments) bound.push_back(ends(a, b));
   sort_unique(bound);
   std::vector<std::vector<Ends>> borders;
+  borders.reserve(facets.size());
   for (const auto& facet : facets) borders.push_back(border_of(facet, bound));
   for (const auto& border : borders) {
     for (const auto& [a, b] : border) bound.push_back(ends(a, b));

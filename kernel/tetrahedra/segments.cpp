@@ -95,7 +95,7 @@ Rational SegmentChains::place_of_cut(const Piece& piece) const {
   if (other != segment_of_.end()) {
     for (const VertexId end : segments_[other->second]) {
       if (end != a && end != b) continue;
-      const Rational t = end == a ? root(from_a / length) : 1 - root(from_b / length);
+      Rational t = end == a ? root(from_a / length) : 1 - root(from_b / length);
       if (inside(t)) return t;
     }
   }
