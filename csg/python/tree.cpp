@@ -97,12 +97,12 @@ py::object data_of(const YAML::Node& node) {
   if (node.IsSequence()) {
     py::list list;
     for (const YAML::Node& item : node) list.append(data_of(item));
-    return std::move(list);
+    return list;
   }
   if (node.IsMap()) {
     py::dict map;
     for (const auto& entry : node) map[py::str(entry.first.Scalar())] = data_of(entry.second);
-    return std::move(map);
+    return map;
   }
   if (node.IsNull()) return py::none();
   const std::string& text = node.Scalar();
@@ -123,7 +123,7 @@ py::object data_of(const Property& value) {
 py::object properties_of(const Node& node) {
   py::dict map;
   for (const auto& [key, value] : node.properties) map[py::str(key)] = data_of(value);
-  return std::move(map);
+  return map;
 }
 
 /// The criteria by their keys in a tree, each a list; nodes by number; how many operands are those of `inside`.
