@@ -115,10 +115,7 @@ int run_mesh(const MeshArguments& arguments) {
       write(path, result, made.mesh);
     }
     if (arguments.quiet) continue;
-    if (!made.refused.empty()) {  // without its advice
-      tell(path + ": notice: " + made.refused.substr(0, made.refused.find(';')) +
-           "; these are constrained Delaunay tetrahedra, without a bound of size or quality");
-    }
+    if (!made.notice.empty()) tell(path + ": notice: " + made.notice);
     if (snapped.rounds > 0) tell(path + ": notice: " + snapped.text());
     if (made.rounding.moved == 0) continue;
     tell(path + ": notice: rounding moved " + std::to_string(made.rounding.moved) +

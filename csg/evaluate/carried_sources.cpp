@@ -107,27 +107,34 @@ class CarriedGroups::SourcesMaker {
     }
   }
 
-  /// A piece of a carried face is a piece of the input faces that this one is a piece of.
-  void take_covers() {
-    std::map<std::vector<Cover>, SourceSetId> sets;
-    IdVector<SourceSetId, SourceSetId> renamed;
-    for (const SourceSetId set : IdRange<SourceSetId>(complex_.covers.size())) {
-      std::vector<Cover> list;
-      for (const Cover& cover : complex_.covers[set]) {
-        const Soup::Face& source = complex_.sources[cover.source];
-        const Index g = carried_.group_of(source.leaf);
-        if (g == kNone) {
-          list.push_back({kept_[cover.source], cover.same});
-          continue;
-        }
-        for (const auto& [s, same] : groups_[g].covers_[groups_[g].faces_[source.leaf_face].cover])
-          list.push_back({source_of_[g][s], same == cover.same});
-      }
+  /// Sets with what `add` lists for each of their members, each set once; returns what becomes of each set.
+  template <class SetId, class Item, class Add>
+  static IdVector<SetId, SetId> rename(const Csr<SetId, Item>& sets, Csr<SetId, Item>& out, const Add& add) {
+    std::map<std::vector<Item>, SetId> known;
+    IdVector<SetId, SetId> renamed;
+    for (const SetId set : IdRange<SetId>(sets.size())) {
+      std::vector<Item> list;
+      for (const Item& item : sets[set]) add(item, list);
       sort_unique(list);
-      const auto [it, fresh] = sets.try_emplace(std::move(list), SourceSetId(sets.size()));
-      if (fresh) out_.covers.push_back(it->first);
+      const auto [it, fresh] = known.try_emplace(std::move(list), SetId(known.size()));
+      if (fresh) out.push_back(it->first);
       renamed.push_back(it->second);
     }
+    return renamed;
+  }
+
+  /// A piece of a carried face is a piece of the input faces that this one is a piece of.
+  void take_covers() {
+    const auto renamed = rename(complex_.covers, out_.covers, [&](const Cover& cover, std::vector<Cover>& list) {
+      const Soup::Face& source = complex_.sources[cover.source];
+      const Index g = carried_.group_of(source.leaf);
+      if (g == kNone) {
+        list.push_back({kept_[cover.source], cover.same});
+        return;
+      }
+      for (const auto& [s, same] : groups_[g].covers_[groups_[g].faces_[source.leaf_face].cover])
+        list.push_back({source_of_[g][s], same == cover.same});
+    });
     out_.face_cover = complex_.face_cover;
     for (SourceSetId& set : out_.face_cover) set = renamed[set];
   }
@@ -222,24 +229,16 @@ class CarriedGroups::SourcesMaker {
 
   /// A class of a group stands for the regions of leaves in which its 3-cells lay.
   void take_labels() {
-    std::map<std::vector<Label>, LabelSetId> sets;
-    IdVector<LabelSetId, LabelSetId> renamed;
-    for (const LabelSetId set : IdRange<LabelSetId>(complex_.label_sets.size())) {
-      std::vector<Label> list;
-      for (const Label& label : complex_.label_sets[set]) {
-        const Index g = carried_.group_of(label.leaf);
-        if (g == kNone) {
-          list.push_back(label);
-          continue;
-        }
-        const auto& labels = groups_[g].classes_[label.region - 1].labels;
-        list.insert(list.end(), labels.begin(), labels.end());
-      }
-      sort_unique(list);
-      const auto [it, fresh] = sets.try_emplace(std::move(list), LabelSetId(sets.size()));
-      if (fresh) out_.label_sets.push_back(it->first);
-      renamed.push_back(it->second);
-    }
+    const auto renamed =
+        rename(complex_.label_sets, out_.label_sets, [&](const Label& label, std::vector<Label>& list) {
+          const Index g = carried_.group_of(label.leaf);
+          if (g == kNone) {
+            list.push_back(label);
+            return;
+          }
+          const auto& labels = groups_[g].classes_[label.region - 1].labels;
+          list.insert(list.end(), labels.begin(), labels.end());
+        });
     out_.region_labels = complex_.region_labels;
     for (LabelSetId& set : out_.region_labels) set = renamed[set];
   }

@@ -158,8 +158,8 @@ TetrahedraReport write_tetrahedra(const std::vector<std::string>& paths, const R
   TetrahedralMesh made = snapped_tetrahedra(shown, options, snapped);
   const Mesh& mesh = made.mesh;
   for (const std::string& path : paths) write(path, shown, mesh);
-  return {made.rounding,        snapped,     std::move(made.regions), mesh.points.size(), mesh.triangles.size(),
-          mesh.segments.size(), made.refused};
+  return {made.rounding,        snapped,    std::move(made.regions), mesh.points.size(), mesh.triangles.size(),
+          mesh.segments.size(), made.notice};
 }
 
 }  // namespace cnrg

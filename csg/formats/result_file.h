@@ -65,7 +65,7 @@ struct TetrahedraReport {
   SnapReport snapped;  ///< `rounds` is 0 unless the result was snapped, since rounding would break it
   std::vector<RegionTetrahedra> regions;
   std::size_t points = 0, triangles = 0, segments = 0;  ///< of the mesh; triangles on faces, segments on edges
-  std::string refused;  ///< why TetGen made none, so that no bound is kept; empty if these are TetGen's
+  std::string notice;  ///< that TetGen made none, and so no bound is kept; else empty
 };
 
 /// Fills the regions of a closed and bounded result with tetrahedra (csg/mesh/tetrahedra.h says what of them is

@@ -52,7 +52,7 @@ TetrahedralResult::TetrahedralResult(const Result& result, const TetrahedraOptio
   data_ = std::make_shared<const Data>(Data{result, std::move(made)});
 }
 
-const std::string& TetrahedralResult::refused() const { return data_->made.refused; }
+const std::string& TetrahedralResult::notice() const { return data_->made.notice; }
 
 TetrahedraArrays TetrahedralResult::arrays() const {
   const Mesh& mesh = data_->made.mesh;

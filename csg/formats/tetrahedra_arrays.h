@@ -51,8 +51,8 @@ class TetrahedralResult {
   explicit TetrahedralResult(const Result& result, const TetrahedraOptions& options = {}, bool curved = false);
 
   TetrahedraArrays arrays() const;
-  /// Why TetGen made none, so that no bound is kept; empty if these are TetGen's.
-  const std::string& refused() const;
+  /// That TetGen made none, and so no bound is kept; else empty.
+  const std::string& notice() const;
   /// .msh .vtu, and .mesh if it is not curved. Throws InputError for another extension, FileError.
   void write(const std::string& path) const;
 

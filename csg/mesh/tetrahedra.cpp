@@ -69,7 +69,10 @@ class TetrahedraMaker {
       options_.watch.begin("mesh: constrained tetrahedra");
       out_ = run_constrained(plc_, flat_, Watch{{}, options_.watch.stop});
       take();
-      result_.refused = refused;
+      if (!refused.empty()) {  // without its advice
+        result_.notice = refused.substr(0, refused.find(';')) +
+                         "; these are constrained Delaunay tetrahedra, without a bound of size or quality";
+      }
     }
     result_.rounding = rounded.report();
     number_points();

@@ -9,7 +9,7 @@ struct TetrahedralMesh {
   Mesh mesh;
   RoundingReport rounding;
   std::vector<RegionTetrahedra> regions;  ///< in the order of the mesh's entities of dimension 3
-  std::string refused;                    ///< why TetGen made none; empty if these are TetGen's
+  std::string notice;                     ///< that TetGen made none, and so no bound is kept; else empty
 };
 
 /// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015), or, where it makes

@@ -85,7 +85,7 @@ py::dict data_of(const TetrahedraObject& object) {
 void bind_tetrahedra(py::module_& module) {
   py::class_<TetrahedraObject>(module, "Tetrahedra")
       .def("data", &data_of)
-      .def("refused", [](const TetrahedraObject& object) { return text_of(object.mesh.refused()); })
+      .def("notice", [](const TetrahedraObject& object) { return text_of(object.mesh.notice()); })
       .def("write", [](const TetrahedraObject& object, const std::string& path) {
         run_watched(py::none(), [&](const Watch&) { object.mesh.write(path); });
       });

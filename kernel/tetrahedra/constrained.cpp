@@ -1,7 +1,6 @@
 #include "kernel/tetrahedra/constrained.h"
 
 #include <algorithm>
-#include <map>
 
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"

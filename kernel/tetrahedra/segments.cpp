@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "kernel/base/error.h"
+#include "kernel/refine/input.h"
 
 namespace cnrg {
 namespace {
@@ -28,12 +29,8 @@ SegmentChains::SegmentChains(PointTable& points, Tetrahedra& tetrahedra,
     : points_(points), tetrahedra_(tetrahedra), segments_(std::move(segments)), cuts_(segments_.size()) {
   for (Index i = 0; i < segments_.size(); ++i) {
     const auto& [a, b] = segments_[i];
-    require(pieces_.try_emplace(key(a, b), Piece{i, 0, 1}).second, "tetrahedra: a segment twice");
+    require(pieces_.try_emplace(RefineInput::key(a, b), Piece{i, 0, 1}).second, "tetrahedra: a segment twice");
   }
-}
-
-SegmentChains::Key SegmentChains::key(VertexId a, VertexId b) {
-  return std::uint64_t(std::min(a, b).value()) << 32 | std::max(a, b).value();
 }
 
 VertexId SegmentChains::at(Index segment, const Rational& t) const {
@@ -137,14 +134,14 @@ void SegmentChains::run(const Watch& watch) {
     cuts_[piece.segment].emplace(t, v);
     segment_of_.emplace(v, piece.segment);
     pieces_.erase(found);
-    pieces_.emplace(key(a, v), Piece{piece.segment, piece.from, t});
-    pieces_.emplace(key(v, b), Piece{piece.segment, t, piece.to});
+    pieces_.emplace(RefineInput::key(a, v), Piece{piece.segment, piece.from, t});
+    pieces_.emplace(RefineInput::key(v, b), Piece{piece.segment, t, piece.to});
     lost.clear();
     tetrahedra_.insert(v, a, lost);
     for (const auto& [c, d] : lost) {
-      if (pieces_.contains(key(c, d))) open.push_back(key(c, d));
+      if (pieces_.contains(RefineInput::key(c, d))) open.push_back(RefineInput::key(c, d));
     }
-    open.push_back(key(a, v)), open.push_back(key(v, b));
+    open.push_back(RefineInput::key(a, v)), open.push_back(RefineInput::key(v, b));
   }
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -42,7 +41,6 @@ class SegmentChains {
   std::unordered_map<Key, Piece> pieces_;           // by their ends
   std::unordered_map<VertexId, Index> segment_of_;  // of a cut
 
-  static Key key(VertexId a, VertexId b);
   VertexId at(Index segment, const Rational& t) const;
   VertexId in_the_way(VertexId a, VertexId b) const;
   Rational place_of_cut(const Piece& piece) const;

@@ -10,39 +10,23 @@
 #include "kernel/base/sorted.h"
 #include "kernel/exact/in_sphere.h"
 #include "kernel/exact/predicates.h"
+#include "kernel/refine/input.h"
+#include "kernel/refine/morton.h"
 
 namespace cnrg {
-namespace {
-
-/// The bits of three numbers of 21 bits in turn: points with near codes are near.
-std::uint64_t morton(const std::array<std::uint32_t, 3>& cell) {
-  std::uint64_t code = 0;
-  for (int bit = 20; bit >= 0; --bit) {
-    for (const std::uint32_t c : cell) code = code << 1 | (c >> bit & 1u);
-  }
-  return code;
-}
-
-}  // namespace
-
 Tetrahedra::Tetrahedra(PointTable& points) : points_(points), first_corner_(VertexId(points.size())) {
   make_box();
-  const double *low = points_.lower(first_corner_), *high = points_.lower(VertexId(first_corner_.index() + 7));
-  std::vector<std::pair<std::uint64_t, VertexId>> order;
-  for (std::size_t i = 0; i < first_corner_.index(); ++i) {
-    const auto xyz = points_.approx(VertexId(i));
-    std::array<std::uint32_t, 3> cell;
-    for (std::size_t k = 0; k < 3; ++k)
-      cell[k] = static_cast<std::uint32_t>((xyz[k] - low[k]) / (high[k] - low[k]) * 2097151);
-    order.emplace_back(morton(cell), VertexId(i));
+  std::vector<Box> places(first_corner_.index());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const PointView p = points_.view(VertexId(i));
+    places[i].extend(p.lo, p.hi);
   }
-  std::sort(order.begin(), order.end());
   std::vector<std::array<VertexId, 2>> lost;
   VertexId last = first_corner_;
-  for (const auto& [code, v] : order) {
-    insert(v, last, lost);
+  for (const std::uint32_t i : morton_order(places, Grid(bounds(places)))) {
+    insert(VertexId(i), last, lost);
     lost.clear();
-    last = v;
+    last = VertexId(i);
   }
 }
 
@@ -176,9 +160,6 @@ void Tetrahedra::insert(VertexId v, VertexId near, std::vector<std::array<Vertex
   }
   std::vector<std::pair<std::uint64_t, Face>> sides;  // of the new tetrahedra, by the edge opposite to v
   std::vector<std::array<VertexId, 2>> edges;
-  const auto key = [](VertexId a, VertexId b) {
-    return std::uint64_t(std::min(a, b).value()) << 32 | std::max(a, b).value();
-  };
   for (const Index t : hole) {
     const Corners& c = corners_[t];
     for (std::size_t i = 0; i < 4; ++i) {
@@ -194,7 +175,7 @@ void Tetrahedra::insert(VertexId v, VertexId near, std::vector<std::array<Vertex
     for (int k = 0; k < 3; ++k) {
       const VertexId p = open[i][static_cast<std::size_t>((k + 1) % 3)],
                      q = open[i][static_cast<std::size_t>((k + 2) % 3)];
-      sides.emplace_back(key(p, q), Face{t, k});
+      sides.emplace_back(RefineInput::key(p, q), Face{t, k});
       kept.push_back({std::min(p, q), std::max(p, q)});
     }
   }

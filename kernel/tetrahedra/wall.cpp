@@ -20,6 +20,16 @@ Corners sorted(Corners corners) {
   return corners;
 }
 
+/// The corners of both, each once.
+template <class Corners, class Others>
+std::vector<VertexId> united(const Corners& p, const Others& q) {
+  std::vector<VertexId> out(p.begin(), p.end());
+  for (const VertexId v : q) {
+    if (std::find(p.begin(), p.end(), v) == p.end()) out.push_back(v);
+  }
+  return out;
+}
+
 /// Does a plane or line with these sides have one on each side, not both on it? Then the corners on it.
 template <class Corners, class Others, class Side>
 bool part(const Corners& p, const Others& q, const Side& side, std::vector<VertexId>& in_p,
@@ -249,10 +259,7 @@ VertexId Wall::apex(const Triangle& base, const Open& open, const std::vector<Ve
 /// and then one through corners of both: of a face of one of them, or of an edge of one and a corner of the other.
 /// What they have in common is in that plane.
 bool Wall::overlap(const Tetrahedra::Corners& t, const Triangle& face) const {
-  std::vector<VertexId> corners(t.begin(), t.end());
-  for (const VertexId v : face) {
-    if (std::find(t.begin(), t.end(), v) == t.end()) corners.push_back(v);
-  }
+  const std::vector<VertexId> corners = united(t, face);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (std::size_t j = i + 1; j < corners.size(); ++j) {
       for (std::size_t k = j + 1; k < corners.size(); ++k) {
@@ -272,10 +279,7 @@ bool Wall::overlap(const Tetrahedra::Corners& t, const Triangle& face) const {
 
 /// The same of corners in one plane, which does not pass through `off`.
 bool Wall::overlap_in_plane(const std::vector<VertexId>& p, const std::vector<VertexId>& q, VertexId off) const {
-  std::vector<VertexId> corners = p;
-  for (const VertexId v : q) {
-    if (std::find(p.begin(), p.end(), v) == p.end()) corners.push_back(v);
-  }
+  const std::vector<VertexId> corners = united(p, q);
   if (corners.size() == std::max(p.size(), q.size()) || corners.size() <= 3) return false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     for (std::size_t j = i + 1; j < corners.size(); ++j) {

@@ -321,9 +321,8 @@ class Result:
         with Shown(progress) as shown, self._placed():
             mesh = _cnrg.tetrahedralize(self._result, max_volume, quality, bool(keep_boundary), seconds, bool(curved),
                                         shown)
-        if refused := mesh.refused():
-            text = f"{refused.split(';')[0]}; these are constrained Delaunay tetrahedra, without a bound of size or quality"
-            warnings.warn_explicit(text, Notice, *site_of_caller())
+        if notice := mesh.notice():
+            warnings.warn_explicit(notice, Notice, *site_of_caller())
         return Tetrahedra(mesh, self)
 
     # --- files and other packages
