@@ -196,21 +196,24 @@ class ConstrainedRun {
   }
 
   bool on_box(VertexId v) const { return v.index() >= box_ && v.index() < box_ + 8; }
-  /// Points of the complex, then those that were added; the box between them goes.
-  Index number(VertexId v) const { return static_cast<Index>(v.index() < box_ ? v.index() : v.index() - 8); }
+  /// Points of the complex, then those that were added; the corners of the box, which lie between them, come last.
+  Index number(VertexId v) const {
+    const std::size_t i = v.index();
+    return static_cast<Index>(i < box_ ? i : i < box_ + 8 ? xyz_.size() - 8 + (i - box_) : i - 8);
+  }
 
   void write() {
     for (std::size_t i = 0; i < xyz_.size(); ++i) {
       if (!on_box(VertexId(i))) out_.points.push_back(xyz_[i]);
     }
+    for (std::size_t k = 0; k < 8; ++k) out_.points.push_back(xyz_[box_ + k]);
     std::unordered_map<Index, std::int32_t> attribute;
     for (std::size_t i = 0; i < plc_.regions.size(); ++i)
       attribute.emplace(plc_.regions[i].region, static_cast<std::int32_t>(i + 1));
     for (std::size_t i = 0; i < made_.tetrahedra.size(); ++i) {
-      if (region_[i] == kNone) continue;
       const auto& [a, b, c, d] = made_.tetrahedra[i];
       out_.tetrahedra.push_back({number(a), number(b), number(c), number(d)});
-      out_.attribute.push_back(attribute.at(region_[i]));
+      out_.attribute.push_back(region_[i] == kNone ? 0 : attribute.at(region_[i]));
     }
     for (const auto& triangle : made_.triangles) {
       const auto& [a, b, c] = triangle.corners;

@@ -40,6 +40,7 @@ class PlcMaker {
   const PlcFacets facets_;
   PointTable table_;  // the rounded points, by their numbers
   Plc plc_;
+  Index pieces_ = 0;
 
   Vector at(Index p) const { return plc_.points[p]; }
 
@@ -65,17 +66,18 @@ class PlcMaker {
 
   void add_facet(Index face, const std::vector<Loop>& loops, std::span<const Index> isolated, Index begin,
                  Index end) {
+    const Index piece = pieces_++;
     const auto& triangles = flat_.faces[face].triangles;
     if (facets_ != PlcFacets::triangles && end - begin > 1) {
       Plc::Facet facet;
-      facet.face = face;
+      facet.face = face, facet.piece = piece;
       if (make_polygons(loops, isolated, triangles[begin], facet)) {
         plc_.facets.push_back(std::move(facet));
         return;
       }
     }
     for (Index t = begin; t < end; ++t) {
-      plc_.facets.push_back({{{triangles[t][0], triangles[t][1], triangles[t][2]}}, {}, face});
+      plc_.facets.push_back({{{triangles[t][0], triangles[t][1], triangles[t][2]}}, {}, face, piece});
     }
   }
 

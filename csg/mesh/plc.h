@@ -12,6 +12,7 @@ struct Plc {
     std::vector<std::vector<Index>> polygons;  ///< the outer one, then holes, then single points inside
     std::vector<std::array<double, 3>> holes;  ///< a point in each hole, in the plane but for rounding
     Index face = 0;
+    Index piece = 0;  ///< the planar piece that it is a part of: of its face, or of a facet of that
   };
   struct Segment {
     std::array<Index, 2> ends;

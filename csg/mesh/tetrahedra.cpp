@@ -14,6 +14,7 @@
 
 #include "csg/mesh/constrained_run.h"
 #include "csg/mesh/exact_volume.h"
+#include "csg/mesh/improved.h"
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
 #include "kernel/base/error.h"
@@ -74,6 +75,7 @@ class TetrahedraMaker {
                          "; these are constrained Delaunay tetrahedra, without a bound of size or quality";
       }
     }
+    improve_shapes();
     result_.rounding = rounded.report();
     number_points();
     return std::move(result_);
@@ -137,6 +139,17 @@ class TetrahedraMaker {
       }
     }
     return refused;
+  }
+
+  void improve_shapes() {
+    ImproveOptions asked;
+    asked.keep_boundary = options_.keep_boundary;
+    asked.points = 20'000 + 4 * out_.points.size();
+    asked.seconds = options_.seconds;
+    std::string notice = std::move(result_.notice);
+    out_ = improved(plc_, flat_, out_, asked, options_.watch);
+    take();
+    result_.notice = std::move(notice);
   }
 
   /// What the mesher returns, once it is proven.

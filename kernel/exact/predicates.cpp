@@ -147,6 +147,18 @@ int orient3d(const PointTable& t, VertexId a, VertexId b, VertexId c, VertexId d
   return orient3d(t.view(a), t.view(b), t.view(c), t.view(d));
 }
 
+int orient3d(const double* a, const double* b, const double* c, const double* d) {
+  if (const int s = filtered_orient3d(a, b, c, d, 0); s != kUndecided) {
+    ++counts().filter;
+    return s;
+  }
+  ++counts().exact;
+  const auto exactly = [](const double* p) {
+    return ExactPoint::from({from_double(p[0]), from_double(p[1]), from_double(p[2])});
+  };
+  return exact_orient3d(exactly(a), exactly(b), exactly(c), exactly(d));
+}
+
 int side_of_plane(const PointTable& t, PlaneId plane, const PointView& p) {
   const auto [a, b, c] = t.plane_points(plane);
   return orient3d(t.view(a), t.view(b), t.view(c), p);

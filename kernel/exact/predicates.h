@@ -16,6 +16,8 @@ class PlaneFilter;
 /// Sign of det(b-a, c-a, d-a): positive when d lies on the side to which the normal of (a, b, c) points.
 int orient3d(const PointView& a, const PointView& b, const PointView& c, const PointView& d);
 int orient3d(const PointTable& t, VertexId a, VertexId b, VertexId c, VertexId d);
+/// The same of points in no table, of three finite doubles each.
+int orient3d(const double* a, const double* b, const double* c, const double* d);
 /// Sign of the plane's equation at p: positive on the side to which the normal points.
 int side_of_plane(const PointTable& t, PlaneId plane, const PointView& p);
 int side_of_plane(const PointTable& t, PlaneId plane, VertexId p);

@@ -1,0 +1,69 @@
+#include "csg/mesh/improved.h"
+
+#include <algorithm>
+
+#include "kernel/exact/predicates.h"
+
+namespace cnrg {
+namespace {
+
+/// Is there a face, a wire or a point that no region has inside of it or on its boundary?
+bool has_outside(const FlatComplex& flat) {
+  return std::any_of(flat.faces.begin(), flat.faces.end(),
+                     [&](const auto& f) { return !flat.active(f.regions[0]) && !flat.active(f.regions[1]); }) ||
+         std::any_of(flat.edges.begin(), flat.edges.end(),
+                     [&](const auto& e) { return e.wire && !flat.active(e.region); }) ||
+         std::any_of(flat.vertices.begin(), flat.vertices.end(), [&](const auto& v) {
+           return v.region != FlatComplex::kNone && !flat.active(v.region);
+         });
+}
+
+}  // namespace
+
+PlcMesh improved(const Plc& plc, const FlatComplex& flat, const PlcMesh& mesh, ImproveOptions options,
+                 const Watch& watch) {
+  ConformingTetrahedra work;
+  work.points = mesh.points;
+  const bool outside = has_outside(flat);
+  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    const std::int32_t a = mesh.attribute[i];
+    const bool inside = a >= 1 && a <= static_cast<std::int32_t>(plc.regions.size());
+    if (!inside && !outside) continue;
+    auto t = mesh.tetrahedra[i];
+    const auto& p = mesh.points;
+    if (orient3d(p[t[0]].data(), p[t[1]].data(), p[t[2]].data(), p[t[3]].data()) < 0) std::swap(t[2], t[3]);
+    work.tetrahedra.push_back(t);
+    work.region.push_back(inside ? a - 1 : -1);
+  }
+  // Facets of the complex may be the triangles of one planar piece.
+  std::vector<std::int32_t> of_piece;  // a facet of it
+  for (std::size_t i = 0; i < plc.facets.size(); ++i) {
+    const std::size_t piece = plc.facets[i].piece;
+    if (piece >= of_piece.size()) of_piece.resize(piece + 1, -1);
+    of_piece[piece] = static_cast<std::int32_t>(i);
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto f = static_cast<std::size_t>(mesh.facet[i]);
+    if (f >= plc.facets.size()) continue;
+    work.triangles.push_back(mesh.triangles[i]);
+    work.facet.push_back(static_cast<std::int32_t>(plc.facets[f].piece));
+  }
+  for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
+    if (mesh.edge[i] < 0) continue;
+    work.segments.push_back(mesh.segments[i]);
+    work.line.push_back(mesh.edge[i]);
+  }
+  options.fixed = static_cast<ConformingTetrahedra::Index>(plc.points.size());
+  improve(work, options, watch);
+  PlcMesh out;
+  out.points = std::move(work.points);
+  out.tetrahedra = std::move(work.tetrahedra);
+  for (const std::int32_t r : work.region) out.attribute.push_back(r + 1);
+  out.triangles = std::move(work.triangles);
+  for (const std::int32_t piece : work.facet) out.facet.push_back(of_piece[static_cast<std::size_t>(piece)]);
+  out.segments = std::move(work.segments);
+  out.edge = std::move(work.line);
+  return out;
+}
+
+}  // namespace cnrg

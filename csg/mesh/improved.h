@@ -1,0 +1,14 @@
+// What a mesher returns, improved (kernel/tetrahedra/improve.h).
+#pragma once
+
+#include "csg/mesh/plc.h"
+#include "kernel/tetrahedra/improve.h"
+
+namespace cnrg {
+
+/// The same regions, facets and edges in better tetrahedra. `mesh` must be proven to conform. Tetrahedra outside of
+/// all regions are left out unless something of the result lies there.
+PlcMesh improved(const Plc& plc, const FlatComplex& flat, const PlcMesh& mesh, ImproveOptions options,
+                 const Watch& watch);
+
+}  // namespace cnrg

@@ -1,0 +1,35 @@
+// Better tetrahedra out of valid ones: of the length that is wanted, and of good shape.
+//
+// Delaunay tetrahedra are the best that given points allow by one measure, and may be bad by all others: slivers,
+// and long ones that lead from small features to large ones. To refine them by their circumcenters is proven to
+// end with bounded shapes only where the input has no small angles, and stumbles over these. Here local moves
+// (moves.h) make what is bad better one by one, and where none does the longest edge is halved. Each step leaves a
+// valid mesh, so the work may end whenever its time is over.
+#pragma once
+
+#include <functional>
+
+#include "kernel/base/progress.h"
+#include "kernel/tetrahedra/conforming.h"
+
+namespace cnrg {
+
+struct ImproveOptions {
+  ConformingTetrahedra::Index fixed = 0;  ///< the points below it are those of the input, and stay
+  bool keep_boundary = false;             ///< nor change faces of facets, nor segments
+  /// The length of edges that is wanted at a place; empty: what the shapes need.
+  std::function<double(const ConformingTetrahedra::Point&)> size{};
+  std::vector<double> region_size{};  ///< the same inside of regions, by number; empty, or infinite: no bound
+  double shape = 0.1;                 ///< points are added until all shapes are above, where that can be
+  std::size_t points = 0;             ///< that are added for shapes at most
+  double seconds = 0;                 ///< after so many nothing is begun; 0: no bound
+};
+
+/// Improves a mesh. Points that are no more used are left out behind the fixed ones. Throws Stopped.
+void improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch);
+
+/// The shape of a tetrahedron: 12 (3 V)^(2/3) / (sum of squared edges) (liu1994): 1 of a regular one, 0 of a flat one.
+double shape_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
+                const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d);
+
+}  // namespace cnrg

@@ -1,0 +1,102 @@
+// Tetrahedra that change: at each vertex the tetrahedra that have it, and what of faces and edges has to stay.
+//
+// A local move takes some tetrahedra away and puts others into the same hole. What is around an edge or a vertex is
+// found in the stars of its ends, which are short; neighbours are not kept, for they would cost more to keep right
+// than to find.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "kernel/tetrahedra/conforming.h"
+
+namespace cnrg {
+
+class Stars {
+ public:
+  using Index = ConformingTetrahedra::Index;
+  using Point = ConformingTetrahedra::Point;
+  static constexpr Index kNoTetrahedron = 0xffffffffu;
+  static constexpr std::int32_t kNone = -1;   ///< no facet, no line
+  static constexpr std::int32_t kRidge = -2;  ///< a line between facets that nobody named
+  static constexpr std::int32_t kMany = -2;   ///< a vertex on several facets, or on a line
+
+  struct Tetrahedron {
+    std::array<Index, 4> corners;                                 ///< positively turned
+    std::array<std::int32_t, 4> facets{kNone, kNone, kNone, kNone};  ///< of the faces opposite to them
+    std::int32_t region = 0;
+    double shape = 0;  ///< see `measure`
+    int place(Index v) const {
+      for (int k = 0; k < 4; ++k)
+        if (corners[static_cast<std::size_t>(k)] == v) return k;
+      return -1;
+    }
+    bool has(Index v) const { return place(v) >= 0; }
+    std::int32_t facet_opposite(Index v) const { return facets[static_cast<std::size_t>(place(v))]; }
+  };
+  struct Line {
+    Index to;
+    std::int32_t line;
+  };
+  /// The tetrahedra around an edge ab: tetrahedron k has the corners a, b, around[k], around[k + 1].
+  struct Ring {
+    std::vector<Index> around, tetrahedra;
+    bool closed = true;  ///< else the edge is on the border, and `around` has one more
+  };
+
+  explicit Stars(const ConformingTetrahedra& mesh);
+  /// What is alive; points that nothing uses stay.
+  ConformingTetrahedra mesh() const;
+
+  const Point& point(Index v) const { return points_[v]; }
+  std::size_t point_count() const { return points_.size(); }
+  Index add_point(const Point& p, std::int32_t facet);
+  /// The caller measures the star again.
+  void move(Index v, const Point& p) { points_[v] = p; }
+
+  std::size_t size() const { return tetrahedra_.size(); }
+  bool alive(Index t) const { return tetrahedra_[t].shape >= 0; }
+  const Tetrahedron& at(Index t) const { return tetrahedra_[t]; }
+  std::span<const Index> star(Index v) const { return stars_[v]; }
+  void set_shape(Index t, double shape) { tetrahedra_[t].shape = shape; }
+  void replace(std::span<const Index> old, std::span<const Tetrahedron> fresh);
+  void set_facet(Index t, int k, std::int32_t facet) { tetrahedra_[t].facets[static_cast<std::size_t>(k)] = facet; }
+
+  /// The cube of the shape 12 (3 V)^(2/3) / (sum of squared edges), which is 1 of a regular tetrahedron (liu1994):
+  /// its powers are ordered alike, and it needs no roots. Infinite for a negative region; -1 unless it is certainly
+  /// turned right.
+  double measure(const std::array<Index, 4>& corners, std::int32_t region) const;
+
+  /// False where the tetrahedra around the edge do not follow each other: the border meets itself there.
+  bool ring(Index a, Index b, Ring& out) const;
+  Index across(Index t, int k) const;  ///< the other tetrahedron at the face opposite to corner k, if there is one
+
+  std::span<const Line> lines(Index v) const { return lines_[v]; }
+  std::int32_t line(Index a, Index b) const;
+  void add_line(Index a, Index b, std::int32_t line);
+  void remove_line(Index a, Index b);
+  /// The facet of a vertex inside of one; kMany, kNone.
+  std::int32_t facet(Index v) const { return facet_of_[v]; }
+  /// A unit normal of a facet, and a point of it.
+  const Point& normal(std::int32_t facet) const { return normals_[static_cast<std::size_t>(facet)]; }
+  const Point& origin(std::int32_t facet) const { return origins_[static_cast<std::size_t>(facet)]; }
+
+  static double shape_of(double cubed);
+
+ private:
+  std::vector<Point> points_;
+  std::vector<Tetrahedron> tetrahedra_;
+  std::vector<Index> free_;
+  std::vector<std::vector<Index>> stars_;
+  std::vector<std::vector<Line>> lines_;
+  std::vector<std::int32_t> facet_of_;
+  std::vector<Point> normals_, origins_;
+  double scale_ = 1;
+
+  Index add(const Tetrahedron& t);
+  void set_facets(const ConformingTetrahedra& mesh);
+  void set_lines(const ConformingTetrahedra& mesh);
+};
+
+}  // namespace cnrg
