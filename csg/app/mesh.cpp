@@ -16,6 +16,32 @@
 namespace cnrg::app {
 namespace {
 
+std::string decimal(double x, const char* format) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, format, x);
+  return buffer;
+}
+
+std::string shape_text(double x) { return decimal(x, x < 0.01 ? "%.1e" : "%.2f"); }
+
+/// Where shapes are bad, and why.
+std::string bad_ones(const MeshQuality& quality) {
+  if (quality.worst_ones.empty()) return {};
+  Table table;
+  table.add_column("shape");
+  table.add_column("angle");
+  table.add_column("at", Table::Align::left);
+  table.add_column("nodes", Table::Align::left);
+  table.add_column("why", Table::Align::left);
+  for (const MeshQuality::Bad& bad : quality.worst_ones) {
+    std::string at, nodes;
+    for (const double x : bad.at) at += (at.empty() ? "" : " ") + decimal(x, "%.6g");
+    for (const std::string& name : bad.nodes) nodes += (nodes.empty() ? "" : ", ") + name;
+    table.add_row({shape_text(bad.measures.shape), decimal(bad.measures.dihedral, "%.2g"), at, nodes, bad.why});
+  }
+  return "the worst shapes of " + std::to_string(quality.bad) + " below 0.1:\n" + table.text();
+}
+
 /// A row per region and one for all. `bent`: of a mesh of second order.
 std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
   Table table;
@@ -25,14 +51,20 @@ std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
     table.add_column("curved");
     table.add_column("straight");
   }
+  table.add_column("worst");
+  table.add_column("median");
+  table.add_column("below 0.1");
   table.add_column("volume", Table::Align::left);
   const auto row = [&](const std::string& name, std::size_t all, std::size_t curved, std::size_t straight,
-                       const Rational& volume) {
+                       const MeshQuality::Region& shapes, const Rational& volume) {
     std::vector<std::string> cells{name, std::to_string(all)};
     if (bent != nullptr) {
       cells.push_back(std::to_string(curved));
       cells.push_back(std::to_string(straight));
     }
+    cells.push_back(shape_text(shapes.worst));
+    cells.push_back(shape_text(shapes.median));
+    cells.push_back(std::to_string(shapes.bad));
     cells.push_back(to_decimal(volume));
     table.add_row(std::move(cells));
   };
@@ -42,15 +74,16 @@ std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
     const RegionTetrahedra& region = made.regions[i];
     const std::size_t of_curved = bent != nullptr ? bent->curved[i] : 0;
     const std::size_t of_straight = bent != nullptr ? bent->straight[i] : 0;
-    row(region.name, region.tetrahedra, of_curved, of_straight, region.volume);
+    row(region.name, region.tetrahedra, of_curved, of_straight, made.quality.regions[i], region.volume);
     tetrahedra += region.tetrahedra;
     curved += of_curved;
     straight += of_straight;
     volume += region.volume;
   }
-  row("all", tetrahedra, curved, straight, volume);
+  const MeshQuality& q = made.quality;
+  row("all", tetrahedra, curved, straight, {q.bad, q.worst, q.median}, volume);
   const Mesh& mesh = made.mesh;
-  return table.text() + std::to_string(mesh.points.size()) + " points, " + std::to_string(mesh.triangles.size()) +
+  return table.text() + bad_ones(q) + std::to_string(mesh.points.size()) + " points, " + std::to_string(mesh.triangles.size()) +
          " triangles on faces, " + std::to_string(mesh.segments.size()) + " segments on edges\n";
 }
 

@@ -1,5 +1,6 @@
 // TetGen is asked in several ways (kAttempts) until its answer is proven to be a mesh of the result. Where all of
-// them fail, exact tetrahedra are made that are bound to conform (constrained_run.h).
+// them fail, exact tetrahedra are made that are bound to conform (constrained_run.h). What there is then is improved
+// by moves that keep that (improved.h), and proven once more.
 //
 // It computes in doubles with tolerances and may fail, or return a mesh in which a face is missing or a region
 // leaks, without a word. So its answer is not believed: simplices are taken from it by their markers, and then
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <string_view>
 #include <unordered_map>
 
 #include "csg/mesh/constrained_run.h"
@@ -59,9 +59,8 @@ class TetrahedraMaker {
           "the result has no region to fill with tetrahedra; `cnrg eval -o` writes its faces, wires "
           "and points");
     }
-    if (options_.constrained && (options_.keep_boundary || options_.quality > 0 || options_.max_volume > 0))
-      throw InputError(
-          "constrained Delaunay tetrahedra take no bound and need points on the boundary; leave one out");
+    if (options_.constrained && options_.keep_boundary)
+      throw InputError("constrained Delaunay tetrahedra need points on the boundary; leave out --keep-boundary");
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
     const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
     if (options_.constrained || !refused.empty()) {
@@ -72,30 +71,33 @@ class TetrahedraMaker {
       take();
       if (!refused.empty()) {  // without its advice
         result_.notice = refused.substr(0, refused.find(';')) +
-                         "; these are constrained Delaunay tetrahedra, without a bound of size or quality";
+                         "; these are constrained Delaunay tetrahedra, improved";
       }
     }
     improve_shapes();
     result_.rounding = rounded.report();
     number_points();
+    std::vector<std::string> leaves;
+    for (const LeafInfo& leaf : *view_.leaves) leaves.push_back(leaf.name);
+    result_.quality = quality_of(mesh(), leaves);
     return std::move(result_);
   }
 
  private:
   /// A way to ask TetGen. Whole facets it may triangulate as it likes, which gives better tetrahedra; but rounding
   /// has moved their points off the plane, and now and then TetGen stumbles over that. Our triangles are planar,
-  /// and keep volumes exact. Where both fail, a less regular box about the model has helped, and where faces are
-  /// nearly coplanar a finer tolerance for what lies in one plane (T). Where the mesher returns what the proof
-  /// refuses, a mesh without new points on faces (Y) helps, and is tried if no bound is asked for.
+  /// and keep volumes exact. Where both fail, a less regular box about the model has helped.
   struct Attempt {
     PlcFacets facets;
     TetgenFrame frame;
-    const char* switches;
   };
-  static constexpr Attempt kAttempts[] = {
-      {PlcFacets::all, TetgenFrame::even, ""},      {PlcFacets::planar, TetgenFrame::even, "Y"},
-      {PlcFacets::planar, TetgenFrame::even, ""},   {PlcFacets::all, TetgenFrame::uneven, ""},
-      {PlcFacets::planar, TetgenFrame::uneven, ""}, {PlcFacets::planar, TetgenFrame::uneven, "T1e-14"}};
+  static constexpr Attempt kAttempts[] = {{PlcFacets::all, TetgenFrame::even},
+                                          {PlcFacets::planar, TetgenFrame::even},
+                                          {PlcFacets::planar, TetgenFrame::uneven}};
+
+  /// Points that are added at most: to keep bounds that are asked for, and for shapes alone, of which each point of
+  /// the mesh may have some.
+  static constexpr std::size_t kPointsForBounds = 3'000'000, kPoints = 2'000, kPointsEach = 4;
 
   const ResultView& view_;
   const TetrahedraOptions options_;
@@ -114,26 +116,32 @@ class TetrahedraMaker {
   Mesh& mesh() { return result_.mesh; }
   static std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
 
+  bool bounded() const { return options_.quality > 0 || options_.max_volume > 0; }
+
+  /// For one way to ask it. There are models on which it never ends. Where only a mesh is wanted it takes a second for
+  /// some ten thousand points, and to wait long is of no use, since there is another way to a mesh.
+  int seconds_of_tetgen() const {
+    const int part = options_.seconds / 4 + (options_.seconds > 0 ? 1 : 0);
+    if (bounded() || options_.keep_boundary) return part;
+    const int enough = 5 + int(plc_.points.size() / 1000);
+    return part == 0 ? enough : std::min(part, enough);
+  }
+
   /// Empty once there is a mesh; else why there is none.
   std::string ask_tetgen(const RoundedResult& rounded) {
     std::string refused;
-    bool disproved = false;
     for (const Attempt& attempt : kAttempts) {
       if (options_.keep_boundary && attempt.facets == PlcFacets::all) continue;
-      const bool keeps = std::string_view(attempt.switches) == "Y";
-      if (keeps && (!disproved || !switches_of(options_).empty())) continue;
       try {
         plc_ = plc_of(view_, flat_, rounded, attempt.facets);
         set_seeds(plc_, rounded);
         options_.watch.begin("mesh: TetGen");
-        out_ = run_tetgen(plc_, switches_of(options_) + attempt.switches, attempt.frame, options_.seconds,
-                          options_.watch.stop);
+        out_ = run_tetgen(plc_, switches_of(options_), attempt.frame, seconds_of_tetgen(), options_.watch.stop);
         take();
         return {};
       } catch (const InputError& e) {
         refused = e.what();
       } catch (const InvariantError& e) {  // the proof refuses what the mesher returns
-        disproved = true;
         refused = std::string("what TetGen returns is not what was asked for (") + e.what() +
                   "); try --quality 2, --keep-boundary, or curved leaves that are finer or coarser";
       }
@@ -144,8 +152,10 @@ class TetrahedraMaker {
   void improve_shapes() {
     ImproveOptions asked;
     asked.keep_boundary = options_.keep_boundary;
-    asked.points = 20'000 + 4 * out_.points.size();
-    asked.seconds = options_.seconds;
+    asked.radius_edge = options_.quality;
+    asked.volume = options_.max_volume;
+    asked.points = bounded() ? kPointsForBounds : kPoints + kPointsEach * out_.points.size();
+    asked.seconds = options_.seconds / 4.0;
     std::string notice = std::move(result_.notice);
     out_ = improved(plc_, flat_, out_, asked, options_.watch);
     take();

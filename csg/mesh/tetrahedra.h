@@ -2,6 +2,7 @@
 #pragma once
 
 #include "csg/mesh/mesh.h"
+#include "csg/mesh/quality.h"
 
 namespace cnrg {
 
@@ -9,6 +10,7 @@ struct TetrahedralMesh {
   Mesh mesh;
   RoundingReport rounding;
   std::vector<RegionTetrahedra> regions;  ///< in the order of the mesh's entities of dimension 3
+  MeshQuality quality;
   std::string notice;                     ///< that TetGen made none, and so no bound is kept; else empty
 };
 

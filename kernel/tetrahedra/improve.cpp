@@ -24,6 +24,26 @@ constexpr int kMoveRounds = 6, kSizeRounds = 40, kShapeRounds = 40;
 /// A tetrahedron with no edge longer than so many of its shortest one is not bad for its edges, but flat.
 constexpr double kStretched = 1.5;
 
+/// The cosine of 2.5 degrees: input that meets at less leaves no room for shapes of 0.1.
+constexpr double kSharp = 0.99905;
+/// Refinement ends where so many rounds in turn have left no fewer bad ones.
+constexpr int kPatience = 25;
+
+Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// From a to the other corners.
+struct Edges {
+  Point u, v, w;
+  Edges(const Point& a, const Point& b, const Point& c, const Point& d) {
+    for (std::size_t k = 0; k < 3; ++k) u[k] = b[k] - a[k], v[k] = c[k] - a[k], w[k] = d[k] - a[k];
+  }
+  double determinant() const { return dot(u, cross(v, w)); }
+};
+
 constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 class Improver {
@@ -143,19 +163,74 @@ class Improver {
     }
   }
 
+  /// Is it as it has to be?
+  bool is_bad(Index t) const {
+    const auto& tet = mesh_.at(t);
+    if (tet.region < 0) return false;
+    if (tet.shape < cube(options_.shape)) return true;
+    if (options_.radius_edge == 0 && options_.volume == 0) return false;
+    const Point &a = mesh_.point(tet.corners[0]), &b = mesh_.point(tet.corners[1]),
+                &c = mesh_.point(tet.corners[2]), &d = mesh_.point(tet.corners[3]);
+    if (options_.volume > 0 && volume_of(a, b, c, d) > options_.volume) return true;
+    return options_.radius_edge > 0 && radius_edge_of(a, b, c, d) > options_.radius_edge;
+  }
+  /// Does the input meet in it at a sharp angle: two facets at an edge, two lines or a line and a facet at a corner?
+  /// Then smaller tetrahedra there are as bad, without an end.
+  bool is_forced(Index t) const {
+    const auto& tet = mesh_.at(t);
+    const auto corner = [&](std::size_t k) -> const Point& { return mesh_.point(tet.corners[k]); };
+    const auto normal = [&](std::size_t k) {  // of the face opposite to corner k
+      const Point& o = corner((k + 1) % 4);
+      return cross(minus(corner((k + 2) % 4), o), minus(corner((k + 3) % 4), o));
+    };
+    const auto sharp = [](double product, double squares) {
+      return product > 0 && product * product > kSharp * kSharp * squares;
+    };
+    for (const auto& [i, j] : kEdges) {
+      if (tet.facets[std::size_t(i)] == Stars::kNone || tet.facets[std::size_t(j)] == Stars::kNone) continue;
+      // The edge is that of the two other corners; normals of `normal` go out or in by turns.
+      const Point m = normal(std::size_t(i)), n = normal(std::size_t(j));
+      if (sharp((i + j) % 2 == 0 ? -dot(m, n) : dot(m, n), dot(m, m) * dot(n, n))) return true;
+    }
+    for (std::size_t v = 0; v < 4; ++v) {
+      for (std::size_t a = 0; a < 4; ++a) {
+        if (a == v || mesh_.line(tet.corners[v], tet.corners[a]) == Stars::kNone) continue;
+        const Point d = minus(corner(a), corner(v));
+        for (std::size_t b = a + 1; b < 4; ++b) {
+          if (b == v || mesh_.line(tet.corners[v], tet.corners[b]) == Stars::kNone) continue;
+          const Point e = minus(corner(b), corner(v));
+          if (sharp(dot(d, e), dot(d, d) * dot(e, e))) return true;
+        }
+        if (tet.facets[a] == Stars::kNone) continue;
+        const Point n = normal(a);
+        const double sine = dot(d, n);
+        if (sine * sine < (1 - kSharp * kSharp) * dot(d, d) * dot(n, n)) return true;
+      }
+    }
+    return false;
+  }
+  static double volume_of(const Point& a, const Point& b, const Point& c, const Point& d) {
+    const Edges e(a, b, c, d);
+    return std::fabs(e.determinant()) / 6;
+  }
+
   void to_shape() {
-    const double bad = cube(options_.shape);
     std::size_t added = 0;
     std::vector<Index> worst;
+    std::size_t fewest = mesh_.size();
+    int patience = kPatience;
     for (int round = 0; round < kShapeRounds && !over(); ++round) {
       std::size_t done = 0;
       worst.clear();
       for (Index t = 0; t < mesh_.size(); ++t)
-        if (mesh_.alive(t) && mesh_.at(t).shape < bad) worst.push_back(t);
+        if (mesh_.alive(t) && is_bad(t) && !is_forced(t)) worst.push_back(t);
       if (worst.empty()) break;
+      patience = worst.size() < fewest ? kPatience : patience - 1;
+      fewest = std::min(fewest, worst.size());
+      if (patience == 0) break;
       for (const Index t : worst) {
         if (over() || added >= options_.points) break;
-        if (!mesh_.alive(t) || !(mesh_.at(t).shape < bad)) continue;
+        if (!mesh_.alive(t) || !is_bad(t) || is_forced(t)) continue;
         const auto corners = mesh_.at(t).corners;
         double longest = 0, shortest = kInfinite;
         Index a = 0, b = 0;
@@ -165,7 +240,10 @@ class Improver {
           shortest = std::min(shortest, l);
           if (l > longest) longest = l, a = p, b = q;
         }
-        if (longest < shortest * square(kStretched)) continue;
+        const bool large = options_.volume > 0 && volume_of(mesh_.point(corners[0]), mesh_.point(corners[1]),
+                                                            mesh_.point(corners[2]), mesh_.point(corners[3])) >
+                                                      options_.volume;
+        if (!large && longest < shortest * square(kStretched)) continue;
         if (moves_.split(a, b) == Stars::kNoTetrahedron) continue;
         ++done, ++added;
       }
@@ -185,15 +263,31 @@ void improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Wa
 
 double shape_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
                 const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d) {
-  double u[3], v[3], w[3], squares = 0;
+  const Edges e(a, b, c, d);
+  const double det = e.determinant();
+  double squares = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    u[k] = b[k] - a[k], v[k] = c[k] - a[k], w[k] = d[k] - a[k];
-    const double p = v[k] - u[k], q = w[k] - u[k], r = w[k] - v[k];
-    squares += u[k] * u[k] + v[k] * v[k] + w[k] * w[k] + p * p + q * q + r * r;
+    const double p = e.v[k] - e.u[k], q = e.w[k] - e.u[k], r = e.w[k] - e.v[k];
+    squares += e.u[k] * e.u[k] + e.v[k] * e.v[k] + e.w[k] * e.w[k] + p * p + q * q + r * r;
   }
-  const double det = w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
-                     w[2] * (u[0] * v[1] - u[1] * v[0]);
   return squares > 0 ? 12 * std::cbrt(det * det / 4) / squares : 0;
+}
+
+double radius_edge_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
+                      const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d) {
+  const Edges e(a, b, c, d);
+  const Point vw = cross(e.v, e.w), wu = cross(e.w, e.u), uv = cross(e.u, e.v);
+  const double u = dot(e.u, e.u), v = dot(e.v, e.v), w = dot(e.w, e.w);
+  Point center;
+  double shortest = std::min({u, v, w}), uv2 = 0, uw2 = 0, vw2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    center[k] = u * vw[k] + v * wu[k] + w * uv[k];
+    uv2 += (e.v[k] - e.u[k]) * (e.v[k] - e.u[k]);
+    uw2 += (e.w[k] - e.u[k]) * (e.w[k] - e.u[k]);
+    vw2 += (e.w[k] - e.v[k]) * (e.w[k] - e.v[k]);
+  }
+  shortest = std::min({shortest, uv2, uw2, vw2});
+  return std::sqrt(dot(center, center) / shortest) / std::fabs(2 * dot(e.u, vw));
 }
 
 }  // namespace cnrg

@@ -1,0 +1,197 @@
+#include "csg/mesh/quality.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "csg/result/vectors.h"
+#include "csg/text/escape.h"
+#include "kernel/tetrahedra/improve.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Mesh::Index;
+using Vector = DoubleVector;
+
+double length(const Vector& a) { return std::sqrt(dot(a, a)); }
+
+constexpr std::size_t kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+/// Opposite to each edge, the other two.
+constexpr std::size_t kOthers[6][2] = {{2, 3}, {1, 3}, {1, 2}, {0, 3}, {0, 2}, {0, 1}};
+
+/// Degrees between the two faces at an edge.
+double dihedral(const std::array<Vector, 4>& p, std::size_t edge) {
+  const auto& [i, j] = kEdges[edge];
+  const auto& [k, l] = kOthers[edge];
+  const Vector e = minus(p[j], p[i]);
+  const Vector m = cross(e, minus(p[k], p[i])), n = cross(e, minus(p[l], p[i]));
+  return std::atan2(length(cross(m, n)), dot(m, n)) * 180 / std::numbers::pi;
+}
+
+std::string short_text(double x) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, 3).ptr};
+}
+
+/// Less than this part of the longest edge is short.
+constexpr double kShort = 0.15;
+/// Faces that meet below so many degrees leave no room for good shapes.
+constexpr double kSharp = 15;
+
+class Explainer {
+ public:
+  Explainer(const Mesh& mesh, const std::vector<std::string>& leaves) : mesh_(mesh), leaves_(leaves) {
+    cell_.assign(mesh.points.size(), {3, 0});
+    const auto take = [&](const auto& simplices, int dimension) {
+      for (const auto& s : simplices)
+        for (const Index p : s.points) cell_[p] = {dimension, s.entity};
+    };
+    take(mesh.triangles, 2), take(mesh.segments, 1), take(mesh.vertices, 0);
+    for (const auto& t : mesh.triangles) {
+      auto corners = t.points;
+      std::sort(corners.begin(), corners.end());
+      faces_.emplace_back(corners, t.entity);
+    }
+    std::sort(faces_.begin(), faces_.end());
+  }
+
+  MeshQuality::Bad explain(const Mesh::Simplex<4>& t) const {
+    std::array<Vector, 4> p;
+    MeshQuality::Bad bad{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      p[k] = mesh_.points[t.points[k]];
+      for (std::size_t i = 0; i < 3; ++i) bad.at[i] += p[k][i] / 4;
+    }
+    bad.measures = measures_of(p);
+    bad.why = why(t, p);
+    for (const Index v : t.points) name(cell_[v], bad.nodes);
+    for (std::size_t k = 0; k < 4; ++k)
+      if (const auto f = face(t, k)) name({2, *f}, bad.nodes);
+    return bad;
+  }
+
+ private:
+  struct Cell {
+    int dimension;
+    Index entity;
+    bool operator==(const Cell&) const = default;
+  };
+  const Mesh& mesh_;
+  const std::vector<std::string>& leaves_;
+  std::vector<Cell> cell_;                                     // of each point, the lowest
+  std::vector<std::pair<std::array<Index, 3>, Index>> faces_;  // sorted
+
+  std::optional<Index> face(const Mesh::Simplex<4>& t, std::size_t opposite) const {
+    std::array<Index, 3> f{t.points[(opposite + 1) % 4], t.points[(opposite + 2) % 4], t.points[(opposite + 3) % 4]};
+    std::sort(f.begin(), f.end());
+    const auto at = std::lower_bound(faces_.begin(), faces_.end(), std::pair(f, Index{0}));
+    return at != faces_.end() && at->first == f ? std::optional(at->second) : std::nullopt;
+  }
+
+  void name(const Cell& cell, std::vector<std::string>& out) const {
+    if (cell.dimension == 3) return;
+    const std::int32_t leaf = mesh_.entities[std::size_t(cell.dimension)][cell.entity].tags.leaf;
+    if (leaf < 0 || std::size_t(leaf) >= leaves_.size()) return;
+    std::string text = shown(leaves_[std::size_t(leaf)]);
+    if (std::find(out.begin(), out.end(), text) == out.end()) out.push_back(std::move(text));
+  }
+
+  std::string words(const Cell& cell) const {
+    static constexpr char kLetter[] = "vefr";
+    std::string text = kLetter[cell.dimension] + std::to_string(cell.entity);
+    std::vector<std::string> names;
+    name(cell, names);
+    return names.empty() ? text : text + " of `" + names[0] + "`";
+  }
+
+  std::string why(const Mesh::Simplex<4>& t, const std::array<Vector, 4>& p) const {
+    double longest = 0, shortest = HUGE_VAL;
+    std::size_t at = 0;
+    for (std::size_t e = 0; e < 6; ++e) {
+      const double l = length(minus(p[kEdges[e][0]], p[kEdges[e][1]]));
+      longest = std::max(longest, l);
+      if (l < shortest) shortest = l, at = e;
+    }
+    if (shortest < kShort * longest) {
+      const Cell a = cell_[t.points[kEdges[at][0]]], b = cell_[t.points[kEdges[at][1]]];
+      if (a == b && a.dimension < 3) return "points of " + words(a) + " are " + short_text(shortest) + " apart";
+      if (a.dimension < 3 && b.dimension < 3)
+        return words(a) + " and " + words(b) + " are " + short_text(shortest) + " apart";
+    }
+    for (std::size_t e = 0; e < 6; ++e) {
+      const double angle = dihedral(p, e);
+      if (angle > kSharp) continue;
+      const auto f = face(t, kOthers[e][0]), g = face(t, kOthers[e][1]);
+      if (f && g) return words({2, *f}) + " and " + words({2, *g}) + " meet at " + short_text(angle) + " degrees";
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto f = face(t, k);
+      const Cell corner = cell_[t.points[k]];
+      if (!f || corner.dimension == 3) continue;
+      const Vector &a = p[(k + 1) % 4], n = cross(minus(p[(k + 2) % 4], a), minus(p[(k + 3) % 4], a));
+      const double height = std::fabs(dot(minus(p[k], a), n)) / length(n);
+      if (height < kShort * longest)
+        return words(corner) + " is " + short_text(height) + " from the plane of " + words({2, *f});
+    }
+    return "no local move makes it better";
+  }
+};
+
+}  // namespace
+
+TetrahedronMeasures measures_of(const std::array<std::array<double, 3>, 4>& p) {
+  TetrahedronMeasures out;
+  out.shape = shape_of(p[0], p[1], p[2], p[3]);
+  out.dihedral = 180;
+  for (std::size_t e = 0; e < 6; ++e) out.dihedral = std::min(out.dihedral, dihedral(p, e));
+  out.radius_edge = radius_edge_of(p[0], p[1], p[2], p[3]);
+  return out;
+}
+
+MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves) {
+  MeshQuality out;
+  out.regions.resize(mesh.entities[3].size());
+  std::vector<double> all, of_region;
+  std::vector<std::pair<double, std::size_t>> bad;
+  const auto median = [](std::vector<double>& shapes) {
+    if (shapes.empty()) return 1.0;
+    const auto middle = shapes.begin() + std::ptrdiff_t(shapes.size() / 2);
+    std::nth_element(shapes.begin(), middle, shapes.end());
+    return *middle;
+  };
+  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    const auto& t = mesh.tetrahedra[i];
+    std::array<Vector, 4> p;
+    for (std::size_t k = 0; k < 4; ++k) p[k] = mesh.points[t.points[k]];
+    const TetrahedronMeasures m = measures_of(p);
+    auto& region = out.regions[t.entity];
+    region.worst = std::min(region.worst, m.shape);
+    out.largest_radius_edge = std::max(out.largest_radius_edge, m.radius_edge);
+    out.smallest_dihedral = std::min(out.smallest_dihedral, m.dihedral);
+    ++out.shapes[std::min<std::size_t>(std::size_t(m.shape * 20), 19)];
+    ++out.dihedrals[std::min<std::size_t>(std::size_t(m.dihedral / 5), 17)];
+    if (m.shape < MeshQuality::kBad) {
+      ++region.bad;
+      bad.emplace_back(m.shape, i);
+    }
+    all.push_back(m.shape), of_region.push_back(m.shape);
+    if (i + 1 < mesh.tetrahedra.size() && mesh.tetrahedra[i + 1].entity == t.entity) continue;
+    region.median = median(of_region);
+    of_region.clear();
+  }
+  for (const auto& region : out.regions) out.worst = std::min(out.worst, region.worst);
+  out.median = median(all);
+  out.bad = bad.size();
+  if (bad.empty()) return out;
+  const std::size_t shown = std::min(bad.size(), MeshQuality::kShown);
+  std::partial_sort(bad.begin(), bad.begin() + std::ptrdiff_t(shown), bad.end());
+  const Explainer explainer(mesh, leaves);
+  for (std::size_t i = 0; i < shown; ++i) out.worst_ones.push_back(explainer.explain(mesh.tetrahedra[bad[i].second]));
+  return out;
+}
+
+}  // namespace cnrg

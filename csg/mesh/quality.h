@@ -1,0 +1,45 @@
+// How good the tetrahedra of a mesh are, and where the bad ones are and why.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "csg/mesh/mesh.h"
+
+namespace cnrg {
+
+/// Of one tetrahedron, in doubles.
+struct TetrahedronMeasures {
+  double shape = 0;        ///< 12 (3 V)^(2/3) / (sum of squared edges), 1 of a regular one (liu1994)
+  double radius_edge = 0;  ///< circumradius to shortest edge; sqrt(6) / 4 of a regular one
+  double dihedral = 0;     ///< the smallest of its six, degrees
+};
+TetrahedronMeasures measures_of(const std::array<std::array<double, 3>, 4>& corners);
+
+struct MeshQuality {
+  static constexpr double kBad = 0.1;  ///< a shape below is counted as bad
+  static constexpr std::size_t kShown = 10;
+  struct Region {
+    std::size_t bad = 0;
+    double worst = 1, median = 1;  ///< shapes
+  };
+  /// A tetrahedron that is bad.
+  struct Bad {
+    std::array<double, 3> at;  ///< its middle
+    TetrahedronMeasures measures;
+    std::string why;                 ///< words, escaped
+    std::vector<std::string> nodes;  ///< names of leaves whose cells meet there, escaped
+  };
+  std::vector<Region> regions;  ///< as the mesh's entities of dimension 3
+  std::size_t bad = 0;
+  double worst = 1, median = 1, largest_radius_edge = 0, smallest_dihedral = 180;
+  std::array<std::size_t, 20> shapes{};     ///< how many by twentieths
+  std::array<std::size_t, 18> dihedrals{};  ///< by the smallest angle, 5 degrees each
+  std::vector<Bad> worst_ones;              ///< `kShown` at most, the worst first
+};
+
+/// `leaves`: their names, by number.
+MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves);
+
+}  // namespace cnrg
