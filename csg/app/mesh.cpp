@@ -83,8 +83,9 @@ std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
   const MeshQuality& q = made.quality;
   row("all", tetrahedra, curved, straight, {q.bad, q.worst, q.median}, volume);
   const Mesh& mesh = made.mesh;
-  return table.text() + bad_ones(q) + std::to_string(mesh.points.size()) + " points, " + std::to_string(mesh.triangles.size()) +
-         " triangles on faces, " + std::to_string(mesh.segments.size()) + " segments on edges\n";
+  return table.text() + bad_ones(q) + std::to_string(mesh.points.size()) + " points, " +
+         std::to_string(mesh.triangles.size()) + " triangles on faces, " + std::to_string(mesh.segments.size()) +
+         " segments on edges\n";
 }
 
 std::string text_of(const CurvedReport& bent) {

@@ -13,9 +13,8 @@ bool has_outside(const FlatComplex& flat) {
                      [&](const auto& f) { return !flat.active(f.regions[0]) && !flat.active(f.regions[1]); }) ||
          std::any_of(flat.edges.begin(), flat.edges.end(),
                      [&](const auto& e) { return e.wire && !flat.active(e.region); }) ||
-         std::any_of(flat.vertices.begin(), flat.vertices.end(), [&](const auto& v) {
-           return v.region != FlatComplex::kNone && !flat.active(v.region);
-         });
+         std::any_of(flat.vertices.begin(), flat.vertices.end(),
+                     [&](const auto& v) { return v.region != FlatComplex::kNone && !flat.active(v.region); });
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace cnrg {
 
-/// The same regions, facets and edges in better tetrahedra. `mesh` must be proven to conform. Tetrahedra outside of
-/// all regions are left out unless something of the result lies there.
+/// The same regions, facets and edges in better tetrahedra. `mesh` must be proven to conform. Tetrahedra outside
+/// of all regions are left out unless something of the result lies there.
 PlcMesh improved(const Plc& plc, const FlatComplex& flat, const PlcMesh& mesh, ImproveOptions options,
                  const Watch& watch);
 

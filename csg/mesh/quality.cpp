@@ -86,7 +86,8 @@ class Explainer {
   std::vector<std::pair<std::array<Index, 3>, Index>> faces_;  // sorted
 
   std::optional<Index> face(const Mesh::Simplex<4>& t, std::size_t opposite) const {
-    std::array<Index, 3> f{t.points[(opposite + 1) % 4], t.points[(opposite + 2) % 4], t.points[(opposite + 3) % 4]};
+    std::array<Index, 3> f{t.points[(opposite + 1) % 4], t.points[(opposite + 2) % 4],
+                           t.points[(opposite + 3) % 4]};
     std::sort(f.begin(), f.end());
     const auto at = std::lower_bound(faces_.begin(), faces_.end(), std::pair(f, Index{0}));
     return at != faces_.end() && at->first == f ? std::optional(at->second) : std::nullopt;
@@ -190,7 +191,8 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves)
   const std::size_t shown = std::min(bad.size(), MeshQuality::kShown);
   std::partial_sort(bad.begin(), bad.begin() + std::ptrdiff_t(shown), bad.end());
   const Explainer explainer(mesh, leaves);
-  for (std::size_t i = 0; i < shown; ++i) out.worst_ones.push_back(explainer.explain(mesh.tetrahedra[bad[i].second]));
+  for (std::size_t i = 0; i < shown; ++i)
+    out.worst_ones.push_back(explainer.explain(mesh.tetrahedra[bad[i].second]));
   return out;
 }
 

@@ -1,6 +1,6 @@
 // TetGen is asked in several ways (kAttempts) until its answer is proven to be a mesh of the result. Where all of
-// them fail, exact tetrahedra are made that are bound to conform (constrained_run.h). What there is then is improved
-// by moves that keep that (improved.h), and proven once more.
+// them fail, exact tetrahedra are made that are bound to conform (constrained_run.h). What there is then is
+// improved by moves that keep that (improved.h), and proven once more.
 //
 // It computes in doubles with tolerances and may fail, or return a mesh in which a face is missing or a region
 // leaks, without a word. So its answer is not believed: simplices are taken from it by their markers, and then
@@ -70,8 +70,8 @@ class TetrahedraMaker {
       out_ = run_constrained(plc_, flat_, Watch{{}, options_.watch.stop});
       take();
       if (!refused.empty()) {  // without its advice
-        result_.notice = refused.substr(0, refused.find(';')) +
-                         "; these are constrained Delaunay tetrahedra, improved";
+        result_.notice =
+            refused.substr(0, refused.find(';')) + "; these are constrained Delaunay tetrahedra, improved";
       }
     }
     improve_shapes();
@@ -95,8 +95,8 @@ class TetrahedraMaker {
                                           {PlcFacets::planar, TetgenFrame::even},
                                           {PlcFacets::planar, TetgenFrame::uneven}};
 
-  /// Points that are added at most: to keep bounds that are asked for, and for shapes alone, of which each point of
-  /// the mesh may have some.
+  /// Points that are added at most: to keep bounds that are asked for, and for shapes alone, of which each point
+  /// of the mesh may have some.
   static constexpr std::size_t kPointsForBounds = 3'000'000, kPoints = 2'000, kPointsEach = 4;
 
   const ResultView& view_;
@@ -118,8 +118,8 @@ class TetrahedraMaker {
 
   bool bounded() const { return options_.quality > 0 || options_.max_volume > 0; }
 
-  /// For one way to ask it. There are models on which it never ends. Where only a mesh is wanted it takes a second for
-  /// some ten thousand points, and to wait long is of no use, since there is another way to a mesh.
+  /// For one way to ask it. There are models on which it never ends. Where only a mesh is wanted it takes a second
+  /// for some ten thousand points, and to wait long is of no use, since there is another way to a mesh.
   int seconds_of_tetgen() const {
     const int part = options_.seconds / 4 + (options_.seconds > 0 ? 1 : 0);
     if (bounded() || options_.keep_boundary) return part;

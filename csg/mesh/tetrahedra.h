@@ -11,7 +11,7 @@ struct TetrahedralMesh {
   RoundingReport rounding;
   std::vector<RegionTetrahedra> regions;  ///< in the order of the mesh's entities of dimension 3
   MeshQuality quality;
-  std::string notice;                     ///< that TetGen made none, and so no bound is kept; else empty
+  std::string notice;  ///< that TetGen made none, and so no bound is kept; else empty
 };
 
 /// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015), or, where it makes

@@ -26,8 +26,6 @@ constexpr double kStretched = 1.5;
 
 /// The cosine of 2.5 degrees: input that meets at less leaves no room for shapes of 0.1.
 constexpr double kSharp = 0.99905;
-/// Refinement ends where so many rounds in turn have left no fewer bad ones.
-constexpr int kPatience = 25;
 
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -44,12 +42,22 @@ struct Edges {
   double determinant() const { return dot(u, cross(v, w)); }
 };
 
+/// Refinement ends when so many rounds in turn have left no smaller part bad.
+constexpr int kPatience = 10;
+/// The mesh is kept when the part of it that is bad is so much smaller than when it was kept last.
+constexpr double kSaved = 0.9;
+/// Halvings more than a bad shape needs at least.
+constexpr int kSpare = 2;
+
 constexpr int kEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
 class Improver {
  public:
   Improver(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch)
-      : options_(options), watch_(watch), mesh_(mesh), moves_(mesh_, options.fixed, options.keep_boundary),
+      : options_(options),
+        watch_(watch),
+        mesh_(mesh),
+        moves_(mesh_, options.fixed, options.keep_boundary),
         begin_(std::chrono::steady_clock::now()) {
     if (options_.size) {
       for (Index v = 0; v < mesh_.point_count(); ++v) wanted_.push_back(options_.size(mesh_.point(v)));
@@ -64,6 +72,7 @@ class Improver {
     }
     to_shape();
     sweep(kGood);
+    to_volume();
   }
 
   ConformingTetrahedra result() const { return mesh_.mesh(); }
@@ -75,6 +84,7 @@ class Improver {
   Moves moves_;
   const std::chrono::steady_clock::time_point begin_;
   std::vector<double> wanted_;  // by vertex
+  std::vector<int> halvings_;   // by vertex
   std::size_t steps_ = 0;
   bool over_ = false;
 
@@ -171,11 +181,11 @@ class Improver {
     if (options_.radius_edge == 0 && options_.volume == 0) return false;
     const Point &a = mesh_.point(tet.corners[0]), &b = mesh_.point(tet.corners[1]),
                 &c = mesh_.point(tet.corners[2]), &d = mesh_.point(tet.corners[3]);
-    if (options_.volume > 0 && volume_of(a, b, c, d) > options_.volume) return true;
+    if (is_large(t)) return true;
     return options_.radius_edge > 0 && radius_edge_of(a, b, c, d) > options_.radius_edge;
   }
-  /// Does the input meet in it at a sharp angle: two facets at an edge, two lines or a line and a facet at a corner?
-  /// Then smaller tetrahedra there are as bad, without an end.
+  /// Does the input meet in it at a sharp angle: two facets at an edge, two lines or a line and a facet at a
+  /// corner? Then smaller tetrahedra there are as bad, without an end.
   bool is_forced(Index t) const {
     const auto& tet = mesh_.at(t);
     const auto corner = [&](std::size_t k) -> const Point& { return mesh_.point(tet.corners[k]); };
@@ -209,47 +219,105 @@ class Improver {
     }
     return false;
   }
-  static double volume_of(const Point& a, const Point& b, const Point& c, const Point& d) {
-    const Edges e(a, b, c, d);
-    return std::fabs(e.determinant()) / 6;
+  bool is_large(Index t) const {
+    const auto& c = mesh_.at(t).corners;
+    if (options_.volume == 0 || mesh_.at(t).region < 0) return false;
+    const Edges e(mesh_.point(c[0]), mesh_.point(c[1]), mesh_.point(c[2]), mesh_.point(c[3]));
+    return std::fabs(e.determinant()) / 6 > options_.volume;
+  }
+
+  /// Moves may have made some larger again; halves are smaller.
+  void to_volume() {
+    for (Index t = 0; options_.volume > 0 && t < mesh_.size(); ++t) {
+      while (mesh_.alive(t) && is_large(t) && !over()) {
+        const auto [a, b] = longest_edge(t);
+        if (moves_.split(a, b) == Stars::kNoTetrahedron) break;
+      }
+    }
+  }
+
+  std::array<Index, 2> longest_edge(Index t) const {
+    const auto& c = mesh_.at(t).corners;
+    std::array<Index, 2> out{c[0], c[1]};
+    for (const auto& [i, j] : kEdges) {
+      if (moves_.squared(c[std::size_t(i)], c[std::size_t(j)]) > moves_.squared(out[0], out[1]))
+        out = {c[std::size_t(i)], c[std::size_t(j)]};
+    }
+    return out;
+  }
+
+  /// How often edges at a vertex may be halved for shapes. A tetrahedron that is n times as long as thick is good
+  /// after log2 n times, if it can be at all; where sharp corners of the input meet it never is, and to go on
+  /// makes more and more that are bad.
+  void set_halvings() {
+    halvings_.assign(mesh_.point_count(), 0);
+    for (Index t = 0; t < mesh_.size(); ++t) {
+      if (!mesh_.alive(t) || !is_bad(t)) continue;
+      const double thin = std::max(mesh_.at(t).shape, 1e-30);
+      const int needed = kSpare + static_cast<int>(std::ceil(-std::log2(thin) / 2));
+      for (const Index v : mesh_.at(t).corners) halvings_[v] = std::max(halvings_[v], needed);
+    }
   }
 
   void to_shape() {
     std::size_t added = 0;
     std::vector<Index> worst;
-    std::size_t fewest = mesh_.size();
+    set_halvings();
+    ConformingTetrahedra best;
+    double least = kInfinite, saved = kInfinite;  // parts that are bad, of `best` and before
     int patience = kPatience;
     for (int round = 0; round < kShapeRounds && !over(); ++round) {
       std::size_t done = 0;
       worst.clear();
-      for (Index t = 0; t < mesh_.size(); ++t)
-        if (mesh_.alive(t) && is_bad(t) && !is_forced(t)) worst.push_back(t);
-      if (worst.empty()) break;
-      patience = worst.size() < fewest ? kPatience : patience - 1;
-      fewest = std::min(fewest, worst.size());
+      std::size_t bad = 0, all = 0;
+      for (Index t = 0; t < mesh_.size(); ++t) {
+        if (!mesh_.alive(t)) continue;
+        ++all;
+        if (!is_bad(t)) continue;
+        ++bad;
+        if (!is_forced(t)) worst.push_back(t);
+      }
+      const double part = static_cast<double>(bad) / static_cast<double>(all);
+      if (worst.empty()) {
+        saved = part;
+        break;
+      }
+      patience = part < least ? kPatience : patience - 1;
+      least = std::min(least, part);
+      if (part < kSaved * saved) {
+        best = mesh_.mesh();
+        saved = part;
+      }
       if (patience == 0) break;
       for (const Index t : worst) {
         if (over() || added >= options_.points) break;
         if (!mesh_.alive(t) || !is_bad(t) || is_forced(t)) continue;
+        const auto [a, b] = longest_edge(t);
         const auto corners = mesh_.at(t).corners;
-        double longest = 0, shortest = kInfinite;
-        Index a = 0, b = 0;
-        for (const auto& [i, j] : kEdges) {
-          const Index p = corners[std::size_t(i)], q = corners[std::size_t(j)];
-          const double l = moves_.squared(p, q);
-          shortest = std::min(shortest, l);
-          if (l > longest) longest = l, a = p, b = q;
-        }
-        const bool large = options_.volume > 0 && volume_of(mesh_.point(corners[0]), mesh_.point(corners[1]),
-                                                            mesh_.point(corners[2]), mesh_.point(corners[3])) >
-                                                      options_.volume;
-        if (!large && longest < shortest * square(kStretched)) continue;
-        if (moves_.split(a, b) == Stars::kNoTetrahedron) continue;
+        double shortest = kInfinite;
+        for (const auto& [i, j] : kEdges)
+          shortest = std::min(shortest, moves_.squared(corners[std::size_t(i)], corners[std::size_t(j)]));
+        const int left = std::min(halvings_[a], halvings_[b]);
+        if (!is_large(t) && (left == 0 || moves_.squared(a, b) < shortest * square(kStretched))) continue;
+        const Index v = moves_.split(a, b);
+        halvings_.resize(mesh_.point_count(), std::max(left - 1, 0));
+        if (v == Stars::kNoTetrahedron) continue;
         ++done, ++added;
       }
       if (done == 0) break;
       sweep(kGood / 8);
     }
+    if (part_of_bad() > saved) mesh_ = Stars(best);
+  }
+
+  double part_of_bad() const {
+    std::size_t bad = 0, all = 0;
+    for (Index t = 0; t < mesh_.size(); ++t) {
+      if (!mesh_.alive(t)) continue;
+      ++all;
+      if (is_bad(t)) ++bad;
+    }
+    return static_cast<double>(bad) / static_cast<double>(all);
   }
 };
 

@@ -21,21 +21,23 @@ struct ImproveOptions {
   std::function<double(const ConformingTetrahedra::Point&)> size{};
   std::vector<double> region_size{};  ///< the same inside of regions, by number; empty, or infinite: no bound
   /// What a tetrahedron has to be; points are added until all are, where that can be.
-  double shape = 0.1;        ///< at least
-  double radius_edge = 0;    ///< ratio of circumradius to shortest edge at most; 0: no bound
-  double volume = 0;         ///< at most; 0: no bound
-  std::size_t points = 0;    ///< that are added for these at most
-  double seconds = 0;                 ///< after so many nothing is begun; 0: no bound
+  double shape = 0.1;      ///< at least
+  double radius_edge = 0;  ///< ratio of circumradius to shortest edge at most; 0: no bound
+  double volume = 0;       ///< at most; 0: no bound
+  std::size_t points = 0;  ///< that are added for these at most
+  double seconds = 0;      ///< after so many nothing is begun; 0: no bound
 };
 
 /// Improves a mesh. Points that are no more used are left out behind the fixed ones. Throws Stopped.
 void improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch);
 
-/// The ratio of circumradius to shortest edge: sqrt(6) / 4 of a regular tetrahedron, large where edges differ much.
+/// The ratio of circumradius to shortest edge: sqrt(6) / 4 of a regular tetrahedron, large where edges differ
+/// much.
 double radius_edge_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
                       const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d);
 
-/// The shape of a tetrahedron: 12 (3 V)^(2/3) / (sum of squared edges) (liu1994): 1 of a regular one, 0 of a flat one.
+/// The shape of a tetrahedron: 12 (3 V)^(2/3) / (sum of squared edges) (liu1994): 1 of a regular one, 0 of a flat
+/// one.
 double shape_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,
                 const ConformingTetrahedra::Point& c, const ConformingTetrahedra::Point& d);
 

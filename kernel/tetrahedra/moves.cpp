@@ -61,9 +61,11 @@ bool Moves::remove_edge(Index a, Index b) {
   std::vector<std::size_t> walls;
   for (std::size_t k = 0; k < around.size(); ++k)
     if (facet_at(k) != Stars::kNone) walls.push_back(k);
-  const double bar = mesh_.at(*std::min_element(tets.begin(), tets.end(), [&](Index s, Index t) {
-                       return mesh_.at(s).shape < mesh_.at(t).shape;
-                     })).shape;
+  const double bar =
+      mesh_
+          .at(*std::min_element(tets.begin(), tets.end(),
+                                [&](Index s, Index t) { return mesh_.at(s).shape < mesh_.at(t).shape; }))
+          .shape;
   old_ = tets;
   fresh_.clear();
   if (walls.empty()) {
@@ -77,7 +79,8 @@ bool Moves::remove_edge(Index a, Index b) {
       if (walls[0] != 0 || walls[1] != n || !fill_arc(a, b, 0, n + 1, true, facet, bar)) return false;
     } else {
       const std::size_t first = walls[1] - walls[0] + 1, second = n - (walls[1] - walls[0]) + 1;
-      if (!fill_arc(a, b, walls[0], first, true, facet, bar) || !fill_arc(a, b, walls[1], second, true, facet, bar))
+      if (!fill_arc(a, b, walls[0], first, true, facet, bar) ||
+          !fill_arc(a, b, walls[1], second, true, facet, bar))
         return false;
     }
   }
@@ -113,7 +116,8 @@ bool Moves::fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool
     }
   }
   if (!(best[0][count - 1] > bar)) return false;
-  const auto label = [&](std::size_t i, std::size_t j, Index other) {  // of the face over a side, seen from `other`
+  const auto label = [&](std::size_t i, std::size_t j,
+                         Index other) {  // of the face over a side, seen from `other`
     if (j == i + 1) return mesh_.at(ring_.tetrahedra[(from + i) % n]).facet_opposite(other);
     if (i == 0 && j + 1 == count)
       return closing ? facet : mesh_.at(ring_.tetrahedra[(from + j) % n]).facet_opposite(other);
@@ -154,7 +158,8 @@ bool Moves::swap_face(Index t, int k) {
   fresh_.clear();
   for (std::size_t i = 0; i < 3; ++i) {
     const Index p = f[i], q = f[(i + 1) % 3], r = f[(i + 2) % 3];
-    Tetrahedron n{{e, d, p, q}, {s.facet_opposite(r), o.facet_opposite(r), Stars::kNone, Stars::kNone}, s.region, 0};
+    Tetrahedron n{
+        {e, d, p, q}, {s.facet_opposite(r), o.facet_opposite(r), Stars::kNone, Stars::kNone}, s.region, 0};
     n.shape = mesh_.measure(n.corners, n.region);
     if (n.shape <= bar) return false;
     fresh_.push_back(n);

@@ -1,8 +1,8 @@
 // Local moves that change tetrahedra and keep what they conform to.
 //
-// Each move looks what would be there after it, and is made only if all of that is turned right, by exact signs, and
-// its worst shape passes a bar. So whatever the order of moves, the mesh is valid after each; nothing has to be
-// undone. Points of the input never move and never go.
+// Each move looks what would be there after it, and is made only if all of that is turned right, by exact signs,
+// and its worst shape passes a bar. So whatever the order of moves, the mesh is valid after each; nothing has to
+// be undone. Points of the input never move and never go.
 #pragma once
 
 #include <vector>
@@ -48,7 +48,8 @@ class Moves {
   std::vector<Index> old_, at_edge_;
   std::vector<Stars::Tetrahedron> fresh_;
 
-  bool fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool closing, std::int32_t facet, double bar);
+  bool fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool closing, std::int32_t facet,
+                double bar);
   bool keeps_facets(Index a, Index b) const;
   bool turned_like(std::int32_t facet, Index before, Index after, Index p, Index q) const;
   bool try_place(Index v, const Point& p, double& worst);

@@ -36,7 +36,7 @@ struct Others {
           for (int y = x + 1; y < 4; ++y) inversions += p[x] > p[y];
         const bool even = inversions % 2 == 0;
         of[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = {even ? rest[0] : rest[1],
-                                                                       even ? rest[1] : rest[0]};
+                                                                        even ? rest[1] : rest[0]};
       }
     }
   }
@@ -46,7 +46,9 @@ constexpr Others kOthers;
 }  // namespace
 
 Stars::Stars(const ConformingTetrahedra& mesh)
-    : points_(mesh.points), stars_(mesh.points.size()), lines_(mesh.points.size()),
+    : points_(mesh.points),
+      stars_(mesh.points.size()),
+      lines_(mesh.points.size()),
       facet_of_(mesh.points.size(), kNone) {
   double extent = 0;
   for (const Point& p : points_) {
@@ -60,8 +62,37 @@ Stars::Stars(const ConformingTetrahedra& mesh)
     require(t.shape >= 0, "tetrahedra: one is turned wrong");
     add(t);
   }
-  set_facets(mesh);
-  set_lines(mesh);
+  const ConformingTetrahedra bordered = with_border(mesh);
+  set_facets(bordered);
+  set_lines(bordered);
+}
+
+/// The same triangles, and those of the border that are on no facet, each as a facet of its own: what is on them
+/// may not leave them either.
+ConformingTetrahedra Stars::with_border(const ConformingTetrahedra& mesh) {
+  ConformingTetrahedra out;
+  out.triangles = mesh.triangles, out.facet = mesh.facet;
+  out.segments = mesh.segments, out.line = mesh.line;
+  for (const std::int32_t f : mesh.facet) named_ = std::max(named_, f + 1);
+  std::vector<std::array<Index, 3>> once, walls;
+  for (const auto& t : mesh.triangles) walls.push_back(sorted(t));
+  std::sort(walls.begin(), walls.end());
+  for (const auto& t : mesh.tetrahedra) {
+    for (std::size_t k = 0; k < 4; ++k)
+      once.push_back(sorted(std::array{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]}));
+  }
+  std::sort(once.begin(), once.end());
+  std::int32_t facet = named_;
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    if (i + 1 < once.size() && once[i + 1] == once[i]) {
+      ++i;
+      continue;
+    }
+    if (std::binary_search(walls.begin(), walls.end(), once[i])) continue;
+    out.triangles.push_back(once[i]);
+    out.facet.push_back(facet++);
+  }
+  return out;
 }
 
 void Stars::set_facets(const ConformingTetrahedra& mesh) {
@@ -132,7 +163,7 @@ void Stars::set_lines(const ConformingTetrahedra& mesh) {
     const auto& [a, b] = sides[i].ends;
     if (!inside && line(a, b) == kNone) add_line(a, b, kRidge);
   }
-  for (Index v = 0; v < points_.size(); ++v) {
+  for (Index v = 0; v < lines_.size(); ++v) {
     if (!lines_[v].empty()) facet_of_[v] = kMany;
   }
 }
@@ -151,9 +182,9 @@ ConformingTetrahedra Stars::mesh() const {
     out.tetrahedra.push_back(t.corners);
     out.region.push_back(t.region);
     for (std::size_t k = 0; k < 4; ++k) {
-      if (t.facets[k] == kNone) continue;
-      walls.push_back(
-          {sorted(std::array{t.corners[(k + 1) % 4], t.corners[(k + 2) % 4], t.corners[(k + 3) % 4]}), t.facets[k]});
+      if (t.facets[k] == kNone || t.facets[k] >= named_) continue;
+      walls.push_back({sorted(std::array{t.corners[(k + 1) % 4], t.corners[(k + 2) % 4], t.corners[(k + 3) % 4]}),
+                       t.facets[k]});
     }
   }
   sort_unique(walls);
@@ -207,7 +238,8 @@ void Stars::replace(std::span<const Index> old, std::span<const Tetrahedron> fre
 }
 
 double Stars::measure(const std::array<Index, 4>& corners, std::int32_t region) const {
-  const Point &a = points_[corners[0]], &b = points_[corners[1]], &c = points_[corners[2]], &d = points_[corners[3]];
+  const Point &a = points_[corners[0]], &b = points_[corners[1]], &c = points_[corners[2]],
+              &d = points_[corners[3]];
   double u[3], v[3], w[3], squares = 0, box = 1;
   for (std::size_t k = 0; k < 3; ++k) {
     u[k] = (b[k] - a[k]) * scale_, v[k] = (c[k] - a[k]) * scale_, w[k] = (d[k] - a[k]) * scale_;
@@ -215,8 +247,8 @@ double Stars::measure(const std::array<Index, 4>& corners, std::int32_t region) 
     squares += u[k] * u[k] + v[k] * v[k] + w[k] * w[k] + p * p + q * q + r * r;
     box *= std::max({std::fabs(u[k]), std::fabs(v[k]), std::fabs(w[k])});
   }
-  const double det = w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) +
-                     w[2] * (u[0] * v[1] - u[1] * v[0]);
+  const double det =
+      w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) + w[2] * (u[0] * v[1] - u[1] * v[0]);
   // The bound of the filter of orient3d (kernel/exact/predicates.cpp); what underflows is left to the exact stage.
   const double bound = 6e-15 * box;
   if (!(det > bound && box > 1e-200)) {
@@ -240,8 +272,7 @@ bool Stars::ring(Index a, Index b, Ring& out) const {
     const Tetrahedron& tet = tetrahedra_[t];
     const int j = tet.place(b);
     if (j < 0) continue;
-    const auto& [c, d] =
-        kOthers.of[static_cast<std::size_t>(tet.place(a))][static_cast<std::size_t>(j)];
+    const auto& [c, d] = kOthers.of[static_cast<std::size_t>(tet.place(a))][static_cast<std::size_t>(j)];
     links.push_back({tet.corners[static_cast<std::size_t>(c)], tet.corners[static_cast<std::size_t>(d)], t});
   }
   out.around.clear(), out.tetrahedra.clear();

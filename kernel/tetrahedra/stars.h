@@ -1,8 +1,8 @@
 // Tetrahedra that change: at each vertex the tetrahedra that have it, and what of faces and edges has to stay.
 //
-// A local move takes some tetrahedra away and puts others into the same hole. What is around an edge or a vertex is
-// found in the stars of its ends, which are short; neighbours are not kept, for they would cost more to keep right
-// than to find.
+// A local move takes some tetrahedra away and puts others into the same hole. What is around an edge or a vertex
+// is found in the stars of its ends, which are short; neighbours are not kept, for they would cost more to keep
+// right than to find.
 #pragma once
 
 #include <limits>
@@ -23,7 +23,7 @@ class Stars {
   static constexpr std::int32_t kMany = -2;   ///< a vertex on several facets, or on a line
 
   struct Tetrahedron {
-    std::array<Index, 4> corners;                                 ///< positively turned
+    std::array<Index, 4> corners;                                    ///< positively turned
     std::array<std::int32_t, 4> facets{kNone, kNone, kNone, kNone};  ///< of the faces opposite to them
     std::int32_t region = 0;
     double shape = 0;  ///< see `measure`
@@ -61,11 +61,13 @@ class Stars {
   std::span<const Index> star(Index v) const { return stars_[v]; }
   void set_shape(Index t, double shape) { tetrahedra_[t].shape = shape; }
   void replace(std::span<const Index> old, std::span<const Tetrahedron> fresh);
-  void set_facet(Index t, int k, std::int32_t facet) { tetrahedra_[t].facets[static_cast<std::size_t>(k)] = facet; }
+  void set_facet(Index t, int k, std::int32_t facet) {
+    tetrahedra_[t].facets[static_cast<std::size_t>(k)] = facet;
+  }
 
   /// The cube of the shape 12 (3 V)^(2/3) / (sum of squared edges), which is 1 of a regular tetrahedron (liu1994):
-  /// its powers are ordered alike, and it needs no roots. Infinite for a negative region; -1 unless it is certainly
-  /// turned right.
+  /// its powers are ordered alike, and it needs no roots. Infinite for a negative region; -1 unless it is
+  /// certainly turned right.
   double measure(const std::array<Index, 4>& corners, std::int32_t region) const;
 
   /// False where the tetrahedra around the edge do not follow each other: the border meets itself there.
@@ -93,7 +95,9 @@ class Stars {
   std::vector<std::int32_t> facet_of_;
   std::vector<Point> normals_, origins_;
   double scale_ = 1;
+  std::int32_t named_ = 0;  // facets from here on are of the border alone
 
+  ConformingTetrahedra with_border(const ConformingTetrahedra& mesh);
   Index add(const Tetrahedron& t);
   void set_facets(const ConformingTetrahedra& mesh);
   void set_lines(const ConformingTetrahedra& mesh);

@@ -1,0 +1,281 @@
+// Improved tetrahedra against what they were: the same box, the same regions, facets and segments in other pieces.
+#include "kernel/tetrahedra/improve.h"
+
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "kernel/exact/predicates.h"
+#include "tests/scenes/seeds.h"
+#include "tests/tetrahedra/random_triangles.h"
+
+namespace cnrg {
+namespace {
+
+using Mesh = ConformingTetrahedra;
+using Index = Mesh::Index;
+using Triangle = std::array<Index, 3>;
+using Vector = Mesh::Point;
+
+Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double length(const Vector& a) { return std::sqrt(dot(a, a)); }
+
+template <std::size_t N>
+std::array<Index, N> sorted(std::array<Index, N> corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+bool turned_right(const Mesh& mesh) {
+  const auto& p = mesh.points;
+  return std::all_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(), [&](const auto& t) {
+    return orient3d(p[t[0]].data(), p[t[1]].data(), p[t[2]].data(), p[t[3]].data()) > 0;
+  });
+}
+
+/// What stays the same: volumes of regions, areas of facets, lengths of lines.
+struct Measures {
+  std::map<std::int32_t, double> volumes, areas, lengths;
+};
+Measures measures(const Mesh& mesh) {
+  Measures out;
+  const auto& p = mesh.points;
+  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    const auto& [a, b, c, d] = mesh.tetrahedra[i];
+    out.volumes[mesh.region[i]] += dot(minus(p[b], p[a]), cross(minus(p[c], p[a]), minus(p[d], p[a]))) / 6;
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    out.areas[mesh.facet[i]] += length(cross(minus(p[b], p[a]), minus(p[c], p[a]))) / 2;
+  }
+  for (std::size_t i = 0; i < mesh.segments.size(); ++i)
+    out.lengths[mesh.line[i]] += length(minus(p[mesh.segments[i][0]], p[mesh.segments[i][1]]));
+  return out;
+}
+
+void require_near(const std::map<std::int32_t, double>& a, const std::map<std::int32_t, double>& b, double room) {
+  REQUIRE(a.size() == b.size());
+  for (const auto& [key, value] : a) {
+    INFO("number " << key);
+    REQUIRE(b.contains(key));
+    REQUIRE(std::fabs(value - b.at(key)) <= room);
+  }
+}
+
+/// Face to face; regions part at facets only; triangles are faces, segments edges; facets are planar.
+void require_conforming(const Mesh& mesh, double extent) {
+  std::map<Triangle, std::vector<std::int32_t>> faces;
+  std::set<std::array<Index, 2>> edges;
+  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    const auto& t = mesh.tetrahedra[i];
+    for (std::size_t k = 0; k < 4; ++k) {
+      faces[sorted(Triangle{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]})].push_back(mesh.region[i]);
+      for (std::size_t l = 0; l < k; ++l) edges.insert(sorted(std::array{t[k], t[l]}));
+    }
+  }
+  std::set<Triangle> walls;
+  std::map<std::int32_t, std::vector<Triangle>> of_facet;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle f = sorted(mesh.triangles[i]);
+    REQUIRE(faces.contains(f));
+    REQUIRE(walls.insert(f).second);
+    of_facet[mesh.facet[i]].push_back(f);
+  }
+  for (const auto& [f, regions] : faces) {
+    REQUIRE(regions.size() <= 2);
+    if (regions.size() == 2 && regions[0] != regions[1]) REQUIRE(walls.contains(f));
+  }
+  for (const auto& s : mesh.segments) REQUIRE(edges.contains(sorted(s)));
+  for (const auto& [facet, triangles] : of_facet) {
+    const auto& p = mesh.points;
+    Vector n{};
+    for (const Triangle& f : triangles) {
+      const Vector m = cross(minus(p[f[1]], p[f[0]]), minus(p[f[2]], p[f[0]]));
+      if (length(m) > length(n)) n = m;
+    }
+    for (const Triangle& f : triangles) {
+      for (const Index v : f)
+        REQUIRE(std::fabs(dot(minus(p[v], p[triangles[0][0]]), n)) <= 1e-9 * length(n) * extent);
+    }
+  }
+}
+
+/// The tetrahedra of random triangles in doubles, parted into regions by the triangles. Empty where rounding turns
+/// one.
+Mesh random_mesh(std::uint64_t seed, Index& fixed) {
+  std::mt19937_64 random(seed);
+  PointTable t;
+  const Constraints constraints = random_triangles(random, t);
+  const ConstrainedTetrahedra made = constrained_tetrahedra(t, constraints, {});
+  Mesh mesh;
+  for (std::size_t i = 0; i < t.size(); ++i) mesh.points.push_back(t.nearest(VertexId(i)));
+  fixed = static_cast<Index>(t.size());
+  for (const auto& c : made.tetrahedra)
+    mesh.tetrahedra.push_back(
+        {Index(c[0].index()), Index(c[1].index()), Index(c[2].index()), Index(c[3].index())});
+  if (!turned_right(mesh)) return {};
+  std::set<Triangle> walls;
+  for (const auto& [corners, of] : made.triangles) {
+    mesh.triangles.push_back({Index(corners[0].index()), Index(corners[1].index()), Index(corners[2].index())});
+    mesh.facet.push_back(std::int32_t(of));
+    walls.insert(sorted(mesh.triangles.back()));
+  }
+  for (const auto& [ends, of] : made.segments) {
+    mesh.segments.push_back({Index(ends[0].index()), Index(ends[1].index())});
+    mesh.line.push_back(std::int32_t(of));
+  }
+  std::map<Triangle, std::vector<std::size_t>> faces;
+  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    const auto& c = mesh.tetrahedra[i];
+    for (std::size_t k = 0; k < 4; ++k)
+      faces[sorted(Triangle{c[(k + 1) % 4], c[(k + 2) % 4], c[(k + 3) % 4]})].push_back(i);
+  }
+  mesh.region.assign(mesh.tetrahedra.size(), -1);
+  std::int32_t count = 0;
+  for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    if (mesh.region[i] >= 0) continue;
+    std::vector<std::size_t> list{i};
+    mesh.region[i] = count;
+    for (std::size_t at = 0; at < list.size(); ++at) {
+      const auto& c = mesh.tetrahedra[list[at]];
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Triangle f = sorted(Triangle{c[(k + 1) % 4], c[(k + 2) % 4], c[(k + 3) % 4]});
+        if (walls.contains(f)) continue;
+        for (const std::size_t u : faces[f]) {
+          if (mesh.region[u] >= 0) continue;
+          mesh.region[u] = count;
+          list.push_back(u);
+        }
+      }
+    }
+    ++count;
+  }
+  return mesh;
+}
+
+std::size_t bad(const Mesh& mesh) {
+  return std::size_t(std::count_if(mesh.tetrahedra.begin(), mesh.tetrahedra.end(), [&](const auto& t) {
+    return shape_of(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]) < 0.1;
+  }));
+}
+double extent(const Mesh& mesh) {
+  double most = 0;
+  for (const auto& p : mesh.points) most = std::max(most, length(minus(p, mesh.points[0])));
+  return most;
+}
+
+void require_same(const Mesh& before, const Mesh& after) {
+  const double size = extent(before);
+  REQUIRE(turned_right(after));
+  require_conforming(after, size);
+  const Measures a = measures(before), b = measures(after);
+  require_near(a.volumes, b.volumes, 1e-9 * size * size * size);
+  require_near(a.areas, b.areas, 1e-9 * size * size);
+  require_near(a.lengths, b.lengths, 1e-9 * size);
+}
+
+TEST_CASE("improved tetrahedra have the regions, facets and lines that they had", "[tetrahedra]") {
+  const auto [begin, end] = scenes::seeds(30);
+  std::size_t made = 0, share_before = 0, share_after = 0;
+  for (std::uint64_t seed = begin; seed < end; ++seed) {
+    INFO("seed " << seed);
+    Index fixed = 0;
+    const Mesh before = random_mesh(seed, fixed);
+    if (before.tetrahedra.empty()) continue;
+    ++made;
+    ImproveOptions options;
+    options.fixed = fixed;
+    options.points = 2000;
+    options.keep_boundary = seed % 4 == 3;
+    Mesh after = before;
+    improve(after, options, {});
+    require_same(before, after);
+    share_before += 1000 * bad(before) / before.tetrahedra.size();
+    share_after += 1000 * bad(after) / after.tetrahedra.size();
+    for (Index v = 0; v < fixed; ++v) REQUIRE(after.points[v] == before.points[v]);
+    if (options.keep_boundary) {
+      REQUIRE(after.segments.size() == before.segments.size());
+      REQUIRE(after.triangles.size() == before.triangles.size());
+    }
+  }
+  CHECK(made * 10 > (end - begin) * 9);
+  CHECK(share_after * 2 < share_before);
+}
+
+TEST_CASE("tetrahedra get the lengths that are wanted", "[tetrahedra]") {
+  for (std::uint64_t seed = 1; seed < 4; ++seed) {
+    INFO("seed " << seed);
+    Index fixed = 0;
+    const Mesh before = random_mesh(seed, fixed);
+    if (before.tetrahedra.empty()) continue;
+    const double h = extent(before) / 12;
+    ImproveOptions options;
+    options.fixed = fixed;
+    options.points = 2000;
+    options.size = [&](const Vector&) { return h; };
+    Mesh after = before;
+    improve(after, options, {});
+    require_same(before, after);
+    std::size_t longer = 0, all = 0;
+    for (const auto& t : after.tetrahedra) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t l = 0; l < k; ++l, ++all)
+          longer += length(minus(after.points[t[k]], after.points[t[l]])) > 1.6 * h;
+      }
+    }
+    CHECK(longer * 50 < all);
+  }
+}
+
+TEST_CASE("a volume that is bounded, and time that is over", "[tetrahedra]") {
+  Mesh box;
+  for (int i = 0; i < 8; ++i) box.points.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2)});
+  // Around the diagonal from 0 to 7.
+  const Index way[] = {1, 3, 2, 6, 4, 5};
+  for (std::size_t i = 0; i < 6; ++i) box.tetrahedra.push_back({0, 7, way[i], way[(i + 1) % 6]});
+  if (!turned_right(box))
+    for (auto& t : box.tetrahedra) std::swap(t[2], t[3]);
+  REQUIRE(turned_right(box));
+  box.region.assign(6, 0);
+  ImproveOptions options;
+  options.fixed = 8;
+  options.volume = 1e-3;
+  options.points = 100'000;
+  Mesh fine = box;
+  improve(fine, options, {});
+  require_same(box, fine);
+  CHECK(fine.tetrahedra.size() > 1000);
+  for (const auto& t : fine.tetrahedra) {
+    const auto& p = fine.points;
+    CHECK(dot(minus(p[t[1]], p[t[0]]), cross(minus(p[t[2]], p[t[0]]), minus(p[t[3]], p[t[0]]))) / 6 <= 1e-3);
+  }
+  options.volume = 1e-12;
+  options.points = 100'000'000;
+  options.seconds = 0.2;
+  Mesh cut = box;
+  improve(cut, options, {});
+  require_same(box, cut);
+  std::stop_source stop;
+  stop.request_stop();
+  options.seconds = 0;
+  CHECK_THROWS_AS(improve(cut, options, Watch{{}, stop.get_token()}), Stopped);
+}
+
+TEST_CASE("shape and radius-edge ratio of a regular tetrahedron and a flat one", "[tetrahedra]") {
+  const Vector a{1, 1, 1}, b{1, -1, -1}, c{-1, 1, -1}, d{-1, -1, 1};
+  CHECK(shape_of(a, b, c, d) == Approx(1));
+  CHECK(radius_edge_of(a, b, c, d) == Approx(std::sqrt(6) / 4));
+  CHECK(shape_of({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}) == 0);
+}
+
+}  // namespace
+}  // namespace cnrg
