@@ -12,7 +12,7 @@ namespace cnrg {
 namespace {
 
 /// Cuts that are made at most, and for each point and segment that there is.
-constexpr std::size_t kCuts = 200'000, kCutsEach = 30;
+constexpr std::size_t kCuts = 20'000, kCutsEach = 30;
 /// So many points are looked at before one is chosen.
 constexpr std::size_t kLooked = 1000;
 /// Where segments nearly touch, their cuts must lie opposite to each other more exactly than doubles tell; but
