@@ -29,7 +29,7 @@ class ConstrainedRun {
     for (int round = 0;; ++round) {
       made_ = constrained_tetrahedra(points_, constraints, watch_);
       if (round_points()) break;
-      if (round == kRounds) throw InputError(too_thin());
+      if (round == kRounds || !is_embedded()) throw InputError(too_thin());
       constraints = of_pieces();
     }
     find_regions();
@@ -186,6 +186,27 @@ class ConstrainedRun {
                          [&](const auto& t) { return orient3d(rounded, t[0], t[1], t[2], t[3]) <= 0; }) -
             all.begin();
     return thin_ == static_cast<std::ptrdiff_t>(all.size());
+  }
+
+  /// Do the rounded pieces still meet as they did? What crosses has no tetrahedra, and must not be asked for any.
+  bool is_embedded() const {
+    RoundedPoints points;
+    std::vector<char> used(xyz_.size(), 0);
+    points.xyz = xyz_;
+    Drawing drawing;
+    const auto use = [&](VertexId v) {
+      used[v.index()] = 1;
+      return static_cast<Index>(v.index());
+    };
+    for (const auto& t : made_.triangles)
+      drawing.triangles.push_back({use(t.corners[0]), use(t.corners[1]), use(t.corners[2])});
+    for (const auto& s : made_.segments) {
+      if (plc_.segments[segment_[s.of]].wire) drawing.segments.push_back({use(s.ends[0]), use(s.ends[1])});
+    }
+    for (Index i = 0; i < plc_.points.size(); ++i) {
+      if (!used[i]) drawing.points.push_back(i);
+    }
+    return redraw(points, drawing).is_embedded();
   }
 
   std::string too_thin() const {

@@ -16,7 +16,8 @@ namespace cnrg {
 /// at a small angle, or run side by side, a cut of one is in the way of the other one, whose cut is in the way of
 /// the first, and so on. So a piece is cut opposite to the point that is in its way; and if that is a cut of a
 /// segment with a common end, as far from there as that is (si2015): cuts of all segments at one end come to lie
-/// on common spheres.
+/// on common spheres. Where two segments nearly cross, that is done about the two points where they are nearest,
+/// at which both are cut first.
 class SegmentChains {
  public:
   using Index = std::uint32_t;
@@ -43,6 +44,7 @@ class SegmentChains {
 
   VertexId at(Index segment, const Rational& t) const;
   VertexId in_the_way(VertexId a, VertexId b) const;
+  double cosine(VertexId v, VertexId a, VertexId b) const;
   Rational place_of_cut(const Piece& piece) const;
   std::string crowded(VertexId v) const;
 };

@@ -30,7 +30,8 @@ Tetrahedra::Tetrahedra(PointTable& points) : points_(points), first_corner_(Vert
   }
 }
 
-/// Six tetrahedra around the diagonal of a box; corner i has the upper x, y, z where i has bit 0, 1, 2.
+/// Corner i of the box has the upper x, y, z where i has bit 0, 1, 2. All are on one sphere, and the tetrahedra
+/// have to be Delaunay by perturbation (kernel/exact/in_sphere.h), else walks may turn round and round.
 void Tetrahedra::make_box() {
   std::array<double, 3> low{0, 0, 0}, high{0, 0, 0};
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -50,16 +51,17 @@ void Tetrahedra::make_box() {
     };
     points_.add(at(0), at(1), at(2));
   }
-  const auto corner = [&](int i) { return VertexId(first_corner_.index() + static_cast<std::size_t>(i)); };
   at_.assign(points_.size(), kNone);
-  std::array<int, 3> axes{0, 1, 2};
+  // Of two corners of a square that have a diagonal, none is the last one.
+  constexpr std::array<std::array<std::size_t, 4>, 6> kParts{
+      {{0, 1, 2, 4}, {1, 2, 3, 4}, {1, 3, 4, 5}, {2, 3, 4, 6}, {3, 4, 5, 6}, {3, 5, 6, 7}}};
   std::vector<Index> all;
-  do {
-    const int i = 1 << axes[0], j = i | 1 << axes[1];
-    Corners c{corner(0), corner(i), corner(j), corner(7)};
+  for (const auto& part : kParts) {
+    Corners c;
+    for (std::size_t k = 0; k < 4; ++k) c[k] = VertexId(first_corner_.index() + part[k]);
     if (orient3d(points_, c[0], c[1], c[2], c[3]) < 0) std::swap(c[1], c[2]);
     all.push_back(add(c));
-  } while (std::next_permutation(axes.begin(), axes.end()));
+  }
   for (const Index t : all) {
     for (const Index u : all) {
       for (int k = 0; t < u && k < 4; ++k) {

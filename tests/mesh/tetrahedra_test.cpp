@@ -182,6 +182,23 @@ TEST_CASE("what cannot be meshed says so", "[mesh][errors]") {
   CHECK_THROWS_WITH(tetrahedra(c.view()), Catch::Contains("makes facets cross"));
 }
 
+// The end of a wire lies beside another wire, nearer than doubles are there: what cuts the other one beside it
+// comes to lie on it, or on its other side.
+TEST_CASE("wires too near to each other for cuts in doubles are told with a place", "[mesh][errors]") {
+  Soup soup;
+  add_box(soup, {-4, -4, -4}, {4, 4, 4});
+  const auto at = [](double x, double y, double z) {
+    return RationalPoint{from_double(x), from_double(y), from_double(z)};
+  };
+  const RationalPoint end = at(-0.5, 0.87499994039535522, 0.49999997019767761);
+  add_wire(soup, at(-2.5, 1.875, 0.50000011920928955), at(1.5, -0.12500011920928961, 0.49999982118606567));
+  add_wire(soup, end, at(-0.5, -1, 0.25));
+  Case c(soup);
+  c.show(c.unite());
+  CHECK_THROWS_WITH(tetrahedra(c.view(), kConstrained),
+                    Catch::Contains("too thin for doubles near (-0.5 0.87499994"));
+}
+
 TEST_CASE("rounding that takes a point through a wall is refused", "[mesh][errors]") {
   // The wall x + y = z/3 at z = 1 lies beside every double; the point is nearer to it than the doubles around it.
   Soup soup;
