@@ -1,0 +1,59 @@
+// A result in which nothing is nearer than a distance d that does not touch: near features are joined.
+//
+// People type four decimals: a bolt ends 1e-5 from the fault that it should reach, a sheet misses an edge. The
+// exact result has these gaps, and a mesh of it elements as small. To round all points to a grid would not help:
+// two points of one place may still go to two grid points, and an edge passes by the point that lies on it. Here
+// points and what they are near (near.h) are brought together, round by round; what moves takes along what it
+// bounds:
+//
+//   1. Points nearer than d to each other: one of them stays, the others go there. Those that stay are chosen one
+//      by one in the order of preference, each taking all that are near, so they are not nearer than d themselves.
+//   2. If there are none, points near segments: the segment gets a joint there, and the two meet.
+//   3. If there are none of these either, points near facets, and segments near segments, in the same way.
+//
+// Of two that meet, that one moves which holds less: what is on the boundary of a region stays before a sheet,
+// this before a wire. So a bolt's end goes to the fault, which stays flat, and a fault's corner to the wall of the
+// ground. Of equals a point stays, and a segment or facet bends to it; of points one of the input before one that
+// was constructed, then the first by its coordinates. None of this depends on numbers of leaves or on the order of
+// nodes.
+//
+// The drawing of what has moved is refined exactly, so the result is a complex again whatever happened, and told
+// what it is by what it was (relabel.h). Rounds end when nothing is near: then joining again changes nothing. No
+// point moves by d or more in one round; no bound on the number of rounds is proven, so after kMostJoinRounds the
+// report says what is still near.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csg/result/result.h"
+#include "kernel/exact/rational.h"
+
+namespace cnrg {
+
+inline constexpr int kMostJoinRounds = 60;
+
+/// What `join` did.
+struct JoinReport {
+  int rounds = 0;           ///< in which something was moved; 0: nothing was near, the result is the same
+  double displacement = 0;  ///< no point of the result moved farther (units)
+  /// What met, the nearest first in each round, a line each, such as `point v3 of bolt and face f2 of fault, at
+  /// (1, 2, 3): 1e-05 apart`. Numbers are those of the result that was given, so there are none after the first
+  /// round.
+  std::vector<std::string> merged;
+  /// Regions of which nothing is left, by name, or else by their leaves, and a place.
+  std::vector<std::string> lost_regions;
+  std::size_t lost_faces = 0, lost_wires = 0;
+  std::size_t regions_before = 0, regions_after = 0;  ///< active ones, in one piece each
+  std::size_t remaining = 0;                          ///< pairs that are nearer than asked for all the same
+  double nearest = 0;                                 ///< of these, their least distance
+  /// One line without its end: `joined 3 pairs nearer than 0.001, ...`.
+  std::string text(const Rational& within) const;
+};
+
+/// `within`: the distance d (units), positive. Throws InputError if it is not, if it is not smaller than the
+/// result itself, if a face or line of the result reaches the frame of unbounded leaves, and if nothing would be
+/// left. What the result knew of true surfaces (parameters) is gone where anything was joined.
+Result join(const Result& result, const Rational& within, JoinReport* report = nullptr);
+
+}  // namespace cnrg
