@@ -19,16 +19,16 @@ namespace {
 using Index = Parts::Index;
 constexpr Index kNone = Parts::kNone;
 
-/// What one round moves, and which of its pairs that joins.
+/// What one round moves, and which of its pairs that joins, each with the place where.
 struct Plan {
   Moves moves;
-  std::vector<const NearPair*> joined;
+  std::vector<std::pair<const NearPair*, RationalPoint>> joined;
 };
 
 class Planner {
  public:
   Planner(const Parts& parts, const std::set<RationalPoint>& given) : parts_(parts), given_(given) {
-    rank_all();
+    list_facets();
     plan_.moves.to = parts.points();
     moved_.assign(parts.points().size(), 0);
   }
@@ -43,7 +43,14 @@ class Planner {
         near[p].push_back(&pair);
       }
     }
-    std::sort(order.begin(), order.end(), [&](Index p, Index q) { return preference(p) < preference(q); });
+    // Those that hold most, then those of the input, then by coordinates.
+    std::vector<std::tuple<Rank, bool, Index>> preferred;
+    for (const Index p : order) {
+      const auto [walls, all] = rank_of_point(p);
+      preferred.push_back({{-walls, -all}, !given_.contains(parts_.points()[p]), p});
+    }
+    std::sort(preferred.begin(), preferred.end());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = std::get<Index>(preferred[i]);
     std::vector<char> stays(n, 0), taken(n, 0);
     for (const Index p : order) {
       if (taken[p]) continue;
@@ -56,7 +63,7 @@ class Planner {
         const Index q = other(*pair, p);
         if (!stays[q]) continue;
         plan_.moves.to[p] = parts_.points()[q];
-        plan_.joined.push_back(pair);
+        plan_.joined.emplace_back(pair, parts_.points()[q]);
         break;
       }
     }
@@ -65,13 +72,11 @@ class Planner {
 
   /// Points with segments, points with facets, segments with segments.
   Plan meet(const std::vector<NearPair>& pairs) {
-    std::vector<const NearPair*> order;
-    for (const NearPair& pair : pairs) order.push_back(&pair);
+    std::vector<std::pair<Rank, const NearPair*>> order;
+    for (const NearPair& pair : pairs) order.emplace_back(rank_of_target(pair), &pair);
     // A point that goes somewhere goes to what holds most.
-    std::stable_sort(order.begin(), order.end(), [&](const NearPair* x, const NearPair* y) {
-      return rank_of_target(*x) > rank_of_target(*y);
-    });
-    for (const NearPair* const pair : order) {
+    std::stable_sort(order.begin(), order.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
+    for (const auto& [rank, pair] : order) {
       if (pair->kind == Near::segments) meet_segments(*pair);
       else meet_point(*pair);
     }
@@ -81,40 +86,64 @@ class Planner {
  private:
   const Parts& parts_;
   const std::set<RationalPoint>& given_;
-  std::vector<int> face_rank_, point_rank_, segment_rank_;
+  std::vector<std::vector<Index>> facets_of_;  // of each point, ascending
+  std::vector<RationalPoint> normals_;         // of each facet
   Plan plan_;
   std::vector<char> moved_;
   std::set<std::pair<std::pair<Near, Index>, RationalPoint>> jointed_;
 
   static Index other(const NearPair& pair, Index p) { return pair.a == p ? pair.b : pair.a; }
 
-  /// 2: on the boundary of a region; 1: on a sheet; 0: on a wire, or by itself.
-  void rank_all() {
-    const FlatComplex& flat = parts_.flat();
-    for (const FlatComplex::Face& f : flat.faces) face_rank_.push_back(f.regions[0] == f.regions[1] ? 1 : 2);
-    point_rank_.assign(parts_.points().size(), 0);
-    for (const Parts::Facet& facet : parts_.facets()) {
-      for (const Index p : facet.corners) point_rank_[p] = std::max(point_rank_[p], face_rank_[facet.face]);
+  /// Of how many planes with independent normals a point or part is: first those of walls and boundaries of
+  /// regions, then those of sheets, too. Wires hold nothing.
+  using Rank = std::pair<int, int>;
+
+  void list_facets() {
+    facets_of_.resize(parts_.points().size());
+    normals_.resize(parts_.facets().size());
+    for (const Parts::Triangle& t : parts_.triangles()) {
+      const auto& x = parts_.points();
+      if (is_zero(normals_[t.facet]))
+        normals_[t.facet] = cross(x[t.corners[1]] - x[t.corners[0]], x[t.corners[2]] - x[t.corners[0]]);
     }
-    for (const Parts::Segment& s : parts_.segments()) {
-      int rank = s.edge == kNone ? face_rank_[s.face] : 0;
-      if (s.edge != kNone) {
-        for (const Index side : flat.edges[s.edge].around) rank = std::max(rank, face_rank_[side / 2]);
+    for (Index f = 0; f < parts_.facets().size(); ++f) {
+      for (const Index p : parts_.facets()[f].corners) facets_of_[p].push_back(f);
+    }
+  }
+
+  bool is_wall(Index facet) const {
+    const auto& [front, back] = parts_.flat().faces[parts_.facets()[facet].face].regions;
+    return front != back;
+  }
+
+  Rank rank(const std::vector<Index>& facets) const {
+    const auto independent = [&](bool walls) {
+      std::vector<const RationalPoint*> basis;
+      for (const Index f : facets) {
+        if (basis.size() == 3 || (walls && !is_wall(f))) continue;
+        const RationalPoint& n = normals_[f];
+        if (basis.empty() || (basis.size() == 1 && !is_zero(cross(*basis[0], n))) ||
+            (basis.size() == 2 && dot(cross(*basis[0], *basis[1]), n) != 0))
+          basis.push_back(&n);
       }
-      segment_rank_.push_back(rank);
-    }
+      return int(basis.size());
+    };
+    return {independent(true), independent(false)};
   }
-
-  std::tuple<int, bool, Index> preference(Index p) const {
-    return {-point_rank_[p], !given_.contains(parts_.points()[p]), p};
+  Rank rank_of_point(Index p) const { return rank(facets_of_[p]); }
+  Rank rank_of_segment(Index s) const {
+    const auto& [a, b] = parts_.segments()[s].ends;
+    std::vector<Index> both;
+    std::set_intersection(facets_of_[a].begin(), facets_of_[a].end(), facets_of_[b].begin(), facets_of_[b].end(),
+                          std::back_inserter(both));
+    return rank(both);
   }
-
-  int rank_of_part(const NearPair& pair) const {
-    return pair.kind == Near::point_facet ? face_rank_[parts_.facets()[pair.b].face] : segment_rank_[pair.b];
+  Rank rank_of_part(const NearPair& pair) const {
+    return pair.kind == Near::point_facet ? rank({pair.b}) : rank_of_segment(pair.b);
   }
-  int rank_of_target(const NearPair& pair) const {
-    return pair.kind == Near::segments ? std::max(segment_rank_[pair.a], segment_rank_[pair.b])
-                                       : std::max(point_rank_[pair.a], rank_of_part(pair));
+  Rank rank_of_target(const NearPair& pair) const {
+    return std::max(pair.kind == Near::segments ? rank_of_segment(pair.a) : rank_of_point(pair.a),
+                    rank_of_part(pair));
   }
 
   /// False if the part has a joint there already: the pair will be met in the next round.
@@ -127,23 +156,21 @@ class Planner {
   void meet_point(const NearPair& pair) {
     const Index p = pair.a;
     if (moved_[p]) return;
-    const bool goes = point_rank_[p] < rank_of_part(pair);
-    if (!add_joint(pair.kind, pair.b, pair.at_b, goes ? pair.at_b : parts_.points()[p])) return;
-    plan_.joined.push_back(&pair);
+    const bool goes = rank_of_point(p) <= rank_of_part(pair);
+    const RationalPoint& to = goes ? pair.at_b : parts_.points()[p];
+    if (!add_joint(pair.kind, pair.b, pair.at_b, to)) return;
+    plan_.joined.emplace_back(&pair, to);
     moved_[p] = goes;
-    if (goes) plan_.moves.to[p] = pair.at_b;
+    plan_.moves.to[p] = to;
   }
 
   void meet_segments(const NearPair& pair) {
-    const bool first_stays = segment_rank_[pair.a] >= segment_rank_[pair.b];
-    const auto joint = [&](bool first) {
-      return std::pair(std::pair(Near::point_segment, first ? pair.a : pair.b), first ? pair.at_a : pair.at_b);
-    };
-    if (jointed_.contains(joint(true)) || jointed_.contains(joint(false))) return;
-    const RationalPoint& to = first_stays ? pair.at_a : pair.at_b;
-    add_joint(Near::point_segment, pair.a, pair.at_a, to);
-    add_joint(Near::point_segment, pair.b, pair.at_b, to);
-    plan_.joined.push_back(&pair);
+    constexpr Near kOn = Near::point_segment;
+    if (jointed_.contains({{kOn, pair.a}, pair.at_a}) || jointed_.contains({{kOn, pair.b}, pair.at_b})) return;
+    const RationalPoint& to = rank_of_segment(pair.a) >= rank_of_segment(pair.b) ? pair.at_a : pair.at_b;
+    add_joint(kOn, pair.a, pair.at_a, to);
+    add_joint(kOn, pair.b, pair.at_b, to);
+    plan_.joined.emplace_back(&pair, to);
   }
 };
 
@@ -250,9 +277,9 @@ class Joiner {
     Planner planner(parts, given_);
     const Plan plan = points ? planner.meet_points(pairs) : planner.meet(pairs);
     const bool first = report_.rounds++ == 0;
-    for (const NearPair* const pair : plan.joined) {
+    for (const auto& [pair, place] : plan.joined) {
       report_.merged.push_back(text_of(view, parts, pair->kind, pair->a, pair->b, first) + ", at " +
-                               coordinates(pair->at_b) + ": " + distance_text(pair->squared) + " apart");
+                               coordinates(place) + ": " + distance_text(pair->squared) + " apart");
     }
     const auto made = std::make_shared<Relabelled>(*relabel(view, flat_, move(parts, plan.moves), false));
     report_.displacement += made->report.displacement;

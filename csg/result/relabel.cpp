@@ -372,6 +372,20 @@ class Labeller {
     origins.push_back(value_.origins.sets.intern(from.leaves, from.said));
   }
 
+  /// Faces of the result that lie in several planes now. Each is a curved surface of its own from here on.
+  std::vector<char> find_bent() const {
+    std::vector<char> bent(flat_.faces.size(), 0);
+    std::vector<SheetId> sheet(flat_.faces.size());
+    for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+      for (const Index code : moved_.faces[f]) {
+        SheetId& known = sheet[code >> 1];
+        if (!known.valid()) known = complex_.face_sheet[f];
+        if (known != complex_.face_sheet[f]) bent[code >> 1] = 1;
+      }
+    }
+    return bent;
+  }
+
   /// Faces of the new complex lie on the leaf faces that the result's faces lie on. One more leaf has the
   /// faces of the result as its patches: facets of one face stay together.
   void take_covers() {
@@ -382,6 +396,7 @@ class Labeller {
     const auto order = [](const Soup::Face& a, const Soup::Face& b) {
       return std::tie(a.leaf, a.leaf_face, a.patch) < std::tie(b.leaf, b.leaf_face, b.patch);
     };
+    const std::vector<char> bent = find_bent();
     for (Index i = 0; i < flat_.faces.size(); ++i) {
       on.clear();
       for (const HalfFace cell : simplified_.faces[i].cells) {
@@ -394,7 +409,7 @@ class Labeller {
       std::sort(on.begin(), on.end(), order);
       on.erase(std::unique(on.begin(), on.end(), [&](const auto& a, const auto& b) { return !order(a, b); }),
                on.end());
-      on.push_back({result, i, i, 0, 0, 0});
+      on.push_back({result, i, i, 0, 0, bent[i] ? exact_.surface_count + 1 + i : 0});
       auto& numbers = of_face.emplace_back();
       for (const Soup::Face& face : on) numbers.push_back(sources.push_back(face));
     }
