@@ -25,6 +25,7 @@ struct EvalArguments {
   bool binary = false;      ///< .stl and .ply in their binary forms
   bool parameters = false;  ///< .json and .vtu with the parameters of patches
   bool certify = false;     ///< uncertain crossings of curved patches are an error
+  std::string join;         ///< features nearer than this number are joined; empty: none are
   Refining refining = Refining::chosen;
   int threads = 0, finer = 1;
 };
@@ -32,10 +33,11 @@ struct EvalArguments {
 int run_eval(const EvalArguments& arguments);
 
 struct CheckArguments {
-  std::string tree, inside;
-  int finer = 1;
+  std::string tree, inside, node;
+  std::string features;  ///< a number: all below it; `true`: the smallest; empty: none are listed
+  int threads = 0, finer = 1;
 };
-/// `cnrg check`: reads and validates only.
+/// `cnrg check`: reads and validates only; with `features`, evaluates and lists what is small.
 int run_check(const CheckArguments& arguments);
 
 struct LocateArguments {
@@ -70,6 +72,7 @@ struct MeshArguments {
   bool snap = false, no_snap = false, quiet = false;  ///< as of `eval`
   bool certify = false;                               ///< as of `eval`
   bool curved = false;                                ///< points on the true surfaces, elements of second order
+  std::string join;                                   ///< as of `eval`
   int threads = 0, finer = 1;
 };
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.

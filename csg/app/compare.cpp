@@ -9,7 +9,6 @@
 #include "csg/app/progress_bar.h"
 #include "csg/text/escape.h"
 #include "csg/text/input_file.h"
-#include "csg/tree/read_from_input.h"
 
 namespace cnrg::app {
 namespace {
@@ -21,9 +20,7 @@ struct Input {
 
 Input read(const std::string& path, const std::string& node, const char* option,
            const CompareArguments& arguments) {
-  const ReadOptions options{.inside = arguments.inside};
-  Input input{path == kStandardInputWord ? read_tree_from_input(options) : tree_of_file(path, options), {}};
-  make_finer(input.tree, arguments.finer);
+  Input input{tree_of_any(path, arguments.inside, arguments.finer), {}};
   input.node = node_of(input.tree, node, option);
   return input;
 }

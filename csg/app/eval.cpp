@@ -1,4 +1,4 @@
-// `cnrg eval` and `cnrg check`.
+// `cnrg eval`.
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -6,12 +6,14 @@
 #include "csg/app/commands.h"
 #include "csg/app/evaluation.h"
 #include "csg/app/exit_status.h"
+#include "csg/app/joined.h"
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 #include "csg/app/row_table.h"
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/result_file.h"
 #include "csg/operators/node_value.h"
+#include "csg/result/result_data.h"
 #include "csg/text/escape.h"
 #include "csg/text/file.h"
 #include "csg/topology/selectables.h"
@@ -51,12 +53,32 @@ std::vector<FileRequest> requests(const Tree& tree, const EvalArguments& argumen
   return out;
 }
 
+/// The result of each node, joined once where that is asked for.
+class Results {
+ public:
+  Results(const Tree& tree, const Evaluation& evaluation, const EvalArguments& arguments)
+      : tree_(tree), evaluation_(evaluation), arguments_(arguments) {}
+  const Result& operator()(NodeId node) {
+    const auto known = known_.find(node);
+    if (known != known_.end()) return known->second;
+    Result result = evaluation_.result(node);
+    if (!arguments_.join.empty()) result = joined(tree_, node, result, arguments_.join, arguments_.quiet);
+    return known_.emplace(node, std::move(result)).first->second;
+  }
+
+ private:
+  const Tree& tree_;
+  const Evaluation& evaluation_;
+  const EvalArguments& arguments_;
+  std::map<NodeId, Result> known_;
+};
+
 /// Writes files, and snaps each node that needs it once. What is to be said of them is kept until the rows are
 /// printed, whose last one has the time that this took.
 class FileWriter {
  public:
-  FileWriter(const Tree& tree, const Evaluation& evaluation, const EvalArguments& arguments)
-      : tree_(tree), evaluation_(evaluation), arguments_(arguments) {}
+  FileWriter(const Tree& tree, const Evaluation& evaluation, const EvalArguments& arguments, Results& results)
+      : tree_(tree), evaluation_(evaluation), arguments_(arguments), results_(results) {}
 
   void write_file(const FileRequest& file, const std::optional<PictureSize>& size) {
     const std::string& path = file.path;
@@ -74,7 +96,7 @@ class FileWriter {
         write(path, evaluation_);
       } else {
         const FileOptions options{arguments_.parameters, !arguments_.no_snap, arguments_.binary, &snapped_[node]};
-        report = at_node(tree_, node, [&] { return write(path, evaluation_.result(node), options); });
+        report = at_node(tree_, node, [&] { return write(path, results_(node), options); });
       }
     }
     if (!arguments_.quiet) {
@@ -103,6 +125,7 @@ class FileWriter {
   const Tree& tree_;
   const Evaluation& evaluation_;
   const EvalArguments& arguments_;
+  Results& results_;
   std::map<NodeId, SnappedResultOnce> snapped_;
   std::vector<std::string> messages_;
 
@@ -138,10 +161,8 @@ std::string told_of(const Tree& tree, std::vector<NodeId> nodes, const std::stri
   return text;
 }
 
-std::string topology_of(const Evaluation& evaluation, NodeId node) {
-  const KeptValue& kept = evaluation.value(node);
-  return topology_text(*evaluation.complex, selection_of(*evaluation.complex, *kept.value), *kept.simplified,
-                       kept.value->attributes());
+std::string topology_of(const Result& result) {
+  return topology_text(result.complex(), result.selection(), result.cells(), result.data().value->attributes());
 }
 
 /// What is shown becomes what `criteria` pick of it.
@@ -179,6 +200,9 @@ int run_eval(const EvalArguments& arguments) {
     throw InputError(
         "cnrg: error: options of pictures are given, and no picture; add `-o FILE.svg`, .png or .pdf");
   }
+  if (!arguments.join.empty() && pictures) {
+    throw InputError("cnrg: error: pictures show nodes as they are; leave out --join or the picture");
+  }
   Tree tree = tree_of(arguments);
   require_writable(arguments.files, tree);
   EvaluateOptions options;
@@ -203,18 +227,22 @@ int run_eval(const EvalArguments& arguments) {
   const bool crosses = arguments.certify ? require_certain(tree, evaluation, arguments.quiet)
                                          : tell_uncertain(tree, evaluation, arguments.quiet);
   clock.begin("results");
+  Results results(tree, evaluation, arguments);
+  if (!arguments.join.empty()) {  // what it has to say is said whether a file is written or not
+    if (options.nodes.empty()) results(tree.result);
+    for (const NodeId node : options.nodes) results(node);
+  }
   std::string told;
   if (arguments.topology) {
     ProgressBar bar(arguments.quiet);
     bar.show("topology");
-    told =
-        told_of(tree, options.nodes, "topology of ", [&](NodeId node) { return topology_of(evaluation, node); });
+    told = told_of(tree, options.nodes, "topology of ", [&](NodeId node) { return topology_of(results(node)); });
   }
   if (arguments.list) {
     told += told_of(tree, options.nodes, "what `select` can pick of ",
-                    [&](NodeId node) { return selectables_text(selectables(evaluation.result(node))); });
+                    [&](NodeId node) { return selectables_text(selectables(results(node))); });
   }
-  FileWriter writer(tree, evaluation, arguments);
+  FileWriter writer(tree, evaluation, arguments, results);
   const auto print_all = [&](bool whole) {
     if (!arguments.quiet) {
       std::cout << row_table(evaluation, stage_rows(clock, evaluation, crosses, whole), arguments.raw,
@@ -231,17 +259,6 @@ int run_eval(const EvalArguments& arguments) {
     throw;
   }
   print_all(true);
-  return kDone;
-}
-
-int run_check(const CheckArguments& arguments) {
-  const Tree tree = tree_of(arguments);
-  print(unused_nodes(tree, {tree.result}), false);
-  print(check(tree), false);
-  const auto leaves =
-      std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const Node& n) { return n.op == Operator::leaf; });
-  std::cout << shown(tree.file) << ": " << tree.nodes.size() << " nodes, " << leaves
-            << " of them leaves; no faults\n";
   return kDone;
 }
 

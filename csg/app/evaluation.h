@@ -14,6 +14,9 @@ namespace cnrg::app {
 /// Reads a tree file, or for `-` standard input, and makes its curved leaves as fine as asked for.
 Tree tree_of(const std::string& path, const std::string& inside, int finer);
 
+/// The same; another file (an exact result, a mesh, a CAD model) is a tree of one leaf.
+Tree tree_of_any(const std::string& path, const std::string& inside, int finer);
+
 /// The tree of a command.
 template <class Arguments>
 Tree tree_of(const Arguments& arguments) {

@@ -3,6 +3,7 @@
 // Results go to standard output; everything said about them goes to standard error. A command throws; here each
 // kind of exception becomes one message and its exit status.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <exception>
@@ -19,6 +20,7 @@
 #include "csg/app/output.h"
 #include "csg/app/program_text.h"
 #include "csg/text/file.h"
+#include "csg/text/number.h"
 #include "csg/tree/suggest.h"
 #include "kernel/base/error.h"
 
@@ -94,6 +96,27 @@ CLI::Validator number_check(double above, double below, const std::string& wante
         return read && value > above && value < below ? std::string() : "`" + text + "` is not " + wanted;
       },
       "");
+}
+
+/// What is wrong with an exact number that must be positive.
+std::string distance_fault(const std::string& text) {
+  const NumberText number = read_number(text);
+  if (!number.value) return "`" + text + "`" + number.fault;
+  return *number.value > 0 ? "" : "`" + text + "` is not a positive number";
+}
+
+constexpr const char* kFlagGiven = "true";  // what CLI11 makes of a flag without a value
+
+/// `--features 0.01 TREE` as `--features=0.01 TREE`: a value that may be left out must not take the tree for it.
+std::vector<std::string> command_line(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if (words[i] != "--features" || !read_number(words[i + 1]).value) continue;
+    words[i] += "=" + words[i + 1];
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  }
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  return words;
 }
 
 /// Options of pictures. Behind a `--node` they are for its panel alone, so their order matters: `picture_words`.
@@ -234,6 +257,9 @@ int run(int argc, char** argv) {
   sub->add_flag("--parameters", eval.parameters,
                 "In .json and .vtu: the parameters u, v of faces on curved patches")
       ->excludes(snap);
+  constexpr const char* kJoin =
+      "Join what is nearer than D and does not touch: corners, edges and faces; say what met and how far it moved";
+  sub->add_option("--join", eval.join, kJoin)->type_name("D")->check(distance_fault);
   add_threads(sub, eval.threads);
   sub->add_flag("--quiet", eval.quiet, "No rows and no notices");
   add_picture_options(sub);
@@ -246,9 +272,19 @@ int run(int argc, char** argv) {
   });
 
   CheckArguments check;
-  sub = program.add_subcommand("check", "Reads and validates a tree file without evaluating it");
-  add_tree(sub, check);
-  sub->footer("Example:\n  cnrg check model.yaml");
+  sub = program.add_subcommand(
+      "check", "Reads and validates a tree file without evaluating it; with --features, lists what is small");
+  add_tree(sub, check, "Tree file (YAML or JSON); `-` for standard input; with --features any model");
+  sub->add_flag(
+         "--features", check.features,
+         "List the smallest distances between what does not touch, lengths of edges and angles, with places "
+         "and nodes; with `--features D`, all distances and lengths below D")
+      ->check([](const std::string& text) { return text == kFlagGiven ? std::string() : distance_fault(text); });
+  sub->add_option("--node", check.node, "Of --features: this node; the result without it")
+      ->type_name("N")
+      ->check(name_fault);
+  add_threads(sub, check.threads);
+  sub->footer("Example:\n  cnrg check model.yaml\n  cnrg check --features 0.001 model.yaml");
   sub->callback([&] { command = [&] { return run_check(check); }; });
 
   LocateArguments locate;
@@ -330,9 +366,11 @@ int run(int argc, char** argv) {
       "Not by TetGen: exact constrained Delaunay tetrahedra, whatever their shapes; without it these are "
       "made only where TetGen fails");
   sub->add_flag("--certify", mesh.certify, kCertify);
+  CLI::Option* const joins = sub->add_option("--join", mesh.join, kJoin)->type_name("D")->check(distance_fault);
   CLI::Option* const curved =
       sub->add_flag("--curved", mesh.curved,
-                    "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes");
+                    "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes")
+          ->excludes(joins);
   CLI::Option* const snaps = sub->add_flag("--snap", mesh.snap, kSnap)->excludes(curved);
   sub->add_flag("--no-snap", mesh.no_snap, std::string(kNoSnap) + "refuse it")->excludes(snaps);
   add_threads(sub, mesh.threads);
@@ -389,7 +427,7 @@ int run(int argc, char** argv) {
   sub->callback([&] { command = [&] { return run_nodes(asked); }; });
 
   try {
-    program.parse(argc, argv);
+    program.parse(command_line(argc, argv));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return program.exit(e);
     return fail(kBadInput, command_line_fault(program, e));

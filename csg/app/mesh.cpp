@@ -6,6 +6,7 @@
 #include "csg/app/commands.h"
 #include "csg/app/evaluation.h"
 #include "csg/app/exit_status.h"
+#include "csg/app/joined.h"
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 #include "csg/evaluate/evaluate.h"
@@ -121,6 +122,7 @@ int run_mesh(const MeshArguments& arguments) {
   else tell_uncertain(tree, evaluation, arguments.quiet);
   TetrahedralMesh made;
   Result result = evaluation.result(node);
+  if (!arguments.join.empty()) result = joined(tree, node, result, arguments.join, arguments.quiet);
   SnapReport snapped;
   std::optional<CurvedReport> bent;
   {

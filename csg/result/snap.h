@@ -4,17 +4,7 @@
 // result. Where rounding each vertex by itself leaves the drawing as it is, and each region, wire and point where
 // it is, the result stays the exact one: its writers round it.
 //
-// Every cell is told what it is by the cells of the exact result that it stems from:
-//   * A 3-cell is the region that the sides of its faces name. Where faces have crossed, sides may contradict each
-//     other (the cavity is no thicker than the displacement): then the region with the largest area of sides has
-//     it. Location in the exact result would be no better a judge: near a wall every point lies closer to it than
-//     the displacement. Where faces have fallen together their regions cancel out but for the first and the last.
-//   * A face whose sides are in one region, though it parted two, has lost one of them to the rounding; it
-//     vanishes, and with it edges and vertices that nothing else has. Dangling faces, wires and points stay.
-//   * Of several exact cells on one snapped cell, the first active component has it.
-//   * Components keep their numbers, names and materials; cells know the leaf faces, patches and leaves that they
-//     came from. Edges and vertices of the result stay edges and vertices, and a face stays one face: what was
-//     flat is a face of several facets now, unless it still is flat.
+// What its cells are is told by those of the exact result that each stems from (relabel.h).
 #pragma once
 
 #include <memory>

@@ -143,7 +143,7 @@ class Snapper {
     }
   }
 
-  SnappedDrawing run() {
+  MovedDrawing run() {
     Refined first = refine(start_);
     if (first.crossings == 0) return finish(start_, first, 1);
     int rounds = 1;
@@ -421,8 +421,8 @@ class Snapper {
     return next;
   }
 
-  SnappedDrawing finish(const State& state, Refined& refined, int rounds) {
-    SnappedDrawing result{std::move(refined.complex), {}, {}, {}, 0, false, 0};
+  MovedDrawing finish(const State& state, Refined& refined, int rounds) {
+    MovedDrawing result{std::move(refined.complex), {}, {}, {}, 0, false, 0};
     const Complex& complex = *result.complex;
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
       result.faces.push_back(lists_[faces_on(state, complex, f)]);
@@ -440,7 +440,7 @@ class Snapper {
 
 }  // namespace
 
-SnappedDrawing snap(const PointTable& points, const NumberedDrawing& drawing) {
+MovedDrawing snap(const PointTable& points, const NumberedDrawing& drawing) {
   return Snapper(points, drawing).run();
 }
 

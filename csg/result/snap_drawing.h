@@ -20,12 +20,7 @@
 // do, so no point of the drawing moves farther than the largest moves of all rounds together.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
-
-#include "kernel/complex/draft.h"
+#include "csg/result/moved_drawing.h"
 
 namespace cnrg {
 
@@ -36,36 +31,8 @@ inline constexpr int kSnapGrids = 9;
 /// A grid is given up after so many rounds without fewer crossings than ever before.
 inline constexpr int kSnapPatience = 8;
 
-/// What is drawn, by numbers of points; triangles of one face share its number, pieces of one edge that.
-struct NumberedDrawing {
-  struct Triangle {
-    std::array<std::uint32_t, 3> points;
-    std::uint32_t face = 0;
-  };
-  struct Piece {
-    std::array<std::uint32_t, 2> points;
-    std::uint32_t edge = 0;
-  };
-  std::vector<VertexId> points;  ///< in the table that it is drawn with
-  std::vector<Triangle> triangles;
-  std::vector<Piece> pieces;            ///< of edges, on triangles or not
-  std::vector<std::uint32_t> isolated;  ///< points that are drawn by themselves
-};
-
-struct SnappedDrawing {
-  ComplexDraft complex;  ///< each vertex is three doubles
-  /// Of each face of the complex the faces of the drawing that lie on it, each as often as it does: 2 * face, and
-  /// 1 more where its front is the back here.
-  Csr<FaceId, std::uint32_t> faces;
-  Csr<EdgeId, std::uint32_t> edges;  ///< of each edge those edges of the drawing that run along it, ascending
-  std::vector<VertexId> points;      ///< where each point is; none() if all that had it has collapsed
-  int rounds = 0;                    ///< refinements
-  bool plain = false;                ///< rounding each point by itself was enough: nothing was cut, merged or lost
-  double displacement = 0;           ///< no point of the drawing moved farther (units of the model)
-};
-
 /// The drawing must not be empty. Throws InputError when it does not become stable, and for coordinates beyond the
-/// range of doubles.
-SnappedDrawing snap(const PointTable& points, const NumberedDrawing& drawing);
+/// range of doubles. Each vertex of the complex is three doubles then.
+MovedDrawing snap(const PointTable& points, const NumberedDrawing& drawing);
 
 }  // namespace cnrg

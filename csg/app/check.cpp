@@ -1,0 +1,58 @@
+// `cnrg check`: what can be told of a tree without evaluating it, and what of a model is small.
+#include <algorithm>
+#include <iostream>
+
+#include "csg/app/commands.h"
+#include "csg/app/evaluation.h"
+#include "csg/app/exit_status.h"
+#include "csg/app/output.h"
+#include "csg/app/progress_bar.h"
+#include "csg/evaluate/evaluate.h"
+#include "csg/text/escape.h"
+#include "csg/text/file.h"
+#include "csg/topology/features.h"
+
+namespace cnrg::app {
+namespace {
+
+int list_features(const CheckArguments& arguments) {
+  const Tree tree = tree_of_any(arguments.tree, arguments.inside, arguments.finer);
+  const NodeId node = node_of(tree, arguments.node);
+  print(unused_nodes(tree, {tree.result, node}), false);
+  EvaluateOptions options;
+  options.threads = arguments.threads;
+  options.rows = Rows::none;
+  options.nodes = {node};
+  const Evaluation evaluation = evaluate_in_view(tree, options, false);
+  ProgressBar bar(false);
+  bar.show("features");
+  const std::optional<Rational> below = parse_rational(arguments.features);  // a flag without a value is no number
+  const std::string text = at_node(tree, node, [&] {
+    const Result result = evaluation.result(node);
+    return features_text(result, features(result, below));
+  });
+  bar.clear();
+  std::string head;
+  append_line(head, "small features of " + shown(tree.nodes[node].name));
+  std::cout << head << text << std::flush;
+  return kDone;
+}
+
+}  // namespace
+
+int run_check(const CheckArguments& arguments) {
+  if (!arguments.features.empty()) return list_features(arguments);
+  if (!arguments.node.empty()) {
+    throw InputError("cnrg: error: --node says of which node to list features; add --features, or leave it out");
+  }
+  const Tree tree = tree_of(arguments);
+  print(unused_nodes(tree, {tree.result}), false);
+  print(check(tree), false);
+  const auto leaves =
+      std::count_if(tree.nodes.begin(), tree.nodes.end(), [](const Node& n) { return n.op == Operator::leaf; });
+  std::cout << shown(tree.file) << ": " << tree.nodes.size() << " nodes, " << leaves
+            << " of them leaves; no faults\n";
+  return kDone;
+}
+
+}  // namespace cnrg::app

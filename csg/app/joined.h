@@ -1,0 +1,15 @@
+// `--join`: a result whose near features are joined, and what is told of that.
+#pragma once
+
+#include <string>
+
+#include "csg/result/result.h"
+#include "csg/tree/tree.h"
+
+namespace cnrg::app {
+
+/// Joins behind a progress bar and prints what met; `distance` is a number. Regions that vanish, and what is still
+/// near, are told even if `quiet`.
+Result joined(const Tree& tree, NodeId node, const Result& result, const std::string& distance, bool quiet);
+
+}  // namespace cnrg::app

@@ -1,0 +1,382 @@
+#include "csg/result/join.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <span>
+#include <tuple>
+
+#include "csg/geometry/exact_vectors.h"
+#include "csg/result/join_drawing.h"
+#include "csg/result/part_text.h"
+#include "csg/result/relabel.h"
+#include "csg/result/result_data.h"
+#include "csg/result/rounding.h"
+#include "kernel/exact/distance.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Parts::Index;
+constexpr Index kNone = Parts::kNone;
+constexpr int kPatience = 8;  // rounds
+
+/// What one round moves, and which of its pairs that joins, each with the place where.
+struct Plan {
+  Moves moves;
+  std::vector<std::pair<const NearPair*, RationalPoint>> joined;
+};
+
+class Planner {
+ public:
+  /// What is nearer than `corner` (its square; 0: nothing) to a corner of what it meets goes to that corner.
+  /// `reversed`: of points the last in the order of preference stay.
+  Planner(const Parts& parts, const std::set<RationalPoint>& given, Rational corner, bool reversed)
+      : parts_(parts), given_(given), corner_(std::move(corner)), reversed_(reversed) {
+    list_facets();
+    plan_.moves.to = parts.points();
+    moved_.assign(parts.points().size(), 0);
+  }
+
+  Plan meet_points(const std::vector<NearPair>& pairs) {
+    const std::size_t n = parts_.points().size();
+    std::vector<std::vector<const NearPair*>> near(n);
+    std::vector<Index> order;
+    for (const NearPair& pair : pairs) {
+      for (const Index p : {pair.a, pair.b}) {
+        if (near[p].empty()) order.push_back(p);
+        near[p].push_back(&pair);
+      }
+    }
+    // Those that hold most, then those of the input, then by coordinates.
+    std::vector<std::tuple<Rank, bool, Index>> preferred;
+    for (const Index p : order) {
+      const auto [walls, all] = rank_of_point(p);
+      preferred.push_back({{-walls, -all}, !given_.contains(parts_.points()[p]), p});
+    }
+    std::sort(preferred.begin(), preferred.end());
+    if (reversed_) std::reverse(preferred.begin(), preferred.end());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = std::get<Index>(preferred[i]);
+    std::vector<char> stays(n, 0), taken(n, 0);
+    for (const Index p : order) {
+      if (taken[p]) continue;
+      stays[p] = 1;
+      for (const NearPair* const pair : near[p]) taken[other(*pair, p)] = 1;
+    }
+    for (const Index p : order) {
+      if (stays[p]) continue;
+      for (const NearPair* const pair : near[p]) {  // the nearest first
+        const Index q = other(*pair, p);
+        if (!stays[q]) continue;
+        plan_.moves.to[p] = parts_.points()[q];
+        plan_.joined.emplace_back(pair, parts_.points()[q]);
+        break;
+      }
+    }
+    return std::move(plan_);
+  }
+
+  /// Points with segments, points with facets, segments with segments.
+  Plan meet(const std::vector<NearPair>& pairs) {
+    std::vector<std::pair<Rank, const NearPair*>> order;
+    for (const NearPair& pair : pairs) order.emplace_back(rank_of_target(pair), &pair);
+    // A point that goes somewhere goes to what holds most.
+    std::stable_sort(order.begin(), order.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
+    for (const auto& [rank, pair] : order) {
+      if (pair->kind == Near::segments) meet_segments(*pair);
+      else meet_point(*pair);
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  const Parts& parts_;
+  const std::set<RationalPoint>& given_;
+  std::vector<std::vector<Index>> facets_of_;  // of each point, ascending
+  std::vector<RationalPoint> normals_;         // of each facet
+  const Rational corner_;
+  const bool reversed_;
+  Plan plan_;
+  std::vector<char> moved_;
+  std::set<std::pair<std::pair<Near, Index>, RationalPoint>> jointed_;
+
+  static Index other(const NearPair& pair, Index p) { return pair.a == p ? pair.b : pair.a; }
+
+  /// Of how many planes with independent normals a point or part is: first those of walls and boundaries of
+  /// regions, then those of sheets, too. Wires hold nothing.
+  using Rank = std::pair<int, int>;
+
+  void list_facets() {
+    facets_of_.resize(parts_.points().size());
+    normals_.resize(parts_.facets().size());
+    for (const Parts::Triangle& t : parts_.triangles()) {
+      const auto& x = parts_.points();
+      if (is_zero(normals_[t.facet]))
+        normals_[t.facet] = cross(x[t.corners[1]] - x[t.corners[0]], x[t.corners[2]] - x[t.corners[0]]);
+    }
+    for (Index f = 0; f < parts_.facets().size(); ++f) {
+      for (const Index p : parts_.facets()[f].corners) facets_of_[p].push_back(f);
+    }
+  }
+
+  bool is_wall(Index facet) const {
+    const auto& [front, back] = parts_.flat().faces[parts_.facets()[facet].face].regions;
+    return front != back;
+  }
+
+  Rank rank(const std::vector<Index>& facets) const {
+    const auto independent = [&](bool walls) {
+      std::vector<const RationalPoint*> basis;
+      for (const Index f : facets) {
+        if (basis.size() == 3 || (walls && !is_wall(f))) continue;
+        const RationalPoint& n = normals_[f];
+        if (basis.empty() || (basis.size() == 1 && !is_zero(cross(*basis[0], n))) ||
+            (basis.size() == 2 && dot(cross(*basis[0], *basis[1]), n) != 0))
+          basis.push_back(&n);
+      }
+      return int(basis.size());
+    };
+    return {independent(true), independent(false)};
+  }
+  Rank rank_of_point(Index p) const { return rank(facets_of_[p]); }
+  Rank rank_of_segment(Index s) const {
+    const auto& [a, b] = parts_.segments()[s].ends;
+    std::vector<Index> both;
+    std::set_intersection(facets_of_[a].begin(), facets_of_[a].end(), facets_of_[b].begin(), facets_of_[b].end(),
+                          std::back_inserter(both));
+    return rank(both);
+  }
+  Rank rank_of_part(const NearPair& pair) const {
+    return pair.kind == Near::point_facet ? rank({pair.b}) : rank_of_segment(pair.b);
+  }
+  Rank rank_of_target(const NearPair& pair) const {
+    return std::max(pair.kind == Near::segments ? rank_of_segment(pair.a) : rank_of_point(pair.a),
+                    rank_of_part(pair));
+  }
+
+  /// False if the part has a joint there already: the pair will be met in the next round.
+  bool add_joint(Near on, Index part, const RationalPoint& at, const RationalPoint& to) {
+    if (!jointed_.insert({{on, part}, at}).second) return false;
+    plan_.moves.joints.push_back({on, part, at, to});
+    return true;
+  }
+
+  /// The nearest of some points that is nearer to `at` than `corner_`.
+  std::optional<Index> corner_near(const RationalPoint& at, std::span<const Index> corners) const {
+    std::optional<Index> nearest;
+    Rational least = corner_;
+    for (const Index c : corners) {
+      const RationalPoint d = parts_.points()[c] - at;
+      const Rational square = dot(d, d);
+      if (square >= least || moved_[c]) continue;
+      least = square;
+      nearest = c;
+    }
+    return nearest;
+  }
+  std::span<const Index> corners_of(const NearPair& pair) const {
+    if (pair.kind == Near::point_facet) return parts_.facets()[pair.b].corners;
+    return parts_.segments()[pair.b].ends;
+  }
+  /// Two points, of which one goes to the other and neither goes anywhere else in this round.
+  void meet_corner(const NearPair& pair, Index p, Index c) {
+    if (moved_[p] || moved_[c] || p == c) return;
+    const bool goes = rank_of_point(p) <= rank_of_point(c);
+    const RationalPoint to = parts_.points()[goes ? c : p];
+    plan_.moves.to[goes ? p : c] = to;
+    moved_[p] = moved_[c] = 1;
+    plan_.joined.emplace_back(&pair, to);
+  }
+
+  void meet_point(const NearPair& pair) {
+    const Index p = pair.a;
+    if (moved_[p]) return;
+    if (const auto corner = corner_near(parts_.points()[p], corners_of(pair)))
+      return meet_corner(pair, p, *corner);
+    const bool goes = rank_of_point(p) <= rank_of_part(pair);
+    const RationalPoint& to = goes ? pair.at_b : parts_.points()[p];
+    if (!add_joint(pair.kind, pair.b, pair.at_b, to)) return;
+    plan_.joined.emplace_back(&pair, to);
+    moved_[p] = goes;
+    plan_.moves.to[p] = to;
+  }
+
+  void meet_segments(const NearPair& pair) {
+    constexpr Near kOn = Near::point_segment;
+    if (jointed_.contains({{kOn, pair.a}, pair.at_a}) || jointed_.contains({{kOn, pair.b}, pair.at_b})) return;
+    const auto first = corner_near(pair.at_a, parts_.segments()[pair.a].ends);
+    const auto second = corner_near(pair.at_b, parts_.segments()[pair.b].ends);
+    if (first && second) return meet_corner(pair, *first, *second);
+    const RationalPoint& to = rank_of_segment(pair.a) >= rank_of_segment(pair.b) ? pair.at_a : pair.at_b;
+    add_joint(kOn, pair.a, pair.at_a, to);
+    add_joint(kOn, pair.b, pair.at_b, to);
+    plan_.joined.emplace_back(&pair, to);
+  }
+};
+
+std::size_t active_regions(const FlatComplex& flat) {
+  std::size_t n = 0;
+  for (Index r = 0; r < flat.regions.size(); ++r) n += flat.active(r);
+  return n;
+}
+
+/// `rock, r3, at (1, 2, 3)`: its name or its leaves, its number where that is still the one of the result that was
+/// given, the first of its points.
+std::string text_of_region(const ResultView& view, const FlatComplex& flat, Index r, bool numbered) {
+  std::string text = attributes_of(view, flat.regions[r].component).name;
+  if (text.empty()) text = "a region of " + names_of_leaves(view, flat.regions[r].origin);
+  if (numbered) text += ", r" + std::to_string(r);
+  Index first = kNone;
+  for (const auto& shell : flat.regions[r].shells) {
+    for (const Index side : shell) {
+      for (const auto& t : flat.faces[side / 2].triangles) first = std::min({first, t[0], t[1], t[2]});
+    }
+  }
+  if (first != kNone) text += ", at " + coordinates(view.complex->points.rational(flat.points[first]));
+  return text;
+}
+
+void require_distance(const Rational& within, const Parts& parts) {
+  if (within <= 0) {
+    throw InputError("the distance within which features are joined must be positive, and is " +
+                     to_decimal(within, 6));
+  }
+  const RationalPoint* low = nullptr;
+  std::optional<RationalPoint> lo, hi;
+  for (const RationalPoint& p : parts.points()) {
+    if (low == nullptr) lo = hi = p;
+    low = &p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (p[k] < (*lo)[k]) (*lo)[k] = p[k];
+      if (p[k] > (*hi)[k]) (*hi)[k] = p[k];
+    }
+  }
+  if (low == nullptr) return;
+  const RationalPoint d = *hi - *lo;
+  const Rational size = std::max({d[0], d[1], d[2]});
+  if (size > 0 && within >= size) {
+    throw InputError("features nearer than " + to_decimal(within, 6) +
+                     " would be joined, but the whole result is " + to_decimal(size, 6) +
+                     " long; give a smaller distance");
+  }
+}
+
+class Joiner {
+ public:
+  Joiner(const Result& result, const Rational& within, JoinReport& report)
+      : within_(within), report_(report), data_(std::make_shared<Result::Data>(result.data())) {}
+
+  /// True if anything was joined.
+  bool run() {
+    flat_ = flatten(data_->view());
+    require_bounds(flat_, "features can be joined only of a result that has bounds", "");
+    report_.regions_before = report_.regions_after = active_regions(flat_);
+    {
+      const Parts parts(data_->view(), flat_);
+      require_distance(within_, parts);
+      const PointTable& table = data_->complex->points;
+      for (std::size_t p = 0; p < parts.points().size(); ++p) {
+        if (!table.is_constructed(flat_.points[p])) given_.insert(parts.points()[p]);
+      }
+    }
+    while (join_once()) {
+      flat_ = flatten(data_->view());
+      report_.regions_after = active_regions(flat_);
+    }
+    return report_.rounds > 0;
+  }
+
+  std::shared_ptr<const Result::Data> data() const { return data_; }
+
+ private:
+  const Rational within_;
+  JoinReport& report_;
+  std::shared_ptr<Result::Data> data_;
+  FlatComplex flat_;
+  std::set<RationalPoint> given_;  // points of the input
+
+  /// Thin triangles with sides longer than the distance and heights below it would be bent back and forth: when
+  /// rounds become many, what is somewhat farther from corners goes there. 0: nothing does.
+  Rational corner_reach() const {
+    return report_.rounds < kPatience ? Rational(0) : Rational((report_.rounds < 2 * kPatience ? 2 : 4) * within_);
+  }
+  /// Another round might move something farther than a result is allowed to be moved.
+  bool is_exhausted() const {
+    const double next = to_double(std::max<Rational>(within_, corner_reach()));
+    return report_.displacement + next * (1 + 0x1p-50) > kMostJoinMoves * to_double(within_);
+  }
+
+  bool join_once() {
+    const ResultView view = data_->view();
+    const Parts parts(view, flat_);
+    std::vector<NearPair> pairs = near_pairs(parts, Near::points, within_);
+    const bool points = !pairs.empty();
+    if (!points) pairs = near_pairs(parts, Near::point_segment, within_);
+    if (pairs.empty()) {
+      pairs = near_pairs(parts, Near::point_facet, within_);
+      std::vector<NearPair> more = near_pairs(parts, Near::segments, within_);
+      std::move(more.begin(), more.end(), std::back_inserter(pairs));
+      std::stable_sort(pairs.begin(), pairs.end(),
+                       [](const NearPair& x, const NearPair& y) { return x.squared < y.squared; });
+    }
+    if (pairs.empty()) return false;
+    if (is_exhausted()) {
+      report_.remaining = pairs.size();
+      report_.nearest = nearest_root(pairs.front().squared);
+      return false;
+    }
+    // What crosses again where it crossed before, after its points have gone to a corner, is broken by letting the
+    // corner go.
+    const bool reversed = report_.rounds >= 2 * kPatience && report_.rounds / kPatience % 2 == 1;
+    const Rational reach = corner_reach();
+    Planner planner(parts, given_, reach * reach, reversed);
+    const Plan plan = points ? planner.meet_points(pairs) : planner.meet(pairs);
+    const bool first = report_.rounds++ == 0;
+    for (const auto& [pair, place] : plan.joined) {
+      report_.merged.push_back(text_of(view, parts, pair->kind, pair->a, pair->b, first) + ", at " +
+                               coordinates(place) + ": " + distance_text(pair->squared) + " apart");
+    }
+    const auto made = std::make_shared<Relabelled>(*relabel(view, flat_, move(parts, plan.moves), false));
+    report_.displacement += made->report.displacement;
+    report_.lost_faces += made->lost_faces.size();
+    report_.lost_wires += made->lost_wires.size();
+    for (const Index r : made->lost_regions) report_.lost_regions.push_back(text_of_region(view, flat_, r, first));
+    data_->complex = made->complex;
+    data_->value = std::shared_ptr<const NodeValue>(made, &made->value);
+    data_->simplified = std::shared_ptr<const SimplifiedComplex>(made, &made->simplified);
+    data_->parameters = nullptr;
+    data_->of_group = made->of_group;
+    return true;
+  }
+};
+
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + ' ' + (n == 1 ? one : many);
+}
+
+}  // namespace
+
+Result join(const Result& result, const Rational& within, JoinReport* report) {
+  JoinReport own;
+  Joiner joiner(result, within, report != nullptr ? *report : own);
+  return joiner.run() ? Result(joiner.data()) : result;
+}
+
+std::string JoinReport::text(const Rational& within) const {
+  const std::string d = to_decimal(within, 6);
+  if (rounds == 0) return "nothing is nearer than " + d + " that does not touch; nothing was joined";
+  std::string far;
+  append(far, displacement);
+  std::string text = "joined " + counted(merged.size(), "pair", "pairs") + " nearer than " + d + ", in " +
+                     counted(std::size_t(rounds), "round", "rounds") + "; nothing moved by more than " + far;
+  if (lost_faces > 0) text += "; " + counted(lost_faces, "face", "faces") + " vanished";
+  if (lost_wires > 0) text += "; " + counted(lost_wires, "wire", "wires") + " vanished";
+  if (!lost_regions.empty()) text += "; " + counted(lost_regions.size(), "region", "regions") + " vanished";
+  if (regions_before != regions_after) {
+    text += "; there were " + counted(regions_before, "region", "regions") + " and are " +
+            std::to_string(regions_after);
+  }
+  return text;
+}
+
+}  // namespace cnrg

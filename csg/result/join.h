@@ -1,0 +1,61 @@
+// A result in which nothing is nearer than a distance d that does not touch: near features are joined.
+//
+// People type four decimals: a bolt ends 1e-5 from the fault that it should reach, a sheet misses an edge. The
+// exact result has these gaps, and a mesh of it elements as small. To round all points to a grid would not help:
+// two points of one place may still go to two grid points, and an edge passes by the point that lies on it. Here
+// points and what they are near (near.h) are brought together, round by round; what moves takes along what it
+// bounds:
+//
+//   1. Points nearer than d to each other: one of them stays, the others go there. Those that stay are chosen one
+//      by one in the order of preference, each taking all that are near, so they are not nearer than d themselves.
+//   2. If there are none, points near segments: the segment gets a joint there, and the two meet.
+//   3. If there are none of these either, points near facets, and segments near segments, in the same way.
+//
+// Of two that meet, that one moves which is held less, that is by fewer independent planes of walls and boundaries
+// of regions, or of as many by fewer of sheets. So a corner of a region stays, and an edge bends to it; a bolt's
+// end goes to the fault, which stays flat; and a fault's corner on the floor of the ground goes to the edge of
+// that and stays on the floor. Of equals the point goes; of two points one of the input stays before one that was
+// constructed, then the first by its coordinates. None of this depends on numbers of leaves or the order of nodes.
+//
+// The drawing of what has moved is refined exactly, so the result is a complex again whatever happened, and told
+// what it is by what it was (relabel.h). Rounds end when nothing is near: then joining again changes nothing.
+// That they end is not proven: two edges may bend to each other's points in turn. After some rounds, what is
+// within 2 d of a corner, later 4 d, goes there, and of two points the other one stays, which ends nearly all such
+// turns. No point is moved by kMostJoinMoves times d or more in all rounds together: what would move farther is
+// left, and the report says so.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csg/result/result.h"
+#include "kernel/exact/rational.h"
+
+namespace cnrg {
+
+inline constexpr int kMostJoinMoves = 16;
+
+/// What `join` did.
+struct JoinReport {
+  int rounds = 0;           ///< in which something was moved; 0: nothing was near, the result is the same
+  double displacement = 0;  ///< no point of the result moved farther (units)
+  /// What met, the nearest first in each round, a line each, such as `point v3 of bolt and face f2 of fault, at
+  /// (1, 2, 3): 1e-05 apart`. Numbers are those of the result that was given, so there are none after the first
+  /// round.
+  std::vector<std::string> merged;
+  /// Regions of which nothing is left, by name, or else by their leaves, and a place.
+  std::vector<std::string> lost_regions;
+  std::size_t lost_faces = 0, lost_wires = 0;
+  std::size_t regions_before = 0, regions_after = 0;  ///< active ones, in one piece each
+  std::size_t remaining = 0;                          ///< pairs that are nearer than asked for all the same
+  double nearest = 0;                                 ///< of these, their least distance
+  /// One line without its end: `joined 3 pairs nearer than 0.001, ...`.
+  std::string text(const Rational& within) const;
+};
+
+/// `within`: the distance d (units), positive. Throws InputError if it is not, if it is not smaller than the
+/// result itself, if a face or line of the result reaches the frame of unbounded leaves, and if nothing would be
+/// left. What the result knew of true surfaces (parameters) is gone where anything was joined.
+Result join(const Result& result, const Rational& within, JoinReport* report = nullptr);
+
+}  // namespace cnrg

@@ -1,0 +1,27 @@
+// The drawing of a result with some of its points moved, with joints in its segments and facets, refined.
+#pragma once
+
+#include <vector>
+
+#include "csg/result/moved_drawing.h"
+#include "csg/result/near.h"
+
+namespace cnrg {
+
+/// A point in the interior of a segment or facet that becomes a corner there, and where it goes.
+struct Joint {
+  Near on = Near::point_segment;  ///< point_segment: of a segment; point_facet: of a facet
+  Parts::Index part = 0;
+  RationalPoint at, to;
+};
+
+struct Moves {
+  std::vector<RationalPoint> to;  ///< by point
+  std::vector<Joint> joints;      ///< at different points of each part
+};
+
+/// All pieces of edges, triangles and free points of the parts' result, moved. What collapses is left out. Throws
+/// InputError if all does.
+MovedDrawing move(const Parts& parts, const Moves& moves);
+
+}  // namespace cnrg

@@ -1,0 +1,533 @@
+// By the rules in the header: first the regions of 3-cells, by what the sides of faces say; then which faces,
+// edges and vertices remain and what they are; then their leaves and patches.
+#include "csg/result/relabel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "csg/operators/cell_sources.h"
+#include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
+#include "kernel/selection/canonical.h"
+#include "kernel/selection/measure.h"
+
+namespace cnrg {
+namespace {
+
+using Index = FlatComplex::Index;
+constexpr Index kNone = FlatComplex::kNone;
+
+template <class Piece>
+void for_each_piece(const FlatComplex::Edge& edge, const Piece& piece) {
+  const std::size_t n = edge.points.size();
+  for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) piece(edge.points[k], edge.points[(k + 1) % n]);
+}
+
+/// What is in `a` more often than in `b`, as many times as it is more. Both are ascending.
+std::vector<Index> difference(const std::vector<Index>& a, const std::vector<Index>& b) {
+  std::vector<Index> rest;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(rest));
+  return rest;
+}
+
+/// What cells of the result a new cell comes from.
+struct Sources {
+  std::vector<LeafId> leaves;
+  SaidPointer said;
+  void clear() {
+    leaves.clear();
+    said.reset();
+  }
+};
+
+class Labeller {
+ public:
+  Labeller(const ResultView& view, const FlatComplex& flat, MovedDrawing drawing)
+      : exact_(*view.complex),
+        flat_(flat),
+        moved_(std::move(drawing)),
+        complex_(*moved_.complex),
+        exact_value_(view.value->is_group() ? components_of(exact_, view.value->group())
+                                            : view.value->components()),
+        simplified_(*view.simplified) {
+    put_in_order(exact_, simplified_);  // so that its cells have the numbers of `flat`
+  }
+
+  /// False if moving changed nothing but digits.
+  bool run() {
+    find_sides();
+    name_regions();
+    if (moved_.plain && is_faithful()) return false;
+    decide_faces();
+    decide_edges();
+    decide_vertices();
+    list_regions();
+    take_covers();
+    take_curves();
+    sources_.leaf_count = exact_.leaf_count + 1;
+    value_.attributes = exact_value_.attributes;
+    return true;
+  }
+
+  Components value() { return std::move(value_); }
+  std::shared_ptr<const Complex> complex() {
+    moved_.complex.set_sources(std::move(sources_));
+    return moved_.complex.finish();
+  }
+  /// The edges and vertices of the result, where they still are.
+  Features kept() const { return kept_; }
+
+  /// Fills what is told of the move.
+  void tell(Relabelled& out) const {
+    SnapReport& report = out.report;
+    report.rounds = moved_.rounds;
+    report.displacement = moved_.displacement;
+    report.points = flat_.points.size();
+    std::vector<char> old(complex_.points.size(), 0);
+    for (Index p = 0; p < flat_.points.size(); ++p) {
+      const VertexId v = moved_.points[p];
+      report.moved += !v.valid() || complex_.points.rational(v) != exact_.points.rational(flat_.points[p]);
+      if (v.valid()) old[v.index()] = 1;
+    }
+    for (const VertexId v : complex_.vertices) report.added += !old[v.index()];
+    std::vector<char> faces(flat_.faces.size(), 0), regions(flat_.regions.size(), 0);
+    for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+      if (!remains_[f]) continue;
+      for (const Index code : moved_.faces[f]) faces[code >> 1] = 1;
+    }
+    for (const Index r : region_) {
+      if (r != kNone) regions[r] = 1;
+    }
+    std::vector<char> edges(flat_.edges.size(), 0);
+    for (const Index i : moved_.edges.values()) edges[i] = 1;
+    for (Index i = 0; i < faces.size(); ++i) {
+      if (!faces[i]) out.lost_faces.push_back(i);
+    }
+    for (Index i = 0; i < regions.size(); ++i) {
+      if (flat_.active(i) && !regions[i]) out.lost_regions.push_back(i);
+    }
+    for (Index i = 0; i < edges.size(); ++i) {
+      if (flat_.edges[i].wire && !edges[i]) out.lost_wires.push_back(i);
+    }
+    report.faces = out.lost_faces.size();
+    report.regions = out.lost_regions.size();
+    report.wires = out.lost_wires.size();
+  }
+
+ private:
+  const Complex& exact_;
+  const FlatComplex& flat_;
+  MovedDrawing moved_;
+  const Complex& complex_;
+  const Components exact_value_;
+  SimplifiedComplex simplified_;
+  Components value_;
+  std::map<std::pair<const Attributes*, int>, SaidPointer> said_;  // by what the result says, and dimension
+  Features kept_;
+  /// Of the new complex. It names no regions of leaves: the result's region holds several of each, and a wall
+  /// of one leaf may lie where another one has its own.
+  ComplexSources sources_;
+  /// The regions that each face names on its front and back.
+  IdVector<FaceId, std::array<std::vector<Index>, 2>> sides_;
+  IdVector<RegionId, Index> region_;  // region of the result
+  bool contradicted_ = false;         // the sides of a 3-cell name several regions
+  IdVector<FaceId, char> remains_;    // it did not vanish
+  IdVector<EdgeId, char> edge_remains_;
+  IdVector<FaceId, Component> face_state_;
+  IdVector<EdgeId, Component> edge_state_;
+
+  /// Several faces of the result may have fallen onto one face. On its front are then the regions on their fronts
+  /// except those that are on their backs, too; and the other way round.
+  void find_sides() {
+    sides_.resize(complex_.face_count());
+    for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+      std::vector<Index> named[2];
+      for (const Index code : moved_.faces[f]) {
+        for (Index side = 0; side < 2; ++side) {
+          named[side].push_back(flat_.faces[code >> 1].regions[side ^ (code & 1)]);
+        }
+      }
+      if (named[0].size() == 1) {
+        sides_[f] = {named[0], named[1]};
+        continue;
+      }
+      for (auto& list : named) std::sort(list.begin(), list.end());
+      sides_[f] = {difference(named[0], named[1]), difference(named[1], named[0])};
+    }
+  }
+
+  /// A 3-cell is the region that the sides of its faces name. A face that names none has one region on both sides,
+  /// so the name of the 3-cell on one side is that of the other.
+  void name_regions() {
+    region_.assign(complex_.region_count, kNone);
+    std::vector<char> named(complex_.region_count, 0);
+    std::vector<RegionId> ready;
+    for (const RegionId r : IdRange<RegionId>(complex_.region_count)) {
+      std::map<Index, double> area;
+      for (const HalfFace h : complex_.region_faces[r]) {
+        for (const Index region : sides_[h.face()][h.side()]) area[region] = 0;
+      }
+      if (area.empty()) continue;
+      contradicted_ = contradicted_ || area.size() > 1;
+      region_[r] = area.size() == 1 ? area.begin()->first : largest(r, area);
+      named[r.index()] = 1;
+      ready.push_back(r);
+    }
+    for (std::size_t i = 0; i < ready.size(); ++i) {
+      for (const HalfFace h : complex_.region_faces[ready[i]]) {
+        const RegionId other = complex_.region(h.opposite());
+        if (named[other.index()] || !sides_[h.face()][0].empty()) continue;
+        named[other.index()] = 1;
+        region_[other] = region_[ready[i]];
+        ready.push_back(other);
+      }
+    }
+    if (ready.size() == complex_.region_count) return;
+    // All faces have fallen together with others, or there are none: what is left is the outside.
+    require(ready.empty(), "relabel: a region next to no face that names it");
+    const auto outside = std::find_if(flat_.regions.begin(), flat_.regions.end(),
+                                      [](const auto& region) { return !region.bounded; });
+    for (Index& r : region_) r = outside == flat_.regions.end() ? kNone : Index(outside - flat_.regions.begin());
+  }
+
+  Index largest(RegionId r, std::map<Index, double>& area) const {
+    for (const HalfFace h : complex_.region_faces[r]) {
+      const auto& named = sides_[h.face()][h.side()];
+      if (named.empty()) continue;
+      const double size = std::sqrt(to_double(squared_area(complex_, h.face()))) / double(named.size());
+      for (const Index region : named) area[region] += size;
+    }
+    return std::max_element(area.begin(), area.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
+  }
+
+  bool is_faithful() const {
+    if (contradicted_) return false;
+    std::vector<Index> used(region_.begin(), region_.end());
+    sort_unique(used);
+    if (used.size() != complex_.region_count) return false;
+    const Index outside = region_[RegionId(0)];
+    if (outside != kNone && flat_.regions[outside].bounded) return false;
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+      const auto edges = moved_.edges[e];
+      if (!complex_.edge_uses[e].empty() || edges.empty()) continue;
+      if (region_[complex_.some_region(e)] != flat_.edges[edges[0]].region) return false;
+    }
+    return std::all_of(flat_.vertices.begin(), flat_.vertices.end(), [&](const auto& v) {
+      return v.region == kNone || region_[complex_.some_region(moved_.points[v.point])] == v.region;
+    });
+  }
+
+  Component component(Index region) const { return flat_.active(region) ? flat_.regions[region].component : 0; }
+  Component component(RegionId region) const { return component(region_[region]); }
+
+  /// The least number of an active component; 0 if there is none.
+  static void prefer(Component& best, Component other) {
+    if (best == 0 || (other != 0 && other < best)) best = other;
+  }
+
+  void decide_faces() {
+    remains_.assign(complex_.face_count(), 0);
+    face_state_.assign(complex_.face_count(), 0);
+    Sources from;
+    for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+      const auto& [front, back] = complex_.face_regions[f];
+      const bool wall = region_[front] != region_[back];
+      Component state = 0;
+      from.clear();
+      for (const Index code : moved_.faces[f]) {
+        const FlatComplex::Face& face = flat_.faces[code >> 1];
+        if (!wall && face.regions[0] != face.regions[1]) continue;
+        remains_[f] = 1;
+        prefer(state, face.component);
+        add(from, face, 2);
+      }
+      if (!remains_[f]) state = absorb(complex_.some_region(f), from);
+      face_state_[f] = state;
+      list(value_.selection.faces, value_.origins.faces, f, state, from);
+    }
+  }
+
+  void decide_edges() {
+    edge_remains_.assign(complex_.edge_count(), 0);
+    edge_state_.assign(complex_.edge_count(), 0);
+    Sources from;
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+      const auto edges = moved_.edges[e];
+      Component state = 0;
+      from.clear();
+      bool feature = false;
+      for (const FaceUse& use : complex_.edge_uses[e]) {
+        if (!remains_[use.face]) continue;
+        edge_remains_[e] = 1;
+        if (!edges.empty()) break;
+        prefer(state, face_state_[use.face]);
+        for (const Index code : moved_.faces[use.face]) add(from, flat_.faces[code >> 1]);
+      }
+      for (const Index i : edges) edge_remains_[e] = edge_remains_[e] || flat_.edges[i].wire;
+      if (edge_remains_[e]) {
+        for (const Index i : edges) {
+          prefer(state, flat_.edges[i].component);
+          add(from, flat_.edges[i], 1);
+          feature = feature || flat_.edges[i].feature;
+        }
+        if (!edges.empty()) kept_.edges.push_back(e);
+        if (feature && state != 0) value_.features.edges.push_back(e);
+      } else {
+        state = absorb(complex_.some_region(e), from);
+      }
+      edge_state_[e] = state;
+      list(value_.selection.edges, value_.origins.edges, e, state, from);
+    }
+  }
+
+  void decide_vertices() {
+    IdVector<VertexId, std::vector<Index>> here(complex_.points.size());
+    for (Index i = 0; i < flat_.vertices.size(); ++i) {
+      const VertexId v = moved_.points[flat_.vertices[i].point];
+      if (v.valid()) here[v].push_back(i);
+    }
+    std::vector<std::pair<VertexId, LeafId>> isolated;
+    Sources from;
+    for (const VertexId v : complex_.vertices) {
+      Component around = 0, state = 0;
+      from.clear();
+      bool remains = false, feature = false;
+      for (const EdgeId e : complex_.vertex_edges[v]) {
+        if (!edge_remains_[e]) continue;
+        remains = true;
+        prefer(around, edge_state_[e]);
+      }
+      for (const FaceId f : complex_.vertex_faces[v]) {
+        if (!remains_[f]) continue;
+        remains = true;
+        prefer(around, face_state_[f]);
+      }
+      for (const Index i : here[v]) remains = remains || flat_.vertices[i].free;
+      if (!remains) {
+        state = absorb(complex_.some_region(v), from);
+      } else if (here[v].empty()) {
+        state = around;
+        for (const EdgeId e : complex_.vertex_edges[v]) {
+          for (const Index i : moved_.edges[e]) add(from, flat_.edges[i]);
+          for (const FaceUse& use : complex_.edge_uses[e]) {
+            for (const Index code : moved_.faces[use.face]) add(from, flat_.faces[code >> 1]);
+          }
+        }
+      } else {
+        for (const Index i : here[v]) {
+          const FlatComplex::Vertex& vertex = flat_.vertices[i];
+          prefer(state, vertex.component);
+          add(from, vertex, 0);
+          feature = feature || vertex.feature;
+          for (const LeafCell& cell : vertex.origin.cells) {
+            if (cell.dimension == 0) isolated.emplace_back(v, cell.leaf);
+          }
+        }
+        kept_.vertices.push_back(v);
+        if (feature && state != 0) value_.features.vertices.push_back(v);
+      }
+      list(value_.selection.vertices, value_.origins.vertices, v, state, from);
+    }
+    sort_unique(isolated);
+    sources_.isolated_leaves = SparseLists(isolated);
+  }
+
+  void list_regions() {
+    Sources from;
+    for (const RegionId r : IdRange<RegionId>(complex_.region_count)) {
+      from.clear();
+      const Component state = absorb(r, from);
+      list(value_.selection.regions, value_.origins.regions, r, state, from);
+    }
+  }
+
+  /// A cell inside of a region: its component and leaves.
+  Component absorb(RegionId r, Sources& from) const {
+    const Component state = component(r);
+    if (state != 0) add(from, flat_.regions[region_[r]]);
+    return state;
+  }
+  template <class Cell>
+  static void add(Sources& from, const Cell& cell) {
+    from.leaves.insert(from.leaves.end(), cell.origin.leaves.begin(), cell.origin.leaves.end());
+  }
+  /// The same of a cell of the result that the new one is a piece of: what is said of that is said of this.
+  template <class Cell>
+  void add(Sources& from, const Cell& cell, int dimension) {
+    add(from, cell);
+    if (cell.origin.said == nullptr) return;
+    SaidPointer& said = said_[{cell.origin.said, dimension}];
+    if (said == nullptr) said = std::make_shared<const Said>(Said{*cell.origin.said, dimension});
+    from.said = merged(from.said, said, Dominance::equal);
+  }
+  template <class IdT>
+  void list(std::vector<std::pair<IdT, Component>>& cells, std::vector<LeafSetId>& origins, IdT id,
+            Component state, Sources& from) {
+    if (state == 0) return;
+    sort_unique(from.leaves);
+    cells.emplace_back(id, state);
+    origins.push_back(value_.origins.sets.intern(from.leaves, from.said));
+  }
+
+  /// Faces of the result that lie in several planes now. Each is a curved surface of its own from here on.
+  std::vector<char> find_bent() const {
+    std::vector<char> bent(flat_.faces.size(), 0);
+    std::vector<SheetId> sheet(flat_.faces.size());
+    for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+      for (const Index code : moved_.faces[f]) {
+        SheetId& known = sheet[code >> 1];
+        if (!known.valid()) known = complex_.face_sheet[f];
+        if (known != complex_.face_sheet[f]) bent[code >> 1] = 1;
+      }
+    }
+    return bent;
+  }
+
+  /// Faces of the new complex lie on the leaf faces that the result's faces lie on. One more leaf has the
+  /// faces of the result as its patches: facets of one face stay together.
+  void take_covers() {
+    const LeafId result(exact_.leaf_count);
+    IdVector<SourceId, Soup::Face> sources;
+    std::vector<std::vector<SourceId>> of_face;
+    std::vector<Soup::Face> on;
+    const auto order = [](const Soup::Face& a, const Soup::Face& b) {
+      return std::tie(a.leaf, a.leaf_face, a.patch) < std::tie(b.leaf, b.leaf_face, b.patch);
+    };
+    const std::vector<char> bent = find_bent();
+    for (Index i = 0; i < flat_.faces.size(); ++i) {
+      on.clear();
+      for (const HalfFace cell : simplified_.faces[i].cells) {
+        for (const Cover& cover : exact_.cover(cell.face())) {
+          const Soup::Face& source = exact_.sources[cover.source];
+          if (source.leaf != exact_.frame)
+            on.push_back({source.leaf, source.leaf_face, source.patch, 0, 0, source.surface});
+        }
+      }
+      std::sort(on.begin(), on.end(), order);
+      on.erase(std::unique(on.begin(), on.end(), [&](const auto& a, const auto& b) { return !order(a, b); }),
+               on.end());
+      on.push_back({result, i, i, 0, 0, bent[i] ? exact_.surface_count + 1 + i : 0});
+      auto& numbers = of_face.emplace_back();
+      for (const Soup::Face& face : on) numbers.push_back(sources.push_back(face));
+    }
+    std::map<std::vector<Cover>, SourceSetId> known;
+    Csr<SourceSetId, Cover> covers;
+    sources_.face_cover.resize(complex_.face_count());
+    for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+      std::vector<Cover> list;
+      for (const Index code : moved_.faces[f]) {
+        for (const SourceId source : of_face[code >> 1]) list.push_back({source, (code & 1) == 0});
+      }
+      sort_unique(list);
+      const auto [it, fresh] = known.try_emplace(std::move(list));
+      if (fresh) it->second = covers.push_back(it->first);
+      sources_.face_cover[f] = it->second;
+    }
+    sources_.covers = std::move(covers);
+    sources_.sources = std::move(sources);
+  }
+
+  /// Every edge is a segment. Its wires are those of leaves, and the edges of the result as curves of their own:
+  /// what was a line stays one edge.
+  void take_curves() {
+    const LeafId result(exact_.leaf_count);
+    IdVector<WireId, Soup::Wire> wires;
+    std::vector<std::vector<WireId>> of_edge;
+    for (Index i = 0; i < flat_.edges.size(); ++i) {
+      auto& numbers = of_edge.emplace_back();
+      for (const LeafCell& cell : flat_.edges[i].origin.cells) {
+        if (cell.dimension == 1) numbers.push_back(wires.push_back({cell.leaf, cell.number, {}, {}}));
+      }
+      numbers.push_back(wires.push_back({result, i, {}, {}}));
+    }
+    std::vector<std::pair<SegmentId, WireId>> on;
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+      const SegmentId segment = sources_.segment_ends.push_back(complex_.edge_ends[e]);
+      sources_.edge_segments.push_back(std::array{segment});
+      sources_.segment_faces.push_back(std::array<SourceId, 0>{});
+      for (const Index i : moved_.edges[e])
+        for (const WireId w : of_edge[i]) on.emplace_back(segment, w);
+    }
+    sources_.segment_wires = SparseLists(on);
+    sources_.wires = std::move(wires);
+  }
+};
+
+/// What is said of cells tells them apart; where they came from does not, since all edges of the result are kept.
+class FromAllLeaves : public ComponentSources {
+ public:
+  FromAllLeaves(const Complex& complex, const Components& x) : ComponentSources(complex, x) {
+    for (const LeafId leaf : IdRange<LeafId>(complex.leaf_count)) all_.push_back(leaf);
+  }
+  void leaves_of(FaceId, std::vector<LeafId>& out) const override { out = all_; }
+  void leaves_of(EdgeId, std::vector<LeafId>& out) const override { out = all_; }
+
+ private:
+  std::vector<LeafId> all_;
+};
+
+}  // namespace
+
+void require_bounds(const FlatComplex& flat, const char* why, const char* otherwise) {
+  const auto on_frame = [&](const FlatComplex::Loop& loop) {
+    return std::any_of(loop.begin(), loop.end(), [&](Index p) {
+      return std::binary_search(flat.frame_points.begin(), flat.frame_points.end(), p);
+    });
+  };
+  const bool reached =
+      std::any_of(flat.faces.begin(), flat.faces.end(),
+                  [&](const auto& face) { return std::any_of(face.loops.begin(), face.loops.end(), on_frame); }) ||
+      std::any_of(flat.edges.begin(), flat.edges.end(), [&](const auto& e) { return on_frame(e.points); });
+  if (reached) {
+    throw InputError(
+        std::string(why) +
+        ", and only one whose faces and lines have bounds can be moved; cut the node with a box first "
+        "(`intersection`, or `product` where it is not closed)" +
+        otherwise);
+  }
+}
+
+NumberedDrawing drawing_of_cells(const FlatComplex& flat) {
+  NumberedDrawing drawing;
+  drawing.points = flat.points;
+  for (Index f = 0; f < flat.faces.size(); ++f) {
+    for (const auto& t : flat.faces[f].triangles) drawing.triangles.push_back({t, f});
+  }
+  for (Index e = 0; e < flat.edges.size(); ++e) {
+    for_each_piece(flat.edges[e], [&](Index a, Index b) { drawing.pieces.push_back({{a, b}, e}); });
+  }
+  for (const auto& v : flat.vertices) {
+    if (v.free) drawing.isolated.push_back(v.point);
+  }
+  return drawing;
+}
+
+ResultView Relabelled::shown(ResultView view) const {
+  view.complex = complex.get();
+  view.value = &value;
+  view.simplified = &simplified;
+  view.of_group = of_group;
+  view.parameters = nullptr;  // they are of points of the complex that it came from
+  return view;
+}
+
+std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& flat, MovedDrawing drawing,
+                                  bool raw) {
+  Labeller labeller(view, flat, std::move(drawing));
+  if (!labeller.run()) return {};
+  Relabelled out;
+  labeller.tell(out);
+  out.value = NodeValue(labeller.value());
+  out.of_group = view.value->is_group() || view.of_group;
+  const Features kept = labeller.kept();
+  out.complex = labeller.complex();
+  const FromAllLeaves sources(*out.complex, out.value.components());
+  out.simplified = simplify(*out.complex, out.value.components().selection, kept,
+                            raw ? SimplifyMode::raw : SimplifyMode::features, &sources);
+  return out;
+}
+
+}  // namespace cnrg

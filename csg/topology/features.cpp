@@ -1,0 +1,199 @@
+#include "csg/topology/features.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "csg/geometry/exact_vectors.h"
+#include "csg/result/part_text.h"
+#include "csg/result/relabel.h"
+#include "csg/result/result_data.h"
+#include "csg/result/rounding.h"
+#include "csg/text/table.h"
+#include "kernel/base/error.h"
+#include "kernel/exact/distance.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Parts::Index;
+
+/// Degrees of the angle whose sine and cosine are as a root and a number, up to a common factor.
+double degrees(const Rational& squared_sine, const Rational& cosine) {
+  if (cosine == 0) return 90;
+  const Rational square = squared_sine / (cosine * cosine);
+  const double acute = std::atan(nearest_root(square)) * 180 / std::numbers::pi;
+  return cosine > 0 ? acute : 180 - acute;
+}
+
+class Finder {
+ public:
+  Finder(const Parts& parts, const std::optional<Rational>& below) : parts_(parts), below_(below) {}
+
+  std::vector<Feature> run() {
+    for (const Near kind : kNears) add_distances(kind);
+    put(distances_, std::numeric_limits<std::size_t>::max());
+    add_lengths();
+    put(lengths_, below_ ? std::numeric_limits<std::size_t>::max() : kTold);
+    for (const Parts::Triangle& t : parts_.triangles()) {
+      const Index face = parts_.facets()[t.facet].face;
+      for (std::size_t k = 0; k < 3; ++k)
+        left_of_[{face, t.corners[k], t.corners[(k + 1) % 3]}] = t.corners[(k + 2) % 3];
+    }
+    add_dihedral_angles();
+    put(dihedral_, kTold);
+    add_face_angles();
+    put(angles_, kTold);
+    return std::move(out_);
+  }
+
+ private:
+  const Parts& parts_;
+  const std::optional<Rational>& below_;
+  std::vector<Feature> out_, distances_, lengths_, dihedral_, angles_;
+  std::map<std::array<Index, 3>, Index> left_of_;  // by face and a side: the corner of the triangle to its left
+
+  const RationalPoint& x(Index p) const { return parts_.points()[p]; }
+
+  void put(std::vector<Feature>& list, std::size_t most) {
+    std::stable_sort(list.begin(), list.end(), [](const Feature& a, const Feature& b) {
+      const int order = cmp(a.squared, b.squared);
+      if (order != 0) return order < 0;
+      return std::tie(a.value, a.cells) < std::tie(b.value, b.cells);
+    });
+    if (list.size() > most) list.resize(most);
+    std::move(list.begin(), list.end(), std::back_inserter(out_));
+  }
+
+  void add_distances(Near kind) {
+    const auto pairs = below_ ? near_pairs(parts_, kind, *below_, Ends::left_out)
+                              : nearest_pairs(parts_, kind, kTold, Ends::left_out);
+    for (const NearPair& pair : pairs) {
+      const auto cells = cells_of(parts_, kind, pair.a, pair.b);
+      distances_.push_back({Feature::Kind::distance,
+                            nearest_root(pair.squared),
+                            pair.squared,
+                            {cells.begin(), cells.end()},
+                            {pair.at_a, pair.at_b}});
+    }
+  }
+
+  void add_lengths() {
+    for (Index s = 0; s < parts_.segments().size(); ++s) {
+      const auto& [a, b] = parts_.segments()[s].ends;
+      const RationalPoint d = x(b) - x(a);
+      const Rational square = dot(d, d);
+      if (below_ && square >= *below_ * *below_) continue;
+      lengths_.push_back(
+          {Feature::Kind::length, nearest_root(square), square, {parts_.cell_of_segment(s)}, {x(a), x(b)}});
+    }
+  }
+
+  /// The smallest at each edge.
+  void add_dihedral_angles() {
+    const FlatComplex& flat = parts_.flat();
+    for (Index e = 0; e < flat.edges.size(); ++e) {
+      const FlatComplex::Edge& edge = flat.edges[e];
+      const std::size_t n = edge.points.size(), uses = edge.around.size();
+      if (uses < 2) continue;
+      std::optional<Feature> least;
+      for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
+        const Index p = edge.points[k], q = edge.points[(k + 1) % n];
+        for (std::size_t i = 0; i < (uses == 2 ? 1 : uses); ++i) {
+          const Index one = edge.around[i], next = edge.around[(i + 1) % uses];
+          const double angle = between(p, q, corner(one, p, q), corner(next, p, q));
+          if (least && least->value <= angle) continue;
+          least = Feature{
+              Feature::Kind::dihedral_angle, angle, 0, {{1, e}, {2, one / 2}, {2, next / 2}}, {x(p), x(q)}};
+        }
+      }
+      if (least->value < kSharp) dihedral_.push_back(std::move(*least));
+    }
+  }
+  /// The third corner of the triangle at a piece of an edge that belongs to a use of the face. The side that is
+  /// seen first is the back where the face is to the left of the edge.
+  Index corner(Index use, Index p, Index q) const {
+    auto found = use % 2 == 1 ? left_of_.find({use / 2, p, q}) : left_of_.find({use / 2, q, p});
+    require(found != left_of_.end(), "features: a face around an edge has no triangle there");
+    return found->second;
+  }
+  double between(Index p, Index q, Index first, Index second) const {
+    const RationalPoint axis = x(q) - x(p), u = x(first) - x(p), v = x(second) - x(p);
+    const Rational length = dot(axis, axis), volume = dot(axis, cross(u, v));
+    return degrees(length * volume * volume, length * dot(u, v) - dot(u, axis) * dot(v, axis));
+  }
+
+  void add_face_angles() {
+    const FlatComplex& flat = parts_.flat();
+    for (Index f = 0; f < flat.faces.size(); ++f) {
+      for (const FlatComplex::Loop& loop : flat.faces[f].loops) {
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          const Index p = loop[k], next = loop[(k + 1) % loop.size()],
+                      before = loop[(k + loop.size() - 1) % loop.size()];
+          const RationalPoint u = x(next) - x(p), v = x(before) - x(p), normal = cross(u, v);
+          const auto left = left_of_.find({f, p, next});
+          require(left != left_of_.end(), "features: a side of a face has no triangle");
+          const RationalPoint front = cross(u, x(left->second) - x(p));
+          const Rational cosine = dot(u, v);
+          const int turn = sgn(dot(normal, front));
+          if (turn < 0 || (is_zero(normal) && cosine > 0)) continue;  // more than half a turn
+          const double angle = degrees(dot(normal, normal), cosine);
+          if (!(angle < kSharp)) continue;
+          angles_.push_back({Feature::Kind::face_angle, angle, 0, {{2, f}, parts_.cell_of_point(p)}, {x(p)}});
+        }
+      }
+    }
+  }
+};
+
+std::string word(const Feature& feature) {
+  constexpr std::array<const char*, 3> kDimensions{"vertex", "edge", "face"};
+  switch (feature.kind) {
+    case Feature::Kind::distance:
+      return std::string(kDimensions[std::size_t(feature.cells[0].dimension)]) + "-" +
+             kDimensions[std::size_t(feature.cells[1].dimension)];
+    case Feature::Kind::length: return "length";
+    case Feature::Kind::dihedral_angle: return "dihedral angle";
+    default: return "face angle";
+  }
+}
+
+}  // namespace
+
+std::vector<Feature> features(const Result& result, const std::optional<Rational>& below) {
+  if (below && *below <= 0) {
+    throw InputError("features nearer than a distance are listed, which must be positive, and is " +
+                     to_decimal(*below, 6));
+  }
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+  require_bounds(flat, "the result has no bounds", ": distances are told of such results only");
+  return Finder(Parts(view, flat), below).run();
+}
+
+std::string features_text(const Result& result, const std::vector<Feature>& features) {
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+  Table table;
+  table.add_column("feature", Table::Align::left);
+  table.add_column("value", Table::Align::left);
+  table.add_column("cells", Table::Align::left);
+  table.add_column("at", Table::Align::left);
+  table.add_column("from", Table::Align::left);
+  for (const Feature& feature : features) {
+    std::string value, cells, at, from;
+    const bool angle = feature.kind >= Feature::Kind::dihedral_angle;
+    if (angle) value = to_decimal(from_double(feature.value), 6) + " degrees";
+    else append(value, feature.value);
+    for (const Parts::Cell& cell : feature.cells) {
+      cells += (cells.empty() ? "" : " ") + name_of(cell);
+      from += (from.empty() ? "" : " | ") + names_of_leaves(view, origin_of(flat, cell));
+    }
+    for (const RationalPoint& p : feature.at) at += (at.empty() ? "" : " ") + coordinates(p);
+    table.add_row({word(feature), value, cells, at, from});
+  }
+  return table.text();
+}
+
+}  // namespace cnrg

@@ -1,0 +1,295 @@
+// Joined results: nothing that does not touch is nearer than the distance, what the scene meant comes out, and
+// what is gone is named.
+#include "csg/result/join.h"
+
+#include <catch2/catch.hpp>
+
+#include "csg/formats/formats.h"
+#include "csg/formats/result_file.h"
+#include "csg/result/near.h"
+#include "csg/result/result_data.h"
+#include "csg/topology/region_graph.h"
+#include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
+#include "kernel/selection/homology.h"
+#include "kernel/selection/measure.h"
+#include "tests/result/near_scenes.h"
+#include "tests/scenes/seeds.h"
+
+using namespace cnrg;
+using namespace cnrg::test;
+
+namespace {
+
+const Rational kSlight(1, 1000000);
+
+Result result_of(const Case& c) {
+  ResultNames names;
+  names.result = "model";
+  for (const LeafInfo& info : c.infos) names.leaves.push_back(info.name);
+  return Result(c.complex, c.group, names);
+}
+
+/// The least square of a distance below `within`; nothing if nothing is as near.
+std::optional<Rational> least_distance(const Result& result, const Rational& within) {
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view);
+  const Parts parts(view, flat);
+  std::optional<Rational> least;
+  for (const Near kind : kNears) {
+    const auto pairs = near_pairs(parts, kind, within);
+    if (!pairs.empty() && (!least || pairs.front().squared < *least)) least = pairs.front().squared;
+  }
+  return least;
+}
+
+/// Volumes by the names of regions.
+std::map<std::string, Rational> volumes(const Result& result) {
+  std::map<std::string, Rational> out;
+  for (Component i = 1; i <= Component(result.component_count()); ++i) {
+    const std::optional<Rational> volume = result.volume(i);
+    if (volume && *volume != 0) out[result.attributes(i).name] += *volume;
+  }
+  return out;
+}
+
+/// What a result is but for its measures: Betti numbers of the whole and of the solids by name, and which of these
+/// touch. Whether a solid that a sheet cuts is one component or two, its order has no say in.
+std::string shape_of(const Result& result) {
+  const Selection selection = result.selection();
+  std::vector<Component> solid, all;
+  const auto see = [](const auto& cells, std::vector<Component>& to) {
+    for (const auto& [cell, component] : cells) to.push_back(component);
+  };
+  see(selection.regions, solid);
+  see(selection.regions, all), see(selection.faces, all), see(selection.edges, all), see(selection.vertices, all);
+  sort_unique(solid), sort_unique(all);
+  Neighbourhoods neighbourhoods(result.complex());
+  BettiCounter counter(neighbourhoods);
+  const std::vector<BettiNumbers> numbers = betti_numbers(selection, all, counter);
+  std::map<std::string, std::array<long, 3>> by_name{{"whole", numbers[0].z2}};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!std::binary_search(solid.begin(), solid.end(), all[i])) continue;
+    auto& sum = by_name[result.attributes(all[i]).name];
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += numbers[i + 1].z2[k];
+  }
+  const RegionGraph graph = region_graph(result.cells(), result.data().value->attributes());
+  std::set<std::array<std::string, 2>> touching;
+  for (const auto& edge : graph.edges) {
+    std::array<std::string, 2> names;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Component c = graph.nodes[edge.nodes[k]].component;
+      names[k] = c == 0 ? "outside" : result.attributes(c).name;
+    }
+    std::sort(names.begin(), names.end());
+    if (names[0] != names[1]) touching.insert(names);
+  }
+  std::string text;
+  for (const auto& [name, b] : by_name)
+    text += name + ": " + std::to_string(b[0]) + " " + std::to_string(b[1]) + " " + std::to_string(b[2]) + "\n";
+  for (const auto& [a, b] : touching) text += a + " touches " + b + "\n";
+  return text;
+}
+
+std::string told(const JoinReport& report, const Rational& within) {
+  std::string text = report.text(within) + "\n";
+  for (const std::string& line : report.merged) text += line + "\n";
+  for (const std::string& line : report.lost_regions) text += "lost " + line + "\n";
+  return text;
+}
+
+/// What holds for every joined result.
+void check_joined(const Result& before, const Result& after, const JoinReport& report, const Rational& within) {
+  INFO(told(report, within));
+  REQUIRE(validate(after.complex()) == "");
+  CHECK(report.displacement < kMostJoinMoves * to_double(within));
+  const std::optional<Rational> least = least_distance(after, within);
+  CHECK(least.has_value() == (report.remaining > 0));
+  if (!least) {
+    JoinReport again;
+    const Result twice = join(after, within, &again);
+    CHECK(again.rounds == 0);
+    CHECK(&twice.complex() == &after.complex());
+  }
+  CHECK(after.component_count() == before.component_count());
+  const auto was = volumes(before), is = volumes(after);
+  for (const auto& [name, volume] : was) {
+    if (is.contains(name)) continue;
+    INFO("region " << name);
+    CHECK(std::any_of(report.lost_regions.begin(), report.lost_regions.end(),
+                      [&, n = name](const std::string& text) { return text.starts_with(n + ","); }));
+  }
+  for (const auto& [name, volume] : is) CHECK(was.contains(name));
+}
+
+}  // namespace
+
+TEST_CASE("join: a jittered lattice becomes the lattice", "[join][random]") {
+  const Rational d(1, 50);
+  const auto [first, last] = scenes::seeds(60);
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    INFO("CNRG_FIRST_SEED=" << seed << " CNRG_SEEDS=1");
+    Dice dice(seed);
+    const auto scene = lattice_scene(dice, 4, false);
+    INFO(to_text(scene));
+    const Case meant = lattice_case(scene, dice, 0), typed = lattice_case(scene, dice, d / 8);
+    const Result exact = result_of(meant), rough = result_of(typed);
+    JoinReport report;
+    const Result joined = join(rough, d, &report);
+    check_joined(rough, joined, report, d);
+    INFO(told(report, d));
+    CHECK(report.remaining == 0);
+    CHECK(shape_of(joined) == shape_of(exact));
+    const auto want = volumes(exact), have = volumes(joined);
+    CHECK(want.size() == have.size());
+    for (const auto& [name, volume] : want) {
+      INFO("region " << name);
+      REQUIRE(have.contains(name));
+      CHECK(abs(have.at(name) - volume) < Rational(2));
+    }
+  }
+}
+
+TEST_CASE("join: scenes of any directions", "[join][random]") {
+  const auto [first, last] = scenes::seeds(40);
+  std::size_t remained = 0;
+  for (std::uint64_t seed = first; seed < last; ++seed) {
+    INFO("CNRG_FIRST_SEED=" << seed << " CNRG_SEEDS=1");
+    Dice dice(seed + 1'000'000);
+    const auto scene = lattice_scene(dice, 3, true);
+    INFO(to_text(scene));
+    const Rational d = Rational(1, dice(2) == 0 ? 50 : 7);
+    const Case typed = lattice_case(scene, dice, d / 8);
+    const Result rough = result_of(typed);
+    JoinReport report;
+    const Result joined = join(rough, d, &report);
+    check_joined(rough, joined, report, d);
+    remained += report.remaining > 0;
+  }
+  CHECK(remained * 50 <= last - first);
+}
+
+TEST_CASE("join: a bolt's end goes to the fault, which stays flat", "[join]") {
+  const Rational gap(1, 100000);
+  Soup soup;
+  add_wire(soup, {2, 2, 1}, {2, 2, 2 - gap});
+  add_sheet(soup, {{0, 0, 2}, {4, 0, 2}, {4, 4, 2}, {0, 4, 2}});
+  add_box(soup, {0, 0, 0}, {4, 4, 4});
+  Case c(soup, {{}, {}, {{"rock", "granite", {}}}});
+  c.show(c.unite(Dominance::left));
+  const Result before = result_of(c);
+  JoinReport report;
+  const Result after = join(before, Rational(1, 1000), &report);
+  check_joined(before, after, report, Rational(1, 1000));
+  CHECK(report.rounds == 1);
+  REQUIRE(report.merged.size() == 1);
+  CHECK_THAT(report.merged[0], Catch::Contains("point v") && Catch::Contains("of leaf0 and face f") &&
+                                   Catch::Contains("of leaf1, at (2, 2, 2): 1e-05 apart"));
+  CHECK(report.displacement == Approx(1e-5));
+  CHECK(report.lost_regions.empty());
+  // As if it had been typed so; the bolt's end is a vertex in the middle of the fault.
+  Soup meant;
+  add_wire(meant, {2, 2, 1}, {2, 2, 2});
+  add_sheet(meant, {{0, 0, 2}, {4, 0, 2}, {4, 4, 2}, {0, 4, 2}});
+  add_box(meant, {0, 0, 0}, {4, 4, 4});
+  Case m(meant, {{}, {}, {{"rock", "granite", {}}}});
+  m.show(m.unite(Dominance::left));
+  CHECK(active_counts(after.cells()) == active_counts(result_of(m).cells()));
+  CHECK(volumes(after).at("rock") == 64);
+  for (Component i = 1; i <= Component(before.component_count()); ++i) {
+    CHECK(after.attributes(i).name == before.attributes(i).name);
+    CHECK(after.attributes(i).material == before.attributes(i).material);
+  }
+  // Cells still know their leaves.
+  const ResultView view = after.data().view();
+  const FlatComplex flat = flatten(view);
+  for (const auto& e : flat.edges) {
+    if (e.wire) CHECK(e.origin.leaves == ShortList<LeafId, 2>{LeafId(0)});
+  }
+}
+
+TEST_CASE("join: a corner of a sheet goes along the floor to its edge", "[join]") {
+  const Rational gap(1, 10000);
+  Soup soup;
+  add_sheet(soup, {{1, gap, 0}, {3, gap, 4 - gap}, {3, 4 - gap, 4 - gap}, {1, 4 - gap, 0}});
+  add_box(soup, {0, 0, 0}, {4, 4, 4});
+  Case c(soup, {{}, {{"rock", "", {}}}});
+  c.show(c.unite(Dominance::left));
+  const Result before = result_of(c);
+  JoinReport report;
+  const Result after = join(before, Rational(1, 1000), &report);
+  check_joined(before, after, report, Rational(1, 1000));
+  CHECK(volumes(after).at("rock") == 64);  // no wall has moved
+  CHECK(report.regions_before == 1);
+  CHECK(report.regions_after == 2);  // the fault parts it now
+}
+
+TEST_CASE("join: a region thinner than the distance vanishes and is named", "[join]") {
+  const Rational thin(1, 100000);
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  add_box(soup, {0, 0, 1}, {1, 1, 1 + thin});
+  add_box(soup, {0, 0, 1 + thin}, {1, 1, 2});
+  Case c(soup, {{{"low", "", {}}}, {{"dust", "", {}}}, {{"high", "", {}}}});
+  c.show(c.unite(Dominance::left));
+  const Result before = result_of(c);
+  JoinReport report;
+  const Result after = join(before, Rational(1, 1000), &report);
+  check_joined(before, after, report, Rational(1, 1000));
+  REQUIRE(report.lost_regions.size() == 1);
+  CHECK_THAT(report.lost_regions[0], Catch::StartsWith("dust, r") && Catch::Contains(", at (0, 0, 1)"));
+  CHECK(volumes(after) == std::map<std::string, Rational>{{"low", 1}, {"high", 1}});
+  CHECK(active_counts(after.cells()) == std::array<std::size_t, 4>{12, 20, 11, 2});
+}
+
+TEST_CASE("join: what is far stays the same object", "[join]") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  Case c(soup);
+  const Result before = result_of(c);
+  JoinReport report;
+  const Result after = join(before, Rational(1, 1000), &report);
+  CHECK(report.rounds == 0);
+  CHECK(&after.complex() == &before.complex());
+  CHECK(report.text(Rational(1, 1000)) == "nothing is nearer than 0.001 that does not touch; nothing was joined");
+  // Not at most, but less.
+  CHECK(&join(before, Rational(1) - kSlight).complex() == &before.complex());
+}
+
+TEST_CASE("join: distances that are none", "[join]") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 2, 3});
+  Case c(soup);
+  const Result result = result_of(c);
+  CHECK_THROWS_WITH(join(result, 0), Catch::Contains("must be positive, and is 0"));
+  CHECK_THROWS_WITH(join(result, -1), Catch::Contains("must be positive, and is -1"));
+  CHECK_THROWS_WITH(join(result, 3), Catch::Contains("the whole result is 3 long; give a smaller distance"));
+  Soup wire;
+  add_wire(wire, {0, 0, 0}, {1, 1, 1});
+  Case w(wire);
+  CHECK_NOTHROW(join(result_of(w), Rational(1, 2)));
+}
+
+TEST_CASE("join: written, read back, and meshed", "[join]") {
+  const Rational gap(1, 10000);
+  Soup soup;
+  add_sheet(soup, {{-1, 1, 1 + gap}, {5, 1, 3}, {5, 3, 3}, {-1, 3, 1 + gap}});
+  add_box(soup, {0, 0, 0}, {2, 4, 4});
+  add_box(soup, {2 + gap, 0, 0}, {4, 4, 4});
+  Case c(soup, {{}, {{"a", "", {}}}, {{"b", "", {}}}});
+  c.show(c.unite(Dominance::left));
+  const Result before = result_of(c);
+  JoinReport report;
+  const Result after = join(before, Rational(1, 100), &report);
+  check_joined(before, after, report, Rational(1, 100));
+  const test::Scratch scratch;
+  for (const char* const name : {"j.json", "j.vtu", "j.msh", "j.obj", "j.glb", "j.poly"})
+    CHECK_NOTHROW(write(scratch / name, after));
+  const Result read = read_result(scratch / "j.json");
+  CHECK(active_counts(read.cells()) == active_counts(after.cells()));
+  CHECK(volumes(read) == volumes(after));
+  const TetrahedraReport meshed = write_tetrahedra(std::vector<std::string>{scratch / "t.msh"}, after);
+  Rational sum = 0;
+  for (const RegionTetrahedra& region : meshed.regions) sum += region.volume;
+  CHECK(to_double(abs(sum - volumes(after).at("a") - volumes(after).at("b"))) < 1e-12);
+}
