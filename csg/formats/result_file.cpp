@@ -10,11 +10,13 @@
 #include "csg/leaves/leaf.h"
 #include "csg/mesh/material_field.h"
 #include "csg/operators/leaf_value.h"
+#include "csg/result/join.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
 #include "csg/text/file.h"
 #include "csg/topology/region_graph.h"
 #include "kernel/selection/canonical.h"
+#include "kernel/tetrahedra/constrained.h"
 
 namespace cnrg {
 namespace {
@@ -114,13 +116,66 @@ TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& option
   return made;
 }
 
-TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
+namespace {
+
+TetrahedralMesh tetrahedra_of_doubles(Result& result, const TetrahedraOptions& options, SnapReport& report) {
   try {
     return tetrahedra(result, options);
   } catch (const RoundingFault&) {
     result = snap(result, &report);
   }
   return tetrahedra(result, options);
+}
+
+/// The longest side of the box around a result.
+Rational extent_of(const Result& result) {
+  const ResultView view = result.data().view();
+  const FlatComplex flat = flatten(view, Flat::shapes);
+  const RoundedPoints points = round_points(view, flat);
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [low, high] = std::minmax_element(points.xyz.begin(), points.xyz.end(),
+                                                 [&](const auto& p, const auto& q) { return p[k] < q[k]; });
+    longest = std::max(longest, (*high)[k] - (*low)[k]);
+  }
+  return from_double(longest);
+}
+
+/// What is joined so that there are tetrahedra, in parts of the extent: some of the last digits of doubles, then
+/// more, and not more than somebody who draws by hand would see.
+constexpr double kJoined[] = {0x1p-40, 0x1p-32, 0x1p-24, 0x1p-16};
+/// Where there is nothing to join, so many points may be added on edges for each point and edge.
+constexpr double kCutsAtLast = 30;
+
+}  // namespace
+
+TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
+  const Result exact = result;
+  try {
+    return tetrahedra_of_doubles(result, options, report);
+  } catch (const NearFault&) {
+    if (options.keep_boundary) throw;
+  }
+  const Rational extent = extent_of(exact);
+  TetrahedraOptions asked = options;
+  asked.constrained = true;  // TetGen has failed
+  for (const double part : kJoined) {
+    const Rational within = extent * from_double(part);
+    JoinReport joined;
+    report = {};
+    result = join(exact, within, &joined);
+    if (joined.rounds == 0) continue;
+    try {
+      TetrahedralMesh made = tetrahedra_of_doubles(result, asked, report);
+      made.notice = "there were no tetrahedra in doubles without that: " + joined.text(within);
+      return made;
+    } catch (const NearFault&) {
+    }
+  }
+  report = {};
+  result = exact;
+  asked.cuts = kCutsAtLast;
+  return tetrahedra_of_doubles(result, asked, report);
 }
 
 CurvedReport curve(const Result& result, TetrahedralMesh& made) {

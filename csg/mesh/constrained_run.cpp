@@ -18,8 +18,8 @@ using Corners = std::array<VertexId, 3>;
 
 class ConstrainedRun {
  public:
-  ConstrainedRun(const Plc& plc, const FlatComplex& flat, const Watch& watch)
-      : plc_(plc), flat_(flat), watch_(watch) {
+  ConstrainedRun(const Plc& plc, const FlatComplex& flat, const Watch& watch, double cuts)
+      : plc_(plc), flat_(flat), watch_(watch), cuts_(cuts) {
     for (const auto& p : plc_.points) points_.add(p[0], p[1], p[2]);
     box_ = points_.size();
   }
@@ -27,9 +27,9 @@ class ConstrainedRun {
   PlcMesh run() {
     Constraints constraints = of_complex();
     for (int round = 0;; ++round) {
-      made_ = constrained_tetrahedra(points_, constraints, watch_);
+      made_ = constrained_tetrahedra(points_, constraints, watch_, cuts_);
       if (round_points()) break;
-      if (round == kRounds || !is_embedded()) throw InputError(too_thin());
+      if (round == kRounds || !is_embedded()) throw NearFault(too_thin());
       constraints = of_pieces();
     }
     find_regions();
@@ -43,6 +43,7 @@ class ConstrainedRun {
   const Plc& plc_;
   const FlatComplex& flat_;
   const Watch& watch_;
+  const double cuts_;
   PointTable points_;
   std::vector<Index> facet_, segment_;  // of the constraints, by those of the complex
   ConstrainedTetrahedra made_;
@@ -250,8 +251,8 @@ class ConstrainedRun {
 
 }  // namespace
 
-PlcMesh run_constrained(const Plc& plc, const FlatComplex& flat, const Watch& watch) {
-  return ConstrainedRun(plc, flat, watch).run();
+PlcMesh run_constrained(const Plc& plc, const FlatComplex& flat, const Watch& watch, double cuts) {
+  return ConstrainedRun(plc, flat, watch, cuts).run();
 }
 
 }  // namespace cnrg

@@ -33,7 +33,7 @@ std::vector<Ends> border_of(const std::vector<Triangle>& facet, const std::vecto
 }  // namespace
 
 ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constraints& constraints,
-                                             const Watch& watch) {
+                                             const Watch& watch, double cuts) {
   const auto& [segments, facets] = constraints;
   std::vector<Ends> bound;
   bound.reserve(segments.size());
@@ -51,7 +51,7 @@ ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constrain
   Tetrahedra tetrahedra(points);
   watch.begin("tetrahedra: segments");
   SegmentChains chains(points, tetrahedra, bound);
-  chains.run(watch);
+  chains.run(watch, cuts);
   const auto chain = [&](VertexId a, VertexId b) {
     const auto at = std::lower_bound(bound.begin(), bound.end(), ends(a, b));
     std::vector<VertexId> list = chains.chain(static_cast<SegmentChains::Index>(at - bound.begin()));

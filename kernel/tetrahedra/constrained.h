@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "kernel/base/error.h"
 #include "kernel/base/progress.h"
 #include "kernel/tetrahedra/tetrahedra.h"
 
@@ -40,10 +41,18 @@ struct ConstrainedTetrahedra {
   std::vector<Triangle> triangles;
 };
 
+/// What shall be tetrahedra has features so near to each other, or so thin, that there are none in doubles, or none
+/// of a sensible number: who can tells what is near to touch.
+class NearFault : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Tetrahedra of the box around all points of the table, of which segments are unions of edges and facets of
 /// faces. The corners of the box, then points on segments and on sides of facets are added to the table. Throws
-/// InvariantError where the input is not as it should be, InputError where edges nearly touch, Stopped.
+/// InvariantError where the input is not as it should be, NearFault where edges so nearly touch that more than
+/// `cuts` points for each point and edge were to be added, Stopped.
 ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constraints& constraints,
-                                             const Watch& watch);
+                                             const Watch& watch, double cuts = 30);
 
 }  // namespace cnrg

@@ -7,12 +7,13 @@
 
 #include "kernel/base/error.h"
 #include "kernel/refine/input.h"
+#include "kernel/tetrahedra/constrained.h"
 
 namespace cnrg {
 namespace {
 
 /// Cuts that are made at most, and for each point and segment that there is.
-constexpr std::size_t kCuts = 20'000, kCutsEach = 30;
+constexpr std::size_t kCuts = 5'000;
 /// So many points are looked at before one is chosen.
 constexpr std::size_t kLooked = 1000;
 /// Where segments nearly touch, their cuts must lie opposite to each other more exactly than doubles tell; but
@@ -155,13 +156,14 @@ std::string SegmentChains::crowded(VertexId v) const {
   return text.str();
 }
 
-void SegmentChains::run(const Watch& watch) {
+void SegmentChains::run(const Watch& watch, double cuts) {
   std::vector<Key> open;
   open.reserve(pieces_.size());
   for (const auto& [ends, piece] : pieces_) open.push_back(ends);
   std::sort(open.begin(), open.end(), std::greater());
   std::vector<std::array<VertexId, 2>> lost;
-  const std::size_t most = points_.size() + kCuts + kCutsEach * (points_.size() + segments_.size());
+  const std::size_t most = points_.size() + kCuts +
+                           static_cast<std::size_t>(cuts * static_cast<double>(points_.size() + segments_.size()));
   while (!open.empty()) {
     watch.check();
     const Key ends = open.back();
@@ -171,7 +173,7 @@ void SegmentChains::run(const Watch& watch) {
     const Piece piece = found->second;
     const VertexId a = at(piece.segment, piece.from), b = at(piece.segment, piece.to);
     if (tetrahedra_.has_edge(a, b)) continue;
-    if (points_.size() > most) throw InputError(crowded(a));
+    if (points_.size() > most) throw NearFault(crowded(a));
     const Rational t = place_of_cut(piece);
     const auto& [first, last] = segments_[piece.segment];
     const RationalPoint p = points_.rational(first), q = points_.rational(last);
