@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include "csg/geometry/exact_vectors.h"
@@ -18,6 +19,7 @@ namespace {
 
 using Index = Parts::Index;
 constexpr Index kNone = Parts::kNone;
+constexpr int kPatience = 8;  // rounds
 
 /// What one round moves, and which of its pairs that joins, each with the place where.
 struct Plan {
@@ -27,7 +29,9 @@ struct Plan {
 
 class Planner {
  public:
-  Planner(const Parts& parts, const std::set<RationalPoint>& given) : parts_(parts), given_(given) {
+  /// What is nearer than `corner` (its square; 0: nothing) to a corner of what it meets goes to that corner.
+  Planner(const Parts& parts, const std::set<RationalPoint>& given, Rational corner)
+      : parts_(parts), given_(given), corner_(std::move(corner)) {
     list_facets();
     plan_.moves.to = parts.points();
     moved_.assign(parts.points().size(), 0);
@@ -88,6 +92,7 @@ class Planner {
   const std::set<RationalPoint>& given_;
   std::vector<std::vector<Index>> facets_of_;  // of each point, ascending
   std::vector<RationalPoint> normals_;         // of each facet
+  const Rational corner_;
   Plan plan_;
   std::vector<char> moved_;
   std::set<std::pair<std::pair<Near, Index>, RationalPoint>> jointed_;
@@ -153,9 +158,38 @@ class Planner {
     return true;
   }
 
+  /// The nearest of some points that is nearer to `at` than `corner_`.
+  std::optional<Index> corner_near(const RationalPoint& at, std::span<const Index> corners) const {
+    std::optional<Index> nearest;
+    Rational least = corner_;
+    for (const Index c : corners) {
+      const RationalPoint d = parts_.points()[c] - at;
+      const Rational square = dot(d, d);
+      if (square >= least || moved_[c]) continue;
+      least = square;
+      nearest = c;
+    }
+    return nearest;
+  }
+  std::span<const Index> corners_of(const NearPair& pair) const {
+    if (pair.kind == Near::point_facet) return parts_.facets()[pair.b].corners;
+    return parts_.segments()[pair.b].ends;
+  }
+  /// Two points, of which one goes to the other and neither goes anywhere else in this round.
+  void meet_corner(const NearPair& pair, Index p, Index c) {
+    if (moved_[p] || moved_[c] || p == c) return;
+    const bool goes = rank_of_point(p) <= rank_of_point(c);
+    const RationalPoint to = parts_.points()[goes ? c : p];
+    plan_.moves.to[goes ? p : c] = to;
+    moved_[p] = moved_[c] = 1;
+    plan_.joined.emplace_back(&pair, to);
+  }
+
   void meet_point(const NearPair& pair) {
     const Index p = pair.a;
     if (moved_[p]) return;
+    if (const auto corner = corner_near(parts_.points()[p], corners_of(pair)))
+      return meet_corner(pair, p, *corner);
     const bool goes = rank_of_point(p) <= rank_of_part(pair);
     const RationalPoint& to = goes ? pair.at_b : parts_.points()[p];
     if (!add_joint(pair.kind, pair.b, pair.at_b, to)) return;
@@ -167,6 +201,9 @@ class Planner {
   void meet_segments(const NearPair& pair) {
     constexpr Near kOn = Near::point_segment;
     if (jointed_.contains({{kOn, pair.a}, pair.at_a}) || jointed_.contains({{kOn, pair.b}, pair.at_b})) return;
+    const auto first = corner_near(pair.at_a, parts_.segments()[pair.a].ends);
+    const auto second = corner_near(pair.at_b, parts_.segments()[pair.b].ends);
+    if (first && second) return meet_corner(pair, *first, *second);
     const RationalPoint& to = rank_of_segment(pair.a) >= rank_of_segment(pair.b) ? pair.at_a : pair.at_b;
     add_joint(kOn, pair.a, pair.at_a, to);
     add_joint(kOn, pair.b, pair.at_b, to);
@@ -255,6 +292,15 @@ class Joiner {
   FlatComplex flat_;
   std::set<RationalPoint> given_;  // points of the input
 
+  /// Thin triangles with sides longer than the distance and heights below it would be bent back and forth: when
+  /// rounds become many, what is somewhat farther from corners goes there.
+  Rational corner_square() const {
+    Rational reach = 0;
+    if (report_.rounds >= kPatience) reach = 2 * within_;
+    for (int r = 2 * kPatience; r <= report_.rounds; r += kPatience) reach *= 2;
+    return reach * reach;
+  }
+
   bool join_once() {
     const ResultView view = data_->view();
     const Parts parts(view, flat_);
@@ -274,7 +320,7 @@ class Joiner {
       report_.nearest = nearest_root(pairs.front().squared);
       return false;
     }
-    Planner planner(parts, given_);
+    Planner planner(parts, given_, corner_square());
     const Plan plan = points ? planner.meet_points(pairs) : planner.meet(pairs);
     const bool first = report_.rounds++ == 0;
     for (const auto& [pair, place] : plan.joined) {

@@ -29,6 +29,18 @@ struct LatticeLeaf {
   std::vector<std::array<int, 3>> corners;  ///< of a box and a rectangle two
 };
 
+inline std::string to_text(const std::vector<LatticeLeaf>& scene) {
+  const char* const names[] = {"box", "rectangle", "wire", "point", "triangle", "tetrahedron"};
+  std::string text;
+  for (const LatticeLeaf& leaf : scene) {
+    text += names[int(leaf.kind)];
+    for (const auto& c : leaf.corners)
+      text += " (" + std::to_string(c[0]) + " " + std::to_string(c[1]) + " " + std::to_string(c[2]) + ")";
+    text += "\n";
+  }
+  return text;
+}
+
 /// `oblique`: with triangles, tetrahedra and wires in any direction; else all is along the axes.
 inline std::vector<LatticeLeaf> lattice_scene(Dice& dice, int size, bool oblique) {
   using Kind = LatticeLeaf::Kind;
@@ -36,8 +48,8 @@ inline std::vector<LatticeLeaf> lattice_scene(Dice& dice, int size, bool oblique
   const int n = 2 + dice(4);
   const auto corner = [&] { return std::array{dice(size), dice(size), dice(size)}; };
   while (int(out.size()) < n) {
-    const Kind kinds[] = {Kind::box, Kind::box, Kind::rectangle, Kind::wire, Kind::point,
-                          Kind::triangle, Kind::tetrahedron};
+    const Kind kinds[] = {Kind::box,   Kind::box,      Kind::rectangle,  Kind::wire,
+                          Kind::point, Kind::triangle, Kind::tetrahedron};
     LatticeLeaf leaf{kinds[dice(oblique ? 7 : 5)], {}};
     const auto distinct = [&](int count) {
       do {
@@ -66,8 +78,8 @@ inline std::vector<LatticeLeaf> lattice_scene(Dice& dice, int size, bool oblique
       int m[3][3];
       for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) m[i][k] = c[i + 1][k] - c[0][k];
-      return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-             m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+      return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+             m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
     };
     const auto flat = [&] {  // a triangle without area
       const auto& c = leaf.corners;
@@ -99,6 +111,12 @@ inline std::vector<LatticeLeaf> lattice_scene(Dice& dice, int size, bool oblique
     }
     out.push_back(std::move(leaf));
   }
+  // First what has no thickness: where the first one dominates, solids would swallow it or not, as the jitter has
+  // it.
+  const auto solid = [](const LatticeLeaf& leaf) {
+    return leaf.kind == Kind::box || leaf.kind == Kind::tetrahedron;
+  };
+  std::stable_partition(out.begin(), out.end(), [&](const LatticeLeaf& leaf) { return !solid(leaf); });
   return out;
 }
 
