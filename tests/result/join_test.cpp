@@ -51,7 +51,8 @@ std::map<std::string, Rational> volumes(const Result& result) {
   return out;
 }
 
-/// What a result is but for its measures: Betti numbers of the whole and of each region, and which of them touch.
+/// What a result is but for its measures: Betti numbers of the whole and of the solids by name, and which of these
+/// touch. Whether a solid that a sheet cuts is one component or two, its order has no say in.
 std::string shape_of(const Result& result) {
   const Selection selection = result.selection();
   std::vector<Component> solid, all;
@@ -59,27 +60,32 @@ std::string shape_of(const Result& result) {
     for (const auto& [cell, component] : cells) to.push_back(component);
   };
   see(selection.regions, solid);
-  for (const Component c : solid) all.push_back(c);
-  see(selection.faces, all), see(selection.edges, all), see(selection.vertices, all);
+  see(selection.regions, all), see(selection.faces, all), see(selection.edges, all), see(selection.vertices, all);
   sort_unique(solid), sort_unique(all);
   Neighbourhoods neighbourhoods(result.complex());
   BettiCounter counter(neighbourhoods);
   const std::vector<BettiNumbers> numbers = betti_numbers(selection, all, counter);
-  std::string text;
-  const auto add = [&](const std::string& what, const BettiNumbers& b) {
-    text += what + ": " + std::to_string(b.z2[0]) + " " + std::to_string(b.z2[1]) + " " + std::to_string(b.z2[2]) +
-            "\n";
-  };
-  add("whole", numbers[0]);
+  std::map<std::string, std::array<long, 3>> by_name{{"whole", numbers[0].z2}};
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (std::binary_search(solid.begin(), solid.end(), all[i]))
-      add(result.attributes(all[i]).name, numbers[i + 1]);
+    if (!std::binary_search(solid.begin(), solid.end(), all[i])) continue;
+    auto& sum = by_name[result.attributes(all[i]).name];
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += numbers[i + 1].z2[k];
   }
   const RegionGraph graph = region_graph(result.cells(), result.data().value->attributes());
+  std::set<std::array<std::string, 2>> touching;
   for (const auto& edge : graph.edges) {
-    for (const auto n : edge.nodes) text += std::to_string(graph.nodes[n].component) + " ";
-    text += "touch\n";
+    std::array<std::string, 2> names;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Component c = graph.nodes[edge.nodes[k]].component;
+      names[k] = c == 0 ? "outside" : result.attributes(c).name;
+    }
+    std::sort(names.begin(), names.end());
+    if (names[0] != names[1]) touching.insert(names);
   }
+  std::string text;
+  for (const auto& [name, b] : by_name)
+    text += name + ": " + std::to_string(b[0]) + " " + std::to_string(b[1]) + " " + std::to_string(b[2]) + "\n";
+  for (const auto& [a, b] : touching) text += a + " touches " + b + "\n";
   return text;
 }
 
