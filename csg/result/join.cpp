@@ -30,8 +30,9 @@ struct Plan {
 class Planner {
  public:
   /// What is nearer than `corner` (its square; 0: nothing) to a corner of what it meets goes to that corner.
-  Planner(const Parts& parts, const std::set<RationalPoint>& given, Rational corner)
-      : parts_(parts), given_(given), corner_(std::move(corner)) {
+  /// `reversed`: of points the last in the order of preference stay.
+  Planner(const Parts& parts, const std::set<RationalPoint>& given, Rational corner, bool reversed)
+      : parts_(parts), given_(given), corner_(std::move(corner)), reversed_(reversed) {
     list_facets();
     plan_.moves.to = parts.points();
     moved_.assign(parts.points().size(), 0);
@@ -54,6 +55,7 @@ class Planner {
       preferred.push_back({{-walls, -all}, !given_.contains(parts_.points()[p]), p});
     }
     std::sort(preferred.begin(), preferred.end());
+    if (reversed_) std::reverse(preferred.begin(), preferred.end());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = std::get<Index>(preferred[i]);
     std::vector<char> stays(n, 0), taken(n, 0);
     for (const Index p : order) {
@@ -93,6 +95,7 @@ class Planner {
   std::vector<std::vector<Index>> facets_of_;  // of each point, ascending
   std::vector<RationalPoint> normals_;         // of each facet
   const Rational corner_;
+  const bool reversed_;
   Plan plan_;
   std::vector<char> moved_;
   std::set<std::pair<std::pair<Near, Index>, RationalPoint>> jointed_;
@@ -293,12 +296,14 @@ class Joiner {
   std::set<RationalPoint> given_;  // points of the input
 
   /// Thin triangles with sides longer than the distance and heights below it would be bent back and forth: when
-  /// rounds become many, what is somewhat farther from corners goes there.
-  Rational corner_square() const {
-    Rational reach = 0;
-    if (report_.rounds >= kPatience) reach = 2 * within_;
-    for (int r = 2 * kPatience; r <= report_.rounds; r += kPatience) reach *= 2;
-    return reach * reach;
+  /// rounds become many, what is somewhat farther from corners goes there. 0: nothing does.
+  Rational corner_reach() const {
+    return report_.rounds < kPatience ? Rational(0) : Rational((report_.rounds < 2 * kPatience ? 2 : 4) * within_);
+  }
+  /// Another round might move something farther than a result is allowed to be moved.
+  bool is_exhausted() const {
+    const double next = to_double(std::max<Rational>(within_, corner_reach()));
+    return report_.displacement + next * (1 + 0x1p-50) > kMostJoinMoves * to_double(within_);
   }
 
   bool join_once() {
@@ -315,12 +320,16 @@ class Joiner {
                        [](const NearPair& x, const NearPair& y) { return x.squared < y.squared; });
     }
     if (pairs.empty()) return false;
-    if (report_.rounds == kMostJoinRounds) {
+    if (is_exhausted()) {
       report_.remaining = pairs.size();
       report_.nearest = nearest_root(pairs.front().squared);
       return false;
     }
-    Planner planner(parts, given_, corner_square());
+    // What crosses again where it crossed before, after its points have gone to a corner, is broken by letting the
+    // corner go.
+    const bool reversed = report_.rounds >= 2 * kPatience && report_.rounds / kPatience % 2 == 1;
+    const Rational reach = corner_reach();
+    Planner planner(parts, given_, reach * reach, reversed);
     const Plan plan = points ? planner.meet_points(pairs) : planner.meet(pairs);
     const bool first = report_.rounds++ == 0;
     for (const auto& [pair, place] : plan.joined) {

@@ -50,7 +50,7 @@ inline std::vector<LatticeLeaf> lattice_scene(Dice& dice, int size, bool oblique
   while (int(out.size()) < n) {
     const Kind kinds[] = {Kind::box,   Kind::box,      Kind::rectangle,  Kind::wire,
                           Kind::point, Kind::triangle, Kind::tetrahedron};
-    LatticeLeaf leaf{kinds[dice(oblique ? 7 : 5)], {}};
+    LatticeLeaf leaf{kinds[out.empty() ? 0 : dice(oblique ? 7 : 5)], {}};  // one box at least
     const auto distinct = [&](int count) {
       do {
         leaf.corners.clear();
