@@ -108,7 +108,7 @@ class Finder {
               Feature::Kind::dihedral_angle, angle, 0, {{1, e}, {2, one / 2}, {2, next / 2}}, {x(p), x(q)}};
         }
       }
-      dihedral_.push_back(std::move(*least));
+      if (least->value < kSharp) dihedral_.push_back(std::move(*least));
     }
   }
   /// The third corner of the triangle at a piece of an edge that belongs to a use of the face. The side that is
@@ -138,11 +138,9 @@ class Finder {
           const Rational cosine = dot(u, v);
           const int turn = sgn(dot(normal, front));
           if (turn < 0 || (is_zero(normal) && cosine > 0)) continue;  // more than half a turn
-          angles_.push_back({Feature::Kind::face_angle,
-                             degrees(dot(normal, normal), cosine),
-                             0,
-                             {{2, f}, parts_.cell_of_point(p)},
-                             {x(p)}});
+          const double angle = degrees(dot(normal, normal), cosine);
+          if (!(angle < kSharp)) continue;
+          angles_.push_back({Feature::Kind::face_angle, angle, 0, {{2, f}, parts_.cell_of_point(p)}, {x(p)}});
         }
       }
     }

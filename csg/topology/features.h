@@ -24,9 +24,12 @@ struct Feature {
 
 /// How many of each sort are told where nobody says how far.
 inline constexpr std::size_t kTold = 10;
+/// Angles of this many degrees or more are not told: a regular tetrahedron has larger ones.
+inline constexpr double kSharp = 60;
 
 /// By kind, each from the smallest on. `below`: distances and lengths that are less (units, positive); without it
-/// the kTold smallest of each pair of dimensions, and lengths. Of angles the kTold smallest in any case. Throws
+/// the kTold smallest of each pair of dimensions, and lengths. Of angles below kSharp the kTold smallest in any
+/// case. Throws
 /// InputError for a result whose faces or lines reach the frame of unbounded leaves, for `below` that is not
 /// positive, and for more than kMostPairs.
 std::vector<Feature> features(const Result& result, const std::optional<Rational>& below = {});
