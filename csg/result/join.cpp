@@ -379,4 +379,19 @@ std::string JoinReport::text(const Rational& within) const {
   return text;
 }
 
+std::vector<std::string> JoinReport::warnings(const Rational& within) const {
+  const std::string d = to_decimal(within, 6);
+  std::vector<std::string> out;
+  for (const std::string& region : lost_regions)
+    out.push_back("the region " + region + ", is thinner than " + d + " and has vanished");
+  if (remaining > 0) {
+    std::string far;
+    append(far, nearest);
+    out.push_back(counted(remaining, "pair is", "pairs are") + " still nearer than " + d + " after " +
+                  counted(std::size_t(rounds), "round", "rounds") + ", the nearest " + far +
+                  " apart; give another distance");
+  }
+  return out;
+}
+
 }  // namespace cnrg
