@@ -4,8 +4,6 @@
 #include "csg/app/output.h"
 #include "csg/app/progress_bar.h"
 #include "csg/result/join.h"
-#include "csg/result/rounding.h"
-#include "csg/text/escape.h"
 
 namespace cnrg::app {
 
@@ -27,15 +25,7 @@ Result joined(const Tree& tree, NodeId node, const Result& result, const std::st
            " more pairs; `cnrg check --features " + distance + "` lists what is near");
     }
   }
-  for (const std::string& region : report.lost_regions)
-    tell(of + "warning: " + name + "the region " + region + ", is thinner than " + distance + " and has vanished");
-  if (report.remaining > 0) {
-    std::string nearest;
-    append(nearest, report.nearest);
-    tell(of + "warning: " + name + std::to_string(report.remaining) + " pairs are still nearer than " + distance +
-         " after " + std::to_string(report.rounds) + " rounds, the nearest " + nearest +
-         " apart; give another distance");
-  }
+  for (const std::string& warning : report.warnings(within)) tell(of + "warning: " + name + warning);
   return out;
 }
 

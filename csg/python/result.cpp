@@ -1,6 +1,7 @@
 // One node's value, as files show it.
 #include <pybind11/stl.h>
 
+#include "csg/result/join.h"
 #include "numbers.h"
 #include "results.h"
 #include "watched.h"
@@ -29,6 +30,18 @@ void bind_result(py::module_& module) {
              std::vector<std::string> notices = report.notices;
              if (report.snapped.rounds > 0) notices.push_back(report.snapped.text());
              return py::make_tuple(report.moved, report.embedded, notices);
+           })
+      .def("join",
+           [](const OneResult& r, const py::handle& distance, const py::object& progress) {
+             const Rational within = to_rational(distance, "a distance");
+             auto [joined, report] = apart(progress, [held = r.result, within](const Watch& watch) {
+               watch.begin("join");
+               JoinReport report;
+               Result joined = join(held, within, &report);
+               return std::pair(std::move(joined), std::move(report));
+             });
+             return py::make_tuple(OneResult{std::move(joined), nullptr, r.node}, report.rounds,
+                                   report.displacement, report.merged, report.warnings(within));
            })
       .def("snap", [](const OneResult& r, const py::object& progress) {
         auto [snapped, report] = apart(progress, [held = r.result](const Watch& watch) {

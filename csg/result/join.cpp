@@ -12,6 +12,7 @@
 #include "csg/result/relabel.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
+#include "csg/text/escape.h"
 #include "kernel/exact/distance.h"
 
 namespace cnrg {
@@ -220,11 +221,12 @@ std::size_t active_regions(const FlatComplex& flat) {
   return n;
 }
 
-/// `rock, r3, at (1, 2, 3)`: its name or its leaves, its number where that is still the one of the result that was
-/// given, the first of its points.
-std::string text_of_region(const ResultView& view, const FlatComplex& flat, Index r, bool numbered) {
-  std::string text = attributes_of(view, flat.regions[r].component).name;
+/// `rock, r3, at (1, 2, 3)`, `rock (a piece), ...` where some of it is left: its name or its leaves, its number
+/// where that is still the one of the result that was given, the first of its points.
+std::string text_of_region(const ResultView& view, const FlatComplex& flat, Index r, bool whole, bool numbered) {
+  std::string text = shown(attributes_of(view, flat.regions[r].component).name);
   if (text.empty()) text = "a region of " + names_of_leaves(view, flat.regions[r].origin);
+  if (!whole) text += " (a piece)";
   if (numbered) text += ", r" + std::to_string(r);
   Index first = kNone;
   for (const auto& shell : flat.regions[r].shells) {
@@ -306,6 +308,16 @@ class Joiner {
     return report_.displacement + next * (1 + 0x1p-50) > kMostJoinMoves * to_double(within_);
   }
 
+  /// No piece of its component is left.
+  bool is_whole(Index r, const std::vector<Index>& lost) const {
+    for (Index other = 0; other < flat_.regions.size(); ++other) {
+      if (flat_.regions[other].component == flat_.regions[r].component &&
+          !std::binary_search(lost.begin(), lost.end(), other))
+        return false;
+    }
+    return true;
+  }
+
   bool join_once() {
     const ResultView view = data_->view();
     const Parts parts(view, flat_);
@@ -340,7 +352,8 @@ class Joiner {
     report_.displacement += made->report.displacement;
     report_.lost_faces += made->lost_faces.size();
     report_.lost_wires += made->lost_wires.size();
-    for (const Index r : made->lost_regions) report_.lost_regions.push_back(text_of_region(view, flat_, r, first));
+    for (const Index r : made->lost_regions)
+      report_.lost_regions.push_back(text_of_region(view, flat_, r, is_whole(r, made->lost_regions), first));
     data_->complex = made->complex;
     data_->value = std::shared_ptr<const NodeValue>(made, &made->value);
     data_->simplified = std::shared_ptr<const SimplifiedComplex>(made, &made->simplified);
@@ -377,6 +390,21 @@ std::string JoinReport::text(const Rational& within) const {
             std::to_string(regions_after);
   }
   return text;
+}
+
+std::vector<std::string> JoinReport::warnings(const Rational& within) const {
+  const std::string d = to_decimal(within, 6);
+  std::vector<std::string> out;
+  for (const std::string& region : lost_regions)
+    out.push_back("the region " + region + ", is thinner than " + d + " and has vanished");
+  if (remaining > 0) {
+    std::string far;
+    append(far, nearest);
+    out.push_back(counted(remaining, "pair is", "pairs are") + " still nearer than " + d + " after " +
+                  counted(std::size_t(rounds), "round", "rounds") + ", the nearest " + far +
+                  " apart; give another distance");
+  }
+  return out;
 }
 
 }  // namespace cnrg

@@ -51,6 +51,8 @@ struct JoinReport {
   double nearest = 0;                                 ///< of these, their least distance
   /// One line without its end: `joined 3 pairs nearer than 0.001, ...`.
   std::string text(const Rational& within) const;
+  /// What nobody may miss, a line each: regions that vanished, what is still near.
+  std::vector<std::string> warnings(const Rational& within) const;
 };
 
 /// `within`: the distance d (units), positive. Throws InputError if it is not, if it is not smaller than the

@@ -12,6 +12,7 @@
 #include "csg/result/rounding.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
+#include "kernel/base/sorted.h"
 #include "kernel/exact/distance.h"
 
 namespace cnrg {
@@ -95,28 +96,53 @@ class Finder {
     const FlatComplex& flat = parts_.flat();
     for (Index e = 0; e < flat.edges.size(); ++e) {
       const FlatComplex::Edge& edge = flat.edges[e];
-      const std::size_t n = edge.points.size(), uses = edge.around.size();
-      if (uses < 2) continue;
+      const std::size_t n = edge.points.size();
+      std::vector<Index> faces;
+      for (const Index side : edge.around) faces.push_back(side / 2);
+      sort_unique(faces);
       std::optional<Feature> least;
       for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
         const Index p = edge.points[k], q = edge.points[(k + 1) % n];
-        for (std::size_t i = 0; i < (uses == 2 ? 1 : uses); ++i) {
-          const Index one = edge.around[i], next = edge.around[(i + 1) % uses];
-          const double angle = between(p, q, corner(one, p, q), corner(next, p, q));
+        const std::vector<Triangle> around = triangles_around(p, q, faces);
+        for (std::size_t i = 0; around.size() > 1 && i < around.size(); ++i) {
+          const Triangle &one = around[i], &next = around[(i + 1) % around.size()];
+          const double angle = between(p, q, one.corner, next.corner);
           if (least && least->value <= angle) continue;
-          least = Feature{
-              Feature::Kind::dihedral_angle, angle, 0, {{1, e}, {2, one / 2}, {2, next / 2}}, {x(p), x(q)}};
+          least = Feature{Feature::Kind::dihedral_angle,
+                          angle,
+                          0,
+                          {{1, e}, {2, std::min(one.face, next.face)}, {2, std::max(one.face, next.face)}},
+                          {x(p), x(q)}};
         }
       }
-      if (least->value < kSharp) dihedral_.push_back(std::move(*least));
+      if (least && least->value < kSharp) dihedral_.push_back(std::move(*least));
     }
   }
-  /// The third corner of the triangle at a piece of an edge that belongs to a use of the face. The side that is
-  /// seen first is the back where the face is to the left of the edge.
-  Index corner(Index use, Index p, Index q) const {
-    auto found = use % 2 == 1 ? left_of_.find({use / 2, p, q}) : left_of_.find({use / 2, q, p});
-    require(found != left_of_.end(), "features: a face around an edge has no triangle there");
-    return found->second;
+
+  /// A triangle with the side pq: its face, its third corner, and its direction as seen along the side.
+  struct Triangle {
+    Index face, corner;
+    double turn;
+  };
+  /// In the order of their directions; a face that has the piece on both sides is there twice.
+  std::vector<Triangle> triangles_around(Index p, Index q, const std::vector<Index>& faces) const {
+    std::vector<Triangle> out;
+    for (const Index f : faces) {
+      for (const auto& [a, b] : {std::pair(p, q), std::pair(q, p)}) {
+        const auto found = left_of_.find({f, a, b});
+        if (found != left_of_.end()) out.push_back({f, found->second, 0});
+      }
+    }
+    if (out.empty()) return out;
+    const RationalPoint axis = x(q) - x(p), first = x(out[0].corner) - x(p), up = cross(axis, first);
+    const double length = nearest_root(dot(axis, axis));
+    for (Triangle& t : out) {
+      const RationalPoint v = x(t.corner) - x(p);
+      const Rational along = dot(axis, axis) * dot(first, v) - dot(first, axis) * dot(v, axis);
+      t.turn = std::atan2(to_double(dot(up, v)) * length, to_double(along));
+    }
+    std::sort(out.begin(), out.end(), [](const Triangle& a, const Triangle& b) { return a.turn < b.turn; });
+    return out;
   }
   double between(Index p, Index q, Index first, Index second) const {
     const RationalPoint axis = x(q) - x(p), u = x(first) - x(p), v = x(second) - x(p);

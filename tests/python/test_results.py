@@ -413,6 +413,24 @@ class Snapped(unittest.TestCase):
         self.assertFalse(result.compare(snapped))
         self.assertTrue(snapped.compare(snapped.snap()))
 
+    def test_near_features_are_joined_and_regions_that_vanish_are_named(self):
+        bolt = cnrg.polyline([[1, 1, 0.5], [1, 1, "0.99999"]], name="bolt")
+        low = cnrg.box([0, 0, 0], [2, 2, 1], name="low")
+        dust = cnrg.box([0, 0, 1], [2, 2, "1.00001"], name="dust")
+        high = cnrg.box([0, 0, "1.00001"], [2, 2, 2], name="high")
+        result = cnrg.union(bolt, low, dust, high, dominance="left").evaluate()
+        with self.assertWarnsRegex(cnrg.Notice, "the region dust, r[0-9]+, at .* has vanished"):
+            joined = result.join("0.001")
+        self.assertEqual(joined.volume, 8)
+        self.assertEqual(len(result.regions.active), 3)
+        self.assertEqual(len(joined.regions.active), 2)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertIs(joined.join("0.001"), joined)
+        for distance in (0, -1, 2, float("nan"), "x"):
+            with self.assertRaises(cnrg.InputError):
+                result.join(distance)
+
     def test_files_are_snapped_unless_they_are_not_to_be(self):
         gap = (cnrg.box([0, 0, 0], [1, 1, 1]) | cnrg.box([0, 0, "1.00000000000000001"], [1, 1, 2])).evaluate()
         with tempfile.TemporaryDirectory() as folder:

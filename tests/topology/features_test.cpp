@@ -86,6 +86,19 @@ TEST_CASE("features: bad distances, and results without bounds", "[features]") {
   CHECK(of_kind(features(result_of(c), Rational(1000)), Kind::length).size() == 12);
 }
 
+TEST_CASE("features: faces of curved patches, rims without a vertex, slits", "[features]") {
+  Soup soup;
+  add_drum(soup, 48, 0, 3);
+  add_sheet(soup, {{-9, -9, 1}, {9, -9, 1}, {9, 9, 1}, {-9, 9, 1}});
+  add_sheet(soup, {{0, 0, -5}, {0, 0, 9}, {9, 0, 9}, {9, 0, -5}});  // ends inside
+  Case c(soup);
+  c.show(c.unite(Dominance::right));
+  const auto all = features(result_of(c), Rational(1, 2));
+  CHECK(of_kind(all, Kind::dihedral_angle).empty());  // right ones, and two of half a turn
+  CHECK(!of_kind(all, Kind::length).empty());         // chords of the drum's rims
+  for (const Feature& f : of_kind(all, Kind::length)) CHECK(f.value < 0.5);
+}
+
 TEST_CASE("features: angles against all pairs", "[features][random]") {
   const auto [first, last] = scenes::seeds(15);
   for (std::uint64_t seed = first; seed < last; ++seed) {

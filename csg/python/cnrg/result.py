@@ -298,6 +298,17 @@ class Result:
             snapped, rounds, _, _ = self._result.snap(shown)
         return self if rounds == 0 else Result._of(snapped, self._evaluation)
 
+    def join(self, within: Number, *, progress: Progress = None) -> Result:
+        """The result with all that does not touch and is nearer than `within` (units) brought together: corners,
+        edges and faces. The same where nothing is as near. A warning (cnrg.Notice) names each region that is thinner
+        and vanishes, and says what is still near. InputError for a distance that is not positive or not smaller than
+        the result, and for a face or line without bounds."""
+        with Shown(progress) as shown, self._placed():
+            joined, rounds, _, _, notices = self._result.join(within, shown)
+        for notice in notices:
+            warnings.warn_explicit(notice, Notice, *site_of_caller())
+        return self if rounds == 0 else Result._of(joined, self._evaluation)
+
     def tetrahedralize(self, *, max_volume: Number = 0, quality: Number = 0, keep_boundary: bool = False,
                        seconds: int = 600, curved: bool = False, progress: Progress = None) -> Tetrahedra:
         """Fills the regions with tetrahedra that conform to every wall, sheet, wire and point, proven exactly.
