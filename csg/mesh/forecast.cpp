@@ -17,15 +17,15 @@ using Vector = SizeField::Vector;
 // (tetrahedra.cpp) times the size; tests/mesh/forecast_test.cpp has the models. Edges are 0.98 h long in the mean
 // then.
 
-/// Tetrahedra per h^3 where the size is the same all over: 12.0 to 12.1 in cubes with h = 0.05 and 0.1. Regular
+/// Tetrahedra per h^3: 12 in cubes, 14 to 15 where many facets of curved faces are about as wide as h. Regular
 /// ones would be 6 * sqrt(2) = 8.49.
-constexpr double kPerCube = 12;
+constexpr double kPerCube = 13;
 /// Where sizes grow, an edge that is as long as they are in its middle is too long at its shorter end: 1.05, 1.18
 /// and 1.9 times as many were made with a growth of 0.1, 0.3 and 1.
 double for_growth(double growth) { return 1 + 0.55 * growth + 0.35 * growth * growth; }
 /// A tetrahedron is no thicker than its region; and no edge is longer than so many times that thickness, if its
-/// quality is bounded.
-constexpr double kPerThickness = 3;
+/// quality is bounded: plates of 8 x 8 x 0.1 and 8 x 8 x 0.5 with h = 0.5 and 0.4.
+constexpr double kPerThickness = 2;
 
 class Forecast {
  public:
@@ -47,6 +47,7 @@ class Forecast {
     Vector middle, half;
     Index region;  // of the middle
     Kind kind;
+    bool narrow;          // there may be a face so near that the region is thinner than edges are long
     double share, doubt;  // as the middle tells, in tetrahedra
   };
   struct Doubt {
@@ -56,8 +57,9 @@ class Forecast {
       return doubt != other.doubt ? doubt < other.doubt : cell > other.cell;
     }
   };
-  static constexpr std::size_t kFewest = 2000, kMost = 60'000;  // cells
-  static constexpr double kPerCell = 10;                        // tetrahedra, between these bounds
+  static constexpr std::size_t kFewest = 600, kMost = 40'000;  // cells
+  static constexpr double kLeastShare = 1e-7;                  // of the model; absurd, and numbers stay numbers
+  static constexpr double kPerCell = 60;                       // tetrahedra, between these bounds
 
   const FlatComplex& flat_;
   const MeshSizes& sizes_;
@@ -65,32 +67,43 @@ class Forecast {
   std::vector<Cell> cells_;
   std::priority_queue<Doubt> queue_;
   double shares_ = 0;
+  double least_ = 0;  // shorter edges are counted as if they were as long
 
   std::size_t most_cells() const {
     return std::size_t(std::clamp(shares_ / kPerCell, double(kFewest), double(kMost)));
   }
 
-  double density(const Vector& p, Index region) const {
-    const double field = sizes_.field.at(p);
-    double size = region < sizes_.regions.size() ? std::min(field, sizes_.regions[region]) : field;
-    const bool grows = size == field && size < sizes_.field.overall();
-    const double thick = regions_.thickness(p, size);
+  /// Of the tetrahedra that a point of a cell tells of, in all of it.
+  double count(const Vector& half, double a, double b, double c) const {
+    return kPerCube * 8 * (half[0] / a) * (half[1] / b) * (half[2] / c);
+  }
+  double size_at(const Vector& p, Index region) const { return std::max(sizes_.at(p, region), least_); }
+
+  double count_at(const Vector& p, Index region, const Cell& cell) const {
+    double size = size_at(p, region);
+    const bool bounded =
+        size == sizes_.field.overall() || (region < sizes_.regions.size() && size == sizes_.regions[region]);
+    const double thick = cell.narrow ? std::max(regions_.thickness(p, size), least_) : size;
     size = std::min(size, kPerThickness * thick);
-    return kPerCube * (grows ? for_growth(sizes_.field.growth()) : 1) / (size * size * std::min(size, thick));
+    return count(cell.half, size, size, std::min(size, thick)) * (bounded ? 1 : for_growth(sizes_.field.growth()));
   }
 
   Cell cell_at(const Vector& middle, const Vector& half) const {
-    Cell cell{middle, half, regions_.at(middle), Kind::mixed, 0, 0};
+    Cell cell{middle, half, regions_.at(middle), Kind::mixed, true, 0, 0};
     const Vector low = minus(middle, half), high{middle[0] + half[0], middle[1] + half[1], middle[2] + half[2]};
     if (!regions_.meets_faces(low, high)) cell.kind = flat_.active(cell.region) ? Kind::inside : Kind::outside;
     if (cell.kind == Kind::outside) return cell;
-    const double volume = 8 * half[0] * half[1] * half[2], reach = std::sqrt(dot(half, half));
-    const double here = sizes_.at(middle, cell.region), slope = sizes_.field.growth() * reach;
+    const double here = size_at(middle, cell.region);
+    const double slope = sizes_.field.growth() * std::hypot(half[0], half[1], half[2]);
+    if (cell.kind == Kind::inside) {
+      const double room = (here + slope) / 2;
+      cell.narrow = regions_.meets_faces({low[0] - room, low[1] - room, low[2] - room},
+                                         {high[0] + room, high[1] + room, high[2] + room});
+    }
     // The field may fall to a source within the cell, and there is one at most as far away as it could have risen.
     const double least = std::max(here - slope, here / 8), most = here + slope;
-    const auto count = [&](double size) { return kPerCube * volume / (size * size * size); };
-    cell.share = count(here);
-    cell.doubt = count(least) - count(most);
+    cell.share = count(half, here, here, here);
+    cell.doubt = count(half, least, least, least) - count(half, most, most, most);
     if (cell.kind == Kind::mixed) cell.doubt += cell.share;
     return cell;
   }
@@ -110,6 +123,7 @@ class Forecast {
     }
     const Vector size = minus(high, low);
     const double longest = std::max({size[0], size[1], size[2]});
+    least_ = kLeastShare * longest;
     std::array<std::size_t, 3> count{};
     Vector half{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -159,9 +173,9 @@ class Forecast {
         p[k] += cell.half[k] * (2 * (place - std::floor(place)) - 1);
       }
       const Index region = cell.kind == Kind::inside ? cell.region : regions_.at(p);
-      if (flat_.active(region)) sum += density(p, region);
+      if (flat_.active(region)) sum += count_at(p, region, cell);
     }
-    return 8 * cell.half[0] * cell.half[1] * cell.half[2] * sum / double(n);
+    return sum / double(n);
   }
 };
 

@@ -50,6 +50,15 @@ bool meets(const Box& box, const Vector& p, const Vector& along, double nearest)
   return from <= to;
 }
 
+/// Planes at an angle of some 25 degrees at most.
+bool are_parallel(const Corners& s, const Corners& t) {
+  constexpr double kCosine = 0.9;
+  const auto normal = [](const Corners& c) { return cross(minus(c.at[1], c.at[0]), minus(c.at[2], c.at[0])); };
+  const Vector n = normal(s), m = normal(t);
+  const double both = dot(n, m);
+  return both * both >= kCosine * kCosine * dot(n, n) * dot(m, m);
+}
+
 }  // namespace
 
 struct RegionLocator::Data {
@@ -112,11 +121,20 @@ Index RegionLocator::at(const Vector& p) const {
   return region;
 }
 
-double RegionLocator::free_way(const Vector& p, const Vector& along, double most) const {
-  double nearest = most;
-  data_->boxes.query(
-      [&](const Box& box) { return meets(box, p, along, nearest); },
-      [&](std::uint32_t item) { nearest = std::min(nearest, hit(p, along, data_->triangles[item]).first); });
+/// The first face on the way from a point, and how far it is.
+struct RegionLocator::Wall {
+  double distance;
+  const Corners* triangle = nullptr;  // nullptr: there is none so near
+};
+
+RegionLocator::Wall RegionLocator::wall(const Vector& p, const Vector& along, double most) const {
+  Wall nearest{most};
+  data_->boxes.query([&](const Box& box) { return meets(box, p, along, nearest.distance); },
+                     [&](std::uint32_t item) {
+                       const Corners& triangle = data_->triangles[item];
+                       const double distance = hit(p, along, triangle).first;
+                       if (distance < nearest.distance) nearest = {distance, &triangle};
+                     });
   return nearest;
 }
 
@@ -131,8 +149,11 @@ double RegionLocator::thickness(const Vector& p, double most) const {
                               {-kDiagonal, kDiagonal, kDiagonal}};
   double least = most;
   for (const Vector& way : kWays) {
-    const double forth = free_way(p, way, least);
-    if (forth < least) least = std::min(least, forth + free_way(p, {-way[0], -way[1], -way[2]}, least - forth));
+    const Wall ahead = wall(p, way, least);
+    if (ahead.triangle == nullptr) continue;
+    const Wall behind = wall(p, {-way[0], -way[1], -way[2]}, least - ahead.distance);
+    if (behind.triangle == nullptr) continue;
+    if (are_parallel(*ahead.triangle, *behind.triangle)) least = ahead.distance + behind.distance;
   }
   return least;
 }

@@ -24,8 +24,8 @@ class RegionLocator {
   /// The number of the region of a point that lies on no face; kNone if it has none. Any number of threads may
   /// ask.
   FlatComplex::Index at(const Vector& p) const;
-  /// The shortest of some chords through a point from face to face, or `most`, if none is as short: how thick the
-  /// region is there, within a tenth or two.
+  /// How thick the region is at a point, where it is a plate: the shortest of some chords between faces that are
+  /// about parallel, or `most`, if there is none as short. (Near an edge each chord across is short.)
   double thickness(const Vector& p, double most) const;
 
   /// False only if no face passes through the box.
@@ -35,8 +35,9 @@ class RegionLocator {
   struct Data;
   std::unique_ptr<const Data> data_;
 
-  /// How far it is from a point to the first face, at most so far; lengths are those of `along`.
-  double free_way(const Vector& p, const Vector& along, double most) const;
+  struct Wall;
+  /// The first face on the way from a point, if it is nearer than `most`; lengths are those of `along`.
+  Wall wall(const Vector& p, const Vector& along, double most) const;
 };
 
 }  // namespace cnrg

@@ -134,7 +134,9 @@ class TetrahedraMaker {
     sizes_ = mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth});
     if (sizes_.empty() || options_.constrained) return;
     regions_.emplace(flat_, rounded.points());
-    too_large_ = [this](const std::array<Vector, 4>& corners) { return is_too_large(corners); };
+    too_large_ = [this, least = sizes_.least_in_regions()](const std::array<Vector, 4>& corners) {
+      return is_too_large(corners, least);
+    };
     if (options_.keep_boundary) return;  // then sizes hold inside of regions only
     options_.watch.begin("mesh: forecast");
     expected_ = expected_tetrahedra(flat_, rounded.points(), sizes_, *regions_);
@@ -142,8 +144,9 @@ class TetrahedraMaker {
     require_possible(expected_);
   }
 
-  /// Its longest edge is much longer than edges are to be there; the box around the model has no size.
-  bool is_too_large(const std::array<Vector, 4>& corners) const {
+  /// Its longest edge is much longer than edges are to be there. The box around the model has no size, which the
+  /// last question finds out.
+  bool is_too_large(const std::array<Vector, 4>& corners, double least_in_regions) const {
     double longest = 0;
     Vector middle{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -154,7 +157,7 @@ class TetrahedraMaker {
       for (std::size_t k = 0; k < 3; ++k) middle[k] += corners[i][k] / 4;
     }
     longest = std::sqrt(longest) / kLongest;
-    if (longest <= sizes_.field.at(middle) && longest <= sizes_.least_in_regions()) return false;
+    if (longest <= sizes_.field.at(middle) && longest <= least_in_regions) return false;
     const Index region = regions_->at(middle);
     return flat_.active(region) && longest > sizes_.at(middle, region);
   }

@@ -45,6 +45,8 @@ const std::vector<Model>& models() {
       {"plate", "  model: {box: {min: [0, 0, 0], max: [8, 8, 1/2]}}\n", 0.4, 0.3},
       {"turned plate",
        "  model: {box: {min: [0, 0, 0], max: [8, 8, 1/2]}, rotate: {axis: [1, 2, 0], degrees: 40}}\n", 0.4, 0.3},
+      {"thin plate", "  model: {box: {min: [0, 0, 0], max: [8, 8, 1/10]}}\n", 0.5, 0.3},
+      {"rod", "  model: {cylinder: {from: [0, 0, 0], to: [20, 0, 0], radius: 1, segments: 32}}\n", 1, 0.3},
       {"shell", R"(
   shell:  {sphere: {center: [0, 0, 0], radius: 4, segments: 32}}
   cavity: {sphere: {center: [0, 0, 0], radius: 3, segments: 32}}
