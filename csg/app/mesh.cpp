@@ -98,7 +98,7 @@ int run_mesh(const MeshArguments& arguments) {
     if (!arguments.quiet) {
       asked.foretold = [&](double count) {
         bar.clear();
-        tell("notice: about " + rounded_count(count) + " tetrahedra are expected");
+        tell("notice: " + count_text(count) + " tetrahedra are expected");
       };
     }
     if (arguments.curved && asked.quality == 0) asked.quality = kCurvedQuality;

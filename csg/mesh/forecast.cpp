@@ -186,19 +186,18 @@ double expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points,
   return Forecast(flat, sizes, regions).run(points.xyz);
 }
 
-std::string rounded_count(double count) {
-  if (!(count >= 1)) return "0";
-  const double step = std::pow(10, std::max(0.0, std::floor(std::log10(count)) - 2));
-  const double rounded = std::round(count / step) * step;
-  if (rounded < 1e15) return grouped(std::size_t(rounded));
-  return "more than " + grouped(std::size_t(1e15));
+std::string count_text(double count) {
+  constexpr double kMostShown = 1e15;
+  if (!(count < kMostShown)) return "more than " + grouped(std::size_t(kMostShown));
+  const double step = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) - 2));
+  return "about " + grouped(std::size_t(std::round(count / step) * step));
 }
 
 void require_possible(double expected) {
   if (expected <= kMostTetrahedra) return;
   throw InputError(
-      "the sizes that are asked for take about " + rounded_count(expected) + " tetrahedra, and at most " +
-      rounded_count(kMostTetrahedra) +
+      "the sizes that are asked for take " + count_text(expected) + " tetrahedra, and at most " +
+      grouped(std::size_t(kMostTetrahedra)) +
       " are made; ask for a larger --size, a larger `size` of the smallest nodes, or a larger --growth");
 }
 

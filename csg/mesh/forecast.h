@@ -12,8 +12,8 @@
 
 namespace cnrg {
 
-/// Of the mesh of a result, together, within 30 % where it is meshed by sizes; those of other bounds are not seen.
-/// Takes some milliseconds, and up to a second for meshes of millions. `sizes` are not empty.
+/// Of the mesh of a result, together, within 30 % where it is meshed by sizes and has hundreds; other bounds are
+/// not seen. Takes some milliseconds, and up to a second for meshes of millions. `sizes` are not empty.
 double expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes,
                            const RegionLocator& regions);
 
@@ -23,7 +23,7 @@ inline constexpr double kMostTetrahedra = 2e8;
 /// Throws InputError, with what helps, if so many tetrahedra are more than kMostTetrahedra.
 void require_possible(double expected);
 
-/// `1,230,000`: with three digits that count.
-std::string rounded_count(double count);
+/// `about 1,230,000`, with three digits that count; `more than 1,000,000,000,000,000`.
+std::string count_text(double count);
 
 }  // namespace cnrg

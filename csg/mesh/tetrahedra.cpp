@@ -140,8 +140,8 @@ class TetrahedraMaker {
     if (options_.keep_boundary) return;  // then sizes hold inside of regions only
     options_.watch.begin("mesh: forecast");
     expected_ = expected_tetrahedra(flat_, rounded.points(), sizes_, *regions_);
-    if (options_.foretold) options_.foretold(expected_);
     require_possible(expected_);
+    if (options_.foretold) options_.foretold(expected_);
   }
 
   /// Its longest edge is much longer than edges are to be there. The box around the model has no size, which the

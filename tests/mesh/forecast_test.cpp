@@ -2,7 +2,7 @@
 #include "csg/mesh/forecast.h"
 
 #include <catch2/catch.hpp>
-#include <cstdio>
+#include <cmath>
 
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
@@ -110,8 +110,10 @@ TEST_CASE("more tetrahedra than memory holds are refused before they are made", 
                                     std::pair(std::string("  model: {box: {min: [0, 0, 0], max: [1, 1, 1]}, "
                                                           "size: 1/10000}\n"),
                                               0.0)}) {
+    TetrahedraOptions options = sizes(size, 0.3);
+    options.foretold = [](double) { FAIL("told as if it were made"); };
     try {
-      tetrahedra(result_of(nodes), sizes(size, 0.3));
+      tetrahedra(result_of(nodes), options);
       FAIL("made");
     } catch (const InputError& e) {
       CHECK_THAT(e.what(),
@@ -141,9 +143,10 @@ TEST_CASE("constrained tetrahedra keep no sizes, and say so", "[size][errors]") 
 }
 
 TEST_CASE("counts are rounded for people", "[size][forecast]") {
-  CHECK(rounded_count(0.4) == "0");
-  CHECK(rounded_count(12.4) == "12");
-  CHECK(rounded_count(1234) == "1,230");
-  CHECK(rounded_count(2e8) == "200,000,000");
-  CHECK(rounded_count(1e300) == "more than 1,000,000,000,000,000");
+  CHECK(count_text(0.4) == "about 0");
+  CHECK(count_text(12.4) == "about 12");
+  CHECK(count_text(1234) == "about 1,230");
+  CHECK(count_text(2e8) == "about 200,000,000");
+  CHECK(count_text(1e300) == "more than 1,000,000,000,000,000");
+  CHECK(count_text(std::nan("")) == "more than 1,000,000,000,000,000");
 }
