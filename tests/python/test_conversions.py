@@ -292,7 +292,7 @@ class Tetrahedra(WithFolder):
     def test_sizes_of_nodes_and_of_the_mesh(self):
         box = cnrg.box([0, 0, 0], [4, 4, 4])
         fine = box.with_(size=0.5)
-        self.assertIn("size: 1/2", fine.to_yaml())
+        self.assertIn("size: 0.5", fine.to_yaml())
         self.assertEqual(cnrg.parse(fine.to_yaml()).result.to_yaml(), fine.to_yaml())
         plain = box.evaluate().tetrahedralize()
         self.assertEqual(plain.expected, 0)
