@@ -149,12 +149,11 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
   const SimplifyMode mode = options.raw ? SimplifyMode::raw : SimplifyMode::features;
   for (const InstanceId root : unfolding.roots) {
     const NodeId node = unfolding.instances[root].node;
-    result.kept.push_back({node, values.share(root),
-                           made.of_result && node == tree.result
-                               ? *made.of_result
-                               : SimplifiedValue(result.complex, values.share(root), mode),
-                           leaves.below(unfolding, root), tree.nodes[node].name,
-                           leaf_sizes(tree, unfolding.instances, root)});
+    result.kept.push_back(
+        {node, values.share(root),
+         made.of_result && node == tree.result ? *made.of_result
+                                               : SimplifiedValue(result.complex, values.share(root), mode),
+         leaves.below(unfolding, root), tree.nodes[node].name, leaf_sizes(tree, unfolding.instances, root)});
   }
   for (const Material& m : tree.materials) result.materials.push_back({m.name, m.color});
   result.raw = options.raw;
