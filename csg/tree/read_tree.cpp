@@ -53,8 +53,9 @@ constexpr std::array<OperatorName, 17> kOperators{{
     {"select", Operator::select},
 }};
 
-constexpr std::array<std::string_view, 11> kAttributes{
-    "material", "name", "attributes", "size", "dominance", "blend", "each", "translate", "rotate", "scale", "mirror"};
+constexpr std::array<std::string_view, 11> kAttributes{"material",  "name",  "attributes", "size",
+                                                       "dominance", "blend", "each",       "translate",
+                                                       "rotate",    "scale", "mirror"};
 
 template <class Range>
 bool contains(const Range& range, std::string_view name) {
