@@ -8,7 +8,6 @@
 // without limit.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <unordered_map>
 
@@ -403,16 +402,6 @@ class TreeReader {
       const Transform step = read_transform(e);
       node.transform = node.transform ? step * *node.transform : step;
     }
-  }
-
-  /// A length as meshers take it: above 0 as a double, too.
-  static Rational read_size(const Value& value) {
-    Rational size = value.number("`size`");
-    const double rounded = to_double(size);
-    if (!(rounded > 0 && std::isfinite(rounded))) {
-      value.fail("`size` is how long edges of a mesh are to be, and must be above 0; write one such as 0.5");
-    }
-    return size;
   }
 
   void read_dominance(Node& node, const Value::Entry& e) {
