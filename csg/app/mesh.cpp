@@ -12,6 +12,7 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
 #include "csg/formats/result_file.h"
+#include "csg/mesh/forecast.h"
 #include "csg/text/table.h"
 
 namespace cnrg::app {
@@ -130,6 +131,12 @@ int run_mesh(const MeshArguments& arguments) {
     bar.show("mesh");
     TetrahedraOptions asked = arguments.options;
     asked.watch.progress = bar.progress();
+    if (!arguments.quiet) {
+      asked.foretold = [&](double count) {
+        bar.clear();
+        tell("notice: " + count_text(count) + " tetrahedra are expected");
+      };
+    }
     if (arguments.curved && asked.quality == 0) asked.quality = kCurvedQuality;
     const bool snaps = !arguments.no_snap && !arguments.curved;  // curved surfaces are of the exact result
     made = at_node(tree, node,

@@ -10,13 +10,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "csg/mesh/constrained_run.h"
 #include "csg/mesh/exact_volume.h"
+#include "csg/mesh/forecast.h"
 #include "csg/mesh/improved.h"
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
+#include "csg/result/vectors.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/predicates.h"
 
@@ -26,6 +29,8 @@ namespace {
 using Index = Mesh::Index;
 using Vector = std::array<double, 3>;
 constexpr Index kNone = FlatComplex::kNone;
+constexpr double kLongest = 1.4;     // times the size that is wanted may the longest edge of a tetrahedron be
+constexpr double kSizedQuality = 2;  // of tetrahedra that are to have a size, where no quality is asked for
 
 std::string number_text(double value) {
   char buffer[32];
@@ -37,10 +42,12 @@ std::string scientific_text(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr};
 }
 
-std::string switches_of(const TetrahedraOptions& options) {
+/// TetGen refines for sizes only where it refines for quality.
+std::string switches_of(const TetrahedraOptions& options, bool sized) {
   std::string switches;
   if (options.keep_boundary) switches += "Y";
   if (options.quality > 0) switches += "q" + number_text(options.quality);
+  else if (sized) switches += "q" + number_text(kSizedQuality);
   if (options.max_volume > 0) switches += "a" + scientific_text(options.max_volume);
   return switches;
 }
@@ -62,6 +69,7 @@ class TetrahedraMaker {
     if (options_.constrained && options_.keep_boundary)
       throw InputError("constrained Delaunay tetrahedra need points on the boundary; leave out --keep-boundary");
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
+    ask_for_sizes(rounded);
     const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
     if (options_.constrained || !refused.empty()) {
       if (options_.keep_boundary) throw InputError(refused);  // constrained tetrahedra need points on it
@@ -69,6 +77,7 @@ class TetrahedraMaker {
       options_.watch.begin("mesh: constrained tetrahedra");
       out_ = run_constrained(plc_, flat_, Watch{{}, options_.watch.stop}, options_.cuts);
       take();
+      to_sizes_ = !sizes_.empty();
       if (!refused.empty()) {  // without its advice
         result_.notice =
             refused.substr(0, refused.find(';')) + "; these are constrained Delaunay tetrahedra, improved";
@@ -76,6 +85,7 @@ class TetrahedraMaker {
     }
     improve_shapes();
     result_.rounding = rounded.report();
+    result_.expected = expected_;
     number_points();
     std::vector<std::string> leaves;
     for (const LeafInfo& leaf : *view_.leaves) leaves.push_back(leaf.name);
@@ -113,10 +123,50 @@ class TetrahedraMaker {
   };
   std::unordered_map<std::uint64_t, Piece> pieces_;  // of edges, by their ends
 
+  MeshSizes sizes_;
+  std::optional<RegionLocator> regions_;
+  TooLarge too_large_;  // where sizes are asked for
+  double expected_ = 0;
+  bool to_sizes_ = false;  // the improver makes them
+
   Mesh& mesh() { return result_.mesh; }
+  bool sized() const { return bool(too_large_); }
+
+  /// What the mesh is to be, and how many tetrahedra that takes.
+  void ask_for_sizes(const RoundedResult& rounded) {
+    sizes_ = mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth});
+    if (sizes_.empty()) return;
+    regions_.emplace(flat_, rounded.points());
+    too_large_ = [this, least = sizes_.least_in_regions()](const std::array<Vector, 4>& corners) {
+      return is_too_large(corners, least);
+    };
+    if (options_.keep_boundary) return;  // then sizes hold inside of regions only
+    options_.watch.begin("mesh: forecast");
+    expected_ = expected_tetrahedra(flat_, rounded.points(), sizes_, *regions_);
+    require_possible(expected_);
+    if (options_.foretold) options_.foretold(expected_);
+  }
+
+  /// Its longest edge is much longer than edges are to be there. The box around the model has no size, which the
+  /// last question finds out.
+  bool is_too_large(const std::array<Vector, 4>& corners, double least_in_regions) const {
+    double longest = 0;
+    Vector middle{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Vector along = minus(corners[i], corners[j]);
+        longest = std::max(longest, dot(along, along));
+      }
+      for (std::size_t k = 0; k < 3; ++k) middle[k] += corners[i][k] / 4;
+    }
+    longest = std::sqrt(longest) / kLongest;
+    if (longest <= sizes_.field.at(middle) && longest <= least_in_regions) return false;
+    const Index region = regions_->at(middle);
+    return flat_.active(region) && longest > sizes_.at(middle, region);
+  }
   static std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
 
-  bool bounded() const { return options_.quality > 0 || options_.max_volume > 0; }
+  bool bounded() const { return options_.quality > 0 || options_.max_volume > 0 || sized(); }
 
   /// For one way to ask it. There are models on which it never ends. Where only a mesh is wanted it takes a second
   /// for some ten thousand points, and to wait long is of no use, since there is another way to a mesh.
@@ -136,7 +186,8 @@ class TetrahedraMaker {
         plc_ = plc_of(view_, flat_, rounded, attempt.facets);
         set_seeds(plc_, rounded);
         options_.watch.begin("mesh: TetGen");
-        out_ = run_tetgen(plc_, switches_of(options_), attempt.frame, seconds_of_tetgen(), options_.watch.stop);
+        out_ = run_tetgen(plc_, switches_of(options_, sized()), attempt.frame, seconds_of_tetgen(), too_large_,
+                          options_.watch.stop);
         take();
         return {};
       } catch (const InputError& e) {
@@ -156,6 +207,12 @@ class TetrahedraMaker {
     asked.volume = options_.max_volume;
     asked.points = bounded() ? kPointsForBounds : kPoints + kPointsEach * out_.points.size();
     asked.seconds = options_.seconds / 4.0;
+    if (to_sizes_) {
+      asked.size = [this](const Vector& p) { return sizes_.field.at(p); };
+      for (const Plc::Seed& region : plc_.regions) {
+        if (!sizes_.regions.empty()) asked.region_size.push_back(sizes_.regions[region.region]);
+      }
+    }
     std::string notice = std::move(result_.notice);
     out_ = improved(plc_, flat_, out_, asked, options_.watch);
     take();

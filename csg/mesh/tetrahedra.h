@@ -11,7 +11,8 @@ struct TetrahedralMesh {
   RoundingReport rounding;
   std::vector<RegionTetrahedra> regions;  ///< in the order of the mesh's entities of dimension 3
   MeshQuality quality;
-  std::string notice;  ///< that TetGen made none, and so no bound is kept; else empty
+  double expected = 0;  ///< tetrahedra, as foretold; 0: nobody asked for a size
+  std::string notice;   ///< what the user should know of how it was made; else empty
 };
 
 /// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015), or, where it makes

@@ -359,6 +359,7 @@ class Joiner {
     data_->simplified = std::shared_ptr<const SimplifiedComplex>(made, &made->simplified);
     data_->parameters = nullptr;
     data_->of_group = made->of_group;
+    data_->region_sizes = std::shared_ptr<const std::vector<double>>(made, &made->region_sizes);
     return true;
   }
 };

@@ -1,6 +1,7 @@
 // By the rules in the header: first the regions of 3-cells, by what the sides of faces say; then which faces,
 // edges and vertices remain and what they are; then their leaves and patches.
 #include "csg/result/relabel.h"
+#include "csg/result/sizes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,6 +75,13 @@ class Labeller {
   std::shared_ptr<const Complex> complex() {
     moved_.complex.set_sources(std::move(sources_));
     return moved_.complex.finish();
+  }
+  /// What is said of the region that each 3-cell is of; empty if that is nothing at all.
+  std::vector<double> sizes(const std::vector<double>& of_regions) const {
+    std::vector<double> sizes;
+    if (of_regions.empty()) return sizes;
+    for (const Index r : region_) sizes.push_back(r == kNone ? 0 : of_regions[r]);
+    return sizes;
   }
   /// The edges and vertices of the result, where they still are.
   Features kept() const { return kept_; }
@@ -510,6 +518,7 @@ ResultView Relabelled::shown(ResultView view) const {
   view.value = &value;
   view.simplified = &simplified;
   view.of_group = of_group;
+  view.region_sizes = &region_sizes;
   view.parameters = nullptr;  // they are of points of the complex that it came from
   return view;
 }
@@ -522,6 +531,7 @@ std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& fla
   labeller.tell(out);
   out.value = NodeValue(labeller.value());
   out.of_group = view.value->is_group() || view.of_group;
+  out.region_sizes = labeller.sizes(region_sizes(view, flat));
   const Features kept = labeller.kept();
   out.complex = labeller.complex();
   const FromAllLeaves sources(*out.complex, out.value.components());

@@ -31,7 +31,8 @@ struct Relabelled {
   std::shared_ptr<const Complex> complex;
   NodeValue value;
   SimplifiedComplex simplified;
-  bool of_group = false;  ///< as in ResultView
+  std::vector<double> region_sizes;  ///< as in ResultView
+  bool of_group = false;             ///< as in ResultView
   SnapReport report;
   std::vector<FlatComplex::Index> lost_regions, lost_faces, lost_wires;
 

@@ -38,6 +38,7 @@ Result snap(const Result& result, SnapReport* report) {
   data->simplified = std::shared_ptr<const SimplifiedComplex>(snapped, shown.simplified);
   data->parameters = nullptr;  // they are of points of the exact complex
   data->of_group = shown.of_group;
+  data->region_sizes = std::shared_ptr<const std::vector<double>>(snapped, shown.region_sizes);
   return Result(std::move(data));
 }
 

@@ -1,5 +1,7 @@
 #include "csg/tree/read_properties.h"
 
+#include <cmath>
+
 #include "csg/text/number.h"
 
 namespace cnrg {
@@ -33,5 +35,14 @@ Property read_property(const Value& value, const std::string& what) {
 }
 
 bool is_quoted(const Value& value) { return value.node().Tag() == "!"; }
+
+Rational read_size(const Value& value) {
+  Rational size = value.number("`size`");
+  const double rounded = to_double(size);
+  if (!(rounded > 0 && std::isfinite(rounded))) {
+    value.fail("`size` is how long edges of a mesh are to be, and must be above 0; write one such as 0.5");
+  }
+  return size;
+}
 
 }  // namespace cnrg

@@ -52,8 +52,9 @@ constexpr std::array<OperatorName, 17> kOperators{{
     {"select", Operator::select},
 }};
 
-constexpr std::array<std::string_view, 10> kAttributes{
-    "material", "name", "attributes", "dominance", "blend", "each", "translate", "rotate", "scale", "mirror"};
+constexpr std::array<std::string_view, 11> kAttributes{"material",  "name",  "attributes", "size",
+                                                       "dominance", "blend", "each",       "translate",
+                                                       "rotate",    "scale", "mirror"};
 
 template <class Range>
 bool contains(const Range& range, std::string_view name) {
@@ -379,6 +380,8 @@ class TreeReader {
       node.label = e.value.text("`name`");
     } else if (e.key == "attributes") {
       node.properties = read_properties(e.value);
+    } else if (e.key == "size") {
+      node.size = read_size(e.value);
     } else if (e.key == "regularize") {
       node.regularize = *e.value.as_bool();
     } else if (e.key == "each") {

@@ -1,0 +1,43 @@
+// Which region of a result holds a point, told quickly in doubles: for what counts and proposes, not for what
+// decides. (A Locator of the kernel decides, exactly.)
+//
+// The first triangle that a ray meets has the region on the side that it is met from. One ray in a direction that
+// no model has is enough: where it passes an edge so closely that doubles miss both triangles, it is wrong once in
+// a very long time, and a count of tetrahedra is not the worse for it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "csg/result/rounding.h"
+
+namespace cnrg {
+
+class RegionLocator {
+ public:
+  using Vector = std::array<double, 3>;
+  /// `flat` must outlive it. Points are those of `flat`, rounded.
+  RegionLocator(const FlatComplex& flat, const RoundedPoints& points);
+  ~RegionLocator();
+  RegionLocator(RegionLocator&&) noexcept;
+
+  /// The number of the region of a point that lies on no face; kNone if it has none. Any number of threads may
+  /// ask.
+  FlatComplex::Index at(const Vector& p) const;
+  /// How thick the region is at a point, where it is a plate: the shortest of some chords between faces that are
+  /// about parallel, or `most`, if there is none as short. (Near an edge each chord across is short.)
+  double thickness(const Vector& p, double most) const;
+
+  /// False only if no face passes through the box.
+  bool meets_faces(const Vector& low, const Vector& high) const;
+
+ private:
+  struct Data;
+  std::unique_ptr<const Data> data_;
+
+  struct Wall;
+  /// The first face on the way from a point, if it is nearer than `most`; lengths are those of `along`.
+  Wall wall(const Vector& p, const Vector& along, double most) const;
+};
+
+}  // namespace cnrg
