@@ -6,6 +6,7 @@
 
 #include "csg/app/panels.h"
 #include "csg/evaluate/evaluate.h"
+#include "csg/mesh/surface_triangles.h"
 #include "csg/mesh/tetrahedra.h"
 
 namespace cnrg::app {
@@ -67,9 +68,11 @@ struct MeshArguments {
   std::string tree, inside, node;
   std::vector<std::string> files;
   TetrahedraOptions options;
-  bool snap = false, no_snap = false, quiet = false;  ///< as of `eval`
-  bool certify = false;                               ///< as of `eval`
-  bool curved = false;                                ///< points on the true surfaces, elements of second order
+  bool snap = false, no_snap = false, quiet = false;    ///< as of `eval`
+  bool certify = false;                                 ///< as of `eval`
+  bool curved = false;                                  ///< points on the true surfaces, elements of second order
+  bool surface = false;                                 ///< triangles on faces, segments on edges, no tetrahedra
+  std::size_t max_points = SurfaceOptions{}.max_points;  ///< of `surface`
   int threads = 0, finer = 1;
 };
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.

@@ -114,13 +114,34 @@ TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& option
   return made;
 }
 
-TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
+namespace {
+
+/// What `make` makes of a result, or of the snapped one where rounding would break it.
+template <class Make>
+auto snapped_if_broken(Result& result, SnapReport& report, const Make& make) {
   try {
-    return tetrahedra(result, options);
+    return make();
   } catch (const RoundingFault&) {
     result = snap(result, &report);
   }
-  return tetrahedra(result, options);
+  return make();
+}
+
+}  // namespace
+
+TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
+  return snapped_if_broken(result, report, [&] { return tetrahedra(result, options); });
+}
+
+SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& options) {
+  const ResultView view = result.data().view();
+  SurfaceTriangles made = surface_triangles(view, options);
+  add_properties(view, made.mesh);
+  return made;
+}
+
+SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions& options, SnapReport& report) {
+  return snapped_if_broken(result, report, [&] { return surface_triangles(result, options); });
 }
 
 CurvedReport curve(const Result& result, TetrahedralMesh& made) {
