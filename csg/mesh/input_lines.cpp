@@ -17,6 +17,12 @@ Vector unit(const Vector& a) {
   return {a[0] / l, a[1] / l, a[2] / l};
 }
 constexpr double kCosine60 = 0.5;
+constexpr double kCosineThin = 0.99619469809174553;  // of 5 degrees
+
+double cosine_at(const Vector& apex, const Vector& a, const Vector& b) {
+  const Vector u = minus(a, apex), v = minus(b, apex);
+  return dot(u, v) / (length(u) * length(v));
+}
 
 /// The roundest binary number between two positive ones.
 double roundest(double low, double high) {
@@ -176,25 +182,54 @@ Vector InputLines::split_place(const FacetMesh& mesh, const FacetMesh::Segment& 
   return place;
 }
 
-bool InputLines::across_small_angle(const FacetMesh& mesh, Index a, Index b, bool level) const {
+/// Is there a point that both lines have for which `found` holds?
+template <class Found>
+bool InputLines::any_apex(Index line, Index other, const Found& found) const {
+  if (line == other) return false;
+  const bool fewer = vertices_[line].size() < vertices_[other].size();
+  const auto &some = vertices_[fewer ? line : other], &others = vertices_[fewer ? other : line];
+  return std::any_of(some.begin(), some.end(), [&](Index apex) {
+    return std::binary_search(others.begin(), others.end(), apex) && found(apex);
+  });
+}
+
+template <class Found>
+bool InputLines::any_apex_between(Index a, Index b, const Found& found) const {
   const auto on_a = on_.find(a), on_b = on_.find(b);
   if (on_a == on_.end() || on_b == on_.end()) return false;
   for (const Index l : on_a->second) {
     for (const Index m : on_b->second) {
-      if (l == m) continue;
-      const bool fewer = vertices_[l].size() < vertices_[m].size();
-      const auto &some = vertices_[fewer ? l : m], &others = vertices_[fewer ? m : l];
-      for (const Index apex : some) {
-        if (apex == a || apex == b || !std::binary_search(others.begin(), others.end(), apex)) continue;
-        const Vector u = minus(mesh.points()[a], mesh.points()[apex]),
-                     v = minus(mesh.points()[b], mesh.points()[apex]);
-        const double r = length(u), s = length(v);
-        constexpr double kLevel = 1e-3;
-        if (dot(u, v) > kCosine60 * r * s && (!level || std::abs(r - s) < kLevel * r)) return true;
-      }
+      if (any_apex(l, m, [&](Index apex) { return apex != a && apex != b && found(apex); })) return true;
     }
   }
   return false;
+}
+
+bool InputLines::across_small_angle(const FacetMesh& mesh, Index a, Index b) const {
+  return any_apex_between(a, b, [&](Index apex) {
+    return cosine_at(mesh.points()[apex], mesh.points()[a], mesh.points()[b]) > kCosine60;
+  });
+}
+
+bool InputLines::is_forced(const FacetMesh& mesh, Index a, Index b) const {
+  return any_apex_between(a, b, [&](Index apex) {
+    const Vector &x = mesh.points()[apex], &p = mesh.points()[a], &q = mesh.points()[b];
+    const double cosine = cosine_at(x, p, q), r = length(minus(p, x)), s = length(minus(q, x));
+    constexpr double kLevel = 1e-3;
+    return cosine > kCosineThin || (cosine > kCosine60 && std::abs(r - s) < kLevel * r);
+  });
+}
+
+bool InputLines::is_beside(const FacetMesh& mesh, Index point, const FacetMesh::Segment& segment) const {
+  const auto on = on_.find(point);
+  if (on == on_.end()) return false;
+  const Vector &a = mesh.points()[segment.ends[0]], &b = mesh.points()[segment.ends[1]];
+  const Vector middle{a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2};
+  return std::any_of(on->second.begin(), on->second.end(), [&](Index line) {
+    return any_apex(line, line_[segment.input], [&](Index apex) {
+      return apex != point && cosine_at(mesh.points()[apex], mesh.points()[point], middle) > kCosineThin;
+    });
+  });
 }
 
 }  // namespace cnrg

@@ -6,6 +6,9 @@
 // do, so that powers of two are not enough: here each piece is split at the roundest binary number in the middle
 // third of its distances. Whatever the pieces are, their ends come to agree.
 //
+// Where lines meet in a thin angle that would be too much: it takes as many points as the angle is small, and they
+// make nothing better. There points of one line may lie near the other as they come.
+//
 // Segments that go on straight are one line, since what meets the first of them is near the second one, too.
 #pragma once
 
@@ -32,9 +35,12 @@ class InputLines {
   /// To be told of each point that splits a segment.
   void add_point(Index point, const FacetMesh::Segment& segment) { on_[point] = {line_[segment.input]}; }
 
-  /// Do two points lie on two lines that meet in less than 60 degrees, as seen from where they meet? `level`: only
-  /// if they are as far from there.
-  bool across_small_angle(const FacetMesh& mesh, Index a, Index b, bool level) const;
+  /// Do two points lie on two lines that meet in less than 60 degrees, as seen from where they meet?
+  bool across_small_angle(const FacetMesh& mesh, Index a, Index b) const;
+  /// The same, and either they are as far from there, or the angle is a thin one (kThin).
+  bool is_forced(const FacetMesh& mesh, Index a, Index b) const;
+  /// Is a point on a line that meets that of a segment in a thin angle, beside it as seen from there?
+  bool is_beside(const FacetMesh& mesh, Index point, const FacetMesh::Segment& segment) const;
 
  private:
   std::vector<Index> line_;                           // of each segment of the result
@@ -51,6 +57,10 @@ class InputLines {
   void find_lines(const FacetMesh& mesh, const Rays& rays);
   static void find_sharp(const FacetMesh& mesh, Rays& rays);
   void find_apexes(const FacetMesh& mesh, const Rays& rays);
+  template <class Found>
+  bool any_apex(Index line, Index other, const Found& found) const;
+  template <class Found>
+  bool any_apex_between(Index a, Index b, const Found& found) const;
 };
 
 }  // namespace cnrg

@@ -137,12 +137,15 @@ class Refiner {
     constexpr double kDoubt = 1e-9;  // right angles are no fault
     return cosine(minus(at(a), p), minus(at(b), p)) < -kDoubt;
   }
+  bool is_encroached(Index s, Index p) const {
+    return is_in_circle(s, at(p)) && !lines_.is_beside(mesh_, p, mesh_.segments()[s]);
+  }
   /// In a Delaunay triangulation it is, if at all, by the corner of a triangle at it.
   bool is_encroached(Index s) const {
     for (const Index t : mesh_.segments()[s].fan) {
       const auto& triangle = mesh_.triangles()[t];
       for (std::size_t k = 0; k < 3; ++k)
-        if (triangle.segments[k] == s && is_in_circle(s, at(triangle.points[k]))) return true;
+        if (triangle.segments[k] == s && is_encroached(s, triangle.points[k])) return true;
     }
     return false;
   }
@@ -179,7 +182,7 @@ class Refiner {
   bool may_be_better(Index t, const std::array<Vector, 3>& p, std::size_t k) const {
     const auto& points = mesh_.triangles()[t].points;
     return has_small_angle(p, k) && length(p[(k + 1) % 3], p[(k + 2) % 3]) > shortest_ &&
-           !lines_.across_small_angle(mesh_, points[(k + 1) % 3], points[(k + 2) % 3], true);
+           !lines_.is_forced(mesh_, points[(k + 1) % 3], points[(k + 2) % 3]);
   }
 
   void look_at_changed() {
@@ -193,7 +196,7 @@ class Refiner {
     if (mesh_.facets()[triangle.facet].fixed) return;
     for (std::size_t k = 0; k < 3; ++k) {
       const Index s = triangle.segments[k];
-      if (s != kNone && !mesh_.segments()[s].fixed && is_in_circle(s, at(triangle.points[k]))) segments_.push(s);
+      if (s != kNone && !mesh_.segments()[s].fixed && is_encroached(s, triangle.points[k])) segments_.push(s);
     }
     const auto p = corners(t);
     const std::size_t k = sharpest(p);
@@ -275,7 +278,7 @@ class Refiner {
       const std::size_t k = sharpest(p);
       const auto& points = mesh_.triangles()[t].points;
       result.push_back(!has_small_angle(p, k) ? SmallAngle::none
-                       : lines_.across_small_angle(mesh_, points[(k + 1) % 3], points[(k + 2) % 3], false)
+                       : lines_.across_small_angle(mesh_, points[(k + 1) % 3], points[(k + 2) % 3])
                            ? SmallAngle::input
                        : is_full() ? SmallAngle::bound
                                    : SmallAngle::digits);

@@ -7,8 +7,8 @@
 // segments alone, so that this works for all of them at once; angles between facets do not matter.
 //
 // Where the input has small angles no mesh is without them. Two things keep the work finite there: segments are
-// split so that their pieces agree (input_lines.h), and a triangle whose shortest side runs from one line of a
-// small angle to the same distance on the other is left as it is (shewchuk2002, miller2003).
+// split so that their pieces agree, or need not be (input_lines.h), and a triangle whose shortest side runs from
+// one line of a small angle to the same distance on the other is left as it is (shewchuk2002, miller2003).
 #pragma once
 
 #include <functional>
@@ -24,7 +24,7 @@ using SizeAt = std::function<double(const DoubleVector&)>;
 
 struct SurfaceOptions {
   SizeAt size{};
-  std::size_t max_points = 2'000'000;  ///< no points are added beyond these
+  std::size_t max_points = 1'000'000;  ///< no points are added beyond these
   int seconds = 600;                   ///< of time; 0: no bound
   Watch watch{};
 };
