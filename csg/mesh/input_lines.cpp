@@ -38,9 +38,9 @@ InputLines::InputLines(const FacetMesh& mesh) {
   Rays rays;
   for (Index s = 0; s < mesh.segments().size(); ++s) {
     const auto& [a, b] = mesh.segments()[s].ends;
-    const Vector way = unit(minus(mesh.points()[b], mesh.points()[a]));
-    rays[a].push_back({s, way});
-    rays[b].push_back({s, {-way[0], -way[1], -way[2]}});
+    const Vector along = minus(mesh.points()[b], mesh.points()[a]), way = unit(along);
+    rays[a].push_back({s, way, length(along)});
+    rays[b].push_back({s, {-way[0], -way[1], -way[2]}, length(along)});
   }
   find_lines(mesh, rays);
   find_sharp(mesh, rays);
@@ -49,6 +49,9 @@ InputLines::InputLines(const FacetMesh& mesh) {
 
 void InputLines::find_lines(const FacetMesh& mesh, const Rays& rays) {
   const std::size_t n = mesh.segments().size();
+  double largest = 0;
+  for (const Vector& p : mesh.points())
+    for (const double x : p) largest = std::max(largest, std::abs(x));
   UnionFind lines(n);
   for (const auto& [point, list] : rays) {
     // A point with many rays is no place where one goes on; what is tried is bounded.
@@ -56,9 +59,10 @@ void InputLines::find_lines(const FacetMesh& mesh, const Rays& rays) {
     if (list.size() > kMost) continue;
     for (std::size_t i = 0; i < list.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        constexpr double kStraight = 1e-9;
         if (dot(list[i].direction, list[j].direction) > 0) continue;
-        if (length(cross(list[i].direction, list[j].direction)) < kStraight)
+        // Straight but for the digits of the points.
+        const double doubt = 4e-16 * (1 + largest / list[i].length + largest / list[j].length);
+        if (length(cross(list[i].direction, list[j].direction)) < doubt)
           lines.unite(list[i].segment, list[j].segment);
       }
     }

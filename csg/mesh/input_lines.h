@@ -51,6 +51,7 @@ class InputLines {
   struct Ray {
     Index segment;
     Vector direction;  // of length 1, from the point
+    double length;
     bool sharp = false;
   };
   using Rays = std::unordered_map<Index, std::vector<Ray>>;  // by point
