@@ -316,7 +316,7 @@ FacetMesh::Walk FacetMesh::walk(Index t, const Vector& to) const {
     return (a[axes.u] - from[axes.u]) * (b[axes.v] - from[axes.v]) -
            (a[axes.v] - from[axes.v]) * (b[axes.u] - from[axes.u]);
   };
-  constexpr std::size_t kSteps = 100'000;
+  constexpr std::size_t kSteps = 1000;  // a place is never far in terms of the triangles on the way
   Index last = kNone;
   for (std::size_t steps = 0; steps < kSteps; ++steps) {
     const Triangle& here = triangles_[t];

@@ -62,7 +62,7 @@ class Refiner {
       if (is_too_long(s)) segments_.push(s);
     }
     for (std::size_t steps = 0;; ++steps) {
-      if (steps % 256 == 0) check();
+      if (steps % 64 == 0) check();
       if (!segments_.empty()) {
         const Index s = segments_.front();
         segments_.pop();
