@@ -2,7 +2,7 @@
 //
 // Where two segments meet in less than 60 degrees, points on one lie in the diametral circles of pieces of the
 // other: halved in turn, they would split each other for ever. So both are split at the same distances from where
-// they meet (ruppert1995, section 5.3, has shells of powers of two). Segments end elsewhere than their partners
+// they meet (ruppert1995 has shells of powers of two). Segments end elsewhere than their partners
 // do, so that powers of two are not enough: here each piece is split at the roundest binary number in the middle
 // third of its distances. Whatever the pieces are, their ends come to agree.
 //

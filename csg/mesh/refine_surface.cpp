@@ -1,5 +1,5 @@
-// Segments to be split come first, then triangles, those with the longest shortest sides before others: should
-// points run out, all but the finest parts are done. The order depends on the mesh alone.
+// Segments to be split come first, then triangles, those with the shortest sides before others: what they need
+// often mends the larger ones beside them. The order depends on the mesh alone.
 #include "csg/mesh/refine_surface.h"
 
 #include <algorithm>
@@ -86,7 +86,7 @@ class Refiner {
     Index triangle;
     std::array<Index, 3> points;
     bool operator<(const Candidate& other) const {
-      return shortest != other.shortest ? shortest < other.shortest : number > other.number;
+      return shortest != other.shortest ? shortest > other.shortest : number > other.number;
     }
   };
   FacetMesh& mesh_;
