@@ -312,6 +312,16 @@ int run(int argc, char** argv) {
       ->expected(1)
       ->take_all()
       ->required();
+  sub->add_option("--size", mesh.options.size,
+                  "Edges are about as long as H, or shorter where the model asks for it")
+      ->type_name("H")
+      ->check(number_check(0, HUGE_VAL, "a positive number"));
+  sub->add_option(
+         "--growth", mesh.options.growth,
+         "How much longer edges may be per unit of distance from where they are to be short, from 0.05 to 2")
+      ->type_name("G")
+      ->check(number_check(0.0499999, 2.0000001, "a number from 0.05 to 2"))
+      ->capture_default_str();
   CLI::Option* const max_volume =
       sub->add_option("--max-volume", mesh.options.max_volume, "No tetrahedron is larger than V cubic units")
           ->type_name("V")

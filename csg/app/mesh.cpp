@@ -11,6 +11,7 @@
 #include "csg/evaluate/evaluate.h"
 #include "csg/formats/mesh_file.h"
 #include "csg/formats/result_file.h"
+#include "csg/mesh/forecast.h"
 #include "csg/text/table.h"
 
 namespace cnrg::app {
@@ -138,6 +139,8 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
     ProgressBar bar(arguments.quiet);
     bar.show("mesh");
     SurfaceOptions asked;
+    asked.overall = arguments.options.size;
+    asked.growth = arguments.options.growth;
     asked.max_points = arguments.max_points;
     asked.seconds = arguments.options.seconds;
     asked.watch.progress = bar.progress();
@@ -184,6 +187,12 @@ int run_mesh(const MeshArguments& arguments) {
     bar.show("mesh");
     TetrahedraOptions asked = arguments.options;
     asked.watch.progress = bar.progress();
+    if (!arguments.quiet) {
+      asked.foretold = [&](double count) {
+        bar.clear();
+        tell("notice: about " + rounded_count(count) + " tetrahedra are expected");
+      };
+    }
     if (arguments.curved && asked.quality == 0) asked.quality = kCurvedQuality;
     const bool snaps = !arguments.no_snap && !arguments.curved;  // curved surfaces are of the exact result
     made = at_node(tree, node,

@@ -33,6 +33,7 @@
 #include "csg/evaluate/scopes.h"
 #include "csg/evaluate/simplified_value.h"
 #include "csg/leaves/surface_parameters.h"
+#include "csg/tree/sizes.h"
 #include "csg/weld/weld_leaves.h"
 #include "csg/weld/weld_surfaces.h"
 
@@ -152,7 +153,8 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
                            made.of_result && node == tree.result
                                ? *made.of_result
                                : SimplifiedValue(result.complex, values.share(root), mode),
-                           leaves.below(unfolding, root), tree.nodes[node].name});
+                           leaves.below(unfolding, root), tree.nodes[node].name,
+                           leaf_sizes(tree, unfolding.instances, root)});
   }
   for (const Material& m : tree.materials) result.materials.push_back({m.name, m.color});
   result.raw = options.raw;

@@ -78,9 +78,10 @@ struct NodeRow {
 struct KeptValue {
   NodeId node;
   std::shared_ptr<const NodeValue> value;
-  SimplifiedValue simplified;  ///< with mode raw when the options say so
-  std::vector<LeafId> leaves;  ///< the leaves below it, ascending
-  std::string name{};          ///< of the node
+  SimplifiedValue simplified;   ///< with mode raw when the options say so
+  std::vector<LeafId> leaves;   ///< the leaves below it, ascending
+  std::string name{};           ///< of the node
+  std::vector<double> sizes{};  ///< of `leaves`, as leaf_sizes (csg/tree/sizes.h) has them
   /// The value as a group; InvariantError when it is components.
   const Group& group() const;
 };

@@ -53,6 +53,7 @@ TetrahedralResult::TetrahedralResult(const Result& result, const TetrahedraOptio
 }
 
 const std::string& TetrahedralResult::notice() const { return data_->made.notice; }
+double TetrahedralResult::expected() const { return data_->made.expected; }
 
 TetrahedraArrays TetrahedralResult::arrays() const {
   const Mesh& mesh = data_->made.mesh;

@@ -53,6 +53,8 @@ class TetrahedralResult {
   TetrahedraArrays arrays() const;
   /// That TetGen made none, and so no bound is kept; else empty.
   const std::string& notice() const;
+  /// How many tetrahedra were expected before any was made; 0 where no size was asked for.
+  double expected() const;
   /// .msh .vtu, and .mesh if it is not curved. Throws InputError for another extension, FileError.
   void write(const std::string& path) const;
 

@@ -97,7 +97,6 @@ class Refiner {
   std::queue<Index> segments_;
   std::priority_queue<Candidate> triangles_;
   std::size_t numbered_ = 0;
-  std::vector<double> size_;  // at points, as far as it was asked for; negative: not yet
 
   const Vector& at(Index p) const { return mesh_.points()[p]; }
   bool is_full() const { return mesh_.points().size() >= options_.max_points; }
@@ -115,19 +114,13 @@ class Refiner {
     throw InputError(text + "); ask for larger sizes, give more --seconds, or a lower --max-points");
   }
 
-  double size(Index p) {
-    if (p >= size_.size()) size_.resize(mesh_.points().size(), -1);
-    if (size_[p] < 0) size_[p] = options_.size(at(p));
-    return size_[p];
-  }
-  bool is_too_long(Index a, Index b) {
+  bool is_too_long(Index a, Index b) const {
     if (!options_.size) return false;
-    const double l = length(at(a), at(b));
     Vector middle;
     for (std::size_t k = 0; k < 3; ++k) middle[k] = at(a)[k] / 2 + at(b)[k] / 2;
-    return l > size(a) || l > size(b) || l > options_.size(middle);
+    return length(at(a), at(b)) > options_.size(middle);
   }
-  bool is_too_long(Index s) {
+  bool is_too_long(Index s) const {
     const auto& [a, b] = mesh_.segments()[s].ends;
     return is_too_long(a, b);
   }
@@ -175,7 +168,7 @@ class Refiner {
   bool has_small_angle(const std::array<Vector, 3>& p, std::size_t k) const {
     return cosine(minus(p[(k + 1) % 3], p[k]), minus(p[(k + 2) % 3], p[k])) > cosine_;
   }
-  bool has_long_side(Index t) {
+  bool has_long_side(Index t) const {
     const auto& p = mesh_.triangles()[t].points;
     return is_too_long(p[0], p[1]) || is_too_long(p[1], p[2]) || is_too_long(p[2], p[0]);
   }
@@ -247,7 +240,7 @@ class Refiner {
     if (end.triangle != kNone && mesh_.insert(end.triangle, c)) look_at_changed();
   }
 
-  void require_sizes() {
+  void require_sizes() const {
     if (!options_.size) return;
     for (const auto& segment : mesh_.segments()) require_size(segment.ends[0], segment.ends[1], segment.fixed);
     for (const auto& t : mesh_.triangles()) {
@@ -255,7 +248,7 @@ class Refiner {
         require_size(t.points[k], t.points[(k + 1) % 3], mesh_.facets()[t.facet].fixed);
     }
   }
-  void require_size(Index a, Index b, bool fixed) {
+  void require_size(Index a, Index b, bool fixed) const {
     if (!is_too_long(a, b)) return;
     std::string text = "near (";
     append(text, at(a));

@@ -19,11 +19,14 @@
 
 namespace cnrg {
 
-/// No side is longer than this at its ends and in its middle; infinite where nothing is said. Empty: nowhere.
+/// No side is longer than this in its middle; infinite where nothing is said. Empty: nowhere anything.
 using SizeAt = std::function<double(const DoubleVector&)>;
 
 struct SurfaceOptions {
   SizeAt size{};
+  /// Of `surface_triangles`, which makes `size` of these and of what the result asks for (mesh_sizes.h), unless it
+  /// is given: as of SizeOptions.
+  double overall = 0, growth = 0.3;
   std::size_t max_points = 1'000'000;  ///< no points are added beyond these
   int seconds = 600;                   ///< of time; 0: no bound
   Watch watch{};

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "csg/mesh/cell_mesh.h"
+#include "csg/mesh/mesh_sizes.h"
 #include "csg/mesh/rounded_result.h"
 #include "csg/result/solid.h"
 #include "kernel/base/error.h"
@@ -117,6 +118,7 @@ class SurfaceMaker {
     const RoundedPoints rounded = round_points(view_, flat_);
     result_.rounding = report_rounding(rounded, drawing_of(flat_));
     if (!result_.rounding.embedded) refuse_rounding("a surface mesh", "breaks the result");
+    if (!options_.size) take_sizes(rounded);
     const Refined made = refined(flat_, rounded, options_);
     result_.kept = made.kept;
     result_.mesh = mesh_of_cells(view_, flat_, false);
@@ -131,10 +133,18 @@ class SurfaceMaker {
 
  private:
   const ResultView& view_;
-  const SurfaceOptions& options_;
+  SurfaceOptions options_;
   const FlatComplex flat_;
   SurfaceTriangles result_;
   Mesh& mesh() { return result_.mesh; }
+
+  /// As of tetrahedra: where sizes are the aim, sides are longer and shorter ones.
+  void take_sizes(const RoundedPoints& rounded) {
+    constexpr double kLongest = 1.4;
+    const MeshSizes sizes = mesh_sizes(view_, flat_, rounded, {options_.overall, options_.growth});
+    if (sizes.empty()) return;
+    options_.size = [field = sizes.field](const Vector& p) { return kLongest * field.at(p); };
+  }
 
   void take_simplices(const FacetMesh& made) {
     for (Index i = 0; i < flat_.vertices.size(); ++i) mesh().vertices.push_back({{flat_.vertices[i].point}, i});

@@ -100,11 +100,24 @@ void write_result(const MemoryFile& file, const tetgenio& out) {
   file.write_list(out.edgemarkerlist, std::size_t(out.numberofedges));
 }
 
+/// TetGen's callback has no argument of ours. Only the child, which has one thread, sets this.
+const TooLarge* asked_of_all = nullptr;
+
+bool has_to_be_split(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL) {
+  const auto at = [](const REAL* p) { return std::array<double, 3>{p[0], p[1], p[2]}; };
+  return (*asked_of_all)({at(a), at(b), at(c), at(d)});
+}
+
 /// In the child: 0, or the number that TetGen throws.
-int mesh(const Plc& plc, std::string switches, TetgenFrame frame, const MemoryFile& result) {
+int mesh(const Plc& plc, std::string switches, TetgenFrame frame, const TooLarge& too_large,
+         const MemoryFile& result) {
   try {
     tetgenio in, out;
     fill(plc, frame, in);
+    if (too_large) {
+      asked_of_all = &too_large;
+      in.tetunsuitable = &has_to_be_split;
+    }
     tetrahedralize(switches.data(), &in, &out);
     write_result(result, out);
     return 0;
@@ -170,10 +183,10 @@ PlcMesh read_result(const MemoryFile& file) {
 }  // namespace
 
 PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds,
-                   const std::stop_token& stop) {
+                   const TooLarge& too_large, const std::stop_token& stop) {
   const MemoryFile result("TetGen");
   const ChildLimits limits{.seconds = std::size_t(std::max(seconds, 0))};
-  const auto work = [&] { return mesh(plc, "pAQMJ" + switches, frame, result); };
+  const auto work = [&] { return mesh(plc, "pAQMJ" + switches, frame, too_large, result); };
   require_done(run_in_child("TetGen", limits, work, stop));
   return read_result(result);
 }

@@ -2,6 +2,7 @@
 // process where an assertion of its own fails; none of that reaches the caller.
 #pragma once
 
+#include <functional>
 #include <stop_token>
 #include <string>
 
@@ -14,10 +15,14 @@ namespace cnrg {
 /// assertion of its own.
 enum class TetgenFrame { even, uneven };
 
+/// True for a tetrahedron that has to be split, by its corners.
+using TooLarge = std::function<bool(const std::array<std::array<double, 3>, 4>&)>;
+
 /// Fills the box, all of it, with tetrahedra. Runs TetGen's library with these switches besides `pAQMJ`, for so
-/// many seconds of processor time at most (0: no bound; there are models on which it never ends). Throws
-/// InputError with what TetGen said and what helps, std::bad_alloc when it runs out of memory, Stopped.
+/// many seconds of processor time at most (0: no bound; there are models on which it never ends). `too_large`, if
+/// there is one, is asked of each tetrahedron while the mesh is refined. Throws InputError with what TetGen said
+/// and what helps, std::bad_alloc when it runs out of memory, Stopped.
 PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds,
-                   const std::stop_token& stop = {});
+                   const TooLarge& too_large = {}, const std::stop_token& stop = {});
 
 }  // namespace cnrg

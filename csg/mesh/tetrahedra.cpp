@@ -9,13 +9,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "csg/mesh/cell_mesh.h"
 #include "csg/mesh/constrained_run.h"
 #include "csg/mesh/exact_volume.h"
+#include "csg/mesh/forecast.h"
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
+#include "csg/result/vectors.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/predicates.h"
 
@@ -25,6 +28,8 @@ namespace {
 using Index = Mesh::Index;
 using Vector = std::array<double, 3>;
 constexpr Index kNone = FlatComplex::kNone;
+constexpr double kLongest = 1.4;     // times the size that is wanted may the longest edge of a tetrahedron be
+constexpr double kSizedQuality = 2;  // of tetrahedra that are to have a size, where no quality is asked for
 
 std::string number_text(double value) {
   char buffer[32];
@@ -36,10 +41,12 @@ std::string scientific_text(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr};
 }
 
-std::string switches_of(const TetrahedraOptions& options) {
+/// TetGen refines for sizes only where it refines for quality.
+std::string switches_of(const TetrahedraOptions& options, bool sized) {
   std::string switches;
   if (options.keep_boundary) switches += "Y";
   if (options.quality > 0) switches += "q" + number_text(options.quality);
+  else if (sized) switches += "q" + number_text(kSizedQuality);
   if (options.max_volume > 0) switches += "a" + scientific_text(options.max_volume);
   return switches;
 }
@@ -58,10 +65,12 @@ class TetrahedraMaker {
           "the result has no region to fill with tetrahedra; `cnrg eval -o` writes its faces, wires "
           "and points");
     }
-    if (options_.constrained && (options_.keep_boundary || options_.quality > 0 || options_.max_volume > 0))
+    if (options_.constrained &&
+        (options_.keep_boundary || options_.quality > 0 || options_.max_volume > 0 || options_.size > 0))
       throw InputError(
           "constrained Delaunay tetrahedra take no bound and need points on the boundary; leave one out");
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
+    ask_for_sizes(rounded);
     const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
     if (options_.constrained || !refused.empty()) {
       if (options_.keep_boundary) throw InputError(refused);  // constrained tetrahedra need points on it
@@ -69,12 +78,15 @@ class TetrahedraMaker {
       options_.watch.begin("mesh: constrained tetrahedra");
       out_ = run_constrained(plc_, flat_, Watch{{}, options_.watch.stop});
       take();
+      if (options_.constrained && !sizes_.empty())
+        result_.notice = "these are constrained Delaunay tetrahedra, without the sizes that nodes ask for";
       if (!refused.empty()) {  // without its advice
         result_.notice = refused.substr(0, refused.find(';')) +
                          "; these are constrained Delaunay tetrahedra, without a bound of size or quality";
       }
     }
     result_.rounding = rounded.report();
+    result_.expected = expected_;
     number_points();
     return std::move(result_);
   }
@@ -102,7 +114,43 @@ class TetrahedraMaker {
   PlcMesh out_;
   TetrahedralMesh result_;
   std::vector<Index> region_entity_;  // of each region of the result, or kNone
+  MeshSizes sizes_;
+  std::optional<RegionLocator> regions_;
+  TooLarge too_large_;  // where sizes are asked for
+  double expected_ = 0;
+
   Mesh& mesh() { return result_.mesh; }
+  bool sized() const { return bool(too_large_); }
+
+  /// What the mesh is to be, and how many tetrahedra that takes.
+  void ask_for_sizes(const RoundedResult& rounded) {
+    sizes_ = mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth});
+    if (sizes_.empty() || options_.constrained) return;
+    regions_.emplace(flat_, rounded.points());
+    too_large_ = [this](const std::array<Vector, 4>& corners) { return is_too_large(corners); };
+    if (options_.keep_boundary) return;  // then sizes hold inside of regions only
+    options_.watch.begin("mesh: forecast");
+    expected_ = expected_tetrahedra(flat_, rounded.points(), sizes_, *regions_);
+    if (options_.foretold) options_.foretold(expected_);
+    require_possible(expected_);
+  }
+
+  /// Its longest edge is much longer than edges are to be there; the box around the model has no size.
+  bool is_too_large(const std::array<Vector, 4>& corners) const {
+    double longest = 0;
+    Vector middle{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Vector along = minus(corners[i], corners[j]);
+        longest = std::max(longest, dot(along, along));
+      }
+      for (std::size_t k = 0; k < 3; ++k) middle[k] += corners[i][k] / 4;
+    }
+    longest = std::sqrt(longest) / kLongest;
+    if (longest <= sizes_.field.at(middle) && longest <= sizes_.least_in_regions()) return false;
+    const Index region = regions_->at(middle);
+    return flat_.active(region) && longest > sizes_.at(middle, region);
+  }
 
   /// Empty once there is a mesh; else why there is none.
   std::string ask_tetgen(const RoundedResult& rounded) {
@@ -111,13 +159,13 @@ class TetrahedraMaker {
     for (const Attempt& attempt : kAttempts) {
       if (options_.keep_boundary && attempt.facets == PlcFacets::all) continue;
       const bool keeps = std::string_view(attempt.switches) == "Y";
-      if (keeps && (!disproved || !switches_of(options_).empty())) continue;
+      if (keeps && (!disproved || !switches_of(options_, sized()).empty())) continue;
       try {
         plc_ = plc_of(view_, flat_, rounded, attempt.facets);
         set_seeds(plc_, rounded);
         options_.watch.begin("mesh: TetGen");
-        out_ = run_tetgen(plc_, switches_of(options_) + attempt.switches, attempt.frame, options_.seconds,
-                          options_.watch.stop);
+        out_ = run_tetgen(plc_, switches_of(options_, sized()) + attempt.switches, attempt.frame, options_.seconds,
+                          too_large_, options_.watch.stop);
         take();
         return {};
       } catch (const InputError& e) {

@@ -9,6 +9,7 @@ struct TetrahedralMesh {
   Mesh mesh;
   RoundingReport rounding;
   std::vector<RegionTetrahedra> regions;  ///< in the order of the mesh's entities of dimension 3
+  double expected = 0;                    ///< tetrahedra, as foretold; 0: nobody asked for a size
   std::string notice;                     ///< that TetGen made none, and so no bound is kept; else empty
 };
 

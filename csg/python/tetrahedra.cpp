@@ -17,19 +17,20 @@ struct TetrahedraObject {
 };
 
 TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double quality, bool keep_boundary,
-                                int seconds, bool curved, const py::object& progress) {
-  return apart(progress,
-               [max_volume, quality, keep_boundary, seconds, curved, held = r.result](const Watch& watch) {
-                 TetrahedraOptions options;
-                 options.max_volume = max_volume;
-                 options.quality = quality;
-                 options.keep_boundary = keep_boundary;
-                 options.seconds = seconds;
-                 options.watch = watch;
-                 TetrahedralResult mesh(held, options, curved);
-                 auto arrays = std::make_shared<const TetrahedraArrays>(mesh.arrays());
-                 return TetrahedraObject{std::move(mesh), std::move(arrays)};
-               });
+                                int seconds, bool curved, double size, double growth, const py::object& progress) {
+  return apart(progress, [=, held = r.result](const Watch& watch) {
+    TetrahedraOptions options;
+    options.max_volume = max_volume;
+    options.quality = quality;
+    options.keep_boundary = keep_boundary;
+    options.seconds = seconds;
+    options.size = size;
+    options.growth = growth;
+    options.watch = watch;
+    TetrahedralResult mesh(held, options, curved);
+    auto arrays = std::make_shared<const TetrahedraArrays>(mesh.arrays());
+    return TetrahedraObject{std::move(mesh), std::move(arrays)};
+  });
 }
 
 py::dict simplices(const Owner& owner, const TetrahedraArrays::Simplices& of, py::ssize_t nodes) {
@@ -86,11 +87,13 @@ void bind_tetrahedra(py::module_& module) {
   py::class_<TetrahedraObject>(module, "Tetrahedra")
       .def("data", &data_of)
       .def("notice", [](const TetrahedraObject& object) { return text_of(object.mesh.notice()); })
+      .def("expected", [](const TetrahedraObject& object) { return object.mesh.expected(); })
       .def("write", [](const TetrahedraObject& object, const std::string& path) {
         run_watched(py::none(), [&](const Watch&) { object.mesh.write(path); });
       });
   module.def("tetrahedralize", &tetrahedralize, py::arg("result"), py::arg("max_volume"), py::arg("quality"),
-             py::arg("keep_boundary"), py::arg("seconds"), py::arg("curved"), py::arg("progress"));
+             py::arg("keep_boundary"), py::arg("seconds"), py::arg("curved"), py::arg("size"), py::arg("growth"),
+             py::arg("progress"));
 }
 
 }  // namespace cnrg::python

@@ -64,7 +64,7 @@ Components components_of(const Complex& complex, Selection selection) {
 
 void Result::Data::name(ResultNames names) {
   node = std::move(names.result);
-  for (std::string& leaf : names.leaves) leaves.push_back({std::move(leaf)});
+  for (std::string& leaf : names.leaves) leaves.push_back({std::move(leaf), 0});
   for (ResultNames::Material& m : names.materials) materials.push_back({std::move(m.name), std::move(m.color)});
   std::set<std::string> known;
   for (const ResultView::Material& m : materials) known.insert(m.name);
@@ -89,6 +89,7 @@ ResultView Result::Data::view(bool with_parameters) const {
   view.leaves = &leaves;
   view.materials = materials;
   view.of_group = of_group;
+  view.region_sizes = region_sizes.get();
   if (with_parameters) view.parameters = parameters.get();
   return view;
 }

@@ -9,6 +9,7 @@
 //   write("both.json", Result(complex, unite(...), {.result = "both"}));
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -102,7 +103,11 @@ struct TetrahedraOptions {
   bool keep_boundary = false;  ///< no new points on faces and edges, but inside of regions only
   bool constrained = false;    ///< not by TetGen: constrained Delaunay tetrahedra, which takes none of the above
   int seconds = 600;           ///< of processor time for each way in which TetGen is asked; 0: no bound
-  Watch watch{};               ///< told of the stages, and may stop them (throws Stopped)
+  double size = 0;             ///< how long edges are to be where nothing asks for shorter ones; 0: no bound
+  double growth = 0.3;  ///< how much longer they may be per unit of distance from where they are to be short
+  /// Told how many tetrahedra are expected, before any is made, where the result or `size` asks for a size.
+  std::function<void(double)> foretold{};
+  Watch watch{};  ///< told of the stages, and may stop them (throws Stopped)
 };
 
 /// What was made of one region.

@@ -14,6 +14,7 @@ namespace cnrg {
 /// What a writer says of a leaf.
 struct LeafInfo {
   std::string name;  ///< the node's name in the tree
+  double size = 0;   ///< how long edges of a mesh are to be on what comes from it; 0: nobody says
 };
 
 /// One node of an evaluated tree, as writers see it. It owns nothing of what it points to. A Result
@@ -29,6 +30,9 @@ struct ResultView {
   bool of_group = false;  ///< `value` is a snapped group's components (snap.h), the last its entities
   /// Given: .json and .vtu say the parameters of faces on patches of the leaves.
   const SurfaceParameters* parameters = nullptr;
+  /// Of a snapped result: by RegionId how long edges are to be there (sizes.h), 0: nobody says. Empty: nowhere.
+  /// nullptr: the leaves that hold a 3-cell tell.
+  const std::vector<double>* region_sizes = nullptr;
 };
 
 }  // namespace cnrg

@@ -11,6 +11,7 @@
 #include "csg/result/flat.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
+#include "csg/result/sizes.h"
 #include "csg/result/snap_drawing.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
@@ -116,6 +117,13 @@ class Labeller {
   }
   /// The edges and vertices of the result, where they still are.
   Features kept() const { return kept_; }
+  /// What is said of the region that each 3-cell is of; empty if that is nothing at all.
+  std::vector<double> sizes(const std::vector<double>& of_regions) const {
+    std::vector<double> sizes;
+    if (of_regions.empty()) return sizes;
+    for (const Index r : region_) sizes.push_back(r == kNone ? 0 : of_regions[r]);
+    return sizes;
+  }
 
   SnapReport report() const {
     SnapReport report;
@@ -490,6 +498,7 @@ struct SnappedResult::Data {
   std::shared_ptr<const Complex> complex;
   NodeValue value;
   SimplifiedComplex simplified;
+  std::vector<double> region_sizes;
   bool of_group = false;
 };
 
@@ -503,6 +512,7 @@ SnappedResult::SnappedResult(const ResultView& view, bool raw) {
   data_ = std::make_unique<Data>();
   data_->value = NodeValue(labeller.value());
   data_->of_group = view.value->is_group() || view.of_group;
+  data_->region_sizes = labeller.sizes(region_sizes(view, flat));
   const Features kept = labeller.kept();
   data_->complex = labeller.complex();
   const FromAllLeaves sources(*data_->complex, data_->value.components());
@@ -519,6 +529,7 @@ ResultView SnappedResult::shown(ResultView view) const {
   view.value = &data_->value;
   view.simplified = &data_->simplified;
   view.of_group = data_->of_group;
+  view.region_sizes = &data_->region_sizes;
   return view;
 }
 
@@ -533,6 +544,7 @@ Result snap(const Result& result, SnapReport* report) {
   data->simplified = std::shared_ptr<const SimplifiedComplex>(snapped, shown.simplified);
   data->parameters = nullptr;  // they are of points of the exact complex
   data->of_group = shown.of_group;
+  data->region_sizes = std::shared_ptr<const std::vector<double>>(snapped, shown.region_sizes);
   return Result(std::move(data));
 }
 

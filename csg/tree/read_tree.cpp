@@ -8,6 +8,7 @@
 // without limit.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <unordered_map>
 
@@ -52,8 +53,8 @@ constexpr std::array<OperatorName, 17> kOperators{{
     {"select", Operator::select},
 }};
 
-constexpr std::array<std::string_view, 10> kAttributes{
-    "material", "name", "attributes", "dominance", "blend", "each", "translate", "rotate", "scale", "mirror"};
+constexpr std::array<std::string_view, 11> kAttributes{
+    "material", "name", "attributes", "size", "dominance", "blend", "each", "translate", "rotate", "scale", "mirror"};
 
 template <class Range>
 bool contains(const Range& range, std::string_view name) {
@@ -379,6 +380,8 @@ class TreeReader {
       node.label = e.value.text("`name`");
     } else if (e.key == "attributes") {
       node.properties = read_properties(e.value);
+    } else if (e.key == "size") {
+      node.size = read_size(e.value);
     } else if (e.key == "regularize") {
       node.regularize = *e.value.as_bool();
     } else if (e.key == "each") {
@@ -399,6 +402,16 @@ class TreeReader {
       const Transform step = read_transform(e);
       node.transform = node.transform ? step * *node.transform : step;
     }
+  }
+
+  /// A length as meshers take it: above 0 as a double, too.
+  static Rational read_size(const Value& value) {
+    Rational size = value.number("`size`");
+    const double rounded = to_double(size);
+    if (!(rounded > 0 && std::isfinite(rounded))) {
+      value.fail("`size` is how long edges of a mesh are to be, and must be above 0; write one such as 0.5");
+    }
+    return size;
   }
 
   void read_dominance(Node& node, const Value::Entry& e) {

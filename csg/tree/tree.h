@@ -6,6 +6,7 @@
 //     one of its operands. `dominance: left|right|equal` is for a Boolean's own operands.
 //   * `material`, `name` and `attributes` of a leaf are those of its regions that have none of their own, and of
 //     its sheets, wires and points; on an inner node they replace what these had.
+//   * `size` is how long edges of a mesh are to be on what comes from the leaves below the node (sizes.h).
 //   * An operand that is written in place, not named, is an inline node; a YAML alias of it is the same node.
 #pragma once
 
@@ -68,9 +69,10 @@ struct Node {
   std::string operator_name;   ///< as the file has it: `union`, `box`, ...
   std::optional<Shape> shape;  ///< of a leaf
   std::optional<Transform> transform;
-  std::string material;   ///< empty: not given
-  std::string label;      ///< the attribute `name`; empty: not given
-  Properties properties;  ///< the attribute `attributes`
+  std::string material;          ///< empty: not given
+  std::string label;             ///< the attribute `name`; empty: not given
+  Properties properties;         ///< the attribute `attributes`
+  std::optional<Rational> size;  ///< of edges of a mesh, above 0, as a double, too
   std::optional<Rational> dominance;
   std::optional<DominantOperand> dominant;
   bool blend = false;            ///< of a union: what overlaps is a mixture (csg/operators/blend.h)

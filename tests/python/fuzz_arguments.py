@@ -253,6 +253,8 @@ BY_NAME = {
     "each": lambda r: r.choice([True, False, None]),
     # What costs minutes is not tried: a mesh of a small volume, a bound that cannot be kept.
     "max_volume": lambda r: r.choice([None, 1, "1", 0, -1, float("nan"), float("inf"), "x"]),
+    "size": lambda r: r.choice([None, 1, "1", 0, -1, float("nan"), float("inf"), "x"]),
+    "growth": lambda r: r.choice([None, 0.3, "1/2", 0, -1, float("nan"), float("inf"), "x"]),
     "quality": lambda r: r.choice([None, 0, 2, 1.4, -1, float("nan"), 1e9, "x"]),
     "seconds": lambda r: r.choice([None, 5, 0.5, -1, float("nan"), "x"]),
     "progress": lambda r: r.choice([None, False, lambda *a: None, failing_progress, 3, "x", len]),

@@ -289,10 +289,22 @@ class Tetrahedra(WithFolder):
         with self.assertRaises(ValueError):
             points[0] = 0
 
+    def test_sizes_of_nodes_and_of_the_mesh(self):
+        box = cnrg.box([0, 0, 0], [4, 4, 4])
+        fine = box.with_(size=0.5)
+        self.assertIn("size: 1/2", fine.to_yaml())
+        self.assertEqual(cnrg.parse(fine.to_yaml()).result.to_yaml(), fine.to_yaml())
+        plain = box.evaluate().tetrahedralize()
+        self.assertEqual(plain.expected, 0)
+        for mesh in (fine.evaluate().tetrahedralize(), box.evaluate().tetrahedralize(size="1/2", growth=0.5)):
+            self.assertGreater(len(mesh.tetrahedra), 10 * len(plain.tetrahedra))
+            self.assertLess(abs(mesh.expected / len(mesh.tetrahedra) - 1), 0.3)
+
     def test_what_cannot_be_meshed(self):
         result = result_of(LAYERS)
         for wrong in ({"max_volume": -1}, {"max_volume": float("nan")}, {"quality": 1}, {"quality": float("nan")},
-                      {"seconds": -1}, {"quality": 1000}):
+                      {"seconds": -1}, {"quality": 1000}, {"size": -1}, {"size": float("inf")}, {"growth": 0},
+                      {"growth": 3}):
             with self.assertRaises(cnrg.InputError):
                 result.tetrahedralize(**wrong)
         for text in (OPEN, HALF):

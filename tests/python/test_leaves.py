@@ -77,6 +77,7 @@ class Leaves(unittest.TestCase):
                     "material": "rock", "name": "a", "dominance": 1, "regularize": True, "simplify": "points", "each": True,
                     "translate": [1, 0, 0], "rotate": {"axis": [0, 0, 1], "degrees": 90}, "scale": 2,
                     "mirror": {"normal": [1, 0, 0]}, "attributes": {"diameter": 25, "section": "round"}, "blend": "linear",
+                    "size": "1/4",
                 }[name]
                 self.assertIn(f"{name}: ", node.with_(**{name: value}).to_yaml())
 

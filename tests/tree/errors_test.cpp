@@ -170,6 +170,11 @@ TEST_CASE("operands of the wrong type or number", "[tree][errors]") {
   expect_node("select: {of: p, inside: nobody_at_all}", 25, {"no node called `nobody_at_all`"});
   expect_node("simplify: {of: p, mode: pints}", 25, {"`mode` of simplify must be one of features, points"});
   expect_node("simplify: {mode: points}", 11, {"simplify needs `of`"});
+  expect_node("complement: p, size: 0", 22, {"`size` is how long edges of a mesh are to be", "above 0"});
+  expect_node("complement: p, size: -1/2", 22, {"above 0"});
+  expect_node("complement: p, size: 1e-400", 22, {"above 0"});
+  expect_node("complement: p, size: small", 22, {"`size`", "number"});
+  expect_node("complement: p, sizes: 1", 16, {"did you mean `size`"});
   expect_node("material: rock", -3, {"has no leaf and no operator"});
   expect_node("regularize: true", -3, {"has no leaf and no operator"});
   expect_node("complement: p, union: [p, p]", 16, {"two operators, `complement` and `union`"});

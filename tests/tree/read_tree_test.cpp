@@ -3,7 +3,9 @@
 #include <string>
 
 #include "csg/leaves/mesh_data.h"
+#include "csg/tree/sizes.h"
 #include "csg/tree/tree.h"
+#include "csg/tree/unfold.h"
 
 namespace cnrg {
 namespace {
@@ -240,6 +242,35 @@ result: c
   CHECK(node(tree, "b").dominant == DominantOperand::equal);
   CHECK(*node(tree, "c").dominance == -3);
   CHECK_FALSE(node(tree, "c").dominant.has_value());
+}
+
+TEST_CASE("sizes are exact numbers of any node", "[tree][size]") {
+  const Tree tree = parse_tree(
+      "cnrg: 1\nnodes:\n  a: {points: [[0, 0, 0]], size: 1/3}\n  b: {complement: a, size: 0.5}\n"
+      "  c: {complement: b}\nresult: c\n",
+      "t.yaml");
+  CHECK(*node(tree, "a").size == Rational(1, 3));
+  CHECK(*node(tree, "b").size == Rational(1, 2));
+  CHECK_FALSE(node(tree, "c").size);
+}
+
+TEST_CASE("of what is said on the way to a leaf the last counts, of several ways the shortest", "[tree][size]") {
+  const auto sizes = [](const std::string& nodes) {
+    const Tree tree = parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: r\n", "t.yaml");
+    const Unfolding unfolding = unfold(tree, {tree.result});
+    return leaf_sizes(tree, unfolding.instances, unfolding.roots[0]);
+  };
+  const std::string leaves = "  a: {points: [[0, 0, 0]]}\n  b: {points: [[1, 0, 0]], size: 9}\n";
+  CHECK(sizes(leaves + "  r: {union: [a, a]}\n").empty());
+  CHECK(sizes(leaves + "  r: {union: [a, b], size: 2}\n") == std::vector<double>{2, 9});
+  CHECK(sizes(leaves + "  r: {union: [a, b]}\n") == std::vector<double>{0, 9});
+  CHECK(sizes(leaves + "  m: {union: [a, b], size: 4}\n  r: {union: [m, b], size: 2}\n") ==
+        std::vector<double>{4, 9});
+  CHECK(sizes(leaves + "  m: {union: [a, b], size: 4}\n  r: {union: [m, a], size: 2}\n") ==
+        std::vector<double>{2, 9});
+  CHECK(sizes(leaves + "  m: {complement: a, size: 4}\n  r: {union: [a, m]}\n") == std::vector<double>{4});
+  // Two instances of one leaf, of which one hears something.
+  CHECK(sizes(leaves + "  m: {simplify: a, translate: [5, 0, 0], size: 4}\n  r: {union: [a, m]}\n").size() == 2);
 }
 
 }  // namespace

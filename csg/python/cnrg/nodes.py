@@ -367,11 +367,13 @@ class Node:
     # Attributes and transforms, as in a tree file.
 
     def with_(self, **attributes: Any) -> Node:
-        """The same node with more attributes: material, name, attributes, dominance, translate, rotate, scale, mirror.
+        """The same node with more attributes: material, name, attributes, size, dominance, translate, rotate, scale,
+        mirror.
 
         material: a name or a `material(...)`. name: of its regions, sheets, wires and points. attributes: numbers and
-        texts by keys of your own, `{"diameter": 25}`. dominance: a number, or of an operator "left",
-        "right" or "equal". Transforms act after those that it has; any other attribute replaces the one of its name.
+        texts by keys of your own, `{"diameter": 25}`. size: how long edges of a mesh are to be on what comes from the
+        leaves below (units of the model as it stands). dominance: a number, or of an operator "left", "right" or
+        "equal". Transforms act after those that it has; any other attribute replaces the one of its name.
         """
         more = _attributes(attributes)
         if not more:
@@ -447,7 +449,9 @@ def _again(operator: str, operands: Any, value: Any, attributes: Any, key: Any, 
 
 _TRANSFORMS = ("translate", "rotate", "scale", "mirror")
 _FILES = ("mesh", "heightfield", "step", "brep", "cnrg")  # leaves that may read one
-_ATTRIBUTES = ("material", "name", "attributes", "dominance", "blend", "regularize", "simplify", "each") + _TRANSFORMS
+_ATTRIBUTES = (
+    "material", "name", "attributes", "size", "dominance", "blend", "regularize", "simplify", "each",
+) + _TRANSFORMS
 
 
 def _each(each: bool) -> tuple[tuple[str, Any], ...]:

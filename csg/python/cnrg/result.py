@@ -299,28 +299,37 @@ class Result:
         return self if rounds == 0 else Result._of(snapped, self._evaluation)
 
     def tetrahedralize(self, *, max_volume: Number = 0, quality: Number = 0, keep_boundary: bool = False,
-                       seconds: int = 600, curved: bool = False, progress: Progress = None) -> Tetrahedra:
+                       seconds: int = 600, curved: bool = False, size: Number = 0, growth: Number = 0.3,
+                       progress: Progress = None) -> Tetrahedra:
         """Fills the regions with tetrahedra that conform to every wall, sheet, wire and point, proven exactly.
 
         max_volume: no tetrahedron is larger (cubic units), 0: no bound. quality: the largest ratio of circumradius to
         shortest edge, 1.1 to 100, 0: no bound. keep_boundary: no new points on faces and edges. seconds: of processor
         time for each way in which TetGen is asked, 0: no bound. curved: elements of second order on the true surfaces.
+        size: how long edges are to be where neither a node's `size` nor short edges and small facets of the model ask
+        for shorter ones (units of the model), 0: no bound. growth: how much longer they may be per unit of distance
+        from there, 0.05 to 2.
 
         InputError for a result that is not closed and bounded, has no region, or is broken by rounding (`snap()`
         helps), and where no mesh is proven. Where TetGen makes none, a warning (cnrg.Notice) says so: the tetrahedra
         are constrained Delaunay ones then, and keep no bound.
         """
-        max_volume, quality = (float(_cnrg.fraction(number)) for number in (max_volume, quality))
+        max_volume, quality, size, growth = (
+            float(_cnrg.fraction(number)) for number in (max_volume, quality, size, growth))
         seconds = operator.index(seconds)
         if max_volume < 0:
             raise InputError(f"max_volume: a volume is wanted, or 0 for no bound, not {max_volume}")
         if quality != 0 and not 1.1 <= quality <= 100:
             raise InputError(f"quality: a number from 1.1 to 100 is wanted, or 0 for no bound, not {quality}")
+        if size < 0:
+            raise InputError(f"size: a length is wanted, or 0 for no bound, not {size}")
+        if not 0.05 <= growth <= 2:
+            raise InputError(f"growth: a number from 0.05 to 2 is wanted, not {growth}")
         if not 0 <= seconds < 2**31:
             raise InputError(f"seconds: a whole number from 0 is wanted, not {seconds}")
         with Shown(progress) as shown, self._placed():
             mesh = _cnrg.tetrahedralize(self._result, max_volume, quality, bool(keep_boundary), seconds, bool(curved),
-                                        shown)
+                                        size, growth, shown)
         if notice := mesh.notice():
             warnings.warn_explicit(notice, Notice, *site_of_caller())
         return Tetrahedra(mesh, self)

@@ -1,6 +1,6 @@
 """Leaves: shapes with the keys that they have in a tree file.
 
-All of them take attributes, too: material, name, dominance, translate, rotate, scale, mirror, regularize, simplify
+All of them take attributes, too: material, name, size, dominance, translate, rotate, scale, mirror, regularize, simplify
 (see Node.with_). Lengths are in the unit of the model, angles in degrees. Numbers are exact (nodes.Number). A key that
 is not given has the default of the tree file.
 """

@@ -83,6 +83,8 @@ class Tetrahedra:
         """(tetrahedra, 4) float64 at corners: `fraction of steel` of graded materials"""
         self.moved: int = data["moved"]
         """how many vertices of the result are no doubles and were rounded"""
+        self.expected: float = mesh.expected()
+        """how many tetrahedra were expected before any was made; 0 where no size was asked for"""
         self.curved: bool = data["curved"]
         """elements of second order"""
 

@@ -1,0 +1,133 @@
+#include "csg/mesh/mesh_sizes.h"
+
+#include <cmath>
+
+#include "csg/result/sizes.h"
+#include "csg/result/vectors.h"
+
+namespace cnrg {
+namespace {
+
+using Index = FlatComplex::Index;
+using Vector = SizeField::Vector;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLeastShare = 1e-3;  // of the model's diagonal, that a piece or a facet asks for by itself
+
+class SizeCollector {
+ public:
+  SizeCollector(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
+                const SizeOptions& options)
+      : view_(view),
+        flat_(flat),
+        xyz_(points.xyz),
+        overall_(options.size > 0 ? options.size : kInfinity),
+        growth_(options.growth) {
+    Vector low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+    for (const Vector& p : xyz_) {
+      for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+    }
+    if (!xyz_.empty()) least_ = kLeastShare * std::sqrt(dot(minus(high, low), minus(high, low)));
+  }
+
+  MeshSizes run(bool always) {
+    add_said();
+    const bool said = !sources_.empty() || overall_ < kInfinity;
+    if (!said && !always) return {};
+    add_pieces();
+    add_facets();
+    return {SizeField(std::move(sources_), growth_, overall_), std::move(regions_)};
+  }
+
+ private:
+  const ResultView& view_;
+  const FlatComplex& flat_;
+  const std::vector<Vector>& xyz_;
+  const double overall_, growth_;
+  double least_ = 0;
+  std::vector<SizeField::Source> sources_;
+  std::vector<double> regions_;
+
+  /// One that is not below the overall size asks for nothing.
+  void add(Index a, Index b, Index c, double size) {
+    if (size > 0 && size < overall_) sources_.push_back({{xyz_[a], xyz_[b], xyz_[c]}, size});
+  }
+
+  template <class Visit>
+  static void for_each_piece(const FlatComplex::Edge& edge, const Visit& visit) {
+    const std::size_t n = edge.points.size();
+    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) visit(edge.points[k], edge.points[(k + 1) % n]);
+  }
+
+  void add_said() {
+    regions_ = region_sizes(view_, flat_);
+    for (Index f = 0; f < flat_.faces.size(); ++f) {
+      const FlatComplex::Face& face = flat_.faces[f];
+      double size = size_of(view_, face.origin);
+      for (const Index region : face.regions) {
+        const double inside = region < regions_.size() ? regions_[region] : 0;
+        if (inside > 0 && (size == 0 || inside < size)) size = inside;
+      }
+      for (const auto& t : face.triangles) add(t[0], t[1], t[2], size);
+    }
+    for (const FlatComplex::Edge& edge : flat_.edges) {
+      const double size = size_of(view_, edge.origin);
+      if (size > 0) for_each_piece(edge, [&](Index a, Index b) { add(a, b, b, size); });
+    }
+    for (const FlatComplex::Vertex& vertex : flat_.vertices) {
+      if (vertex.free) add(vertex.point, vertex.point, vertex.point, size_of(view_, vertex.origin));
+    }
+    for (double& size : regions_) size = size == 0 ? kInfinity : size;
+  }
+
+  double length(Index a, Index b) const {
+    const Vector along = minus(xyz_[b], xyz_[a]);
+    return std::sqrt(dot(along, along));
+  }
+
+  void add_pieces() {
+    for (const FlatComplex::Edge& edge : flat_.edges) {
+      for_each_piece(edge, [&](Index a, Index b) { add(a, b, b, std::max(length(a, b), least_)); });
+    }
+  }
+
+  void add_facets() {
+    for (const FlatComplex::Face& face : flat_.faces) {
+      if (face.facets.empty()) {
+        add_facet(face, face.loops, 0, face.triangles.size());
+        continue;
+      }
+      for (std::size_t k = 0; k < face.facets.size(); ++k)
+        add_facet(face, face.facets[k].loops, k == 0 ? 0 : face.facet_ends[k - 1], face.facet_ends[k]);
+    }
+  }
+
+  void add_facet(const FlatComplex::Face& face, const std::vector<FlatComplex::Loop>& loops, std::size_t begin,
+                 std::size_t end) {
+    double perimeter = 0, area = 0;
+    for (const FlatComplex::Loop& loop : loops) {
+      for (std::size_t k = 0; k < loop.size(); ++k) perimeter += length(loop[k], loop[(k + 1) % loop.size()]);
+    }
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [a, b, c] = face.triangles[t];
+      const Vector n = cross(minus(xyz_[b], xyz_[a]), minus(xyz_[c], xyz_[a]));
+      area += std::sqrt(dot(n, n)) / 2;
+    }
+    if (!(perimeter > 0)) return;
+    const bool triangle = loops.size() == 1 && loops[0].size() == 3;
+    const double width = std::max(4 * area / perimeter * (triangle ? std::sqrt(3.0) : 1), least_);
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [a, b, c] = face.triangles[t];
+      add(a, b, c, width);
+    }
+  }
+};
+
+}  // namespace
+
+MeshSizes mesh_sizes(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
+                     const SizeOptions& options) {
+  return SizeCollector(view, flat, points, options).run(options.always);
+}
+
+}  // namespace cnrg

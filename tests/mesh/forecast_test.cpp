@@ -1,0 +1,147 @@
+// Tetrahedra as foretold and as made.
+#include "csg/mesh/forecast.h"
+
+#include <catch2/catch.hpp>
+#include <cstdio>
+
+#include "csg/evaluate/evaluate.h"
+#include "csg/formats/mesh_file.h"
+#include "kernel/base/error.h"
+
+using namespace cnrg;
+
+namespace {
+
+struct Model {
+  const char* name;
+  std::string nodes;
+  double size, growth;
+};
+
+const std::string kBlock = "  model: {box: {min: [0, 0, 0], max: [1, 1, 1]}}\n";
+const std::string kTunnel = R"(
+  rock:   {box: {min: [0, 0, 0], max: [40, 40, 40]}, size: 10}
+  tunnel: {cylinder: {from: [20, -1, 20], to: [20, 41, 20], radius: 4, segments: 24}, size: 2}
+  model:  {difference: [rock, tunnel]}
+)";
+const std::string kLayers = R"(
+  low:   {box: {min: [0, 0, 0], max: [4, 4, 2]}}
+  high:  {box: {min: [0, 0, 2], max: [4, 4, 4]}, size: 1/4}
+  bolt:  {polyline: [[1, 1, 1], [1, 1, 5]], size: 1/8}
+  model: {union: [bolt, low, high], dominance: left}
+)";
+
+const std::vector<Model>& models() {
+  static const std::vector<Model> all{
+      {"block, coarse", kBlock, 0.2, 0.3},
+      {"block, fine", kBlock, 0.06, 0.3},
+      {"ball", "  model: {sphere: {center: [0, 0, 0], radius: 1, segments: 24}}\n", 0.2, 0.3},
+      {"ball, by its facets", "  model: {sphere: {center: [0, 0, 0], radius: 1, segments: 32}}\n", 1, 0.3},
+      {"tunnel", kTunnel, 0, 0.3},
+      {"tunnel, gentle", kTunnel, 0, 0.15},
+      {"tunnel, steep", kTunnel, 0, 1},
+      {"layers and a bolt", kLayers, 0, 0.3},
+      {"layers, overall", kLayers, 0.3, 0.5},
+      {"plate", "  model: {box: {min: [0, 0, 0], max: [8, 8, 1/2]}}\n", 0.4, 0.3},
+      {"turned plate",
+       "  model: {box: {min: [0, 0, 0], max: [8, 8, 1/2]}, rotate: {axis: [1, 2, 0], degrees: 40}}\n", 0.4, 0.3},
+      {"shell", R"(
+  shell:  {sphere: {center: [0, 0, 0], radius: 4, segments: 32}}
+  cavity: {sphere: {center: [0, 0, 0], radius: 3, segments: 32}}
+  model:  {difference: [shell, cavity]}
+)",
+       0.5, 0.3},
+      {"notch", R"(
+  block: {box: {min: [0, 0, 0], max: [8, 8, 8]}}
+  notch: {box: {min: [4, 4, 7], max: [4.25, 4.25, 9]}}
+  model: {difference: [block, notch]}
+)",
+       2, 0.3},
+      {"fine point in a block",
+       "  block: {box: {min: [0, 0, 0], max: [8, 8, 8]}}\n  probe: {points: [[3, 4, 5]], size: 1/50}\n"
+       "  model: {union: [probe, block], dominance: left}\n",
+       2, 0.4},
+  };
+  return all;
+}
+
+Result result_of(const std::string& nodes) {
+  return evaluate(parse_tree("cnrg: 1\nnodes:\n" + nodes + "result: model\n", "t.yaml")).result();
+}
+
+TetrahedraOptions sizes(double size, double growth) {
+  TetrahedraOptions options;
+  options.size = size;
+  options.growth = growth;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("as many tetrahedra are foretold as are made, within 30 %", "[size][forecast]") {
+  for (const Model& model : models()) {
+    TetrahedraOptions options = sizes(model.size, model.growth);
+    double told = 0;
+    options.foretold = [&](double count) { told = count; };
+    const TetrahedralMesh made = tetrahedra(result_of(model.nodes), options);
+    std::size_t count = 0;
+    for (const RegionTetrahedra& region : made.regions) count += region.tetrahedra;
+    INFO(model.name << ": " << told << " foretold, " << count << " made");
+    CHECK(made.notice.empty());
+    CHECK(told == made.expected);
+    CHECK(told / double(count) > 0.7);
+    CHECK(told / double(count) < 1.3);
+  }
+}
+
+TEST_CASE("a forecast is the same each time", "[size][forecast]") {
+  std::vector<double> told;
+  TetrahedraOptions options = sizes(0.3, 0.5);
+  options.foretold = [&](double count) { told.push_back(count); };
+  for (int i = 0; i < 2; ++i) tetrahedra(result_of(kLayers), options);
+  REQUIRE(told.size() == 2);
+  CHECK(told[0] == told[1]);
+}
+
+TEST_CASE("more tetrahedra than memory holds are refused before they are made", "[size][forecast][errors]") {
+  for (const auto& [nodes, size] : {std::pair(kBlock, 1e-4), std::pair(kBlock, 1e-30),
+                                    std::pair(std::string("  model: {box: {min: [0, 0, 0], max: [1, 1, 1]}, "
+                                                          "size: 1/10000}\n"),
+                                              0.0)}) {
+    try {
+      tetrahedra(result_of(nodes), sizes(size, 0.3));
+      FAIL("made");
+    } catch (const InputError& e) {
+      CHECK_THAT(e.what(),
+                 Catch::Contains("tetrahedra, and at most 200,000,000 are made; ask for a larger --size"));
+    }
+  }
+}
+
+TEST_CASE("without sizes nothing is foretold", "[size][forecast]") {
+  TetrahedraOptions options;
+  options.foretold = [](double) { FAIL("foretold"); };
+  CHECK(tetrahedra(result_of(kBlock), options).expected == 0);
+  // Points on the boundary are needed for sizes there.
+  options.size = 0.5;
+  options.keep_boundary = true;
+  CHECK(tetrahedra(result_of(kBlock), options).expected == 0);
+}
+
+TEST_CASE("constrained tetrahedra keep no sizes, and say so", "[size][errors]") {
+  TetrahedraOptions options;
+  options.constrained = true;
+  CHECK_THAT(tetrahedra(result_of(kLayers), options).notice,
+             Catch::Contains("without the sizes that nodes ask for"));
+  CHECK(tetrahedra(result_of(kBlock), options).notice.empty());
+  options.size = 0.5;
+  CHECK_THROWS_AS(tetrahedra(result_of(kBlock), options), InputError);
+}
+
+TEST_CASE("counts are rounded for people", "[size][forecast]") {
+  CHECK(rounded_count(0.4) == "0");
+  CHECK(rounded_count(12.4) == "12");
+  CHECK(rounded_count(1234) == "1,230");
+  CHECK(rounded_count(2e8) == "200,000,000");
+  CHECK(rounded_count(1e300) == "more than 1,000,000,000,000,000");
+}
