@@ -311,6 +311,26 @@ TEST_CASE("surface: a gap that would take too many points keeps what it has", "[
   CHECK(made.groups[0].area == Approx(1.05e-5).epsilon(1e-9));
 }
 
+TEST_CASE("surface: what doubles would make cross keeps its triangles", "[mesh][surface]") {
+  // Two oblique sheets with a gap of a last digit, each with a short edge, which takes points inside of the sheet:
+  // points that are rounded into one of them cross the other.
+  const Rational gap(1, Integer("281474976710656")), q(1, 4);
+  std::vector<std::vector<RationalPoint>> twins(2);
+  for (int i = 0; i < 2; ++i) {
+    const Rational r = q / (1 + i);
+    const std::array<std::array<Rational, 2>, 5> corners{{{0, 0}, {30, 0}, {30, 22}, {r, 22}, {0, 22 - r}}};
+    for (const auto& [u, v] : corners)
+      twins[std::size_t(i)].push_back({(u + v) / 8, (u - v) / 8, (3 * u + 5 * v) / 8 + i * gap});
+  }
+  const Case c = sheets(twins);
+  const SurfaceTriangles made = surface_triangles(c.view());
+  CHECK(made.kept > 0);
+  CHECK(made.groups.size() == 2);
+  CHECK(made.groups[0].why[std::size_t(SmallAngle::digits)] > 0);
+  CHECK_THROWS_WITH(surface_triangles(c.view(), {.size = [](const Vector&) { return 0.1; }}),
+                    Catch::Contains("coarser than asked for"));
+}
+
 TEST_CASE("surface: the complex for tetrahedra has the same triangles", "[mesh][surface]") {
   Case c = oblique();
   const FlatComplex flat = flatten(c.view());
