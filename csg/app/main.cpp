@@ -337,8 +337,9 @@ int run(int argc, char** argv) {
   sub->callback([&] { command = [&] { return run_view(view); }; });
 
   MeshArguments mesh;
-  sub = program.add_subcommand("mesh",
-                               "Fills the regions with tetrahedra that conform to every face, wire and point");
+  sub = program.add_subcommand(
+      "mesh",
+      "Fills the regions with tetrahedra that conform to every face, wire and point, or meshes these alone");
   add_tree(sub, mesh);
   sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N")->check(name_fault);
   sub->add_option("-o", mesh.files, "Write this file, in the format of its extension: .msh .mesh .vtu")
@@ -357,21 +358,26 @@ int run(int argc, char** argv) {
       ->type_name("G")
       ->check(number_check(0.0499999, 2.0000001, "a number from 0.05 to 2"))
       ->capture_default_str();
-  sub->add_option("--max-volume", mesh.options.max_volume, "No tetrahedron is larger than V cubic units")
-      ->type_name("V")
-      ->check(number_check(0, HUGE_VAL, "a positive number"));
-  sub->add_option("--quality", mesh.options.quality,
-                  "Largest ratio of circumradius to shortest edge, from 1.1; below 1.4 may take very long")
-      ->type_name("Q")
-      ->check(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
+  CLI::Option* const max_volume =
+      sub->add_option("--max-volume", mesh.options.max_volume, "No tetrahedron is larger than V cubic units")
+          ->type_name("V")
+          ->check(number_check(0, HUGE_VAL, "a positive number"));
+  CLI::Option* const quality =
+      sub->add_option("--quality", mesh.options.quality,
+                      "Largest ratio of circumradius to shortest edge, from 1.1; below 1.4 may take very long")
+          ->type_name("Q")
+          ->check(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
   sub->add_option("--seconds", mesh.options.seconds,
-                  "Stop TetGen after so many seconds of processor time, and ask it in another way; 0: never")
+                  "Stop TetGen after so many seconds of processor time, and ask it in another way; give up "
+                  "--surface after so "
+                  "many seconds; 0: never")
       ->type_name("S")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
-  sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
-                "No new points on faces and edges, so that the meshes of neighbours fit");
-  sub->add_flag(
+  CLI::Option* const keep_boundary =
+      sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
+                    "No new points on faces and edges, so that the meshes of neighbours fit");
+  CLI::Option* const constrained = sub->add_flag(
       "--constrained", mesh.options.constrained,
       "Not by TetGen: exact constrained Delaunay tetrahedra, whatever their shapes; without it these are "
       "made only where TetGen fails");
@@ -381,6 +387,17 @@ int run(int argc, char** argv) {
       sub->add_flag("--curved", mesh.curved,
                     "Move points to the true surfaces and bend tetrahedra after them: second order, 10 nodes")
           ->excludes(joins);
+  CLI::Option* const surface =
+      sub->add_flag("--surface", mesh.surface,
+                    "Triangles on all faces and segments on edges and wires, without volumes: no angle below 25 "
+                    "degrees but where the result has smaller ones");
+  for (CLI::Option* const option : {curved, max_volume, quality, keep_boundary, constrained})
+    surface->excludes(option);
+  sub->add_option("--max-points", mesh.max_points, "Of --surface: no points are added beyond N")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
+      ->capture_default_str()
+      ->needs(surface);
   CLI::Option* const snaps = sub->add_flag("--snap", mesh.snap, kSnap)->excludes(curved);
   sub->add_flag("--no-snap", mesh.no_snap, std::string(kNoSnap) + "refuse it")->excludes(snaps);
   add_threads(sub, mesh.threads);

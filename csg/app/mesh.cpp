@@ -102,6 +102,97 @@ std::string text_of(const CurvedReport& bent) {
   return text + "\n";
 }
 
+std::string number_text(double value) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
+/// A row per group of faces and one for all.
+std::string table_of(const SurfaceTriangles& made) {
+  Table table;
+  table.add_column("faces", Table::Align::left);
+  table.add_column("triangles");
+  table.add_column("area", Table::Align::left);
+  table.add_column("least angle");
+  table.add_column("at", Table::Align::left);
+  table.add_column("below 25");
+  table.add_column("since", Table::Align::left);
+  const auto row = [&](const FaceTriangles& of) {
+    static constexpr const char* kWhy[] = {"", "input angle", "digits", "--max-points"};
+    std::size_t below = 0;
+    std::string since;
+    for (std::size_t i = 1; i < of.why.size(); ++i) {
+      if (of.why[i] == 0) continue;
+      below += of.why[i];
+      since += (since.empty() ? "" : ", ") + std::string(kWhy[i]) + " " + std::to_string(of.why[i]);
+    }
+    const std::string place =
+        number_text(of.where[0]) + " " + number_text(of.where[1]) + " " + number_text(of.where[2]);
+    char angle[32];
+    std::snprintf(angle, sizeof angle, of.least_angle < 0.1 ? "%.3g" : "%.2f", of.least_angle);
+    table.add_row(
+        {of.name, std::to_string(of.triangles), number_text(of.area), angle, place, std::to_string(below), since});
+  };
+  FaceTriangles all{"all"};
+  for (const FaceTriangles& of : made.groups) {
+    row(of);
+    all.triangles += of.triangles;
+    all.area += of.area;
+    for (std::size_t i = 0; i < of.why.size(); ++i) all.why[i] += of.why[i];
+    if (of.least_angle < all.least_angle) all.least_angle = of.least_angle, all.where = of.where;
+  }
+  if (!made.groups.empty()) row(all);
+  const Mesh& mesh = made.mesh;
+  return (made.groups.empty() ? "" : table.text()) + std::to_string(mesh.points.size()) + " points, " +
+         std::to_string(mesh.triangles.size()) + " triangles on faces, " + std::to_string(mesh.segments.size()) +
+         " segments on edges\n";
+}
+
+/// Writes a mesh to all files, with what is to be said of each.
+void write_files(const MeshArguments& arguments, const Result& result, const Mesh& mesh,
+                 const RoundingReport& rounding, const SnapReport& snapped, const std::string& notice) {
+  for (const std::string& path : arguments.files) {
+    {
+      ProgressBar bar(arguments.quiet);
+      bar.show("write " + path);
+      write(path, result, mesh);
+    }
+    if (arguments.quiet) continue;
+    if (!notice.empty()) tell(path + ": notice: " + notice);
+    if (snapped.rounds > 0) tell(path + ": notice: " + snapped.text());
+    if (rounding.moved == 0) continue;
+    tell(path + ": notice: rounding moved " + std::to_string(rounding.moved) +
+         " vertices; the facets still meet as they should");
+  }
+}
+
+int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, Result result) {
+  SurfaceTriangles made;
+  SnapReport snapped;
+  {
+    ProgressBar bar(arguments.quiet);
+    bar.show("mesh");
+    SurfaceOptions asked;
+    asked.overall = arguments.options.size;
+    asked.growth = arguments.options.growth;
+    asked.max_points = arguments.max_points;
+    asked.seconds = arguments.options.seconds;
+    asked.watch.progress = bar.progress();
+    made = at_node(tree, node, [&] {
+      return arguments.no_snap ? surface_triangles(result, asked)
+                               : snapped_surface_triangles(result, asked, snapped);
+    });
+  }
+  if (!arguments.quiet) std::cout << table_of(made) << std::flush;
+  const std::string notice =
+      made.kept == 0 ? ""
+                     : std::to_string(made.kept) + (made.kept == 1 ? " facet keeps its" : " facets keep their") +
+                           " own triangles: with smaller ones doubles would cross what is near";
+  write_files(arguments, result, made.mesh, made.rounding, snapped, notice);
+  return kDone;
+}
+
 }  // namespace
 
 int run_mesh(const MeshArguments& arguments) {
@@ -121,6 +212,7 @@ int run_mesh(const MeshArguments& arguments) {
   const Evaluation evaluation = evaluate_in_view(tree, options, arguments.quiet);
   if (arguments.certify) require_certain(tree, evaluation, arguments.quiet);
   else tell_uncertain(tree, evaluation, arguments.quiet);
+  if (arguments.surface) return mesh_surface(arguments, tree, node, evaluation.result(node));
   TetrahedralMesh made;
   Result result = evaluation.result(node);
   if (!arguments.join.empty()) result = joined(tree, node, result, arguments.join, arguments.quiet);
@@ -151,19 +243,7 @@ int run_mesh(const MeshArguments& arguments) {
     if (bent) std::cout << text_of(*bent);
     std::cout << std::flush;
   }
-  for (const std::string& path : arguments.files) {
-    {
-      ProgressBar bar(arguments.quiet);
-      bar.show("write " + path);
-      write(path, result, made.mesh);
-    }
-    if (arguments.quiet) continue;
-    if (!made.notice.empty()) tell(path + ": notice: " + made.notice);
-    if (snapped.rounds > 0) tell(path + ": notice: " + snapped.text());
-    if (made.rounding.moved == 0) continue;
-    tell(path + ": notice: rounding moved " + std::to_string(made.rounding.moved) +
-         " vertices; the facets still meet as they should");
-  }
+  write_files(arguments, result, made.mesh, made.rounding, snapped, made.notice);
   return kDone;
 }
 

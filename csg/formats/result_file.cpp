@@ -118,13 +118,15 @@ TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& option
 
 namespace {
 
-TetrahedralMesh tetrahedra_of_doubles(Result& result, const TetrahedraOptions& options, SnapReport& report) {
+/// What `make` makes of a result, or of the snapped one where rounding would break it.
+template <class Make>
+auto snapped_if_broken(Result& result, SnapReport& report, const Make& make) {
   try {
-    return tetrahedra(result, options);
+    return make();
   } catch (const RoundingFault&) {
     result = snap(result, &report);
   }
-  return tetrahedra(result, options);
+  return make();
 }
 
 /// The longest side of the box around a result.
@@ -151,14 +153,18 @@ constexpr double kCutsAtLast = 30;
 
 TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
   const Result exact = result;
+  const auto of_doubles = [&](const TetrahedraOptions& how) {
+    return snapped_if_broken(result, report, [&] { return tetrahedra(result, how); });
+  };
   try {
-    return tetrahedra_of_doubles(result, options, report);
+    return of_doubles(options);
   } catch (const NearFault&) {
     if (options.keep_boundary) throw;
   }
   const Rational extent = extent_of(exact);
   TetrahedraOptions asked = options;
   asked.constrained = true;  // TetGen has failed
+  asked.foretold = {};
   for (const double part : kJoined) {
     const Rational within = extent * from_double(part);
     JoinReport joined;
@@ -166,7 +172,7 @@ TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& opti
     result = join(exact, within, &joined);
     if (joined.rounds == 0) continue;
     try {
-      TetrahedralMesh made = tetrahedra_of_doubles(result, asked, report);
+      TetrahedralMesh made = of_doubles(asked);
       made.notice = "there were no tetrahedra in doubles without that: " + joined.text(within);
       return made;
     } catch (const NearFault&) {
@@ -175,7 +181,18 @@ TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& opti
   report = {};
   result = exact;
   asked.cuts = kCutsAtLast;
-  return tetrahedra_of_doubles(result, asked, report);
+  return of_doubles(asked);
+}
+
+SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& options) {
+  const ResultView view = result.data().view();
+  SurfaceTriangles made = surface_triangles(view, options);
+  add_properties(view, made.mesh);
+  return made;
+}
+
+SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions& options, SnapReport& report) {
+  return snapped_if_broken(result, report, [&] { return surface_triangles(result, options); });
 }
 
 CurvedReport curve(const Result& result, TetrahedralMesh& made) {

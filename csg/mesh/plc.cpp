@@ -26,11 +26,7 @@ class PlcMaker {
   Plc run() {
     for (Index i = 0; i < flat_.faces.size(); ++i) add_face(i);
     for (Index i = 0; i < flat_.edges.size(); ++i) add_edge(i);
-    for (Index i = 0; i < flat_.regions.size(); ++i) {
-      const auto& region = flat_.regions[i];
-      if (region.component != 0) plc_.regions.push_back({{}, i});
-      else if (region.bounded) plc_.holes.push_back({{}, i});
-    }
+    add_regions(plc_, flat_);
     return std::move(plc_);
   }
 
@@ -163,6 +159,14 @@ class PlcMaker {
 
 Plc plc_of(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets) {
   return PlcMaker(view, flat, rounded, facets).run();
+}
+
+void add_regions(Plc& plc, const FlatComplex& flat) {
+  for (Index i = 0; i < flat.regions.size(); ++i) {
+    const auto& region = flat.regions[i];
+    if (region.component != 0) plc.regions.push_back({{}, i});
+    else if (region.bounded) plc.holes.push_back({{}, i});
+  }
 }
 
 void set_seeds(Plc& plc, const RoundedResult& rounded) {

@@ -50,6 +50,8 @@ enum class PlcFacets {
 
 /// The complex, without points of seeds.
 Plc plc_of(const ResultView& view, const FlatComplex& flat, const RoundedResult& rounded, PlcFacets facets);
+/// Its regions and cavities, without points of seeds.
+void add_regions(Plc& plc, const FlatComplex& flat);
 /// A point in each region and cavity. Throws InputError for one too thin to hold one that we find.
 void set_seeds(Plc& plc, const RoundedResult& rounded);
 

@@ -56,12 +56,14 @@ RoundedResult::RoundedResult(const ResultView& view, const FlatComplex& flat, co
 
 RoundedResult::~RoundedResult() = default;
 
-void RoundedResult::fail(const std::string& what) const {
+void refuse_rounding(const std::string& format, const std::string& what) {
   throw RoundingFault(
-      format_ + " holds doubles, and rounding to them " + what +
+      format + " holds doubles, and rounding to them " + what +
       "; snap the result first (`cnrg` does so by itself, without --no-snap and --curved; in programs " +
       "`snap`), or write .json, which is exact");
 }
+
+void RoundedResult::fail(const std::string& what) const { refuse_rounding(format_, what); }
 
 void RoundedResult::match_regions() {
   const Complex& complex = *data_->drawn.complex;

@@ -8,6 +8,9 @@
 
 namespace cnrg {
 
+/// Throws the RoundingFault that `what` of rounding is wrong for a format.
+[[noreturn]] void refuse_rounding(const std::string& format, const std::string& what);
+
 class RoundedResult {
  public:
   /// Rounds a closed and bounded result. Throws RoundingFault, naming `format`, unless it is embedded and each

@@ -11,8 +11,8 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <unordered_map>
 
+#include "csg/mesh/cell_mesh.h"
 #include "csg/mesh/constrained_run.h"
 #include "csg/mesh/exact_volume.h"
 #include "csg/mesh/forecast.h"
@@ -55,7 +55,7 @@ std::string switches_of(const TetrahedraOptions& options, bool sized) {
 class TetrahedraMaker {
  public:
   TetrahedraMaker(const ResultView& view, const TetrahedraOptions& options)
-      : view_(view), options_(options), flat_(flatten(view)), tagger_(view, flat_) {}
+      : view_(view), options_(options), flat_(flatten(view)) {}
 
   TetrahedralMesh run() {
     require_closed_and_bounded(flat_, "a mesh of tetrahedra");
@@ -112,17 +112,10 @@ class TetrahedraMaker {
   const ResultView& view_;
   const TetrahedraOptions options_;
   const FlatComplex flat_;
-  const CellTagger tagger_;
   Plc plc_;
   PlcMesh out_;
   TetrahedralMesh result_;
   std::vector<Index> region_entity_;  // of each region of the result, or kNone
-  struct Piece {
-    Index edge;
-    bool forward;  // the chain runs from the lower number to the higher one
-  };
-  std::unordered_map<std::uint64_t, Piece> pieces_;  // of edges, by their ends
-
   MeshSizes sizes_;
   std::optional<RegionLocator> regions_;
   TooLarge too_large_;  // where sizes are asked for
@@ -164,7 +157,6 @@ class TetrahedraMaker {
     const Index region = regions_->at(middle);
     return flat_.active(region) && longest > sizes_.at(middle, region);
   }
-  static std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
 
   bool bounded() const { return options_.quality > 0 || options_.max_volume > 0 || sized(); }
 
@@ -223,7 +215,6 @@ class TetrahedraMaker {
   void take() {
     result_ = {};
     region_entity_.clear();
-    pieces_.clear();
     options_.watch.begin("mesh: proof");
     make_entities();
     take_tetrahedra();
@@ -231,67 +222,20 @@ class TetrahedraMaker {
     take_segments();
     take_vertices();
     prove_boundary_kept();
-    prove_edges();
-    prove_faces();
+    prove_edges(mesh(), flat_);
+    prove_faces(mesh(), flat_);
     prove_sides();
     prove_volumes();
   }
 
-  /// The edge that a step of a boundary walk follows: number + 1, negative against the chain.
-  std::int32_t step(Index a, Index b) const {
-    const auto piece = pieces_.find(key_of(a, b));
-    require(piece != pieces_.end(), "tetrahedra: a face is bounded by what is no edge");
-    const std::int32_t e = std::int32_t(piece->second.edge + 1);
-    return piece->second.forward == (a < b) ? e : -e;
-  }
-
   void make_entities() {
-    const MeshGroups groups = mesh_groups(view_, flat_);
-    mesh().node = view_.node;
-    mesh().groups = groups.names;
-    mesh().sources = groups.sources;
-    std::vector<Index> vertex_at(flat_.points.size(), kNone);
-    for (Index i = 0; i < flat_.vertices.size(); ++i) {
-      vertex_at[flat_.vertices[i].point] = i;
-      mesh().entities[0].push_back({groups.of[0][i], {}, true, false, tagger_.vertex(i)});
-    }
-    for (const auto& s : plc_.segments) {
-      pieces_[key_of(s.ends[0], s.ends[1])] = {s.edge, s.ends[0] < s.ends[1]};
-    }
-    for (Index i = 0; i < flat_.edges.size(); ++i) {
-      const auto& edge = flat_.edges[i];
-      Mesh::Entity entity{groups.of[1][i], {}, true, edge.wire, tagger_.edge(i)};
-      if (!edge.closed) {
-        entity.boundary = {std::int32_t(vertex_at[edge.points.front()] + 1),
-                           -std::int32_t(vertex_at[edge.points.back()] + 1)};
-      }
-      mesh().entities[1].push_back(std::move(entity));
-    }
-    for (Index i = 0; i < flat_.faces.size(); ++i) {
-      Mesh::Entity entity{groups.of[2][i], {}, true, false, tagger_.face(i)};
-      std::unordered_map<Index, char> seen;  // a slit is walked twice and listed once
-      for (const auto& loop : flat_.faces[i].loops) {
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-          const std::int32_t s = step(loop[k], loop[(k + 1) % loop.size()]);
-          if (seen.try_emplace(Index(std::abs(s)), 1).second) entity.boundary.push_back(s);
-        }
-      }
-      mesh().entities[2].push_back(std::move(entity));
-    }
+    mesh() = mesh_of_cells(view_, flat_, true);
     region_entity_.assign(flat_.regions.size(), kNone);
     for (Index i = 0; i < flat_.regions.size(); ++i) {
       if (flat_.regions[i].component == 0) continue;
-      region_entity_[i] = Index(mesh().entities[3].size());
-      Mesh::Entity entity{groups.of[3][i], {}, true, false, tagger_.region(i)};
-      for (const auto& shell : flat_.regions[i].shells) {
-        for (const Index side : shell) {
-          const std::int32_t f = std::int32_t((side >> 1) + 1);
-          const bool again = !entity.boundary.empty() && std::abs(entity.boundary.back()) == f;
-          if (!again) entity.boundary.push_back((side & 1) == 0 ? -f : f);  // both sides of a face are neighbours
-        }
-      }
-      result_.regions.push_back({groups.names[3][groups.of[3][i][0] - 1], 0, 0});
-      mesh().entities[3].push_back(std::move(entity));
+      region_entity_[i] = Index(result_.regions.size());
+      const Mesh::Entity& entity = mesh().entities[3][region_entity_[i]];
+      result_.regions.push_back({mesh().groups[3][entity.groups[0] - 1], 0, 0});
     }
   }
 
@@ -308,13 +252,7 @@ class TetrahedraMaker {
       if (sign < 0) std::swap(t[2], t[3]);
       mesh().tetrahedra.push_back({t, region_entity_[plc_.regions[std::size_t(attribute) - 1].region]});
     }
-    by_entity(mesh().tetrahedra);
-  }
-
-  template <class Simplices>
-  static void by_entity(Simplices& simplices) {
-    std::stable_sort(simplices.begin(), simplices.end(),
-                     [](const auto& s, const auto& t) { return s.entity < t.entity; });
+    sort_by_entity(mesh().tetrahedra);
   }
 
   Vector normal_of(const std::vector<Index>& loop) const {
@@ -341,7 +279,7 @@ class TetrahedraMaker {
       if (n[0] * m[0] + n[1] * m[1] + n[2] * m[2] < 0) std::swap(t[1], t[2]);
       mesh().triangles.push_back({t, plc_.facets[std::size_t(out_.facet[i])].face});
     }
-    by_entity(mesh().triangles);
+    sort_by_entity(mesh().triangles);
   }
 
   void take_segments() {
@@ -349,7 +287,7 @@ class TetrahedraMaker {
       if (out_.edge[i] < 0) continue;
       mesh().segments.push_back({out_.segments[i], Index(out_.edge[i])});
     }
-    by_entity(mesh().segments);
+    sort_by_entity(mesh().segments);
   }
 
   void take_vertices() {
@@ -368,76 +306,6 @@ class TetrahedraMaker {
       throw InputError(
           "TetGen cannot fill the regions without new points on faces or edges; leave out "
           "--keep-boundary");
-    }
-  }
-
-  /// The pieces of every edge form a way between its ends through all of its points, or a closed one.
-  void prove_edges() {
-    const auto& segments = mesh().segments;
-    std::size_t at = 0;
-    std::unordered_map<Index, int> degree;
-    for (Index e = 0; e < flat_.edges.size(); ++e) {
-      degree.clear();
-      for (; at < segments.size() && segments[at].entity == e; ++at) {
-        for (const Index p : segments[at].points) ++degree[p];
-      }
-      // A chain may come back to the vertex where it began.
-      const auto& edge = flat_.edges[e];
-      const bool returns = edge.closed || edge.points.front() == edge.points.back();
-      for (std::size_t k = 0; k + (returns && !edge.closed ? 1 : 0) < edge.points.size(); ++k) {
-        const Index p = edge.points[k];
-        const bool end = !returns && (k == 0 || k + 1 == edge.points.size());
-        const auto found = degree.find(p);
-        require(found != degree.end() && found->second == (end ? 1 : 2),
-                "tetrahedra: the mesher lost a part of an edge");
-        degree.erase(found);
-      }
-      for (const auto& [p, n] : degree) require(n == 2, "tetrahedra: the mesher returns an edge with a gap");
-    }
-    require(at == segments.size(), "tetrahedra: the mesher returns a segment of no edge");
-  }
-
-  /// The boundary of the triangles of a face over Z/2 is that of the face.
-  void prove_faces() {
-    struct Side {
-      Index face, a, b;
-      auto operator<=>(const Side&) const = default;
-    };
-    std::vector<std::pair<std::size_t, std::size_t>> of_edge(flat_.edges.size(), {0, 0});
-    const auto& segments = mesh().segments;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-      auto& [begin, end] = of_edge[segments[i].entity];
-      if (end == 0) begin = i;
-      end = i + 1;
-    }
-    std::vector<Side> sides;
-    std::vector<char> present(flat_.faces.size(), 0);
-    const auto add = [&](Index face, Index a, Index b) {
-      sides.push_back({face, std::min(a, b), std::max(a, b)});
-    };
-    for (const auto& t : mesh().triangles) {
-      present[t.entity] = 1;
-      for (std::size_t k = 0; k < 3; ++k) add(t.entity, t.points[k], t.points[(k + 1) % 3]);
-    }
-    for (Index f = 0; f < flat_.faces.size(); ++f) {
-      require(present[f], "tetrahedra: the mesher lost a face");
-      // A walk takes each edge as a whole, so its first piece counts for it.
-      for (const auto& loop : flat_.faces[f].loops) {
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-          const Index a = loop[k], b = loop[(k + 1) % loop.size()];
-          const Index e = Index(std::abs(step(a, b)) - 1);
-          const auto& chain = flat_.edges[e].points;
-          if (key_of(a, b) != key_of(chain[0], chain[1])) continue;
-          for (std::size_t i = of_edge[e].first; i < of_edge[e].second; ++i) {
-            add(f, segments[i].points[0], segments[i].points[1]);
-          }
-        }
-      }
-    }
-    std::sort(sides.begin(), sides.end());
-    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-      while (end < sides.size() && sides[end] == sides[i]) ++end;
-      require((end - i) % 2 == 0, "tetrahedra: the mesher lost a part of a face");
     }
   }
 
@@ -526,13 +394,6 @@ class TetrahedraMaker {
 
   /// Points in use, in their order: those of the result, then those that TetGen added.
   void number_points() {
-    std::vector<Index> number(out_.points.size(), kNone);
-    const auto for_all = [&](const auto& body) {
-      for (auto& s : mesh().vertices) body(s.points);
-      for (auto& s : mesh().segments) body(s.points);
-      for (auto& s : mesh().triangles) body(s.points);
-      for (auto& s : mesh().tetrahedra) body(s.points);
-    };
     std::vector<char> filled(out_.points.size(), 0);
     for (const auto& t : mesh().tetrahedra)
       for (const Index p : t.points) filled[p] = 1;
@@ -540,17 +401,7 @@ class TetrahedraMaker {
       const bool inside = v.region != kNone && flat_.active(v.region);
       require(!inside || filled[v.point], "tetrahedra: the mesher lost a point inside of a region");
     }
-    for_all([&](const auto& points) {
-      for (const Index p : points) number[p] = 0;
-    });
-    for (Index p = 0; p < number.size(); ++p) {
-      if (number[p] == kNone) continue;
-      number[p] = Index(mesh().points.size());
-      mesh().points.push_back(out_.points[p]);
-    }
-    for_all([&](auto& points) {
-      for (Index& p : points) p = number[p];
-    });
+    take_points(mesh(), out_.points);
   }
 };
 

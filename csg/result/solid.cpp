@@ -76,13 +76,7 @@ void require_off_frame(const FlatComplex& flat, const std::string& format) {
   }
 }
 
-void require_closed_and_bounded(const FlatComplex& flat, const std::string& format) {
-  require_off_frame(flat, format);
-  for (const auto& region : flat.regions) {
-    if (region.component != 0 && !region.bounded) {
-      throw InputError(format + " cannot hold a region without bounds" + kBound);
-    }
-  }
+void require_closed(const FlatComplex& flat, const std::string& format) {
   // An inactive cell is listed because it is on the boundary of active ones.
   const auto missing = [](const auto& cells) {
     return std::size_t(std::count_if(cells.begin(), cells.end(), [](const auto& c) { return c.component == 0; }));
@@ -95,6 +89,16 @@ void require_closed_and_bounded(const FlatComplex& flat, const std::string& form
     throw InputError(format + " holds closed sets only, and the result lacks " + list +
                      "; write .json or .vtu, or apply `closure`");
   }
+}
+
+void require_closed_and_bounded(const FlatComplex& flat, const std::string& format) {
+  require_off_frame(flat, format);
+  for (const auto& region : flat.regions) {
+    if (region.component != 0 && !region.bounded) {
+      throw InputError(format + " cannot hold a region without bounds" + kBound);
+    }
+  }
+  require_closed(flat, format);
 }
 
 void require_regions_only(const FlatComplex& flat, const std::string& format) {

@@ -39,8 +39,10 @@ void require_regions_only(const FlatComplex& flat, const std::string& format);
 /// Throws InputError if an active face or edge reaches the frame: only .json can say so.
 void require_off_frame(const FlatComplex& flat, const std::string& format);
 
-/// Throws InputError unless every cell on the boundary of an active one is active and no active region is
-/// unbounded, neither by itself nor by reaching the frame. The message names `closure`.
+/// Throws InputError unless every cell on the boundary of an active one is active. The message names `closure`.
+void require_closed(const FlatComplex& flat, const std::string& format);
+
+/// The same, and unless no active region is unbounded, neither by itself nor by reaching the frame.
 void require_closed_and_bounded(const FlatComplex& flat, const std::string& format);
 
 }  // namespace cnrg

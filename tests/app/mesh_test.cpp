@@ -89,6 +89,37 @@ TEST_CASE("mesh: elements of second order follow curved faces", "[app][mesh]") {
   CHECK_THAT(o.err, Contains("--curved"));
 }
 
+TEST_CASE("mesh: surfaces alone, with a row per group of faces", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", kPair);
+  Outcome o = w.run("mesh t.yaml --surface -o t.msh -o t.mesh -o t.vtu --size 0.5");
+  INFO(o.err);
+  CHECK(o.status == 0);
+  CHECK_THAT(o.out, StartsWith("faces ") && Contains("\nwall a | b ") && Contains("\nall ") &&
+                        Contains(" triangles on faces, "));
+  const test::MeshFile msh = test::read_msh(w.read("t.msh")), medit = test::read_medit(w.read("t.mesh"));
+  CHECK(msh.count(3) == 0);
+  CHECK(msh.measure(msh.in_group(2, "wall a | b")) == Approx(4).epsilon(1e-12));
+  CHECK(medit.count(2) == msh.count(2));
+  CHECK_THAT(w.read("t.vtu"), Contains("NumberOfCells"));
+  CHECK(w.run("mesh t.yaml --surface --size 0.5 --threads 1 --quiet -o again.msh").out.empty());
+  CHECK(w.read("again.msh") == w.read("t.msh"));
+  CHECK(w.run("mesh t.yaml --surface --node sheet -o s.msh").status == 0);
+  CHECK(test::read_msh(w.read("s.msh")).count(2) > 0);
+
+  for (const std::string option :
+       {"--quality 2", "--max-volume 1", "-Y", "--constrained", "--curved", "--max-points 0", "--max-points x"}) {
+    CHECK(w.run("mesh t.yaml --surface -o bad.msh " + option).status == 2);
+  }
+  CHECK(w.run("mesh t.yaml --max-points 5 -o bad.msh").status == 2);
+  o = w.run("mesh t.yaml --surface --size 0.01 --max-points 500 -o bad.msh");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Contains("t.yaml:") && Contains("coarser than asked for") && Contains("--max-points"));
+  w.write("p.yaml", "cnrg: 1\nnodes:\n  p: {points: [[0, 0, 0]]}\nresult: p\n");
+  CHECK_THAT(w.run("mesh p.yaml --surface -o bad.msh").err, Contains("neither faces nor wires to mesh"));
+  CHECK(!std::filesystem::exists(w.path("bad.msh")));
+}
+
 TEST_CASE("mesh: one error for what cannot be meshed or written", "[app][mesh][errors]") {
   const Workshop w;
   w.write("t.yaml", kPair);

@@ -1,0 +1,363 @@
+// Every change is of the few triangles around one point or one side, and writes both directions of each link. A
+// change is made only if all triangles that it makes turn left.
+#include "csg/mesh/facet_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+using Index = FacetMesh::Index;
+using Vector = FacetMesh::Vector;
+constexpr Index kNone = FacetMesh::kNone;
+
+std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
+
+/// Positive where the angles of a b at p and at q are together less than half a turn: the circle through one
+/// triangle leaves out the other's corner. Zero where doubles leave a doubt.
+double delaunay(const Vector& a, const Vector& b, const Vector& p, const Vector& q) {
+  const Vector pa = minus(a, p), pb = minus(b, p), qa = minus(a, q), qb = minus(b, q);
+  const Vector np = cross(pa, pb), nq = cross(qa, qb);
+  const double sum = std::sqrt(dot(np, np)) * dot(qa, qb) + std::sqrt(dot(nq, nq)) * dot(pa, pb);
+  const double scale =
+      std::sqrt(dot(pa, pa)) * std::sqrt(dot(pb, pb)) * std::sqrt(dot(qa, qa)) * std::sqrt(dot(qb, qb));
+  constexpr double kDoubt = 1e-11;
+  return std::abs(sum) <= kDoubt * scale ? 0 : sum;
+}
+
+}  // namespace
+
+FacetMesh::FacetMesh(const FlatComplex& flat, const std::vector<Vector>& xyz, const std::vector<char>& fixed)
+    : xyz_(xyz) {
+  for (const Vector& p : xyz_) table_.add(p[0], p[1], p[2]);
+  add_segments(flat);
+  add_facets(flat);
+  link();
+  fix_thin(fixed);
+}
+
+void FacetMesh::add_segments(const FlatComplex& flat) {
+  for (Index i = 0; i < flat.edges.size(); ++i) {
+    const auto& edge = flat.edges[i];
+    const std::size_t n = edge.points.size();
+    for (std::size_t k = 0; k + (edge.closed ? 0 : 1) < n; ++k) {
+      segments_.push_back({{edge.points[k], edge.points[(k + 1) % n]}, i, Index(segments_.size())});
+    }
+  }
+}
+
+void FacetMesh::add_facets(const FlatComplex& flat) {
+  for (Index i = 0; i < flat.faces.size(); ++i) {
+    const auto& face = flat.faces[i];
+    Index begin = 0;
+    for (std::size_t k = 0; k < std::max<std::size_t>(face.facets.size(), 1); ++k) {
+      const Index end = face.facets.empty() ? Index(face.triangles.size()) : face.facet_ends[k];
+      Vector normal{};
+      for (Index t = begin; t < end; ++t) {
+        const auto& [a, b, c] = face.triangles[t];
+        triangles_.push_back({{a, b, c}, {kNone, kNone, kNone}, {kNone, kNone, kNone}, Index(facets_.size())});
+        const Vector n = cross(minus(xyz_[b], xyz_[a]), minus(xyz_[c], xyz_[a]));
+        for (std::size_t j = 0; j < 3; ++j) normal[j] += n[j];
+      }
+      begin = end;
+      std::uint8_t w = 0;
+      for (std::uint8_t j = 1; j < 3; ++j)
+        if (std::abs(normal[j]) > std::abs(normal[w])) w = j;
+      Projection axes{std::uint8_t((w + 1) % 3), std::uint8_t((w + 2) % 3)};
+      if (normal[w] < 0) std::swap(axes.u, axes.v);
+      facets_.push_back({i, axes, false});
+    }
+  }
+}
+
+void FacetMesh::link() {
+  std::unordered_map<std::uint64_t, Index> segment;
+  for (Index s = 0; s < segments_.size(); ++s)
+    segment.emplace(key_of(segments_[s].ends[0], segments_[s].ends[1]), s);
+  struct Side {
+    std::uint64_t key;
+    Index facet, triangle, k;
+    auto operator<=>(const Side&) const = default;
+  };
+  std::vector<Side> sides;
+  for (Index t = 0; t < triangles_.size(); ++t) {
+    for (Index k = 0; k < 3; ++k) {
+      const auto& p = triangles_[t].points;
+      sides.push_back({key_of(p[(k + 1) % 3], p[(k + 2) % 3]), triangles_[t].facet, t, k});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    while (end < sides.size() && sides[end].key == sides[i].key) ++end;
+    const auto known = segment.find(sides[i].key);
+    const bool inside = known == segment.end() && end - i == 2 && sides[i].facet == sides[i + 1].facet;
+    if (inside) {
+      triangles_[sides[i].triangle].next[sides[i].k] = sides[i + 1].triangle;
+      triangles_[sides[i + 1].triangle].next[sides[i + 1].k] = sides[i].triangle;
+      continue;
+    }
+    Index s = known == segment.end() ? kNone : known->second;
+    if (s == kNone) {  // between facets of a face
+      require(end - i == 2, "surface: a side of a facet is on no edge and has no facet beside it");
+      const auto& p = triangles_[sides[i].triangle].points;
+      s = Index(segments_.size());
+      segments_.push_back({{p[(sides[i].k + 1) % 3], p[(sides[i].k + 2) % 3]}, kNone, s});
+    }
+    for (std::size_t j = i; j < end; ++j) {
+      triangles_[sides[j].triangle].segments[sides[j].k] = s;
+      segments_[s].fan.push_back(sides[j].triangle);
+    }
+  }
+}
+
+void FacetMesh::fix_thin(const std::vector<char>& fixed) {
+  for (std::size_t f = 0; f < std::min(fixed.size(), facets_.size()); ++f) facets_[f].fixed = fixed[f] != 0;
+  for (const Triangle& t : triangles_) {
+    if (turn(t.facet, t.points[0], t.points[1], t.points[2]) <= 0) facets_[t.facet].fixed = true;
+  }
+  for (const Triangle& t : triangles_) {
+    if (!facets_[t.facet].fixed) continue;
+    for (const Index s : t.segments)
+      if (s != kNone) segments_[s].fixed = true;
+  }
+}
+
+Index FacetMesh::add_point(const Vector& at) {
+  xyz_.push_back(at);
+  table_.add(at[0], at[1], at[2]);
+  return Index(xyz_.size() - 1);
+}
+
+int FacetMesh::turn(Index facet, Index a, Index b, Index c) const {
+  return orient2d(table_, facets_[facet].axes, VertexId(a), VertexId(b), VertexId(c));
+}
+
+Index FacetMesh::side_of(Index triangle, Index next) const {
+  const auto& list = triangles_[triangle].next;
+  return Index(std::find(list.begin(), list.end(), next) - list.begin());
+}
+
+/// Side k of t gets what was across a side of the triangle `before`, which looks at t from now on.
+void FacetMesh::join(Index t, Index k, Index before, const Across& out) {
+  triangles_[t].next[k] = out.next;
+  triangles_[t].segments[k] = out.segment;
+  if (t == before) return;
+  if (out.segment != kNone) {
+    auto& fan = segments_[out.segment].fan;
+    *std::find(fan.begin(), fan.end(), before) = t;
+  } else if (out.next != kNone) {
+    triangles_[out.next].next[side_of(out.next, before)] = t;
+  }
+}
+
+bool FacetMesh::is_delaunay(Index t, Index k) const {
+  const Triangle& triangle = triangles_[t];
+  const Triangle& beyond = triangles_[triangle.next[k]];
+  const Index q = beyond.points[side_of(triangle.next[k], t)];
+  return delaunay(xyz_[triangle.points[(k + 1) % 3]], xyz_[triangle.points[(k + 2) % 3]], xyz_[triangle.points[k]],
+                  xyz_[q]) >= 0;
+}
+
+/// Turns side k of t, if that is possible. t and its neighbour keep the point p opposite to that side as their
+/// points 0.
+bool FacetMesh::flip(Index t, Index k) {
+  const Index u = triangles_[t].next[k], l = side_of(u, t), facet = triangles_[t].facet;
+  const Index p = triangles_[t].points[k], a = triangles_[t].points[(k + 1) % 3],
+              b = triangles_[t].points[(k + 2) % 3], q = triangles_[u].points[l];
+  if (turn(facet, p, a, q) <= 0 || turn(facet, p, q, b) <= 0) return false;
+  const Across pa = across(t, (k + 2) % 3), bp = across(t, (k + 1) % 3);
+  const Across aq = across(u, (l + 1) % 3), qb = across(u, (l + 2) % 3);
+  triangles_[t].points = {p, a, q};
+  triangles_[u].points = {p, q, b};
+  join(t, 0, u, aq), join(t, 1, t, {u, kNone}), join(t, 2, t, pa);
+  join(u, 0, u, qb), join(u, 1, t, bp), join(u, 2, u, {t, kNone});
+  changed_.push_back(t), changed_.push_back(u);
+  return true;
+}
+
+/// Turns sides that face the new point m, and those that come to face it by that.
+void FacetMesh::settle(Index m, std::vector<Index> around) {
+  while (!around.empty()) {
+    const Index t = around.back();
+    around.pop_back();
+    const auto& points = triangles_[t].points;
+    const Index k = Index(std::find(points.begin(), points.end(), m) - points.begin());
+    const Index u = triangles_[t].next[k];
+    if (u == kNone || is_delaunay(t, k) || !flip(t, k)) continue;
+    around.push_back(t), around.push_back(u);
+  }
+}
+
+void FacetMesh::make_delaunay() {
+  std::vector<Index> open;
+  for (Index t = 0; t < triangles_.size(); ++t) {
+    changed_.push_back(t);
+    if (!facets_[triangles_[t].facet].fixed) open.push_back(t);
+  }
+  // Each turn makes the mesh more Delaunay, so this ends; should doubles contradict each other, the bound ends it.
+  std::size_t turns = 64 * triangles_.size() * (1 + std::size_t(std::log2(1 + triangles_.size())));
+  while (!open.empty()) {
+    const Index t = open.back();
+    open.pop_back();
+    for (Index k = 0; k < 3 && turns > 0; ++k) {
+      const Index u = triangles_[t].next[k];
+      if (u == kNone || is_delaunay(t, k) || !flip(t, k)) continue;
+      --turns;
+      open.push_back(t), open.push_back(u);
+      break;
+    }
+  }
+}
+
+/// Parts t, which is p, a, b, at a point m on its side a b (k): t is m, p, a then, and `other` is m, b, p. What is
+/// across the parts of that side is left open: of t side 1, of `other` side 2.
+void FacetMesh::split_triangle(Index t, Index k, Index m, Index other) {
+  const auto points = triangles_[t].points;
+  const Index p = points[k], a = points[(k + 1) % 3], b = points[(k + 2) % 3];
+  const Across pa = across(t, (k + 2) % 3), bp = across(t, (k + 1) % 3);
+  triangles_[other] = {{m, b, p}, {kNone, kNone, kNone}, {kNone, kNone, kNone}, triangles_[t].facet};
+  triangles_[t].points = {m, p, a};
+  triangles_[t].next = triangles_[t].segments = {kNone, kNone, kNone};
+  join(t, 0, t, pa), join(other, 0, t, bp);
+  triangles_[t].next[2] = other, triangles_[other].next[1] = t;
+  changed_.push_back(t), changed_.push_back(other);
+}
+
+/// Would both parts of a triangle turn left?
+bool FacetMesh::is_splittable(Index t, Index k, Index m) const {
+  const auto& [points, next, segments, facet] = triangles_[t];
+  return turn(facet, points[k], points[(k + 1) % 3], m) > 0 && turn(facet, points[k], m, points[(k + 2) % 3]) > 0;
+}
+
+Index FacetMesh::new_triangle() {
+  triangles_.emplace_back();
+  return Index(triangles_.size() - 1);
+}
+
+std::optional<Index> FacetMesh::split(Index s, const Vector& at) {
+  const auto [a, b] = segments_[s].ends;
+  if (segments_[s].fixed || at == xyz_[a] || at == xyz_[b]) return std::nullopt;
+  const Index m = add_point(at);
+  const auto fan = segments_[s].fan;
+  std::vector<Index> sides, around;
+  for (const Index t : fan) {
+    const auto& list = triangles_[t].segments;
+    sides.push_back(Index(std::find(list.begin(), list.end(), s) - list.begin()));
+    if (!is_splittable(t, sides.back(), m)) return std::nullopt;
+  }
+  const Index second = Index(segments_.size());
+  Segment part = segments_[s];
+  part.ends = {m, b};
+  part.fan = {};
+  segments_.push_back(std::move(part));
+  segments_[s].ends = {a, m};
+  segments_[s].fan = {};
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    const Index t = fan[i], other = new_triangle();
+    split_triangle(t, sides[i], m, other);
+    const bool first = triangles_[t].points[2] == a;
+    triangles_[t].segments[1] = first ? s : second;
+    triangles_[other].segments[2] = first ? second : s;
+    segments_[first ? s : second].fan.push_back(t);
+    segments_[first ? second : s].fan.push_back(other);
+    around.push_back(t), around.push_back(other);
+  }
+  settle(m, std::move(around));
+  return m;
+}
+
+bool FacetMesh::insert(Index t, const Vector& at) {
+  const Index m = add_point(at), facet = triangles_[t].facet;
+  const auto p = triangles_[t].points;
+  Index on = kNone;
+  for (Index k = 0; k < 3; ++k) {
+    const int side = turn(facet, p[(k + 1) % 3], p[(k + 2) % 3], m);
+    if (side < 0 || (side == 0 && on != kNone)) return false;
+    if (side == 0) on = k;
+  }
+  if (on != kNone) {
+    const Index u = triangles_[t].next[on];
+    if (u == kNone) return false;
+    const Index l = side_of(u, t);
+    if (!is_splittable(u, l, m)) return false;
+    const Index other = new_triangle(), beyond = new_triangle();
+    split_triangle(t, on, m, other), split_triangle(u, l, m, beyond);
+    triangles_[t].next[1] = beyond, triangles_[beyond].next[2] = t;
+    triangles_[u].next[1] = other, triangles_[other].next[2] = u;
+    settle(m, {t, other, u, beyond});
+    return true;
+  }
+  const std::array<Index, 3> parts{t, new_triangle(), new_triangle()};
+  const std::array<Across, 3> outer{across(t, 2), across(t, 0), across(t, 1)};  // p0 p1, p1 p2, p2 p0
+  for (Index i = 0; i < 3; ++i) {
+    triangles_[parts[i]] = {
+        {m, p[i], p[(i + 1) % 3]}, {kNone, parts[(i + 1) % 3], parts[(i + 2) % 3]}, {kNone, kNone, kNone}, facet};
+    join(parts[i], 0, t, outer[i]);
+    changed_.push_back(parts[i]);
+  }
+  settle(m, {parts.begin(), parts.end()});
+  return true;
+}
+
+FacetMesh::Walk FacetMesh::walk(Index t, const Vector& to) const {
+  const ExactPoint exact = ExactPoint::from({from_double(to[0]), from_double(to[1]), from_double(to[2])});
+  const PointView target = view_of(exact);
+  const Projection axes = facets_[triangles_[t].facet].axes;
+  Vector from{};
+  for (const Index p : triangles_[t].points)
+    for (std::size_t j = 0; j < 3; ++j) from[j] += xyz_[p][j] / 3;
+  const auto area = [&](const Vector& a, const Vector& b) {  // of a triangle with the beginning of the walk
+    return (a[axes.u] - from[axes.u]) * (b[axes.v] - from[axes.v]) -
+           (a[axes.v] - from[axes.v]) * (b[axes.u] - from[axes.u]);
+  };
+  constexpr std::size_t kSteps = 1000;  // a place is never far in terms of the triangles on the way
+  Index last = kNone;
+  for (std::size_t steps = 0; steps < kSteps; ++steps) {
+    const Triangle& here = triangles_[t];
+    Index exit = kNone;
+    for (Index k = 0; k < 3; ++k) {
+      if (here.next[k] != kNone && here.next[k] == last) continue;
+      const Index a = here.points[(k + 1) % 3], b = here.points[(k + 2) % 3];
+      if (orient2d(axes, table_.view(VertexId(a)), table_.view(VertexId(b)), target) >= 0) continue;
+      exit = k;
+      if (area(to, xyz_[a]) <= 0 && area(to, xyz_[b]) >= 0) break;  // the straight way leads through this side
+    }
+    if (exit == kNone) return {t, kNone};
+    if (here.segments[exit] != kNone) return {kNone, here.segments[exit]};
+    last = std::exchange(t, here.next[exit]);
+  }
+  return {};
+}
+
+std::vector<Index> FacetMesh::segments_about(Index triangle, const Vector& at) const {
+  std::vector<Index> open{triangle}, result;
+  std::unordered_set<Index> seen{triangle};
+  while (!open.empty()) {
+    const Index t = open.back();
+    open.pop_back();
+    for (Index k = 0; k < 3; ++k) {
+      if (triangles_[t].segments[k] != kNone) {
+        result.push_back(triangles_[t].segments[k]);
+        continue;
+      }
+      const Index u = triangles_[t].next[k];
+      if (!seen.insert(u).second) continue;
+      const Triangle& there = triangles_[u];
+      const Index l = side_of(u, t);
+      const bool inside = delaunay(xyz_[there.points[(l + 1) % 3]], xyz_[there.points[(l + 2) % 3]],
+                                   xyz_[there.points[l]], at) < 0;
+      if (inside) open.push_back(u);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,295 @@
+// Segments to be split come first, then triangles, those with the shortest sides before others: what they need
+// often mends the larger ones beside them. The order depends on the mesh alone.
+#include "csg/mesh/refine_surface.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <queue>
+
+#include "csg/mesh/input_lines.h"
+#include "csg/result/rounding.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+using Index = FacetMesh::Index;
+using Vector = FacetMesh::Vector;
+constexpr Index kNone = FacetMesh::kNone;
+constexpr double kRadians = kLeastAngle * 3.14159265358979323846 / 180;
+
+double length(const Vector& a, const Vector& b) {
+  const Vector d = minus(a, b);
+  return std::sqrt(dot(d, d));
+}
+double cosine(const Vector& u, const Vector& v) {
+  const double l = std::sqrt(dot(u, u)) * std::sqrt(dot(v, v));
+  return l > 0 ? dot(u, v) / l : 1;
+}
+
+/// The corner opposite to the shortest side of a triangle.
+std::size_t sharpest(const std::array<Vector, 3>& p) {
+  std::size_t best = 0;
+  double least = HUGE_VAL;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double l = length(p[(k + 1) % 3], p[(k + 2) % 3]);
+    if (l < least) least = l, best = k;
+  }
+  return best;
+}
+
+class Refiner {
+ public:
+  Refiner(FacetMesh& mesh, const SurfaceOptions& options)
+      : mesh_(mesh), options_(options), lines_(mesh), begin_(std::chrono::steady_clock::now()) {
+    double largest = 0;
+    for (const Vector& p : mesh_.points())
+      for (const double x : p) largest = std::max(largest, std::abs(x));
+    // Angles of smaller triangles are those of rounding.
+    shortest_ = std::ldexp(largest, -32);
+  }
+
+  std::vector<SmallAngle> run() {
+    const double cosine = std::cos(kRadians);
+    cosine_ = cosine;
+    // A little nearer to the side than the angle would allow, so that it is met.
+    off_center_ = 0.475 * std::sqrt((1 + cosine) / (1 - cosine));
+    options_.watch.begin("mesh: surface");
+    mesh_.make_delaunay();
+    look_at_changed();
+    for (Index s = 0; s < mesh_.segments().size(); ++s) {
+      if (is_too_long(s)) segments_.push(s);
+    }
+    for (std::size_t steps = 0;; ++steps) {
+      if (steps % 64 == 0) check();
+      if (!segments_.empty()) {
+        const Index s = segments_.front();
+        segments_.pop();
+        if (is_encroached(s) || is_too_long(s)) split(s);
+      } else if (!triangles_.empty()) {
+        const Candidate next = triangles_.top();
+        triangles_.pop();
+        if (mesh_.triangles()[next.triangle].points == next.points) treat(next.triangle);
+      } else {
+        break;
+      }
+    }
+    require_sizes();
+    return reasons();
+  }
+
+ private:
+  struct Candidate {
+    double shortest;
+    std::size_t number;
+    Index triangle;
+    std::array<Index, 3> points;
+    bool operator<(const Candidate& other) const {
+      return shortest != other.shortest ? shortest > other.shortest : number > other.number;
+    }
+  };
+  FacetMesh& mesh_;
+  const SurfaceOptions& options_;
+  InputLines lines_;
+  const std::chrono::steady_clock::time_point begin_;
+  double shortest_ = 0, cosine_ = 0, off_center_ = 0;
+  std::queue<Index> segments_;
+  std::priority_queue<Candidate> triangles_;
+  std::size_t numbered_ = 0;
+
+  const Vector& at(Index p) const { return mesh_.points()[p]; }
+  bool is_full() const { return mesh_.points().size() >= options_.max_points; }
+
+  void check() const {
+    options_.watch.check();
+    if (options_.watch.progress) options_.watch.progress("mesh: surface", mesh_.points().size(), 0);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin_;
+    if (options_.seconds == 0 || passed.count() < options_.seconds) return;
+    const Vector& last = mesh_.points().back();
+    std::string text = "the surface mesh takes more than " + std::to_string(options_.seconds) +
+                       " seconds; it has " + std::to_string(mesh_.points().size()) +
+                       " points, and the last one is (";
+    append(text, last);
+    throw InputError(text + "); ask for larger sizes, give more --seconds, or a lower --max-points");
+  }
+
+  bool is_too_long(Index a, Index b) const {
+    if (!options_.size) return false;
+    Vector middle;
+    for (std::size_t k = 0; k < 3; ++k) middle[k] = at(a)[k] / 2 + at(b)[k] / 2;
+    return length(at(a), at(b)) > options_.size(middle);
+  }
+  bool is_too_long(Index s) const {
+    const auto& [a, b] = mesh_.segments()[s].ends;
+    return is_too_long(a, b);
+  }
+
+  bool is_in_circle(Index s, const Vector& p) const {
+    const auto& [a, b] = mesh_.segments()[s].ends;
+    constexpr double kDoubt = 1e-9;  // right angles are no fault
+    return cosine(minus(at(a), p), minus(at(b), p)) < -kDoubt;
+  }
+  bool is_encroached(Index s, Index p) const {
+    return is_in_circle(s, at(p)) && !lines_.is_beside(mesh_, p, mesh_.segments()[s]);
+  }
+  /// In a Delaunay triangulation it is, if at all, by the corner of a triangle at it.
+  bool is_encroached(Index s) const {
+    for (const Index t : mesh_.segments()[s].fan) {
+      const auto& triangle = mesh_.triangles()[t];
+      for (std::size_t k = 0; k < 3; ++k)
+        if (triangle.segments[k] == s && is_encroached(s, triangle.points[k])) return true;
+    }
+    return false;
+  }
+
+  /// False if it has to stay as it is.
+  bool split(Index s) {
+    const auto& segment = mesh_.segments()[s];
+    if (segment.fixed || is_full()) return false;
+    if (length(at(segment.ends[0]), at(segment.ends[1])) < 2 * shortest_) return false;
+    const std::optional<Index> point = mesh_.split(s, lines_.split_place(mesh_, segment));
+    if (!point) {
+      mesh_.fix(s);
+      return false;
+    }
+    lines_.add_point(*point, mesh_.segments()[s]);
+    for (const Index part : {s, Index(mesh_.segments().size() - 1)}) {
+      if (is_too_long(part)) segments_.push(part);
+    }
+    look_at_changed();
+    return true;
+  }
+
+  std::array<Vector, 3> corners(Index t) const {
+    const auto& p = mesh_.triangles()[t].points;
+    return {at(p[0]), at(p[1]), at(p[2])};
+  }
+  bool has_small_angle(const std::array<Vector, 3>& p, std::size_t k) const {
+    return cosine(minus(p[(k + 1) % 3], p[k]), minus(p[(k + 2) % 3], p[k])) > cosine_;
+  }
+  bool has_long_side(Index t) const {
+    const auto& p = mesh_.triangles()[t].points;
+    return is_too_long(p[0], p[1]) || is_too_long(p[1], p[2]) || is_too_long(p[2], p[0]);
+  }
+  bool may_be_better(Index t, const std::array<Vector, 3>& p, std::size_t k) const {
+    const auto& points = mesh_.triangles()[t].points;
+    return has_small_angle(p, k) && length(p[(k + 1) % 3], p[(k + 2) % 3]) > shortest_ &&
+           !lines_.is_forced(mesh_, points[(k + 1) % 3], points[(k + 2) % 3]);
+  }
+
+  void look_at_changed() {
+    std::vector<Index> changed = mesh_.take_changed();
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    for (const Index t : changed) look_at(t);
+  }
+  void look_at(Index t) {
+    const auto& triangle = mesh_.triangles()[t];
+    if (mesh_.facets()[triangle.facet].fixed) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index s = triangle.segments[k];
+      if (s != kNone && !mesh_.segments()[s].fixed && is_encroached(s, triangle.points[k])) segments_.push(s);
+    }
+    const auto p = corners(t);
+    const std::size_t k = sharpest(p);
+    if (!may_be_better(t, p, k) && !has_long_side(t)) return;
+    triangles_.push({length(p[(k + 1) % 3], p[(k + 2) % 3]), numbered_++, t, triangle.points});
+  }
+
+  /// A point that makes a triangle go: its circumcentre, or nearer to its shortest side.
+  Vector center(const std::array<Vector, 3>& p, std::size_t k, bool small_angle) const {
+    const Vector &a = p[(k + 1) % 3], &b = p[(k + 2) % 3];
+    const Vector u = minus(b, a), v = minus(p[k], a), n = cross(u, v);
+    const double uu = dot(u, u), vv = dot(v, v), nn = dot(n, n);
+    const Vector x = cross(n, u), y = cross(v, n);  // in the plane, at right angles to u and to v
+    Vector d;
+    for (std::size_t j = 0; j < 3; ++j) d[j] = (x[j] * vv + y[j] * uu) / (2 * nn);
+    if (small_angle) {
+      Vector off;
+      for (std::size_t j = 0; j < 3; ++j) off[j] = u[j] / 2 + x[j] / std::sqrt(nn) * off_center_;
+      const Vector from_circle = minus(d, {u[0] / 2, u[1] / 2, u[2] / 2});
+      if (dot(from_circle, from_circle) > off_center_ * off_center_ * uu) d = off;
+    }
+    return {a[0] + d[0], a[1] + d[1], a[2] + d[2]};
+  }
+
+  void treat(Index t) {
+    const auto p = corners(t);
+    const std::size_t k = sharpest(p);
+    const bool small_angle = may_be_better(t, p, k);
+    if (is_full() || (!small_angle && !has_long_side(t))) return;
+    const Vector c = center(p, k, small_angle);
+    if (!std::isfinite(c[0] + c[1] + c[2])) return;
+    const FacetMesh::Walk end = mesh_.walk(t, c);
+    std::vector<Index> in_the_way;
+    if (end.segment != kNone) {
+      in_the_way.push_back(end.segment);
+    } else if (end.triangle != kNone) {
+      for (const Index s : mesh_.segments_about(end.triangle, c))
+        if (is_in_circle(s, c)) in_the_way.push_back(s);
+    }
+    const auto points = mesh_.triangles()[t].points;
+    if (!in_the_way.empty()) {
+      bool any = false;
+      for (const Index s : in_the_way) any = split(s) || any;
+      if (any && mesh_.triangles()[t].points == points)
+        triangles_.push({length(p[(k + 1) % 3], p[(k + 2) % 3]), numbered_++, t, points});
+      return;
+    }
+    if (end.triangle != kNone && mesh_.insert(end.triangle, c)) look_at_changed();
+  }
+
+  void require_sizes() const {
+    if (!options_.size) return;
+    for (const auto& segment : mesh_.segments()) require_size(segment.ends[0], segment.ends[1], segment.fixed);
+    for (const auto& t : mesh_.triangles()) {
+      for (std::size_t k = 0; k < 3; ++k)
+        require_size(t.points[k], t.points[(k + 1) % 3], mesh_.facets()[t.facet].fixed);
+    }
+  }
+  void require_size(Index a, Index b, bool fixed) const {
+    if (!is_too_long(a, b)) return;
+    std::string text = "near (";
+    append(text, at(a));
+    text += ") the surface mesh is coarser than asked for, since ";
+    if (is_full()) {
+      text += "it may have " + std::to_string(options_.max_points) +
+              " points; ask for larger sizes, or give a greater --max-points";
+    } else {
+      text += std::string(fixed ? "a facet there is thinner than the digits of its points"
+                                : "doubles have no room for more points there") +
+              "; ask for larger sizes, or move the model nearer to the origin";
+    }
+    throw InputError(text);
+  }
+
+  std::vector<SmallAngle> reasons() const {
+    std::vector<SmallAngle> result;
+    for (Index t = 0; t < mesh_.triangles().size(); ++t) {
+      const auto p = corners(t);
+      const std::size_t k = sharpest(p);
+      const auto& points = mesh_.triangles()[t].points;
+      result.push_back(!has_small_angle(p, k) ? SmallAngle::none
+                       : lines_.across_small_angle(mesh_, points[(k + 1) % 3], points[(k + 2) % 3])
+                           ? SmallAngle::input
+                       : is_full() ? SmallAngle::bound
+                                   : SmallAngle::digits);
+    }
+    return result;
+  }
+};
+
+}  // namespace
+
+std::pair<double, std::size_t> smallest_angle(const std::array<Vector, 3>& p) {
+  const std::size_t k = sharpest(p);
+  const Vector u = minus(p[(k + 1) % 3], p[k]), v = minus(p[(k + 2) % 3], p[k]), n = cross(u, v);
+  return {std::atan2(std::sqrt(dot(n, n)), dot(u, v)) * kLeastAngle / kRadians, k};
+}
+
+std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options) {
+  return Refiner(mesh, options).run();
+}
+
+}  // namespace cnrg

@@ -1,0 +1,52 @@
+// Delaunay refinement of all facets of a result together (ruppert1995, shewchuk2002): triangles without small
+// angles, as large as a size field lets them be.
+//
+// In one plane: a segment with a point in its diametral circle is split; a triangle with a small angle or a side
+// that is too long gets its circumcentre, or a point nearer to its shortest side where that will do (ungor2004),
+// unless the point would lie in the diametral circle of a segment, which is split in its place. Facets meet in
+// segments alone, so that this works for all of them at once; angles between facets do not matter.
+//
+// Where the input has small angles no mesh is without them. Two things keep the work finite there: segments are
+// split so that their pieces agree, or need not be (input_lines.h), and a triangle whose shortest side runs from
+// one line of a small angle to the same distance on the other is left as it is (shewchuk2002, miller2003).
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "csg/mesh/facet_mesh.h"
+#include "kernel/base/progress.h"
+
+namespace cnrg {
+
+/// No side is longer than this in its middle; infinite where nothing is said. Empty: nowhere anything.
+using SizeAt = std::function<double(const DoubleVector&)>;
+
+struct SurfaceOptions {
+  SizeAt size{};
+  /// Of `surface_triangles`, which makes `size` of these and of what the result asks for (mesh_sizes.h), unless it
+  /// is given: as of SizeOptions.
+  double overall = 0, growth = 0.3;
+  std::size_t max_points = 1'000'000;  ///< no points are added beyond these
+  int seconds = 600;                   ///< of time; 0: no bound
+  Watch watch{};
+};
+
+/// Why a triangle has an angle below kLeastAngle.
+enum class SmallAngle : std::uint8_t {
+  none,    ///< it has none
+  input,   ///< lines of the result meet in a small angle there
+  digits,  ///< no room for points between doubles; or a facet, or what lies beside it, must stay as it is for that
+  bound,   ///< `max_points`
+};
+constexpr double kLeastAngle = 25;  ///< degrees
+
+/// The smallest angle of a triangle, in degrees, and the corner that has it.
+std::pair<double, std::size_t> smallest_angle(const std::array<DoubleVector, 3>& corners);
+
+/// Refines until no triangle is below kLeastAngle that need not be; says of each triangle why it is. Throws
+/// InputError, with a place, where the size asked for needs more points or time than there may be, and where
+/// time is up; Stopped.
+std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options);
+
+}  // namespace cnrg

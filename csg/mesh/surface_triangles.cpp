@@ -1,0 +1,220 @@
+// Points that refinement adds are rounded off their planes and lines. Where two faces of the result nearly touch,
+// that may make them cross, as it may for the points of the result themselves. So what was made is refined
+// exactly; where triangles turn out to be cut, their facets have to stay as they were, and all is made again. In
+// the end that is the mesh of the rounded result, of which it is known that it is right.
+#include "csg/mesh/surface_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "csg/mesh/cell_mesh.h"
+#include "csg/mesh/mesh_sizes.h"
+#include "csg/mesh/rounded_result.h"
+#include "csg/result/solid.h"
+#include "kernel/base/error.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Mesh::Index;
+using Vector = DoubleVector;
+constexpr Index kNone = FlatComplex::kNone;
+
+/// As the result's drawing, with the triangles and segments of a mesh.
+Drawing drawing_of(const FlatComplex& flat, const FacetMesh& mesh) {
+  Drawing drawing = drawing_of(flat);
+  drawing.triangles.clear(), drawing.sides.clear();
+  drawing.segments.clear(), drawing.around_segments.clear();
+  for (const auto& t : mesh.triangles()) {
+    drawing.triangles.push_back(t.points);
+    drawing.sides.push_back(flat.faces[mesh.facets()[t.facet].face].regions);
+  }
+  for (const auto& s : mesh.segments()) {
+    if (s.edge == kNone || !flat.edges[s.edge].wire) continue;
+    drawing.segments.push_back(s.ends);
+    drawing.around_segments.push_back(flat.edges[s.edge].region);
+  }
+  return drawing;
+}
+
+/// The facets of triangles that are not as they were drawn, marked; none if what is wrong is no matter of
+/// triangles.
+std::vector<char> crossed_facets(const FacetMesh& mesh, const RoundedPoints& points, const Drawing& drawing) {
+  const Redrawing drawn = redraw(points, drawing);
+  const Complex& complex = *drawn.complex;
+  std::vector<std::size_t> pieces(drawing.triangles.size(), 0);
+  for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
+    const auto covers = complex.cover(f);
+    const auto loops = complex.face_loops[f];
+    const bool whole = covers.size() == 1 && loops.size() == 1 && complex.loop[loops[0]].size() == 3 &&
+                       complex.face_vertices[f].empty();
+    for (const Cover& cover : covers) pieces[cover.source.index()] += whole ? 1 : 2;
+  }
+  std::vector<char> crossed(mesh.facets().size(), 0);
+  for (std::size_t t = 0; t < pieces.size(); ++t) {
+    if (pieces[t] != 1) crossed[mesh.triangles()[t].facet] = 1;
+  }
+  return crossed;
+}
+
+struct Refined {
+  FacetMesh mesh;
+  std::vector<SmallAngle> why;  // by triangle
+  std::size_t kept = 0;
+};
+
+Refined refined(const FlatComplex& flat, const RoundedPoints& rounded, const SurfaceOptions& options) {
+  constexpr int kRounds = 5;
+  std::vector<char> fixed;
+  for (int round = 0;; ++round) {
+    FacetMesh mesh(flat, rounded.xyz, fixed);
+    const bool all = round == kRounds;
+    for (Index s = 0; all && s < mesh.segments().size(); ++s) mesh.fix(s);
+    std::vector<SmallAngle> why = refine(mesh, options);
+    options.watch.begin("mesh: proof");
+    const RoundedPoints points{mesh.points()};
+    const Drawing drawing = drawing_of(flat, mesh);
+    if (is_faithful(points, drawing)) {
+      const std::size_t kept = std::size_t(std::count(fixed.begin(), fixed.end(), 1));
+      return {std::move(mesh), std::move(why), kept};
+    }
+    require(!all, "surface: the triangles of the result cross");
+    const std::vector<char> crossed = crossed_facets(mesh, points, drawing);
+    fixed.resize(crossed.size(), 0);
+    bool more = false;
+    for (std::size_t f = 0; f < fixed.size(); ++f) {
+      more = more || (crossed[f] != 0 && fixed[f] == 0);
+      fixed[f] = fixed[f] != 0 || crossed[f] != 0;
+    }
+    if (!more || round + 1 == kRounds) {
+      std::fill(fixed.begin(), fixed.end(), 1);
+      round = kRounds - 1;
+    }
+  }
+}
+
+double area_of(const Vector& a, const Vector& b, const Vector& c) {
+  const Vector n = cross(minus(b, a), minus(c, a));
+  return std::sqrt(dot(n, n)) / 2;
+}
+double length(const Vector& a, const Vector& b) {
+  const Vector d = minus(a, b);
+  return std::sqrt(dot(d, d));
+}
+
+class SurfaceMaker {
+ public:
+  SurfaceMaker(const ResultView& view, const SurfaceOptions& options)
+      : view_(view), options_(options), flat_(flatten(view)) {}
+
+  SurfaceTriangles run() {
+    require_off_frame(flat_, "a surface mesh");
+    require_closed(flat_, "a surface mesh");
+    const bool wires = std::any_of(flat_.edges.begin(), flat_.edges.end(), [](const auto& e) { return e.wire; });
+    if (flat_.faces.empty() && !wires) {
+      throw InputError("the result has neither faces nor wires to mesh; `cnrg eval -o` writes its points");
+    }
+    const RoundedPoints rounded = round_points(view_, flat_);
+    result_.rounding = report_rounding(rounded, drawing_of(flat_));
+    if (!result_.rounding.embedded) refuse_rounding("a surface mesh", "breaks the result");
+    if (!options_.size) take_sizes(rounded);
+    const Refined made = refined(flat_, rounded, options_);
+    result_.kept = made.kept;
+    result_.mesh = mesh_of_cells(view_, flat_, false);
+    take_simplices(made.mesh);
+    prove_edges(mesh(), flat_);
+    prove_faces(mesh(), flat_);
+    prove_areas(made.mesh.points());
+    report(made);
+    take_points(mesh(), made.mesh.points());
+    return std::move(result_);
+  }
+
+ private:
+  const ResultView& view_;
+  SurfaceOptions options_;
+  const FlatComplex flat_;
+  SurfaceTriangles result_;
+  Mesh& mesh() { return result_.mesh; }
+
+  /// As of tetrahedra: where sizes are the aim, sides are longer and shorter ones.
+  void take_sizes(const RoundedPoints& rounded) {
+    constexpr double kLongest = 1.4;
+    const MeshSizes sizes = mesh_sizes(view_, flat_, rounded, {options_.overall, options_.growth});
+    if (sizes.empty()) return;
+    options_.size = [field = sizes.field](const Vector& p) { return kLongest * field.at(p); };
+  }
+
+  void take_simplices(const FacetMesh& made) {
+    for (Index i = 0; i < flat_.vertices.size(); ++i) mesh().vertices.push_back({{flat_.vertices[i].point}, i});
+    for (const auto& s : made.segments()) {
+      if (s.edge != kNone) mesh().segments.push_back({s.ends, s.edge});
+    }
+    for (const auto& t : made.triangles()) mesh().triangles.push_back({t.points, made.facets()[t.facet].face});
+    sort_by_entity(mesh().segments);
+    sort_by_entity(mesh().triangles);
+  }
+
+  /// Each point is off the face by its last digits at most.
+  void prove_areas(const std::vector<Vector>& points) const {
+    double largest = 0;
+    for (const Vector& p : points)
+      for (const double x : p) largest = std::max(largest, std::abs(x));
+    std::vector<double> area(flat_.faces.size(), 0), bound(flat_.faces.size(), 0);
+    const auto add = [&](Index face, const std::array<Index, 3>& t, double sign) {
+      const Vector &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
+      const double part = area_of(a, b, c);
+      area[face] += sign * part;
+      bound[face] += 1e-12 * part + 1e-15 * largest * (length(a, b) + length(b, c) + length(c, a));
+    };
+    for (const auto& t : result_.mesh.triangles) add(t.entity, t.points, 1);
+    for (Index f = 0; f < flat_.faces.size(); ++f) {
+      for (const auto& t : flat_.faces[f].triangles) add(f, t, -1);
+      require(std::abs(area[f]) <= bound[f], "surface: triangles have not the area of their face");
+    }
+  }
+
+  void report(const Refined& made) {
+    std::vector<std::size_t> row(mesh().groups[2].size() + 1, 0);  // of each group, + 1
+    const auto& points = made.mesh.points();
+    for (std::size_t i = 0; i < made.mesh.triangles().size(); ++i) {
+      const auto& t = made.mesh.triangles()[i];
+      const auto& groups = mesh().entities[2][made.mesh.facets()[t.facet].face].groups;
+      const Index group = groups.empty() ? 0 : groups[0];
+      if (row[group] == 0) {
+        result_.groups.push_back({group == 0 ? "faces" : mesh().groups[2][group - 1]});
+        row[group] = result_.groups.size();
+      }
+      FaceTriangles& of = result_.groups[row[group] - 1];
+      const std::array<Vector, 3> p{points[t.points[0]], points[t.points[1]], points[t.points[2]]};
+      ++of.triangles;
+      ++of.why[std::size_t(made.why[i])];
+      of.area += area_of(p[0], p[1], p[2]);
+      const auto [angle, corner] = smallest_angle(p);
+      if (angle < of.least_angle) of.least_angle = angle, of.where = p[corner];
+    }
+  }
+};
+
+}  // namespace
+
+SurfaceTriangles surface_triangles(const ResultView& view, const SurfaceOptions& options) {
+  return SurfaceMaker(view, options).run();
+}
+
+Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const SurfaceOptions& options) {
+  const Refined made = refined(flat, points, options);
+  Plc plc;
+  plc.points = made.mesh.points();
+  for (const auto& t : made.mesh.triangles()) {
+    plc.facets.push_back({{{t.points[0], t.points[1], t.points[2]}}, {}, made.mesh.facets()[t.facet].face});
+  }
+  for (const auto& s : made.mesh.segments()) {
+    if (s.edge != kNone) plc.segments.push_back({s.ends, s.edge, flat.edges[s.edge].wire});
+  }
+  add_regions(plc, flat);
+  return plc;
+}
+
+}  // namespace cnrg

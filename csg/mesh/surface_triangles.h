@@ -1,0 +1,45 @@
+// The faces of a result as triangles, its edges and wires as segments, without volumes: what shells, boundary
+// elements and networks of fractures are computed on, and what tetrahedra may begin with.
+#pragma once
+
+#include "csg/mesh/mesh.h"
+#include "csg/mesh/plc.h"
+#include "csg/mesh/refine_surface.h"
+
+namespace cnrg {
+
+/// Triangles of all faces whose first group is the same.
+struct FaceTriangles {
+  std::string name;  ///< of the group
+  std::size_t triangles = 0;
+  double area = 0;
+  double least_angle = 180;          ///< degrees
+  std::array<double, 3> where{};     ///< a corner with that angle
+  std::array<std::size_t, 4> why{};  ///< triangles by SmallAngle
+};
+
+struct SurfaceTriangles {
+  Mesh mesh;  ///< without tetrahedra and regions; entities are cells of the result
+  RoundingReport rounding;
+  std::vector<FaceTriangles> groups;
+  std::size_t kept = 0;  ///< facets that keep their triangles since others of doubles would cross what is near
+};
+
+/// Meshes all faces, edges, wires and points of a closed result, with regions or without: conforming, since what
+/// meets shares points; no angle below 25 degrees but where the result has small angles itself; no side longer
+/// than `options.size` says (refine_surface.h).
+///
+/// Proven before it is returned: the pieces of each edge are its way, the triangles of each face have its
+/// boundary, turn as it does, and together its area but for rounding; and all of it, refined exactly as it is
+/// written, meets nowhere but in what it shares, with the regions, wires and points where they are
+/// (csg/result/rounding.h). Facets near which that fails keep the triangles that they have.
+///
+/// Throws InputError for a result with neither faces nor wires, for one that is not closed or reaches the frame,
+/// and as `refine` does; RoundingFault; Stopped.
+SurfaceTriangles surface_triangles(const ResultView& view, const SurfaceOptions& options = {});
+
+/// The same triangles and segments as the facets and segments of a complex to fill, without seeds. The points of
+/// the result keep their numbers. `points`: of a rounding that is faithful.
+Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const SurfaceOptions& options = {});
+
+}  // namespace cnrg
