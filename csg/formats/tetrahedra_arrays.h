@@ -53,7 +53,8 @@ class TetrahedralResult {
   TetrahedraArrays arrays() const;
   /// That TetGen made none, and so no bound is kept; else empty.
   const std::string& notice() const;
-  /// .msh .vtu, and .mesh if it is not curved. Throws InputError for another extension, FileError.
+  /// In the formats of check_mesh_file_name (result_file.h); of second order not .mesh and .h5m. Throws InputError
+  /// for another extension, FileError.
   void write(const std::string& path) const;
 
  private:

@@ -102,6 +102,7 @@ struct TetrahedraOptions {
   bool keep_boundary = false;  ///< no new points on faces and edges, but inside of regions only
   bool constrained = false;    ///< not by TetGen: constrained Delaunay tetrahedra, which takes none of the above
   int seconds = 600;           ///< of processor time for each way in which TetGen is asked; 0: no bound
+  int order = 1;               ///< of the elements; 2: with a node in the middle of each edge
   Watch watch{};               ///< told of the stages, and may stop them (throws Stopped)
 };
 
