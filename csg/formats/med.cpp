@@ -28,9 +28,20 @@ const std::string kMesh = "mesh";
 const std::string kStep = "ENS_MAA/mesh/-0000000000000000001-0000000000000000001";
 const std::string kAll = "MED_NO_PROFILE_INTERNAL";
 
+/// Readers take a name byte by byte.
+std::string ascii_of(std::string_view name) {
+  std::string result;
+  const std::string text = shown(name);
+  for (std::size_t i = 0; i < text.size(); i += first_character(std::string_view(text).substr(i)).length) {
+    const Character c = first_character(std::string_view(text).substr(i));
+    result += c.code < 0x80 ? text[i] : '_';
+  }
+  return result;
+}
+
 class MedWriter {
  public:
-  explicit MedWriter(const Mesh& mesh) : mesh_(mesh), names_(distinct_names(mesh, shown, kGroupSize)) {}
+  explicit MedWriter(const Mesh& mesh) : mesh_(mesh), names_(distinct_names(mesh, ascii_of, kGroupSize)) {}
 
   std::string run() {
     add_head();

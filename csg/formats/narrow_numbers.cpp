@@ -16,7 +16,8 @@ std::string in_nastran(const std::string& text) {
   if (digits.size() < text.size()) {
     exponent = text.substr(digits.size() + 1);
     const char sign = exponent[0] == '-' ? '-' : '+';
-    exponent = sign + exponent.substr(exponent.find_first_not_of("+-0"));
+    exponent.erase(0, std::min(exponent.find_first_not_of("+-0"), exponent.size()));
+    if (!exponent.empty()) exponent.insert(0, 1, sign);
   }
   if (digits.find('.') == std::string::npos) digits += '.';
   const std::size_t zero = digits[0] == '-' ? 1 : 0;

@@ -80,7 +80,9 @@ class NastranWriter {
     add_elements(straight ? "CTRIA3" : "CTRIA6", plan_.shells(), kSecondOrderTriangle);
     add_rods();
     std::string text = "$ node " + cut(shown(mesh_.node), 60) + ", written by cnrg\n";
-    for (const auto& [name, number] : materials_) {
+    std::map<std::size_t, std::string> names;
+    for (const auto& [name, number] : materials_) names[number] = name;
+    for (const auto& [number, name] : names) {
       text += "$ material " + std::to_string(number) + ": " +
               (name.empty() ? "none was said" : cut(shown(name), 50)) + "; its MAT1 is not in this file\n";
     }
