@@ -57,7 +57,7 @@ class MedWriter {
     add_elements(straight ? "TR3" : "TR6", straight ? 203 : 206, mesh_.triangles, kSecondOrderTriangle);
     std::vector<Mesh::Simplex<4>> tetrahedra = mesh_.tetrahedra;
     for (auto& t : tetrahedra) std::swap(t.points[1], t.points[2]);
-    add_elements(straight ? "TE4" : "TE10", straight ? 304 : 310, tetrahedra, kSecondOrderEdges);
+    add_elements(straight ? "TE4" : "T10", straight ? 304 : 310, tetrahedra, kSecondOrderEdges);
     add_families();
     return file_.bytes();
   }

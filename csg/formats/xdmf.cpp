@@ -2,7 +2,9 @@
 //
 // FEniCS reads simplices of one dimension from a grid, and marks on faces from another one on the same points;
 // meshio takes one grid from a file. So a file holds one dimension: NAME.xdmf the highest that the mesh has,
-// NAME.faces.xdmf, NAME.edges.xdmf and NAME.points.xdmf the others, all with the same points in the same order.
+// NAME.faces.xdmf, NAME.edges.xdmf and NAME.points.xdmf the others. All number points alike: first those of
+// tetrahedra, then those of triangles that no tetrahedron has, and so on. A file ends with the points of its own
+// simplices, since FEniCS takes no point that is in no cell.
 //
 // `group` is the number of the first group of each simplex. FEniCS knows no names; `Information` has them as
 // meshio writes and reads them. A group that is not everywhere the first has an array of its own, 1 where a
@@ -28,7 +30,13 @@ constexpr const char* kWords[] = {".points", ".edges", ".faces", ""};
 
 class XdmfWriter {
  public:
-  XdmfWriter(const Mesh& mesh, std::size_t dimension) : mesh_(mesh), dimension_(dimension) {}
+  XdmfWriter(const Mesh& mesh, std::size_t dimension) : mesh_(mesh), dimension_(dimension) {
+    numbers_.assign(mesh.points.size(), kNone);
+    number_points(mesh.tetrahedra, kSecondOrderEdges);
+    if (dimension < 3) number_points(mesh.triangles, kSecondOrderTriangle);
+    if (dimension < 2) number_points(mesh.segments, kSecondOrderLine);
+    if (dimension < 1) number_points(mesh.vertices, kSecondOrderPoint);
+  }
 
   std::string run() {
     text_ =
@@ -52,6 +60,26 @@ class XdmfWriter {
   const std::size_t dimension_;
   std::string text_;
   std::vector<Index> entities_;  ///< of each simplex
+  static constexpr Index kNone = 0xffffffff;
+  std::vector<Index> numbers_;  ///< in the file, of each point of the mesh
+  std::vector<Index> points_;   ///< of the file: numbers in the mesh
+
+  /// Those of these simplices that have no number yet, in the order of the mesh.
+  template <class Simplices, class Ends>
+  void number_points(const Simplices& simplices, const Ends& ends) {
+    std::vector<Index> fresh;
+    for (const auto& s : simplices) {
+      for (const Index p : mesh_.nodes(s, ends)) {
+        if (numbers_[p] == kNone) fresh.push_back(p);
+      }
+    }
+    std::sort(fresh.begin(), fresh.end());
+    fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
+    for (const Index p : fresh) {
+      numbers_[p] = Index(points_.size());
+      points_.push_back(p);
+    }
+  }
 
   bool straight() const { return mesh_.middles.empty(); }
 
@@ -63,9 +91,9 @@ class XdmfWriter {
 
   void add_geometry() {
     text_ += "<Geometry GeometryType=\"XYZ\">\n";
-    begin_item("Float", std::to_string(mesh_.points.size()) + " 3");
-    for (const auto& p : mesh_.points) {
-      append(text_, p);
+    begin_item("Float", std::to_string(points_.size()) + " 3");
+    for (const Index p : points_) {
+      append(text_, mesh_.points[p]);
       text_ += '\n';
     }
     end_item();
@@ -83,7 +111,7 @@ class XdmfWriter {
       entities_.push_back(s.entity);
       const char* between = "";
       for (const Index p : mesh_.nodes(s, ends)) {
-        text_ += between + std::to_string(p);
+        text_ += between + std::to_string(numbers_[p]);
         between = " ";
       }
       text_ += '\n';

@@ -82,7 +82,7 @@ TEST_CASE("mesh: elements of second order follow curved faces", "[app][mesh]") {
 
   o = w.run("mesh ball.yaml -o ball.mesh --curved");
   CHECK(o.status == 2);
-  CHECK_THAT(o.err, Contains("ball.mesh: this format holds straight tetrahedra only; use one of .msh .vtu"));
+  CHECK_THAT(o.err, Contains("ball.mesh: this format holds elements of first order only; use one of .msh .vtu"));
   CHECK(!std::filesystem::exists(w.path("ball.mesh")));
   o = w.run("mesh ball.yaml -o ball.msh --curved --snap");
   CHECK(o.status == 2);
