@@ -16,7 +16,7 @@ CURVED = re.compile(r"\b(sphere|cylinder|cone|torus|extrude|revolve|bezier|bspli
 LARGE = {"papers/keyser2004/chords.yaml": re.compile("_(60|360)$")}
 FINE = re.compile(r"chord: \"?1/\d{3,}|segments: \d{3}")
 SURFACE_FILES = ("off", "stl", "ply", "3mf")  # of solids alone: the first one that is refused ends the run
-FILES = ("json", "vtu", "obj", "dot", "regions.dot", "msh", "mesh", "poly", "smesh", "glb")
+FILES = ("json", "vtu", "obj", "dot", "regions.dot", "msh", "mesh", "inp", "bdf", "h5m", "med", "poly", "smesh", "glb")
 STOPPED = b"stopped: it ran too long"
 MISSING = b"no such file"
 
@@ -99,7 +99,8 @@ def runs_of(tree):
     if turn % 16 == 3 or tree.thorough:
         ways = (["--quality", "1.6"], ["-Y"], ["--no-snap", "--max-volume", "1"])
         options = [] if tree.thorough else ways[turn // 16 % 3]
-        runs.append(run_of("mesh", path, *options, files=["mesh." + ("msh", "vtu", "mesh")[turn % 3]]))
+        endings = ("msh", "vtu", "mesh", "inp", "bdf", "h5m", "med", "xdmf")
+        runs.append(run_of("mesh", path, *options, files=["mesh." + endings[turn // 16 % len(endings)]]))
     return runs
 
 

@@ -212,9 +212,10 @@ int run(int argc, char** argv) {
       ->check(name_fault)
       ->expected(1)
       ->take_all();
-  sub->add_option("-o", eval.files,
-                  "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .obj .off "
-                  ".stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png .pdf")
+  sub->add_option(
+         "-o", eval.files,
+         "Write this file, in the format of its extension: .json .vtu .msh .mesh .smesh .poly .inp .bdf "
+         ".h5m .med .obj .off .stl .ply .3mf .glb .step .brep .dot .regions.dot; pictures: .svg .png .pdf")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)
@@ -342,7 +343,8 @@ int run(int argc, char** argv) {
       "Fills the regions with tetrahedra that conform to every face, wire and point, or meshes these alone");
   add_tree(sub, mesh);
   sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N")->check(name_fault);
-  sub->add_option("-o", mesh.files, "Write this file, in the format of its extension: .msh .mesh .vtu")
+  sub->add_option("-o", mesh.files,
+                  "Write this file, in the format of its extension: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)
@@ -398,6 +400,11 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
       ->capture_default_str()
       ->needs(surface);
+  sub->add_option(
+         "--order", mesh.options.order,
+         "Of the elements: 1, or 2 with a node in the middle of each straight edge; --curved is of order 2")
+      ->type_name("N")
+      ->check(CLI::IsMember({1, 2}));
   CLI::Option* const snaps = sub->add_flag("--snap", mesh.snap, kSnap)->excludes(curved);
   sub->add_flag("--no-snap", mesh.no_snap, std::string(kNoSnap) + "refuse it")->excludes(snaps);
   add_threads(sub, mesh.threads);

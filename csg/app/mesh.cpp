@@ -198,7 +198,7 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
 int run_mesh(const MeshArguments& arguments) {
   require_distinct(arguments.files);
   for (const std::string& path : arguments.files) {  // before the work, not after it
-    if (arguments.curved) check_curved_mesh_file_name(path);
+    if (arguments.curved || arguments.options.order == 2) check_second_order_file_name(path);
     else check_mesh_file_name(path);
   }
   const Tree tree = tree_of(arguments);
@@ -229,6 +229,7 @@ int run_mesh(const MeshArguments& arguments) {
         tell("notice: " + count_text(count) + " tetrahedra are expected");
       };
     }
+    if (arguments.curved) asked.order = 1;  // bent afterwards
     if (arguments.curved && asked.quality == 0) asked.quality = kCurvedQuality;
     const bool snaps = !arguments.no_snap && !arguments.curved;  // curved surfaces are of the exact result
     made = at_node(tree, node,

@@ -39,8 +39,19 @@ FileText msh_text(const ResultView& view);
 FileText medit_text(const ResultView& view);
 FileText smesh_text(const ResultView& view);
 FileText poly_text(const ResultView& view);
+FileText abaqus_text(const ResultView& view);
+FileText nastran_text(const ResultView& view);
+FileText h5m_bytes(const ResultView& view);
+FileText med_bytes(const ResultView& view);
 std::string msh_text(const Mesh& mesh);
 std::string medit_text(const Mesh& mesh);
+std::string abaqus_text(const Mesh& mesh);
+std::string nastran_text(const Mesh& mesh);
+std::string h5m_bytes(const Mesh& mesh);
+std::string med_bytes(const Mesh& mesh);
+/// One dimension of it, which the name says: `.points.xdmf`, `.edges.xdmf`, `.faces.xdmf`, else the highest.
+/// Throws InputError for a mesh without such simplices.
+std::string xdmf_text(const std::string& path, const Mesh& mesh);
 std::string vtu_text(const ResultView& view, const Mesh& mesh);
 
 }  // namespace cnrg

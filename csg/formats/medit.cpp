@@ -1,7 +1,12 @@
 // MEDIT's text format, as the remeshers of its family (Mmg) read it. A reference is the number of the first group;
 // lines with `#` in front say their names. Edges of the result are ridges, and wires are required too, so that a
 // remesher keeps them; vertices of the result are corners, and required.
+//
+// MEDIT and Mmg take the file word by word and pass over words that they do not know. meshio takes it line by
+// line, refuses `RequiredEdges`, and passes over the line after `Identifier`: so that is where these stand. Mmg
+// takes in 127 bytes of a comment, and what follows as words of the file.
 #include "csg/formats/formats.h"
+#include "csg/formats/group_names.h"
 #include "csg/mesh/mesh.h"
 
 namespace cnrg {
@@ -38,7 +43,8 @@ std::string medit_text(const Mesh& mesh) {
     // Groups of faces by their leaves are no references: they are never the first of a cell.
     const std::size_t count = mesh.groups[d].size() - (d == 2 ? mesh.sources : 0);
     for (std::size_t g = 0; g < count; ++g) {
-      text += "# " + std::string(kKinds[d]) + " " + std::to_string(g + 1) + " " + mesh.groups[d][g] + "\n";
+      text +=
+          "# " + std::string(kKinds[d]) + " " + std::to_string(g + 1) + " " + cut(mesh.groups[d][g], 90) + "\n";
     }
   }
   text += "Dimension 3\nVertices\n" + std::to_string(mesh.points.size()) + "\n";
@@ -67,7 +73,11 @@ std::string medit_text(const Mesh& mesh) {
   append_list(text, "Corners", corners);
   append_list(text, "RequiredVertices", corners);
   append_list(text, "Ridges", ridges);
-  append_list(text, "RequiredEdges", required);
+  if (!required.empty()) {
+    text += "Identifier\nRequiredEdges " + std::to_string(required.size());
+    for (const std::size_t edge : required) text += " " + std::to_string(edge);
+    text += '\n';
+  }
   return text + "End\n";
 }
 

@@ -24,8 +24,9 @@ SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions&
 /// a result that knows no parameters, such as a snapped one.
 CurvedReport curve(const Result& result, TetrahedralMesh& made);
 
-/// The formats of such meshes: .msh .vtu. Throws InputError for any other extension.
-void check_curved_mesh_file_name(const std::string& path);
+/// The formats of meshes of second order: those of tetrahedra but .mesh and .h5m. Throws InputError for any other
+/// extension.
+void check_second_order_file_name(const std::string& path);
 
 /// Writes the mesh of a result to `path`; the file appears whole or not at all (csg/text/file.h).
 void write(const std::string& path, const Result& result, const Mesh& mesh);

@@ -3,6 +3,7 @@
 #include "csg/formats/formats.h"
 #include "csg/formats/vtu_grid.h"
 #include "csg/mesh/mesh.h"
+#include "csg/mesh/second_order.h"
 
 namespace cnrg {
 
@@ -13,15 +14,11 @@ std::string vtu_text(const ResultView& view, const Mesh& mesh) {
       grid.add(kind, mesh.nodes(s, edges), mesh.entities[dimension][s.entity].tags);
     }
   };
-  using Edges = std::array<std::array<std::size_t, 2>, 6>;
   const bool straight = mesh.middles.empty();
-  add(VtuCell::vertex, 0, mesh.vertices, std::array<std::array<std::size_t, 2>, 0>{});
-  add(straight ? VtuCell::line : VtuCell::quadratic_edge, 1, mesh.segments,
-      std::array<std::array<std::size_t, 2>, 1>{{{0, 1}}});
-  add(straight ? VtuCell::triangle : VtuCell::quadratic_triangle, 2, mesh.triangles,
-      std::array<std::array<std::size_t, 2>, 3>{{{0, 1}, {1, 2}, {0, 2}}});
-  add(straight ? VtuCell::tetrahedron : VtuCell::quadratic_tetrahedron, 3, mesh.tetrahedra,
-      Edges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}});
+  add(VtuCell::vertex, 0, mesh.vertices, kSecondOrderPoint);
+  add(straight ? VtuCell::line : VtuCell::quadratic_edge, 1, mesh.segments, kSecondOrderLine);
+  add(straight ? VtuCell::triangle : VtuCell::quadratic_triangle, 2, mesh.triangles, kSecondOrderTriangle);
+  add(straight ? VtuCell::tetrahedron : VtuCell::quadratic_tetrahedron, 3, mesh.tetrahedra, kSecondOrderEdges);
   return grid.text(view, mesh.points);
 }
 

@@ -2,6 +2,9 @@
 // A .json is read back as a tree would read it: as a leaf, alone in a complex of its own.
 #include "csg/formats/result_file.h"
 
+#include <array>
+#include <string_view>
+
 #include "csg/exports/cad_text.h"
 #include "csg/formats/dag_graph.h"
 #include "csg/formats/formats.h"
@@ -9,6 +12,7 @@
 #include "csg/formats/writer.h"
 #include "csg/leaves/leaf.h"
 #include "csg/mesh/material_field.h"
+#include "csg/mesh/straight_order.h"
 #include "csg/operators/leaf_value.h"
 #include "csg/result/join.h"
 #include "csg/result/result_data.h"
@@ -23,6 +27,50 @@ namespace {
 
 bool shows_regions(const std::string& path) {
   return extension_of(path) == ".dot" && extension_of(path.substr(0, path.size() - 4)) == ".regions";
+}
+
+struct MeshFormat {
+  std::string_view extension;
+  bool second_order;
+  std::string (*make)(const std::string& path, const ResultView& view, const Mesh& mesh);
+};
+
+template <std::string (*text)(const Mesh&)>
+std::string make(const std::string&, const ResultView&, const Mesh& mesh) {
+  return text(mesh);
+}
+
+constexpr std::array<MeshFormat, 8> kMeshFormats{
+    {{".msh", true, make<msh_text>},
+     {".mesh", false, make<medit_text>},
+     {".vtu", true,
+      [](const std::string&, const ResultView& view, const Mesh& mesh) { return vtu_text(view, mesh); }},
+     {".inp", true, make<abaqus_text>},
+     {".bdf", true, make<nastran_text>},
+     {".h5m", false, make<h5m_bytes>},
+     {".med", true, make<med_bytes>},
+     {".xdmf", true,
+      [](const std::string& path, const ResultView&, const Mesh& mesh) { return xdmf_text(path, mesh); }}}};
+
+/// Each with a space before it.
+std::string known_mesh_formats(bool second_order) {
+  std::string known;
+  for (const MeshFormat& format : kMeshFormats) {
+    if (format.second_order || !second_order) known += " " + std::string(format.extension);
+  }
+  return known;
+}
+
+const MeshFormat& mesh_format_of(const std::string& path) {
+  const std::string extension = extension_of(path);
+  for (const MeshFormat& format : kMeshFormats) {
+    if (format.extension == extension) return format;
+  }
+  const bool surface = extension == ".smesh" || extension == ".poly";
+  throw InputError(path +
+                   (surface ? ": this format holds faces and no tetrahedra; `cnrg eval -o` writes it"
+                            : ": no writer of tetrahedra for the extension `" + extension + "`") +
+                   "; use one of" + known_mesh_formats(false));
 }
 
 }  // namespace
@@ -99,13 +147,7 @@ Result read_result(const std::string& path) {
 
 void check_mesh_file_name(const std::string& path) {
   require_no_directory(path);
-  const std::string extension = extension_of(path);
-  if (extension == ".msh" || extension == ".mesh" || extension == ".vtu") return;
-  const bool surface = extension == ".smesh" || extension == ".poly";
-  throw InputError(path +
-                   (surface ? ": this format holds faces and no tetrahedra; `cnrg eval -o` writes it"
-                            : ": no writer of tetrahedra for the extension `" + extension + "`") +
-                   "; use one of .msh .mesh .vtu");
+  mesh_format_of(path);
 }
 
 TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options) {
@@ -113,6 +155,7 @@ TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& option
   TetrahedralMesh made = tetrahedra(view, options);
   sample_materials(view, made.mesh);
   add_properties(view, made.mesh);
+  if (options.order == 2) add_straight_middles(made.mesh);
   return made;
 }
 
@@ -207,19 +250,23 @@ CurvedReport curve(const Result& result, TetrahedralMesh& made) {
   return report;
 }
 
-void check_curved_mesh_file_name(const std::string& path) {
+void check_second_order_file_name(const std::string& path) {
   check_mesh_file_name(path);
-  if (extension_of(path) != ".mesh") return;
-  throw InputError(path + ": this format holds straight tetrahedra only; use one of .msh .vtu for curved ones");
+  if (mesh_format_of(path).second_order) return;
+  throw InputError(path + ": this format holds elements of first order only; use one of" +
+                   known_mesh_formats(true) + " for --curved and --order 2");
 }
 
 void write(const std::string& path, const Result& result, const Mesh& mesh) {
   check_mesh_file_name(path);
-  if (!mesh.middles.empty()) check_curved_mesh_file_name(path);
-  const std::string extension = extension_of(path);
-  replace_file(path, extension == ".msh"    ? msh_text(mesh)
-                     : extension == ".mesh" ? medit_text(mesh)
-                                            : vtu_text(result.data().view(), mesh));
+  if (!mesh.middles.empty()) check_second_order_file_name(path);
+  std::string content;
+  try {
+    content = mesh_format_of(path).make(path, result.data().view(), mesh);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+  replace_file(path, content);
 }
 
 TetrahedraReport write_tetrahedra(const std::vector<std::string>& paths, const Result& result,

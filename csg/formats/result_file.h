@@ -45,7 +45,9 @@ struct FileReport : RoundingReport {
   SnapReport snapped;  ///< `rounds` is 0 unless the result was snapped
 };
 
-/// Writes a result: .json .vtu .msh .mesh .smesh .poly .obj .off .stl .ply .3mf .glb .step .stp .brep, and
+/// Writes a result: .json .vtu .msh .mesh .smesh .poly .inp .bdf .h5m .med .obj .off .stl .ply .3mf .glb .step
+/// .stp
+///   .brep, and
 ///   .regions.dot  which of its regions touch
 /// Throws InputError for an unknown extension or a result that the format cannot represent (the message says
 /// why and what to use instead), FileError if the file cannot be written; the old file is then untouched.
@@ -56,7 +58,8 @@ void write(const std::string& path, const Evaluation& evaluation);
 /// The result that a .json holds, exactly, on a complex of its own. Cells come from one leaf, the file.
 Result read_result(const std::string& path);
 
-/// The formats of tetrahedra: .msh .mesh .vtu. Throws InputError for any other extension.
+/// The formats of tetrahedra: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf. Throws InputError for any other
+/// extension.
 void check_mesh_file_name(const std::string& path);
 
 /// What tetrahedra were made.

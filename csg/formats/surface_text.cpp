@@ -31,5 +31,9 @@ FileText surface_text(const ResultView& view, const std::string& format, std::st
 
 FileText msh_text(const ResultView& view) { return surface_text(view, "MSH", msh_text); }
 FileText medit_text(const ResultView& view) { return surface_text(view, "MESH", medit_text); }
+FileText abaqus_text(const ResultView& view) { return surface_text(view, "INP", abaqus_text); }
+FileText nastran_text(const ResultView& view) { return surface_text(view, "BDF", nastran_text); }
+FileText h5m_bytes(const ResultView& view) { return surface_text(view, "H5M", h5m_bytes); }
+FileText med_bytes(const ResultView& view) { return surface_text(view, "MED", med_bytes); }
 
 }  // namespace cnrg

@@ -43,6 +43,7 @@ struct TetrahedralResult::Data {
 
 TetrahedralResult::TetrahedralResult(const Result& result, const TetrahedraOptions& options, bool curved) {
   TetrahedraOptions asked = options;
+  if (curved) asked.order = 1;  // bent afterwards
   if (curved && asked.quality == 0) asked.quality = kCurvedQuality;
   TetrahedralMesh made = tetrahedra(result, asked);
   if (curved) {

@@ -55,7 +55,8 @@ class TetrahedralResult {
   const std::string& notice() const;
   /// How many tetrahedra were expected before any was made; 0 where no size was asked for.
   double expected() const;
-  /// .msh .vtu, and .mesh if it is not curved. Throws InputError for another extension, FileError.
+  /// In the formats of check_mesh_file_name (result_file.h); of second order not .mesh and .h5m. Throws InputError
+  /// for another extension, FileError.
   void write(const std::string& path) const;
 
  private:

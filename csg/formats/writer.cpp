@@ -20,12 +20,16 @@ struct Format {
   FileText (*make_binary)(const ResultView&) = nullptr;  ///< on request
 };
 
-constexpr std::array<Format, 15> kFormats{{{".json", json_text},
+constexpr std::array<Format, 19> kFormats{{{".json", json_text},
                                            {".vtu", vtu_text},
                                            {".msh", msh_text},
                                            {".mesh", medit_text},
                                            {".smesh", smesh_text},
                                            {".poly", poly_text},
+                                           {".inp", abaqus_text},
+                                           {".bdf", nastran_text},
+                                           {".h5m", h5m_bytes},
+                                           {".med", med_bytes},
                                            {".obj", obj_text},
                                            {".off", off_text},
                                            {".stl", stl_text, stl_bytes},

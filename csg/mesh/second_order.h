@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace cnrg {
 
@@ -19,6 +20,10 @@ using SecondOrderNodes = std::array<std::array<double, 3>, 10>;
 /// The ends of the edges whose middles are nodes 4 to 9.
 inline constexpr std::array<std::array<std::size_t, 2>, 6> kSecondOrderEdges{
     {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
+/// The same of triangles, lines and points.
+inline constexpr std::array<std::array<std::size_t, 2>, 3> kSecondOrderTriangle{{{0, 1}, {1, 2}, {0, 2}}};
+inline constexpr std::array<std::array<std::size_t, 2>, 1> kSecondOrderLine{{{0, 1}}};
+inline constexpr std::array<std::array<std::size_t, 2>, 0> kSecondOrderPoint{};
 
 /// True if the determinant is positive everywhere, proven; false if it is not or could not be proven.
 bool has_positive_determinant(const SecondOrderNodes& nodes);

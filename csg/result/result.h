@@ -104,6 +104,7 @@ struct TetrahedraOptions {
   bool constrained = false;    ///< not by TetGen: constrained Delaunay tetrahedra, which takes none of the above
   int seconds = 600;           ///< of processor time for each way in which TetGen is asked; 0: no bound
   double cuts = 2;             ///< points added on edges for each point and edge, where TetGen makes no mesh
+  int order = 1;               ///< of the elements; 2: with a node in the middle of each edge
   double size = 0;             ///< how long edges are to be where nothing asks for shorter ones; 0: no bound
   double growth = 0.3;  ///< how much longer they may be per unit of distance from where they are to be short
   /// Told how many tetrahedra are expected, before any is made, where the result or `size` asks for a size.

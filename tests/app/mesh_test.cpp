@@ -82,8 +82,16 @@ TEST_CASE("mesh: elements of second order follow curved faces", "[app][mesh]") {
 
   o = w.run("mesh ball.yaml -o ball.mesh --curved");
   CHECK(o.status == 2);
-  CHECK_THAT(o.err, Contains("ball.mesh: this format holds straight tetrahedra only; use one of .msh .vtu"));
+  CHECK_THAT(o.err, Contains("ball.mesh: this format holds elements of first order only; use one of .msh .vtu"));
   CHECK(!std::filesystem::exists(w.path("ball.mesh")));
+  CHECK(w.run("mesh ball.yaml --curved --order 2 --quiet -o again.msh").out.empty());
+  CHECK(w.read("again.msh") == w.read("ball.msh"));
+  for (const std::string file : {"ball.h5m", "ball.mesh"}) {
+    o = w.run("mesh ball.yaml --order 2 -o " + file);
+    CHECK(o.status == 2);
+    CHECK_THAT(o.err, Contains("first order only") && Contains("--order 2"));
+  }
+  CHECK(w.run("mesh ball.yaml --order 3 -o ball.msh").status == 2);
   o = w.run("mesh ball.yaml -o ball.msh --curved --snap");
   CHECK(o.status == 2);
   CHECK_THAT(o.err, Contains("--curved"));

@@ -45,3 +45,31 @@ TEST_CASE("labels of cells and flat cells of grids in VTK's files", "[ecosystem]
 TEST_CASE("the supported tunnel in meshio and Gmsh: measures and properties of all groups", "[ecosystem]") {
   check_script("supported_tunnel.py", "");
 }
+
+TEST_CASE("meshes in their programs: .msh of both orders, in Gmsh and meshio", "[ecosystem][meshes]") {
+  check_script("mesh_programs.py", "msh");
+}
+TEST_CASE("meshes in their programs: .mesh, in Gmsh and meshio", "[ecosystem][meshes]") {
+  check_script("mesh_programs.py", "medit");
+}
+TEST_CASE("meshes in their programs: .bdf, in Gmsh and meshio", "[ecosystem][meshes]") {
+  check_script("mesh_programs.py", "nastran");
+}
+TEST_CASE("meshes in their programs: .inp, in CalculiX and meshio", "[ecosystem][meshes]") {
+  check_script("mesh_programs.py", "abaqus");
+}
+TEST_CASE("meshes in their programs: .med, in Gmsh and meshio", "[ecosystem][meshes]") {
+  check_script("mesh_programs.py", "med");
+}
+TEST_CASE("meshes in their programs: .xdmf, in meshio", "[ecosystem][meshes]") {
+  check_script("mesh_programs.py", "xdmf");
+}
+TEST_CASE("meshes in their programs: .h5m, in h5py and meshio", "[ecosystem][meshes]") {
+  check_script("mesh_programs.py", "h5m");
+}
+TEST_CASE("meshes in their programs: surfaces as shells and bars", "[ecosystem][meshes]") {
+  check_script("mesh_programs.py", "surfaces");
+}
+TEST_CASE("meshes in their programs: the same bytes, and names of all kinds", "[ecosystem][meshes]") {
+  check_script("mesh_programs.py", "same");
+}

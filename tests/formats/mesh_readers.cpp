@@ -211,6 +211,7 @@ MeshFile read_medit(const std::string& text) {
   static const std::map<std::string, int> sections{{"Edges", 1}, {"Triangles", 2}, {"Tetrahedra", 3}};
   for (std::string word; in >> word;) {
     if (word == "End") return file;
+    if (word == "Identifier") continue;  // for others; what is behind it is said to us
     const int n = next<int>(in);
     if (word == "MeshVersionFormatted" || word == "Dimension") {
       demand(n == (word == "Dimension" ? 3 : 2), word);

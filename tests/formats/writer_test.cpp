@@ -430,7 +430,8 @@ TEST_CASE("an empty result is a valid file") {
 TEST_CASE("an unknown extension names the known ones") {
   const Case c = two_overlapping_boxes();
   const Scratch dir;
-  CHECK(has(message_of(dir / "m.xyz", c.view()), "`.xyz`; use one of .json .vtu .msh .mesh .smesh .poly .obj"));
+  CHECK(has(message_of(dir / "m.xyz", c.view()),
+            "`.xyz`; use one of .json .vtu .msh .mesh .smesh .poly .inp .bdf .h5m .med .obj"));
   CHECK(has(message_of(dir / "model", c.view()), "no writer"));
   write(dir / "M.OFF", c.view());
 }

@@ -349,8 +349,8 @@ class Result:
 
     def write(self, path: str | os.PathLike[str], *, parameters: bool = False, snap: bool = True,
               binary: bool = False) -> list[str]:
-        """Writes a file in the format of its extension: .json, exactly, or .vtu .msh .mesh .smesh .poly .obj .off .stl
-        .ply .3mf .glb .step .stp .brep .regions.dot. Returns what is to be said of it: vertices that are elsewhere
+        """Writes a file in the format of its extension: .json, exactly, or .vtu .msh .mesh .smesh .poly .inp .bdf
+        .h5m .med .obj .off .stl .ply .3mf .glb .step .stp .brep .regions.dot. Returns what is to be said of it: vertices that are elsewhere
         as doubles, faces that a CAD file has as facets.
 
         parameters: .json and .vtu say the parameters of faces on curved patches. snap: where rounding to doubles

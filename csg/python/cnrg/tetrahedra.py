@@ -110,7 +110,8 @@ class Tetrahedra:
         return convert.blocks_to_vtk(self.points, self._blocks(), names)
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes .msh, .vtu, and .mesh if it is not curved. InputError for another extension; FileError."""
+        """Writes .msh .vtu .inp .bdf .med .xdmf, and .mesh and .h5m if it is not curved. InputError for another
+        extension; FileError."""
         self._mesh.write(os.fspath(path))
 
     def __repr__(self) -> str:

@@ -79,10 +79,10 @@ def scenarios():
         Scenario("locate", [cnrg, "locate", "../in/block.yaml"], input=POINTS, small=True),
         Scenario("locate from a file", [cnrg, "locate", "../in/round.yaml", "--parameters"], input_file="points"),
         Scenario("mesh", [cnrg, "mesh", "../in/block.yaml", "-o", "m.msh"], ["m.msh"], old=True, small=True),
-        Scenario("mesh, all", [cnrg, "mesh", "../in/solid.yaml", "--quality", "1.6", "-o", "m.mesh", "-o", "m.vtu"],
-                 ["m.mesh", "m.vtu"]),
+        Scenario("mesh, all", [cnrg, "mesh", "../in/solid.yaml", "--quality", "1.6", "-o", "m.mesh", "-o", "m.vtu",
+                               "-o", "m.xdmf"], ["m.mesh", "m.vtu", "m.xdmf"]),
     ]
-    for ending in ("json", "vtu", "msh", "mesh", "smesh", "poly", "obj", "off", "stl", "ply", "3mf", "glb", "dot",
+    for ending in ("json", "vtu", "msh", "mesh", "smesh", "poly", "inp", "bdf", "obj", "off", "stl", "ply", "3mf", "glb", "dot",
                    "regions.dot", "svg", "png", "pdf"):
         found.append(Scenario(f"write .{ending}", [cnrg, "eval", "../in/solid.yaml", "-o", f"r.{ending}"],
                               [f"r.{ending}"], old=ending in ("json", "vtu")))

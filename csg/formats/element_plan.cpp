@@ -1,0 +1,90 @@
+#include "csg/formats/element_plan.h"
+
+#include <algorithm>
+#include <map>
+
+#include "csg/mesh/second_order.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Mesh::Index;
+using Corners = std::array<Index, 3>;
+
+Corners sorted(Corners points) {
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+/// True if p, q, r are a cyclic exchange of the points of a triangle.
+bool runs_as(const Corners& points, const Corners& other) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (points[k] == other[0]) return points[(k + 1) % 3] == other[1];
+  }
+  return false;
+}
+
+template <class Simplices, class Ends>
+void collect(const Mesh& mesh, std::size_t dimension, const Simplices& simplices, const Ends& ends,
+             std::vector<std::vector<std::size_t>>& nodes) {
+  for (const auto& s : simplices) {
+    const std::vector<Index> at = mesh.nodes(s, ends);
+    for (const Index group : mesh.entities[dimension][s.entity].groups) {
+      for (const Index p : at) nodes[group - 1].push_back(p + 1);
+    }
+  }
+}
+
+}  // namespace
+
+ElementPlan::ElementPlan(const Mesh& mesh) : mesh_(mesh) {
+  for (const auto& t : mesh.triangles) {
+    const CellTags& tags = mesh.entities[2][t.entity].tags;
+    if (mesh.tetrahedra.empty() || tags.bounded == 0 || tags.said != nullptr) shells_.push_back(t);
+  }
+  for (const auto& s : mesh.segments) {
+    if (mesh.entities[1][s.entity].wire) bars_.push_back(s);
+  }
+}
+
+std::vector<std::vector<ElementPlan::Side>> ElementPlan::sides() const {
+  // The sides as they are seen from outside of the tetrahedron.
+  static constexpr std::array<std::array<std::size_t, 3>, 4> kSides{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  std::vector<std::vector<Side>> result(mesh_.groups[2].size());
+  std::map<Corners, std::pair<Index, Side>> found;  // by corners: the triangle, and the side at it
+  for (Index i = 0; i < mesh_.triangles.size(); ++i) found[sorted(mesh_.triangles[i].points)] = {i, {0, 0}};
+  for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      Corners side;
+      for (std::size_t c = 0; c < 3; ++c) side[c] = mesh_.tetrahedra[t].points[kSides[k][c]];
+      const auto it = found.find(sorted(side));
+      if (it == found.end()) continue;
+      // Seen from outside it runs as the triangle where the tetrahedron is behind that.
+      const bool behind = runs_as(mesh_.triangles[it->second.first].points, side);
+      if (behind || it->second.second.second == 0) it->second.second = {t, static_cast<int>(k) + 1};
+    }
+  }
+  std::vector<Side> at(mesh_.triangles.size(), {0, 0});
+  for (const auto& [corners, entry] : found) at[entry.first] = entry.second;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (at[i].second == 0) continue;
+    for (const Index group : mesh_.entities[2][mesh_.triangles[i].entity].groups)
+      result[group - 1].push_back(at[i]);
+  }
+  return result;
+}
+
+std::vector<std::vector<std::size_t>> group_nodes(const Mesh& mesh, std::size_t dimension) {
+  std::vector<std::vector<std::size_t>> nodes(mesh.groups[dimension].size());
+  if (dimension == 0) collect(mesh, 0, mesh.vertices, kSecondOrderPoint, nodes);
+  if (dimension == 1) collect(mesh, 1, mesh.segments, kSecondOrderLine, nodes);
+  if (dimension == 2) collect(mesh, 2, mesh.triangles, kSecondOrderTriangle, nodes);
+  if (dimension == 3) collect(mesh, 3, mesh.tetrahedra, kSecondOrderEdges, nodes);
+  for (auto& of : nodes) {
+    std::sort(of.begin(), of.end());
+    of.erase(std::unique(of.begin(), of.end()), of.end());
+  }
+  return nodes;
+}
+
+}  // namespace cnrg

@@ -1,0 +1,58 @@
+#include "csg/mesh/straight_order.h"
+
+#include <algorithm>
+
+#include "csg/mesh/second_order.h"
+#include "kernel/base/error.h"
+#include "kernel/base/parallel.h"
+
+namespace cnrg {
+namespace {
+
+using Index = Mesh::Index;
+using Edge = std::array<Index, 2>;
+
+template <class Simplices, class Ends>
+void add_edges(std::vector<Edge>& edges, const Simplices& simplices, const Ends& ends) {
+  for (const auto& s : simplices) {
+    for (const auto& [i, j] : ends) {
+      const Index a = s.points[i], b = s.points[j];
+      edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+}
+
+}  // namespace
+
+void add_straight_middles(Mesh& mesh) {
+  require(mesh.middles.empty(), "a mesh of second order has its middles");
+  std::vector<Edge> edges;
+  add_edges(edges, mesh.tetrahedra, kSecondOrderEdges);
+  add_edges(edges, mesh.triangles, kSecondOrderTriangle);
+  add_edges(edges, mesh.segments, kSecondOrderLine);
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (const Edge& edge : edges) {
+    const auto &a = mesh.points[edge[0]], &b = mesh.points[edge[1]];
+    const std::array<double, 3> middle{a[0] / 2 + b[0] / 2, a[1] / 2 + b[1] / 2, a[2] / 2 + b[2] / 2};
+    mesh.middles.emplace_back(edge, Index(mesh.points.size()));
+    mesh.points.push_back(middle);
+  }
+  std::vector<char> good(mesh.tetrahedra.size());
+  for_each_index(
+      good.size(),
+      [&](std::size_t i) {
+        SecondOrderNodes nodes;
+        const std::vector<Index> at = mesh.nodes(mesh.tetrahedra[i], kSecondOrderEdges);
+        for (std::size_t k = 0; k < at.size(); ++k) nodes[k] = mesh.points[at[k]];
+        good[i] = has_positive_determinant(nodes);
+      },
+      64);
+  if (std::find(good.begin(), good.end(), 0) == good.end()) return;
+  throw InputError(
+      "a tetrahedron is so flat that it is not proven to be turned right once its edges have rounded middles; "
+      "give "
+      "--quality 2, or mesh without --order 2");
+}
+
+}  // namespace cnrg

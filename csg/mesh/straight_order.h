@@ -1,0 +1,13 @@
+// Second order without curved surfaces: a node in the middle of each straight edge.
+#pragma once
+
+#include "csg/mesh/mesh.h"
+
+namespace cnrg {
+
+/// Adds the middle of every edge of a simplex to the points and to Mesh::middles; simplices stay as they are.
+/// Middles are rounded to doubles, so each tetrahedron is proven to be turned right everywhere all the same
+/// (second_order.h). Throws InputError for a mesh with one so flat that it is not proven.
+void add_straight_middles(Mesh& mesh);
+
+}  // namespace cnrg
