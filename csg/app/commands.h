@@ -70,12 +70,12 @@ struct MeshArguments {
   std::string tree, inside, node;
   std::vector<std::string> files;
   TetrahedraOptions options;
-  bool snap = false, no_snap = false, quiet = false;    ///< as of `eval`
-  bool certify = false;                                 ///< as of `eval`
-  bool curved = false;                                  ///< points on the true surfaces, elements of second order
-  bool surface = false;                                 ///< triangles on faces, segments on edges, no tetrahedra
+  bool snap = false, no_snap = false, quiet = false;     ///< as of `eval`
+  bool certify = false;                                  ///< as of `eval`
+  bool curved = false;                                   ///< points on the true surfaces, elements of second order
+  bool surface = false;                                  ///< triangles on faces, segments on edges, no tetrahedra
   std::size_t max_points = SurfaceOptions{}.max_points;  ///< of `surface`
-  std::string join;                                   ///< as of `eval`
+  std::string join;                                      ///< as of `eval`
   int threads = 0, finer = 1;
 };
 /// `cnrg mesh`: tetrahedra of the result, a file per `-o`, a row per region.

@@ -11,7 +11,8 @@ namespace cnrg {
 
 /// Tetrahedra of the active regions. `plc`: of triangles alone (PlcFacets::triangles), embedded. Points that are
 /// added lie on segments and sides, and are rounded to doubles so that each tetrahedron keeps its turn; throws
-/// NearFault (kernel/tetrahedra/constrained.h, which has `cuts`, too) with the place where that cannot be, Stopped.
+/// NearFault (kernel/tetrahedra/constrained.h, which has `cuts`, too) with the place where that cannot be,
+/// Stopped.
 PlcMesh run_constrained(const Plc& plc, const FlatComplex& flat, const Watch& watch, double cuts);
 
 }  // namespace cnrg

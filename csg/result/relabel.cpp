@@ -1,13 +1,13 @@
 // By the rules in the header: first the regions of 3-cells, by what the sides of faces say; then which faces,
 // edges and vertices remain and what they are; then their leaves and patches.
 #include "csg/result/relabel.h"
-#include "csg/result/sizes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "csg/operators/cell_sources.h"
+#include "csg/result/sizes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/selection/canonical.h"

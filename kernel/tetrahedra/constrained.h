@@ -41,8 +41,8 @@ struct ConstrainedTetrahedra {
   std::vector<Triangle> triangles;
 };
 
-/// What shall be tetrahedra has features so near to each other, or so thin, that there are none in doubles, or none
-/// of a sensible number: who can tells what is near to touch.
+/// What shall be tetrahedra has features so near to each other, or so thin, that there are none in doubles, or
+/// none of a sensible number: who can tells what is near to touch.
 class NearFault : public InputError {
  public:
   using InputError::InputError;

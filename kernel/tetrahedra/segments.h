@@ -23,7 +23,8 @@ class SegmentChains {
   using Index = std::uint32_t;
   SegmentChains(PointTable& points, Tetrahedra& tetrahedra, std::vector<std::array<VertexId, 2>> segments);
 
-  /// `cuts`: for each point and segment at most. Throws NearFault, with a place, where more cuts are needed than anybody has use for: features nearly touch.
+  /// `cuts`: for each point and segment at most. Throws NearFault, with a place, where more cuts are needed than
+  /// anybody has use for: features nearly touch.
   void run(const Watch& watch, double cuts);
 
   /// After `run`: the points of a segment from its first end to its second one.
