@@ -58,7 +58,6 @@
 #include "csg/result/join.h"
 #include "csg/result/measures.h"
 #include "csg/result/result.h"
-#include "csg/topology/features.h"
 #include "csg/topology/selectables.h"
 #include "csg/topology/topology.h"
 #include "csg/view/page.h"

@@ -369,10 +369,10 @@ int run(int argc, char** argv) {
                       "Largest ratio of circumradius to shortest edge, from 1.1; below 1.4 may take very long")
           ->type_name("Q")
           ->check(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
-  sub->add_option("--seconds", mesh.options.seconds,
-                  "Stop TetGen after so many seconds of processor time, and ask it in another way; give up "
-                  "--surface after so "
-                  "many seconds; 0: never")
+  sub->add_option(
+         "--seconds", mesh.options.seconds,
+         "For all of the work: a quarter for each way in which TetGen is asked, and for improving shapes; "
+         "give up --surface after so many seconds; 0: never")
       ->type_name("S")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
@@ -381,8 +381,8 @@ int run(int argc, char** argv) {
                     "No new points on faces and edges, so that the meshes of neighbours fit");
   CLI::Option* const constrained = sub->add_flag(
       "--constrained", mesh.options.constrained,
-      "Not by TetGen: exact constrained Delaunay tetrahedra, whatever their shapes; without it these are "
-      "made only where TetGen fails");
+      "Not by TetGen: exact constrained Delaunay tetrahedra, improved; without it these are made only where "
+      "TetGen fails");
   sub->add_flag("--certify", mesh.certify, kCertify);
   CLI::Option* const joins = sub->add_option("--join", mesh.join, kJoin)->type_name("D")->check(distance_fault);
   CLI::Option* const curved =

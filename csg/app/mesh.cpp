@@ -85,7 +85,13 @@ std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
   const MeshQuality& q = made.quality;
   row("all", tetrahedra, curved, straight, {q.bad, q.worst, q.median}, volume);
   const Mesh& mesh = made.mesh;
-  return table.text() + bad_ones(q) + std::to_string(mesh.points.size()) + " points, " +
+  std::string beyond;
+  if (q.beyond > 0) {
+    beyond = std::to_string(q.beyond) +
+             " tetrahedra have a larger ratio of circumradius to shortest edge than asked for; " +
+             "the largest is " + decimal(q.largest_radius_edge, "%.3g") + "\n";
+  }
+  return table.text() + bad_ones(q) + beyond + std::to_string(mesh.points.size()) + " points, " +
          std::to_string(mesh.triangles.size()) + " triangles on faces, " + std::to_string(mesh.segments.size()) +
          " segments on edges\n";
 }

@@ -217,6 +217,8 @@ TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& opti
     try {
       TetrahedralMesh made = of_doubles(asked);
       made.notice = "there were no tetrahedra in doubles without that: " + joined.text(within);
+      for (const std::string& region : joined.lost_regions)
+        made.notice += "; the region " + region + " was thinner and has vanished";
       return made;
     } catch (const NearFault&) {
     }

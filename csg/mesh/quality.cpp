@@ -153,7 +153,7 @@ TetrahedronMeasures measures_of(const std::array<std::array<double, 3>, 4>& p) {
   return out;
 }
 
-MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves) {
+MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves, double radius_edge) {
   MeshQuality out;
   out.regions.resize(mesh.entities[3].size());
   std::vector<double> all, of_region;
@@ -173,6 +173,7 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves)
     region.worst = std::min(region.worst, m.shape);
     out.largest_radius_edge = std::max(out.largest_radius_edge, m.radius_edge);
     out.smallest_dihedral = std::min(out.smallest_dihedral, m.dihedral);
+    out.beyond += radius_edge > 0 && m.radius_edge > radius_edge;
     ++out.shapes[std::min<std::size_t>(std::size_t(m.shape * 20), 19)];
     ++out.dihedrals[std::min<std::size_t>(std::size_t(m.dihedral / 5), 17)];
     if (m.shape < MeshQuality::kBad) {

@@ -33,13 +33,14 @@ struct MeshQuality {
   };
   std::vector<Region> regions;  ///< as the mesh's entities of dimension 3
   std::size_t bad = 0;
+  std::size_t beyond = 0;  ///< whose ratio of circumradius to shortest edge is larger than asked for
   double worst = 1, median = 1, largest_radius_edge = 0, smallest_dihedral = 180;
   std::array<std::size_t, 20> shapes{};     ///< how many by twentieths
   std::array<std::size_t, 18> dihedrals{};  ///< by the smallest angle, 5 degrees each
   std::vector<Bad> worst_ones;              ///< `kShown` at most, the worst first
 };
 
-/// `leaves`: their names, by number.
-MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves);
+/// `leaves`: their names, by number; `radius_edge`: the largest ratio that was asked for, 0: none.
+MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves, double radius_edge = 0);
 
 }  // namespace cnrg

@@ -89,7 +89,7 @@ class TetrahedraMaker {
     number_points();
     std::vector<std::string> leaves;
     for (const LeafInfo& leaf : *view_.leaves) leaves.push_back(leaf.name);
-    result_.quality = quality_of(mesh(), leaves);
+    result_.quality = quality_of(mesh(), leaves, options_.quality);
     return std::move(result_);
   }
 

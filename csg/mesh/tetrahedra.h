@@ -21,14 +21,17 @@ struct TetrahedralMesh {
 /// region is that of the result rounded to doubles, which must be embedded. A facet is given to TetGen as a whole,
 /// and where it cannot mesh that, or with `keep_boundary`, as triangles unless it is planar in doubles.
 ///
-/// What TetGen returns is proven before it is returned here: every tetrahedron is turned right; those of a region
+/// They are improved (improved.h), with points that are added, until shapes are above 0.1 where that can be.
+///
+/// What is returned is proven: every tetrahedron is turned right; those of a region
 /// have together the volume that its rounded boundary encloses, to the last bit with `keep_boundary`, else but for
 /// area * 1e-8 * size (TetGen's own tolerance for what lies in a plane, times the longest side of the model's
 /// box); every face and edge is there, bounded as it should be; on both sides of each triangle are the regions of
 /// its face, and between regions are such triangles only.
 ///
-/// Throws InputError for a result without regions, open or unbounded, one that rounding breaks, and one of
-/// which neither makes a mesh that is proven.
+/// Throws InputError for a result without regions, open or unbounded, and where neither makes a mesh that is
+/// proven; RoundingFault for one that rounding breaks; NearFault (kernel/tetrahedra/constrained.h) for one with
+/// features so near to each other that there is none in doubles.
 TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options = {});
 
 }  // namespace cnrg

@@ -20,7 +20,7 @@ class Moves {
   Moves(Stars& mesh, Index fixed, bool keep_boundary) : mesh_(mesh), fixed_(fixed), keep_(keep_boundary) {}
 
   /// Takes an edge away: the tetrahedra around it are replaced by those over the best triangulation of the ring
-  /// (klincsek1980; shewchuk2002b, section 4). An edge inside of a facet is replaced by the other diagonal.
+  /// (klincsek1980; freitag1997). An edge inside of a facet is replaced by the other diagonal.
   /// True if that made the worst shape better.
   bool remove_edge(Index a, Index b);
   /// Two tetrahedra at a face become three around a new edge, if that makes the worst shape better.

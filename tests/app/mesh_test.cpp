@@ -33,8 +33,8 @@ TEST_CASE("mesh: a row per region and files in every format", "[app][mesh]") {
   const Outcome o = w.run("mesh t.yaml -o t.msh -o t.mesh -o t.vtu --quality 1.5 --max-volume 0.5");
   CHECK(o.status == 0);
   CHECK(o.err.empty());
-  CHECK_THAT(o.out, StartsWith("region  tetrahedra  volume\na ") && Contains("\nall ") && Contains("  16\n") &&
-                        Contains(" triangles on faces, "));
+  CHECK_THAT(o.out, StartsWith("region  tetrahedra  worst  median  below 0.1  volume\na ") && Contains("\nall ") &&
+                        Contains("  16\n") && Contains(" triangles on faces, "));
   const test::MeshFile msh = test::read_msh(w.read("t.msh")), medit = test::read_medit(w.read("t.mesh"));
   CHECK(msh.volume("a") == 8);
   CHECK(msh.volume("material rock") == 8);
@@ -51,7 +51,7 @@ TEST_CASE("mesh: elements of second order follow curved faces", "[app][mesh]") {
           "cnrg: 1\nnodes:\n  ball: {sphere: {center: [0, 0, 0], radius: 1, segments: 12}}\nresult: ball\n");
   Outcome o = w.run("mesh ball.yaml -o ball.msh -o ball.vtu --curved");
   CHECK(o.status == 0);
-  CHECK_THAT(o.out, StartsWith("region  tetrahedra  curved  straight  volume\nball ") &&
+  CHECK_THAT(o.out, StartsWith("region  tetrahedra  curved  straight  worst  median  below 0.1  volume\nball ") &&
                         Contains(" points moved to the surfaces, by 0.0") && Contains(" edges bent\n"));
   // Blocks of elements `dimension entity type count`: lines of 3 nodes, triangles of 6, tetrahedra of 10.
   std::istringstream msh(w.read("ball.msh"));
@@ -166,7 +166,7 @@ result: w
   INFO(o.err);
   CHECK(o.status == 0);
   CHECK_THAT(o.err, Contains("t.msh: notice: TetGen was stopped by a fault of its own") &&
-                        Contains("; these are constrained Delaunay tetrahedra, without a bound"));
+                        Contains("; these are constrained Delaunay tetrahedra, improved"));
   CHECK_THAT(o.out, Contains("all") && Contains(" 8\n"));
 }
 
@@ -316,9 +316,9 @@ result: m
   CHECK(o.status == 0);
   CHECK_THAT(o.err, Contains("t.msh: notice: TetGen ") && Contains("; these are constrained Delaunay tetrahedra"));
   CHECK(std::filesystem::exists(w.path("t.msh")));
-  const Outcome bound = w.run("mesh t.yaml -o u.msh --constrained --quality 2");
+  const Outcome bound = w.run("mesh t.yaml -o u.msh --constrained --keep-boundary");
   CHECK(bound.status == 2);
-  CHECK_THAT(bound.err, Contains("constrained Delaunay tetrahedra take no bound"));
+  CHECK_THAT(bound.err, Contains("constrained Delaunay tetrahedra need points on the boundary"));
   CHECK_FALSE(std::filesystem::exists(w.path("u.msh")));
   for (const std::string option : {"--max-volume nan", "--max-volume inf", "--max-volume 0", "--quality nan"}) {
     INFO(option);

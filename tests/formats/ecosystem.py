@@ -254,7 +254,7 @@ def curved():
     """Elements of second order, parameters of patches, graded materials."""
     name = tree("r.yaml", ROUND)
     table = run("mesh", name, "--curved", "-o", "c.vtu", "-o", "c.msh").stdout
-    volume = {row.split()[0]: float(row.split()[-1]) for row in table.splitlines()[1:] if len(row.split()) == 5}
+    volume = {row.split()[0]: float(row.split()[-1]) for row in table.splitlines()[1:] if len(row.split()) == 8}
     grid, msh = Grid("c.vtu"), Msh("c.msh")
     assert set(grid.counts) == {"line3", "triangle6", "tetra10"} and msh.count(msh.mesh) == grid.counts
     for region in ("ball", "pin"):

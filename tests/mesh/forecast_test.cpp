@@ -132,14 +132,28 @@ TEST_CASE("without sizes nothing is foretold", "[size][forecast]") {
   CHECK(tetrahedra(result_of(kBlock), options).expected == 0);
 }
 
-TEST_CASE("constrained tetrahedra keep no sizes, and say so", "[size][errors]") {
+TEST_CASE("constrained tetrahedra have sizes, too", "[size]") {
   TetrahedraOptions options;
   options.constrained = true;
-  CHECK_THAT(tetrahedra(result_of(kLayers), options).notice,
-             Catch::Contains("without the sizes that nodes ask for"));
-  CHECK(tetrahedra(result_of(kBlock), options).notice.empty());
-  options.size = 0.5;
-  CHECK_THROWS_AS(tetrahedra(result_of(kBlock), options), InputError);
+  options.size = 0.2;
+  const TetrahedralMesh made = tetrahedra(result_of(kBlock), options);
+  CHECK(made.notice.empty());
+  CHECK(double(made.mesh.tetrahedra.size()) > 0.7 * made.expected);
+  CHECK(double(made.mesh.tetrahedra.size()) < 2.5 * made.expected);
+  std::size_t longer = 0, all = 0;
+  for (const auto& t : made.mesh.tetrahedra) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t l = 0; l < k; ++l, ++all) {
+        double squares = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double d = made.mesh.points[t.points[k]][i] - made.mesh.points[t.points[l]][i];
+          squares += d * d;
+        }
+        longer += squares > 0.32 * 0.32;
+      }
+    }
+  }
+  CHECK(longer * 50 < all);
 }
 
 TEST_CASE("counts are rounded for people", "[size][forecast]") {

@@ -315,15 +315,15 @@ class Result:
         """Fills the regions with tetrahedra that conform to every wall, sheet, wire and point, proven exactly.
 
         max_volume: no tetrahedron is larger (cubic units), 0: no bound. quality: the largest ratio of circumradius to
-        shortest edge, 1.1 to 100, 0: no bound. keep_boundary: no new points on faces and edges. seconds: of processor
-        time for each way in which TetGen is asked, 0: no bound. curved: elements of second order on the true surfaces.
+        shortest edge, 1.1 to 100, 0: no bound. keep_boundary: no new points on faces and edges. seconds: for
+        all of the work, a quarter of it for each way in which TetGen is asked, 0: no bound. curved: elements of second order on the true surfaces.
         size: how long edges are to be where neither a node's `size` nor short edges and small facets of the model ask
         for shorter ones (units of the model), 0: no bound. growth: how much longer they may be per unit of distance
         from there, 0.05 to 2.
 
         InputError for a result that is not closed and bounded, has no region, or is broken by rounding (`snap()`
-        helps), and where no mesh is proven. Where TetGen makes none, a warning (cnrg.Notice) says so: the tetrahedra
-        are constrained Delaunay ones then, and keep no bound.
+        helps), and where no mesh is proven. Where TetGen makes none, a warning (cnrg.Notice) says so: they are
+        constrained Delaunay tetrahedra then, improved, and bounds are kept where that can be.
         """
         max_volume, quality, size, growth = (
             float(_cnrg.fraction(number)) for number in (max_volume, quality, size, growth))

@@ -1,0 +1,165 @@
+// Shapes of tetrahedra, where they are bad and why; and results so near to touch that there are none in doubles.
+#include "csg/mesh/quality.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "csg/evaluate/evaluate.h"
+#include "csg/formats/mesh_file.h"
+#include "csg/tree/tree.h"
+#include "kernel/tetrahedra/constrained.h"
+#include "tests/scenes/seeds.h"
+
+using namespace cnrg;
+
+namespace {
+
+using Corners = std::array<std::array<double, 3>, 4>;
+
+TetrahedralMesh meshed(const std::string& tree, const TetrahedraOptions& options = {}) {
+  Result result = evaluate(parse_tree(tree, "test.yaml")).result();
+  SnapReport report;
+  return snapped_tetrahedra(result, options, report);
+}
+
+Corners corners_of(const Mesh& mesh, const Mesh::Simplex<4>& t) {
+  Corners p;
+  for (std::size_t k = 0; k < 4; ++k) p[k] = mesh.points[t.points[k]];
+  return p;
+}
+
+/// The smallest angle between faces by their normals: another way than that of the program.
+double dihedral(const Corners& p) {
+  const auto normal = [&](std::size_t k) {
+    const auto &a = p[(k + 1) % 4], &b = p[(k + 2) % 4], &c = p[(k + 3) % 4];
+    std::array<double, 3> u, v, n;
+    for (std::size_t i = 0; i < 3; ++i) u[i] = b[i] - a[i], v[i] = c[i] - a[i];
+    for (std::size_t i = 0; i < 3; ++i) n[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+    double side = 0, length = 0;
+    for (std::size_t i = 0; i < 3; ++i) side += n[i] * (p[k][i] - a[i]), length += n[i] * n[i];
+    for (double& x : n) x /= (side > 0 ? -1 : 1) * std::sqrt(length);  // outward
+    return n;
+  };
+  double least = 180;
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t l = 0; l < k; ++l) {
+      const auto m = normal(k), n = normal(l);
+      const double cosine = -(m[0] * n[0] + m[1] * n[1] + m[2] * n[2]);
+      least = std::min(least, std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI);
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("measures of tetrahedra that are known", "[mesh][quality]") {
+  const auto regular = measures_of({{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}});
+  CHECK(regular.shape == Approx(1));
+  CHECK(regular.radius_edge == Approx(std::sqrt(6) / 4));
+  CHECK(regular.dihedral == Approx(std::acos(1.0 / 3) * 180 / M_PI));
+  const auto corner = measures_of({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}});
+  CHECK(corner.shape == Approx(12 * std::pow(0.5, 2.0 / 3) / 9));
+  CHECK(corner.radius_edge == Approx(std::sqrt(3) / 2));
+  CHECK(corner.dihedral == Approx(std::acos(1 / std::sqrt(3)) * 180 / M_PI));
+}
+
+TEST_CASE("a long bore gets tetrahedra of good shape, and the table counts them right", "[mesh][quality]") {
+  const TetrahedralMesh made = meshed(R"(cnrg: 1
+nodes:
+  rock: {box: {min: [0, 0, 0], max: [60, 60, 60]}, name: rock}
+  bore: {cylinder: {from: [30, -5, 30], to: [30, 65, 30], radius: 3, segments: 24}}
+  model: {difference: [rock, bore]}
+result: model
+)");
+  std::size_t bad = 0;
+  double worst = 1, sharpest = 180;
+  std::vector<double> shapes;
+  for (const auto& t : made.mesh.tetrahedra) {
+    const Corners p = corners_of(made.mesh, t);
+    const double shape = measures_of(p).shape;
+    bad += shape < 0.1;
+    worst = std::min(worst, shape);
+    sharpest = std::min(sharpest, dihedral(p));
+    shapes.push_back(shape);
+  }
+  std::sort(shapes.begin(), shapes.end());
+  CHECK(made.quality.bad == bad);
+  CHECK(bad == 0);
+  CHECK(made.quality.worst == Approx(worst));
+  CHECK(made.quality.median == Approx(shapes[shapes.size() / 2]));
+  CHECK(made.quality.smallest_dihedral == Approx(sharpest));
+  std::size_t all = 0;
+  for (const std::size_t n : made.quality.shapes) all += n;
+  CHECK(all == made.mesh.tetrahedra.size());
+}
+
+TEST_CASE("what is nearly touched is named where shapes are bad", "[mesh][quality]") {
+  const TetrahedralMesh made = meshed(R"(cnrg: 1
+nodes:
+  rock:  {box: {min: [0, 0, 0], max: [10, 10, 10]}}
+  fault: {polygon: [[0, 0, 0], [10, 0, 0.05], [10, 10, 0.05], [0, 10, 0]]}
+  model: {union: [rock, fault], dominance: left}
+result: model
+)");
+  REQUIRE(made.quality.bad > 0);
+  REQUIRE(!made.quality.worst_ones.empty());
+  for (std::size_t i = 1; i < made.quality.worst_ones.size(); ++i)
+    CHECK(made.quality.worst_ones[i - 1].measures.shape <= made.quality.worst_ones[i].measures.shape);
+  const auto named = [&](const char* name) {
+    return std::any_of(made.quality.worst_ones.begin(), made.quality.worst_ones.end(), [&](const auto& bad) {
+      return std::find(bad.nodes.begin(), bad.nodes.end(), name) != bad.nodes.end();
+    });
+  };
+  CHECK(named("fault"));
+  CHECK(named("rock"));
+}
+
+// The ends of wires are the doubles nearest to points on sides of a triangle, as programs write them: no double
+// lies between, and tetrahedra there have no room.
+TEST_CASE("what no doubles fit between is joined, and that is said", "[mesh][quality]") {
+  const auto [begin, end] = scenes::seeds(12);
+  std::size_t joined = 0;
+  for (std::uint64_t seed = begin; seed < end; ++seed) {
+    INFO("seed " << seed);
+    std::mt19937_64 random(seed);
+    const auto part = [&] { return double(random() % 1'000'000) / 1e6; };
+    std::array<std::array<double, 3>, 3> p;
+    for (auto& point : p)
+      for (double& x : point) x = double(random() % 11) / 10;
+    std::ostringstream tree;
+    tree.precision(17);
+    const auto write = [&](const std::array<double, 3>& q) {
+      tree << "[" << q[0] << ", " << q[1] << ", " << q[2] << "]";
+    };
+    const auto on = [&](const auto& a, const auto& b) {
+      const double t = part();
+      std::array<double, 3> q;
+      for (std::size_t k = 0; k < 3; ++k) q[k] = a[k] + (b[k] - a[k]) * t;
+      return q;
+    };
+    tree << "cnrg: 1\nnodes:\n  rock: {box: {min: [-1, -1, -1], max: [2, 2, 2]}}\n  sheet: {polygon: [";
+    write(p[0]), tree << ", ", write(p[1]), tree << ", ", write(p[2]);
+    tree << "]}\n  bolt: {polyline: [";
+    write(on(p[0], p[1]));
+    tree << ", [0.5, 0.5, 1.5]]}\n  rod: {polyline: [";
+    write(on(p[1], p[2]));
+    tree << ", [0.5, 0.6, -0.9]]}\n  model: {union: [rock, sheet, bolt, rod]}\nresult: model\n";
+    TetrahedraOptions options;
+    options.constrained = true;
+    TetrahedralMesh made;
+    try {
+      made = meshed(tree.str(), options);
+    } catch (const InputError& e) {  // the three points are on one line
+      REQUIRE(std::string(e.what()).find("line") != std::string::npos);
+      continue;
+    }
+    REQUIRE(made.regions.size() == 1);
+    CHECK(std::fabs(to_double(made.regions[0].volume) - 27) < 1e-9);
+    joined += made.notice.find("joined") != std::string::npos;
+  }
+  CHECK(joined * 3 > end - begin);
+}
