@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <string_view>
 
 #include "csg/result/vectors.h"
 #include "csg/text/escape.h"
@@ -95,6 +96,16 @@ class Explainer {
 
   void name(const Cell& cell, std::vector<std::string>& out) const {
     if (cell.dimension == 3) return;
+    // A face knows all leaves that it came from, by groups `from LEAF`.
+    if (cell.dimension == 2) {
+      const std::size_t first = mesh_.groups[2].size() - mesh_.sources;
+      for (const Index g : mesh_.entities[2][cell.entity].groups) {
+        if (g <= first) continue;
+        const std::string text = shown(mesh_.groups[2][g - 1].substr(std::string_view("from ").size()));
+        if (std::find(out.begin(), out.end(), text) == out.end()) out.push_back(text);
+      }
+      return;
+    }
     const std::int32_t leaf = mesh_.entities[std::size_t(cell.dimension)][cell.entity].tags.leaf;
     if (leaf < 0 || std::size_t(leaf) >= leaves_.size()) return;
     std::string text = shown(leaves_[std::size_t(leaf)]);

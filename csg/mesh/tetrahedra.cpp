@@ -71,6 +71,7 @@ class TetrahedraMaker {
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
     ask_for_sizes(rounded);
     const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
+    of_tetgen_ = !options_.constrained && refused.empty();
     if (options_.constrained || !refused.empty()) {
       if (options_.keep_boundary) throw InputError(refused);  // constrained tetrahedra need points on it
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
@@ -120,7 +121,8 @@ class TetrahedraMaker {
   std::optional<RegionLocator> regions_;
   TooLarge too_large_;  // where sizes are asked for
   double expected_ = 0;
-  bool to_sizes_ = false;  // the improver makes them
+  bool of_tetgen_ = false;  // it has made the mesh
+  bool to_sizes_ = false;   // the improver makes them
 
   Mesh& mesh() { return result_.mesh; }
   bool sized() const { return bool(too_large_); }
@@ -195,8 +197,13 @@ class TetrahedraMaker {
   void improve_shapes() {
     ImproveOptions asked;
     asked.keep_boundary = options_.keep_boundary;
-    asked.radius_edge = options_.quality;
-    asked.volume = options_.max_volume;
+    if (bounded() &&
+        of_tetgen_) {  // moves for shapes alone might break the bounds, which it has kept where it could
+      asked.good = asked.shape;
+    } else {
+      asked.radius_edge = options_.quality;
+      asked.volume = options_.max_volume;
+    }
     asked.points = bounded() ? kPointsForBounds : kPoints + kPointsEach * out_.points.size();
     asked.seconds = options_.seconds / 4.0;
     if (to_sizes_) {

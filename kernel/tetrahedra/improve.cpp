@@ -15,8 +15,8 @@ using Point = Stars::Point;
 
 double cube(double x) { return x * x * x; }
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-/// Local moves are tried on all that is worse (cubed shape).
-constexpr double kGood = 0.4 * 0.4 * 0.4;
+/// While points are added, moves are tried on what is worse than this part of a good shape.
+constexpr double kRough = 0.5;
 /// Edges are as wanted between these, in lengths that are wanted.
 constexpr double kLong = 1.4142, kShort = 0.7071;
 /// Rounds of moves, of refinement to length, of refinement to shape.
@@ -68,10 +68,10 @@ class Improver {
     if (options_.size) to_length();
     watch_.begin("mesh: shapes");
     for (int round = 0; round < kMoveRounds && !over(); ++round) {
-      if (sweep(kGood) * 200 < mesh_.size()) break;
+      if (sweep(cube(options_.good)) * 200 < mesh_.size()) break;
     }
     to_shape();
-    sweep(kGood);
+    sweep(cube(options_.good));
     to_volume();
   }
 
@@ -158,9 +158,10 @@ class Improver {
         }
         if (a != b && moves_.split(a, b) != Stars::kNoTetrahedron) ++done;
       }
-      sweep(kGood / 8);
+      sweep(cube(kRough * options_.good));
       if (done == 0) break;
     }
+    const double enough = cube(kRough * options_.good);
     for (Index t = 0; t < mesh_.size() && !over(); ++t) {
       if (!mesh_.alive(t) || mesh_.at(t).region < 0) continue;
       const auto tet = mesh_.at(t);
@@ -168,7 +169,7 @@ class Improver {
         const Index p = tet.corners[std::size_t(i)], q = tet.corners[std::size_t(j)];
         if (length(p, q, tet.region) >= kShort) continue;
         const double longest = square(kLong * std::min(wanted(p), wanted(q)));
-        if (moves_.collapse(p, q, kGood / 8, longest) || moves_.collapse(q, p, kGood / 8, longest)) break;
+        if (moves_.collapse(p, q, enough, longest) || moves_.collapse(q, p, enough, longest)) break;
       }
     }
   }
@@ -305,7 +306,7 @@ class Improver {
         ++done, ++added;
       }
       if (done == 0) break;
-      sweep(kGood / 8);
+      sweep(cube(kRough * options_.good));
     }
     if (part_of_bad() > saved) mesh_ = Stars(best);
   }

@@ -102,7 +102,7 @@ TEST_CASE("what is nearly touched is named where shapes are bad", "[mesh][qualit
 nodes:
   rock:  {box: {min: [0, 0, 0], max: [10, 10, 10]}}
   fault: {polygon: [[0, 0, 0], [10, 0, 0.05], [10, 10, 0.05], [0, 10, 0]]}
-  model: {union: [rock, fault], dominance: left}
+  model: {union: [fault, rock], dominance: left}
 result: model
 )");
   REQUIRE(made.quality.bad > 0);
