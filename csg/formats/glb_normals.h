@@ -12,7 +12,7 @@
 
 #include "csg/curves/surface_placed.h"
 #include "csg/result/flat.h"
-#include "csg/result/vectors.h"
+#include "kernel/base/vectors.h"
 
 namespace cnrg {
 

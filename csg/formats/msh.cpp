@@ -16,8 +16,8 @@
 
 #include "csg/formats/formats.h"
 #include "csg/mesh/mesh.h"
-#include "csg/result/vectors.h"
 #include "csg/text/escape.h"
+#include "kernel/base/vectors.h"
 
 namespace cnrg {
 namespace {

@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "csg/result/flat.h"
-#include "csg/result/vectors.h"
 #include "kernel/base/short_list.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/predicates.h"
 
 namespace cnrg {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <queue>
 
-#include "csg/result/vectors.h"
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
+#include "kernel/base/vectors.h"
 
 namespace cnrg {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "csg/result/sizes.h"
-#include "csg/result/vectors.h"
+#include "kernel/base/vectors.h"
 
 namespace cnrg {
 namespace {

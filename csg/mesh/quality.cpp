@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "csg/result/vectors.h"
 #include "csg/text/escape.h"
+#include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/improve.h"
 
 namespace cnrg {

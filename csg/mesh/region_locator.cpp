@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "csg/result/vectors.h"
+#include "kernel/base/vectors.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg {

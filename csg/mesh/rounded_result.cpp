@@ -10,8 +10,8 @@
 #include <map>
 
 #include "csg/mesh/mesh.h"
-#include "csg/result/vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/base/vectors.h"
 
 namespace cnrg {
 namespace {

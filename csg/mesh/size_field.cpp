@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "csg/result/vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/base/vectors.h"
 
 namespace cnrg {
 namespace {

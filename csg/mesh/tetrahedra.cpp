@@ -19,8 +19,8 @@
 #include "csg/mesh/improved.h"
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
-#include "csg/result/vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/predicates.h"
 
 namespace cnrg {

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "csg/geometry/nearest.h"
-#include "csg/result/vectors.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/sorted.h"
+#include "kernel/base/vectors.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernel/base/error.h"
+#include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/moves.h"
 
 namespace cnrg {
@@ -26,12 +27,6 @@ constexpr double kStretched = 1.5;
 
 /// The cosine of 2.5 degrees: input that meets at less leaves no room for shapes of 0.1.
 constexpr double kSharp = 0.99905;
-
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// From a to the other corners.
 struct Edges {

@@ -5,6 +5,8 @@
 #include <functional>
 
 #include "kernel/base/error.h"
+#include "kernel/base/vectors.h"
+#include "kernel/tetrahedra/tetrahedra.h"
 
 namespace cnrg {
 namespace {
@@ -18,12 +20,6 @@ constexpr std::size_t kLongest = 12;
 /// A triangle of a facet must keep at least this part of a right angle's turn to the facet's normal.
 constexpr double kFlat = 0.9;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 }  // namespace
 
@@ -147,9 +143,9 @@ bool Moves::swap_face(Index t, int k) {
   const Index u = mesh_.across(t, k);
   if (u == Stars::kNoTetrahedron) return false;
   const Tetrahedron& o = mesh_.at(u);
-  static constexpr int kFace[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
   std::array<Index, 3> f;  // corner k is in front
-  for (std::size_t i = 0; i < 3; ++i) f[i] = s.corners[static_cast<std::size_t>(kFace[k][i])];
+  for (std::size_t i = 0; i < 3; ++i)
+    f[i] = s.corners[static_cast<std::size_t>(Tetrahedra::kFace[static_cast<std::size_t>(k)][i])];
   const Index d = s.corners[static_cast<std::size_t>(k)];
   Index e = d;
   for (const Index v : o.corners)
@@ -393,10 +389,9 @@ bool Moves::smooth(Index v) {
     const auto& c = mesh_.at(bad).corners;
     // d(det)/dv is the normal of the opposite face, d(sum of squares)/dv = 2 (3 v - a - b - c).
     const auto at = static_cast<std::size_t>(mesh_.at(bad).place(v));
-    static constexpr int kFace[4][3] = {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}};
-    const Point &p = mesh_.point(c[static_cast<std::size_t>(kFace[at][0])]),
-                &q = mesh_.point(c[static_cast<std::size_t>(kFace[at][1])]),
-                &r = mesh_.point(c[static_cast<std::size_t>(kFace[at][2])]);
+    const Point &p = mesh_.point(c[static_cast<std::size_t>(Tetrahedra::kFace[at][0])]),
+                &q = mesh_.point(c[static_cast<std::size_t>(Tetrahedra::kFace[at][1])]),
+                &r = mesh_.point(c[static_cast<std::size_t>(Tetrahedra::kFace[at][2])]);
     const Point normal = cross(minus(q, p), minus(r, p)), arm = minus(here, p);
     const double det = dot(normal, arm);
     double squares = 0;

@@ -260,8 +260,6 @@ double Stars::measure(const std::array<Index, 4>& corners, std::int32_t region) 
   return std::isfinite(shape) ? shape : 0;
 }
 
-double Stars::shape_of(double cubed) { return std::cbrt(cubed); }
-
 bool Stars::ring(Index a, Index b, Ring& out) const {
   struct Link {
     Index from, to, tetrahedron;

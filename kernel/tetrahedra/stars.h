@@ -84,8 +84,6 @@ class Stars {
   const Point& normal(std::int32_t facet) const { return normals_[static_cast<std::size_t>(facet)]; }
   const Point& origin(std::int32_t facet) const { return origins_[static_cast<std::size_t>(facet)]; }
 
-  static double shape_of(double cubed);
-
  private:
   std::vector<Point> points_;
   std::vector<Tetrahedron> tetrahedra_;
