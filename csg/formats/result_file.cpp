@@ -3,6 +3,7 @@
 #include "csg/formats/result_file.h"
 
 #include <array>
+#include <exception>
 #include <string_view>
 
 #include "csg/exports/cad_text.h"
@@ -189,9 +190,6 @@ Rational extent_of(const Result& result) {
 /// What is joined so that there are tetrahedra, in parts of the extent: some of the last digits of doubles, then
 /// more, and not more than somebody who draws by hand would see.
 constexpr double kJoined[] = {0x1p-40, 0x1p-32, 0x1p-24, 0x1p-16};
-/// Where there is nothing to join, so many points may be added on edges for each point and edge.
-constexpr double kCutsAtLast = 30;
-
 }  // namespace
 
 TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
@@ -199,10 +197,12 @@ TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& opti
   const auto of_doubles = [&](const TetrahedraOptions& how) {
     return snapped_if_broken(result, report, [&] { return tetrahedra(result, how); });
   };
+  std::exception_ptr near;
   try {
     return of_doubles(options);
   } catch (const NearFault&) {
     if (options.keep_boundary) throw;
+    near = std::current_exception();
   }
   const Rational extent = extent_of(exact);
   TetrahedraOptions asked = options;
@@ -223,10 +223,7 @@ TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& opti
     } catch (const NearFault&) {
     }
   }
-  report = {};
-  result = exact;
-  asked.cuts = kCutsAtLast;
-  return of_doubles(asked);
+  std::rethrow_exception(near);
 }
 
 SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& options) {

@@ -76,7 +76,7 @@ class TetrahedraMaker {
       if (options_.keep_boundary) throw InputError(refused);  // constrained tetrahedra need points on it
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
       options_.watch.begin("mesh: constrained tetrahedra");
-      out_ = run_constrained(plc_, flat_, Watch{{}, options_.watch.stop}, options_.cuts);
+      out_ = run_constrained(plc_, flat_, Watch{{}, options_.watch.stop});
       take();
       to_sizes_ = !sizes_.empty();
       if (!refused.empty()) {  // without its advice
