@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "csg/leaves/prepare_shapes.h"
+#include "csg/operators/node_value.h"
 #include "csg/result/result_data.h"
 #include "csg/result/result_json.h"
 #include "csg/tree/dag.h"
@@ -30,6 +31,40 @@ EvaluateOptions options_below(const EvaluateOptions& options) {
     };
   }
   return below;
+}
+
+/// Components of which some cell is left, numbered anew.
+Components without_vanished(Components x) {
+  std::vector<Component> number(x.attributes.size() + 1, 0);
+  const auto each = [&](auto see) {
+    see(x.selection.regions), see(x.selection.faces), see(x.selection.edges), see(x.selection.vertices);
+  };
+  each([&](const auto& cells) {
+    for (const auto& [cell, component] : cells) number[component] = 1;
+  });
+  std::vector<ComponentAttributes> attributes;
+  for (Component c = 1; c < number.size(); ++c) {
+    if (number[c] == 0) continue;
+    attributes.push_back(std::move(x.attributes[c - 1]));
+    number[c] = static_cast<Component>(attributes.size());
+  }
+  each([&](auto& cells) {
+    for (auto& [cell, component] : cells) component = number[component];
+  });
+  x.attributes = std::move(attributes);
+  return x;
+}
+
+/// A group that was joined is a group again: `join` leaves components, with the numbers that they had.
+Result settled(const Result& joined) {
+  const auto data = std::make_shared<Result::Data>(joined.data());
+  const Components& x = data->value->components();
+  data->value = std::make_shared<const NodeValue>(
+      data->of_group ? NodeValue(*data->complex, group_of(*data->complex, x)) : NodeValue(without_vanished(x)));
+  data->simplified = SimplifiedValue(data->complex, data->value).share();
+  data->of_group = false;
+  data->region_sizes = nullptr;
+  return Result(data);
 }
 
 std::vector<Diagnostic> diagnostics_of(const Tree& tree, const Node& node, const JoinReport& report) {
@@ -66,7 +101,8 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
   JoinedNode joined{id, {}, std::move(evaluation.rows)};
   options.watch.begin("near features");
   try {
-    const Result result = join(evaluation.result(), *node.within, &joined.report);
+    Result result = join(evaluation.result(), *node.within, &joined.report);
+    if (joined.report.rounds > 0) result = settled(result);
     leaves_[id] = prepare_result(result_json(result.data().view(true)), "`" + node.name + "`");
   } catch (const TreeError&) {
     throw;

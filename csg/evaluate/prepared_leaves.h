@@ -32,7 +32,7 @@ class PreparedLeaves {
  public:
   /// Prepares each leaf node below the unfolding once; those of `joined` are there. Throws TreeError or FileError
   /// with a position.
-  PreparedLeaves(const Tree& tree, const Unfolding& unfolding, const JoinedLeaves& joined);
+  PreparedLeaves(const Tree& tree, const Unfolding& unfolding, const JoinedLeaves& joined = {});
   /// Prepares every leaf node of the tree, used or not, without instances.
   explicit PreparedLeaves(const Tree& tree);
 
