@@ -165,7 +165,7 @@ class Expressions(Folder):
         drilled = joined - cnrg.box([0, 0, 0], [1, 1, 2])
         evaluation = cnrg.evaluate(drilled)
         self.assertEqual([row.volume for row in evaluation.rows][-1], 6)
-        self.assertTrue(any("joined 4 pairs nearer than 0.001" in d.message for d in evaluation.diagnostics))
+        self.assertTrue(any("joined 4 pairs nearer than 0.001" in n.message for n in evaluation.notices))
         text = joined.to_yaml()
         self.assertIn("within: 0.001", text)
         both = (low | high).simplify("points", within=0.001)

@@ -326,7 +326,7 @@ class Node:
         """Fewest cells; mode "points" forgets features, too: what is coplanar or collinear is one.
 
         within: what does not touch and is nearer than this (units, above 0) is joined; what met and how far it moved
-        is told by the evaluation's diagnostics.
+        is told by the notices of the evaluation.
         """
         if mode not in ("features", "points"):
             raise fault(f"simplify: the mode is features or points, not {mode!r}")
