@@ -59,7 +59,7 @@ class SurfaceMesh:
         self.moved: int = data["moved"]
         """how many vertices of the result are no doubles and were rounded"""
         self.kept: int = data["kept"]
-        """how many facets keep the triangles that they have, since doubles would make smaller ones cross what is near"""
+        """how many facets keep the triangles that they have, since smaller ones of doubles would cross what is near"""
         self.curved: bool = data["curved"]
         """elements of second order, with a node in the middle of each straight side"""
 
@@ -86,8 +86,8 @@ class SurfaceMesh:
         return convert.blocks_to_vtk(self.points, self._blocks(), names)
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes .msh .vtu .inp .bdf .med .xdmf, .mesh unless it is of second order, and .h5m if it has neither that nor
-        quadrilaterals. InputError for another extension; FileError."""
+        """Writes .msh .vtu .inp .bdf .med .xdmf, .mesh unless it is of second order, and .h5m if it is of first order
+        without quadrilaterals. InputError for another extension; FileError."""
         self._mesh.write(os.fspath(path))
 
     def __repr__(self) -> str:
