@@ -114,10 +114,14 @@ std::string number_text(double value) {
   return buffer;
 }
 
-/// A row per group of faces and one for all.
-std::string table_of(const SurfaceTriangles& made) {
+/// A row per group of faces and one for all. `quads`: these were asked for.
+std::string table_of(const SurfaceTriangles& made, bool quads) {
   Table table;
   table.add_column("faces", Table::Align::left);
+  if (quads) {
+    table.add_column("quads");
+    table.add_column("least quality");
+  }
   table.add_column("triangles");
   table.add_column("area", Table::Align::left);
   table.add_column("least angle");
@@ -133,17 +137,27 @@ std::string table_of(const SurfaceTriangles& made) {
       below += of.why[i];
       since += (since.empty() ? "" : ", ") + std::string(kWhy[i]) + " " + std::to_string(of.why[i]);
     }
-    const std::string place =
-        number_text(of.where[0]) + " " + number_text(of.where[1]) + " " + number_text(of.where[2]);
-    char angle[32];
-    std::snprintf(angle, sizeof angle, of.least_angle < 0.1 ? "%.3g" : "%.2f", of.least_angle);
-    table.add_row(
-        {of.name, std::to_string(of.triangles), number_text(of.area), angle, place, std::to_string(below), since});
+    std::string place, angle;
+    if (of.triangles > 0) {
+      place = number_text(of.where[0]) + " " + number_text(of.where[1]) + " " + number_text(of.where[2]);
+      angle = decimal(of.least_angle, of.least_angle < 0.1 ? "%.3g" : "%.2f");
+    }
+    std::vector<std::string> cells{of.name};
+    if (quads) {
+      cells.push_back(std::to_string(of.quads));
+      cells.push_back(of.quads == 0 ? "" : decimal(of.least_quad, "%.2f"));
+    }
+    for (std::string& cell : std::vector<std::string>{std::to_string(of.triangles), number_text(of.area), angle,
+                                                      place, std::to_string(below), since})
+      cells.push_back(std::move(cell));
+    table.add_row(std::move(cells));
   };
   FaceTriangles all{"all"};
   for (const FaceTriangles& of : made.groups) {
     row(of);
     all.triangles += of.triangles;
+    all.quads += of.quads;
+    all.least_quad = std::min(all.least_quad, of.least_quad);
     all.area += of.area;
     for (std::size_t i = 0; i < of.why.size(); ++i) all.why[i] += of.why[i];
     if (of.least_angle < all.least_angle) all.least_angle = of.least_angle, all.where = of.where;
@@ -151,6 +165,7 @@ std::string table_of(const SurfaceTriangles& made) {
   if (!made.groups.empty()) row(all);
   const Mesh& mesh = made.mesh;
   return (made.groups.empty() ? "" : table.text()) + std::to_string(mesh.points.size()) + " points, " +
+         (quads ? std::to_string(mesh.quads.size()) + " quadrilaterals and " : "") +
          std::to_string(mesh.triangles.size()) + " triangles on faces, " + std::to_string(mesh.segments.size()) +
          " segments on edges\n";
 }
@@ -183,6 +198,8 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
     asked.overall = arguments.options.size;
     asked.growth = arguments.options.growth;
     asked.max_points = arguments.max_points;
+    asked.quads = arguments.quads;
+    asked.order = arguments.options.order;
     asked.seconds = arguments.options.seconds;
     asked.watch.progress = bar.progress();
     made = at_node(tree, node, [&] {
@@ -190,7 +207,7 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
                                : snapped_surface_triangles(result, asked, snapped);
     });
   }
-  if (!arguments.quiet) std::cout << table_of(made) << std::flush;
+  if (!arguments.quiet) std::cout << table_of(made, arguments.quads) << std::flush;
   const std::string notice =
       made.kept == 0 ? ""
                      : std::to_string(made.kept) + (made.kept == 1 ? " facet keeps its" : " facets keep their") +
@@ -205,6 +222,7 @@ int run_mesh(const MeshArguments& arguments) {
   require_distinct(arguments.files);
   for (const std::string& path : arguments.files) {  // before the work, not after it
     if (arguments.curved || arguments.options.order == 2) check_second_order_file_name(path);
+    else if (arguments.quads) check_quads_file_name(path);
     else check_mesh_file_name(path);
   }
   const Tree tree = tree_of(arguments);

@@ -28,6 +28,10 @@ CurvedReport curve(const Result& result, TetrahedralMesh& made);
 /// extension.
 void check_second_order_file_name(const std::string& path);
 
+/// The formats of meshes with quadrilaterals: all of tetrahedra but .h5m. Throws InputError for any other
+/// extension.
+void check_quads_file_name(const std::string& path);
+
 /// Writes the mesh of a result to `path`; the file appears whole or not at all (csg/text/file.h).
 void write(const std::string& path, const Result& result, const Mesh& mesh);
 

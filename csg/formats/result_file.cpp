@@ -33,6 +33,7 @@ bool shows_regions(const std::string& path) {
 struct MeshFormat {
   std::string_view extension;
   bool second_order;
+  bool quads;
   std::string (*make)(const std::string& path, const ResultView& view, const Mesh& mesh);
 };
 
@@ -42,22 +43,23 @@ std::string make(const std::string&, const ResultView&, const Mesh& mesh) {
 }
 
 constexpr std::array<MeshFormat, 8> kMeshFormats{
-    {{".msh", true, make<msh_text>},
-     {".mesh", false, make<medit_text>},
-     {".vtu", true,
+    {{".msh", true, true, make<msh_text>},
+     {".mesh", false, true, make<medit_text>},
+     {".vtu", true, true,
       [](const std::string&, const ResultView& view, const Mesh& mesh) { return vtu_text(view, mesh); }},
-     {".inp", true, make<abaqus_text>},
-     {".bdf", true, make<nastran_text>},
-     {".h5m", false, make<h5m_bytes>},
-     {".med", true, make<med_bytes>},
-     {".xdmf", true,
+     {".inp", true, true, make<abaqus_text>},
+     {".bdf", true, true, make<nastran_text>},
+     {".h5m", false, false, make<h5m_bytes>},
+     {".med", true, true, make<med_bytes>},
+     {".xdmf", true, true,
       [](const std::string& path, const ResultView&, const Mesh& mesh) { return xdmf_text(path, mesh); }}}};
 
 /// Each with a space before it.
-std::string known_mesh_formats(bool second_order) {
+std::string known_mesh_formats(bool second_order, bool quads = false) {
   std::string known;
   for (const MeshFormat& format : kMeshFormats) {
-    if (format.second_order || !second_order) known += " " + std::string(format.extension);
+    if ((format.second_order || !second_order) && (format.quads || !quads))
+      known += " " + std::string(format.extension);
   }
   return known;
 }
@@ -230,6 +232,7 @@ SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& o
   const ResultView view = result.data().view();
   SurfaceTriangles made = surface_triangles(view, options);
   add_properties(view, made.mesh);
+  if (options.order == 2) add_straight_middles(made.mesh);
   return made;
 }
 
@@ -256,8 +259,16 @@ void check_second_order_file_name(const std::string& path) {
                    known_mesh_formats(true) + " for --curved and --order 2");
 }
 
+void check_quads_file_name(const std::string& path) {
+  check_mesh_file_name(path);
+  if (mesh_format_of(path).quads) return;
+  throw InputError(path + ": this format is read by programs that take triangles only; use one of" +
+                   known_mesh_formats(false, true) + " for --quads");
+}
+
 void write(const std::string& path, const Result& result, const Mesh& mesh) {
   check_mesh_file_name(path);
+  if (!mesh.quads.empty()) check_quads_file_name(path);
   if (!mesh.middles.empty()) check_second_order_file_name(path);
   std::string content;
   try {

@@ -116,6 +116,19 @@ TEST_CASE("mesh: surfaces alone, with a row per group of faces", "[app][mesh]") 
   CHECK(w.run("mesh t.yaml --surface --node sheet -o s.msh").status == 0);
   CHECK(test::read_msh(w.read("s.msh")).count(2) > 0);
 
+  o = w.run("mesh t.yaml --surface --quads --size 0.5 -o q.msh -o q.mesh");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.out, Contains(" quadrilaterals and ") && Contains("least quality"));
+  CHECK_THAT(w.read("q.mesh"), Contains("Quadrilaterals\n"));
+  CHECK(w.run("mesh t.yaml --surface-first --size 0.5 -o first.msh").status == 0);
+  CHECK(test::read_msh(w.read("first.msh")).count(2) == msh.count(2));
+  CHECK(w.run("mesh t.yaml --quads -o bad.msh").status == 2);
+  CHECK_THAT(w.run("mesh t.yaml --surface --quads -o bad.h5m").err, Contains("take triangles only; use one of .msh"));
+  CHECK(w.run("mesh t.yaml --surface --order 2 -o two.msh").status == 0);
+  for (const std::string option : {"--quads --order 2", "--surface-first"})
+    CHECK(w.run("mesh t.yaml --surface -o bad.msh " + option).status == 2);
+  CHECK(w.run("mesh t.yaml --surface-first -Y -o bad.msh").status == 2);
+
   for (const std::string option :
        {"--quality 2", "--max-volume 1", "-Y", "--constrained", "--curved", "--max-points 0", "--max-points x"}) {
     CHECK(w.run("mesh t.yaml --surface -o bad.msh " + option).status == 2);

@@ -42,7 +42,7 @@ WIRES = {"bolt": 1, "material steel": 1, "wire of cable": 7}
 ALL = {**{(3, name): value for name, value in VOLUMES.items()}, **{(1, name): value for name, value in WIRES.items()},
        **{(2, name): value for name, value in {**BOUNDARIES, **SHEETS}.items()}}
 FIRST = {key: value for key, value in ALL.items() if not key[1].startswith(("material", "from"))}
-DIMENSION = {"vertex": 0, "line": 1, "line3": 1, "triangle": 2, "triangle6": 2, "tetra": 3, "tetra10": 3}
+DIMENSION = {"vertex": 0, "line": 1, "line3": 1, "triangle": 2, "triangle6": 2, "quad": 2, "tetra": 3, "tetra10": 3}
 MIDDLES = {"line3": ((0, 1),), "triangle6": ((0, 1), (1, 2), (0, 2)),
            "tetra10": ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))}
 
@@ -274,7 +274,7 @@ def in_mdump(file):
     assert ended.returncode == 0 and not ended.stderr and "ERREUR" not in text, (text[-500:], ended.stderr)
     rows = lambda part, kind: np.array([line.split()[0:] for line in re.findall(r"^ \[ *\d+ \] : (.*)$", part, re.M)], kind)
     points = rows(text.split("Coordonnees des noeuds")[1].split("Numeros des familles")[0], float)
-    kinds = {"MED_SEG2": "line", "MED_SEG3": "line3", "MED_TRIA3": "triangle", "MED_TRIA6": "triangle6",
+    kinds = {"MED_SEG2": "line", "MED_SEG3": "line3", "MED_TRIA3": "triangle", "MED_TRIA6": "triangle6", "MED_QUAD4": "quad",
              "MED_TETRA4": "tetra", "MED_TETRA10": "tetra10"}
     cells, families = [], []
     for kind, part in re.findall(r"^- Mailles de type (\w+) : \n(.*?)(?=^- Mailles|^\(\*)", text, re.M | re.S):
@@ -444,6 +444,83 @@ def surfaces():
     check(totals(found, rows), faces, "e.med", 1e-5)
 
 
+def split(mesh):
+    """With each quadrilateral as two triangles, once it was found flat and convex; and how many there were."""
+    cells, of, count = [], [], 0
+    for i, block in enumerate(mesh.cells):
+        if block.type != "quad":
+            cells.append((block.type, block.data))
+            of.append((i, np.arange(len(block.data))))
+            continue
+        count += len(block.data)
+        p = mesh.points[block.data]
+        turns = [np.cross(p[:, (k + 1) % 4] - p[:, k], p[:, (k + 2) % 4] - p[:, (k + 1) % 4]) for k in range(4)]
+        for turn in turns[1:]:
+            assert (np.einsum("ij,ij->i", turns[0], turn) > 0).all(), "not convex, or corners not in turn"
+        flat = np.abs(np.einsum("ij,ij->i", turns[0], p[:, 3] - p[:, 0]))
+        assert (flat < 1e-5).all(), flat.max()
+        cells.append(("triangle", np.concatenate([block.data[:, :3], block.data[:, [0, 2, 3]]])))
+        of.append((i, np.tile(np.arange(len(block.data)), 2)))
+    data = {key: [np.asarray(values[i])[rows] for i, rows in of] for key, values in mesh.cell_data.items()}
+    sets = {}
+    for name, rows in mesh.cell_sets.items():
+        if name.startswith("gmsh:"):
+            continue
+        sets[name] = []
+        for i, places in of:
+            member = np.zeros(len(mesh.cells[i].data), bool)
+            if rows[i] is not None and len(rows[i]):
+                member[np.asarray(rows[i], int)] = True
+            sets[name].append(np.flatnonzero(member[places]))
+    return meshio.Mesh(mesh.points, cells, cell_data=data, cell_sets=sets), count
+
+
+def quads():
+    """Of a surface mesh: each reader finds as many, and groups measure what they should."""
+    extensions = ("msh", "vtu", "mesh", "inp", "bdf", "med", "faces.xdmf")
+    run("mesh", tree(), "--quiet", "--surface", "--quads", "--size", "0.4",
+        *(word for extension in extensions for word in ("-o", f"q.{extension}")))
+    faces = {key: value for key, value in ALL.items() if key[0] < 3}
+    first = {key: value for key, value in FIRST.items() if key[0] < 3}
+    whole, count = split(meshio.read(FOLDER / "q.msh"))
+    triangles = sum(len(b.data) for b in whole.cells if b.type == "triangle") - 2 * count
+    assert count > 2 * triangles > 0, (count, triangles)
+    by_sets = lambda mesh, named: totals(mesh, lambda block, i: {
+        named.get(name, name): rows[i] for name, rows in mesh.cell_sets.items()})
+    check({key: value for key, value in by_sets(whole, {}).items() if key != (1, "edges")}, faces, "q.msh")
+    again, n = split(in_gmsh("q.msh"))
+    assert n == count
+    mesh, n = split(meshio.read(FOLDER / "q.vtu"))
+    assert n == count
+    mesh, n = split(meshio.read(FOLDER / "q.faces.xdmf"))
+    assert n == count and abs(sum(measures(mesh.points, b.data).sum() for b in mesh.cells) - (21 + 21 + 12 + 9 + 9 + 1)) < 1e-9
+    mesh, n = split(meshio.read(FOLDER / "q.inp"))
+    names = dict(re.findall(r"^\*\* (\S+) is (.*)$", (FOLDER / "q.inp").read_text(), re.M))
+    assert n == count
+    check(by_sets(mesh, names), faces, "q.inp")
+    text = (FOLDER / "q.bdf").read_text()
+    names = {({"PSHELL": 2, "PROD": 1}[kind], int(number)): name
+             for kind, number, name in re.findall(r"^\$ (P\w+) (\d+): (.*)$", text, re.M)}
+    mesh, n = split(meshio.read(FOLDER / "q.bdf"))
+    assert n == count
+    check(by_reference(mesh, "nastran:ref", names), first, "q.bdf")
+    text = (FOLDER / "q.mesh").read_text()
+    names = {({"edges": 1, "triangles": 2}[kind], int(number)): name for kind, number, name in
+             re.findall(r"^# (edges|triangles) (\d+) (.*)$", text, re.M)}
+    for mesh, array in ((meshio.read(FOLDER / "q.mesh"), "medit:ref"), (in_gmsh("q.mesh"), "gmsh:geometrical")):
+        mesh, n = split(mesh)
+        assert n == count, (array, n, count)
+        check(by_reference(mesh, array, names), first, f"q.mesh {array}")
+    found, tags = in_mdump("q.med")
+    found, n = split(found)
+    assert n == count
+    rows = lambda block, i: {re.sub("_2$", "", name): np.flatnonzero(np.isin(found.cell_data["cell_tags"][i], [
+        number for number, names in tags.items() if name in names])) for name in sum(tags.values(), [])}
+    check(totals(found, rows), faces, "q.med", 1e-5)
+    run("mesh", "m.yaml", "--surface", "--quads", "-o", "q.h5m", status=2)
+    assert not (FOLDER / "q.h5m").exists()
+
+
 def same():
     """The same bytes each time, and names that are long, of any script, or equal but for case."""
     words = ["l" * 300, "l" * 299 + "m", "Wall", "wall", "a/b:c", "3 things", "Ö — 岩", "a\nb", "x" * 28]
@@ -470,4 +547,4 @@ def same():
 
 
 {"msh": msh, "medit": medit, "nastran": nastran, "abaqus": abaqus, "med": med, "xdmf": xdmf, "h5m": h5m,
- "surfaces": surfaces, "same": same}[CASE]()
+ "surfaces": surfaces, "quads": quads, "same": same}[CASE]()
