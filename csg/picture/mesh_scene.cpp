@@ -135,6 +135,10 @@ class MeshScene {
   const FlatComplex::Face& face_of(const Mesh::Simplex<3>& t) const {
     return flat_.faces[std::size_t(mesh_.entities[2][t.entity].tags.cell)];
   }
+  bool parts_nothing(const Mesh::Simplex<3>& t) const {
+    const auto& [front, back] = face_of(t).regions;
+    return front == back || (!active(front) && !active(back));
+  }
   void add_sheet(const Mesh::Simplex<3>& t) {
     const auto cell = Index(mesh_.entities[2][t.entity].tags.cell);
     add_facet(t.points, skin(t.entity, colors_.of(colors_by(view_), 2, cell).color, true, true));
@@ -169,7 +173,8 @@ class MeshScene {
     for (const auto& t : mesh_.triangles) {
       const Triangle key = sorted(t.points);
       if (open.count(key) != 0) faces.emplace(key, &t);
-      else if (stays(t.points) && !std::binary_search(inside.begin(), inside.end(), key)) add_sheet(t);
+      else if (parts_nothing(t) && stays(t.points) && !std::binary_search(inside.begin(), inside.end(), key))
+        add_sheet(t);
     }
     for (const auto& [key, side] : open) {
       const auto& t = mesh_.tetrahedra[side.tetrahedron];

@@ -40,7 +40,7 @@ section { margin-top: 40px; }
 .alarm { color: var(--alarm); }
 .picture { background: #fff; border: 1px solid var(--rule); border-radius: 8px; padding: 14px; text-align: center; }
 .picture svg { max-width: 100%; height: auto; }
-.histograms { display: grid; grid-template-columns: repeat(auto-fit, minmax(290px, 1fr)); gap: 16px; }
+.histograms { display: grid; grid-template-columns: repeat(auto-fill, minmax(290px, 1fr)); gap: 16px; }
 .histograms figure { margin: 0; background: var(--card); border-radius: 8px; padding: 14px 16px 8px; }
 .histograms figcaption { color: var(--muted); font-size: 12px; }
 .histograms svg { display: block; width: 100%; height: auto; margin-top: 8px; }
