@@ -187,9 +187,8 @@ std::string table_of(const SurfaceTriangles& made) {
     spread.add_row({"smallest angle", "0", bars(triangle_quality_of(mesh, {}).angles), "60 degrees"});
     rows = table.text() + spread.text();
   }
-  return rows + std::to_string(mesh.points.size()) + " points, " +
-         std::to_string(mesh.triangles.size()) + " triangles on faces, " + std::to_string(mesh.segments.size()) +
-         " segments on edges\n";
+  return rows + std::to_string(mesh.points.size()) + " points, " + std::to_string(mesh.triangles.size()) +
+         " triangles on faces, " + std::to_string(mesh.segments.size()) + " segments on edges\n";
 }
 
 /// The page that tells of a mesh.
@@ -211,7 +210,8 @@ void write_files(const MeshArguments& arguments, const Result& result, const Mes
       ProgressBar bar(arguments.quiet);
       bar.show("write " + path);
       if (is_page(path)) {
-        replace_file(path, page({arguments.tree, mesh.node, arguments.options.quality, notices, arguments.threads}));
+        replace_file(path,
+                     page({arguments.tree, mesh.node, arguments.options.quality, notices, arguments.threads}));
       } else {
         write(path, result, mesh);
       }
@@ -303,8 +303,9 @@ int run_mesh(const MeshArguments& arguments) {
     if (bent) std::cout << text_of(*bent);
     std::cout << std::flush;
   }
-  write_files(arguments, result, made.mesh, made.rounding, snapped, made.notice,
-              [&](const MeshPageOptions& options) { return mesh_page(result, made, bent ? &*bent : nullptr, options); });
+  write_files(
+      arguments, result, made.mesh, made.rounding, snapped, made.notice,
+      [&](const MeshPageOptions& options) { return mesh_page(result, made, bent ? &*bent : nullptr, options); });
   return kDone;
 }
 

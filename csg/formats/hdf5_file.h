@@ -1,8 +1,8 @@
 // A file of HDF5 that is made in memory, so that it can appear whole or not at all, with the same bytes for the
 // same content: no times are kept. Links of a group are found by name; paths are made as they are needed.
 //
-// Where memory runs out HDF5 may follow null pointers instead of saying so, and no check of ours comes before that.
-// So a file is made in a process of its own (csg/text/child.h), and only whole bytes come back.
+// Where memory runs out HDF5 may follow null pointers instead of saying so, and no check of ours comes before
+// that. So a file is made in a process of its own (csg/text/child.h), and only whole bytes come back.
 #pragma once
 
 #include <array>
@@ -57,8 +57,8 @@ class Hdf5File {
   void set(const std::string& path, const std::string& attribute, std::int64_t type, const void* data);
 };
 
-/// The bytes of a file that `make` makes in a child. InputError of `make` comes through. Throws std::bad_alloc where
-/// memory runs out, FileError where HDF5 crashes; `format` is for the message.
+/// The bytes of a file that `make` makes in a child. InputError of `make` comes through. Throws std::bad_alloc
+/// where memory runs out, FileError where HDF5 crashes; `format` is for the message.
 std::string hdf5_bytes(const std::string& format, const std::function<std::string()>& make);
 
 }  // namespace cnrg

@@ -158,7 +158,8 @@ class Explainer {
       const double angle = dihedral(p, e);
       if (angle > kSharp) continue;
       const auto f = face(t, kOthers[e][0]), g = face(t, kOthers[e][1]);
-      if (f && g) return words({2, *f, 0}) + " and " + words({2, *g, 0}) + " meet at " + short_text(angle) + " degrees";
+      if (f && g)
+        return words({2, *f, 0}) + " and " + words({2, *g, 0}) + " meet at " + short_text(angle) + " degrees";
     }
     for (std::size_t k = 0; k < 4; ++k) {
       const auto f = face(t, k);

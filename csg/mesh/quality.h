@@ -40,7 +40,7 @@ struct MeshQuality {
   std::array<std::size_t, 18> dihedrals{};  ///< by the smallest angle, 5 degrees each
   /// By ratios of circumradius to shortest edge, from 0.6 on 0.2 each; all larger ones are in the last.
   std::array<std::size_t, 16> ratios{};
-  std::vector<Bad> worst_ones;              ///< `kShown` at most, the worst first
+  std::vector<Bad> worst_ones;  ///< `kShown` at most, the worst first
 };
 
 /// `leaves`: their names, by number; `radius_edge`: the largest ratio that was asked for, 0: none.

@@ -74,9 +74,9 @@ class MeshScene {
   double sign_ = -1, middle_ = 0;
   std::size_t taken_ = 0, kept_ = 0;
   Scene scene_;
-  std::vector<Scene::Index> number_;                              // by point of the mesh
+  std::vector<Scene::Index> number_;                               // by point of the mesh
   std::map<std::pair<Index, std::array<double, 3>>, Index> skin_;  // surfaces, by face and color
-  std::map<std::array<Index, 2>, char> sides_;                    // edges of what is drawn
+  std::map<std::array<Index, 2>, char> sides_;                     // edges of what is drawn
 
   /// Across the horizontal axis that points most towards who looks.
   void find_plane() {
@@ -180,11 +180,10 @@ class MeshScene {
       const auto& t = mesh_.tetrahedra[side.tetrahedron];
       std::array<std::array<double, 3>, 4> corners;
       for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh_.points[t.points[k]];
-      const Rgb color =
-          measures_of(corners).shape < MeshQuality::kBad ? alarm_color() : region_color_[t.entity];
+      const Rgb color = measures_of(corners).shape < MeshQuality::kBad ? alarm_color() : region_color_[t.entity];
       const auto face = faces.find(key);
-      add_facet(side.seen,
-                face == faces.end() ? add_surface(color, false, false) : skin(face->second->entity, color, false, false));
+      add_facet(side.seen, face == faces.end() ? add_surface(color, false, false)
+                                               : skin(face->second->entity, color, false, false));
     }
   }
 
@@ -216,7 +215,8 @@ class MeshScene {
     for (const auto& s : mesh_.segments) {
       const Mesh::Entity& edge = mesh_.entities[1][s.entity];
       const std::array<Index, 2> ends{std::min(s.points[0], s.points[1]), std::max(s.points[0], s.points[1])};
-      if (edge.feature && (sides_.count(ends) != 0 || (edge.wire && stays(s.points)))) segments.emplace(ends, &edge);
+      if (edge.feature && (sides_.count(ends) != 0 || (edge.wire && stays(s.points))))
+        segments.emplace(ends, &edge);
     }
     const auto begin = [&](Figure::Line look, const Rgb& color) {
       Scene::Line line;

@@ -94,8 +94,8 @@ void bind_tetrahedra(py::module_& module) {
         run_watched(py::none(), [&](const Watch&) { object.mesh.write(path); });
       });
   module.def("tetrahedralize", &tetrahedralize, py::arg("result"), py::arg("max_volume"), py::arg("quality"),
-             py::arg("keep_boundary"), py::arg("seconds"), py::arg("curved"), py::arg("order"), py::arg("size"), py::arg("growth"),
-             py::arg("progress"));
+             py::arg("keep_boundary"), py::arg("seconds"), py::arg("curved"), py::arg("order"), py::arg("size"),
+             py::arg("growth"), py::arg("progress"));
 }
 
 }  // namespace cnrg::python

@@ -1,5 +1,6 @@
-// The page is put together here and not from the template of `cnrg view`, which needs npm when the program is built
-// and a file beside it when it runs: a report is tables and pictures, and every program that meshes can write it.
+// The page is put together here and not from the template of `cnrg view`, which needs npm when the program is
+// built and a file beside it when it runs: a report is tables and pictures, and every program that meshes can
+// write it.
 #include "csg/view/mesh_page.h"
 
 #include <algorithm>
@@ -92,7 +93,8 @@ class HtmlTable {
     text_ += all ? "<tr class=\"all\">" : "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i) {
       text_ += kinds_[i] == '>' ? "<td>" : kinds_[i] == '<' ? "<td class=\"text\">" : "<td class=\"text words\">";
-      if (i == 0 && swatch != nullptr) text_ += "<i class=\"swatch\" style=\"background:" + hex(*swatch) + "\"></i>";
+      if (i == 0 && swatch != nullptr)
+        text_ += "<i class=\"swatch\" style=\"background:" + hex(*swatch) + "\"></i>";
       text_ += in_xml(cells[i]) + "</td>";
     }
     text_ += "</tr>\n";
@@ -118,9 +120,10 @@ std::string histogram(const Histogram& of, const std::array<std::size_t, N>& cou
   constexpr double kWidth = 340, kHeight = 150, kTop = 16, kBottom = 22;
   const double most = double(std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end())));
   const double bar = kWidth / double(N), room = kHeight - kTop - kBottom;
-  std::string out = "<figure><h3>" + in_xml(of.title) + "</h3><figcaption>" + in_xml(of.words) +
-                    "</figcaption>\n<svg viewBox=\"0 0 340 150\" role=\"img\" aria-label=\"histogram: " +
-                    in_xml(of.title) + "\">\n";
+  std::string out =
+      "<figure><h3>" + in_xml(of.title) + "</h3><figcaption>" + in_xml(of.words) +
+      "</figcaption>\n<svg viewBox=\"0 0 340 150\" role=\"img\" aria-label=\"histogram: " + in_xml(of.title) +
+      "\">\n";
   const auto number = [&](double x) { return decimal(x, "%.1f"); };
   for (std::size_t i = 0; i < N; ++i) {
     const double low = of.begin + double(i) * of.step;
@@ -208,8 +211,8 @@ std::string regions_table(const Result& result, const TetrahedralMesh& made, con
                        const MeshQuality::Region& shapes, const Rational& of, const Rgb* color) {
     std::vector<std::string> cells{name, grouped(count)};
     if (bent != nullptr) cells.insert(cells.end(), {grouped(curved), grouped(straight)});
-    cells.insert(cells.end(), {shape_text(shapes.worst), shape_text(shapes.median), grouped(shapes.bad),
-                               to_decimal(of)});
+    cells.insert(cells.end(),
+                 {shape_text(shapes.worst), shape_text(shapes.median), grouped(shapes.bad), to_decimal(of)});
     table.row(cells, color == nullptr, color);
   };
   for (std::size_t i = 0; i < made.regions.size(); ++i) {
@@ -237,21 +240,22 @@ std::string mesh_page(const Result& result, const TetrahedralMesh& made, const C
   const Mesh& mesh = made.mesh;
   std::vector<std::array<double, 3>> worst;
   for (const MeshQuality::Bad& bad : q.worst_ones) worst.push_back(bad.at);
-  const std::string facts =
-      fact(grouped(mesh.tetrahedra.size()), "tetrahedra") + fact(grouped(mesh.points.size()), "points") +
-      fact(shape_text(q.worst), "worst shape, 1 is regular", q.worst < MeshQuality::kBad) +
-      fact(decimal(q.smallest_dihedral, "%.3g") + "°", "smallest dihedral angle") +
-      fact(decimal(q.largest_radius_edge, "%.3g"), "largest circumradius to shortest edge") +
-      fact(grouped(q.bad), "shapes below 0.1", q.bad > 0);
+  const std::string facts = fact(grouped(mesh.tetrahedra.size()), "tetrahedra") +
+                            fact(grouped(mesh.points.size()), "points") +
+                            fact(shape_text(q.worst), "worst shape, 1 is regular", q.worst < MeshQuality::kBad) +
+                            fact(decimal(q.smallest_dihedral, "%.3g") + "°", "smallest dihedral angle") +
+                            fact(decimal(q.largest_radius_edge, "%.3g"), "largest circumradius to shortest edge") +
+                            fact(grouped(q.bad), "shapes below 0.1", q.bad > 0);
   std::string body = pictures(result, mesh, worst, options.threads) + regions_table(result, made, bent);
   body += "<section><h2>Shapes</h2>\n<div class=\"histograms\">\n";
-  body += histogram({"Shape", "12 (3 V)^(2/3) / sum of squared edges; 1 is regular", 0, 0.05, "%g", MeshQuality::kBad},
-                    q.shapes);
+  body +=
+      histogram({"Shape", "12 (3 V)^(2/3) / sum of squared edges; 1 is regular", 0, 0.05, "%g", MeshQuality::kBad},
+                q.shapes);
   body += histogram({"Smallest dihedral angle", "degrees; 70.5 of a regular tetrahedron", 0, 5}, q.dihedrals);
   body += histogram({"Circumradius to shortest edge",
-                     options.radius_edge > 0
-                         ? "asked for: " + decimal(options.radius_edge, "%g") + "; " + grouped(q.beyond) + " beyond"
-                         : "0.61 of a regular tetrahedron",
+                     options.radius_edge > 0 ? "asked for: " + decimal(options.radius_edge, "%g") + "; " +
+                                                   grouped(q.beyond) + " beyond"
+                                             : "0.61 of a regular tetrahedron",
                      0.6, 0.2, "%g", -HUGE_VAL, options.radius_edge, true},
                     q.ratios);
   body += "</div>\n</section>\n";
@@ -263,8 +267,9 @@ std::string mesh_page(const Result& result, const TetrahedralMesh& made, const C
                  decimal(bad.measures.radius_edge, "%.3g"), place_text(bad.at), list_of(bad.nodes), bad.why});
     }
     body += "<section><h2>The worst shapes</h2>\n<p class=\"note\">" + grouped(q.worst_ones.size()) + " of " +
-            grouped(q.bad) + " below 0.1, at the middle of each tetrahedron, with the nodes that meet there.</p>\n" +
-            table.text() + "</section>\n";
+            grouped(q.bad) +
+            " below 0.1, at the middle of each tetrahedron, with the nodes that meet there.</p>\n" + table.text() +
+            "</section>\n";
   }
   return whole_page(options, facts, body);
 }
