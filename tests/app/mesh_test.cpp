@@ -110,7 +110,7 @@ TEST_CASE("mesh: histograms in the table, and a report with pictures", "[app][me
 materials: {rock: {color: "#998877"}}
 nodes:
   a: {box: {min: [0, 0, 0], max: [10, 10, 10]}, name: "a <b> & c", material: rock}
-  fault: {polygon: [[0, 0, 2], [10, 0, 2.05], [10, 10, 2.05], [0, 10, 2]]}
+  fault: {polygon: [[0, 0, 0], [10, 0, 0.05], [10, 10, 0.05], [0, 10, 0]]}
   u: {union: [fault, a], dominance: left}
 result: u
 )");
