@@ -344,7 +344,8 @@ int run(int argc, char** argv) {
   add_tree(sub, mesh);
   sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N")->check(name_fault);
   sub->add_option("-o", mesh.files,
-                  "Write this file, in the format of its extension: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf")
+                  "Write this file, in the format of its extension: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf; "
+                  ".html is a report with pictures")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)

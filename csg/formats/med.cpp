@@ -170,6 +170,8 @@ class MedWriter {
 
 }  // namespace
 
-std::string med_bytes(const Mesh& mesh) { return MedWriter(mesh).run(); }
+std::string med_bytes(const Mesh& mesh) {
+  return hdf5_bytes("MED", [&] { return MedWriter(mesh).run(); });
+}
 
 }  // namespace cnrg

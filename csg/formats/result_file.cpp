@@ -64,7 +64,7 @@ std::string known_mesh_formats(bool second_order, bool quads = false) {
   return known;
 }
 
-const MeshFormat& mesh_format_of(const std::string& path) {
+const MeshFormat& mesh_format_of(const std::string& path, const std::string& others = {}) {
   const std::string extension = extension_of(path);
   for (const MeshFormat& format : kMeshFormats) {
     if (format.extension == extension) return format;
@@ -73,7 +73,7 @@ const MeshFormat& mesh_format_of(const std::string& path) {
   throw InputError(path +
                    (surface ? ": this format holds faces and no tetrahedra; `cnrg eval -o` writes it"
                             : ": no writer of tetrahedra for the extension `" + extension + "`") +
-                   "; use one of" + known_mesh_formats(false));
+                   "; use one of" + known_mesh_formats(false) + others);
 }
 
 }  // namespace
@@ -148,9 +148,9 @@ Result read_result(const std::string& path) {
   return Result(data);
 }
 
-void check_mesh_file_name(const std::string& path) {
+void check_mesh_file_name(const std::string& path, const std::string& others) {
   require_no_directory(path);
-  mesh_format_of(path);
+  mesh_format_of(path, others);
 }
 
 TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options) {
@@ -252,11 +252,11 @@ CurvedReport curve(const Result& result, TetrahedralMesh& made) {
   return report;
 }
 
-void check_second_order_file_name(const std::string& path) {
-  check_mesh_file_name(path);
+void check_second_order_file_name(const std::string& path, const std::string& others) {
+  check_mesh_file_name(path, others);
   if (mesh_format_of(path).second_order) return;
   throw InputError(path + ": this format holds elements of first order only; use one of" +
-                   known_mesh_formats(true) + " for --curved and --order 2");
+                   known_mesh_formats(true) + others + " for --curved and --order 2");
 }
 
 void check_quads_file_name(const std::string& path) {

@@ -22,7 +22,8 @@ struct MeshArrays {
 
   /// Simplices of one dimension d.
   struct Simplices {
-    /// d + 1 of each; of a curved mesh then the middles of its edges, in the order of a .msh (csg/FORMATS.md).
+    /// d + 1 of each; of a mesh of second order then the middles of its edges, in the order of a .msh
+    /// (csg/FORMATS.md).
     Numbers points;
     Numbers cell;         ///< the number of the cell of the result, of dimension d, that it lies in
     Numbers component;    ///< of that cell, from 1

@@ -17,14 +17,15 @@ struct TetrahedraObject {
 };
 
 TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double quality, bool keep_boundary,
-                                int seconds, bool curved, double size, double growth, bool surface_first,
-                                const py::object& progress) {
+                                int seconds, bool curved, int order, double size, double growth,
+                                bool surface_first, const py::object& progress) {
   return apart(progress, [=, held = r.result](const Watch& watch) {
     TetrahedraOptions options;
     options.max_volume = max_volume;
     options.quality = quality;
     options.keep_boundary = keep_boundary;
     options.seconds = seconds;
+    options.order = order;
     options.size = size;
     options.growth = growth;
     options.surface_first = surface_first;
@@ -144,8 +145,8 @@ void bind_tetrahedra(py::module_& module) {
   module.def("mesh_surface", &mesh_surface, py::arg("result"), py::arg("size"), py::arg("growth"),
              py::arg("max_points"), py::arg("seconds"), py::arg("order"), py::arg("quads"), py::arg("progress"));
   module.def("tetrahedralize", &tetrahedralize, py::arg("result"), py::arg("max_volume"), py::arg("quality"),
-             py::arg("keep_boundary"), py::arg("seconds"), py::arg("curved"), py::arg("size"), py::arg("growth"),
-             py::arg("surface_first"), py::arg("progress"));
+             py::arg("keep_boundary"), py::arg("seconds"), py::arg("curved"), py::arg("order"), py::arg("size"),
+             py::arg("growth"), py::arg("surface_first"), py::arg("progress"));
 }
 
 }  // namespace cnrg::python

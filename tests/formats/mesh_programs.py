@@ -16,6 +16,10 @@ import h5py
 import meshio
 import numpy as np
 
+sys.dont_write_bytecode = True
+
+from simplices import measures_of  # noqa: E402
+
 PROGRAM, CASE, FOLDER = sys.argv[1], sys.argv[2], Path(sys.argv[3])
 
 # Volume 27: a rock that a seam parts in two, a sheet and a bolt that hang in it, a cable and a point outside.
@@ -58,17 +62,6 @@ def tree(text=MODEL, name="m.yaml"):
     return name
 
 
-def measures(points, cells):
-    """Of simplices by their corners, one row each."""
-    a = points[cells][:, 1:] - points[cells][:, :1]
-    if a.shape[1] == 1:
-        return np.linalg.norm(a[:, 0], axis=1)
-    normals = np.cross(a[:, 0], a[:, 1])
-    if a.shape[1] == 2:
-        return np.linalg.norm(normals, axis=1) / 2
-    return np.abs(np.einsum("ij,ij->i", normals, a[:, 2])) / 6
-
-
 def check(found, exact, what, close=1e-12):
     """Groups and measures are these and no others."""
     assert set(found) == set(exact), (what, set(found) ^ set(exact))
@@ -105,7 +98,7 @@ def totals(mesh, rows_of):
         dimension = DIMENSION[block.type]
         if dimension == 0:
             continue
-        sizes = measures(mesh.points, block.data[:, :dimension + 1])
+        sizes = measures_of(mesh.points[block.data[:, :dimension + 1]])
         for name, rows in rows_of(block, i).items():
             if len(rows):
                 key = dimension, name
@@ -201,7 +194,7 @@ def nastran():
             sets[what, name] = np.array(card.replace("+", " ").split()[1:], int)
         mesh = meshio.read(FOLDER / "t.bdf")
         numbers = np.concatenate(mesh.cells_id)
-        rows = np.concatenate([measures(mesh.points, b.data[:, :DIMENSION[b.type] + 1]) for b in mesh.cells])
+        rows = np.concatenate([measures_of(mesh.points[b.data[:, :DIMENSION[b.type] + 1]]) for b in mesh.cells])
         for name in ("material granite", "material ore", "from flap", "material steel"):
             [exact] = [value for (_, group), value in ALL.items() if group == name]
             total = rows[np.isin(numbers, sets.pop(("elements", name)))].sum()
@@ -348,6 +341,25 @@ def xdmf():
     said = run("mesh", tree("cnrg: 1\nnodes: {p: {sphere: {center: [0, 0, 0], radius: 1, segments: 8}}}\nresult: p\n",
                             "p.yaml"), "--quiet", "-o", "p.edges.xdmf", status=2).stderr
     assert "the mesh has no edges" in said, said
+    # Without tetrahedra NAME.xdmf has what is there of the highest dimension: sheets, or else wires.
+    faces = """cnrg: 1
+nodes:
+  sheet: {polygon: [[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]]}
+  cable: {polyline: [[0, 0, 0], [0, 0, 3]]}
+  m:     {union: [sheet, cable]}
+result: m
+"""
+    for node, dimension, measure in (("m", 2, 2), ("sheet", 2, 2), ("cable", 1, 3)):
+        run("mesh", tree(faces, "f.yaml"), "--node", node, "--surface", "--size", "0.5", "--quiet", "-o", "f.xdmf")
+        mesh = meshio.read(FOLDER / "f.xdmf")
+        [block] = mesh.cells
+        assert DIMENSION[block.type] == dimension and len(block.data) > 3, (node, block)
+        assert set(block.data.ravel()) == set(range(len(mesh.points))), node
+        assert abs(measures_of(mesh.points[block.data]).sum() - measure) < 1e-12, node
+    run("mesh", tree(faces, "f.yaml"), "--surface", "--quiet", "-o", "f.xdmf", "-o", "f.edges.xdmf")
+    whole, edges = meshio.read(FOLDER / "f.xdmf"), meshio.read(FOLDER / "f.edges.xdmf")
+    np.testing.assert_array_equal(edges.points[:len(whole.points)], whole.points)
+    assert abs(measures_of(edges.points[edges.cells[0].data]).sum() - 9) < 1e-12
 
 
 def sets_of(file):
@@ -404,21 +416,21 @@ def h5m():
                 total += enclosed if behind == volume else -enclosed
             volumes[volume] = total
             if has_tetrahedra:
-                assert abs(measures(points, rows("Tet4", contents[volume])).sum() - total) < 1e-12
+                assert abs(measures_of(points[rows("Tet4", contents[volume])]).sum() - total) < 1e-12
         check({name: sum(volumes[v] for v in members) for name, members in groups.items()
                if name.startswith(("mat:", "rock", "seam", "temp"))
                and (set(members) <= set(volumes))},
               {"mat:granite": 18, "mat:ore": 9, "rock 1": 9, "rock 2": 9, "seam": 9, "temp:300": 18}, file)
         for name, area in BOUNDARIES.items():
-            total = sum(measures(points, rows("Tri3", contents[s])).sum() for s in groups[name])
+            total = sum(measures_of(points[rows("Tri3", contents[s])]).sum() for s in groups[name])
             assert abs(total - area) < 1e-12 * area, (name, total)
         assert sum(1 for sense in senses.values() if 0 not in sense) == 2  # the walls
         sheet = groups["flap_ a sheet"]
-        assert abs(measures(points, rows("Tri3", sheet)).sum() - 1) < 1e-12
+        assert abs(measures_of(points[rows("Tri3", sheet)]).sum() - 1) < 1e-12
         inside = np.concatenate([contents[i] for i, d in dimension.items() if d == 2])
         assert not np.isin(sheet, inside).any()
         for wire, length in (("bolt", 1), ("wire of cable", 7)):
-            assert abs(measures(points, rows("Edge2", groups[wire])).sum() - length) < 1e-12
+            assert abs(measures_of(points[rows("Edge2", groups[wire])]).sum() - length) < 1e-12
         assert (points[groups["point of mark"] - 1] == 6).all()
     long = MODEL.replace("granite", "g" * 40)
     said = run("eval", tree(long, "long.yaml"), "--quiet", "-o", "long.h5m", status=2).stderr
@@ -538,7 +550,7 @@ def same():
     assert all(re.fullmatch(r"[A-Za-z][\w-]{0,79}", label, re.A) for label in labels), labels
     for label in labels:
         rows = mesh.cell_sets[label]
-        total = sum(measures(mesh.points, b.data[rows[i]]).sum() for i, b in enumerate(mesh.cells))
+        total = sum(measures_of(mesh.points[b.data[rows[i]]]).sum() for i, b in enumerate(mesh.cells))
         assert abs(total - 1) < 1e-12
     groups = [name for names in meshio.read(FOLDER / "a.med").cell_tags.values() for name in names]
     assert len(set(groups)) == 2 * len(words) + len(words), groups  # regions, their boundaries, what comes from each

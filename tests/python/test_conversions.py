@@ -304,6 +304,19 @@ class Tetrahedra(WithFolder):
             with self.assertRaises(cnrg.InputError):
                 result.mesh_surface(**wrong)
 
+    def test_straight_elements_of_second_order(self):
+        result = result_of(LAYERS)
+        mesh, first = result.tetrahedralize(order=2), result.tetrahedralize()
+        self.assertEqual([of.points.shape[1] for of in (mesh.segments, mesh.triangles, mesh.tetrahedra)], [3, 6, 10])
+        numpy.testing.assert_array_equal(mesh.tetrahedra.points[:, :4], first.tetrahedra.points)
+        for k, (i, j) in enumerate(((0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3))):
+            a, b, middle = mesh.points[mesh.tetrahedra.points[:, [i, j, 4 + k]]].transpose(1, 0, 2)
+            numpy.testing.assert_allclose(middle, (a + b) / 2, atol=1e-12)
+        self.assertEqual(first.regions, mesh.regions)
+        mesh.write(self.folder / "a.vtu")
+        with self.assertRaisesRegex(cnrg.InputError, "first order only"):
+            mesh.write(self.folder / "a.mesh")
+
     def test_tetrahedra_are_written(self):
         mesh = result_of(LAYERS).tetrahedralize()
         for name in ("a.msh", "a.mesh", "a.vtu"):
@@ -337,7 +350,7 @@ class Tetrahedra(WithFolder):
         result = result_of(LAYERS)
         for wrong in ({"max_volume": -1}, {"max_volume": float("nan")}, {"quality": 1}, {"quality": float("nan")},
                       {"seconds": -1}, {"quality": 1000}, {"size": -1}, {"size": float("inf")}, {"growth": 0},
-                      {"growth": 3}):
+                      {"growth": 3}, {"order": 0}, {"order": 3}):
             with self.assertRaises(cnrg.InputError):
                 result.tetrahedralize(**wrong)
         for text in (OPEN, HALF):

@@ -311,13 +311,16 @@ class Result:
         return self if rounds == 0 else Result._of(joined, self._evaluation)
 
     def tetrahedralize(self, *, max_volume: Number = 0, quality: Number = 0, keep_boundary: bool = False,
-                       seconds: int = 600, curved: bool = False, size: Number = 0, growth: Number = 0.3,
+                       seconds: int = 600, curved: bool = False, order: int = 1,
+                       size: Number = 0, growth: Number = 0.3,
                        surface_first: bool = False, progress: Progress = None) -> Tetrahedra:
         """Fills the regions with tetrahedra that conform to every wall, sheet, wire and point, proven exactly.
 
         max_volume: no tetrahedron is larger (cubic units), 0: no bound. quality: the largest ratio of circumradius to
         shortest edge, 1.1 to 100, 0: no bound. keep_boundary: no new points on faces and edges. seconds: for
-        all of the work, a quarter of it for each way in which TetGen is asked, 0: no bound. curved: elements of second order on the true surfaces.
+        all of the work, a quarter of it for each way in which TetGen is asked, 0: no bound. curved: elements of
+        second order on the true surfaces. order: of the elements, 1, or 2 with a node in the middle of each straight
+        edge; curved ones are of order 2.
         size: how long edges are to be where neither a node's `size` nor short edges and small facets of the model ask
         for shorter ones (units of the model), 0: no bound. growth: how much longer they may be per unit of distance
         from there, 0.05 to 2. surface_first: faces are meshed as by `mesh_surface` before, and these triangles are the
@@ -329,7 +332,7 @@ class Result:
         """
         max_volume, quality, size, growth = (
             float(_cnrg.fraction(number)) for number in (max_volume, quality, size, growth))
-        seconds = operator.index(seconds)
+        seconds, order = operator.index(seconds), operator.index(order)
         if max_volume < 0:
             raise InputError(f"max_volume: a volume is wanted, or 0 for no bound, not {max_volume}")
         if quality != 0 and not 1.1 <= quality <= 100:
@@ -340,11 +343,13 @@ class Result:
             raise InputError(f"growth: a number from 0.05 to 2 is wanted, not {growth}")
         if not 0 <= seconds < 2**31:
             raise InputError(f"seconds: a whole number from 0 is wanted, not {seconds}")
+        if order not in (1, 2):
+            raise InputError(f"order: 1 or 2 is wanted, not {order}")
         if surface_first and (keep_boundary or curved):
             raise InputError("surface_first: neither with keep_boundary nor with curved")
         with Shown(progress) as shown, self._placed():
             mesh = _cnrg.tetrahedralize(self._result, max_volume, quality, bool(keep_boundary), seconds, bool(curved),
-                                        size, growth, bool(surface_first), shown)
+                                        order, size, growth, bool(surface_first), shown)
         if notice := mesh.notice():
             warnings.warn_explicit(notice, Notice, *site_of_caller())
         return Tetrahedra(mesh, self)
