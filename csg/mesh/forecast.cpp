@@ -22,15 +22,31 @@ using Vector = SizeField::Vector;
 constexpr double kPerCube = 13;
 /// Where sizes grow, an edge that is as long as they are in its middle is too long at its shorter end: 1.05, 1.18
 /// and 1.9 times as many were made with a growth of 0.1, 0.3 and 1.
-double for_growth(double growth) { return 1 + 0.55 * growth + 0.35 * growth * growth; }
+double for_growth_of_tetgen(double growth) { return 1 + 0.55 * growth + 0.35 * growth * growth; }
+/// The improver looks at both ends of an edge instead, and pulls short edges together.
+constexpr double kPerCubeOfOurs = 12.3;
+double for_growth_of_ours(double growth) { return 1 + 0.15 * growth; }
 /// A tetrahedron is no thicker than its region; and no edge is longer than so many times that thickness, if its
 /// quality is bounded: plates of 8 x 8 x 0.1 and 8 x 8 x 0.5 with h = 0.5 and 0.4.
 constexpr double kPerThickness = 2;
+/// Ours is bounded by shape alone, which flat ones of eight times that thickness have: three in a prism on each
+/// triangle, so seven on each h^2, where a cube of h has twelve.
+constexpr double kPerThicknessOfOurs = 8, kFlatPart = 7.0 / 12;
+double for_flatness(double ratio) {
+  return kFlatPart + (1 - kFlatPart) * std::clamp((ratio - 0.25) / 0.75, 0.0, 1.0);
+}
 
 class Forecast {
  public:
-  Forecast(const FlatComplex& flat, const MeshSizes& sizes, const RegionLocator& regions)
-      : flat_(flat), sizes_(sizes), regions_(regions) {}
+  Forecast(const FlatComplex& flat, const MeshSizes& sizes, const RegionLocator& regions, Maker maker)
+      : flat_(flat),
+        sizes_(sizes),
+        regions_(regions),
+        maker_(maker),
+        per_cube_(maker == Maker::own ? kPerCubeOfOurs : kPerCube),
+        per_thickness_(maker == Maker::own ? kPerThicknessOfOurs : kPerThickness),
+        for_growth_(maker == Maker::own ? for_growth_of_ours(sizes.field.growth())
+                                        : for_growth_of_tetgen(sizes.field.growth())) {}
 
   double run(const std::vector<Vector>& points) {
     if (points.empty()) return 0;
@@ -64,6 +80,8 @@ class Forecast {
   const FlatComplex& flat_;
   const MeshSizes& sizes_;
   const RegionLocator& regions_;
+  const Maker maker_;
+  const double per_cube_, per_thickness_, for_growth_;
   std::vector<Cell> cells_;
   std::priority_queue<Doubt> queue_;
   double shares_ = 0;
@@ -75,7 +93,7 @@ class Forecast {
 
   /// Of the tetrahedra that a point of a cell tells of, in all of it.
   double count(const Vector& half, double a, double b, double c) const {
-    return kPerCube * 8 * (half[0] / a) * (half[1] / b) * (half[2] / c);
+    return per_cube_ * 8 * (half[0] / a) * (half[1] / b) * (half[2] / c);
   }
   double size_at(const Vector& p, Index region) const { return std::max(sizes_.at(p, region), least_); }
 
@@ -84,8 +102,9 @@ class Forecast {
     const bool bounded =
         size == sizes_.field.overall() || (region < sizes_.regions.size() && size == sizes_.regions[region]);
     const double thick = cell.narrow ? std::max(regions_.thickness(p, size), least_) : size;
-    size = std::min(size, kPerThickness * thick);
-    return count(cell.half, size, size, std::min(size, thick)) * (bounded ? 1 : for_growth(sizes_.field.growth()));
+    size = std::min(size, per_thickness_ * thick);
+    const double flat = maker_ == Maker::own ? for_flatness(thick / size) : 1;
+    return count(cell.half, size, size, std::min(size, thick)) * flat * (bounded ? 1 : for_growth_);
   }
 
   Cell cell_at(const Vector& middle, const Vector& half) const {
@@ -182,8 +201,8 @@ class Forecast {
 }  // namespace
 
 double expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes,
-                           const RegionLocator& regions) {
-  return Forecast(flat, sizes, regions).run(points.xyz);
+                           const RegionLocator& regions, Maker maker) {
+  return Forecast(flat, sizes, regions, maker).run(points.xyz);
 }
 
 std::string count_text(double count) {

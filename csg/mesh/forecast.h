@@ -12,10 +12,13 @@
 
 namespace cnrg {
 
+/// Who makes tetrahedra to sizes: TetGen, or the improver out of constrained ones (kernel/tetrahedra/improve.h).
+enum class Maker : std::uint8_t { tetgen, own };
+
 /// Of the mesh of a result, together, within 30 % where it is meshed by sizes and has hundreds; other bounds are
 /// not seen. Takes some milliseconds, and up to a second for meshes of millions. `sizes` are not empty.
 double expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes,
-                           const RegionLocator& regions);
+                           const RegionLocator& regions, Maker maker);
 
 /// More than that are refused.
 inline constexpr double kMostTetrahedra = 2e8;

@@ -76,7 +76,8 @@ class TetrahedraMaker {
     const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
     of_tetgen_ = !options_.constrained && refused.empty();
     if (options_.constrained || !refused.empty()) {
-      if (keeps_boundary()) throw InputError(refused);  // constrained tetrahedra need points on it
+      if (keeps_boundary()) throw InputError(refused);      // constrained tetrahedra need points on it
+      if (!refused.empty()) foretell(rounded, Maker::own);  // once more: it makes others than TetGen
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
       options_.watch.begin("mesh: constrained tetrahedra");
       out_ = run_constrained(plc_, flat_, Watch{{}, options_.watch.stop});
@@ -138,9 +139,13 @@ class TetrahedraMaker {
     too_large_ = [this, least = sizes_.least_in_regions()](const std::array<Vector, 4>& corners) {
       return is_too_large(corners, least);
     };
-    if (options_.keep_boundary) return;  // then sizes hold inside of regions only
+    foretell(rounded, options_.constrained ? Maker::own : Maker::tetgen);
+  }
+
+  void foretell(const RoundedResult& rounded, Maker maker) {
+    if (sizes_.empty() || options_.keep_boundary) return;  // with that sizes hold inside of regions only
     options_.watch.begin("mesh: forecast");
-    expected_ = expected_tetrahedra(flat_, rounded.points(), sizes_, *regions_);
+    expected_ = expected_tetrahedra(flat_, rounded.points(), sizes_, *regions_, maker);
     require_possible(expected_);
     if (options_.foretold) options_.foretold(expected_);
   }

@@ -81,14 +81,16 @@ TetrahedraOptions sizes(double size, double growth) {
 }  // namespace
 
 TEST_CASE("as many tetrahedra are foretold as are made, within 30 %", "[size][forecast]") {
+  const bool constrained = GENERATE(false, true);
   for (const Model& model : models()) {
     TetrahedraOptions options = sizes(model.size, model.growth);
+    options.constrained = constrained;
     double told = 0;
     options.foretold = [&](double count) { told = count; };
     const TetrahedralMesh made = tetrahedra(result_of(model.nodes), options);
     std::size_t count = 0;
     for (const RegionTetrahedra& region : made.regions) count += region.tetrahedra;
-    INFO(model.name << ": " << told << " foretold, " << count << " made");
+    INFO(model.name << (constrained ? ", constrained: " : ": ") << told << " foretold, " << count << " made");
     CHECK(made.notice.empty());
     CHECK(told == made.expected);
     CHECK(told / double(count) > 0.7);
@@ -139,7 +141,7 @@ TEST_CASE("constrained tetrahedra have sizes, too", "[size]") {
   const TetrahedralMesh made = tetrahedra(result_of(kBlock), options);
   CHECK(made.notice.empty());
   CHECK(double(made.mesh.tetrahedra.size()) > 0.7 * made.expected);
-  CHECK(double(made.mesh.tetrahedra.size()) < 2.5 * made.expected);
+  CHECK(double(made.mesh.tetrahedra.size()) < 1.3 * made.expected);
   std::size_t longer = 0, all = 0;
   for (const auto& t : made.mesh.tetrahedra) {
     for (std::size_t k = 0; k < 4; ++k) {
