@@ -74,6 +74,7 @@ struct MeshArguments {
   bool certify = false;                                  ///< as of `eval`
   bool curved = false;                                   ///< points on the true surfaces, elements of second order
   bool surface = false;                                  ///< triangles on faces, segments on edges, no tetrahedra
+  bool quads = false;                                    ///< of `surface`: triangles merged by pairs
   std::size_t max_points = SurfaceOptions{}.max_points;  ///< of `surface`
   std::string join;                                      ///< as of `eval`
   int threads = 0, finer = 1;

@@ -136,8 +136,13 @@ class FileWriter {
 StageRows stage_rows(const StageClock& clock, const Evaluation& evaluation, bool crosses, bool whole) {
   double of_rows = 0;
   for (const NodeRow& row : evaluation.rows) of_rows += row.seconds + row.totals_seconds;
+  // Nodes below joined ones are evaluated before the leaves of the others are prepared.
+  double below = 0;
+  for (const JoinedNode& joined : evaluation.joined) {
+    for (const NodeRow& row : joined.rows) below += row.seconds + row.totals_seconds;
+  }
   StageRows out;
-  out.leaves = clock.seconds("leaves");
+  out.leaves = std::max(0.0, clock.seconds("leaves") - below);
   out.refinement = clock.seconds("refinement");
   const double crossings = clock.seconds("crossings");
   if (crosses) out.crossings = crossings;

@@ -344,7 +344,8 @@ int run(int argc, char** argv) {
   add_tree(sub, mesh);
   sub->add_option("--node", mesh.node, "Node to mesh; the result without it")->type_name("N")->check(name_fault);
   sub->add_option("-o", mesh.files,
-                  "Write this file, in the format of its extension: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf")
+                  "Write this file, in the format of its extension: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf; "
+                  ".html is a report with pictures")
       ->type_name("FILE")
       ->check(name_fault)
       ->expected(1)
@@ -400,11 +401,23 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
       ->capture_default_str()
       ->needs(surface);
-  sub->add_option(
-         "--order", mesh.options.order,
-         "Of the elements: 1, or 2 with a node in the middle of each straight edge; --curved is of order 2")
-      ->type_name("N")
-      ->check(CLI::IsMember({1, 2}));
+  sub->add_flag("--surface-first", mesh.options.surface_first,
+                "Begin with the triangles that --surface makes, and keep them as the boundary of the tetrahedra")
+      ->excludes(surface)
+      ->excludes(keep_boundary)
+      ->excludes(constrained)
+      ->excludes(curved);
+  CLI::Option* const order =
+      sub->add_option(
+             "--order", mesh.options.order,
+             "Of the elements: 1, or 2 with a node in the middle of each straight edge; --curved is of order 2")
+          ->type_name("N")
+          ->check(CLI::IsMember({1, 2}));
+  sub->add_flag("--quads", mesh.quads,
+                "Of --surface: merge triangles of a face by pairs into quadrilaterals with angles from 30 to 150 "
+                "degrees, as many as can be")
+      ->needs(surface)
+      ->excludes(order);
   CLI::Option* const snaps = sub->add_flag("--snap", mesh.snap, kSnap)->excludes(curved);
   sub->add_flag("--no-snap", mesh.no_snap, std::string(kNoSnap) + "refuse it")->excludes(snaps);
   add_threads(sub, mesh.threads);

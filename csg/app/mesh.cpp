@@ -1,5 +1,7 @@
 // `cnrg mesh`: tetrahedra that fill a result, made once and written to every file, and a row per region.
+#include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <iostream>
 #include <optional>
 
@@ -13,7 +15,9 @@
 #include "csg/formats/mesh_file.h"
 #include "csg/formats/result_file.h"
 #include "csg/mesh/forecast.h"
+#include "csg/text/file.h"
 #include "csg/text/table.h"
+#include "csg/view/mesh_page.h"
 
 namespace cnrg::app {
 namespace {
@@ -25,6 +29,29 @@ std::string decimal(double x, const char* format) {
 }
 
 std::string shape_text(double x) { return decimal(x, x < 0.01 ? "%.1e" : "%.2f"); }
+
+/// A histogram in one line: a block for each bar, as high as it is beside the highest; a dot where there is none.
+template <std::size_t N>
+std::string bars(const std::array<std::size_t, N>& counts) {
+  static constexpr const char* kBlocks[] = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+  const std::size_t most = *std::max_element(counts.begin(), counts.end());
+  std::string out;
+  for (const std::size_t n : counts) out += n == 0 ? "·" : kBlocks[n * 7 / most];
+  return out;
+}
+
+/// How shapes are spread.
+std::string spread_of(const MeshQuality& q) {
+  Table table;
+  table.add_column("", Table::Align::left);
+  table.add_column("from");
+  table.add_column("tetrahedra", Table::Align::left);
+  table.add_column("to", Table::Align::left);
+  table.add_row({"shape", "0", bars(q.shapes), "1"});
+  table.add_row({"smallest dihedral angle", "0", bars(q.dihedrals), "90 degrees"});
+  table.add_row({"circumradius to shortest edge", "0.6", bars(q.ratios), "3.6 and more"});
+  return table.text();
+}
 
 /// Where shapes are bad, and why.
 std::string bad_ones(const MeshQuality& quality) {
@@ -91,7 +118,7 @@ std::string table_of(const TetrahedralMesh& made, const CurvedReport* bent) {
              " tetrahedra have a larger ratio of circumradius to shortest edge than asked for; " +
              "the largest is " + decimal(q.largest_radius_edge, "%.3g") + "\n";
   }
-  return table.text() + bad_ones(q) + beyond + std::to_string(mesh.points.size()) + " points, " +
+  return table.text() + spread_of(q) + bad_ones(q) + beyond + std::to_string(mesh.points.size()) + " points, " +
          std::to_string(mesh.triangles.size()) + " triangles on faces, " + std::to_string(mesh.segments.size()) +
          " segments on edges\n";
 }
@@ -114,10 +141,14 @@ std::string number_text(double value) {
   return buffer;
 }
 
-/// A row per group of faces and one for all.
-std::string table_of(const SurfaceTriangles& made) {
+/// A row per group of faces and one for all. `quads`: these were asked for.
+std::string table_of(const SurfaceTriangles& made, bool quads) {
   Table table;
   table.add_column("faces", Table::Align::left);
+  if (quads) {
+    table.add_column("quads");
+    table.add_column("least quality");
+  }
   table.add_column("triangles");
   table.add_column("area", Table::Align::left);
   table.add_column("least angle");
@@ -133,43 +164,76 @@ std::string table_of(const SurfaceTriangles& made) {
       below += of.why[i];
       since += (since.empty() ? "" : ", ") + std::string(kWhy[i]) + " " + std::to_string(of.why[i]);
     }
-    const std::string place =
-        number_text(of.where[0]) + " " + number_text(of.where[1]) + " " + number_text(of.where[2]);
-    char angle[32];
-    std::snprintf(angle, sizeof angle, of.least_angle < 0.1 ? "%.3g" : "%.2f", of.least_angle);
-    table.add_row(
-        {of.name, std::to_string(of.triangles), number_text(of.area), angle, place, std::to_string(below), since});
+    std::string place, angle;
+    if (of.triangles > 0) {
+      place = number_text(of.where[0]) + " " + number_text(of.where[1]) + " " + number_text(of.where[2]);
+      angle = decimal(of.least_angle, of.least_angle < 0.1 ? "%.3g" : "%.2f");
+    }
+    std::vector<std::string> cells{of.name};
+    if (quads) {
+      cells.push_back(std::to_string(of.quads));
+      cells.push_back(of.quads == 0 ? "" : decimal(of.least_quad, "%.2f"));
+    }
+    for (std::string& cell : std::vector<std::string>{std::to_string(of.triangles), number_text(of.area), angle,
+                                                      place, std::to_string(below), since})
+      cells.push_back(std::move(cell));
+    table.add_row(std::move(cells));
   };
   FaceTriangles all{"all"};
   for (const FaceTriangles& of : made.groups) {
     row(of);
     all.triangles += of.triangles;
+    all.quads += of.quads;
+    all.least_quad = std::min(all.least_quad, of.least_quad);
     all.area += of.area;
     for (std::size_t i = 0; i < of.why.size(); ++i) all.why[i] += of.why[i];
     if (of.least_angle < all.least_angle) all.least_angle = of.least_angle, all.where = of.where;
   }
   if (!made.groups.empty()) row(all);
   const Mesh& mesh = made.mesh;
-  return (made.groups.empty() ? "" : table.text()) + std::to_string(mesh.points.size()) + " points, " +
+  std::string rows;
+  if (!made.groups.empty()) {
+    Table spread;
+    spread.add_column("", Table::Align::left);
+    spread.add_column("from");
+    spread.add_column("triangles", Table::Align::left);
+    spread.add_column("to", Table::Align::left);
+    spread.add_row({"smallest angle", "0", bars(triangle_quality_of(mesh, {}).angles), "60 degrees"});
+    rows = table.text() + spread.text();
+  }
+  return rows + std::to_string(mesh.points.size()) + " points, " +
+         (quads ? std::to_string(mesh.quads.size()) + " quadrilaterals and " : "") +
          std::to_string(mesh.triangles.size()) + " triangles on faces, " + std::to_string(mesh.segments.size()) +
          " segments on edges\n";
 }
 
+/// The page that tells of a mesh.
+using Page = std::function<std::string(const MeshPageOptions&)>;
+
 /// Writes a mesh to all files, with what is to be said of each.
 void write_files(const MeshArguments& arguments, const Result& result, const Mesh& mesh,
-                 const RoundingReport& rounding, const SnapReport& snapped, const std::string& notice) {
+                 const RoundingReport& rounding, const SnapReport& snapped, const std::string& notice,
+                 const Page& page) {
+  std::vector<std::string> notices;
+  if (!notice.empty()) notices.push_back(notice);
+  if (snapped.rounds > 0) notices.push_back(snapped.text());
+  if (rounding.moved > 0) {
+    notices.push_back("rounding moved " + std::to_string(rounding.moved) +
+                      " vertices; the facets still meet as they should");
+  }
   for (const std::string& path : arguments.files) {
     {
       ProgressBar bar(arguments.quiet);
       bar.show("write " + path);
-      write(path, result, mesh);
+      if (is_page(path)) {
+        replace_file(path,
+                     page({arguments.tree, mesh.node, arguments.options.quality, notices, arguments.threads}));
+      } else {
+        write(path, result, mesh);
+      }
     }
-    if (arguments.quiet) continue;
-    if (!notice.empty()) tell(path + ": notice: " + notice);
-    if (snapped.rounds > 0) tell(path + ": notice: " + snapped.text());
-    if (rounding.moved == 0) continue;
-    tell(path + ": notice: rounding moved " + std::to_string(rounding.moved) +
-         " vertices; the facets still meet as they should");
+    if (arguments.quiet || is_page(path)) continue;
+    for (const std::string& text : notices) tell(path + ": notice: " + text);
   }
 }
 
@@ -183,6 +247,8 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
     asked.overall = arguments.options.size;
     asked.growth = arguments.options.growth;
     asked.max_points = arguments.max_points;
+    asked.quads = arguments.quads;
+    asked.order = arguments.options.order;
     asked.seconds = arguments.options.seconds;
     asked.watch.progress = bar.progress();
     made = at_node(tree, node, [&] {
@@ -190,12 +256,13 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
                                : snapped_surface_triangles(result, asked, snapped);
     });
   }
-  if (!arguments.quiet) std::cout << table_of(made) << std::flush;
+  if (!arguments.quiet) std::cout << table_of(made, arguments.quads) << std::flush;
   const std::string notice =
       made.kept == 0 ? ""
                      : std::to_string(made.kept) + (made.kept == 1 ? " facet keeps its" : " facets keep their") +
                            " own triangles: with smaller ones doubles would cross what is near";
-  write_files(arguments, result, made.mesh, made.rounding, snapped, notice);
+  write_files(arguments, result, made.mesh, made.rounding, snapped, notice,
+              [&](const MeshPageOptions& options) { return mesh_page(result, made, options); });
   return kDone;
 }
 
@@ -204,8 +271,13 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
 int run_mesh(const MeshArguments& arguments) {
   require_distinct(arguments.files);
   for (const std::string& path : arguments.files) {  // before the work, not after it
-    if (arguments.curved || arguments.options.order == 2) check_second_order_file_name(path);
-    else check_mesh_file_name(path);
+    if (is_page(path)) {
+      require_no_directory(path);
+      continue;
+    }
+    if (arguments.curved || arguments.options.order == 2) check_second_order_file_name(path, " .html");
+    else if (arguments.quads) check_quads_file_name(path);
+    else check_mesh_file_name(path, " .html");
   }
   const Tree tree = tree_of(arguments);
   require_writable(arguments.files, tree);
@@ -250,7 +322,9 @@ int run_mesh(const MeshArguments& arguments) {
     if (bent) std::cout << text_of(*bent);
     std::cout << std::flush;
   }
-  write_files(arguments, result, made.mesh, made.rounding, snapped, made.notice);
+  write_files(
+      arguments, result, made.mesh, made.rounding, snapped, made.notice,
+      [&](const MeshPageOptions& options) { return mesh_page(result, made, bent ? &*bent : nullptr, options); });
   return kDone;
 }
 

@@ -41,7 +41,7 @@ std::string details(const NodeRow& row) {
 }  // namespace
 
 std::string row_table(const Evaluation& evaluation, const StageRows& stages, bool raw, bool trace) {
-  const std::vector<NodeRow>& rows = evaluation.rows;
+  const std::vector<const NodeRow*> rows = evaluation.all_rows();
   Table table;
   table.add_column("node", Table::Align::left);
   table.add_column("operator", Table::Align::left);
@@ -61,7 +61,8 @@ std::string row_table(const Evaluation& evaluation, const StageRows& stages, boo
   add_stage("refinement", stages.refinement,
             {std::to_string(complex.vertex_count()), std::to_string(complex.edge_count()),
              std::to_string(complex.face_count()), std::to_string(complex.region_count)});
-  for (const NodeRow& row : rows) {
+  for (const NodeRow* const shown : rows) {
+    const NodeRow& row = *shown;
     const auto& cells = raw ? row.raw_cells : row.cells;
     table.add_row({row.name, row.operator_name, std::to_string(cells[0]), std::to_string(cells[1]),
                    std::to_string(cells[2]), std::to_string(cells[3]), std::to_string(row.removed()),
@@ -81,9 +82,9 @@ std::string row_table(const Evaluation& evaluation, const StageRows& stages, boo
   };
   constexpr std::size_t kBefore = 3;  // the head and two stages
   for (std::size_t i = 0; i < kBefore; ++i) take_line();
-  for (const NodeRow& row : rows) {
+  for (const NodeRow* const row : rows) {
     take_line();
-    text += details(row);
+    text += details(*row);
   }
   return text + lines.substr(at);
 }

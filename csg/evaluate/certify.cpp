@@ -32,7 +32,7 @@ Certificate certify(const Tree& tree, const Evaluation& evaluation, std::size_t 
   const Transversality found =
       transversality(*evaluation.complex, *evaluation.parameters, listed, asked, at_vertices);
   Certificate result{found.edges, found.places.size(), {}};
-  const auto numbers = number_leaves(tree, evaluation.instances);
+  const auto numbers = number_leaves(evaluation.instances);
   std::vector<NodeId> nodes(evaluation.complex->leaf_count);
   for (const InstanceId i : IdRange<InstanceId>(evaluation.instances.size())) {
     if (numbers[i].valid()) nodes[numbers[i].index()] = evaluation.instances[i].node;

@@ -1,6 +1,7 @@
 // The driver, from a tree to the values of its nodes:
 //
-//   tree -> instances            csg/tree/unfold.h: a node under each of its transforms; operands before users
+//   tree -> joined nodes         joined_nodes.h: each is a run by itself, and then a leaf; mostly there are none
+//        -> instances            csg/tree/unfold.h: a node under each of its transforms; operands before users
 //        -> prepared leaves      prepared_leaves.h: files are read, everything that can be checked is checked
 //        -> common lines         csg/carriers/common_lines.h: of leaves that share a curved surface
 //        -> welded leaves        csg/weld: what is near coincides, where the tree has `weld`; round surfaces first
@@ -12,10 +13,11 @@
 //             rows, diagnostics    rows.h, diagnostics.h
 //        -> kept values          value_store.h: every other value is freed after its last user
 //
-// The way through the nodes is a loop over instances: the depth of a tree costs no stack. One thing calls the
-// driver from inside: a node to which a graded material measures distances is evaluated first, as the root of a
-// complex of its own (grades.h). Materials do not matter there, so it is evaluated without grades, and this inner
-// run does not call the driver again.
+// The way through the nodes is a loop over instances, and joined nodes are evaluated operands before users: the
+// depth of a tree costs no stack. One thing calls the driver from inside: a node to which a graded material
+// measures distances is evaluated first, as the root of a complex of its own (grades.h). Materials do not matter
+// there, so it is evaluated without grades, and so is what is joined below it: this inner run does not call the
+// driver again.
 #include "csg/evaluate/evaluate.h"
 
 #include <tbb/global_control.h>
@@ -23,12 +25,14 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "csg/carriers/common_lines.h"
 #include "csg/carriers/surface_numbers.h"
 #include "csg/evaluate/diagnostics.h"
 #include "csg/evaluate/grades.h"
+#include "csg/evaluate/joined_nodes.h"
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/evaluate/scopes.h"
 #include "csg/evaluate/simplified_value.h"
@@ -113,18 +117,17 @@ void name_leaves(const PreparedLeaves& leaves, const PlacedLeaves& placed, std::
       std::make_shared<const SurfaceParameters>(*result.complex, std::move(parameters), std::move(places));
 }
 
-/// `roots`: those whose values are kept. Without `graded` every material is the same all over.
 Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, const EvaluateOptions& options,
-                          bool graded) {
-  std::optional<tbb::global_control> limit;
-  if (options.threads > 0) {
-    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
-  }
+                          bool graded);
+
+/// `roots`: those whose values are kept. `joined`: all joined nodes below them.
+Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots, const EvaluateOptions& options,
+                             bool graded, const JoinedLeaves& joined) {
   Evaluation result;
   const Unfolding unfolding = unfold(tree, roots);
 
   options.watch.begin("leaves");
-  const PreparedLeaves leaves(tree, unfolding);
+  const PreparedLeaves leaves(tree, unfolding, joined);
   append(result.diagnostics, leaves.notices());
 
   options.watch.begin("refine");
@@ -162,6 +165,22 @@ Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, co
   return result;
 }
 
+/// The same with the joined nodes below the roots. Without `graded` every material is the same all over.
+Evaluation evaluate_roots(const Tree& tree, const std::vector<NodeId>& roots, const EvaluateOptions& options,
+                          bool graded) {
+  std::optional<tbb::global_control> limit;
+  if (options.threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(options.threads));
+  }
+  JoinedNodes joined(tree, roots, options,
+                     [&](NodeId node, const EvaluateOptions& alone, const JoinedLeaves& known) {
+                       return evaluate_together(tree, {node}, alone, graded, known);
+                     });
+  Evaluation result = evaluate_together(tree, roots, options, graded, joined.leaves());
+  joined.tell(result);
+  return result;
+}
+
 }  // namespace
 
 Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
@@ -170,6 +189,9 @@ Evaluation evaluate(const Tree& tree, const EvaluateOptions& options) {
 
 std::vector<Diagnostic> check(const Tree& tree) {
   unfold(tree, {tree.result});
+  for (const NodeId id : IdRange<NodeId>(tree.nodes.size())) {
+    if (tree.nodes[id].within) unfold(tree, tree.operands(id));
+  }
   return PreparedLeaves(tree).notices();
 }
 
@@ -177,6 +199,23 @@ const KeptValue& Evaluation::value(NodeId node) const {
   const auto it = std::find_if(kept.begin(), kept.end(), [&](const KeptValue& k) { return k.node == node; });
   require(it != kept.end(), "evaluate: the value of this node was not kept");
   return *it;
+}
+
+std::vector<const NodeRow*> Evaluation::all_rows() const {
+  std::vector<const NodeRow*> all;
+  std::set<NodeId> here;
+  for (const NodeRow& row : rows) here.insert(row.node);
+  for (const JoinedNode& one : joined) {
+    std::set<NodeId> below;
+    for (const NodeRow& row : one.rows) {
+      if (here.count(row.node) != 0) continue;
+      all.push_back(&row);
+      below.insert(row.node);
+    }
+    here.merge(below);
+  }
+  for (const NodeRow& row : rows) all.push_back(&row);
+  return all;
 }
 
 }  // namespace cnrg

@@ -17,6 +17,7 @@
 #include "csg/evaluate/simplified_value.h"
 #include "csg/operators/group.h"
 #include "csg/operators/tables.h"
+#include "csg/result/join.h"
 #include "csg/result/result.h"
 #include "csg/tree/tree.h"
 #include "kernel/base/progress.h"
@@ -74,6 +75,13 @@ struct NodeRow {
   double totals_seconds = 0;                             ///< of counts and volumes
 };
 
+/// A `simplify` that joins: its operand was evaluated by itself, and what came of it is refined as a leaf is.
+struct JoinedNode {
+  NodeId node;
+  JoinReport report;
+  std::vector<NodeRow> rows;  ///< of the nodes below it, as `Evaluation::rows`
+};
+
 /// The value of a node that was asked for; of use with the complex of its evaluation alone.
 struct KeptValue {
   NodeId node;
@@ -90,6 +98,7 @@ struct Evaluation {
   std::shared_ptr<const Complex> complex;
   RefineReport refine;
   std::vector<NodeRow> rows;            ///< operands before users
+  std::vector<JoinedNode> joined;       ///< below the roots, those below others first
   std::vector<KeptValue> kept;          ///< the result, then `EvaluateOptions::nodes` in their order; each once
   std::vector<std::string> leaf_names;  ///< by LeafId; empty for the frame
   std::vector<Diagnostic> diagnostics;  ///< notices of leaves, conflicts of materials
@@ -101,6 +110,8 @@ struct Evaluation {
   IdVector<InstanceId, std::shared_ptr<const NodeValue>> values;
   std::vector<ResultNames::Material> materials;  ///< of the tree
   bool raw = false;                              ///< EvaluateOptions::raw
+  /// `rows`, and before them those of nodes below joined ones, of which there are none in `rows`; each once.
+  std::vector<const NodeRow*> all_rows() const;
   /// The kept value of a node; the node must have been asked for.
   const KeptValue& value(NodeId node) const;
   /// The result of the tree, or a node that was asked for, as a value that needs the evaluation no more: to be

@@ -1,5 +1,6 @@
 // One pass over the complex gives the groups of all leaves. Most are values as they are; the cells of a result
-// that was read back may be open or of many components, which its file tells cell by cell.
+// that was read back may be open or of many components, which its file tells cell by cell; so is one that was
+// joined.
 #include "csg/evaluate/leaf_values.h"
 
 #include <utility>
@@ -19,7 +20,8 @@ NodeValue value_of(const Tree& tree, const PreparedLeaves& leaves, const Instanc
                    const Complex& complex, LeafId leaf, Group group) {
   const LeafInstance& instance = leaves.instances()[leaf.index()];
   const Node& node = tree.nodes[placed.node];
-  const Attributes own{node.label, grades.on(placed, node.material), node.properties};
+  Attributes own;
+  if (!node.within) own = {node.label, grades.on(placed, node.material), node.properties};
   const CellTable* table = instance.leaf->cells();
   if (table == nullptr) {
     say(complex, own, Saying::fills_in, group);
@@ -59,8 +61,9 @@ void put_leaf_values(const Tree& tree, const Unfolding& unfolding, std::span<con
     if (!leaf.valid()) continue;
     const Instance& instance = unfolding.instances[i];
     NodeValue value = value_of(tree, leaves, instance, grades, complex, leaf, std::move(groups[leaf.index()]));
-    // Without a material: a leaf has its attributes already.
-    apply_attributes(complex, tree.nodes[instance.node], {}, value);
+    // Without a material: a leaf has its attributes already. A node that joins speaks as an operator does.
+    const Node& node = tree.nodes[instance.node];
+    apply_attributes(complex, node, node.within ? grades.on(instance, node.material) : RegionMaterial(), value);
     values.put(i, std::move(value));
   }
 }

@@ -90,8 +90,9 @@ const std::string* file_of(const Shape& shape) {
       shape);
 }
 
-PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding)
-    : tree_(&tree), prepared_(tree.nodes.size()), leaf_of_(number_leaves(tree, unfolding.instances)) {
+PreparedLeaves::PreparedLeaves(const Tree& tree, const Unfolding& unfolding, const JoinedLeaves& joined)
+    : tree_(&tree), prepared_(tree.nodes.size()), leaf_of_(number_leaves(unfolding.instances)) {
+  for (const auto& [node, leaf] : joined) prepared_[node] = leaf;
   std::vector<NodeId> nodes;
   std::vector<char> listed(tree.nodes.size(), 0);
   for (const InstanceId i : IdRange<InstanceId>(unfolding.instances.size())) {
@@ -124,7 +125,8 @@ std::vector<LeafId> PreparedLeaves::below(const Unfolding& unfolding, InstanceId
 void PreparedLeaves::prepare_nodes(const std::vector<NodeId>& nodes) {
   std::vector<std::exception_ptr> faults(nodes.size());
   tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
-    if (!std::holds_alternative<MeshShape>(*tree_->nodes[nodes[i]].shape)) return;
+    const Node& node = tree_->nodes[nodes[i]];
+    if (!node.shape || !std::holds_alternative<MeshShape>(*node.shape)) return;
     try {
       prepare_node(nodes[i]);
     } catch (...) {
@@ -163,18 +165,20 @@ std::vector<Attributes> PreparedLeaves::attributes(LeafId leaf, std::uint32_t co
                                                    Grades& grades) const {
   const Node& node = node_of(leaf);
   const std::vector<Attributes> own = instances_[leaf.index()].leaf->regions();
-  const std::string& name = node.label.empty() ? node.name : node.label;
+  const bool joined = node.within.has_value();
+  const std::string& name = node.label.empty() || joined ? node.name : node.label;
   std::vector<Attributes> result(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (i < own.size()) {
       result[i].name = own[i].name;
       result[i].properties = own[i].properties;
       // Materials of a group are names of the tree; those of a result read back are its own.
-      const bool of_tree = std::holds_alternative<GroupShape>(*node.shape);
+      const bool of_tree = node.shape && std::holds_alternative<GroupShape>(*node.shape);
       result[i].material =
           of_tree ? grades.on(instance, own[i].material.name()) : grades.moved(instance, own[i].material);
     }
     if (result[i].name.empty()) result[i].name = count == 1 ? name : name + "." + std::to_string(i + 1);
+    if (joined) continue;
     if (result[i].material.empty()) result[i].material = grades.on(instance, node.material);
     result[i].properties.insert(node.properties.begin(), node.properties.end());
   }

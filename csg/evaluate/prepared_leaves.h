@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -19,6 +20,9 @@
 
 namespace cnrg {
 
+/// Nodes whose values were joined, as leaves (joined_nodes.h).
+using JoinedLeaves = std::map<NodeId, std::shared_ptr<const PreparedLeaf>>;
+
 /// The file that a shape reads; nullptr if it reads none.
 const std::string* file_of(const Shape& shape);
 
@@ -26,8 +30,9 @@ const std::string* file_of(const Shape& shape);
 /// unfolding need not.
 class PreparedLeaves {
  public:
-  /// Prepares each leaf node below the unfolding once. Throws TreeError or FileError with a position.
-  PreparedLeaves(const Tree& tree, const Unfolding& unfolding);
+  /// Prepares each leaf node below the unfolding once; those of `joined` are there. Throws TreeError or FileError
+  /// with a position.
+  PreparedLeaves(const Tree& tree, const Unfolding& unfolding, const JoinedLeaves& joined = {});
   /// Prepares every leaf node of the tree, used or not, without instances.
   explicit PreparedLeaves(const Tree& tree);
 
@@ -40,7 +45,8 @@ class PreparedLeaves {
   const Node& node_of(LeafId leaf) const { return tree_->nodes[nodes_[leaf]]; }
 
   /// What people say of the regions 1 to `count` of a leaf: the shape's own words, else those of the node,
-  /// materials placed as `instance`, that of the leaf, is.
+  /// materials placed as `instance`, that of the leaf, is. What a node that joins says comes later, as of an
+  /// operator.
   std::vector<Attributes> attributes(LeafId leaf, std::uint32_t count, const Instance& instance,
                                      Grades& grades) const;
 

@@ -383,7 +383,7 @@ std::string word_text(const Word& word) {
 /// What the operator made of it.
 std::vector<Line> details(const Node& node, const LifeStep& step, int dimension) {
   std::vector<Line> lines;
-  if (node.op == Operator::leaf) return lines;
+  if (step.operands.empty()) return lines;
   for (std::size_t k = 0; k < step.booleans.size(); ++k) {
     const BooleanFacts& f = step.booleans[k];
     if (f.a.state.component == 0 && f.b.state.component == 0) continue;
@@ -408,7 +408,7 @@ std::vector<Line> details(const Node& node, const LifeStep& step, int dimension)
 
 std::string outcome(const Node& node, const LifeStep& step, int dimension) {
   const std::string state = state_words(step.state, dimension);
-  if (node.op == Operator::leaf) {
+  if (step.operands.empty()) {
     const std::string where = leaf_cells_words(step.leaf_cells, false);
     return step.state.entity && !where.empty() ? state + ": " + where : state;
   }

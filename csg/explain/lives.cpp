@@ -229,7 +229,7 @@ Lives::Lives(const Tree& tree, const Evaluation& evaluation, NodeId node)
     : tree_(tree),
       evaluation_(evaluation),
       complex_(*evaluation.complex),
-      leaf_of_(number_leaves(tree, evaluation.instances)),
+      leaf_of_(number_leaves(evaluation.instances)),
       said_(complex_) {
   require(!evaluation.values.empty(), "explain: the evaluation has not kept all values");
   const NodeValue* value = evaluation.value(node).value.get();
@@ -279,7 +279,7 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
     step.node = instance.node;
     step.name = name_of(id);
     step.state = state_in(complex_, *evaluation_.values[id], pieces[p].cell);
-    if (node.op == Operator::leaf) step.leaf_cells = leaf_cells_at(complex_, pieces[p].cell, {leaf_of_[id]});
+    if (leaf_of_[id].valid()) step.leaf_cells = leaf_cells_at(complex_, pieces[p].cell, {leaf_of_[id]});
     for (const InstanceId operand : instance.operands) {
       step.operands.emplace_back(name_of(operand),
                                  state_in(complex_, *evaluation_.values[operand], pieces[p].cell));
@@ -300,7 +300,7 @@ void Lives::add_steps(InstanceId id, const std::vector<Piece>& pieces, bool name
       break;
     default: break;
   }
-  if (node.regularize && node.op != Operator::leaf) add_attribute(node, id, pieces, named, steps);
+  if (node.regularize && !leaf_of_[id].valid()) add_attribute(node, id, pieces, named, steps);
   if (named) add_words(id, pieces, steps);
 }
 

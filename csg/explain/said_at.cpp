@@ -63,7 +63,7 @@ const ValueSources& SaidAt::sources(const NodeValue& value) {
 std::vector<Word> SaidAt::changes(const Node& node, const Attributes* said,
                                   const std::vector<std::pair<std::string, const Attributes*>>& operands,
                                   bool by_itself) {
-  const bool is_leaf = node.op == Operator::leaf;
+  const bool is_leaf = operands.empty();
   const Words here = words_of(said);
   std::vector<std::pair<std::string, Words>> below;
   std::set<std::string> keys;

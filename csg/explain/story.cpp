@@ -150,7 +150,7 @@ class Teller {
                      })}};
       });
     }
-    if (node.op == Operator::leaf) {
+    if (step.operands.empty()) {
       out["leaf_cells"] = list_of(step.leaf_cells, [&](const LeafCell& cell) { return of(cell); });
       return out;
     }

@@ -38,9 +38,10 @@ class AbaqusWriter {
       text_ += '\n';
     }
     const bool straight = mesh_.middles.empty();
-    add_elements(straight ? "C3D4" : "C3D10", mesh_.tetrahedra, kSecondOrderEdges);
-    add_elements(straight ? "S3" : "STRI65", plan_.shells(), kSecondOrderTriangle);
-    add_elements(straight ? "T3D2" : "T3D3", plan_.bars(), kSecondOrderLine);
+    add_elements(3, straight ? "C3D4" : "C3D10", mesh_.tetrahedra, kSecondOrderEdges);
+    add_elements(2, straight ? "S3" : "STRI65", plan_.shells(), kSecondOrderTriangle);
+    add_elements(2, "S4", mesh_.quads, kSecondOrderPoint);
+    add_elements(1, straight ? "T3D2" : "T3D3", plan_.bars(), kSecondOrderLine);
     add_sets();
     return std::move(text_);
   }
@@ -63,18 +64,17 @@ class AbaqusWriter {
   }
 
   template <class Simplices, class Ends>
-  void add_elements(const std::string& type, const Simplices& simplices, const Ends& ends) {
+  void add_elements(std::size_t dimension, const std::string& type, const Simplices& simplices, const Ends& ends) {
     if (simplices.empty()) return;
     text_ += "*ELEMENT, TYPE=" + type + "\n";
-    constexpr std::size_t kDimension = std::tuple_size_v<decltype(simplices[0].points)> - 1;
     for (const auto& s : simplices) {
       text_ += std::to_string(++elements_);
       std::vector<Index> nodes = mesh_.nodes(s, ends);
-      if (kDimension == 1 && nodes.size() == 3) std::swap(nodes[1], nodes[2]);  // the middle stands in the middle
+      if (dimension == 1 && nodes.size() == 3) std::swap(nodes[1], nodes[2]);  // the middle stands in the middle
       for (const Index p : nodes) text_ += ", " + std::to_string(p + 1);
       text_ += '\n';
-      for (const Index group : mesh_.entities[kDimension][s.entity].groups)
-        sets_[{kDimension, group}].push_back(elements_);
+      for (const Index group : mesh_.entities[dimension][s.entity].groups)
+        sets_[{dimension, group}].push_back(elements_);
     }
   }
 

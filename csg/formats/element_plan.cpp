@@ -79,6 +79,7 @@ std::vector<std::vector<std::size_t>> group_nodes(const Mesh& mesh, std::size_t 
   if (dimension == 0) collect(mesh, 0, mesh.vertices, kSecondOrderPoint, nodes);
   if (dimension == 1) collect(mesh, 1, mesh.segments, kSecondOrderLine, nodes);
   if (dimension == 2) collect(mesh, 2, mesh.triangles, kSecondOrderTriangle, nodes);
+  if (dimension == 2) collect(mesh, 2, mesh.quads, kSecondOrderPoint, nodes);
   if (dimension == 3) collect(mesh, 3, mesh.tetrahedra, kSecondOrderEdges, nodes);
   for (auto& of : nodes) {
     std::sort(of.begin(), of.end());

@@ -11,8 +11,8 @@
 namespace cnrg {
 
 /// Tetrahedra are solids. Triangles are shells, unless the mesh has tetrahedra and the face only bounds regions
-/// and nothing is said of it: of such faces a solver knows the sides of tetrahedra. Segments of wires are bars;
-/// those on edges of faces are none.
+/// and nothing is said of it (quadrilaterals are, since there are none with tetrahedra): of such faces a solver
+/// knows the sides of tetrahedra. Segments of wires are bars; those on edges of faces are none.
 class ElementPlan {
  public:
   explicit ElementPlan(const Mesh& mesh);

@@ -284,6 +284,8 @@ class H5mWriter {
 
 }  // namespace
 
-std::string h5m_bytes(const Mesh& mesh) { return H5mWriter(mesh).run(); }
+std::string h5m_bytes(const Mesh& mesh) {
+  return hdf5_bytes("H5M", [&] { return H5mWriter(mesh).run(); });
+}
 
 }  // namespace cnrg

@@ -7,6 +7,9 @@
 #include <new>
 #include <utility>
 
+#include "csg/text/child.h"
+#include "kernel/base/error.h"
+
 namespace cnrg {
 namespace {
 
@@ -184,6 +187,32 @@ std::string Hdf5File::bytes() {
   std::string image(static_cast<std::size_t>(size), '\0');
   if (H5Fget_file_image(file_, image.data(), image.size()) < 0) throw std::bad_alloc();
   return image;
+}
+
+std::string hdf5_bytes(const std::string& format, const std::function<std::string()>& make) {
+  const MemoryFile made("HDF5");
+  constexpr int kWhole = 0, kRefused = 1;
+  const ChildEnd end = run_in_child("HDF5", {}, [&] {
+    try {
+      made.write_list(make());
+      return kWhole;
+    } catch (const InputError& error) {
+      made.write_list(std::string(error.what()));
+      return kRefused;
+    }
+  });
+  using Kind = ChildEnd::Kind;
+  if (end.kind == Kind::memory) throw std::bad_alloc();
+  if (end.kind != Kind::done) {
+    const std::string how = end.kind == Kind::signal ? "crashed (signal " : "ended its process (";
+    throw FileError("HDF5, which writes " + format + ", " + how + std::to_string(end.number) +
+                    "), as it does where memory runs out: free some, or choose another format");
+  }
+  made.rewind();
+  std::string text;
+  made.read_list(text);
+  if (end.number == kRefused) throw InputError(text);
+  return text;
 }
 
 }  // namespace cnrg

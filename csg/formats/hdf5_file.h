@@ -1,9 +1,13 @@
 // A file of HDF5 that is made in memory, so that it can appear whole or not at all, with the same bytes for the
 // same content: no times are kept. Links of a group are found by name; paths are made as they are needed.
+//
+// Where memory runs out HDF5 may follow null pointers instead of saying so, and no check of ours comes before
+// that. So a file is made in a process of its own (csg/text/child.h), and only whole bytes come back.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -52,5 +56,9 @@ class Hdf5File {
   void write(const std::string& path, std::int64_t type, const Sizes& sizes, const void* data);
   void set(const std::string& path, const std::string& attribute, std::int64_t type, const void* data);
 };
+
+/// The bytes of a file that `make` makes in a child. InputError of `make` comes through. Throws std::bad_alloc
+/// where memory runs out, FileError where HDF5 crashes; `format` is for the message.
+std::string hdf5_bytes(const std::string& format, const std::function<std::string()>& make);
 
 }  // namespace cnrg

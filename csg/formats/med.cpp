@@ -53,11 +53,12 @@ class MedWriter {
     for (const auto& s : mesh_.segments) {
       if (mesh_.entities[1][s.entity].feature) edges.push_back(s);
     }
-    add_elements(straight ? "SE2" : "SE3", straight ? 102 : 103, edges, kSecondOrderLine);
-    add_elements(straight ? "TR3" : "TR6", straight ? 203 : 206, mesh_.triangles, kSecondOrderTriangle);
+    add_elements(1, straight ? "SE2" : "SE3", straight ? 102 : 103, edges, kSecondOrderLine);
+    add_elements(2, straight ? "TR3" : "TR6", straight ? 203 : 206, mesh_.triangles, kSecondOrderTriangle);
+    add_elements(2, "QU4", 204, mesh_.quads, kSecondOrderPoint);
     std::vector<Mesh::Simplex<4>> tetrahedra = mesh_.tetrahedra;
     for (auto& t : tetrahedra) std::swap(t.points[1], t.points[2]);
-    add_elements(straight ? "TE4" : "T10", straight ? 304 : 310, tetrahedra, kSecondOrderEdges);
+    add_elements(3, straight ? "TE4" : "T10", straight ? 304 : 310, tetrahedra, kSecondOrderEdges);
     add_families();
     return file_.bytes();
   }
@@ -131,9 +132,10 @@ class MedWriter {
   }
 
   template <class Simplices, class Ends>
-  void add_elements(const std::string& type, int number, const Simplices& simplices, const Ends& ends) {
+  void add_elements(std::size_t dimension, const std::string& type, int number, const Simplices& simplices,
+                    const Ends& ends) {
     if (simplices.empty()) return;
-    const std::size_t dimension = simplices[0].points.size() - 1, n = simplices.size();
+    const std::size_t n = simplices.size();
     const std::size_t size = mesh_.nodes(simplices[0], ends).size();
     std::vector<std::int32_t> nodes(n * size), families;
     for (std::size_t i = 0; i < n; ++i) {
@@ -168,6 +170,8 @@ class MedWriter {
 
 }  // namespace
 
-std::string med_bytes(const Mesh& mesh) { return MedWriter(mesh).run(); }
+std::string med_bytes(const Mesh& mesh) {
+  return hdf5_bytes("MED", [&] { return MedWriter(mesh).run(); });
+}
 
 }  // namespace cnrg

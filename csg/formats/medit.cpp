@@ -69,6 +69,7 @@ std::string medit_text(const Mesh& mesh) {
   }
   append_simplices(text, "Edges", edges, mesh.entities[1]);
   append_simplices(text, "Triangles", mesh.triangles, mesh.entities[2]);
+  append_simplices(text, "Quadrilaterals", mesh.quads, mesh.entities[2]);
   append_simplices(text, "Tetrahedra", mesh.tetrahedra, mesh.entities[3]);
   append_list(text, "Corners", corners);
   append_list(text, "RequiredVertices", corners);

@@ -25,8 +25,12 @@ SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions&
 CurvedReport curve(const Result& result, TetrahedralMesh& made);
 
 /// The formats of meshes of second order: those of tetrahedra but .mesh and .h5m. Throws InputError for any other
+/// extension; the message names `others`, which the caller writes itself, too.
+void check_second_order_file_name(const std::string& path, const std::string& others = {});
+
+/// The formats of meshes with quadrilaterals: all of tetrahedra but .h5m. Throws InputError for any other
 /// extension.
-void check_second_order_file_name(const std::string& path);
+void check_quads_file_name(const std::string& path);
 
 /// Writes the mesh of a result to `path`; the file appears whole or not at all (csg/text/file.h).
 void write(const std::string& path, const Result& result, const Mesh& mesh);

@@ -1,5 +1,5 @@
-// A mesh in VTK's XML: tetrahedra, and the triangles, segments and vertices of the result. Their tags are
-// explained in vtu.cpp.
+// A mesh in VTK's XML: tetrahedra, and the triangles, quadrilaterals, segments and vertices of the result. Their
+// tags are explained in vtu.cpp.
 #include "csg/formats/formats.h"
 #include "csg/formats/vtu_grid.h"
 #include "csg/mesh/mesh.h"
@@ -18,6 +18,7 @@ std::string vtu_text(const ResultView& view, const Mesh& mesh) {
   add(VtuCell::vertex, 0, mesh.vertices, kSecondOrderPoint);
   add(straight ? VtuCell::line : VtuCell::quadratic_edge, 1, mesh.segments, kSecondOrderLine);
   add(straight ? VtuCell::triangle : VtuCell::quadratic_triangle, 2, mesh.triangles, kSecondOrderTriangle);
+  add(VtuCell::quad, 2, mesh.quads, kSecondOrderPoint);
   add(straight ? VtuCell::tetrahedron : VtuCell::quadratic_tetrahedron, 3, mesh.tetrahedra, kSecondOrderEdges);
   return grid.text(view, mesh.points);
 }

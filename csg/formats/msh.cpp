@@ -138,6 +138,7 @@ class MshWriter {
     extend(0, mesh_.vertices, kEdges0);
     extend(1, mesh_.segments, kEdges1);
     extend(2, mesh_.triangles, kEdges2);
+    extend(2, mesh_.quads, kEdges0);
     for (std::size_t i = 0; i < boxes_[3].size(); ++i) {
       for (const std::int32_t b : mesh_.entities[3][i].boundary) {
         const Box& part = boxes_[2][std::size_t(std::abs(b)) - 1];
@@ -192,6 +193,7 @@ class MshWriter {
     };
     claim(3, mesh_.tetrahedra, kEdges3);
     claim(2, mesh_.triangles, kEdges2);
+    claim(2, mesh_.quads, kEdges0);
     claim(1, mesh_.segments, kEdges1);
     claim(0, mesh_.vertices, kEdges0);
     std::sort(places.begin(), places.end());
@@ -236,11 +238,14 @@ class MshWriter {
       }
     }
   }
+  std::size_t count() const {
+    return mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size() + mesh_.quads.size() +
+           mesh_.tetrahedra.size();
+  }
   void add_elements() {
     const std::size_t blocks = blocks_of(mesh_.vertices) + blocks_of(mesh_.segments) + blocks_of(mesh_.triangles) +
-                               blocks_of(mesh_.tetrahedra);
-    const std::size_t n =
-        mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size() + mesh_.tetrahedra.size();
+                               blocks_of(mesh_.quads) + blocks_of(mesh_.tetrahedra);
+    const std::size_t n = count();
     text_ += "$Elements\n" + std::to_string(blocks) + " " + std::to_string(n) + (n == 0 ? " 0 " : " 1 ") +
              std::to_string(n) + "\n";
     std::size_t number = 0;
@@ -248,13 +253,14 @@ class MshWriter {
     add_blocks(0, 15, mesh_.vertices, kEdges0, number);
     add_blocks(1, straight ? 1 : 8, mesh_.segments, kEdges1, number);
     add_blocks(2, straight ? 2 : 9, mesh_.triangles, kEdges2, number);
+    add_blocks(2, 3, mesh_.quads, kEdges0, number);
     add_blocks(3, straight ? 4 : 11, mesh_.tetrahedra, kEdges3, number);
     text_ += "$EndElements\n";
   }
 
   /// Discontinuous fields, by element and node. Tetrahedra are the last elements.
   void add_fields() {
-    const std::size_t before = mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size();
+    const std::size_t before = count() - mesh_.tetrahedra.size();
     for (const Mesh::Field& field : mesh_.fields) {
       text_ += "$ElementNodeData\n1\n\"" + shown_in_quotes(field.name) + "\"\n1\n0\n3\n0\n1\n" +
                std::to_string(mesh_.tetrahedra.size()) + "\n";
@@ -277,8 +283,7 @@ class MshWriter {
 
   /// A number for each element, not a number where nothing is said: meshio wants one for all or for none.
   void add_properties() {
-    const std::size_t n =
-        mesh_.vertices.size() + mesh_.segments.size() + mesh_.triangles.size() + mesh_.tetrahedra.size();
+    const std::size_t n = count();
     for (const Mesh::Property& property : mesh_.properties) {
       text_ += "$ElementData\n1\n\"" + distinct(shown_in_quotes(property.key)) + "\"\n1\n0\n3\n0\n1\n" +
                std::to_string(n) + "\n";
@@ -293,7 +298,8 @@ class MshWriter {
         }
       };
       add_all(0, mesh_.vertices), add_all(1, mesh_.segments);
-      add_all(2, mesh_.triangles), add_all(3, mesh_.tetrahedra);
+      add_all(2, mesh_.triangles), add_all(2, mesh_.quads);
+      add_all(3, mesh_.tetrahedra);
       text_ += "$EndElementData\n";
     }
   }

@@ -71,13 +71,14 @@ class NastranWriter {
  public:
   explicit NastranWriter(const Mesh& mesh) : mesh_(mesh), plan_(mesh) {
     require_room(mesh.points.size());
-    require_room(mesh.tetrahedra.size() + plan_.shells().size() + 2 * plan_.bars().size());
+    require_room(mesh.tetrahedra.size() + plan_.shells().size() + mesh.quads.size() + 2 * plan_.bars().size());
   }
 
   std::string run() {
     const bool straight = mesh_.middles.empty();
-    add_elements("CTETRA", mesh_.tetrahedra, kSecondOrderEdges);
-    add_elements(straight ? "CTRIA3" : "CTRIA6", plan_.shells(), kSecondOrderTriangle);
+    add_elements(3, "CTETRA", mesh_.tetrahedra, kSecondOrderEdges);
+    add_elements(2, straight ? "CTRIA3" : "CTRIA6", plan_.shells(), kSecondOrderTriangle);
+    add_elements(2, "CQUAD4", mesh_.quads, kSecondOrderPoint);
     add_rods();
     std::string text = "$ node " + cut(shown(mesh_.node), 60) + ", written by cnrg\n";
     std::map<std::size_t, std::string> names;
@@ -132,9 +133,8 @@ class NastranWriter {
     for (std::size_t k = 1; k < entity.groups.size(); ++k) sets_[{dimension, entity.groups[k]}].push_back(count_);
   }
   template <class Simplices, class Ends>
-  void add_elements(const char* card, const Simplices& simplices, const Ends& ends) {
+  void add_elements(std::size_t dimension, const char* card, const Simplices& simplices, const Ends& ends) {
     for (const auto& s : simplices) {
-      const std::size_t dimension = s.points.size() - 1;
       add_element(card, mesh_.entities[dimension][s.entity], dimension, mesh_.nodes(s, ends));
     }
   }

@@ -3,6 +3,7 @@
 #include "csg/formats/result_file.h"
 
 #include <array>
+#include <exception>
 #include <string_view>
 
 #include "csg/exports/cad_text.h"
@@ -32,6 +33,7 @@ bool shows_regions(const std::string& path) {
 struct MeshFormat {
   std::string_view extension;
   bool second_order;
+  bool quads;
   std::string (*make)(const std::string& path, const ResultView& view, const Mesh& mesh);
 };
 
@@ -41,27 +43,28 @@ std::string make(const std::string&, const ResultView&, const Mesh& mesh) {
 }
 
 constexpr std::array<MeshFormat, 8> kMeshFormats{
-    {{".msh", true, make<msh_text>},
-     {".mesh", false, make<medit_text>},
-     {".vtu", true,
+    {{".msh", true, true, make<msh_text>},
+     {".mesh", false, true, make<medit_text>},
+     {".vtu", true, true,
       [](const std::string&, const ResultView& view, const Mesh& mesh) { return vtu_text(view, mesh); }},
-     {".inp", true, make<abaqus_text>},
-     {".bdf", true, make<nastran_text>},
-     {".h5m", false, make<h5m_bytes>},
-     {".med", true, make<med_bytes>},
-     {".xdmf", true,
+     {".inp", true, true, make<abaqus_text>},
+     {".bdf", true, true, make<nastran_text>},
+     {".h5m", false, false, make<h5m_bytes>},
+     {".med", true, true, make<med_bytes>},
+     {".xdmf", true, true,
       [](const std::string& path, const ResultView&, const Mesh& mesh) { return xdmf_text(path, mesh); }}}};
 
 /// Each with a space before it.
-std::string known_mesh_formats(bool second_order) {
+std::string known_mesh_formats(bool second_order, bool quads = false) {
   std::string known;
   for (const MeshFormat& format : kMeshFormats) {
-    if (format.second_order || !second_order) known += " " + std::string(format.extension);
+    if ((format.second_order || !second_order) && (format.quads || !quads))
+      known += " " + std::string(format.extension);
   }
   return known;
 }
 
-const MeshFormat& mesh_format_of(const std::string& path) {
+const MeshFormat& mesh_format_of(const std::string& path, const std::string& others = {}) {
   const std::string extension = extension_of(path);
   for (const MeshFormat& format : kMeshFormats) {
     if (format.extension == extension) return format;
@@ -70,7 +73,7 @@ const MeshFormat& mesh_format_of(const std::string& path) {
   throw InputError(path +
                    (surface ? ": this format holds faces and no tetrahedra; `cnrg eval -o` writes it"
                             : ": no writer of tetrahedra for the extension `" + extension + "`") +
-                   "; use one of" + known_mesh_formats(false));
+                   "; use one of" + known_mesh_formats(false) + others);
 }
 
 }  // namespace
@@ -145,9 +148,9 @@ Result read_result(const std::string& path) {
   return Result(data);
 }
 
-void check_mesh_file_name(const std::string& path) {
+void check_mesh_file_name(const std::string& path, const std::string& others) {
   require_no_directory(path);
-  mesh_format_of(path);
+  mesh_format_of(path, others);
 }
 
 TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options) {
@@ -189,9 +192,6 @@ Rational extent_of(const Result& result) {
 /// What is joined so that there are tetrahedra, in parts of the extent: some of the last digits of doubles, then
 /// more, and not more than somebody who draws by hand would see.
 constexpr double kJoined[] = {0x1p-40, 0x1p-32, 0x1p-24, 0x1p-16};
-/// Where there is nothing to join, so many points may be added on edges for each point and edge.
-constexpr double kCutsAtLast = 30;
-
 }  // namespace
 
 TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
@@ -199,10 +199,12 @@ TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& opti
   const auto of_doubles = [&](const TetrahedraOptions& how) {
     return snapped_if_broken(result, report, [&] { return tetrahedra(result, how); });
   };
+  std::exception_ptr near;
   try {
     return of_doubles(options);
   } catch (const NearFault&) {
     if (options.keep_boundary) throw;
+    near = std::current_exception();
   }
   const Rational extent = extent_of(exact);
   TetrahedraOptions asked = options;
@@ -223,16 +225,14 @@ TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& opti
     } catch (const NearFault&) {
     }
   }
-  report = {};
-  result = exact;
-  asked.cuts = kCutsAtLast;
-  return of_doubles(asked);
+  std::rethrow_exception(near);
 }
 
 SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& options) {
   const ResultView view = result.data().view();
   SurfaceTriangles made = surface_triangles(view, options);
   add_properties(view, made.mesh);
+  if (options.order == 2) add_straight_middles(made.mesh);
   return made;
 }
 
@@ -252,15 +252,23 @@ CurvedReport curve(const Result& result, TetrahedralMesh& made) {
   return report;
 }
 
-void check_second_order_file_name(const std::string& path) {
-  check_mesh_file_name(path);
+void check_second_order_file_name(const std::string& path, const std::string& others) {
+  check_mesh_file_name(path, others);
   if (mesh_format_of(path).second_order) return;
   throw InputError(path + ": this format holds elements of first order only; use one of" +
-                   known_mesh_formats(true) + " for --curved and --order 2");
+                   known_mesh_formats(true) + others + " for --curved and --order 2");
+}
+
+void check_quads_file_name(const std::string& path) {
+  check_mesh_file_name(path);
+  if (mesh_format_of(path).quads) return;
+  throw InputError(path + ": this format is read by programs that take triangles only; use one of" +
+                   known_mesh_formats(false, true) + " for --quads");
 }
 
 void write(const std::string& path, const Result& result, const Mesh& mesh) {
   check_mesh_file_name(path);
+  if (!mesh.quads.empty()) check_quads_file_name(path);
   if (!mesh.middles.empty()) check_second_order_file_name(path);
   std::string content;
   try {

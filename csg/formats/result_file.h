@@ -59,8 +59,8 @@ void write(const std::string& path, const Evaluation& evaluation);
 Result read_result(const std::string& path);
 
 /// The formats of tetrahedra: .msh .mesh .vtu .inp .bdf .h5m .med .xdmf. Throws InputError for any other
-/// extension.
-void check_mesh_file_name(const std::string& path);
+/// extension; the message names `others`, which the caller writes itself (` .html`), too.
+void check_mesh_file_name(const std::string& path, const std::string& others = {});
 
 /// What tetrahedra were made.
 struct TetrahedraReport {

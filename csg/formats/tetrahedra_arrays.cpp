@@ -18,7 +18,7 @@ constexpr std::array<Ends, 6> kEdges3{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {
 
 template <class List, class Edges>
 void add(const Mesh& mesh, const List& simplices, std::size_t dimension, const Edges& edges, SaidTableMaker& said,
-         TetrahedraArrays::Simplices& out) {
+         MeshArrays::Simplices& out) {
   for (const auto& simplex : simplices) {
     for (const Mesh::Index p : mesh.nodes(simplex, edges)) out.points.push_back(static_cast<Number>(p));
     const CellTags& tags = mesh.entities[dimension][simplex.entity].tags;
@@ -32,6 +32,24 @@ void add(const Mesh& mesh, const List& simplices, std::size_t dimension, const E
     out.leaf.push_back(tags.leaf);
     out.face.push_back(tags.face);
   }
+}
+
+/// All but what is said, which goes to `said`.
+void fill(const Result& result, const Mesh& mesh, SaidTableMaker& said, MeshArrays& out) {
+  for (const auto& p : mesh.points) out.points.insert(out.points.end(), p.begin(), p.end());
+  add(mesh, mesh.vertices, 0, kNoEdges, said, out.of[0]);
+  add(mesh, mesh.segments, 1, kEdges1, said, out.of[1]);
+  add(mesh, mesh.triangles, 2, kEdges2, said, out.of[2]);
+  add(mesh, mesh.tetrahedra, 3, kEdges3, said, out.of[3]);
+  for (std::size_t d = 0; d < 4; ++d) {
+    for (const std::string& name : mesh.groups[d]) out.groups[d].push_back({name, {}});
+    for (const Mesh::Entity& entity : mesh.entities[d]) {
+      for (const Mesh::Index group : entity.groups) out.groups[d][group - 1].cells.push_back(entity.tags.cell);
+    }
+  }
+  for (const LeafInfo& leaf : result.data().leaves) out.leaves.push_back(leaf.name);
+  for (const ResultNames::Material& material : result.data().materials) out.materials.push_back(material.name);
+  out.curved = !mesh.middles.empty();
 }
 
 }  // namespace
@@ -57,32 +75,43 @@ const std::string& TetrahedralResult::notice() const { return data_->made.notice
 double TetrahedralResult::expected() const { return data_->made.expected; }
 
 TetrahedraArrays TetrahedralResult::arrays() const {
-  const Mesh& mesh = data_->made.mesh;
   TetrahedraArrays out;
-  for (const auto& p : mesh.points) out.points.insert(out.points.end(), p.begin(), p.end());
   SaidTableMaker said;
-  add(mesh, mesh.vertices, 0, kNoEdges, said, out.of[0]);
-  add(mesh, mesh.segments, 1, kEdges1, said, out.of[1]);
-  add(mesh, mesh.triangles, 2, kEdges2, said, out.of[2]);
-  add(mesh, mesh.tetrahedra, 3, kEdges3, said, out.of[3]);
+  fill(data_->result, data_->made.mesh, said, out);
   out.said = said.table(data_->result.data().view());
-  for (std::size_t d = 0; d < 4; ++d) {
-    for (const std::string& name : mesh.groups[d]) out.groups[d].push_back({name, {}});
-    for (const Mesh::Entity& entity : mesh.entities[d]) {
-      for (const Mesh::Index group : entity.groups) out.groups[d][group - 1].cells.push_back(entity.tags.cell);
-    }
-  }
-  for (const LeafInfo& leaf : data_->result.data().leaves) out.leaves.push_back(leaf.name);
-  for (const ResultNames::Material& material : data_->result.data().materials)
-    out.materials.push_back(material.name);
   out.regions = data_->made.regions;
   out.rounding = data_->made.rounding;
-  out.curved = !mesh.middles.empty();
-  for (const Mesh::Field& field : mesh.fields) out.fields.emplace_back(field.name, field.values);
+  for (const Mesh::Field& field : data_->made.mesh.fields) out.fields.emplace_back(field.name, field.values);
   return out;
 }
 
 void TetrahedralResult::write(const std::string& path) const {
+  cnrg::write(path, data_->result, data_->made.mesh);
+}
+
+struct SurfaceMeshResult::Data {
+  Result result;
+  SurfaceTriangles made;
+};
+
+SurfaceMeshResult::SurfaceMeshResult(const Result& result, const SurfaceOptions& options)
+    : data_(std::make_shared<const Data>(Data{result, surface_triangles(result, options)})) {}
+
+std::size_t SurfaceMeshResult::kept() const { return data_->made.kept; }
+
+SurfaceArrays SurfaceMeshResult::arrays() const {
+  const SurfaceTriangles& made = data_->made;
+  SurfaceArrays out;
+  SaidTableMaker said;
+  fill(data_->result, made.mesh, said, out);
+  add(made.mesh, made.mesh.quads, 2, kNoEdges, said, out.quads);
+  out.said = said.table(data_->result.data().view());
+  out.faces = made.groups;
+  out.rounding = made.rounding;
+  return out;
+}
+
+void SurfaceMeshResult::write(const std::string& path) const {
   cnrg::write(path, data_->result, data_->made.mesh);
 }
 

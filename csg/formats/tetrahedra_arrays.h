@@ -1,5 +1,5 @@
-// The tetrahedra of a result as flat arrays, each simplex with the cell of the result that it lies in, for
-// programs that compute with arrays. The same mesh may be written to files.
+// The tetrahedra or the surface mesh of a result as flat arrays, each simplex with the cell of the result that it
+// lies in, for programs that compute with arrays. The same mesh may be written to files.
 #pragma once
 
 #include <array>
@@ -10,17 +10,20 @@
 
 #include "csg/formats/result_file.h"
 #include "csg/mesh/cell_groups.h"
+#include "csg/mesh/surface_triangles.h"
 #include "csg/result/arrays.h"
 #include "csg/result/result.h"
 
 namespace cnrg {
 
-struct TetrahedraArrays {
+/// Of a mesh of any kind.
+struct MeshArrays {
   using Numbers = std::vector<std::int32_t>;
 
   /// Simplices of one dimension d.
   struct Simplices {
-    /// d + 1 of each; of a curved mesh then the middles of its edges, in the order of a .msh (csg/FORMATS.md).
+    /// d + 1 of each; of a mesh of second order then the middles of its edges, in the order of a .msh
+    /// (csg/FORMATS.md).
     Numbers points;
     Numbers cell;         ///< the number of the cell of the result, of dimension d, that it lies in
     Numbers component;    ///< of that cell, from 1
@@ -36,9 +39,12 @@ struct TetrahedraArrays {
   std::vector<std::string> leaves;               ///< names of leaves, by `Simplices::leaf`
   std::vector<std::string> materials;            ///< names
   SaidTable said;
-  std::vector<RegionTetrahedra> regions;  ///< of each region of the result that is filled, in the order of cells
   RoundingReport rounding;
-  bool curved = false;                                              ///< of second order
+  bool curved = false;  ///< of second order
+};
+
+struct TetrahedraArrays : MeshArrays {
+  std::vector<RegionTetrahedra> regions;  ///< of each region of the result that is filled, in the order of cells
   std::vector<std::pair<std::string, std::vector<double>>> fields;  ///< at each corner of each tetrahedron
 };
 
@@ -57,6 +63,29 @@ class TetrahedralResult {
   double expected() const;
   /// In the formats of check_mesh_file_name (result_file.h); of second order not .mesh and .h5m. Throws InputError
   /// for another extension, FileError.
+  void write(const std::string& path) const;
+
+ private:
+  struct Data;
+  std::shared_ptr<const Data> data_;
+};
+
+struct SurfaceArrays : MeshArrays {
+  /// Four points of each, counter-clockwise as seen from the front; `cell` is a face.
+  Simplices quads;
+  std::vector<FaceTriangles> faces;  ///< by first group
+};
+
+/// A surface mesh that was made; copies share it.
+class SurfaceMeshResult {
+ public:
+  /// As surface_triangles.h has it. Throws InputError, RoundingFault.
+  explicit SurfaceMeshResult(const Result& result, const SurfaceOptions& options = {});
+
+  SurfaceArrays arrays() const;
+  std::size_t kept() const;  ///< facets that keep their triangles (surface_triangles.h)
+  /// In the formats of check_mesh_file_name (result_file.h); of second order not .mesh and .h5m, with
+  /// quadrilaterals not .h5m. Throws InputError for another extension, FileError.
   void write(const std::string& path) const;
 
  private:

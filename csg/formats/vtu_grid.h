@@ -16,6 +16,7 @@ enum class VtuCell : std::uint8_t {
   poly_vertex = 2,
   line = 3,
   triangle = 5,
+  quad = 9,
   tetrahedron = 10,
   quadratic_edge = 21,
   quadratic_triangle = 22,

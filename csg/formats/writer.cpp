@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "csg/formats/formats.h"
+#include "csg/result/result_json.h"
 #include "csg/result/rounding.h"
 #include "csg/text/file.h"
 #include "kernel/base/error.h"
@@ -72,6 +73,8 @@ void check_binary(const std::string& path) {
   }
   throw InputError(path + ": this format has one form only; leave out --binary, which is for" + known);
 }
+
+FileText json_text(const ResultView& view) { return {result_json(view), {}}; }
 
 FileText file_text(const std::string& path, const ResultView& view, bool binary) {
   if (binary) check_binary(path);

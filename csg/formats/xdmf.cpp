@@ -34,6 +34,7 @@ class XdmfWriter {
     numbers_.assign(mesh.points.size(), kNone);
     number_points(mesh.tetrahedra, kSecondOrderEdges);
     if (dimension < 3) number_points(mesh.triangles, kSecondOrderTriangle);
+    if (dimension < 3) number_points(mesh.quads, kSecondOrderPoint);
     if (dimension < 2) number_points(mesh.segments, kSecondOrderLine);
     if (dimension < 1) number_points(mesh.vertices, kSecondOrderPoint);
   }
@@ -46,7 +47,10 @@ class XdmfWriter {
     switch (dimension_) {
       case 0: add_simplices("Polyvertex", mesh_.vertices, kSecondOrderPoint); break;
       case 1: add_simplices(straight() ? "Polyline" : "Edge_3", mesh_.segments, kSecondOrderLine); break;
-      case 2: add_simplices(straight() ? "Triangle" : "Triangle_6", mesh_.triangles, kSecondOrderTriangle); break;
+      case 2:
+        if (!mesh_.quads.empty()) add_mixed_faces();
+        else add_simplices(straight() ? "Triangle" : "Triangle_6", mesh_.triangles, kSecondOrderTriangle);
+        break;
       default: add_simplices(straight() ? "Tetrahedron" : "Tetrahedron_10", mesh_.tetrahedra, kSecondOrderEdges);
     }
     add_groups();
@@ -120,6 +124,25 @@ class XdmfWriter {
     text_ += "</Topology>\n";
   }
 
+  /// Triangles and quadrilaterals, each behind the number of its kind.
+  void add_mixed_faces() {
+    const auto add = [&](const auto& elements, const char* kind) {
+      for (const auto& e : elements) {
+        entities_.push_back(e.entity);
+        text_ += kind;
+        for (const Index p : e.points) text_ += " " + std::to_string(numbers_[p]);
+        text_ += '\n';
+      }
+    };
+    text_ += "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" +
+             std::to_string(mesh_.triangles.size() + mesh_.quads.size()) + "\">\n";
+    begin_item("Int", std::to_string(4 * mesh_.triangles.size() + 5 * mesh_.quads.size()));
+    add(mesh_.triangles, "4");
+    add(mesh_.quads, "5");
+    end_item();
+    text_ += "</Topology>\n";
+  }
+
   template <class Value>
   void add_array(const std::string& name, const std::string& type, const Value& value) {
     text_ += "<Attribute Name=\"" + name + "\" AttributeType=\"Scalar\" Center=\"Cell\">\n";
@@ -172,8 +195,8 @@ class XdmfWriter {
 }  // namespace
 
 std::string xdmf_text(const std::string& path, const Mesh& mesh) {
-  const std::array<std::size_t, 4> counts{mesh.vertices.size(), mesh.segments.size(), mesh.triangles.size(),
-                                          mesh.tetrahedra.size()};
+  const std::array<std::size_t, 4> counts{mesh.vertices.size(), mesh.segments.size(),
+                                          mesh.triangles.size() + mesh.quads.size(), mesh.tetrahedra.size()};
   const std::string before = extension_of(path.substr(0, path.size() - extension_of(path).size()));
   std::size_t dimension = 3;
   for (std::size_t d = 0; d < 3; ++d) {

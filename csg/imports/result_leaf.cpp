@@ -90,9 +90,7 @@ class ResultLeaf : public PreparedLeaf {
   Content content_;
 };
 
-result::JsonFile parsed(const ResultShape& shape) {
-  const std::string& file = shape.file;
-  const std::string text = read_leaf_file(file, shape.inside, result::kWriteAgain);
+result::JsonFile parsed(const std::string& text, const std::string& file) {
   try {
     return {file, JsonDocument(text)};
   } catch (const JsonError& error) {
@@ -104,7 +102,11 @@ result::JsonFile parsed(const ResultShape& shape) {
 }  // namespace
 
 std::unique_ptr<PreparedLeaf> prepare_result(const ResultShape& shape) {
-  const result::JsonFile file = parsed(shape);
+  return prepare_result(read_leaf_file(shape.file, shape.inside, result::kWriteAgain), shape.file);
+}
+
+std::unique_ptr<PreparedLeaf> prepare_result(const std::string& text, const std::string& name) {
+  const result::JsonFile file = parsed(text, name);
   const result::Cursor root(file);
   Content content = result::read_content(root);
   result::check_content(root, content);

@@ -150,6 +150,7 @@ void take_points(Mesh& mesh, const std::vector<std::array<double, 3>>& points) {
     for (auto& s : mesh.vertices) body(s.points);
     for (auto& s : mesh.segments) body(s.points);
     for (auto& s : mesh.triangles) body(s.points);
+    for (auto& s : mesh.quads) body(s.points);
     for (auto& s : mesh.tetrahedra) body(s.points);
   };
   for_all([&](const auto& corners) {

@@ -18,20 +18,14 @@ using Corners = std::array<VertexId, 3>;
 
 class ConstrainedRun {
  public:
-  ConstrainedRun(const Plc& plc, const FlatComplex& flat, const Watch& watch, double cuts)
-      : plc_(plc), flat_(flat), watch_(watch), cuts_(cuts) {
+  ConstrainedRun(const Plc& plc, const FlatComplex& flat, const Watch& watch)
+      : plc_(plc), flat_(flat), watch_(watch) {
     for (const auto& p : plc_.points) points_.add(p[0], p[1], p[2]);
     box_ = points_.size();
   }
 
   PlcMesh run() {
-    Constraints constraints = of_complex();
-    for (int round = 0;; ++round) {
-      made_ = constrained_tetrahedra(points_, constraints, watch_, cuts_);
-      if (round_points()) break;
-      if (round == kRounds || !is_embedded()) throw NearFault(too_thin());
-      constraints = of_pieces();
-    }
+    made_ = constrained_tetrahedra(points_, of_complex(), watch_, NewPoints::doubles);
     find_regions();
     write();
     return std::move(out_);
@@ -39,18 +33,14 @@ class ConstrainedRun {
 
  private:
   static constexpr Index kNone = FlatComplex::kNone;
-  static constexpr int kRounds = 10;
   const Plc& plc_;
   const FlatComplex& flat_;
   const Watch& watch_;
-  const double cuts_;
   PointTable points_;
   std::vector<Index> facet_, segment_;  // of the constraints, by those of the complex
   ConstrainedTetrahedra made_;
-  std::vector<std::array<double, 3>> xyz_;  // of all points of `made_`, rounded
-  std::size_t box_ = 0;                     // the first corner of the box
-  std::ptrdiff_t thin_ = 0;                 // the first tetrahedron that does not keep its turn
-  std::vector<Index> region_;               // of each tetrahedron, or kNone
+  std::size_t box_ = 0;        // the first corner of the box
+  std::vector<Index> region_;  // of each tetrahedron, or kNone
   PlcMesh out_;
 
   Constraints of_complex() {
@@ -64,24 +54,6 @@ class ConstrainedRun {
       require(polygons.size() == 1 && polygons[0].size() == 3, "constrained: a facet is no triangle");
       add_triangle(out, {VertexId(polygons[0][0]), VertexId(polygons[0][1]), VertexId(polygons[0][2])}, i);
     }
-    return out;
-  }
-
-  /// What the last constraints were parted into, in doubles.
-  Constraints of_pieces() {
-    const std::vector<Index> facets = std::exchange(facet_, {}), segments = std::exchange(segment_, {});
-    points_ = PointTable();
-    for (std::size_t i = 0; i < xyz_.size(); ++i) {
-      if (!on_box(VertexId(i))) points_.add(xyz_[i][0], xyz_[i][1], xyz_[i][2]);
-    }
-    const auto moved = [&](VertexId v) { return VertexId(number(v)); };
-    Constraints out;
-    for (const auto& s : made_.segments) add_segment(out, {moved(s.ends[0]), moved(s.ends[1])}, segments[s.of]);
-    for (const auto& t : made_.triangles) {
-      const auto& [a, b, c] = t.corners;
-      add_triangle(out, {moved(a), moved(b), moved(c)}, facets[t.of]);
-    }
-    box_ = points_.size();
     return out;
   }
 
@@ -174,76 +146,36 @@ class ConstrainedRun {
     }
   }
 
-  /// True if each tetrahedron keeps its turn.
-  bool round_points() {
-    xyz_.clear();
-    PointTable rounded;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      xyz_.push_back(points_.nearest(VertexId(i)));
-      rounded.add(xyz_[i][0], xyz_[i][1], xyz_[i][2]);
-    }
-    const auto& all = made_.tetrahedra;
-    thin_ = std::find_if(all.begin(), all.end(),
-                         [&](const auto& t) { return orient3d(rounded, t[0], t[1], t[2], t[3]) <= 0; }) -
-            all.begin();
-    return thin_ == static_cast<std::ptrdiff_t>(all.size());
-  }
-
-  /// Do the rounded pieces still meet as they did? What crosses has no tetrahedra, and must not be asked for any.
-  bool is_embedded() const {
-    RoundedPoints points;
-    std::vector<char> used(xyz_.size(), 0);
-    points.xyz = xyz_;
-    Drawing drawing;
-    const auto use = [&](VertexId v) {
-      used[v.index()] = 1;
-      return static_cast<Index>(v.index());
-    };
-    for (const auto& t : made_.triangles)
-      drawing.triangles.push_back({use(t.corners[0]), use(t.corners[1]), use(t.corners[2])});
-    for (const auto& s : made_.segments) {
-      if (plc_.segments[segment_[s.of]].wire) drawing.segments.push_back({use(s.ends[0]), use(s.ends[1])});
-    }
-    for (Index i = 0; i < plc_.points.size(); ++i) {
-      if (!used[i]) drawing.points.push_back(i);
-    }
-    return redraw(points, drawing).is_embedded();
-  }
-
-  std::string too_thin() const {
-    const auto& p = xyz_[made_.tetrahedra[static_cast<std::size_t>(thin_)][0].index()];
-    std::string text = "tetrahedra are too thin for doubles near (";
-    append(text, p);
-    return text + "); move nearly touching parts apart or together there, or join them by `weld`";
-  }
-
-  bool on_box(VertexId v) const { return v.index() >= box_ && v.index() < box_ + 8; }
-  /// Points of the complex, then those that were added; the corners of the box, which lie between them, come last.
-  Index number(VertexId v) const {
-    const std::size_t i = v.index();
-    return static_cast<Index>(i < box_ ? i : i < box_ + 8 ? xyz_.size() - 8 + (i - box_) : i - 8);
-  }
-
   void write() {
-    for (std::size_t i = 0; i < xyz_.size(); ++i) {
-      if (!on_box(VertexId(i))) out_.points.push_back(xyz_[i]);
+    // Points of the complex, then those that were added and are in use; the corners of the box come last.
+    std::vector<Index> number(points_.size(), kNone);
+    const auto take = [&](std::size_t v) {
+      if (number[v] != kNone) return;
+      number[v] = static_cast<Index>(out_.points.size());
+      out_.points.push_back(points_.nearest(VertexId(v)));
+    };
+    for (std::size_t v = 0; v < box_; ++v) take(v);
+    for (const auto& t : made_.tetrahedra) {
+      for (const VertexId v : t) {
+        if (v.index() >= box_ + 8) take(v.index());
+      }
     }
-    for (std::size_t k = 0; k < 8; ++k) out_.points.push_back(xyz_[box_ + k]);
+    for (std::size_t k = 0; k < 8; ++k) take(box_ + k);
     std::unordered_map<Index, std::int32_t> attribute;
     for (std::size_t i = 0; i < plc_.regions.size(); ++i)
       attribute.emplace(plc_.regions[i].region, static_cast<std::int32_t>(i + 1));
     for (std::size_t i = 0; i < made_.tetrahedra.size(); ++i) {
       const auto& [a, b, c, d] = made_.tetrahedra[i];
-      out_.tetrahedra.push_back({number(a), number(b), number(c), number(d)});
+      out_.tetrahedra.push_back({number[a.index()], number[b.index()], number[c.index()], number[d.index()]});
       out_.attribute.push_back(region_[i] == kNone ? 0 : attribute.at(region_[i]));
     }
     for (const auto& triangle : made_.triangles) {
       const auto& [a, b, c] = triangle.corners;
-      out_.triangles.push_back({number(a), number(b), number(c)});
+      out_.triangles.push_back({number[a.index()], number[b.index()], number[c.index()]});
       out_.facet.push_back(static_cast<std::int32_t>(facet_[triangle.of]));
     }
     for (const auto& segment : made_.segments) {
-      out_.segments.push_back({number(segment.ends[0]), number(segment.ends[1])});
+      out_.segments.push_back({number[segment.ends[0].index()], number[segment.ends[1].index()]});
       out_.edge.push_back(static_cast<std::int32_t>(plc_.segments[segment_[segment.of]].edge));
     }
   }
@@ -251,8 +183,8 @@ class ConstrainedRun {
 
 }  // namespace
 
-PlcMesh run_constrained(const Plc& plc, const FlatComplex& flat, const Watch& watch, double cuts) {
-  return ConstrainedRun(plc, flat, watch, cuts).run();
+PlcMesh run_constrained(const Plc& plc, const FlatComplex& flat, const Watch& watch) {
+  return ConstrainedRun(plc, flat, watch).run();
 }
 
 }  // namespace cnrg

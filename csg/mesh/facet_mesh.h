@@ -61,6 +61,8 @@ class FacetMesh {
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Segment>& segments() const { return segments_; }
   const std::vector<Facet>& facets() const { return facets_; }
+  /// 1 where three points turn left as the facet is seen along its axis, -1 to the right, 0 straight on; exact.
+  int turn(Index facet, Index a, Index b, Index c) const;
   void fix(Index segment) { segments_[segment].fixed = true; }
 
   /// Turns sides until all are Delaunay but those that are segments.
@@ -100,7 +102,6 @@ class FacetMesh {
   void link();
   void fix_thin(const std::vector<char>& fixed);
   Index add_point(const Vector& at);
-  int turn(Index facet, Index a, Index b, Index c) const;
   Index side_of(Index triangle, Index next) const;
   Across across(Index t, Index k) const { return {triangles_[t].next[k], triangles_[t].segments[k]}; }
   void join(Index t, Index k, Index before, const Across& out);

@@ -52,7 +52,10 @@ struct Mesh {
   // By entity, ascending.
   std::vector<Simplex<1>> vertices;
   std::vector<Simplex<2>> segments;
-  std::vector<Simplex<3>> triangles;   ///< counter-clockwise as seen from the front of the face
+  std::vector<Simplex<3>> triangles;  ///< counter-clockwise as seen from the front of the face
+  /// In place of triangles, in one plane but for rounding: convex, corners in turn, counter-clockwise as these.
+  /// Only of a mesh of first order without tetrahedra.
+  std::vector<Simplex<4>> quads{};
   std::vector<Simplex<4>> tetrahedra;  ///< det(b - a, c - a, d - a) > 0
 
   /// Of a mesh of second order (curved_mesh.h): the point in the middle of each edge of its simplices, by the

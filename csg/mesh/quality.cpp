@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "csg/text/escape.h"
+#include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/improve.h"
 
@@ -46,18 +47,21 @@ constexpr double kSharp = 15;
 class Explainer {
  public:
   Explainer(const Mesh& mesh, const std::vector<std::string>& leaves) : mesh_(mesh), leaves_(leaves) {
-    cell_.assign(mesh.points.size(), {3, 0});
+    cell_.assign(mesh.points.size(), {3, 0, 0});
     const auto take = [&](const auto& simplices, int dimension) {
       for (const auto& s : simplices)
-        for (const Index p : s.points) cell_[p] = {dimension, s.entity};
+        for (const Index p : s.points) cell_[p] = {dimension, s.entity, p};
     };
     take(mesh.triangles, 2), take(mesh.segments, 1), take(mesh.vertices, 0);
     for (const auto& t : mesh.triangles) {
       auto corners = t.points;
       std::sort(corners.begin(), corners.end());
       faces_.emplace_back(corners, t.entity);
+      for (const Index p : t.points)
+        if (cell_[p].dimension < 2) faces_at_.emplace_back(p, t.entity);
     }
     std::sort(faces_.begin(), faces_.end());
+    sort_unique(faces_at_);
   }
 
   MeshQuality::Bad explain(const Mesh::Simplex<4>& t) const {
@@ -71,20 +75,29 @@ class Explainer {
     bad.why = why(t, p);
     for (const Index v : t.points) name(cell_[v], bad.nodes);
     for (std::size_t k = 0; k < 4; ++k)
-      if (const auto f = face(t, k)) name({2, *f}, bad.nodes);
+      if (const auto f = face(t, k)) name({2, *f, 0}, bad.nodes);
     return bad;
+  }
+  /// Of a triangle on a face.
+  std::vector<std::string> nodes_of(const Mesh::Simplex<3>& t) const {
+    std::vector<std::string> out;
+    name({2, t.entity, 0}, out);
+    for (const Index v : t.points) name(cell_[v], out);
+    return out;
   }
 
  private:
   struct Cell {
     int dimension;
     Index entity;
-    bool operator==(const Cell&) const = default;
+    Index point;  // of the mesh, on a cell of dimension 0 or 1
+    bool operator==(const Cell& other) const { return dimension == other.dimension && entity == other.entity; }
   };
   const Mesh& mesh_;
   const std::vector<std::string>& leaves_;
   std::vector<Cell> cell_;                                     // of each point, the lowest
   std::vector<std::pair<std::array<Index, 3>, Index>> faces_;  // sorted
+  std::vector<std::pair<Index, Index>> faces_at_;              // by points on edges and vertices
 
   std::optional<Index> face(const Mesh::Simplex<4>& t, std::size_t opposite) const {
     std::array<Index, 3> f{t.points[(opposite + 1) % 4], t.points[(opposite + 2) % 4],
@@ -94,22 +107,26 @@ class Explainer {
     return at != faces_.end() && at->first == f ? std::optional(at->second) : std::nullopt;
   }
 
+  static void add(const std::string& leaf, std::vector<std::string>& out) {
+    std::string text = shown(leaf);
+    if (std::find(out.begin(), out.end(), text) == out.end()) out.push_back(std::move(text));
+  }
+
+  /// A face knows all leaves that it came from, by groups `from LEAF`; an edge or a vertex one, and the faces that
+  /// meet there the others.
   void name(const Cell& cell, std::vector<std::string>& out) const {
     if (cell.dimension == 3) return;
-    // A face knows all leaves that it came from, by groups `from LEAF`.
-    if (cell.dimension == 2) {
-      const std::size_t first = mesh_.groups[2].size() - mesh_.sources;
-      for (const Index g : mesh_.entities[2][cell.entity].groups) {
-        if (g <= first) continue;
-        const std::string text = shown(mesh_.groups[2][g - 1].substr(std::string_view("from ").size()));
-        if (std::find(out.begin(), out.end(), text) == out.end()) out.push_back(text);
-      }
-      return;
-    }
+    if (cell.dimension == 2) return name_face(cell.entity, out);
     const std::int32_t leaf = mesh_.entities[std::size_t(cell.dimension)][cell.entity].tags.leaf;
-    if (leaf < 0 || std::size_t(leaf) >= leaves_.size()) return;
-    std::string text = shown(leaves_[std::size_t(leaf)]);
-    if (std::find(out.begin(), out.end(), text) == out.end()) out.push_back(std::move(text));
+    if (leaf >= 0 && std::size_t(leaf) < leaves_.size()) add(leaves_[std::size_t(leaf)], out);
+    auto at = std::lower_bound(faces_at_.begin(), faces_at_.end(), std::pair(cell.point, Index{0}));
+    for (; at != faces_at_.end() && at->first == cell.point; ++at) name_face(at->second, out);
+  }
+  void name_face(Index entity, std::vector<std::string>& out) const {
+    const std::size_t first = mesh_.groups[2].size() - mesh_.sources;
+    for (const Index g : mesh_.entities[2][entity].groups) {
+      if (g > first) add(mesh_.groups[2][g - 1].substr(std::string_view("from ").size()), out);
+    }
   }
 
   std::string words(const Cell& cell) const {
@@ -117,7 +134,10 @@ class Explainer {
     std::string text = kLetter[cell.dimension] + std::to_string(cell.entity);
     std::vector<std::string> names;
     name(cell, names);
-    return names.empty() ? text : text + " of `" + names[0] + "`";
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      text += (i == 0 ? " of `" : i + 1 < names.size() ? ", `" : " and `") + names[i] + "`";
+    }
+    return text;
   }
 
   std::string why(const Mesh::Simplex<4>& t, const std::array<Vector, 4>& p) const {
@@ -138,7 +158,8 @@ class Explainer {
       const double angle = dihedral(p, e);
       if (angle > kSharp) continue;
       const auto f = face(t, kOthers[e][0]), g = face(t, kOthers[e][1]);
-      if (f && g) return words({2, *f}) + " and " + words({2, *g}) + " meet at " + short_text(angle) + " degrees";
+      if (f && g)
+        return words({2, *f, 0}) + " and " + words({2, *g, 0}) + " meet at " + short_text(angle) + " degrees";
     }
     for (std::size_t k = 0; k < 4; ++k) {
       const auto f = face(t, k);
@@ -147,7 +168,7 @@ class Explainer {
       const Vector &a = p[(k + 1) % 4], n = cross(minus(p[(k + 2) % 4], a), minus(p[(k + 3) % 4], a));
       const double height = std::fabs(dot(minus(p[k], a), n)) / length(n);
       if (height < kShort * longest)
-        return words(corner) + " is " + short_text(height) + " from the plane of " + words({2, *f});
+        return words(corner) + " is " + short_text(height) + " from the plane of " + words({2, *f, 0});
     }
     return "no local move makes it better";
   }
@@ -187,6 +208,7 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
     out.beyond += radius_edge > 0 && m.radius_edge > radius_edge;
     ++out.shapes[std::min<std::size_t>(std::size_t(m.shape * 20), 19)];
     ++out.dihedrals[std::min<std::size_t>(std::size_t(m.dihedral / 5), 17)];
+    ++out.ratios[std::size_t(std::clamp((m.radius_edge - 0.6) * 5, 0.0, double(out.ratios.size() - 1)))];
     if (m.shape < MeshQuality::kBad) {
       ++region.bad;
       bad.emplace_back(m.shape, i);
@@ -203,8 +225,38 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
   const std::size_t shown = std::min(bad.size(), MeshQuality::kShown);
   std::partial_sort(bad.begin(), bad.begin() + std::ptrdiff_t(shown), bad.end());
   const Explainer explainer(mesh, leaves);
-  for (std::size_t i = 0; i < shown; ++i)
+  for (std::size_t i = 0; i < shown; ++i) {
     out.worst_ones.push_back(explainer.explain(mesh.tetrahedra[bad[i].second]));
+    out.worst_ones.back().tetrahedron = bad[i].second;
+  }
+  return out;
+}
+
+TriangleQuality triangle_quality_of(const Mesh& mesh, const std::vector<std::string>& leaves) {
+  TriangleQuality out;
+  std::vector<std::pair<double, std::size_t>> angles;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    double least = 180;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& t = mesh.triangles[i].points;
+      const Vector &p = mesh.points[t[k]], &q = mesh.points[t[(k + 1) % 3]], &r = mesh.points[t[(k + 2) % 3]];
+      const Vector a = minus(q, p), b = minus(r, p);
+      least = std::min(least, std::atan2(length(cross(a, b)), dot(a, b)) * 180 / std::numbers::pi);
+    }
+    ++out.angles[std::min<std::size_t>(std::size_t(least / 5), out.angles.size() - 1)];
+    angles.emplace_back(least, i);
+  }
+  const std::size_t shown = std::min(angles.size(), MeshQuality::kShown);
+  std::partial_sort(angles.begin(), angles.begin() + std::ptrdiff_t(shown), angles.end());
+  const Explainer explainer(mesh, leaves);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const auto& [angle, number] = angles[i];
+    const Mesh::Simplex<3>& t = mesh.triangles[number];
+    TriangleQuality::Bad bad{{}, angle, explainer.nodes_of(t), number};
+    for (const Index p : t.points)
+      for (std::size_t k = 0; k < 3; ++k) bad.at[k] += mesh.points[p][k] / 3;
+    out.worst_ones.push_back(std::move(bad));
+  }
   return out;
 }
 

@@ -30,6 +30,7 @@ struct MeshQuality {
     TetrahedronMeasures measures;
     std::string why;                 ///< words, escaped
     std::vector<std::string> nodes;  ///< names of leaves whose cells meet there, escaped
+    std::size_t tetrahedron = 0;     ///< its place in the mesh
   };
   std::vector<Region> regions;  ///< as the mesh's entities of dimension 3
   std::size_t bad = 0;
@@ -37,10 +38,25 @@ struct MeshQuality {
   double worst = 1, median = 1, largest_radius_edge = 0, smallest_dihedral = 180;
   std::array<std::size_t, 20> shapes{};     ///< how many by twentieths
   std::array<std::size_t, 18> dihedrals{};  ///< by the smallest angle, 5 degrees each
-  std::vector<Bad> worst_ones;              ///< `kShown` at most, the worst first
+  /// By ratios of circumradius to shortest edge, from 0.6 on 0.2 each; all larger ones are in the last.
+  std::array<std::size_t, 16> ratios{};
+  std::vector<Bad> worst_ones;  ///< `kShown` at most, the worst first
 };
 
 /// `leaves`: their names, by number; `radius_edge`: the largest ratio that was asked for, 0: none.
 MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves, double radius_edge = 0);
+
+/// How good triangles are: by their smallest angles.
+struct TriangleQuality {
+  struct Bad {
+    std::array<double, 3> at;  ///< its middle
+    double angle = 0;          ///< degrees
+    std::vector<std::string> nodes;
+    std::size_t triangle = 0;  ///< its place in the mesh
+  };
+  std::array<std::size_t, 12> angles{};  ///< by the smallest angle, 5 degrees each
+  std::vector<Bad> worst_ones;           ///< `MeshQuality::kShown` at most, the worst first
+};
+TriangleQuality triangle_quality_of(const Mesh& mesh, const std::vector<std::string>& leaves);
 
 }  // namespace cnrg

@@ -29,6 +29,8 @@ struct SurfaceOptions {
   double overall = 0, growth = 0.3;
   std::size_t max_points = 1'000'000;  ///< no points are added beyond these
   int seconds = 600;                   ///< of time; 0: no bound
+  int order = 1;       ///< of the elements; 2: with a node in the middle of each side, not with quads
+  bool quads = false;  ///< triangles are merged by pairs where these are good (quads.h)
   Watch watch{};
 };
 

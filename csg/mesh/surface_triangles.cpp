@@ -10,6 +10,7 @@
 
 #include "csg/mesh/cell_mesh.h"
 #include "csg/mesh/mesh_sizes.h"
+#include "csg/mesh/quads.h"
 #include "csg/mesh/rounded_result.h"
 #include "csg/result/solid.h"
 #include "kernel/base/error.h"
@@ -98,6 +99,20 @@ double area_of(const Vector& a, const Vector& b, const Vector& c) {
   const Vector n = cross(minus(b, a), minus(c, a));
   return std::sqrt(dot(n, n)) / 2;
 }
+/// A sum of many numbers with what rounding took away (neumaier1974): plainly added, a hundred thousand equal
+/// areas are off by more than their points are.
+class CompensatedSum {
+ public:
+  void add(double x) {
+    const double sum = sum_ + x;
+    lost_ += std::abs(sum_) >= std::abs(x) ? (sum_ - sum) + x : (x - sum) + sum_;
+    sum_ = sum;
+  }
+  double value() const { return sum_ + lost_; }
+
+ private:
+  double sum_ = 0, lost_ = 0;
+};
 double length(const Vector& a, const Vector& b) {
   const Vector d = minus(a, b);
   return std::sqrt(dot(d, d));
@@ -109,6 +124,8 @@ class SurfaceMaker {
       : view_(view), options_(options), flat_(flatten(view)) {}
 
   SurfaceTriangles run() {
+    if (options_.quads && options_.order == 2)
+      throw InputError("there are no quadrilaterals of second order; mesh without --quads, or of order 1");
     require_off_frame(flat_, "a surface mesh");
     require_closed(flat_, "a surface mesh");
     const bool wires = std::any_of(flat_.edges.begin(), flat_.edges.end(), [](const auto& e) { return e.wire; });
@@ -126,6 +143,7 @@ class SurfaceMaker {
     prove_edges(mesh(), flat_);
     prove_faces(mesh(), flat_);
     prove_areas(made.mesh.points());
+    if (options_.quads) merge(made.mesh);
     report(made);
     take_points(mesh(), made.mesh.points());
     return std::move(result_);
@@ -136,6 +154,8 @@ class SurfaceMaker {
   SurfaceOptions options_;
   const FlatComplex flat_;
   SurfaceTriangles result_;
+  std::vector<MergedQuad> quads_;
+  std::vector<char> merged_;  // of each triangle, where there are quads
   Mesh& mesh() { return result_.mesh; }
 
   /// As of tetrahedra: where sizes are the aim, sides are longer and shorter ones.
@@ -151,9 +171,31 @@ class SurfaceMaker {
     for (const auto& s : made.segments()) {
       if (s.edge != kNone) mesh().segments.push_back({s.ends, s.edge});
     }
-    for (const auto& t : made.triangles()) mesh().triangles.push_back({t.points, made.facets()[t.facet].face});
     sort_by_entity(mesh().segments);
+    take_triangles(made);
+  }
+  bool is_merged(std::size_t t) const { return !merged_.empty() && merged_[t] != 0; }
+  void take_triangles(const FacetMesh& made) {
+    mesh().triangles.clear();
+    for (std::size_t i = 0; i < made.triangles().size(); ++i) {
+      const auto& t = made.triangles()[i];
+      if (!is_merged(i)) mesh().triangles.push_back({t.points, made.facets()[t.facet].face});
+    }
     sort_by_entity(mesh().triangles);
+  }
+
+  void merge(const FacetMesh& made) {
+    quads_ = merge_triangles(made, options_.watch);
+    merged_.assign(made.triangles().size(), 0);
+    for (const MergedQuad& q : quads_) {
+      for (const Index t : q.triangles) {
+        require(merged_[t] == 0, "surface: a triangle is in two quadrilaterals");
+        merged_[t] = 1;
+      }
+      mesh().quads.push_back({q.points, made.facets()[made.triangles()[q.triangles[0]].facet].face});
+    }
+    sort_by_entity(mesh().quads);
+    take_triangles(made);
   }
 
   /// Each point is off the face by its last digits at most.
@@ -161,38 +203,49 @@ class SurfaceMaker {
     double largest = 0;
     for (const Vector& p : points)
       for (const double x : p) largest = std::max(largest, std::abs(x));
-    std::vector<double> area(flat_.faces.size(), 0), bound(flat_.faces.size(), 0);
+    std::vector<CompensatedSum> area(flat_.faces.size());
+    std::vector<double> bound(flat_.faces.size(), 0);
     const auto add = [&](Index face, const std::array<Index, 3>& t, double sign) {
       const Vector &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
       const double part = area_of(a, b, c);
-      area[face] += sign * part;
+      area[face].add(sign * part);
       bound[face] += 1e-12 * part + 1e-15 * largest * (length(a, b) + length(b, c) + length(c, a));
     };
     for (const auto& t : result_.mesh.triangles) add(t.entity, t.points, 1);
     for (Index f = 0; f < flat_.faces.size(); ++f) {
       for (const auto& t : flat_.faces[f].triangles) add(f, t, -1);
-      require(std::abs(area[f]) <= bound[f], "surface: triangles have not the area of their face");
+      require(std::abs(area[f].value()) <= bound[f], "surface: triangles have not the area of their face");
     }
   }
 
   void report(const Refined& made) {
     std::vector<std::size_t> row(mesh().groups[2].size() + 1, 0);  // of each group, + 1
     const auto& points = made.mesh.points();
-    for (std::size_t i = 0; i < made.mesh.triangles().size(); ++i) {
-      const auto& t = made.mesh.triangles()[i];
-      const auto& groups = mesh().entities[2][made.mesh.facets()[t.facet].face].groups;
+    const auto row_of = [&](Index facet) -> FaceTriangles& {
+      const auto& groups = mesh().entities[2][made.mesh.facets()[facet].face].groups;
       const Index group = groups.empty() ? 0 : groups[0];
       if (row[group] == 0) {
         result_.groups.push_back({group == 0 ? "faces" : mesh().groups[2][group - 1]});
         row[group] = result_.groups.size();
       }
-      FaceTriangles& of = result_.groups[row[group] - 1];
+      return result_.groups[row[group] - 1];
+    };
+    for (std::size_t i = 0; i < made.mesh.triangles().size(); ++i) {
+      const auto& t = made.mesh.triangles()[i];
+      FaceTriangles& of = row_of(t.facet);
       const std::array<Vector, 3> p{points[t.points[0]], points[t.points[1]], points[t.points[2]]};
+      of.area += area_of(p[0], p[1], p[2]);
+      if (is_merged(i)) continue;
       ++of.triangles;
       ++of.why[std::size_t(made.why[i])];
-      of.area += area_of(p[0], p[1], p[2]);
       const auto [angle, corner] = smallest_angle(p);
       if (angle < of.least_angle) of.least_angle = angle, of.where = p[corner];
+    }
+    for (const MergedQuad& q : quads_) {
+      FaceTriangles& of = row_of(made.mesh.triangles()[q.triangles[0]].facet);
+      ++of.quads;
+      of.least_quad = std::min(of.least_quad, quad_quality({points[q.points[0]], points[q.points[1]],
+                                                            points[q.points[2]], points[q.points[3]]}));
     }
   }
 };
@@ -208,7 +261,8 @@ Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const Surf
   Plc plc;
   plc.points = made.mesh.points();
   for (const auto& t : made.mesh.triangles()) {
-    plc.facets.push_back({{{t.points[0], t.points[1], t.points[2]}}, {}, made.mesh.facets()[t.facet].face});
+    plc.facets.push_back(
+        {{{t.points[0], t.points[1], t.points[2]}}, {}, made.mesh.facets()[t.facet].face, t.facet});
   }
   for (const auto& s : made.mesh.segments()) {
     if (s.edge != kNone) plc.segments.push_back({s.ends, s.edge, flat.edges[s.edge].wire});

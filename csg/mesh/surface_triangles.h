@@ -16,6 +16,8 @@ struct FaceTriangles {
   double least_angle = 180;          ///< degrees
   std::array<double, 3> where{};     ///< a corner with that angle
   std::array<std::size_t, 4> why{};  ///< triangles by SmallAngle
+  std::size_t quads = 0;             ///< in place of two triangles each, which are not counted
+  double least_quad = 1;             ///< quad_quality (quads.h)
 };
 
 struct SurfaceTriangles {
@@ -27,7 +29,8 @@ struct SurfaceTriangles {
 
 /// Meshes all faces, edges, wires and points of a closed result, with regions or without: conforming, since what
 /// meets shares points; no angle below 25 degrees but where the result has small angles itself; no side longer
-/// than `options.size` says (refine_surface.h).
+/// than `options.size` says (refine_surface.h). With `options.quads` what has been proven is merged into
+/// quadrilaterals where two triangles make a good one (quads.h); points and all other sides stay.
 ///
 /// Proven before it is returned: the pieces of each edge are its way, the triangles of each face have its
 /// boundary, turn as it does, and together its area but for rounding; and all of it, refined exactly as it is

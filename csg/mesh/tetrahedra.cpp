@@ -17,6 +17,7 @@
 #include "csg/mesh/exact_volume.h"
 #include "csg/mesh/forecast.h"
 #include "csg/mesh/improved.h"
+#include "csg/mesh/surface_triangles.h"
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
 #include "kernel/base/error.h"
@@ -45,7 +46,7 @@ std::string scientific_text(double value) {
 /// TetGen refines for sizes only where it refines for quality.
 std::string switches_of(const TetrahedraOptions& options, bool sized) {
   std::string switches;
-  if (options.keep_boundary) switches += "Y";
+  if (options.keep_boundary || options.surface_first) switches += "Y";
   if (options.quality > 0) switches += "q" + number_text(options.quality);
   else if (sized) switches += "q" + number_text(kSizedQuality);
   if (options.max_volume > 0) switches += "a" + scientific_text(options.max_volume);
@@ -68,15 +69,17 @@ class TetrahedraMaker {
     }
     if (options_.constrained && options_.keep_boundary)
       throw InputError("constrained Delaunay tetrahedra need points on the boundary; leave out --keep-boundary");
+    if (options_.surface_first && (options_.keep_boundary || options_.constrained))
+      throw InputError("a boundary that is meshed first is neither that of --keep-boundary nor of --constrained");
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
     ask_for_sizes(rounded);
     const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
     of_tetgen_ = !options_.constrained && refused.empty();
     if (options_.constrained || !refused.empty()) {
-      if (options_.keep_boundary) throw InputError(refused);  // constrained tetrahedra need points on it
+      if (keeps_boundary()) throw InputError(refused);  // constrained tetrahedra need points on it
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
       options_.watch.begin("mesh: constrained tetrahedra");
-      out_ = run_constrained(plc_, flat_, Watch{{}, options_.watch.stop}, options_.cuts);
+      out_ = run_constrained(plc_, flat_, Watch{{}, options_.watch.stop});
       take();
       to_sizes_ = !sizes_.empty();
       if (!refused.empty()) {  // without its advice
@@ -160,24 +163,35 @@ class TetrahedraMaker {
     return flat_.active(region) && longest > sizes_.at(middle, region);
   }
 
+  bool keeps_boundary() const { return options_.keep_boundary || options_.surface_first; }
   bool bounded() const { return options_.quality > 0 || options_.max_volume > 0 || sized(); }
 
   /// For one way to ask it. There are models on which it never ends. Where only a mesh is wanted it takes a second
   /// for some ten thousand points, and to wait long is of no use, since there is another way to a mesh.
   int seconds_of_tetgen() const {
     const int part = options_.seconds / 4 + (options_.seconds > 0 ? 1 : 0);
-    if (bounded() || options_.keep_boundary) return part;
+    if (bounded() || keeps_boundary()) return part;
     const int enough = 5 + int(plc_.points.size() / 1000);
     return part == 0 ? enough : std::min(part, enough);
+  }
+
+  /// The triangles of surfaces as facets.
+  Plc refined_complex(const RoundedResult& rounded) const {
+    SurfaceOptions asked;
+    asked.seconds = options_.seconds;
+    asked.watch = options_.watch;
+    if (!sizes_.empty()) asked.size = [&](const Vector& p) { return kLongest * sizes_.field.at(p); };
+    return refined_plc(flat_, rounded.points(), asked);
   }
 
   /// Empty once there is a mesh; else why there is none.
   std::string ask_tetgen(const RoundedResult& rounded) {
     std::string refused;
+    const Plc refined = options_.surface_first ? refined_complex(rounded) : Plc{};
     for (const Attempt& attempt : kAttempts) {
-      if (options_.keep_boundary && attempt.facets == PlcFacets::all) continue;
+      if (keeps_boundary() && attempt.facets == PlcFacets::all) continue;
       try {
-        plc_ = plc_of(view_, flat_, rounded, attempt.facets);
+        plc_ = options_.surface_first ? refined : plc_of(view_, flat_, rounded, attempt.facets);
         set_seeds(plc_, rounded);
         options_.watch.begin("mesh: TetGen");
         out_ = run_tetgen(plc_, switches_of(options_, sized()), attempt.frame, seconds_of_tetgen(), too_large_,
@@ -191,12 +205,14 @@ class TetrahedraMaker {
                   "); try --quality 2, --keep-boundary, or curved leaves that are finer or coarser";
       }
     }
+    if (options_.surface_first)
+      refused = refused.substr(0, refused.find(';')) + "; leave out --surface-first, or give other sizes";
     return refused;
   }
 
   void improve_shapes() {
     ImproveOptions asked;
-    asked.keep_boundary = options_.keep_boundary;
+    asked.keep_boundary = keeps_boundary();
     if (bounded() &&
         of_tetgen_) {  // moves for shapes alone might break the bounds, which it has kept where it could
       asked.good = asked.shape;
@@ -303,6 +319,7 @@ class TetrahedraMaker {
 
   /// With `keep_boundary`: nothing but points of the result on faces and edges.
   void prove_boundary_kept() {
+    if (options_.surface_first) return prove_surface_kept();
     if (!options_.keep_boundary) return;
     const auto kept = [&](const auto& simplex) {
       return std::all_of(simplex.points.begin(), simplex.points.end(),
@@ -314,6 +331,24 @@ class TetrahedraMaker {
           "TetGen cannot fill the regions without new points on faces or edges; leave out "
           "--keep-boundary");
     }
+  }
+
+  /// With `surface_first`: on faces are its triangles, and on edges its segments, and no others.
+  void prove_surface_kept() {
+    const auto sorted = [](auto simplices) {
+      for (auto& s : simplices) std::sort(s.first.begin(), s.first.end());
+      std::sort(simplices.begin(), simplices.end());
+      return simplices;
+    };
+    std::vector<std::pair<std::array<Index, 3>, Index>> given, found;
+    for (const auto& f : plc_.facets)
+      given.push_back({{f.polygons[0][0], f.polygons[0][1], f.polygons[0][2]}, f.face});
+    for (const auto& t : mesh().triangles) found.emplace_back(t.points, t.entity);
+    std::vector<std::pair<std::array<Index, 2>, Index>> given_segments, found_segments;
+    for (const auto& s : plc_.segments) given_segments.emplace_back(s.ends, s.edge);
+    for (const auto& s : mesh().segments) found_segments.emplace_back(s.points, s.entity);
+    require(sorted(given) == sorted(found) && sorted(given_segments) == sorted(found_segments),
+            "tetrahedra: the mesher does not keep the triangles of surfaces");
   }
 
   /// On the two sides of a triangle are the regions of its face; a wall is where regions differ.
@@ -359,10 +394,23 @@ class TetrahedraMaker {
     }
   }
 
+  /// Of each face, as the mesher has got them: those of the result, or with `surface_first` those of surfaces.
+  std::vector<std::vector<std::array<Index, 3>>> given_triangles() const {
+    std::vector<std::vector<std::array<Index, 3>>> given(flat_.faces.size());
+    for (Index f = 0; f < given.size() && !options_.surface_first; ++f)
+      given[f].assign(flat_.faces[f].triangles.begin(), flat_.faces[f].triangles.end());
+    for (std::size_t i = 0; i < plc_.facets.size() && options_.surface_first; ++i) {
+      const auto& p = plc_.facets[i].polygons[0];
+      given[plc_.facets[i].face].push_back({p[0], p[1], p[2]});
+    }
+    return given;
+  }
+
   void prove_volumes() {
     ExactVolume volume(out_.points);
     const auto& all = mesh().tetrahedra;
     std::size_t at = 0;
+    const std::vector<std::vector<std::array<Index, 3>>> boundary = given_triangles();
     Vector low = plc_.points[0], high = low;
     for (const Vector& p : plc_.points) {
       for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
@@ -383,7 +431,7 @@ class TetrahedraMaker {
       double area = 0;
       for (const auto& shell : flat_.regions[i].shells) {
         for (const Index side : shell) {
-          for (const auto& t : flat_.faces[side >> 1].triangles) {
+          for (const auto& t : boundary[side >> 1]) {
             if ((side & 1) == 0) volume.add(0, t[0], t[2], t[1]);
             else volume.add(0, t[0], t[1], t[2]);
             const Vector n = normal_of({t[0], t[1], t[2]});
@@ -392,7 +440,7 @@ class TetrahedraMaker {
         }
       }
       const Rational difference = abs(region.volume - volume.value());
-      const Rational bound = options_.keep_boundary ? Rational(0) : from_double(area * 1e-8 * size);
+      const Rational bound = keeps_boundary() ? Rational(0) : from_double(area * 1e-8 * size);
       require(difference <= bound, "tetrahedra: those of region `" + region.name + "` have the volume " +
                                        to_decimal(region.volume) + " and not " + to_decimal(volume.value()));
     }

@@ -21,10 +21,14 @@ struct TetrahedralMesh {
 /// region is that of the result rounded to doubles, which must be embedded. A facet is given to TetGen as a whole,
 /// and where it cannot mesh that, or with `keep_boundary`, as triangles unless it is planar in doubles.
 ///
+/// With `surface_first` its faces and edges are meshed as surfaces before (surface_triangles.h); TetGen gets these
+/// triangles and keeps them. Then there is no other way to tetrahedra.
+///
 /// They are improved (improved.h), with points that are added, until shapes are above 0.1 where that can be.
 ///
 /// What is returned is proven: every tetrahedron is turned right; those of a region
-/// have together the volume that its rounded boundary encloses, to the last bit with `keep_boundary`, else but for
+/// have together the volume that its rounded boundary encloses, to the last bit with `keep_boundary` (with
+/// `surface_first` that of the triangles, which are exactly the boundary), else but for
 /// area * 1e-8 * size (TetGen's own tolerance for what lies in a plane, times the longest side of the model's
 /// box); every face and edge is there, bounded as it should be; on both sides of each triangle are the regions of
 /// its face, and between regions are such triangles only.

@@ -159,7 +159,7 @@ class Finisher {
         painted.missing = line.missing;
         find_middle(painted.points, longest[stroke.line]);
       }
-      const bool plain = painted.line == Figure::Line::edge || painted.line == Figure::Line::border;
+      const bool plain = painted.line != Figure::Line::wire && painted.line != Figure::Line::ghost;
       painted.hidden = stroke.hidden;
       if (ghost) painted.line = Figure::Line::ghost;
       else if (stroke.outline && plain) painted.line = Figure::Line::outline;
@@ -288,6 +288,10 @@ Figure draw(const Result& result, const DrawOptions& options, const Result* remo
   Scene scene = make_scene(view, flat, cells, options, camera);
   if (options.apart != 0) scene = without_crossings(scene, threads);
   if (removed != nullptr) add_ghosts(removed->complex(), flatten(removed->data().view()), camera, scene);
+  return figure_of(scene, camera, threads);
+}
+
+Figure figure_of(Scene& scene, const Camera& camera, int threads) {
   set_light(scene);
   return Finisher(scene, see(scene, threads), camera.scale()).run();
 }

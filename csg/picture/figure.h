@@ -30,6 +30,7 @@ struct Figure {
     bool sheet = false;    ///< without thickness: a weave, lighter lines than the hatch
   };
   enum class Line : std::uint8_t {
+    mesh,     ///< between two triangles of a mesh: the finest
     edge,     ///< an edge of the model, or the outline of something curved
     outline,  ///< between the model and the ground of the picture
     border,   ///< of a sheet: thick

@@ -52,20 +52,29 @@ bool meets(const Box& box, const Sheet::Disk& disk) {
   return square < reach * reach;
 }
 
-/// The boxes of a label at a place, those liked best first.
-std::vector<Box> boxes_at(const PaperLabel& label, const Figure::Label::Place& place) {
+/// The largest disk around a place.
+double reach_at(const Point2& at, const std::vector<Sheet::Disk>& disks) {
+  double reach = 0;
+  for (const Sheet::Disk& disk : disks) {
+    if (disk.at == at) reach = std::max(reach, disk.radius + disk.ring / 2);
+  }
+  return reach;
+}
+
+/// The boxes of a label at a place, those liked best first; beside a mark that reaches so far.
+std::vector<Box> boxes_at(const PaperLabel& label, const Figure::Label::Place& place, double reach) {
   if (place.room > 0) {
     // A text is longer than high: it may reach a little out of the disk, where the corners of its box are empty.
     if (std::hypot(label.width, label.height * 0.7) / 2 > place.room) return {};
     return {box_around(place.at, label.width, label.height)};
   }
-  constexpr double kOff = 4.5, kSlant = 3;
+  const double straight = std::max(4.5, reach + 1), slant = std::max(3.0, reach);
   constexpr double kAround[8][2] = {{1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {1, 0}, {-1, 0}, {0, -1}, {0, 1}};
   std::vector<Box> boxes;
   for (const auto& side : kAround) {
-    const double off = side[0] != 0 && side[1] != 0 ? kSlant : kOff;
+    const double off = side[0] != 0 && side[1] != 0 ? slant : straight;
     boxes.push_back(box_around({place.at[0] + side[0] * (label.width / 2 + off),
-                                place.at[1] + side[1] * (label.height / 2 + (side[0] == 0 ? kOff : off - 2))},
+                                place.at[1] + side[1] * (label.height / 2 + (side[0] == 0 ? straight : off - 2))},
                                label.width, label.height));
   }
   return boxes;
@@ -80,7 +89,7 @@ std::vector<Box> place_labels(const std::vector<PaperLabel>& labels, const std::
     double least = std::numeric_limits<double>::infinity();
     double rank = 0;
     for (const Figure::Label::Place& place : labels[i].places) {
-      for (const Box& box : boxes_at(labels[i], place)) {
+      for (const Box& box : boxes_at(labels[i], place, place.room > 0 ? 0 : reach_at(place.at, disks))) {
         rank += 0.5;
         if (rank >= least) break;  // no later place can be better
         const bool outside = box.low[0] < page.low[0] || box.low[1] < page.low[1] || box.high[0] > page.high[0] ||

@@ -33,6 +33,7 @@ constexpr double kCaptionLeast = 140;  // a caption may be so wide, however narr
 Sheet::Look look_of(const Figure::Stroke& stroke, double weight) {
   Sheet::Look look{1.1, stroke.color};
   switch (stroke.line) {
+    case Figure::Line::mesh: look.width = 0.45; break;
     case Figure::Line::edge: break;
     case Figure::Line::outline: look.width = 1.8; break;
     case Figure::Line::border: look.width = 2.3; break;

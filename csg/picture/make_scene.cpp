@@ -25,7 +25,7 @@ class SceneMaker {
         options_(options),
         camera_(camera),
         colors_(view, flat),
-        by_(colors_by(view, options)),
+        by_(colors_by(view, options.colors)),
         whole_(options.apart == 0 && options.opacity >= 1) {}
 
   Scene run() {
@@ -58,12 +58,6 @@ class SceneMaker {
   std::map<Index, std::vector<Index>> about_point_;
   Scene scene_;
 
-  /// The components of a group are its regions and, as one more, all of its entities: a color for each region.
-  static ColorBy colors_by(const ResultView& view, const DrawOptions& options) {
-    const ColorBy by = options.colors.value_or(default_colors(view));
-    const bool group = view.value->is_group() || view.of_group;
-    return group && by == ColorBy::component ? ColorBy::region : by;
-  }
   bool active(Index region) const { return flat_.active(region); }
   /// Its skin hides what is in it.
   bool closed(Index region) const { return whole_ && active(region) && flat_.regions[region].bounded; }
@@ -315,6 +309,12 @@ class SceneMaker {
 };
 
 }  // namespace
+
+ColorBy colors_by(const ResultView& view, const std::optional<ColorBy>& asked) {
+  const ColorBy by = asked.value_or(default_colors(view));
+  const bool group = view.value->is_group() || view.of_group;
+  return group && by == ColorBy::component ? ColorBy::region : by;
+}
 
 Scene make_scene(const ResultView& view, const FlatComplex& flat, const PictureCells& cells,
                  const DrawOptions& options, const Camera& camera) {

@@ -44,7 +44,7 @@ void bind_evaluation(py::module_& module) {
       .def("rows",
            [](const EvaluatedTree& e) {
              py::list rows;
-             for (const NodeRow& row : e.evaluation.rows) rows.append(data_of(row));
+             for (const NodeRow* const row : e.evaluation.all_rows()) rows.append(data_of(*row));
              return rows;
            })
       .def("diagnostics",

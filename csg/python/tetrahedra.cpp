@@ -1,4 +1,4 @@
-// Tetrahedra of a result as arrays of numpy.
+// Tetrahedra and surface meshes of a result as arrays of numpy.
 #include <pybind11/stl.h>
 
 #include "numbers.h"
@@ -17,15 +17,18 @@ struct TetrahedraObject {
 };
 
 TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double quality, bool keep_boundary,
-                                int seconds, bool curved, double size, double growth, const py::object& progress) {
+                                int seconds, bool curved, int order, double size, double growth,
+                                bool surface_first, const py::object& progress) {
   return apart(progress, [=, held = r.result](const Watch& watch) {
     TetrahedraOptions options;
     options.max_volume = max_volume;
     options.quality = quality;
     options.keep_boundary = keep_boundary;
     options.seconds = seconds;
+    options.order = order;
     options.size = size;
     options.growth = growth;
+    options.surface_first = surface_first;
     options.watch = watch;
     TetrahedralResult mesh(held, options, curved);
     auto arrays = std::make_shared<const TetrahedraArrays>(mesh.arrays());
@@ -33,7 +36,30 @@ TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double qu
   });
 }
 
-py::dict simplices(const Owner& owner, const TetrahedraArrays::Simplices& of, py::ssize_t nodes) {
+/// A surface mesh, and its arrays.
+struct SurfaceObject {
+  SurfaceMeshResult mesh;
+  std::shared_ptr<const SurfaceArrays> arrays;
+};
+
+SurfaceObject mesh_surface(const OneResult& r, double size, double growth, std::size_t max_points, int seconds,
+                           int order, bool quads, const py::object& progress) {
+  return apart(progress, [=, held = r.result](const Watch& watch) {
+    SurfaceOptions options;
+    options.overall = size;
+    options.growth = growth;
+    options.max_points = max_points;
+    options.seconds = seconds;
+    options.order = order;
+    options.quads = quads;
+    options.watch = watch;
+    SurfaceMeshResult mesh(held, options);
+    auto arrays = std::make_shared<const SurfaceArrays>(mesh.arrays());
+    return SurfaceObject{std::move(mesh), std::move(arrays)};
+  });
+}
+
+py::dict simplices(const Owner& owner, const MeshArrays::Simplices& of, py::ssize_t nodes) {
   py::dict out;
   out["points"] = view(owner, of.points, nodes);
   out["cell"] = view(owner, of.cell);
@@ -48,9 +74,7 @@ py::dict simplices(const Owner& owner, const TetrahedraArrays::Simplices& of, py
   return out;
 }
 
-py::dict data_of(const TetrahedraObject& object) {
-  const Owner owner = object.arrays;
-  const TetrahedraArrays& a = *object.arrays;
+py::dict data_of(const Owner& owner, const MeshArrays& a) {
   py::dict out;
   out["points"] = view(owner, a.points, 3);
   constexpr py::ssize_t kNodes[2][4] = {{1, 2, 3, 4}, {1, 3, 6, 10}};
@@ -63,21 +87,43 @@ py::dict data_of(const TetrahedraObject& object) {
   }
   out["simplices"] = of;
   out["groups"] = groups;
-  py::list leaves, materials, regions;
+  py::list leaves, materials;
   for (const std::string& leaf : a.leaves) leaves.append(text_of(leaf));
   for (const std::string& material : a.materials) materials.append(text_of(material));
-  for (const RegionTetrahedra& region : a.regions) {
-    regions.append(py::make_tuple(text_of(region.name), region.tetrahedra, to_fraction(region.volume)));
-  }
   out["leaves"] = leaves;
   out["materials"] = materials;
   out["said"] = said_of(owner, a.said);
+  out["moved"] = a.rounding.moved;
+  out["curved"] = a.curved;
+  return out;
+}
+
+py::dict data_of(const TetrahedraObject& object) {
+  const Owner owner = object.arrays;
+  const TetrahedraArrays& a = *object.arrays;
+  py::dict out = data_of(owner, a);
+  py::list regions;
+  for (const RegionTetrahedra& region : a.regions) {
+    regions.append(py::make_tuple(text_of(region.name), region.tetrahedra, to_fraction(region.volume)));
+  }
   out["regions"] = regions;
   py::dict fields;
   for (const auto& [name, values] : a.fields) fields[text_of(name)] = view(owner, values, 4);
   out["fields"] = fields;
-  out["moved"] = a.rounding.moved;
-  out["curved"] = a.curved;
+  return out;
+}
+
+py::dict data_of(const SurfaceObject& object) {
+  const Owner owner = object.arrays;
+  const SurfaceArrays& a = *object.arrays;
+  py::dict out = data_of(owner, a);
+  out["quads"] = simplices(owner, a.quads, 4);
+  py::list faces;
+  for (const FaceTriangles& of : a.faces) {
+    faces.append(py::make_tuple(text_of(of.name), of.triangles, of.quads, of.area, of.least_angle, of.least_quad));
+  }
+  out["faces"] = faces;
+  out["kept"] = object.mesh.kept();
   return out;
 }
 
@@ -85,15 +131,22 @@ py::dict data_of(const TetrahedraObject& object) {
 
 void bind_tetrahedra(py::module_& module) {
   py::class_<TetrahedraObject>(module, "Tetrahedra")
-      .def("data", &data_of)
+      .def("data", [](const TetrahedraObject& object) { return data_of(object); })
       .def("notice", [](const TetrahedraObject& object) { return text_of(object.mesh.notice()); })
       .def("expected", [](const TetrahedraObject& object) { return object.mesh.expected(); })
       .def("write", [](const TetrahedraObject& object, const std::string& path) {
         run_watched(py::none(), [&](const Watch&) { object.mesh.write(path); });
       });
+  py::class_<SurfaceObject>(module, "SurfaceMesh")
+      .def("data", [](const SurfaceObject& object) { return data_of(object); })
+      .def("write", [](const SurfaceObject& object, const std::string& path) {
+        run_watched(py::none(), [&](const Watch&) { object.mesh.write(path); });
+      });
+  module.def("mesh_surface", &mesh_surface, py::arg("result"), py::arg("size"), py::arg("growth"),
+             py::arg("max_points"), py::arg("seconds"), py::arg("order"), py::arg("quads"), py::arg("progress"));
   module.def("tetrahedralize", &tetrahedralize, py::arg("result"), py::arg("max_volume"), py::arg("quality"),
-             py::arg("keep_boundary"), py::arg("seconds"), py::arg("curved"), py::arg("size"), py::arg("growth"),
-             py::arg("progress"));
+             py::arg("keep_boundary"), py::arg("seconds"), py::arg("curved"), py::arg("order"), py::arg("size"),
+             py::arg("growth"), py::arg("surface_first"), py::arg("progress"));
 }
 
 }  // namespace cnrg::python

@@ -165,6 +165,7 @@ struct NodeRecord {
   std::vector<std::size_t> operands;
   py::object value;                ///< of a leaf
   py::object picked = py::none();  ///< of `select`
+  py::object within = py::none();  ///< of `simplify`, as a fraction in a text
   std::vector<std::pair<std::string, py::object>> attributes;
 };
 
@@ -213,6 +214,7 @@ class Records {
     r.is_inline = node.is_inline;
     r.is_leaf = node.op == Operator::leaf;
     r.forgets_features = node.op == Operator::simplify && node.forget_features;
+    if (node.within) r.within = py::str(to_string(*node.within));
     r.line = node.at.line;
     r.column = node.at.column;
     if (node.selector) r.picked = picked_by(*node.selector);
@@ -270,6 +272,7 @@ void bind_tree(py::module_& module) {
       .def_readonly("operands", &NodeRecord::operands)
       .def_readonly("value", &NodeRecord::value)
       .def_readonly("picked", &NodeRecord::picked)
+      .def_readonly("within", &NodeRecord::within)
       .def_readonly("attributes", &NodeRecord::attributes);
 
   py::class_<TreeObject>(module, "Tree")

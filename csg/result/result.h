@@ -103,10 +103,12 @@ struct TetrahedraOptions {
   bool keep_boundary = false;  ///< no new points on faces and edges, but inside of regions only
   bool constrained = false;    ///< not by TetGen: constrained Delaunay tetrahedra; not with `keep_boundary`
   int seconds = 600;           ///< a quarter for each way in which TetGen is asked, one for shapes; 0: no bound
-  double cuts = 2;             ///< points added on edges for each point and edge, where TetGen makes no mesh
   int order = 1;               ///< of the elements; 2: with a node in the middle of each edge
   double size = 0;             ///< how long edges are to be where nothing asks for shorter ones; 0: no bound
   double growth = 0.3;  ///< how much longer they may be per unit of distance from where they are to be short
+  /// Faces and edges are meshed as surfaces first (csg/mesh/surface_triangles.h), and those triangles are the
+  /// boundary; not with `keep_boundary` or `constrained`.
+  bool surface_first = false;
   /// Told how many tetrahedra are expected, before any is made, where the result or `size` asks for a size.
   std::function<void(double)> foretold{};
   Watch watch{};  ///< told of the stages, and may stop them (throws Stopped)

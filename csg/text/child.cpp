@@ -124,7 +124,7 @@ ChildEnd end_of(int status) {
   }
   const int number = WEXITSTATUS(status);
   if (number == kNoMemory) return {.kind = Kind::memory};
-  if (number < kDone) return {.kind = Kind::strange, .number = number};
+  if (number < kDone || number > kDone + kMostNumber) return {.kind = Kind::strange, .number = number};
   return {.number = number - kDone};
 }
 

@@ -133,7 +133,7 @@ class Counter {
 
   /// Each once.
   std::vector<NodeId> operands(NodeId id) const {
-    std::vector<NodeId> all = tree_.operands(id);
+    std::vector<NodeId> all = tree_.operands_within(id);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return all;

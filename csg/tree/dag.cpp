@@ -7,6 +7,7 @@
 #include <boost/graph/depth_first_search.hpp>
 #include <boost/graph/topological_sort.hpp>
 #include <iterator>
+#include <utility>
 
 namespace cnrg {
 namespace {
@@ -98,6 +99,18 @@ std::vector<char> Dag::reachable(const std::vector<NodeId>& roots) const {
   }
   std::vector<char> result(size());
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = color[i] != boost::white_color;
+  return result;
+}
+
+std::vector<char> Dag::reachable(const std::vector<NodeId>& roots, const std::function<bool(NodeId)>& ends) const {
+  std::vector<char> result(size(), 0);
+  std::vector<NodeId> waiting = roots;
+  while (!waiting.empty()) {
+    const NodeId id = waiting.back();
+    waiting.pop_back();
+    if (std::exchange(result[id.index()], 1) || ends(id)) continue;
+    for (const NodeId operand : operands(id)) waiting.push_back(operand);
+  }
   return result;
 }
 

@@ -20,6 +20,7 @@
 #include "csg/tree/read_material.h"
 #include "csg/tree/read_properties.h"
 #include "csg/tree/read_selector.h"
+#include "csg/tree/read_transform.h"
 #include "csg/tree/selector.h"
 #include "csg/tree/suggest.h"
 #include "csg/tree/tree.h"
@@ -79,8 +80,6 @@ bool takes_a_list(Operator op) {
 
 /// Operators whose operands meet, so that one of them may dominate.
 bool has_sides(Operator op) { return is_boolean(op) || op == Operator::sum || op == Operator::product; }
-
-bool is_zero(const RationalPoint& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }
 
 class TreeReader {
  public:
@@ -268,7 +267,10 @@ class TreeReader {
     const auto within =
         std::find_if(entries.begin(), entries.end(), [](const Value::Entry& e) { return e.key == "within"; });
     if (within != entries.end() && !wanted) {
-      document_.fail(within->key_at, "`within` is for below and above; remove it from `" + operation.key + "`");
+      document_.fail(within->key_at, "`within` is for below and above; " +
+                                         (op == Operator::simplify
+                                              ? "to join what is near write {simplify: {of: NODE, within: 0.001}}"
+                                              : "remove it from `" + operation.key + "`"));
     }
     if (!wanted) return;
     if (within == entries.end()) {
@@ -310,11 +312,19 @@ class TreeReader {
     if (e.value.is_list()) e.value.fail_type("`" + e.key + "`", "one node, by name or {...}");
     if (known->op == Operator::simplify && e.value.is_map()) {
       const std::vector<Value::Entry> entries = e.value.entries("`simplify`");
-      const auto is_option = [](const Value::Entry& o) { return o.key == "of" || o.key == "mode"; };
+      const auto is_option = [](const auto& o) { return o.key == "of" || o.key == "mode" || o.key == "within"; };
       if (entries.empty() || std::any_of(entries.begin(), entries.end(), is_option)) {
-        const Fields f(e.value, "simplify", {"of", "mode"});
+        const Fields f(e.value, "simplify", {"of", "mode", "within"});
         read_operand(id, f.at("of", "NAME"), 1);
         if (const Value* mode = f.find("mode")) tree_.nodes[id].forget_features = read_mode(*mode, f.name("mode"));
+        if (const Value* within = f.find("within")) {
+          const Rational d = within->number(f.name("within"));
+          if (d <= 0)
+            within->fail(f.name("within") +
+                         " must be above 0: give the length below which what does not "
+                         "touch is joined, such as 0.001");
+          tree_.nodes[id].within = d;
+        }
         return;
       }
     }
@@ -440,46 +450,16 @@ class TreeReader {
     }
   }
 
-  Transform read_transform(const Value::Entry& e) {
-    if (e.key == "translate") return Transform::translation(e.value.point("`translate`"));
-    if (e.key == "scale") {
-      RationalPoint factors;
-      if (e.value.is_text()) {
-        factors.fill(e.value.number("`scale`"));
-      } else {
-        factors = e.value.point("`scale`");
-      }
-      if (factors[0] == 0 || factors[1] == 0 || factors[2] == 0) {
-        e.value.fail(
-            "`scale` by zero makes a solid flat: the transform is singular; use factors that are not zero");
-      }
-      return Transform::scaling(factors);
-    }
-    if (e.key == "rotate") {
-      const Fields f(e.value, "rotate", {"axis", "degrees", "center"});
-      const RationalPoint axis = f.at("axis", "[0, 0, 1]").point(f.name("axis"));
-      if (is_zero(axis)) f.at("axis", "").fail("`axis` of rotate has no direction; write one such as [0, 0, 1]");
-      const Rational degrees = f.at("degrees", "90").number(f.name("degrees"));
-      const Value* center = f.find("center");
-      return Transform::rotation(axis, degrees, center ? center->point(f.name("center")) : RationalPoint{0, 0, 0});
-    }
-    const Fields f(e.value, "mirror", {"normal", "point"});
-    const RationalPoint normal = f.at("normal", "[1, 0, 0]").point(f.name("normal"));
-    if (is_zero(normal))
-      f.at("normal", "").fail("`normal` of mirror has no direction; write one such as [1, 0, 0]");
-    const Value* point = f.find("point");
-    return Transform::reflection(normal, point ? point->point(f.name("point")) : RationalPoint{0, 0, 0});
-  }
-
   /// What is asked for is below what it is picked from.
   void check_selectors() {
     NodeId last;  // many pick from one node
-    std::vector<char> below;
+    std::vector<char> below, joined;
     for (const NodeId id : IdRange<NodeId>(tree_.nodes.size())) {
       const Node& node = tree_.nodes[id];
       if (node.op != Operator::select || node.selector->from.empty()) continue;
       const NodeId of = dag_.operands(id).front();
-      if (last != of) below = dag_.reachable({of});
+      const auto joins = [&](NodeId at) { return tree_.nodes[at].within.has_value(); };
+      if (last != of) below = dag_.reachable({of}, joins), joined = dag_.reachable({of});
       last = of;
       for (const NodeId from : node.selector->from) {
         if (!node.selector->criteria.source_faces.empty() && tree_.nodes[from].op != Operator::leaf) {
@@ -488,6 +468,13 @@ class TreeReader {
                                                      tree_.nodes[from].operator_name + "`; name the leaf");
         }
         if (below[from.index()]) continue;
+        if (joined[from.index()]) {
+          document_.fail(node.selector->from_at, "what `simplify` joins is from itself, and `" +
+                                                     tree_.nodes[from].name +
+                                                     "` is below one; name the `simplify`, "
+                                                     "or pick from `" +
+                                                     tree_.nodes[from].name + "` before it");
+        }
         document_.fail(node.selector->from_at, "nothing of `" + tree_.nodes[of].name + "` is from `" +
                                                    tree_.nodes[from].name +
                                                    "`; name a leaf or another node that it is made of");

@@ -19,7 +19,7 @@ std::vector<double> leaf_sizes(const Tree& tree, const IdVector<InstanceId, Inst
     const Instance& instance = instances[*it];
     const Node& node = tree.nodes[instance.node];
     const double size = node.size ? to_double(*node.size) : heard[*it];
-    if (node.op == Operator::leaf) sizes.push_back(size == kNothing ? 0 : size);
+    if (instance.operands.empty()) sizes.push_back(size == kNothing ? 0 : size);
     for (const InstanceId operand : instance.operands) heard[operand] = std::min(heard[operand], size);
   }
   std::reverse(sizes.begin(), sizes.end());

@@ -29,6 +29,10 @@ NodeId Tree::find(const std::string& name) const {
 
 std::vector<NodeId> Tree::operands(NodeId node) const { return dag->operands(node); }
 
+std::vector<NodeId> Tree::operands_within(NodeId node) const {
+  return nodes[node].within ? std::vector<NodeId>() : operands(node);
+}
+
 const Material* Tree::material(const std::string& name) const {
   const auto it =
       std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });

@@ -78,7 +78,10 @@ struct Node {
   bool blend = false;            ///< of a union: what overlaps is a mixture (csg/operators/blend.h)
   bool regularize = false;       ///< the attribute: regularize the node's value
   bool forget_features = false;  ///< `simplify` with mode `points`
-  bool each = false;             ///< interior, closure, boundary, regularize: every component by itself
+  /// Of `simplify`: what is nearer and does not touch is joined (csg/evaluate/joined_nodes.h); above 0. The node's
+  /// value is computed apart and refined with others as that of a leaf.
+  std::optional<Rational> within;
+  bool each = false;  ///< interior, closure, boundary, regularize: every component by itself
   std::shared_ptr<const Selector> selector;  ///< of `select`
 };
 
@@ -106,6 +109,8 @@ struct Tree {
   NodeId find(const std::string& name) const;
   /// The operands of a node in the order of the file; one that is used twice is there twice.
   std::vector<NodeId> operands(NodeId node) const;
+  /// Those that are refined together with the node: none of a `simplify` that joins.
+  std::vector<NodeId> operands_within(NodeId node) const;
   /// The material of that name, or nullptr.
   const Material* material(const std::string& name) const;
   /// The graded materials that a material is made of: itself, if it is graded, and those that stops name, at any

@@ -71,7 +71,7 @@ class Walk {
     const std::size_t place = node.transform ? place_below(above, id) : above;
     const auto it = known_.find({id, place});
     if (it != known_.end()) return it->second;
-    stack_.push_back({id, place, tree_.operands(id), {}});
+    stack_.push_back({id, place, tree_.operands_within(id), {}});
     return {};
   }
 
@@ -100,7 +100,7 @@ class Walk {
                           tree_.nodes[frame.node].name + "`; share nodes under one transform or use fewer copies");
     }
     const Node& node = tree_.nodes[frame.node];
-    const bool placed = node.op == Operator::leaf || !node.material.empty() || node.blend;
+    const bool placed = frame.operands.empty() || !node.material.empty() || node.blend;
     const InstanceId id =
         result_.instances.push_back({frame.node, placed ? places_.transform(frame.place) : nullptr,
                                      std::move(frame.done), ++result_.count[frame.node]});
@@ -130,11 +130,11 @@ Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t
   return result;
 }
 
-IdVector<InstanceId, LeafId> number_leaves(const Tree& tree, const IdVector<InstanceId, Instance>& instances) {
+IdVector<InstanceId, LeafId> number_leaves(const IdVector<InstanceId, Instance>& instances) {
   IdVector<InstanceId, LeafId> leaf_of(instances.size());
   std::size_t leaves = 0;
   for (const InstanceId i : IdRange<InstanceId>(instances.size())) {
-    if (tree.nodes[instances[i].node].op == Operator::leaf) leaf_of[i] = LeafId(leaves++);
+    if (instances[i].operands.empty()) leaf_of[i] = LeafId(leaves++);
   }
   return leaf_of;
 }

@@ -1,7 +1,8 @@
 // From the shared nodes of a tree to instances: a node under one accumulated transform.
 //
 // A transform moves everything below its node, so a node that two users place differently is two instances; where
-// the accumulated matrices are equal, exactly, it stays one. Values are computed per instance.
+// the accumulated matrices are equal, exactly, it stays one. Values are computed per instance. A `simplify` that
+// joins is computed by itself, before: here it has nothing below it, as a leaf.
 #pragma once
 
 #include <span>
@@ -26,8 +27,9 @@ inline constexpr std::size_t kMostBits = 100'000;
 /// transforms has numbers of more than kMostBits bits.
 Unfolding unfold(const Tree& tree, const std::vector<NodeId>& roots, std::size_t most = 1'000'000);
 
-/// The numbers of the leaf instances: 0, 1, ... in the order of the instances; none() for an inner node.
-IdVector<InstanceId, LeafId> number_leaves(const Tree& tree, const IdVector<InstanceId, Instance>& instances);
+/// The numbers of the leaf instances, which have no operands: 0, 1, ... in the order of the instances; none() for
+/// an inner node.
+IdVector<InstanceId, LeafId> number_leaves(const IdVector<InstanceId, Instance>& instances);
 
 /// An instance and all below it, ascending: operands before users, itself the last.
 std::vector<InstanceId> instances_below(const IdVector<InstanceId, Instance>& instances, InstanceId root);

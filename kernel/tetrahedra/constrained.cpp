@@ -4,8 +4,7 @@
 
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
-#include "kernel/tetrahedra/segments.h"
-#include "kernel/tetrahedra/wall.h"
+#include "kernel/tetrahedra/recovery.h"
 
 namespace cnrg {
 
@@ -33,7 +32,7 @@ std::vector<Ends> border_of(const std::vector<Triangle>& facet, const std::vecto
 }  // namespace
 
 ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constraints& constraints,
-                                             const Watch& watch, double cuts) {
+                                             const Watch& watch, NewPoints how) {
   const auto& [segments, facets] = constraints;
   std::vector<Ends> bound;
   bound.reserve(segments.size());
@@ -47,35 +46,26 @@ ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constrain
   }
   sort_unique(bound);
 
-  watch.begin("tetrahedra: points");
-  Tetrahedra tetrahedra(points);
-  watch.begin("tetrahedra: segments");
-  SegmentChains chains(points, tetrahedra, bound);
-  chains.run(watch, cuts);
-  const auto chain = [&](VertexId a, VertexId b) {
-    const auto at = std::lower_bound(bound.begin(), bound.end(), ends(a, b));
-    std::vector<VertexId> list = chains.chain(static_cast<SegmentChains::Index>(at - bound.begin()));
-    if (list.front() != a) std::reverse(list.begin(), list.end());
-    return list;
-  };
-
+  Tetrahedra tetrahedra(points, watch);
+  Recovery recovery(points, tetrahedra, bound, facets, borders);
+  recovery.run(watch);
   ConstrainedTetrahedra out;
   for (ConstrainedTetrahedra::Index i = 0; i < segments.size(); ++i) {
-    const std::vector<VertexId> list = chain(segments[i][0], segments[i][1]);
+    const std::vector<VertexId> list = recovery.chain(segments[i][0], segments[i][1]);
     for (std::size_t k = 0; k + 1 < list.size(); ++k) out.segments.push_back({{list[k], list[k + 1]}, i});
   }
-  Steps steps(watch, "tetrahedra: facets", facets.size());
   for (ConstrainedTetrahedra::Index i = 0; i < facets.size(); ++i) {
-    std::vector<Ends> border;
-    for (const auto& [a, b] : borders[i]) {
-      const std::vector<VertexId> list = chain(a, b);
-      for (std::size_t k = 0; k + 1 < list.size(); ++k) border.push_back({list[k], list[k + 1]});
-    }
-    // Each point on a side parts a triangle.
-    const std::size_t count = facets[i].size() + border.size() - borders[i].size();
-    for (const Triangle& corners : Wall(points, tetrahedra, facets[i], std::move(border)).faces(count))
-      out.triangles.push_back({corners, i});
-    steps.step();
+    for (const Triangle& corners : recovery.faces(i)) out.triangles.push_back({corners, i});
+  }
+  if (how == NewPoints::doubles) {
+    const auto moved = recovery.move_to_doubles(watch);
+    const auto move = [&](auto& corners) {
+      for (VertexId& v : corners) {
+        if (const auto at = moved.find(v); at != moved.end()) v = at->second;
+      }
+    };
+    for (auto& segment : out.segments) move(segment.ends);
+    for (auto& triangle : out.triangles) move(triangle.corners);
   }
   for (Tetrahedra::Index t = 0; t < tetrahedra.size(); ++t) {
     if (tetrahedra.alive(t)) out.tetrahedra.push_back(tetrahedra.corners(t));

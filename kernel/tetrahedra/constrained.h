@@ -1,10 +1,11 @@
-// Tetrahedra that conform to segments and triangles: constrained Delaunay tetrahedra (diazzi2023).
+// Tetrahedra that conform to segments and triangles.
 //
 // Not all segments and triangles are edges and faces of the Delaunay tetrahedra of their points, and there are
-// polyhedra that no tetrahedra fill without new points. New points on segments are enough: once every segment is
-// made of edges, every triangle can be made of faces without any more of them (shewchuk1998). To remove what is in
-// the way of a triangle and fill up the hole is then always possible; with coordinates in doubles it is not, since
-// points on segments are off them. So new points are exact, and who writes doubles rounds them afterwards.
+// polyhedra that no tetrahedra fill without new points. To make segments Delaunay by new points and fill up what
+// is left, as constrained Delaunay tetrahedra do (diazzi2023), needs so many points near small angles that it may
+// not end in any useful time. So what is missing is cut into the tetrahedra that there are, which always ends;
+// shapes are the care of who improves them. New points on segments and facets are off them in doubles, and are
+// exact.
 #pragma once
 
 #include <array>
@@ -41,18 +42,22 @@ struct ConstrainedTetrahedra {
   std::vector<Triangle> triangles;
 };
 
-/// What shall be tetrahedra has features so near to each other, or so thin, that there are none in doubles, or
-/// none of a sensible number: who can tells what is near to touch.
+/// What shall be tetrahedra has features so near to each other, or so thin, that there are none in doubles: who
+/// can tells what is near to touch.
 class NearFault : public InputError {
  public:
   using InputError::InputError;
 };
 
+enum class NewPoints {
+  exact,
+  doubles,  ///< moved to doubles, so that segments and facets are bent as little as these tell; or NearFault
+};
+
 /// Tetrahedra of the box around all points of the table, of which segments are unions of edges and facets of
-/// faces. The corners of the box, then points on segments and on sides of facets are added to the table. Throws
-/// InvariantError where the input is not as it should be, NearFault where edges so nearly touch that more than
-/// `cuts` points for each point and edge were to be added, Stopped.
+/// faces. The corners of the box, then points are added to the table, of which some are in no tetrahedron. Throws
+/// InvariantError where the input is not as it should be, NearFault, Stopped.
 ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constraints& constraints,
-                                             const Watch& watch, double cuts = 30);
+                                             const Watch& watch, NewPoints how = NewPoints::exact);
 
 }  // namespace cnrg

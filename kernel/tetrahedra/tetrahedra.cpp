@@ -5,28 +5,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "kernel/base/error.h"
-#include "kernel/base/sorted.h"
 #include "kernel/exact/in_sphere.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/input.h"
 #include "kernel/refine/morton.h"
 
 namespace cnrg {
-Tetrahedra::Tetrahedra(PointTable& points) : points_(points), first_corner_(VertexId(points.size())) {
+Tetrahedra::Tetrahedra(PointTable& points, const Watch& watch)
+    : points_(points), first_corner_(VertexId(points.size())) {
   make_box();
   std::vector<Box> places(first_corner_.index());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const PointView p = points_.view(VertexId(i));
     places[i].extend(p.lo, p.hi);
   }
-  std::vector<std::array<VertexId, 2>> lost;
   VertexId last = first_corner_;
+  Steps steps(watch, "tetrahedra: points", places.size());
   for (const std::uint32_t i : morton_order(places, Grid(bounds(places)))) {
-    insert(VertexId(i), last, lost);
-    lost.clear();
+    insert(VertexId(i), last);
     last = VertexId(i);
+    steps.step();
   }
 }
 
@@ -81,6 +82,7 @@ std::array<VertexId, 3> Tetrahedra::face(Face f) const {
   return {c[static_cast<std::size_t>(i)], c[static_cast<std::size_t>(j)], c[static_cast<std::size_t>(l)]};
 }
 
+/// The same face as its other tetrahedron has it; its `tetrahedron` is kNone on the box.
 Tetrahedra::Face Tetrahedra::opposite(Face f) const {
   const Index u = neighbour(f.tetrahedron, f.k);
   if (u == kNone) return {};
@@ -111,12 +113,10 @@ void Tetrahedra::around(VertexId v, std::vector<Index>& out) const {
   }
 }
 
-bool Tetrahedra::has_edge(VertexId a, VertexId b) const {
-  static thread_local std::vector<Index> star;
-  around(a, star);
-  return std::any_of(star.begin(), star.end(), [&](Index t) {
-    return std::find(corners_[t].begin(), corners_[t].end(), b) != corners_[t].end();
-  });
+void Tetrahedra::around(VertexId a, VertexId b, std::vector<Index>& out) const {
+  around(a, out);
+  std::erase_if(
+      out, [&](Index t) { return std::find(corners_[t].begin(), corners_[t].end(), b) == corners_[t].end(); });
 }
 
 Tetrahedra::Index Tetrahedra::locate(VertexId v, Index start) const {
@@ -135,67 +135,95 @@ Tetrahedra::Index Tetrahedra::locate(VertexId v, Index start) const {
   }
 }
 
-void Tetrahedra::insert(VertexId v, VertexId near, std::vector<std::array<VertexId, 2>>& lost) {
-  if (at_.size() < points_.size()) at_.resize(points_.size(), kNone);
+/// All tetrahedra must be Delaunay. `near` is a vertex that is in already, the nearer the better.
+void Tetrahedra::insert(VertexId v, VertexId near) {
   const Index start = locate(v, at_[near.index()]);
   std::vector<Index> hole{start};
-  std::vector<Face> walls;  // as the tetrahedra outside have them
-  std::vector<std::array<VertexId, 3>> open;
   ++round_;
   meet(start);
   for (std::size_t i = 0; i < hole.size(); ++i) {
-    const Index t = hole[i];
+    for (int k = 0; k < 4; ++k) {
+      const Index u = neighbour(hole[i], k);
+      if (u == kNone || seen_[u] == round_) continue;
+      const auto& [a, b, c, d] = corners_[u];
+      if (in_sphere_perturbed(points_, a, b, c, d, v) <= 0) continue;
+      meet(u);
+      hole.push_back(u);
+    }
+  }
+  fill(v, hole);
+}
+
+void Tetrahedra::mark(std::span<const Index> hole) const {
+  ++round_;
+  for (const Index t : hole) meet(t);
+}
+
+bool Tetrahedra::sees(VertexId v, std::span<const Index> hole) const {
+  mark(hole);
+  for (const Index t : hole) {
     for (int k = 0; k < 4; ++k) {
       const Index u = neighbour(t, k);
       if (u != kNone && seen_[u] == round_) continue;
-      if (u != kNone) {
-        const auto& [a, b, c, d] = corners_[u];
-        if (in_sphere_perturbed(points_, a, b, c, d, v) > 0) {
-          meet(u);
-          hole.push_back(u);
-          continue;
-        }
-      }
-      open.push_back(face({t, k}));
-      walls.push_back(u == kNone ? Face{} : opposite({t, k}));
+      const auto [a, b, c] = face({t, k});
+      if (v != a && v != b && v != c && orient3d(points_, a, b, c, v) <= 0) return false;
     }
   }
-  std::vector<std::pair<std::uint64_t, Face>> sides;  // of the new tetrahedra, by the edge opposite to v
-  std::vector<std::array<VertexId, 2>> edges;
+  return true;
+}
+
+void Tetrahedra::fill(VertexId v, std::span<const Index> hole) {
+  if (at_.size() < points_.size()) at_.resize(points_.size(), kNone);
+  struct Wall {
+    std::array<VertexId, 3> corners;  // with the hole in front
+    Face outside;                     // the same face there
+  };
+  static thread_local std::vector<Wall> walls;
+  static thread_local std::vector<std::pair<std::uint64_t, Face>>
+      sides;  // faces with v, by the edge opposite to it
+  walls.clear(), sides.clear();
+  mark(hole);
   for (const Index t : hole) {
-    const Corners& c = corners_[t];
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i + 1; j < 4; ++j) edges.push_back({std::min(c[i], c[j]), std::max(c[i], c[j])});
+    for (int k = 0; k < 4; ++k) {
+      const Index u = neighbour(t, k);
+      if (u == kNone || seen_[u] != round_) walls.push_back({face({t, k}), opposite({t, k})});
     }
   }
-  remove(hole);
-  std::vector<std::array<VertexId, 2>> kept;
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    const auto& [a, b, c] = open[i];
-    const Index t = add({a, b, c, v});
-    join({t, 3}, walls[i]);
-    for (int k = 0; k < 3; ++k) {
-      const VertexId p = open[i][static_cast<std::size_t>((k + 1) % 3)],
-                     q = open[i][static_cast<std::size_t>((k + 2) % 3)];
-      sides.emplace_back(RefineInput::key(p, q), Face{t, k});
-      kept.push_back({std::min(p, q), std::max(p, q)});
+  for (const Index t : hole) {
+    for (const VertexId corner : corners_[t]) at_[corner.index()] = kNone;
+    corners_[t].fill(VertexId::none());
+    free_.push_back(t);
+  }
+  for (const auto& [corners, outside] : walls) {
+    const auto at = std::find(corners.begin(), corners.end(), v) - corners.begin();
+    const auto side = [&](std::ptrdiff_t k) {
+      return RefineInput::key(corners[static_cast<std::size_t>((k + 1) % 3)],
+                              corners[static_cast<std::size_t>((k + 2) % 3)]);
+    };
+    if (at < 3) {
+      sides.emplace_back(side(at), outside);
+      continue;
     }
+    const Index t = add({corners[0], corners[1], corners[2], v});
+    join({t, 3}, outside);
+    for (int k = 0; k < 3; ++k) sides.emplace_back(side(k), Face{t, k});
   }
   std::sort(sides.begin(), sides.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
   require(sides.size() % 2 == 0, "tetrahedra: a hole with a gap");
   for (std::size_t i = 0; i < sides.size(); i += 2) {
     require(sides[i].first == sides[i + 1].first, "tetrahedra: a hole with a gap");
-    join(sides[i].second, sides[i + 1].second);
+    Face f = sides[i].second, g = sides[i + 1].second;
+    if (f.tetrahedron == kNone) std::swap(f, g);
+    if (f.tetrahedron != kNone) join(f, g);
   }
-  sort_unique(edges), sort_unique(kept);
-  std::set_difference(edges.begin(), edges.end(), kept.begin(), kept.end(), std::back_inserter(lost));
 }
 
-void Tetrahedra::remove(std::span<const Index> tetrahedra) {
-  for (const Index t : tetrahedra) {
-    corners_[t].fill(VertexId::none());
-    free_.push_back(t);
-  }
+void Tetrahedra::rename(VertexId vertex, VertexId by) {
+  if (at_.size() < points_.size()) at_.resize(points_.size(), kNone);
+  std::vector<Index> star;
+  around(vertex, star);
+  for (const Index t : star) std::replace(corners_[t].begin(), corners_[t].end(), vertex, by);
+  at_[by.index()] = std::exchange(at_[vertex.index()], kNone);
 }
 
 Tetrahedra::Index Tetrahedra::add(const Corners& corners) {
@@ -215,6 +243,7 @@ Tetrahedra::Index Tetrahedra::add(const Corners& corners) {
   return t;
 }
 
+/// Makes two faces with the same corners neighbours; `g` may be on the box.
 void Tetrahedra::join(Face f, Face g) {
   neighbours_[f.tetrahedron][static_cast<std::size_t>(f.k)] = g.tetrahedron;
   if (g.tetrahedron != kNone) neighbours_[g.tetrahedron][static_cast<std::size_t>(g.k)] = f.tetrahedron;

@@ -4,6 +4,9 @@
 // border to treat in another way. Points are put in one by one; after each the tetrahedra are Delaunay: no point
 // is inside of the sphere around one of them. Points that lie on one sphere are parted by perturbation
 // (kernel/exact/in_sphere.h), so the order in which points come does not matter, and no tetrahedron is flat.
+//
+// All that changes the mesh later is one operation: some tetrahedra are taken away, and a point that sees all
+// walls of the hole is joined with them. That puts a point on a face or an edge, and takes one away.
 #pragma once
 
 #include <array>
@@ -11,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "kernel/base/progress.h"
 #include "kernel/exact/points.h"
 
 namespace cnrg {
@@ -30,8 +34,8 @@ class Tetrahedra {
   };
 
   /// The Delaunay tetrahedra of all points of the table, which must be distinct, and of eight corners of a box
-  /// that are added to it.
-  explicit Tetrahedra(PointTable& points);
+  /// that are added to it. Throws Stopped.
+  explicit Tetrahedra(PointTable& points, const Watch& watch = {});
 
   std::size_t size() const { return corners_.size(); }
   /// Numbers of tetrahedra that are no more are used again; until then they are not alive.
@@ -39,23 +43,19 @@ class Tetrahedra {
   const Corners& corners(Index t) const { return corners_[t]; }
   Index neighbour(Index t, int k) const { return neighbours_[t][static_cast<std::size_t>(k)]; }
   std::array<VertexId, 3> face(Face f) const;
-  /// The same face as its other tetrahedron has it; its `tetrahedron` is kNone on the box.
-  Face opposite(Face f) const;
   bool on_box(VertexId v) const { return v >= first_corner_ && v.index() < first_corner_.index() + 8; }
 
-  /// The tetrahedra at a vertex.
+  /// The tetrahedra at a vertex, or at an edge.
   void around(VertexId v, std::vector<Index>& out) const;
-  bool has_edge(VertexId a, VertexId b) const;
+  void around(VertexId a, VertexId b, std::vector<Index>& out) const;
 
-  /// Puts a point of the table in. All tetrahedra must be Delaunay. `near` is a vertex that is in already, the
-  /// nearer the better. Appends the edges that are no more, the smaller id first.
-  void insert(VertexId v, VertexId near, std::vector<std::array<VertexId, 2>>& lost);
-
-  /// Takes tetrahedra away. The hole must be filled by `add` at once.
-  void remove(std::span<const Index> tetrahedra);
-  Index add(const Corners& corners);
-  /// Makes two faces with the same corners neighbours; `g` may be on the box.
-  void join(Face f, Face g);
+  /// Is a point of the table in front of all walls of a hole, but those that it is a corner of? A hole is some
+  /// tetrahedra whose walls are a sphere.
+  bool sees(VertexId v, std::span<const Index> hole) const;
+  /// Fills the hole by tetrahedra of that point and each of these walls.
+  void fill(VertexId v, std::span<const Index> hole);
+  /// Puts another point of the table in the place of a vertex, of which it must see the star.
+  void rename(VertexId vertex, VertexId by);
 
  private:
   PointTable& points_;
@@ -68,7 +68,12 @@ class Tetrahedra {
   mutable std::uint32_t round_ = 0;
 
   void make_box();
+  void insert(VertexId v, VertexId near);
   Index locate(VertexId v, Index start) const;
+  Face opposite(Face f) const;
+  void mark(std::span<const Index> hole) const;
+  Index add(const Corners& corners);
+  void join(Face f, Face g);
   bool meet(Index t) const;
 };
 

@@ -98,6 +98,63 @@ TEST_CASE("mesh: elements of second order follow curved faces", "[app][mesh]") {
   CHECK_THAT(o.err, Contains("--curved"));
 }
 
+std::size_t count_of(const std::string& text, const std::string& word) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
+  return n;
+}
+
+TEST_CASE("mesh: histograms in the table, and a report with pictures", "[app][mesh]") {
+  const Workshop w;
+  w.write("t.yaml", R"(cnrg: 1
+materials: {rock: {color: "#998877"}}
+nodes:
+  a: {box: {min: [0, 0, 0], max: [10, 10, 10]}, name: "a <b> & c", material: rock}
+  fault: {polygon: [[0, 0, 0], [10, 0, 0.05], [10, 10, 0.05], [0, 10, 0]]}
+  u: {union: [fault, a], dominance: left}
+result: u
+)");
+  Outcome o = w.run("mesh t.yaml -o r.html -o t.msh");
+  INFO(o.err);
+  CHECK(o.status == 0);
+  CHECK_THAT(o.out, Contains("\nsmallest dihedral angle ") && Contains("  90 degrees\n") && Contains("█") &&
+                        Contains("\ncircumradius to shortest edge ") && Contains("3.6 and more\n"));
+  const std::string page = w.read("r.html");
+  CHECK_THAT(page, StartsWith("<!DOCTYPE html>") && Contains("a &lt;b&gt; &amp; c") && !Contains("a <b>") &&
+                       !Contains("<script") && !Contains("src=") && !Contains("href="));
+  CHECK(count_of(page, "<svg") == 4);  // the picture, three histograms
+  CHECK_THAT(page, Contains("background:#998877") && Contains(">outside</text>") &&
+                       Contains(">opened in the middle</text>"));
+  // Bars count every tetrahedron in each histogram.
+  const test::MeshFile msh = test::read_msh(w.read("t.msh"));
+  std::size_t counted = 0;
+  for (std::size_t at = 0; (at = page.find("<rect", at)) != std::string::npos; ++at) {
+    const std::size_t colon = page.find(": ", page.find("<title>", at));
+    std::string digits = page.substr(colon + 2, page.find('<', colon) - colon - 2);
+    std::erase(digits, ',');
+    counted += std::stoul(digits);
+  }
+  CHECK(counted == 3 * msh.count(3));
+  // The worst have rings with their numbers.
+  REQUIRE(o.out.find("the worst shapes of ") != std::string::npos);
+  CHECK_THAT(page, Contains("The worst shapes") && Contains(">1</text>") && Contains("fault"));
+  CHECK(w.run("mesh t.yaml --threads 1 --quiet -o again.html").out.empty());
+  CHECK(w.read("again.html") == page);
+  CHECK(w.run("mesh t.yaml --quality 3 --quiet -o q.html").status == 0);
+  CHECK_THAT(w.read("q.html"), Contains("asked for: 3") && Contains("class=\"asked\""));
+
+  o = w.run("mesh t.yaml --surface --size 3 -o s.htm --quiet");
+  CHECK(o.status == 0);
+  CHECK_THAT(w.read("s.htm"), Contains("The smallest angles") && Contains("boundary of a &lt;b&gt; &amp; c"));
+  CHECK(count_of(w.read("s.htm"), "<svg") == 2);
+  w.write("wire.yaml", "cnrg: 1\nnodes:\n  p: {polyline: [[0, 0, 0], [1, 0, 1]]}\nresult: p\n");
+  CHECK(w.run("mesh wire.yaml --surface -o w.html --quiet").status == 0);
+  o = w.run("mesh t.yaml -o t.txt");
+  CHECK(o.status == 2);
+  CHECK_THAT(o.err, Contains(".xdmf .html"));
+  CHECK(w.run("mesh t.yaml --order 2 -o second.html --quiet").status == 0);
+}
+
 TEST_CASE("mesh: surfaces alone, with a row per group of faces", "[app][mesh]") {
   const Workshop w;
   w.write("t.yaml", kPair);
@@ -115,6 +172,19 @@ TEST_CASE("mesh: surfaces alone, with a row per group of faces", "[app][mesh]") 
   CHECK(w.read("again.msh") == w.read("t.msh"));
   CHECK(w.run("mesh t.yaml --surface --node sheet -o s.msh").status == 0);
   CHECK(test::read_msh(w.read("s.msh")).count(2) > 0);
+
+  o = w.run("mesh t.yaml --surface --quads --size 0.5 -o q.msh -o q.mesh");
+  CHECK(o.status == 0);
+  CHECK_THAT(o.out, Contains(" quadrilaterals and ") && Contains("least quality"));
+  CHECK_THAT(w.read("q.mesh"), Contains("Quadrilaterals\n"));
+  CHECK(w.run("mesh t.yaml --surface-first --size 0.5 -o first.msh").status == 0);
+  CHECK(test::read_msh(w.read("first.msh")).count(2) == msh.count(2));
+  CHECK(w.run("mesh t.yaml --quads -o bad.msh").status == 2);
+  CHECK_THAT(w.run("mesh t.yaml --surface --quads -o bad.h5m").err, Contains("take triangles only; use one of .msh"));
+  CHECK(w.run("mesh t.yaml --surface --order 2 -o two.msh").status == 0);
+  for (const std::string option : {"--quads --order 2", "--surface-first"})
+    CHECK(w.run("mesh t.yaml --surface -o bad.msh " + option).status == 2);
+  CHECK(w.run("mesh t.yaml --surface-first -Y -o bad.msh").status == 2);
 
   for (const std::string option :
        {"--quality 2", "--max-volume 1", "-Y", "--constrained", "--curved", "--max-points 0", "--max-points x"}) {

@@ -70,6 +70,9 @@ TEST_CASE("meshes in their programs: .h5m, in h5py and meshio", "[ecosystem][mes
 TEST_CASE("meshes in their programs: surfaces as shells and bars", "[ecosystem][meshes]") {
   check_script("mesh_programs.py", "surfaces");
 }
+TEST_CASE("meshes in their programs: quadrilaterals in every format that holds them", "[ecosystem][meshes]") {
+  check_script("mesh_programs.py", "quads");
+}
 TEST_CASE("meshes in their programs: the same bytes, and names of all kinds", "[ecosystem][meshes]") {
   check_script("mesh_programs.py", "same");
 }

@@ -16,6 +16,10 @@ import h5py
 import meshio
 import numpy as np
 
+sys.dont_write_bytecode = True
+
+from simplices import measures_of  # noqa: E402
+
 PROGRAM, CASE, FOLDER = sys.argv[1], sys.argv[2], Path(sys.argv[3])
 
 # Volume 27: a rock that a seam parts in two, a sheet and a bolt that hang in it, a cable and a point outside.
@@ -42,7 +46,7 @@ WIRES = {"bolt": 1, "material steel": 1, "wire of cable": 7}
 ALL = {**{(3, name): value for name, value in VOLUMES.items()}, **{(1, name): value for name, value in WIRES.items()},
        **{(2, name): value for name, value in {**BOUNDARIES, **SHEETS}.items()}}
 FIRST = {key: value for key, value in ALL.items() if not key[1].startswith(("material", "from"))}
-DIMENSION = {"vertex": 0, "line": 1, "line3": 1, "triangle": 2, "triangle6": 2, "tetra": 3, "tetra10": 3}
+DIMENSION = {"vertex": 0, "line": 1, "line3": 1, "triangle": 2, "triangle6": 2, "quad": 2, "tetra": 3, "tetra10": 3}
 MIDDLES = {"line3": ((0, 1),), "triangle6": ((0, 1), (1, 2), (0, 2)),
            "tetra10": ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))}
 
@@ -56,17 +60,6 @@ def run(*words, status=0):
 def tree(text=MODEL, name="m.yaml"):
     (FOLDER / name).write_text(text)
     return name
-
-
-def measures(points, cells):
-    """Of simplices by their corners, one row each."""
-    a = points[cells][:, 1:] - points[cells][:, :1]
-    if a.shape[1] == 1:
-        return np.linalg.norm(a[:, 0], axis=1)
-    normals = np.cross(a[:, 0], a[:, 1])
-    if a.shape[1] == 2:
-        return np.linalg.norm(normals, axis=1) / 2
-    return np.abs(np.einsum("ij,ij->i", normals, a[:, 2])) / 6
 
 
 def check(found, exact, what, close=1e-12):
@@ -105,7 +98,7 @@ def totals(mesh, rows_of):
         dimension = DIMENSION[block.type]
         if dimension == 0:
             continue
-        sizes = measures(mesh.points, block.data[:, :dimension + 1])
+        sizes = measures_of(mesh.points[block.data[:, :dimension + 1]])
         for name, rows in rows_of(block, i).items():
             if len(rows):
                 key = dimension, name
@@ -201,7 +194,7 @@ def nastran():
             sets[what, name] = np.array(card.replace("+", " ").split()[1:], int)
         mesh = meshio.read(FOLDER / "t.bdf")
         numbers = np.concatenate(mesh.cells_id)
-        rows = np.concatenate([measures(mesh.points, b.data[:, :DIMENSION[b.type] + 1]) for b in mesh.cells])
+        rows = np.concatenate([measures_of(mesh.points[b.data[:, :DIMENSION[b.type] + 1]]) for b in mesh.cells])
         for name in ("material granite", "material ore", "from flap", "material steel"):
             [exact] = [value for (_, group), value in ALL.items() if group == name]
             total = rows[np.isin(numbers, sets.pop(("elements", name)))].sum()
@@ -274,7 +267,7 @@ def in_mdump(file):
     assert ended.returncode == 0 and not ended.stderr and "ERREUR" not in text, (text[-500:], ended.stderr)
     rows = lambda part, kind: np.array([line.split()[0:] for line in re.findall(r"^ \[ *\d+ \] : (.*)$", part, re.M)], kind)
     points = rows(text.split("Coordonnees des noeuds")[1].split("Numeros des familles")[0], float)
-    kinds = {"MED_SEG2": "line", "MED_SEG3": "line3", "MED_TRIA3": "triangle", "MED_TRIA6": "triangle6",
+    kinds = {"MED_SEG2": "line", "MED_SEG3": "line3", "MED_TRIA3": "triangle", "MED_TRIA6": "triangle6", "MED_QUAD4": "quad",
              "MED_TETRA4": "tetra", "MED_TETRA10": "tetra10"}
     cells, families = [], []
     for kind, part in re.findall(r"^- Mailles de type (\w+) : \n(.*?)(?=^- Mailles|^\(\*)", text, re.M | re.S):
@@ -348,6 +341,25 @@ def xdmf():
     said = run("mesh", tree("cnrg: 1\nnodes: {p: {sphere: {center: [0, 0, 0], radius: 1, segments: 8}}}\nresult: p\n",
                             "p.yaml"), "--quiet", "-o", "p.edges.xdmf", status=2).stderr
     assert "the mesh has no edges" in said, said
+    # Without tetrahedra NAME.xdmf has what is there of the highest dimension: sheets, or else wires.
+    faces = """cnrg: 1
+nodes:
+  sheet: {polygon: [[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 0]]}
+  cable: {polyline: [[0, 0, 0], [0, 0, 3]]}
+  m:     {union: [sheet, cable]}
+result: m
+"""
+    for node, dimension, measure in (("m", 2, 2), ("sheet", 2, 2), ("cable", 1, 3)):
+        run("mesh", tree(faces, "f.yaml"), "--node", node, "--surface", "--size", "0.5", "--quiet", "-o", "f.xdmf")
+        mesh = meshio.read(FOLDER / "f.xdmf")
+        [block] = mesh.cells
+        assert DIMENSION[block.type] == dimension and len(block.data) > 3, (node, block)
+        assert set(block.data.ravel()) == set(range(len(mesh.points))), node
+        assert abs(measures_of(mesh.points[block.data]).sum() - measure) < 1e-12, node
+    run("mesh", tree(faces, "f.yaml"), "--surface", "--quiet", "-o", "f.xdmf", "-o", "f.edges.xdmf")
+    whole, edges = meshio.read(FOLDER / "f.xdmf"), meshio.read(FOLDER / "f.edges.xdmf")
+    np.testing.assert_array_equal(edges.points[:len(whole.points)], whole.points)
+    assert abs(measures_of(edges.points[edges.cells[0].data]).sum() - 9) < 1e-12
 
 
 def sets_of(file):
@@ -404,21 +416,21 @@ def h5m():
                 total += enclosed if behind == volume else -enclosed
             volumes[volume] = total
             if has_tetrahedra:
-                assert abs(measures(points, rows("Tet4", contents[volume])).sum() - total) < 1e-12
+                assert abs(measures_of(points[rows("Tet4", contents[volume])]).sum() - total) < 1e-12
         check({name: sum(volumes[v] for v in members) for name, members in groups.items()
                if name.startswith(("mat:", "rock", "seam", "temp"))
                and (set(members) <= set(volumes))},
               {"mat:granite": 18, "mat:ore": 9, "rock 1": 9, "rock 2": 9, "seam": 9, "temp:300": 18}, file)
         for name, area in BOUNDARIES.items():
-            total = sum(measures(points, rows("Tri3", contents[s])).sum() for s in groups[name])
+            total = sum(measures_of(points[rows("Tri3", contents[s])]).sum() for s in groups[name])
             assert abs(total - area) < 1e-12 * area, (name, total)
         assert sum(1 for sense in senses.values() if 0 not in sense) == 2  # the walls
         sheet = groups["flap_ a sheet"]
-        assert abs(measures(points, rows("Tri3", sheet)).sum() - 1) < 1e-12
+        assert abs(measures_of(points[rows("Tri3", sheet)]).sum() - 1) < 1e-12
         inside = np.concatenate([contents[i] for i, d in dimension.items() if d == 2])
         assert not np.isin(sheet, inside).any()
         for wire, length in (("bolt", 1), ("wire of cable", 7)):
-            assert abs(measures(points, rows("Edge2", groups[wire])).sum() - length) < 1e-12
+            assert abs(measures_of(points[rows("Edge2", groups[wire])]).sum() - length) < 1e-12
         assert (points[groups["point of mark"] - 1] == 6).all()
     long = MODEL.replace("granite", "g" * 40)
     said = run("eval", tree(long, "long.yaml"), "--quiet", "-o", "long.h5m", status=2).stderr
@@ -444,6 +456,83 @@ def surfaces():
     check(totals(found, rows), faces, "e.med", 1e-5)
 
 
+def split(mesh):
+    """With each quadrilateral as two triangles, once it was found flat and convex; and how many there were."""
+    cells, of, count = [], [], 0
+    for i, block in enumerate(mesh.cells):
+        if block.type != "quad":
+            cells.append((block.type, block.data))
+            of.append((i, np.arange(len(block.data))))
+            continue
+        count += len(block.data)
+        p = mesh.points[block.data]
+        turns = [np.cross(p[:, (k + 1) % 4] - p[:, k], p[:, (k + 2) % 4] - p[:, (k + 1) % 4]) for k in range(4)]
+        for turn in turns[1:]:
+            assert (np.einsum("ij,ij->i", turns[0], turn) > 0).all(), "not convex, or corners not in turn"
+        flat = np.abs(np.einsum("ij,ij->i", turns[0], p[:, 3] - p[:, 0]))
+        assert (flat < 1e-5).all(), flat.max()
+        cells.append(("triangle", np.concatenate([block.data[:, :3], block.data[:, [0, 2, 3]]])))
+        of.append((i, np.tile(np.arange(len(block.data)), 2)))
+    data = {key: [np.asarray(values[i])[rows] for i, rows in of] for key, values in mesh.cell_data.items()}
+    sets = {}
+    for name, rows in mesh.cell_sets.items():
+        if name.startswith("gmsh:"):
+            continue
+        sets[name] = []
+        for i, places in of:
+            member = np.zeros(len(mesh.cells[i].data), bool)
+            if rows[i] is not None and len(rows[i]):
+                member[np.asarray(rows[i], int)] = True
+            sets[name].append(np.flatnonzero(member[places]))
+    return meshio.Mesh(mesh.points, cells, cell_data=data, cell_sets=sets), count
+
+
+def quads():
+    """Of a surface mesh: each reader finds as many, and groups measure what they should."""
+    extensions = ("msh", "vtu", "mesh", "inp", "bdf", "med", "faces.xdmf")
+    run("mesh", tree(), "--quiet", "--surface", "--quads", "--size", "0.4",
+        *(word for extension in extensions for word in ("-o", f"q.{extension}")))
+    faces = {key: value for key, value in ALL.items() if key[0] < 3}
+    first = {key: value for key, value in FIRST.items() if key[0] < 3}
+    whole, count = split(meshio.read(FOLDER / "q.msh"))
+    triangles = sum(len(b.data) for b in whole.cells if b.type == "triangle") - 2 * count
+    assert count > 2 * triangles > 0, (count, triangles)
+    by_sets = lambda mesh, named: totals(mesh, lambda block, i: {
+        named.get(name, name): rows[i] for name, rows in mesh.cell_sets.items()})
+    check({key: value for key, value in by_sets(whole, {}).items() if key != (1, "edges")}, faces, "q.msh")
+    again, n = split(in_gmsh("q.msh"))
+    assert n == count
+    mesh, n = split(meshio.read(FOLDER / "q.vtu"))
+    assert n == count
+    mesh, n = split(meshio.read(FOLDER / "q.faces.xdmf"))
+    assert n == count and abs(sum(measures(mesh.points, b.data).sum() for b in mesh.cells) - (21 + 21 + 12 + 9 + 9 + 1)) < 1e-9
+    mesh, n = split(meshio.read(FOLDER / "q.inp"))
+    names = dict(re.findall(r"^\*\* (\S+) is (.*)$", (FOLDER / "q.inp").read_text(), re.M))
+    assert n == count
+    check(by_sets(mesh, names), faces, "q.inp")
+    text = (FOLDER / "q.bdf").read_text()
+    names = {({"PSHELL": 2, "PROD": 1}[kind], int(number)): name
+             for kind, number, name in re.findall(r"^\$ (P\w+) (\d+): (.*)$", text, re.M)}
+    mesh, n = split(meshio.read(FOLDER / "q.bdf"))
+    assert n == count
+    check(by_reference(mesh, "nastran:ref", names), first, "q.bdf")
+    text = (FOLDER / "q.mesh").read_text()
+    names = {({"edges": 1, "triangles": 2}[kind], int(number)): name for kind, number, name in
+             re.findall(r"^# (edges|triangles) (\d+) (.*)$", text, re.M)}
+    for mesh, array in ((meshio.read(FOLDER / "q.mesh"), "medit:ref"), (in_gmsh("q.mesh"), "gmsh:geometrical")):
+        mesh, n = split(mesh)
+        assert n == count, (array, n, count)
+        check(by_reference(mesh, array, names), first, f"q.mesh {array}")
+    found, tags = in_mdump("q.med")
+    found, n = split(found)
+    assert n == count
+    rows = lambda block, i: {re.sub("_2$", "", name): np.flatnonzero(np.isin(found.cell_data["cell_tags"][i], [
+        number for number, names in tags.items() if name in names])) for name in sum(tags.values(), [])}
+    check(totals(found, rows), faces, "q.med", 1e-5)
+    run("mesh", "m.yaml", "--surface", "--quads", "-o", "q.h5m", status=2)
+    assert not (FOLDER / "q.h5m").exists()
+
+
 def same():
     """The same bytes each time, and names that are long, of any script, or equal but for case."""
     words = ["l" * 300, "l" * 299 + "m", "Wall", "wall", "a/b:c", "3 things", "Ö — 岩", "a\nb", "x" * 28]
@@ -461,7 +550,7 @@ def same():
     assert all(re.fullmatch(r"[A-Za-z][\w-]{0,79}", label, re.A) for label in labels), labels
     for label in labels:
         rows = mesh.cell_sets[label]
-        total = sum(measures(mesh.points, b.data[rows[i]]).sum() for i, b in enumerate(mesh.cells))
+        total = sum(measures_of(mesh.points[b.data[rows[i]]]).sum() for i, b in enumerate(mesh.cells))
         assert abs(total - 1) < 1e-12
     groups = [name for names in meshio.read(FOLDER / "a.med").cell_tags.values() for name in names]
     assert len(set(groups)) == 2 * len(words) + len(words), groups  # regions, their boundaries, what comes from each
@@ -470,4 +559,4 @@ def same():
 
 
 {"msh": msh, "medit": medit, "nastran": nastran, "abaqus": abaqus, "med": med, "xdmf": xdmf, "h5m": h5m,
- "surfaces": surfaces, "same": same}[CASE]()
+ "surfaces": surfaces, "quads": quads, "same": same}[CASE]()

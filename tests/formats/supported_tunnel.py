@@ -18,6 +18,10 @@ from pathlib import Path
 import meshio
 import numpy as np
 
+sys.dont_write_bytecode = True
+
+from simplices import measures_of  # noqa: E402
+
 PROGRAM, FOLDER = sys.argv[1], Path(sys.argv[2])
 PAPERS = Path(__file__).resolve().parents[2] / "papers/pereira2012"
 TREES, FILES = FOLDER / "papers/pereira2012", FOLDER / "out/pereira2012"
@@ -123,17 +127,6 @@ class Groups:
         for name in names:
             key = dimension, name
             self.measures[key] = self.measures.get(key, 0) + measure
-
-
-def measures_of(corners):
-    """Of simplices, one row of points each."""
-    a = corners[:, 1:] - corners[:, :1]
-    if a.shape[1] == 1:
-        return np.linalg.norm(a[:, 0], axis=1)
-    normals = np.cross(a[:, 0], a[:, 1])
-    if a.shape[1] == 2:
-        return np.linalg.norm(normals, axis=1) / 2
-    return np.abs(np.einsum("ij,ij->i", normals, a[:, 2])) / 6
 
 
 def check_in_meshio(file, groups, dimensions):

@@ -92,9 +92,41 @@ result: model
   CHECK(made.quality.worst == Approx(worst));
   CHECK(made.quality.median == Approx(shapes[shapes.size() / 2]));
   CHECK(made.quality.smallest_dihedral == Approx(sharpest));
-  std::size_t all = 0;
-  for (const std::size_t n : made.quality.shapes) all += n;
-  CHECK(all == made.mesh.tetrahedra.size());
+  std::array<std::size_t, 20> by_shape{};
+  std::array<std::size_t, 18> by_angle{};
+  std::array<std::size_t, 16> by_ratio{};
+  for (const auto& t : made.mesh.tetrahedra) {
+    const Corners p = corners_of(made.mesh, t);
+    const TetrahedronMeasures m = measures_of(p);
+    const auto add = [](auto& counts, double place) {
+      ++counts[std::size_t(std::min(std::floor(place), double(counts.size() - 1)))];
+    };
+    add(by_shape, m.shape / 0.05), add(by_angle, m.dihedral / 5), add(by_ratio, (m.radius_edge - 0.6) / 0.2);
+  }
+  CHECK(made.quality.shapes == by_shape);
+  CHECK(made.quality.dihedrals == by_angle);
+  CHECK(made.quality.ratios == by_ratio);
+}
+
+TEST_CASE("triangles are counted by their smallest angles, the worst first", "[mesh][quality]") {
+  Mesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, std::sqrt(0.75), 0}, {10, 0.5, 0}};
+  mesh.groups[2] = {"face of a", "from a"};
+  mesh.sources = 1;
+  mesh.entities[2].resize(1);
+  mesh.entities[2][0].groups = {1, 2};
+  mesh.triangles = {{{0, 1, 2}, 0}, {{0, 1, 3}, 0}, {{0, 1, 4}, 0}};
+  const TriangleQuality q = triangle_quality_of(mesh, {"a"});
+  std::array<std::size_t, 12> expected{};
+  expected[0] = expected[9] = 1;  // atan(1/18) and 45 degrees
+  expected[11] = 1;
+  CHECK(q.angles == expected);
+  REQUIRE(q.worst_ones.size() == 3);
+  CHECK(q.worst_ones[0].triangle == 2);
+  CHECK(q.worst_ones[0].angle == Approx((std::atan2(0.5, 9) - std::atan2(0.5, 10)) * 180 / M_PI));
+  CHECK(q.worst_ones[0].nodes == std::vector<std::string>{"a"});
+  CHECK(q.worst_ones[1].triangle == 0);
+  CHECK(q.worst_ones[1].at[0] == Approx(1.0 / 3));
 }
 
 TEST_CASE("what is nearly touched is named where shapes are bad", "[mesh][quality]") {
@@ -116,6 +148,11 @@ result: model
   };
   CHECK(named("fault"));
   CHECK(named("rock"));
+  // At the border of the fault both meet: a reason that has a vertex or an edge there names both.
+  CHECK(std::any_of(made.quality.worst_ones.begin(), made.quality.worst_ones.end(), [](const auto& bad) {
+    return bad.why.find(" of `fault` and `rock`") != std::string::npos ||
+           bad.why.find(" of `rock` and `fault`") != std::string::npos;
+  }));
 }
 
 // The ends of wires are the doubles nearest to points on sides of a triangle, as programs write them: no double

@@ -271,6 +271,52 @@ class Tetrahedra(WithFolder):
         on = numpy.abs(numpy.linalg.norm(middle, axis=1) - 1) < 1e-9
         self.assertGreater(on.mean(), 0.9)
 
+    def test_surface_meshes(self):
+        result = result_of(LAYERS)
+        for quads in (False, True):
+            mesh = result.mesh_surface(size="1/4", quads=quads)
+            self.assertEqual(mesh.points.dtype, numpy.float64)
+            self.assertEqual(mesh.triangles.points.shape, (len(mesh.triangles), 3))
+            self.assertEqual(mesh.quads.points.shape, (len(mesh.quads), 4))
+            self.assertEqual(len(mesh.quads) > len(mesh.triangles), quads)
+            cells = numpy.concatenate([mesh.triangles.cell, mesh.quads.cell, mesh.quads.cell])
+            corners = numpy.concatenate([mesh.triangles.points, mesh.quads.points[:, :3], mesh.quads.points[:, [0, 2, 3]]])
+            p = mesh.points[corners]
+            areas = numpy.linalg.norm(numpy.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1) / 2
+            for i in result.faces.active:
+                self.assertAlmostEqual(areas[cells == i].sum(), result.faces.areas[i], places=12)
+            self.assertEqual(sum(of.triangles for of in mesh.faces), len(mesh.triangles))
+            self.assertEqual(sum(of.quads for of in mesh.faces), len(mesh.quads))
+            self.assertIn("wall low | high", mesh.groups[2])
+            with self.assertRaises(ValueError):
+                mesh.quads.points[:] = 0
+            mesh.write(self.folder / "s.msh")
+            self.assertGreater((self.folder / "s.msh").stat().st_size, 1000)
+        with self.assertRaisesRegex(cnrg.InputError, "take triangles only"):
+            mesh.write(self.folder / "s.h5m")
+        boundary = result.mesh_surface(size="1/4")
+        filled = result.tetrahedralize(size="1/4", surface_first=True)
+        self.assertEqual(sorted(map(tuple, filled.points[filled.triangles.points].mean(axis=1).round(9).tolist())),
+                         sorted(map(tuple, boundary.points[boundary.triangles.points].mean(axis=1).round(9).tolist())))
+        self.assertEqual(result.mesh_surface(order=2).triangles.points.shape[1], 6)
+        for wrong in ({"order": 3}, {"size": -1}, {"growth": 9}, {"seconds": -1}, {"max_points": 0},
+                      {"order": 2, "quads": True}, {"size": "1/1000", "max_points": 50}):
+            with self.assertRaises(cnrg.InputError):
+                result.mesh_surface(**wrong)
+
+    def test_straight_elements_of_second_order(self):
+        result = result_of(LAYERS)
+        mesh, first = result.tetrahedralize(order=2), result.tetrahedralize()
+        self.assertEqual([of.points.shape[1] for of in (mesh.segments, mesh.triangles, mesh.tetrahedra)], [3, 6, 10])
+        numpy.testing.assert_array_equal(mesh.tetrahedra.points[:, :4], first.tetrahedra.points)
+        for k, (i, j) in enumerate(((0, 1), (1, 2), (0, 2), (0, 3), (2, 3), (1, 3))):
+            a, b, middle = mesh.points[mesh.tetrahedra.points[:, [i, j, 4 + k]]].transpose(1, 0, 2)
+            numpy.testing.assert_allclose(middle, (a + b) / 2, atol=1e-12)
+        self.assertEqual(first.regions, mesh.regions)
+        mesh.write(self.folder / "a.vtu")
+        with self.assertRaisesRegex(cnrg.InputError, "first order only"):
+            mesh.write(self.folder / "a.mesh")
+
     def test_tetrahedra_are_written(self):
         mesh = result_of(LAYERS).tetrahedralize()
         for name in ("a.msh", "a.mesh", "a.vtu"):
@@ -304,7 +350,7 @@ class Tetrahedra(WithFolder):
         result = result_of(LAYERS)
         for wrong in ({"max_volume": -1}, {"max_volume": float("nan")}, {"quality": 1}, {"quality": float("nan")},
                       {"seconds": -1}, {"quality": 1000}, {"size": -1}, {"size": float("inf")}, {"growth": 0},
-                      {"growth": 3}):
+                      {"growth": 3}, {"order": 0}, {"order": 3}):
             with self.assertRaises(cnrg.InputError):
                 result.tetrahedralize(**wrong)
         for text in (OPEN, HALF):

@@ -159,6 +159,20 @@ class Expressions(Folder):
         with self.assertRaises(TypeError):
             a | 3
 
+    def test_near_features_are_joined_inside_of_a_tree(self):
+        low, high = cnrg.box([0, 0, 0], [2, 2, 1]), cnrg.box([0, 0, "1.0001"], [2, 2, 2])
+        joined = (low | high).simplify(within="1/1000")
+        drilled = joined - cnrg.box([0, 0, 0], [1, 1, 2])
+        evaluation = cnrg.evaluate(drilled)
+        self.assertEqual([row.volume for row in evaluation.rows][-1], 6)
+        self.assertTrue(any("joined 4 pairs nearer than 0.001" in n.message for n in evaluation.notices))
+        text = joined.to_yaml()
+        self.assertIn("within: 1/1000", text)
+        both = (low | high).simplify("points", within=0.001)
+        self.assertEqual(cnrg.evaluate(both).rows[-1].volume, 8)
+        with self.assertRaises(cnrg.InputError):
+            cnrg.evaluate((low | high).simplify(within=0))
+
     def test_graded_materials(self):
         skin = cnrg.box([0, 0, 0], [4, 4, 4]).named("skin")
         coating = cnrg.material("coating", distance={"to": skin, "stops": [[0, "ceramic"], ["1/2", "steel"]]})

@@ -99,8 +99,11 @@ TEST_CASE("a crash, an end and an exception stay in the child", "[child]") {
   });
   CHECK(aborted.kind == Kind::signal);
   CHECK(aborted.said == "Assertion `a < b' failed.");
-  const ChildEnd ended = run([]() -> int { _exit(0); });
-  CHECK(ended.kind == Kind::strange);
+  for (const int status : {0, 1, 255}) {
+    const ChildEnd ended = run([status]() -> int { _exit(status); });
+    CHECK(ended.kind == Kind::strange);
+    CHECK(ended.number == status);
+  }
   CHECK(run([]() -> int { throw std::runtime_error("nobody hears this"); }).kind == Kind::strange);
   CHECK(run([]() -> int { throw std::bad_alloc(); }).kind == Kind::memory);
 }

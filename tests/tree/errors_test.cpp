@@ -170,6 +170,10 @@ TEST_CASE("operands of the wrong type or number", "[tree][errors]") {
   expect_node("select: {of: p, inside: nobody_at_all}", 25, {"no node called `nobody_at_all`"});
   expect_node("simplify: {of: p, mode: pints}", 25, {"`mode` of simplify must be one of features, points"});
   expect_node("simplify: {mode: points}", 11, {"simplify needs `of`"});
+  expect_node("simplify: {of: p, within: 0}", 27, {"`within` of simplify must be above 0"});
+  expect_node("simplify: {of: p, within: -1e-3}", 27, {"`within` of simplify must be above 0"});
+  expect_node("simplify: {of: p, within: inf}", 27, {"`within` of simplify", "no number"});
+  expect_node("simplify: p, within: 0.001", 14, {"write {simplify: {of: NODE, within: 0.001}}"});
   expect_node("complement: p, size: 0", 22, {"`size` is how long edges of a mesh are to be", "above 0"});
   expect_node("complement: p, size: -1/2", 22, {"above 0"});
   expect_node("complement: p, size: 1e-400", 22, {"above 0"});

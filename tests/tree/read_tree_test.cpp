@@ -211,6 +211,7 @@ nodes:
   plain: {simplify: points}
   forms: {simplify: {of: plain, mode: points}}
   keeps: {simplify: {of: {points: [[0, 0, 0]]}}}
+  joins: {simplify: {of: plain, within: 1/8, mode: points}}
   inner: {simplify: {points: [[0, 0, 0]]}}
   side:  {union: [plain, forms, keeps, inner], simplify: points, regularize: true}
   last:  {regularize: side}
@@ -222,6 +223,12 @@ result: last
   CHECK(tree.operands(tree.find("plain")) == std::vector<NodeId>{tree.find("points")});
   CHECK(node(tree, "forms").forget_features);
   CHECK_FALSE(node(tree, "keeps").forget_features);
+  CHECK_FALSE(node(tree, "keeps").within);
+  CHECK(node(tree, "joins").within == Rational(1, 8));
+  CHECK(node(tree, "joins").forget_features);
+  CHECK(tree.operands(tree.find("joins")) == std::vector<NodeId>{tree.find("plain")});
+  CHECK(tree.operands_within(tree.find("joins")).empty());
+  CHECK(tree.operands_within(tree.find("plain")).size() == 1);
   CHECK(tree.operands(tree.find("inner")).size() == 1);
   CHECK(node(tree, "side").op == Operator::unite);
   CHECK(node(tree, "side").forget_features);

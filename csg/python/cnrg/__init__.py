@@ -57,6 +57,7 @@ from .shapes import (
     torus,
 )
 from .stories import Comparison, Explanation, Selectable, Step, Topology
+from .surface import Meshed, SurfaceMesh
 from .tetrahedra import Filled, Simplices, Tetrahedra
 from .tree import Tree, parse, read
 
@@ -77,6 +78,7 @@ __all__ = [
     "InvariantError",
     "Lists",
     "Material",
+    "Meshed",
     "Node",
     "Notice",
     "Places",
@@ -88,6 +90,7 @@ __all__ = [
     "Simplices",
     "Step",
     "Stopped",
+    "SurfaceMesh",
     "Tetrahedra",
     "Selectable",
     "Topology",

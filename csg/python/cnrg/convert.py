@@ -8,10 +8,10 @@ from typing import Any, Mapping, Sequence
 import numpy as np
 
 # VTK's numbers of cells, of straight and of curved simplices by dimension.
-VERTEX, LINE, TRIANGLE, TETRA = 1, 3, 5, 10
+VERTEX, LINE, TRIANGLE, QUAD, TETRA = 1, 3, 5, 9, 10
 _STRAIGHT = (VERTEX, LINE, TRIANGLE, TETRA)
 _CURVED = (VERTEX, 21, 22, 24)
-_MESHIO = {VERTEX: "vertex", LINE: "line", TRIANGLE: "triangle", TETRA: "tetra",
+_MESHIO = {VERTEX: "vertex", LINE: "line", TRIANGLE: "triangle", QUAD: "quad", TETRA: "tetra",
            21: "line3", 22: "triangle6", 24: "tetra10"}
 # In a file of VTK the middles of a tetrahedron's edges come in the order 01 12 20 03 13 23; ours are 01 12 20 03 23 13.
 _TETRA10 = [0, 1, 2, 3, 4, 5, 6, 7, 9, 8]

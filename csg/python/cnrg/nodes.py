@@ -233,7 +233,7 @@ class Node:
 
     operator: str
     operands: tuple[Node, ...]
-    value: Any  # of a leaf: data, or MeshArrays; of `simplify`: its mode, or None
+    value: Any  # of a leaf: data, or MeshArrays; of `simplify`: `mode` and `within`, or None
     attributes: tuple[tuple[str, Any], ...]  # in their order: transforms act one after the other
     key: str | None  # in a tree; None: any
     is_inline: bool  # it stands in the place of its user, as it did in a file
@@ -322,11 +322,18 @@ class Node:
         """One component of all."""
         return made("unify", (self,))
 
-    def simplify(self, mode: str = "features") -> Node:
-        """Fewest cells; mode "points" forgets features, too: what is coplanar or collinear is one."""
+    def simplify(self, mode: str = "features", *, within: Number | None = None) -> Node:
+        """Fewest cells; mode "points" forgets features, too: what is coplanar or collinear is one.
+
+        within: what does not touch and is nearer than this (units, above 0) is joined; what met and how far it moved
+        is told by the notices of the evaluation.
+        """
         if mode not in ("features", "points"):
             raise fault(f"simplify: the mode is features or points, not {mode!r}")
-        return made("simplify", (self,), mode if mode == "points" else None)
+        keys: dict[str, Any] = {"mode": "points"} if mode == "points" else {}
+        if within is not None:
+            keys["within"] = exact(within)
+        return made("simplify", (self,), keys or None)
 
     def select(
         self,

@@ -22,6 +22,7 @@ from .nodes import site_of_caller
 from .pictures import View, options_of, replace_file
 from .progress import Progress, Shown, threads_of
 from .stories import Comparison, Explanation, Selectable, Topology
+from .surface import SurfaceMesh
 from .tetrahedra import Tetrahedra
 
 if TYPE_CHECKING:
@@ -310,16 +311,20 @@ class Result:
         return self if rounds == 0 else Result._of(joined, self._evaluation)
 
     def tetrahedralize(self, *, max_volume: Number = 0, quality: Number = 0, keep_boundary: bool = False,
-                       seconds: int = 600, curved: bool = False, size: Number = 0, growth: Number = 0.3,
-                       progress: Progress = None) -> Tetrahedra:
+                       seconds: int = 600, curved: bool = False, order: int = 1,
+                       size: Number = 0, growth: Number = 0.3,
+                       surface_first: bool = False, progress: Progress = None) -> Tetrahedra:
         """Fills the regions with tetrahedra that conform to every wall, sheet, wire and point, proven exactly.
 
         max_volume: no tetrahedron is larger (cubic units), 0: no bound. quality: the largest ratio of circumradius to
         shortest edge, 1.1 to 100, 0: no bound. keep_boundary: no new points on faces and edges. seconds: for
-        all of the work, a quarter of it for each way in which TetGen is asked, 0: no bound. curved: elements of second order on the true surfaces.
+        all of the work, a quarter of it for each way in which TetGen is asked, 0: no bound. curved: elements of
+        second order on the true surfaces. order: of the elements, 1, or 2 with a node in the middle of each straight
+        edge; curved ones are of order 2.
         size: how long edges are to be where neither a node's `size` nor short edges and small facets of the model ask
         for shorter ones (units of the model), 0: no bound. growth: how much longer they may be per unit of distance
-        from there, 0.05 to 2.
+        from there, 0.05 to 2. surface_first: faces are meshed as by `mesh_surface` before, and these triangles are the
+        boundary; neither with keep_boundary nor with curved.
 
         InputError for a result that is not closed and bounded, has no region, or is broken by rounding (`snap()`
         helps), and where no mesh is proven. Where TetGen makes none, a warning (cnrg.Notice) says so: they are
@@ -327,7 +332,7 @@ class Result:
         """
         max_volume, quality, size, growth = (
             float(_cnrg.fraction(number)) for number in (max_volume, quality, size, growth))
-        seconds = operator.index(seconds)
+        seconds, order = operator.index(seconds), operator.index(order)
         if max_volume < 0:
             raise InputError(f"max_volume: a volume is wanted, or 0 for no bound, not {max_volume}")
         if quality != 0 and not 1.1 <= quality <= 100:
@@ -338,12 +343,45 @@ class Result:
             raise InputError(f"growth: a number from 0.05 to 2 is wanted, not {growth}")
         if not 0 <= seconds < 2**31:
             raise InputError(f"seconds: a whole number from 0 is wanted, not {seconds}")
+        if order not in (1, 2):
+            raise InputError(f"order: 1 or 2 is wanted, not {order}")
+        if surface_first and (keep_boundary or curved):
+            raise InputError("surface_first: neither with keep_boundary nor with curved")
         with Shown(progress) as shown, self._placed():
             mesh = _cnrg.tetrahedralize(self._result, max_volume, quality, bool(keep_boundary), seconds, bool(curved),
-                                        size, growth, shown)
+                                        order, size, growth, bool(surface_first), shown)
         if notice := mesh.notice():
             warnings.warn_explicit(notice, Notice, *site_of_caller())
         return Tetrahedra(mesh, self)
+
+    def mesh_surface(self, *, size: Number = 0, growth: Number = 0.3, max_points: int = 1_000_000, seconds: int = 600,
+                     order: int = 1, quads: bool = False, progress: Progress = None) -> SurfaceMesh:
+        """Triangles on all faces and segments on all edges and wires, without volumes (ruppert1995, ungor2004): what
+        meets shares points, and no angle is below 25 degrees where the result allows that.
+
+        size, growth: as of `tetrahedralize`; no side is longer than 1.4 times the size in its middle. max_points: no
+        points are added beyond so many. seconds: for all of it, 0: no bound. order: 1, or 2 with a node in the middle
+        of each straight side. quads: triangles of a face are merged by pairs into convex quadrilaterals with angles from
+        30 to 150 degrees (remacle2012), as many as can be; of order 1 only.
+
+        InputError for a result that is not closed, or has neither faces nor wires, or is broken by rounding (`snap()`
+        helps), and where the size asked for takes more points or time than there may be.
+        """
+        size, growth = (float(_cnrg.fraction(number)) for number in (size, growth))
+        max_points, seconds, order = (operator.index(number) for number in (max_points, seconds, order))
+        if size < 0:
+            raise InputError(f"size: a length is wanted, or 0 for no bound, not {size}")
+        if not 0.05 <= growth <= 2:
+            raise InputError(f"growth: a number from 0.05 to 2 is wanted, not {growth}")
+        if not 1 <= max_points <= 1_000_000_000:
+            raise InputError(f"max_points: a whole number from 1 to 1000000000 is wanted, not {max_points}")
+        if not 0 <= seconds < 2**31:
+            raise InputError(f"seconds: a whole number from 0 is wanted, not {seconds}")
+        if order not in (1, 2):
+            raise InputError(f"order: 1 or 2 is wanted, not {order}")
+        with Shown(progress) as shown, self._placed():
+            mesh = _cnrg.mesh_surface(self._result, size, growth, max_points, seconds, order, bool(quads), shown)
+        return SurfaceMesh(mesh, self)
 
     # --- files and other packages
 

@@ -32,7 +32,7 @@ class Simplices:
 
     def __init__(self, data: Mapping[str, Any]):
         self.points: NDArray[np.int32] = data["points"]
-        """(n, d + 1) int32: rows of Tetrahedra.points; of curved ones then the middles of the edges, in the order of
+        """(n, d + 1) int32: rows of Tetrahedra.points; of second order then the middles of the edges, in the order of
         Gmsh. Triangles are counter-clockwise as seen from the front of their face"""
         self.cell: NDArray[np.int32] = data["cell"]
         """(n,) int32: the cell of the result, of the same dimension, that the simplex lies in"""
@@ -86,7 +86,7 @@ class Tetrahedra:
         self.expected: float = mesh.expected()
         """how many tetrahedra were expected before any was made; 0 where no size was asked for"""
         self.curved: bool = data["curved"]
-        """elements of second order"""
+        """elements of second order, on true surfaces or with straight edges"""
 
     def _blocks(self) -> list[convert.Block]:
         blocks = []
@@ -110,7 +110,7 @@ class Tetrahedra:
         return convert.blocks_to_vtk(self.points, self._blocks(), names)
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes .msh .vtu .inp .bdf .med .xdmf, and .mesh and .h5m if it is not curved. InputError for another
+        """Writes .msh .vtu .inp .bdf .med .xdmf, and .mesh and .h5m if it is of first order. InputError for another
         extension; FileError."""
         self._mesh.write(os.fspath(path))
 

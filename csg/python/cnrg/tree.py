@@ -82,7 +82,7 @@ def _operator_value(node: Node, operand: Callable[[Node], Any], path: Callable[[
         else:
             yield "{of: "
             yield operand(node.operands[0])
-            yield f", mode: {node.value}}}"
+            yield "".join(f", {key}: {text_of(value)}" for key, value in node.value.items()) + "}"
     elif isinstance(node.value, Picked):
         yield "{of: "
         yield operand(node.operands[0])
@@ -526,8 +526,13 @@ def _as_expressions(tree: Any, file: str) -> Tree:
                 value["file"] = os.path.join(folder, value["file"])
         elif r.picked is not None:
             value = picked(r.picked)
-        elif r.forgets_features and all(name != "simplify" for name, _ in r.attributes):
-            value = "points"
+        else:
+            keys: dict[str, Any] = {}
+            if r.forgets_features and all(name != "simplify" for name, _ in r.attributes):
+                keys["mode"] = "points"
+            if r.within is not None:
+                keys["within"] = exact(r.within)
+            value = keys or None
         attributes = [(n, attribute(n, v)) for n, v in r.attributes]
         below = [nodes[k] for k in r.operands]
         return Node(

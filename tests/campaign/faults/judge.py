@@ -12,7 +12,7 @@ import time
 SECONDS = re.compile(rb"[0-9]+\.[0-9]{3}(?= |\b s\b|$)", re.M)
 RETRIED = ("EINTR", "short")
 #: What a message may name besides files of the command: what was lacking, or what the system says.
-LACKING = re.compile(r"memory|thread|process|pipe|standard output|<stdin>|OpenCASCADE|TetGen|in/|rows|edge-|filesystem")
+LACKING = re.compile(r"memory|thread|process|pipe|standard output|<stdin>|OpenCASCADE|TetGen|HDF5|in/|rows|edge-|filesystem")
 #: Libraries in processes of their own, which may take lack of memory for a fault of what they work on, or crash.
 FOREIGN = re.compile(r"OpenCASCADE|TetGen")
 

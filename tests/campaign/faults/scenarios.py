@@ -80,9 +80,10 @@ def scenarios():
         Scenario("locate from a file", [cnrg, "locate", "../in/round.yaml", "--parameters"], input_file="points"),
         Scenario("mesh", [cnrg, "mesh", "../in/block.yaml", "-o", "m.msh"], ["m.msh"], old=True, small=True),
         Scenario("mesh, all", [cnrg, "mesh", "../in/solid.yaml", "--quality", "1.6", "-o", "m.mesh", "-o", "m.vtu",
-                               "-o", "m.xdmf"], ["m.mesh", "m.vtu", "m.xdmf"]),
+                               "-o", "m.xdmf", "-o", "m.h5m", "-o", "m.med"],
+                 ["m.mesh", "m.vtu", "m.xdmf", "m.h5m", "m.med"]),
     ]
-    for ending in ("json", "vtu", "msh", "mesh", "smesh", "poly", "inp", "bdf", "obj", "off", "stl", "ply", "3mf", "glb", "dot",
+    for ending in ("json", "vtu", "msh", "mesh", "smesh", "poly", "inp", "bdf", "h5m", "med", "obj", "off", "stl", "ply", "3mf", "glb", "dot",
                    "regions.dot", "svg", "png", "pdf"):
         found.append(Scenario(f"write .{ending}", [cnrg, "eval", "../in/solid.yaml", "-o", f"r.{ending}"],
                               [f"r.{ending}"], old=ending in ("json", "vtu")))

@@ -1,4 +1,4 @@
-// Graded materials as members of a .json (the format is that of json.cpp).
+// Graded materials as members of a .json (the format is that of result_json.cpp).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

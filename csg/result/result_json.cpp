@@ -41,6 +41,8 @@
 // over all cells that simplification united in it: [{"leaf", "faces": [...], "edges": [...], "point": true,
 // "regions": [...]}], by the leaf's own numbers; what is empty is left out. Edges are wires, a point is isolated,
 // regions count from 1.
+#include "csg/result/result_json.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -49,9 +51,8 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "csg/formats/formats.h"
-#include "csg/formats/json_grades.h"
 #include "csg/result/file_numbers.h"
+#include "csg/result/json_grades.h"
 #include "csg/text/escape.h"
 #include "csg/text/json_text.h"
 #include "kernel/selection/measure.h"
@@ -387,6 +388,6 @@ class JsonWriter {
 
 }  // namespace
 
-FileText json_text(const ResultView& view) { return {JsonWriter(view).run(), {}}; }
+std::string result_json(const ResultView& view) { return JsonWriter(view).run(); }
 
 }  // namespace cnrg

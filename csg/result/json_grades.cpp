@@ -1,6 +1,6 @@
 // A material that is blended may be a blend itself, of another one in turn: they are listed from the inside out,
 // and each names those inside of it by their numbers.
-#include "csg/formats/json_grades.h"
+#include "csg/result/json_grades.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

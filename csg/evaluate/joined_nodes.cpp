@@ -1,0 +1,140 @@
+#include "csg/evaluate/joined_nodes.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "csg/leaves/prepare_shapes.h"
+#include "csg/operators/node_value.h"
+#include "csg/result/result_data.h"
+#include "csg/result/result_json.h"
+#include "csg/tree/dag.h"
+
+namespace cnrg {
+namespace {
+
+constexpr std::size_t kToldPairs = 20;
+
+/// As nothing is asked of it but its value, its diagnostics and, where all have one, a row per node.
+EvaluateOptions options_below(const EvaluateOptions& options) {
+  EvaluateOptions below;
+  below.threads = options.threads;
+  below.validate = options.validate;
+  below.rows = options.rows == Rows::all ? Rows::all : Rows::none;
+  below.region_volumes = options.region_volumes;
+  below.refining = options.refining;
+  below.watch.stop = options.watch.stop;
+  if (options.watch.progress) {
+    below.watch.progress = [told = options.watch.progress](std::string_view stage, std::size_t done,
+                                                           std::size_t total) {
+      told("join: " + std::string(stage), done, total);
+    };
+  }
+  return below;
+}
+
+/// Components of which some cell is left, numbered anew.
+Components without_vanished(Components x) {
+  std::vector<Component> number(x.attributes.size() + 1, 0);
+  const auto each = [&](auto see) {
+    see(x.selection.regions), see(x.selection.faces), see(x.selection.edges), see(x.selection.vertices);
+  };
+  each([&](const auto& cells) {
+    for (const auto& [cell, component] : cells) number[component] = 1;
+  });
+  std::vector<ComponentAttributes> attributes;
+  for (Component c = 1; c < number.size(); ++c) {
+    if (number[c] == 0) continue;
+    attributes.push_back(std::move(x.attributes[c - 1]));
+    number[c] = static_cast<Component>(attributes.size());
+  }
+  each([&](auto& cells) {
+    for (auto& [cell, component] : cells) component = number[component];
+  });
+  x.attributes = std::move(attributes);
+  return x;
+}
+
+/// A group that was joined is a group again: `join` leaves components, with the numbers that they had.
+Result settled(const Result& joined) {
+  const auto data = std::make_shared<Result::Data>(joined.data());
+  const Components& x = data->value->components();
+  data->value = std::make_shared<const NodeValue>(
+      data->of_group ? NodeValue(*data->complex, group_of(*data->complex, x)) : NodeValue(without_vanished(x)));
+  data->simplified = SimplifiedValue(data->complex, data->value).share();
+  data->of_group = false;
+  data->region_sizes = nullptr;
+  return Result(data);
+}
+
+std::vector<Diagnostic> diagnostics_of(const Tree& tree, const Node& node, const JoinReport& report) {
+  std::vector<Diagnostic> out;
+  const auto say = [&](Diagnostic::Level level, const std::string& text) {
+    out.push_back({tree.file, node.operator_at, level, "`" + node.name + "`: " + text});
+  };
+  say(Diagnostic::Level::notice, report.text(*node.within));
+  const std::size_t told = std::min(report.merged.size(), kToldPairs);
+  for (std::size_t i = 0; i < told; ++i) say(Diagnostic::Level::notice, report.merged[i]);
+  if (told < report.merged.size())
+    say(Diagnostic::Level::notice, std::to_string(report.merged.size() - told) + " more pairs");
+  for (const std::string& warning : report.warnings(*node.within)) say(Diagnostic::Level::warning, warning);
+  return out;
+}
+
+}  // namespace
+
+JoinedNodes::JoinedNodes(const Tree& tree, const std::vector<NodeId>& roots, const EvaluateOptions& options,
+                         const Evaluate& evaluate) {
+  if (std::none_of(tree.nodes.begin(), tree.nodes.end(), [](const Node& node) { return node.within.has_value(); }))
+    return;
+  const std::vector<char> below = tree.dag->reachable(roots);
+  const EvaluateOptions alone = options_below(options);
+  for (const NodeId id : tree.dag->order()) {
+    if (below[id.index()] && tree.nodes[id].within) join_operand(tree, id, alone, evaluate);
+  }
+}
+
+void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOptions& options,
+                               const Evaluate& evaluate) {
+  const Node& node = tree.nodes[id];
+  Evaluation evaluation = evaluate(tree.operands(id).front(), options, leaves_);
+  JoinedNode joined{id, {}, std::move(evaluation.rows)};
+  options.watch.begin("near features");
+  try {
+    Result result = join(evaluation.result(), *node.within, &joined.report);
+    if (joined.report.rounds > 0) result = settled(result);
+    leaves_[id] = prepare_result(result_json(result.data().view(true)), "`" + node.name + "`");
+  } catch (const TreeError&) {
+    throw;
+  } catch (const InputError& e) {
+    throw TreeError(tree.file, node.operator_at, "`" + node.name + "`: " + e.what());
+  }
+  refine_seconds_ += evaluation.refine_seconds;
+  add_diagnostics(std::move(evaluation.diagnostics));
+  add_diagnostics(diagnostics_of(tree, node, joined.report));
+  if (!evaluation.kept.front().sizes.empty()) {
+    add_diagnostics({{tree.file, node.operator_at, Diagnostic::Level::warning,
+                      "`" + node.name + "`: a `size` of what is below is not heard once it is joined; give `" +
+                          node.name + "` one"}});
+  }
+  joined_.push_back(std::move(joined));
+}
+
+/// A leaf that several use is told of once.
+void JoinedNodes::add_diagnostics(std::vector<Diagnostic> more) {
+  for (Diagnostic& one : more) {
+    const std::string text = one.text();
+    if (std::none_of(diagnostics_.begin(), diagnostics_.end(), [&](const auto& d) { return d.text() == text; }))
+      diagnostics_.push_back(std::move(one));
+  }
+}
+
+void JoinedNodes::tell(Evaluation& evaluation) {
+  if (joined_.empty()) return;
+  add_diagnostics(std::move(evaluation.diagnostics));
+  evaluation.diagnostics = std::move(diagnostics_);
+  evaluation.refine_seconds += refine_seconds_;
+  evaluation.joined = std::move(joined_);
+}
+
+}  // namespace cnrg

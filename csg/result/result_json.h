@@ -1,0 +1,14 @@
+// A result as text, exact and lossless: what a `.json` holds, and what a node whose value is computed apart hands
+// on.
+#pragma once
+
+#include <string>
+
+#include "csg/result/result_view.h"
+
+namespace cnrg {
+
+/// The text of a `.json` (csg/FORMATS.md, Exact JSON). Parameters are those of the view.
+std::string result_json(const ResultView& view);
+
+}  // namespace cnrg

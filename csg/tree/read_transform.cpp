@@ -1,0 +1,39 @@
+#include "csg/tree/read_transform.h"
+
+namespace cnrg {
+namespace {
+
+bool is_zero(const RationalPoint& p) { return p[0] == 0 && p[1] == 0 && p[2] == 0; }
+
+}  // namespace
+
+Transform read_transform(const Value::Entry& e) {
+  if (e.key == "translate") return Transform::translation(e.value.point("`translate`"));
+  if (e.key == "scale") {
+    RationalPoint factors;
+    if (e.value.is_text()) {
+      factors.fill(e.value.number("`scale`"));
+    } else {
+      factors = e.value.point("`scale`");
+    }
+    if (factors[0] == 0 || factors[1] == 0 || factors[2] == 0) {
+      e.value.fail("`scale` by zero makes a solid flat: the transform is singular; use factors that are not zero");
+    }
+    return Transform::scaling(factors);
+  }
+  if (e.key == "rotate") {
+    const Fields f(e.value, "rotate", {"axis", "degrees", "center"});
+    const RationalPoint axis = f.at("axis", "[0, 0, 1]").point(f.name("axis"));
+    if (is_zero(axis)) f.at("axis", "").fail("`axis` of rotate has no direction; write one such as [0, 0, 1]");
+    const Rational degrees = f.at("degrees", "90").number(f.name("degrees"));
+    const Value* center = f.find("center");
+    return Transform::rotation(axis, degrees, center ? center->point(f.name("center")) : RationalPoint{0, 0, 0});
+  }
+  const Fields f(e.value, "mirror", {"normal", "point"});
+  const RationalPoint normal = f.at("normal", "[1, 0, 0]").point(f.name("normal"));
+  if (is_zero(normal)) f.at("normal", "").fail("`normal` of mirror has no direction; write one such as [1, 0, 0]");
+  const Value* point = f.find("point");
+  return Transform::reflection(normal, point ? point->point(f.name("point")) : RationalPoint{0, 0, 0});
+}
+
+}  // namespace cnrg

@@ -1,0 +1,74 @@
+// Segments as chains of edges, facets as unions of faces.
+//
+// New points that make segments Delaunay are in the way of each other where segments run side by side or nearly
+// cross, and may be more than anybody can store. Here they are put where a segment passes through a face, and an
+// edge through a facet: that always ends, for what is cut is cut once, and the cut of two things is a point of one
+// of them only. Most of these points are not needed once all is in its place; those that can be pulled along their
+// segment or facet into a vertex next to them are taken away at once, so that few of them meet what comes later.
+#pragma once
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "kernel/base/progress.h"
+#include "kernel/tetrahedra/constrained.h"
+#include "kernel/tetrahedra/wall.h"
+
+namespace cnrg {
+
+class Recovery {
+ public:
+  using Index = Tetrahedra::Index;
+  using Ends = std::array<VertexId, 2>;
+
+  /// `borders`: of each facet the sides that bind, with the facet on the left; `segments` has all of them, the
+  /// smaller id first, ascending.
+  Recovery(PointTable& points, Tetrahedra& tetrahedra, std::span<const Ends> segments,
+           std::span<const std::vector<std::array<VertexId, 3>>> facets,
+           std::span<const std::vector<Ends>> borders);
+
+  /// Throws Stopped.
+  void run(const Watch& watch);
+
+  /// After `run`: the points of a segment from a to b.
+  std::vector<VertexId> chain(VertexId a, VertexId b) const;
+  /// After `run`: the faces of a facet.
+  std::vector<std::array<VertexId, 3>> faces(Index facet) const;
+
+  /// After `run`: moves new points to doubles, where all tetrahedra keep their turn; segments and facets are bent
+  /// by what doubles cannot tell. Returns what replaces each moved point. Throws NearFault, Stopped.
+  std::unordered_map<VertexId, VertexId> move_to_doubles(const Watch& watch);
+
+ private:
+  /// Where a new point is: inside of a segment or of a facet.
+  struct Carrier {
+    bool segment;
+    Index of;
+  };
+  PointTable& points_;
+  Tetrahedra& tetrahedra_;
+  std::span<const Ends> segments_;
+  std::span<const std::vector<std::array<VertexId, 3>>> facets_;
+  std::span<const std::vector<Ends>> borders_;
+  std::vector<std::vector<VertexId>> chains_;  // of segments
+  std::vector<std::vector<VertexId>> inside_;  // of facets
+  std::unordered_map<VertexId, Carrier> new_;
+  std::vector<Index> star_, hole_;
+  std::vector<VertexId> near_;
+
+  void cut_segment(Index i);
+  void cut_facet(Index i);
+  Wall wall(Index facet) const;
+  std::size_t needed(Index facet) const;
+  VertexId put_on_segment(Index i, const Rational& place);
+  VertexId put_on_facet(Index i, const RationalPoint& place);
+  template <class At>
+  VertexId put(const At& at, const Carrier& carrier);
+  bool take_away(VertexId v);
+  void take_away_all(std::vector<VertexId> from);
+  void neighbours_on_carrier(VertexId v, const Carrier& carrier);
+  bool move_to_double(VertexId v, std::unordered_map<VertexId, VertexId>& moved);
+};
+
+}  // namespace cnrg
