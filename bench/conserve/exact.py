@@ -51,6 +51,42 @@ def clip(polygon, low, high):
     return polygon
 
 
+def outside_of(polygon, planes):
+    """The convex pieces of a convex polygon that are not inside of a convex body, exactly. planes: pairs of a point
+    and a normal that points out of the body. What lies in one of the planes is not inside."""
+    pieces = []
+    for point, way in planes:
+        height = [sum((x - c) * n for x, c, n in zip(p, point, way)) for p in polygon]
+        if all(h >= 0 for h in height):
+            return pieces + [polygon]
+        if all(h <= 0 for h in height):
+            continue
+        parts = ([], [])
+        for p, q, a, b in zip(polygon, polygon[1:] + polygon[:1], height, height[1:] + height[:1]):
+            for part, sign in zip(parts, (1, -1)):
+                if a * sign >= 0:
+                    part.append(p)
+            if a * b < 0:
+                cut = tuple(x + a / (a - b) * (y - x) for x, y in zip(p, q))
+                for part in parts:
+                    part.append(cut)
+        pieces.append(parts[0])
+        polygon = parts[1]
+    return pieces
+
+
+def planes_of(points, faces):
+    """Of a closed surface that bounds a convex body: a point and the outward normal of each face; else None."""
+    planes = []
+    for loops in faces:
+        way, point = normal([points[i] for i in loops[0]]), points[loops[0][0]]
+        height = [sum((x - c) * n for x, c, n in zip(p, point, way)) for p in points]
+        if min(height) < 0 < max(height):
+            return None
+        planes.append((point, way if max(height) == 0 else [-x for x in way]))
+    return planes
+
+
 def clip_segment(p, q, low, high):
     begin, end = Fraction(0), Fraction(1)
     for k in range(3):

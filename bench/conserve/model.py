@@ -14,6 +14,7 @@ import math
 from collections import Counter
 from dataclasses import dataclass, field
 from fractions import Fraction
+from pathlib import Path
 
 
 class Unread(Exception):
@@ -54,6 +55,7 @@ class Model:
     sheets: list = field(default_factory=list)
     wires: list = field(default_factory=list)
     box: tuple | None = None            # (low, high): the domain of a network
+    cad: Path | None = None             # a file of solids that the program alone reads
     notes: list = field(default_factory=list)
 
     def points(self):
@@ -137,6 +139,12 @@ def surface(name, points, faces, model, fill=None):
         model.sheets.append(Sheet(name, points, faces, overlap=True))
 
 
+def used_only(points, faces):
+    used = sorted({i for loops in faces for loop in loops for i in loop})
+    local = {old: new for new, old in enumerate(used)}
+    return [points[i] for i in used], [[[local[i] for i in loop] for loop in loops] for loops in faces]
+
+
 def bounds(points):
     points = list(points)
     if not points:
@@ -169,8 +177,13 @@ class TreeWriter:
         self.nodes = {}
         self.sheet_leaves, self.wire_leaves, self.solid_leaves = {}, {}, []
 
-    def write(self):
+    def write(self, checks=True):
+        """checks: with the nodes that only checks need."""
         model = self.model
+        if model.cad:
+            kind = "brep" if model.cad.suffix.lower() == ".brep" else "step"
+            self.nodes["model"] = {kind: {"file": str(model.cad.resolve()), "fill": "solids"}}
+            return self.save()
         low, high = bounds(model.points())
         self.box = model.box or (None if model.solids else box_around(low, high))
         if self.box and model.solids:
@@ -195,10 +208,13 @@ class TreeWriter:
         if parts:
             self.nodes["sheets"] = {"union": parts} if len(parts) > 1 else {"simplify": parts[0]}
             self.nodes["inside"] = {"intersection": ["domain", "sheets"]}
-            self.nodes["outside"] = {"difference": ["sheets", "domain"]}
+            if checks:
+                self.nodes["outside"] = {"difference": ["sheets", "domain"]}
             self.nodes["model"] = {"union": ["domain", "inside"]}
         else:
             self.nodes["model"] = {"simplify": "domain"}
+        if not checks:
+            return self.save()
         self.nodes["frame"] = self.boxed(self.frame)
         self.nodes["rest"] = {"difference": ["frame", "domain"]}
         middle = [(l + h) / 2 for l, h in zip(low, high)]
@@ -208,6 +224,9 @@ class TreeWriter:
         self.nodes["half"] = {"halfspace": {"point": numbers(middle), "normal": numbers(slope)}}
         self.nodes["left"] = {"intersection": ["model", "half"]}
         self.nodes["right"] = {"difference": ["model", "half"]}
+        return self.save()
+
+    def save(self):
         path = self.folder / "tree.json"
         path.write_text(json.dumps({"cnrg": 1, "nodes": self.nodes, "result": "model"}, indent=0))
         return path

@@ -8,6 +8,7 @@ import json
 import math
 import re
 import shutil
+import struct
 import subprocess
 import tempfile
 import xml.etree.ElementTree as xml
@@ -15,7 +16,8 @@ from collections import defaultdict
 from fractions import Fraction
 from pathlib import Path
 
-from model import Model, Sheet, Solid, Unread, Wire, is_planar, merged, planar_faces, surface
+from binaries import read_dagmc, read_ply
+from model import Model, Sheet, Solid, Unread, Wire, is_planar, merged, planar_faces, surface, used_only
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 
@@ -331,12 +333,6 @@ def read_msh(path, name=None):
     return model
 
 
-def used_only(points, faces):
-    used = sorted({i for loops in faces for loop in loops for i in loop})
-    local = {old: new for new, old in enumerate(used)}
-    return [points[i] for i in used], [[[local[i] for i in loop] for loop in loops] for loops in faces]
-
-
 def solid_of_tetrahedra(points, number, groups):
     """The walls of the groups: triangles with one tetrahedron, or with two of different groups."""
     label = {group: n + 1 for n, group in enumerate(groups)}
@@ -441,13 +437,23 @@ def read_obj(path):
 
 
 def read_stl(path):
-    text = path.read_bytes()
-    if not text.lstrip().startswith(b"solid"):
-        raise Unread("only STL in text is read")
-    words = re.findall(rb"vertex\s+(\S+)\s+(\S+)\s+(\S+)", text)
-    points = [tuple(double(w) for w in v) for v in words]
+    data = path.read_bytes()
+    count = struct.unpack_from("<I", data, 80)[0] if len(data) >= 84 else None
+    if count is not None and len(data) == 84 + 50 * count:
+        values = [struct.unpack_from("<9f", data, 84 + 50 * i + 12) for i in range(count)]
+        points = [tuple(map(Fraction, v[k:k + 3])) for v in values for k in (0, 3, 6)]
+    elif data.lstrip().startswith(b"solid"):
+        points = [tuple(double(w) for w in v) for v in re.findall(rb"vertex\s+(\S+)\s+(\S+)\s+(\S+)", data)]
+    else:
+        raise Unread("neither STL in text nor as long as its triangles in binary")
     model = Model(path.stem)
     surface(path.stem, points, [[[i, i + 1, i + 2]] for i in range(0, len(points) - 2, 3)], model)
+    return model
+
+
+def read_cad(path):
+    model = Model(path.stem)
+    model.cad = path
     return model
 
 
@@ -546,6 +552,7 @@ READERS = {
     ".ts": read_gocad, ".pl": read_gocad, ".wl": read_gocad, ".ml": read_gocad_model,
     ".csv": read_csv, ".dat": read_dat, ".txt": read_dat, ".dev": read_dev, ".py": read_python,
     ".msh": read_msh, ".geo": read_geo, ".off": read_off, ".obj": read_obj, ".stl": read_stl,
+    ".ply": read_ply, ".h5m": read_dagmc, ".step": read_cad, ".stp": read_cad, ".brep": read_cad,
     ".smesh": read_tetgen, ".poly": read_tetgen, ".json": read_cityjson, ".gml": read_gml,
 }
 
@@ -556,8 +563,8 @@ def read(path):
         raise Unread("there is no reader for this format")
     try:
         model = reader(path)
-    except (ValueError, IndexError, KeyError, TypeError, SyntaxError) as fault:
+    except (ValueError, IndexError, KeyError, TypeError, SyntaxError, StopIteration, struct.error) as fault:
         raise Unread(f"not understood: {type(fault).__name__}: {fault}") from None
-    if not (model.solids or model.sheets or model.wires):
+    if not (model.solids or model.sheets or model.wires or model.cad):
         raise Unread("nothing in it")
     return model

@@ -16,8 +16,10 @@ class Result:
         self.cells = [sum(1 for c in data[what] if c["component"]) for what in ("vertices", "edges", "faces")]
         self.regions = {i: Fraction(r["volume"]) for i, r in enumerate(data["regions"])
                         if r and r["component"] and r["bounded"]}
+        self.region_names = {i: data["regions"][i]["name"] for i in self.regions}
         self.volume = sum(self.regions.values(), Fraction(0))
-        self.faces, self.edges = {}, {}
+        self.faces, self.edges, self.rims = {}, {}, {}
+        self.vertices, self.wire_parts = [], []
         self.area_by_leaf = defaultdict(lambda: ZERO)
         self.length_by_leaf = defaultdict(lambda: ZERO)
         self.face_leaves, self.length_of_wires = {}, 0.0
@@ -25,6 +27,8 @@ class Result:
             if not face["component"]:
                 continue
             self.faces[i] = area_of([[self.points[p] for p in loop] for loop in face["loops"]])
+            self.rims[i] = sum(math.dist(*(tuple(map(float, self.points[p])) for p in side))
+                               for loop in face["loops"] for side in zip(loop, loop[1:] + loop[:1]))
             self.face_leaves[i] = {o["leaf"] for o in face["origin"] if o.get("faces")}
             for leaf in self.face_leaves[i]:
                 name = self.leaves[leaf]
@@ -45,10 +49,35 @@ class Result:
             for o in edge["origin"]:
                 if o.get("edges"):
                     name = self.leaves[o["leaf"]]
+                    self.wire_parts.append((name, chain))
                     self.length_by_leaf[name] = plus(self.length_by_leaf[name], length)
+        self.vertices = [self.points[v["point"]] for v in data["vertices"] if v["component"]]
         bent = [i for i, f in enumerate(data["faces"]) if "facets" in f and f["component"]]
         if bent:
             raise ValueError("faces of curved patches, whose area is not that of their loops: " + str(bent[:5]))
+
+    def sheets(self):
+        """Area by the name of a leaf with faces, and the length around them all."""
+        areas, rims = defaultdict(float), defaultdict(float)
+        for i, leaves in self.face_leaves.items():
+            for leaf in leaves:
+                areas[self.leaves[leaf]] += size(self.faces[i])
+                rims[self.leaves[leaf]] += self.rims[i]
+        return areas, rims
+
+    def wires(self):
+        """Chains of points by the name of a leaf with edges."""
+        wires = defaultdict(list)
+        for name, chain in self.wire_parts:
+            wires[name].append([tuple(map(float, p)) for p in chain])
+        return wires
+
+    def corners(self):
+        return self.vertices
+
+    def ends(self):
+        """Of wires: what is joined or snapped keeps them, and may lose corners in the middle of a straight side."""
+        return [chain[k] for _, chain in self.wire_parts for k in (0, -1)]
 
 
 class Tetrahedra:
@@ -56,12 +85,24 @@ class Tetrahedra:
 
     def __init__(self, path):
         points, self.count = {}, 0
+        names, groups_of = {}, {}           # of physical groups by (dimension, number); of entities likewise
         tetrahedra, triangles, segments = defaultdict(list), defaultdict(list), defaultdict(list)
         by_dimension = {1: segments, 2: triangles, 3: tetrahedra}
         with open(path) as stream:
             lines = iter(stream.read().split("\n"))
         for line in lines:
-            if line == "$Nodes":
+            if line == "$PhysicalNames":
+                for _ in range(int(next(lines))):
+                    dimension, tag, name = next(lines).split(" ", 2)
+                    names[int(dimension), int(tag)] = name.strip('"')
+            elif line == "$Entities":
+                for dimension, count in enumerate(map(int, next(lines).split())):
+                    at = 4 if dimension == 0 else 7     # a point, or the corners of a box, are before the groups
+                    for _ in range(count):
+                        words = next(lines).split()
+                        groups = map(int, words[at + 1:at + 1 + int(words[at])])
+                        groups_of[dimension, int(words[0]) - 1] = [names[dimension, g] for g in groups]
+            elif line == "$Nodes":
                 blocks = int(next(lines).split()[0])
                 for _ in range(blocks):
                     count = int(next(lines).split()[3])
@@ -95,6 +136,18 @@ class Tetrahedra:
         for edge, cells in segments.items():
             self.lengths[edge] = math.fsum(math.dist(points[a], points[b]) for a, b in cells)
             self.pieces[edge] = len(cells)
+        self.places = list(points.values())
+
+        def by_group(dimension, values):
+            """Sums of the values of entities."""
+            sums = defaultdict(int)
+            for entity, value in values.items():
+                for name in groups_of.get((dimension, entity), ()):
+                    sums[name] += value
+            return sums
+        self.volume_by_group = by_group(3, self.volumes)
+        self.area_by_group, self.rim_by_group = by_group(2, self.areas), by_group(2, self.perimeters)
+        self.segments = [(points[a], points[b]) for cells in segments.values() for a, b in cells]
 
 
 def triangle_area(a, b, c, bits):

@@ -1,0 +1,193 @@
+"""What `cnrg mesh` says that it did to a model before it had tetrahedra, and whether they are that model's.
+
+Where rounding would break the result it is snapped, and where there are no tetrahedra in doubles it is joined: then
+its cells get other numbers, thin ones vanish, and a mesh that is compared cell by cell would fail without a fault. The
+names of regions and of the leaves that faces and wires come from do not change. So volumes are compared by region,
+areas and lengths by leaf, and points by where they are, to what moving each point by the distance that the program
+states can change. What was neither snapped nor joined is compared cell by cell, too.
+"""
+import math
+import re
+from bisect import bisect_left, bisect_right
+from collections import Counter, defaultdict
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from exact import size
+
+RELATIVE = 1e-12
+LAST_DIGITS = 4 * 2.0 ** -53        # how far points of a mesh may be from where they belong, by the largest coordinate
+NUMBER = r"([0-9.]+(?:e[-+]?[0-9]+)?)"
+
+
+class Unsaid(Exception):
+    """The program has told of a change in words that are not understood here."""
+
+
+@dataclass
+class Change:
+    """From what the program said on its way to a mesh."""
+    kind: str = "as is"             # or "snapped", "joined"
+    within: float | None = None     # what is nearer was joined
+    moved: float = 0.0              # no point went farther
+    faces: bool = False             # some vanished; so may wires and edges
+    vanished: list = field(default_factory=list)    # names of regions, one for each
+    pieces: int = 0                 # that joining pinched off a region, and that vanished; the region is there
+    thin: float = 0.0               # area of leaves that went with regions, once they are compared
+    by: str = "TetGen"              # or "exact": constrained Delaunay tetrahedra
+    regions: int = 0                # how many vanished
+
+    @classmethod
+    def told(cls, said):
+        """said: what stood on standard error."""
+        self = cls()
+        for line in said.split("\n"):
+            if ": notice: " not in line and ": warning: " not in line:
+                continue
+            text = line.split(": notice: ")[-1]
+            if "constrained Delaunay" in text or "there were no tetrahedra in doubles" in text:
+                self.by = "exact"
+            joined = re.search(r"joined (?:no|\d+) pairs? nearer than " + NUMBER + ".*?nothing moved by more than "
+                               + NUMBER, text)
+            snapped = re.search(r"snapped \d+ of \d+ vertices, by " + NUMBER + " at most", text)
+            if joined:
+                self.kind, self.within = "joined", float(joined[1])
+                self.moved += float(joined[2])
+            elif snapped:
+                self.kind = "joined" if self.kind == "joined" else "snapped"
+                self.moved += float(snapped[1])
+            elif "joined" in text and "pair" in text or "snapped" in text:
+                raise Unsaid(f"a notice is not understood: {text}")
+            if joined or snapped:
+                self.faces |= bool(re.search(r"\d+ (?:face|wire)s?\b[^;]*vanished", text))
+                counts = re.findall(r"(\d+) regions?(?: without thickness)? vanished", text)
+                self.regions += sum(map(int, counts))
+            for region in re.findall(r"the region (.*?), at \(.*?\),? (?:was thinner and|is thinner than \S+ and) "
+                                     r"has vanished", text):
+                if region.endswith(" (a piece)"):
+                    self.pieces += 1
+                else:
+                    self.vanished.append(re.sub(r", r\d+$", "", region))
+        return self
+
+    def title(self):
+        return f"joined at {self.within:.2g}" if self.kind == "joined" else self.kind
+
+
+def grouped(model):
+    """Of a result: volumes by the name of their regions, largest first."""
+    volumes = defaultdict(list)
+    for i, volume in model.regions.items():
+        volumes[model.region_names[i]].append(volume)
+    return {name: sorted(found, reverse=True) for name, found in volumes.items()}
+
+
+def name_of(group, names):
+    """Of a region: several of one name have numbers behind it."""
+    return group if group in names else group.rsplit(" ", 1)[0]
+
+
+def compare_groups(check, model, mesh, change):
+    """Volumes by region, areas and lengths by leaf, points. Returns the largest relative differences of the three."""
+    worst = [0.0, 0.0, 0.0]
+    digits = LAST_DIGITS * mesh.largest
+    room = change.moved + digits
+    every = sum(size(a) for a in model.faces.values())
+    exact, found = grouped(model), defaultdict(list)
+    for group, volume in mesh.volume_by_group.items():
+        found[name_of(group, exact)].append(volume)
+    check.equal("regions that vanished and are named", len(change.vanished) + change.pieces, change.regions)
+    gone = Counter(change.vanished)
+    for name in sorted(set(exact) | set(found) | set(gone)):
+        volumes, there = exact.get(name, []), sorted(found[name], reverse=True)
+        check.equal(f"regions {name}, but for those that vanished", len(there) + gone[name], len(volumes))
+        for a, b in zip(there, volumes):
+            check.near(f"volume of a region {name}", a, b, room * every)
+            worst[0] = max(worst[0], float(abs(a - b) / b))
+        for b in volumes[len(there):]:
+            check.near(f"volume of a region {name} that vanished", Fraction(0), b, room * every)
+    check.near("volume of all tetrahedra", sum(mesh.volumes.values(), Fraction(0)), model.volume, room * every)
+    areas, rims = model.sheets()
+    for name, area in areas.items():
+        there = mesh.area_by_group.get(f"from {name}", 0.0)
+        room_of_area = change.moved * rims[name] + digits * mesh.rim_by_group.get(f"from {name}", 0.0)
+        if change.regions and there < area:     # both walls of what was thin went with it; how much is told, not judged
+            change.thin += area - there
+        else:
+            check.near(f"area from {name}", there, area, room_of_area)
+        worst[1] = max(worst[1], abs(there - area) / area)
+    for name, chains in model.wires().items():
+        length = sum(math.dist(p, q) for chain in chains for p, q in zip(chain, chain[1:]))
+        there, pieces = along(chains, mesh.segments, 2 * room)
+        check.near(f"length from {name}", there, length, 2 * room * pieces)
+        worst[2] = max(worst[2], abs(there - length) / length)
+    points = model.corners() if change.kind == "as is" else model.ends()
+    lost = away(points, mesh.places, max(room, digits))
+    check.equal("points that are not in the mesh", lost, 0)
+    return worst
+
+
+def away(points, places, room):
+    """How many of the points have no place within room."""
+    if not points:
+        return 0
+    width = max(room, 1e-300) * 2
+    cells = defaultdict(list)
+    for p in places:
+        cells[tuple(math.floor(x / width) for x in p)].append(p)
+    lost = 0
+    for point in points:
+        p = tuple(map(float, point))
+        at = tuple(math.floor(x / width) for x in p)
+        near = (q for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1)
+                for q in cells.get((at[0] + i, at[1] + j, at[2] + k), ()))
+        lost += not any(math.dist(p, q) <= 2 * room for q in near)
+    return lost
+
+
+def along(chains, segments, room):
+    """Length of the segments of a mesh on chains of points, but for room, and how many pieces both have. Groups of a
+    mesh name but the first of several wires that lie on each other, so it is looked where they are."""
+    ordered = sorted((min(a[0], b[0]), k) for k, (a, b) in enumerate(segments))
+    starts = [x for x, _ in ordered]
+    widest = max((abs(a[0] - b[0]) for a, b in segments), default=0.0)
+    on, pieces = set(), 0
+    for chain in chains:
+        for p, q in zip(chain, chain[1:]):
+            pieces += 1
+            low, high = min(p[0], q[0]) - room - widest, max(p[0], q[0]) + room
+            for _, k in ordered[bisect_left(starts, low):bisect_right(starts, high)]:
+                middle = tuple((x + y) / 2 for x, y in zip(*segments[k]))
+                if off(middle, p, q) <= room and all(off(x, p, q) <= 3 * room for x in segments[k]):
+                    on.add(k)
+    return math.fsum(math.dist(*segments[k]) for k in on), pieces + len(on)
+
+
+def off(x, p, q):
+    """Distance of a point from a segment."""
+    way = [b - a for a, b in zip(p, q)]
+    square = sum(w * w for w in way)
+    t = sum((a - b) * w for a, b, w in zip(x, p, way)) / square if square else 0.0
+    t = min(max(t, 0.0), 1.0)
+    return math.dist(x, [a + t * w for a, w in zip(p, way)])
+
+
+def compare_cells(check, model, mesh):
+    """Of what was neither snapped nor joined: cell by cell. Returns the largest relative differences."""
+    worst = [0.0, 0.0, 0.0]
+    digits = LAST_DIGITS * mesh.largest
+    area = sum(size(a) for a in model.faces.values())
+    check.equal("regions with tetrahedra", len(mesh.volumes), len(model.regions))
+    for entity, (i, volume) in enumerate(model.regions.items()):     # active regions have the numbers of a mesh
+        found = mesh.volumes.get(entity, Fraction(0))
+        worst[0] = max(worst[0], float(abs(found - volume) / volume))
+        check.near(f"volume of region r{i}", found, volume, digits * area)
+    for i, parts in model.faces.items():
+        exact, found = size(parts), mesh.areas.get(i, 0.0)
+        worst[1] = max(worst[1], abs(found - exact) / exact)
+        check.near(f"area of face f{i}", found, exact, digits * mesh.perimeters.get(i, 0.0))
+    for i, (_, exact) in model.edges.items():
+        found = mesh.lengths.get(i, 0.0)
+        worst[2] = max(worst[2], abs(found - exact) / exact)
+        check.near(f"length of edge e{i}", found, exact, 2 * digits * mesh.pieces.get(i, 0))
+    return worst
