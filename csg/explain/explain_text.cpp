@@ -406,7 +406,7 @@ std::vector<Line> details(const Node& node, const LifeStep& step, int dimension)
   return lines;
 }
 
-std::string outcome(const Node& node, const LifeStep& step, int dimension) {
+std::string outcome(const LifeStep& step, int dimension) {
   const std::string state = state_words(step.state, dimension);
   if (step.operands.empty()) {
     const std::string where = leaf_cells_words(step.leaf_cells, false);
@@ -440,7 +440,7 @@ void add_life(const Tree& tree, const Life& life, int dimension, std::string& ou
   for (const LifeStep& step : life) {
     const Node& node = tree.nodes[step.node];
     append_line(out, padded(shown(step.name), names) + "  " + padded(operator_words(node, step), operators) +
-                         "  " + padded(place(step), places) + "  " + outcome(node, step, dimension));
+                         "  " + padded(place(step), places) + "  " + outcome(step, dimension));
     std::vector<Line> lines = details(node, step, dimension);
     if (step.state.component != 0) {
       for (const Word& word : step.said) lines.push_back({word.key, word_text(word)});

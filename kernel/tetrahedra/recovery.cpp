@@ -15,6 +15,8 @@ namespace {
 
 /// Bits of places that are tried before the exact one.
 constexpr unsigned kBits[] = {16, 40, 80, 160};
+/// How often points are spread and taken away.
+constexpr int kRounds = 8;
 
 Rational rounded(const Rational& x, unsigned bits) {
   const Integer scale = Integer(1) << bits;
@@ -69,13 +71,81 @@ void Recovery::run(const Watch& watch) {
     facets.step();
   }
   watch.begin("tetrahedra: new points");
-  for (std::size_t before = new_.size() + 1; new_.size() < before;) {
-    before = new_.size();
-    watch.check();
-    std::vector<VertexId> all;
-    for (const auto& [v, carrier] : new_) all.push_back(v);
-    take_away_all(std::move(all));
+  for (int round = 0; round < kRounds; ++round) {
+    const std::size_t before = new_.size();
+    take_away_all(all_new());
+    if (spread(watch) == 0 && new_.size() == before) break;
   }
+}
+
+std::vector<VertexId> Recovery::all_new() const {
+  std::vector<VertexId> out;
+  for (const auto& [v, carrier] : new_) out.push_back(v);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// Points that have no double in their star go to the middle of it on their segment or facet: there may be one, and
+/// they may go altogether. Returns how many have moved.
+std::size_t Recovery::spread(const Watch& watch) {
+  std::size_t moved = 0;
+  for (VertexId v : all_new()) {
+    watch.check();
+    const Carrier carrier = new_.at(v);
+    if (near_double(v).valid()) continue;
+    const auto& way = carrier.segment ? std::span<const VertexId>(segments_[carrier.of])
+                                      : std::span<const VertexId>(facets_[carrier.of][0]);
+    const RationalPoint from = points_.rational(way[0]);
+    for (std::size_t k = 1; k < way.size(); ++k) moved += to_middle(v, minus(points_.rational(way[k]), from));
+    take_away(v);
+  }
+  return moved;
+}
+
+/// The double next to a point, if that could be in its place.
+VertexId Recovery::near_double(VertexId v) {
+  if (points_.is_double(v)) return v;
+  const auto [x, y, z] = points_.nearest(v);
+  const VertexId w = points_.add(x, y, z);
+  tetrahedra_.around(v, star_);
+  return tetrahedra_.sees(w, star_) ? w : VertexId::none();
+}
+
+/// Moves a point on a line through it to the middle of where it sees its star; false where it is there already.
+bool Recovery::to_middle(VertexId& v, const RationalPoint& way) {
+  tetrahedra_.around(v, star_);
+  const RationalPoint at = points_.rational(v);
+  Rational low, high;
+  bool has_low = false, has_high = false;
+  for (const Index t : star_) {
+    const auto& corners = tetrahedra_.corners(t);
+    const auto [a, b, c] =
+        tetrahedra_.face({t, static_cast<int>(std::find(corners.begin(), corners.end(), v) - corners.begin())});
+    const RationalPoint p = points_.rational(a),
+                        normal = cross(minus(points_.rational(b), p), minus(points_.rational(c), p));
+    const Rational slope = dot(normal, way);
+    if (slope == 0) continue;
+    const Rational end = -dot(normal, minus(at, p)) / slope;
+    if (slope > 0 && (!has_low || end > low)) low = end, has_low = true;
+    if (slope < 0 && (!has_high || end < high)) high = end, has_high = true;
+  }
+  if (!has_low || !has_high) return false;
+  const Rational middle = (low + high) / 2, near = (high - low) / 8;
+  if (abs(middle) < near) return false;
+  for (const unsigned bits : kBits) {
+    const Rational step = rounded(middle, bits);
+    if (abs(Rational(step - middle)) >= near) continue;
+    const VertexId w = points_.add(along(at, step, way));
+    tetrahedra_.rename(v, w);
+    const Carrier carrier = new_.at(v);
+    auto& list = carrier.segment ? chains_[carrier.of] : inside_[carrier.of];
+    std::replace(list.begin(), list.end(), v, w);
+    new_.erase(v);
+    new_.emplace(w, carrier);
+    v = w;
+    return true;
+  }
+  return false;
 }
 
 /// From each end of what there is already through the next face, or through an edge of it.
@@ -252,35 +322,25 @@ void Recovery::take_away_all(std::vector<VertexId> from) {
 }
 
 std::unordered_map<VertexId, VertexId> Recovery::move_to_doubles(const Watch& watch) {
-  std::vector<VertexId> open;
-  for (const auto& [v, carrier] : new_) {
-    if (!points_.is_double(v)) open.push_back(v);
-  }
-  std::sort(open.begin(), open.end());
+  std::vector<VertexId> open = all_new();
   watch.begin("tetrahedra: doubles");
   std::unordered_map<VertexId, VertexId> moved;
-  while (std::erase_if(open, [&](VertexId v) { return move_to_double(v, moved); }) > 0) watch.check();
+  const auto move = [&](VertexId v) {
+    const VertexId w = near_double(v);
+    if (!w.valid()) return false;
+    if (w != v) {
+      tetrahedra_.rename(v, w);
+      moved.emplace(v, w);
+    }
+    return true;
+  };
+  while (std::erase_if(open, move) > 0) watch.check();
   if (open.empty()) return moved;
   std::ostringstream text;
   const auto [x, y, z] = points_.approx(open[0]);
   text << "tetrahedra are too thin for doubles near (" << x << ", " << y << ", " << z
        << "); move nearly touching parts apart or together there, or join them by `weld`";
   throw NearFault(text.str());
-}
-
-/// To the nearest one, or to one near the middle of what is around it on its segment or facet.
-bool Recovery::move_to_double(VertexId v, std::unordered_map<VertexId, VertexId>& moved) {
-  tetrahedra_.around(v, star_);
-  const auto try_at = [&](const std::array<double, 3>& p) {
-    const VertexId w = points_.add(p[0], p[1], p[2]);
-    if (!tetrahedra_.sees(w, star_)) return false;
-    tetrahedra_.rename(v, w);
-    moved.emplace(v, w);
-    return true;
-  };
-  const auto nearest = points_.nearest(v);
-  if (try_at(nearest)) return true;
-  return false;
 }
 
 }  // namespace cnrg

@@ -68,7 +68,10 @@ class Recovery {
   bool take_away(VertexId v);
   void take_away_all(std::vector<VertexId> from);
   void neighbours_on_carrier(VertexId v, const Carrier& carrier);
-  bool move_to_double(VertexId v, std::unordered_map<VertexId, VertexId>& moved);
+  std::vector<VertexId> all_new() const;
+  std::size_t spread(const Watch& watch);
+  VertexId near_double(VertexId v);
+  bool to_middle(VertexId& v, const RationalPoint& way);
 };
 
 }  // namespace cnrg
