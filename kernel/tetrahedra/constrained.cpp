@@ -57,16 +57,7 @@ ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constrain
   for (ConstrainedTetrahedra::Index i = 0; i < facets.size(); ++i) {
     for (const Triangle& corners : recovery.faces(i)) out.triangles.push_back({corners, i});
   }
-  if (how == NewPoints::doubles) {
-    const auto moved = recovery.move_to_doubles(watch);
-    const auto move = [&](auto& corners) {
-      for (VertexId& v : corners) {
-        if (const auto at = moved.find(v); at != moved.end()) v = at->second;
-      }
-    };
-    for (auto& segment : out.segments) move(segment.ends);
-    for (auto& triangle : out.triangles) move(triangle.corners);
-  }
+  if (how == NewPoints::doubles) recovery.move_to_doubles(out, watch);
   for (Tetrahedra::Index t = 0; t < tetrahedra.size(); ++t) {
     if (tetrahedra.alive(t)) out.tetrahedra.push_back(tetrahedra.corners(t));
   }

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
+#include <unordered_set>
 
 #include "kernel/base/error.h"
 #include "kernel/exact/predicates.h"
+#include "kernel/refine/input.h"
 
 namespace cnrg {
 namespace {
@@ -17,6 +20,10 @@ namespace {
 constexpr unsigned kBits[] = {16, 40, 80, 160};
 /// How often points are spread and taken away.
 constexpr int kRounds = 8;
+/// Places along a segment or facet that are looked at for a double.
+constexpr int kPlaces = 40;
+/// A point that sees an edge under an angle with a cosine below minus this nearly touches it.
+constexpr double kFlat = 0.99;
 
 Rational rounded(const Rational& x, unsigned bits) {
   const Integer scale = Integer(1) << bits;
@@ -44,6 +51,23 @@ RationalPoint along(const RationalPoint& p, const Rational& t, const RationalPoi
 Rational part_to_plane(const RationalPoint& p, const RationalPoint& q, const std::array<RationalPoint, 3>& plane) {
   const RationalPoint normal = cross(minus(plane[1], plane[0]), minus(plane[2], plane[0]));
   return dot(normal, minus(plane[0], p)) / dot(normal, minus(q, p));
+}
+
+double cosine_at(const std::array<double, 3>& p, const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  double along = 0, u = 0, w = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    along += (a[k] - p[k]) * (b[k] - p[k]);
+    u += (a[k] - p[k]) * (a[k] - p[k]);
+    w += (b[k] - p[k]) * (b[k] - p[k]);
+  }
+  return u > 0 && w > 0 ? along / std::sqrt(u * w) : 1;
+}
+
+std::string too_thin(const std::array<double, 3>& p) {
+  std::ostringstream text;
+  text << "tetrahedra are too thin for doubles near (" << p[0] << ", " << p[1] << ", " << p[2]
+       << "); move nearly touching parts apart or together there, or join them by `weld`";
+  return text.str();
 }
 
 }  // namespace
@@ -85,16 +109,16 @@ std::vector<VertexId> Recovery::all_new() const {
   return out;
 }
 
-/// Points that have no double in their star go to the middle of it on their segment or facet: there may be one, and
-/// they may go altogether. Returns how many have moved.
+/// Points that have no double in their star go to the middle of it on their segment or facet: there may be one,
+/// and they may go altogether. Returns how many have moved.
 std::size_t Recovery::spread(const Watch& watch) {
   std::size_t moved = 0;
   for (VertexId v : all_new()) {
     watch.check();
     const Carrier carrier = new_.at(v);
     if (near_double(v).valid()) continue;
-    const auto& way = carrier.segment ? std::span<const VertexId>(segments_[carrier.of])
-                                      : std::span<const VertexId>(facets_[carrier.of][0]);
+    const auto& way = carrier.on == On::segment ? std::span<const VertexId>(segments_[carrier.of])
+                                                : std::span<const VertexId>(facets_[carrier.of][0]);
     const RationalPoint from = points_.rational(way[0]);
     for (std::size_t k = 1; k < way.size(); ++k) moved += to_middle(v, minus(points_.rational(way[k]), from));
     take_away(v);
@@ -111,12 +135,11 @@ VertexId Recovery::near_double(VertexId v) {
   return tetrahedra_.sees(w, star_) ? w : VertexId::none();
 }
 
-/// Moves a point on a line through it to the middle of where it sees its star; false where it is there already.
-bool Recovery::to_middle(VertexId& v, const RationalPoint& way) {
-  tetrahedra_.around(v, star_);
+/// From where to where a point may move along a line, as parts of `way`, and still sees its star, which `star_`
+/// is.
+std::optional<std::array<Rational, 2>> Recovery::free_part(VertexId v, const RationalPoint& way) const {
   const RationalPoint at = points_.rational(v);
-  Rational low, high;
-  bool has_low = false, has_high = false;
+  std::optional<Rational> low, high;
   for (const Index t : star_) {
     const auto& corners = tetrahedra_.corners(t);
     const auto [a, b, c] =
@@ -126,10 +149,20 @@ bool Recovery::to_middle(VertexId& v, const RationalPoint& way) {
     const Rational slope = dot(normal, way);
     if (slope == 0) continue;
     const Rational end = -dot(normal, minus(at, p)) / slope;
-    if (slope > 0 && (!has_low || end > low)) low = end, has_low = true;
-    if (slope < 0 && (!has_high || end < high)) high = end, has_high = true;
+    if (slope > 0 && (!low || end > *low)) low = end;
+    if (slope < 0 && (!high || end < *high)) high = end;
   }
-  if (!has_low || !has_high) return false;
+  if (!low || !high) return std::nullopt;
+  return std::array{*low, *high};
+}
+
+/// Moves a point on a line through it to the middle of where it sees its star; false where it is there already.
+bool Recovery::to_middle(VertexId& v, const RationalPoint& way) {
+  tetrahedra_.around(v, star_);
+  const auto part = free_part(v, way);
+  if (!part) return false;
+  const auto& [low, high] = *part;
+  const RationalPoint at = points_.rational(v);
   const Rational middle = (low + high) / 2, near = (high - low) / 8;
   if (abs(middle) < near) return false;
   for (const unsigned bits : kBits) {
@@ -138,8 +171,10 @@ bool Recovery::to_middle(VertexId& v, const RationalPoint& way) {
     const VertexId w = points_.add(along(at, step, way));
     tetrahedra_.rename(v, w);
     const Carrier carrier = new_.at(v);
-    auto& list = carrier.segment ? chains_[carrier.of] : inside_[carrier.of];
-    std::replace(list.begin(), list.end(), v, w);
+    if (carrier.on != On::nothing) {
+      auto& list = carrier.on == On::segment ? chains_[carrier.of] : inside_[carrier.of];
+      std::replace(list.begin(), list.end(), v, w);
+    }
     new_.erase(v);
     new_.emplace(w, carrier);
     v = w;
@@ -267,7 +302,8 @@ VertexId Recovery::put(const At& at, const Carrier& carrier) {
 VertexId Recovery::put_on_segment(Index i, const Rational& place) {
   const RationalPoint from = points_.rational(segments_[i][0]),
                       way = minus(points_.rational(segments_[i][1]), from);
-  return put([&](unsigned bits) { return along(from, bits == 0 ? place : rounded(place, bits), way); }, {true, i});
+  return put([&](unsigned bits) { return along(from, bits == 0 ? place : rounded(place, bits), way); },
+             {On::segment, i});
 }
 
 VertexId Recovery::put_on_facet(Index i, const RationalPoint& place) {
@@ -278,13 +314,13 @@ VertexId Recovery::put_on_facet(Index i, const RationalPoint& place) {
   const Rational x = dot(cross(w, v), normal) / size, y = dot(cross(u, w), normal) / size;
   return put(
       [&](unsigned bits) { return bits == 0 ? place : along(along(p, rounded(x, bits), u), rounded(y, bits), v); },
-      {false, i});
+      {On::facet, i});
 }
 
 /// To `near_`: the vertices that share an edge with it, which is in the same segment or facet.
 void Recovery::neighbours_on_carrier(VertexId v, const Carrier& carrier) {
   near_.clear();
-  if (carrier.segment) {
+  if (carrier.on == On::segment) {
     const auto& list = chains_[carrier.of];
     const auto at = std::find(list.begin(), list.end(), v);
     near_.push_back(at == list.begin() ? segments_[carrier.of][0] : *(at - 1));
@@ -307,7 +343,7 @@ bool Recovery::take_away(VertexId v) {
   for (const VertexId w : near_) {
     if (!tetrahedra_.sees(w, star_)) continue;
     tetrahedra_.fill(w, star_);
-    std::erase(carrier.segment ? chains_[carrier.of] : inside_[carrier.of], v);
+    std::erase(carrier.on == On::segment ? chains_[carrier.of] : inside_[carrier.of], v);
     new_.erase(v);
     return true;
   }
@@ -321,26 +357,154 @@ void Recovery::take_away_all(std::vector<VertexId> from) {
   }
 }
 
-std::unordered_map<VertexId, VertexId> Recovery::move_to_doubles(const Watch& watch) {
-  std::vector<VertexId> open = all_new();
+void Recovery::move_to_doubles(ConstrainedTetrahedra& made, const Watch& watch) {
   watch.begin("tetrahedra: doubles");
-  std::unordered_map<VertexId, VertexId> moved;
-  const auto move = [&](VertexId v) {
-    const VertexId w = near_double(v);
-    if (!w.valid()) return false;
-    if (w != v) {
-      tetrahedra_.rename(v, w);
-      moved.emplace(v, w);
+  std::unordered_map<VertexId, VertexId> moved, origin;
+  std::unordered_set<std::uint64_t> pieces;
+  std::set<std::array<VertexId, 3>> faces;
+  for (const auto& segment : made.segments) pieces.insert(RefineInput::key(segment.ends[0], segment.ends[1]));
+  for (const auto& triangle : made.triangles) {
+    auto corners = triangle.corners;
+    std::sort(corners.begin(), corners.end());
+    faces.insert(corners);
+  }
+  const auto bound = [&](std::span<const VertexId> corners) {
+    std::array<VertexId, 3> f{};
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto at = origin.find(corners[k]);
+      f[k] = at == origin.end() ? corners[k] : at->second;
     }
+    if (corners.size() == 2) return pieces.contains(RefineInput::key(f[0], f[1]));
+    std::sort(f.begin(), f.end());
+    return faces.contains(f);
+  };
+  bool look_far = false;
+  const auto move = [&](VertexId v) {
+    VertexId w = near_double(v);
+    if (!w.valid() && look_far) w = far_double(v);
+    if (!w.valid()) return false;
+    if (w == v) return true;
+    tetrahedra_.rename(v, w);
+    moved.emplace(v, w);
+    origin.emplace(w, v);
     return true;
   };
-  while (std::erase_if(open, move) > 0) watch.check();
-  if (open.empty()) return moved;
-  std::ostringstream text;
-  const auto [x, y, z] = points_.approx(open[0]);
-  text << "tetrahedra are too thin for doubles near (" << x << ", " << y << ", " << z
-       << "); move nearly touching parts apart or together there, or join them by `weld`";
-  throw NearFault(text.str());
+  std::vector<VertexId> open = all_new();
+  for (int round = 0;; ++round) {
+    do {
+      look_far = false;
+      while (std::erase_if(open, move) > 0) watch.check();
+      look_far = true;
+    } while (std::erase_if(open, move) > 0);
+    if (open.empty()) break;
+    std::vector<VertexId> more;
+    for (const VertexId v : open) {
+      watch.check();
+      const VertexId m = round < kRounds ? make_room(v, bound) : VertexId::none();
+      if (m.valid()) more.push_back(m);
+    }
+    if (more.empty()) throw NearFault(too_thin(points_.approx(open[0])));
+    open.insert(open.begin(), more.begin(), more.end());
+  }
+  const auto follow = [&](auto& corners) {
+    for (VertexId& v : corners) {
+      if (const auto at = moved.find(v); at != moved.end()) v = at->second;
+    }
+  };
+  for (auto& segment : made.segments) follow(segment.ends);
+  for (auto& triangle : made.triangles) follow(triangle.corners);
+}
+
+/// Between faces that are one plane but for the last digits there is room for one double and not for the next. So
+/// a point looks along what carries it for a place where there is.
+VertexId Recovery::far_double(VertexId v) {
+  const Carrier carrier = new_.at(v);
+  if (carrier.on == On::nothing) return VertexId::none();
+  tetrahedra_.around(v, star_);
+  const auto& ends = carrier.on == On::segment ? std::span<const VertexId>(segments_[carrier.of])
+                                               : std::span<const VertexId>(facets_[carrier.of][0]);
+  const RationalPoint from = points_.rational(ends[0]), at = points_.rational(v);
+  for (std::size_t end = 1; end < ends.size(); ++end) {
+    const RationalPoint way = minus(points_.rational(ends[end]), from);
+    const auto part = free_part(v, way);
+    if (!part) continue;
+    for (int i = 1; i <= kPlaces; ++i) {
+      const int place = i % 2 == 0 ? kPlaces + i : kPlaces - i;  // from the middle on
+      const RationalPoint exact =
+          along(at, Rational((*part)[0] + ((*part)[1] - (*part)[0]) * place / (2 * kPlaces + 1)), way);
+      const std::array<double, 3> p{to_double(exact[0]), to_double(exact[1]), to_double(exact[2])};
+      for (int beside = 0; beside < 7; ++beside) {
+        auto q = p;
+        if (beside > 0) {
+          double& x = q[static_cast<std::size_t>(beside - 1) / 2];
+          x = std::nextafter(x, beside % 2 == 0 ? HUGE_VAL : -HUGE_VAL);
+        }
+        const VertexId w = points_.add(q[0], q[1], q[2]);
+        if (tetrahedra_.sees(w, star_)) return w;
+      }
+    }
+  }
+  return VertexId::none();
+}
+
+/// Is nothing that has to stay in this edge or face?
+bool Recovery::is_free(std::span<const VertexId> corners,
+                       const std::function<bool(std::span<const VertexId>)>& bound) const {
+  if (bound(corners)) return false;
+  if (corners.size() == 3) return true;
+  std::vector<Index> ring;
+  tetrahedra_.around(corners[0], corners[1], ring);
+  return std::none_of(ring.begin(), ring.end(), [&](Index t) {
+    const auto& all = tetrahedra_.corners(t);
+    return std::any_of(all.begin(), all.end(), [&](VertexId v) {
+      return v != corners[0] && v != corners[1] && bound(std::array{corners[0], corners[1], v});
+    });
+  });
+}
+
+/// A point whose star has no double nearly touches an edge or a face of it. If that is nobody's, a new point takes
+/// it away from there: returns that point, if there is one.
+VertexId Recovery::make_room(VertexId v, const std::function<bool(std::span<const VertexId>)>& bound) {
+  const auto nearest = points_.nearest(v);
+  const VertexId w = points_.add(nearest[0], nearest[1], nearest[2]);
+  tetrahedra_.around(v, star_);
+  for (const Index t : star_) {
+    const auto& corners = tetrahedra_.corners(t);
+    const int k = static_cast<int>(std::find(corners.begin(), corners.end(), v) - corners.begin());
+    auto f = tetrahedra_.face({t, k});
+    if (orient3d(points_, f[0], f[1], f[2], w) > 0) continue;
+    // The side of the face that is nearest, by the angle at the point.
+    double widest = -2;
+    std::size_t side = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double cosine = cosine_at(nearest, points_.approx(f[i]), points_.approx(f[(i + 1) % 3]));
+      if (-cosine > widest) widest = -cosine, side = i;
+    }
+    std::rotate(f.begin(), f.begin() + static_cast<std::ptrdiff_t>(side), f.end());
+    const bool edge = widest > kFlat;
+    const std::span<const VertexId> at(f.data(), edge ? 2 : 3);
+    if (!is_free(at, bound)) continue;
+    const RationalPoint a = points_.rational(f[0]), ab = minus(points_.rational(f[1]), a),
+                        ac = minus(points_.rational(f[2]), a);
+    RationalPoint place;
+    if (edge) {
+      tetrahedra_.around(f[0], f[1], hole_);
+      const Rational foot = dot(minus(points_.rational(v), a), ab) / dot(ab, ab);
+      place = along(a, std::clamp(rounded(foot, kBits[0]), Rational(1, 64), Rational(63, 64)), ab);
+    } else {
+      hole_ = {t, tetrahedra_.neighbour(t, k)};
+      place = along(along(a, Rational(1, 4), ab), Rational(1, 4), ac);
+    }
+    VertexId m = points_.add(place);
+    require(tetrahedra_.sees(m, hole_), "tetrahedra: a hole with a gap");
+    tetrahedra_.fill(m, hole_);
+    new_.emplace(m, Carrier{On::nothing, 0});
+    to_middle(m, cross(ab, ac));
+    to_middle(m, ab);
+    to_middle(m, ac);
+    return m;
+  }
+  return VertexId::none();
 }
 
 }  // namespace cnrg

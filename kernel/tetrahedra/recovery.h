@@ -7,6 +7,8 @@
 // segment or facet into a vertex next to them are taken away at once, so that few of them meet what comes later.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -36,14 +38,15 @@ class Recovery {
   /// After `run`: the faces of a facet.
   std::vector<std::array<VertexId, 3>> faces(Index facet) const;
 
-  /// After `run`: moves new points to doubles, where all tetrahedra keep their turn; segments and facets are bent
-  /// by what doubles cannot tell. Returns what replaces each moved point. Throws NearFault, Stopped.
-  std::unordered_map<VertexId, VertexId> move_to_doubles(const Watch& watch);
+  /// After `run`: moves new points of `made`, which is what `run` has made, to doubles, where all tetrahedra keep
+  /// their turn; segments and facets are bent by what doubles cannot tell. Throws NearFault, Stopped.
+  void move_to_doubles(ConstrainedTetrahedra& made, const Watch& watch);
 
  private:
-  /// Where a new point is: inside of a segment or of a facet.
+  /// What a new point is inside of.
+  enum class On { segment, facet, nothing };
   struct Carrier {
-    bool segment;
+    On on;
     Index of;
   };
   PointTable& points_;
@@ -71,7 +74,12 @@ class Recovery {
   std::vector<VertexId> all_new() const;
   std::size_t spread(const Watch& watch);
   VertexId near_double(VertexId v);
+  VertexId far_double(VertexId v);
+  std::optional<std::array<Rational, 2>> free_part(VertexId v, const RationalPoint& way) const;
   bool to_middle(VertexId& v, const RationalPoint& way);
+  VertexId make_room(VertexId v, const std::function<bool(std::span<const VertexId>)>& bound);
+  bool is_free(std::span<const VertexId> corners,
+               const std::function<bool(std::span<const VertexId>)>& bound) const;
 };
 
 }  // namespace cnrg
