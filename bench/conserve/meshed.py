@@ -34,7 +34,7 @@ class Change:
     vanished: list = field(default_factory=list)    # names of regions, one for each
     pieces: int = 0                 # that joining pinched off a region, and that vanished; the region is there
     thin: float = 0.0               # area of leaves that went with regions, once they are compared
-    by: str = "TetGen"              # or "exact": constrained Delaunay tetrahedra
+    by: str = "TetGen"              # or "exact": constrained tetrahedra
     regions: int = 0                # how many vanished
 
     @classmethod
@@ -45,7 +45,7 @@ class Change:
             if ": notice: " not in line and ": warning: " not in line:
                 continue
             text = line.split(": notice: ")[-1]
-            if "constrained Delaunay" in text or "there were no tetrahedra in doubles" in text:
+            if "constrained tetrahedra" in text or "there were no tetrahedra in doubles" in text:
                 self.by = "exact"
             joined = re.search(r"joined (?:no|\d+) pairs? nearer than " + NUMBER + ".*?nothing moved by more than "
                                + NUMBER, text)

@@ -380,10 +380,10 @@ int run(int argc, char** argv) {
   CLI::Option* const keep_boundary =
       sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
                     "No new points on faces and edges, so that the meshes of neighbours fit");
-  CLI::Option* const constrained = sub->add_flag(
-      "--constrained", mesh.options.constrained,
-      "Not by TetGen: exact constrained Delaunay tetrahedra, improved; without it these are made only where "
-      "TetGen fails");
+  CLI::Option* const constrained =
+      sub->add_flag("--constrained", mesh.options.constrained,
+                    "Not by TetGen: exact constrained tetrahedra, improved; without it these are made only where "
+                    "TetGen fails");
   sub->add_flag("--certify", mesh.certify, kCertify);
   CLI::Option* const joins = sub->add_option("--join", mesh.join, kJoin)->type_name("D")->check(distance_fault);
   CLI::Option* const curved =

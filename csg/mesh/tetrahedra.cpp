@@ -68,7 +68,7 @@ class TetrahedraMaker {
           "and points");
     }
     if (options_.constrained && options_.keep_boundary)
-      throw InputError("constrained Delaunay tetrahedra need points on the boundary; leave out --keep-boundary");
+      throw InputError("constrained tetrahedra need points on the boundary; leave out --keep-boundary");
     if (options_.surface_first && (options_.keep_boundary || options_.constrained))
       throw InputError("a boundary that is meshed first is neither that of --keep-boundary nor of --constrained");
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
@@ -84,8 +84,7 @@ class TetrahedraMaker {
       take();
       to_sizes_ = !sizes_.empty();
       if (!refused.empty()) {  // without its advice
-        result_.notice =
-            refused.substr(0, refused.find(';')) + "; these are constrained Delaunay tetrahedra, improved";
+        result_.notice = refused.substr(0, refused.find(';')) + "; these are constrained tetrahedra, improved";
       }
     }
     improve_shapes();

@@ -16,7 +16,7 @@ struct TetrahedralMesh {
 };
 
 /// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015), or, where it makes
-/// none that are proven or with `constrained`, constrained Delaunay ones (constrained_run.h). Faces, wires and
+/// none that are proven or with `constrained`, constrained ones (constrained_run.h). Faces, wires and
 /// points outside of them are in the mesh as triangles, segments and points that conform, too. The boundary of a
 /// region is that of the result rounded to doubles, which must be embedded. A facet is given to TetGen as a whole,
 /// and where it cannot mesh that, or with `keep_boundary`, as triangles unless it is planar in doubles.

@@ -101,7 +101,7 @@ struct TetrahedraOptions {
   double max_volume = 0;       ///< no tetrahedron is larger (cubic units); 0: no bound
   double quality = 0;          ///< largest ratio of circumradius to shortest edge, at least 1; 0: no bound
   bool keep_boundary = false;  ///< no new points on faces and edges, but inside of regions only
-  bool constrained = false;    ///< not by TetGen: constrained Delaunay tetrahedra; not with `keep_boundary`
+  bool constrained = false;    ///< not by TetGen: constrained tetrahedra; not with `keep_boundary`
   int seconds = 600;           ///< a quarter for each way in which TetGen is asked, one for shapes; 0: no bound
   int order = 1;               ///< of the elements; 2: with a node in the middle of each edge
   double size = 0;             ///< how long edges are to be where nothing asks for shorter ones; 0: no bound

@@ -328,7 +328,7 @@ class Result:
 
         InputError for a result that is not closed and bounded, has no region, or is broken by rounding (`snap()`
         helps), and where no mesh is proven. Where TetGen makes none, a warning (cnrg.Notice) says so: they are
-        constrained Delaunay tetrahedra then, improved, and bounds are kept where that can be.
+        constrained tetrahedra then, improved, and bounds are kept where that can be.
         """
         max_volume, quality, size, growth = (
             float(_cnrg.fraction(number)) for number in (max_volume, quality, size, growth))
