@@ -505,7 +505,7 @@ def quads():
     mesh, n = split(meshio.read(FOLDER / "q.vtu"))
     assert n == count
     mesh, n = split(meshio.read(FOLDER / "q.faces.xdmf"))
-    assert n == count and abs(sum(measures(mesh.points, b.data).sum() for b in mesh.cells) - (21 + 21 + 12 + 9 + 9 + 1)) < 1e-9
+    assert n == count and abs(sum(measures_of(mesh.points[b.data]).sum() for b in mesh.cells) - (21 + 21 + 12 + 9 + 9 + 1)) < 1e-9
     mesh, n = split(meshio.read(FOLDER / "q.inp"))
     names = dict(re.findall(r"^\*\* (\S+) is (.*)$", (FOLDER / "q.inp").read_text(), re.M))
     assert n == count
