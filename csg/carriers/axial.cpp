@@ -8,7 +8,7 @@
 #include "csg/carriers/round_spaces.h"
 #include "csg/curves/surface_placed.h"
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -13,8 +13,8 @@
 
 #include "csg/carriers/point_lattice.h"
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 #include "kernel/refine/box_tree.h"
 

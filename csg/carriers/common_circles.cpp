@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 

@@ -9,7 +9,7 @@
 #include "csg/carriers/nets.h"
 #include "csg/carriers/revolved_families.h"
 #include "csg/carriers/round_spaces.h"
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

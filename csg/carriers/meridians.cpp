@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

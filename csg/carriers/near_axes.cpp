@@ -6,7 +6,7 @@
 #include "csg/carriers/banded_leaves.h"
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/revolved_families.h"
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "csg/carriers/axes.h"
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "csg/curves/surface_placed.h"
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -24,12 +24,12 @@
 #include "csg/carriers/sectors.h"
 #include "csg/carriers/shared_balls.h"
 #include "csg/curves/surface_placed.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/placement.h"
 #include "csg/leaves/parameters.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "csg/carriers/sectors.h"
 #include "csg/curves/surface_math.h"
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -6,8 +6,8 @@
 #include "csg/carriers/bands.h"
 #include "csg/carriers/boxes.h"
 #include "csg/carriers/extruded_arcs.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/placement.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

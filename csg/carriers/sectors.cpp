@@ -1,6 +1,6 @@
 #include "csg/carriers/sectors.h"
 
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

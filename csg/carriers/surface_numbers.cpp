@@ -12,7 +12,7 @@
 #include "csg/carriers/extruded_arcs.h"
 #include "csg/carriers/net_carriers.h"
 #include "csg/carriers/placed_nets.h"
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

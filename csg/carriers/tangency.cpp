@@ -8,9 +8,9 @@
 #include "csg/carriers/round_leaf.h"
 #include "csg/curves/surface_math.h"
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/unbounded.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

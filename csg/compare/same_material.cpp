@@ -15,10 +15,10 @@
 #include <map>
 #include <optional>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/leaf.h"
 #include "csg/operators/group.h"
 #include "kernel/complex/complex.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

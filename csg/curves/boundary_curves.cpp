@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "csg/curves/chord.h"
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 

@@ -13,10 +13,10 @@
 #include "csg/curves/boundary_curves.h"
 #include "csg/curves/revolved.h"
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 
 namespace cnrg {

@@ -23,12 +23,12 @@
 
 #include "csg/curves/profile.h"
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/parameters.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "csg/curves/patch_mesh.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

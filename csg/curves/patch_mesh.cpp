@@ -10,8 +10,8 @@
 #include <unordered_map>
 
 #include "csg/curves/chord.h"
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

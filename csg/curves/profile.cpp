@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/planar_polygon.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 

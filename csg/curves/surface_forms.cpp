@@ -7,7 +7,7 @@
 #include "csg/curves/control_nets.h"
 #include "csg/curves/revolved.h"
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

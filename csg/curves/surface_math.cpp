@@ -1,7 +1,7 @@
 // Constants and cosines; see the header.
 #include "csg/curves/surface_math.h"
 
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg::surface_math {
 namespace {

@@ -5,8 +5,8 @@
 // v)).
 #include "csg/curves/surface_forms.h"
 #include "csg/curves/surface_spline.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/prepare_shapes.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
 #include "csg/result/rounding.h"
 #include "csg/result/solid.h"
 #include "kernel/base/parallel.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

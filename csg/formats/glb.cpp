@@ -23,11 +23,11 @@
 
 #include "csg/formats/formats.h"
 #include "csg/formats/glb_normals.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/mesh/mesh.h"
 #include "csg/result/palette.h"
 #include "csg/result/solid.h"
 #include "csg/text/escape.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -1,8 +1,8 @@
 // Orthogonal integer frames and circles in them.
 #include "csg/geometry/circle.h"
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/parallel.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 
 namespace cnrg {

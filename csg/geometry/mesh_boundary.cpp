@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 
 namespace cnrg {

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_pairs.h"
 #include "kernel/refine/box_tree.h"
 

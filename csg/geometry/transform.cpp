@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 
 namespace cnrg {

@@ -24,7 +24,6 @@
 
 #include "csg/curves/boundary_curves.h"
 #include "csg/curves/surface.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/mesh_boundary.h"
 #include "csg/imports/cad_draw.h"
 #include "csg/imports/cad_model.h"
@@ -35,6 +34,7 @@
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/coplanar.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

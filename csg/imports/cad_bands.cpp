@@ -10,8 +10,8 @@
 
 #include "csg/carriers/axes.h"
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 
 namespace cnrg {

@@ -11,8 +11,8 @@
 #include <map>
 #include <numbers>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/triangulate.h"
 
 namespace cnrg {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/weld/planes.h"
 #include "csg/weld/round_carriers.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

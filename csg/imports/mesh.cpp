@@ -11,7 +11,6 @@
 #include <cmath>
 #include <map>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/mesh_boundary.h"
 #include "csg/imports/mesh_points.h"
 #include "csg/imports/mesh_weld.h"
@@ -19,6 +18,7 @@
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/number_table.h"
 #include "kernel/base/point_hash.h"
 #include "kernel/exact/coplanar.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 

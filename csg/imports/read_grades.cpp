@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "csg/geometry/exact_vectors.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg::result {
 namespace {

@@ -4,9 +4,9 @@
 #include <map>
 
 #include "csg/geometry/canonical_loop.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/imports/result_placing.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/predicates.h"
 
 namespace cnrg::result {

@@ -6,8 +6,8 @@
 #include <map>
 #include <tuple>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg::result {
 namespace {

@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/imports/read_grades.h"
 #include "csg/imports/result_content.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg::result {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

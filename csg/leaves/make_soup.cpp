@@ -1,7 +1,7 @@
 // All leaves of a tree in one soup, with a frame around them if one is unbounded.
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/unbounded.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <tuple>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 

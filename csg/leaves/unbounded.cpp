@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 
 namespace cnrg {

@@ -13,9 +13,9 @@
 #include <optional>
 #include <set>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/distance.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

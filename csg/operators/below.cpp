@@ -12,9 +12,9 @@
 #include <map>
 #include <optional>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/selection/scratch.h"
 
 namespace cnrg {

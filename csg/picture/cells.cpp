@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/picture/loops.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

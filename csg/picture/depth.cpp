@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/exact/enclosure.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

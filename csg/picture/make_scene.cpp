@@ -4,10 +4,10 @@
 #include <map>
 #include <set>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/picture/loops.h"
 #include "csg/text/escape.h"
 #include "kernel/base/sorted.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

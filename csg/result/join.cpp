@@ -6,7 +6,6 @@
 #include <span>
 #include <tuple>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/result/join_drawing.h"
 #include "csg/result/part_text.h"
 #include "csg/result/relabel.h"
@@ -14,6 +13,7 @@
 #include "csg/result/rounding.h"
 #include "csg/text/escape.h"
 #include "kernel/exact/distance.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

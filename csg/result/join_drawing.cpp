@@ -6,11 +6,11 @@
 #include <map>
 #include <unordered_map>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/result/relabel.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/distance.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/triangulate.h"
 
 namespace cnrg {

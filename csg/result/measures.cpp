@@ -7,8 +7,8 @@
 #include <limits>
 #include <span>
 
-#include "csg/geometry/exact_vectors.h"
 #include "kernel/base/parallel.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/selection/measure.h"
 
 namespace cnrg {

@@ -8,13 +8,13 @@
 // solid has a wall for each side of the hull, counter-clockwise as the four are.
 #include <algorithm>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/imports/height_grid.h"
 #include "csg/imports/height_points.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/delaunay.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -1,9 +1,9 @@
 // Leaves without regions: polygon, polyline, points.
-#include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 

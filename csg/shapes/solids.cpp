@@ -1,11 +1,11 @@
 // Solids with planar faces: box, prism, pyramid, tetrahedron. Faces are oriented outward.
 #include <algorithm>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -5,7 +5,6 @@
 #include <map>
 #include <numbers>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/result/part_text.h"
 #include "csg/result/relabel.h"
 #include "csg/result/result_data.h"
@@ -14,6 +13,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/distance.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <map>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/tree/suggest.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -6,9 +6,9 @@
 #include <map>
 #include <tuple>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/weld/inside.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg::welding {

@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/weld/planes.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/trigonometry.h"
 #include "kernel/refine/box_tree.h"
 

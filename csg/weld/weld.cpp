@@ -6,11 +6,11 @@
 #include <numeric>
 #include <tuple>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/weld/inside.h"
 #include "csg/weld/order.h"
 #include "kernel/base/error.h"
 #include "kernel/base/union_find.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/refine/box_tree.h"
 
 namespace cnrg {

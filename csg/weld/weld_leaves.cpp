@@ -6,10 +6,10 @@
 #include <set>
 
 #include "csg/curves/surface_placed.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/geometry/planar_polygon.h"
 #include "csg/leaves/geometry_leaf.h"
 #include "csg/weld/weld.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/triangulate.h"
 
 namespace cnrg {

@@ -7,10 +7,10 @@
 
 #include "csg/carriers/bands.h"
 #include "csg/geometry/circle.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/prepare_shapes.h"
 #include "csg/weld/planes.h"
 #include "csg/weld/round_carriers.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -5,23 +5,15 @@
 #include <iterator>
 
 #include "kernel/base/sorted.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/selection/scratch.h"
 #include "kernel/selection/volume_sum.h"
 
 namespace cnrg {
-namespace {
-
-RationalPoint difference(const RationalPoint& a, const RationalPoint& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Rational dot(const RationalPoint& a, const RationalPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-}  // namespace
 
 Rational squared_length(const Complex& complex, EdgeId e) {
   const auto& [a, b] = complex.edge_ends[e];
-  const RationalPoint d = difference(complex.points.rational(b), complex.points.rational(a));
+  const RationalPoint d = complex.points.rational(b) - complex.points.rational(a);
   return dot(d, d);
 }
 
@@ -31,8 +23,8 @@ RationalPoint area_vector(const Complex& complex, FaceId f) {
     const auto loop = complex.loop[l];
     const RationalPoint origin = complex.points.rational(complex.origin(loop[0]));
     for (HalfEdge h : loop) {
-      const RationalPoint p = difference(complex.points.rational(complex.origin(h)), origin);
-      const RationalPoint q = difference(complex.points.rational(complex.target(h)), origin);
+      const RationalPoint p = complex.points.rational(complex.origin(h)) - origin;
+      const RationalPoint q = complex.points.rational(complex.target(h)) - origin;
       for (int k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
         terms[k].push_back(p[i] * q[j] - p[j] * q[i]);

@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/input.h"
 
@@ -35,22 +36,10 @@ Rational rounded(const Rational& x, unsigned bits) {
   return out;
 }
 
-RationalPoint minus(const RationalPoint& p, const RationalPoint& q) {
-  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-}
-RationalPoint cross(const RationalPoint& u, const RationalPoint& v) {
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-Rational dot(const RationalPoint& u, const RationalPoint& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
-
-RationalPoint along(const RationalPoint& p, const Rational& t, const RationalPoint& way) {
-  return {p[0] + t * way[0], p[1] + t * way[1], p[2] + t * way[2]};
-}
-
 /// Of the way from p to q the part up to the plane of three points.
 Rational part_to_plane(const RationalPoint& p, const RationalPoint& q, const std::array<RationalPoint, 3>& plane) {
-  const RationalPoint normal = cross(minus(plane[1], plane[0]), minus(plane[2], plane[0]));
-  return dot(normal, minus(plane[0], p)) / dot(normal, minus(q, p));
+  const RationalPoint normal = cross(plane[1] - plane[0], plane[2] - plane[0]);
+  return dot(normal, plane[0] - p) / dot(normal, q - p);
 }
 
 double cosine_at(const std::array<double, 3>& p, const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -65,7 +54,8 @@ double cosine_at(const std::array<double, 3>& p, const std::array<double, 3>& a,
 
 std::string too_thin(const std::array<double, 3>& p) {
   std::ostringstream text;
-  text << "tetrahedra are too thin for doubles near (" << p[0] << ", " << p[1] << ", " << p[2]
+  text.precision(9);
+  text << "tetrahedra are too thin for doubles near (" << p[0] << " " << p[1] << " " << p[2]
        << "); move nearly touching parts apart or together there, or join them by `weld`";
   return text.str();
 }
@@ -109,6 +99,22 @@ std::vector<VertexId> Recovery::all_new() const {
   return out;
 }
 
+/// The ways that a point may take on what it is inside of: one, two, or none.
+std::vector<RationalPoint> Recovery::ways(const Carrier& carrier) const {
+  std::span<const VertexId> corners;
+  if (carrier.on == On::segment) corners = segments_[carrier.of];
+  if (carrier.on == On::facet) corners = facets_[carrier.of][0];
+  std::vector<RationalPoint> out;
+  for (std::size_t k = 1; k < corners.size(); ++k)
+    out.push_back(points_.rational(corners[k]) - points_.rational(corners[0]));
+  return out;
+}
+
+/// The new points on a segment or facet.
+std::vector<VertexId>& Recovery::points_on(const Carrier& carrier) {
+  return carrier.on == On::segment ? chains_[carrier.of] : inside_[carrier.of];
+}
+
 /// Points that have no double in their star go to the middle of it on their segment or facet: there may be one,
 /// and they may go altogether. Returns how many have moved.
 std::size_t Recovery::spread(const Watch& watch) {
@@ -117,10 +123,7 @@ std::size_t Recovery::spread(const Watch& watch) {
     watch.check();
     const Carrier carrier = new_.at(v);
     if (near_double(v).valid()) continue;
-    const auto& way = carrier.on == On::segment ? std::span<const VertexId>(segments_[carrier.of])
-                                                : std::span<const VertexId>(facets_[carrier.of][0]);
-    const RationalPoint from = points_.rational(way[0]);
-    for (std::size_t k = 1; k < way.size(); ++k) moved += to_middle(v, minus(points_.rational(way[k]), from));
+    for (const RationalPoint& way : ways(carrier)) moved += to_middle(v, way);
     take_away(v);
   }
   return moved;
@@ -141,14 +144,11 @@ std::optional<std::array<Rational, 2>> Recovery::free_part(VertexId v, const Rat
   const RationalPoint at = points_.rational(v);
   std::optional<Rational> low, high;
   for (const Index t : star_) {
-    const auto& corners = tetrahedra_.corners(t);
-    const auto [a, b, c] =
-        tetrahedra_.face({t, static_cast<int>(std::find(corners.begin(), corners.end(), v) - corners.begin())});
-    const RationalPoint p = points_.rational(a),
-                        normal = cross(minus(points_.rational(b), p), minus(points_.rational(c), p));
+    const auto [a, b, c] = tetrahedra_.face({t, tetrahedra_.place(t, v)});
+    const RationalPoint p = points_.rational(a), normal = cross(points_.rational(b) - p, points_.rational(c) - p);
     const Rational slope = dot(normal, way);
     if (slope == 0) continue;
-    const Rational end = -dot(normal, minus(at, p)) / slope;
+    const Rational end = -dot(normal, at - p) / slope;
     if (slope > 0 && (!low || end > *low)) low = end;
     if (slope < 0 && (!high || end < *high)) high = end;
   }
@@ -168,11 +168,11 @@ bool Recovery::to_middle(VertexId& v, const RationalPoint& way) {
   for (const unsigned bits : kBits) {
     const Rational step = rounded(middle, bits);
     if (abs(Rational(step - middle)) >= near) continue;
-    const VertexId w = points_.add(along(at, step, way));
+    const VertexId w = points_.add(at + step * way);
     tetrahedra_.rename(v, w);
     const Carrier carrier = new_.at(v);
     if (carrier.on != On::nothing) {
-      auto& list = carrier.on == On::segment ? chains_[carrier.of] : inside_[carrier.of];
+      auto& list = points_on(carrier);
       std::replace(list.begin(), list.end(), v, w);
     }
     new_.erase(v);
@@ -190,50 +190,35 @@ void Recovery::cut_segment(Index i) {
   VertexId last = a;
   for (;;) {
     tetrahedra_.around(last, star_);
-    Index next = Tetrahedra::kNone;
-    std::array<VertexId, 3> face{};
-    std::array<int, 3> turns{};
-    bool there = false;
-    for (const Index t : star_) {
-      const auto& corners = tetrahedra_.corners(t);
-      if (std::find(corners.begin(), corners.end(), b) != corners.end()) {
-        there = true;
-        break;
-      }
-      if (next != Tetrahedra::kNone) continue;
-      const auto f = tetrahedra_.face(
-          {t, static_cast<int>(std::find(corners.begin(), corners.end(), last) - corners.begin())});
-      bool ahead = true;
-      for (std::size_t k = 0; k < 3 && ahead; ++k) {
-        turns[k] = orient3d(points_, a, b, f[k], f[(k + 1) % 3]);
-        ahead = turns[k] <= 0;
-      }
-      if (!ahead || std::count(turns.begin(), turns.end(), 0) > 1) continue;
-      next = t;
-      face = f;
-      const auto edge = std::find(turns.begin(), turns.end(), 0);
-      if (edge == turns.end()) continue;
-      const auto k = static_cast<std::size_t>(edge - turns.begin());
-      std::rotate(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(k), face.end());
-    }
-    if (there) break;
-    require(next != Tetrahedra::kNone, "tetrahedra: a point is inside of a segment");
-    if (orient3d(points_, a, b, face[0], face[1]) == 0) {
-      tetrahedra_.around(face[0], face[1], hole_);
-    } else {
-      hole_ = {next};
-      for (int k = 0; k < 4; ++k) {
-        const VertexId v = tetrahedra_.corners(next)[static_cast<std::size_t>(k)];
-        if (v == last) hole_.push_back(tetrahedra_.neighbour(next, k));
-      }
-    }
-    const std::array<RationalPoint, 3> plane{points_.rational(face[0]), points_.rational(face[1]),
-                                             points_.rational(face[2])};
-    last = put_on_segment(i, part_to_plane(points_.rational(a), points_.rational(b), plane));
+    if (std::any_of(star_.begin(), star_.end(), [&](Index t) { return tetrahedra_.place(t, b) < 4; })) break;
+    last = put_on_segment(
+        i, part_to_plane(points_.rational(a), points_.rational(b), plane_ahead(segments_[i], last)));
     chains_[i].push_back(last);
     fresh.push_back(last);
   }
   take_away_all(std::move(fresh));
+}
+
+/// The plane of the face of the star of `last` that a segment passes through next; to `hole_` what a point there
+/// parts.
+std::array<RationalPoint, 3> Recovery::plane_ahead(const Ends& segment, VertexId last) {
+  for (const Index t : star_) {
+    const int place = tetrahedra_.place(t, last);
+    const auto f = tetrahedra_.face({t, place});
+    std::array<int, 3> turns{};
+    for (std::size_t k = 0; k < 3; ++k) turns[k] = orient3d(points_, segment[0], segment[1], f[k], f[(k + 1) % 3]);
+    if (*std::max_element(turns.begin(), turns.end()) > 0) continue;
+    const auto edge = static_cast<std::size_t>(std::find(turns.begin(), turns.end(), 0) - turns.begin());
+    if (edge == 3) {
+      hole_ = {t, tetrahedra_.neighbour(t, place)};
+    } else if (std::count(turns.begin(), turns.end(), 0) == 1) {
+      tetrahedra_.around(f[edge], f[(edge + 1) % 3], hole_);
+    } else {
+      continue;
+    }
+    return {points_.rational(f[0]), points_.rational(f[1]), points_.rational(f[2])};
+  }
+  throw InvariantError("tetrahedra: a point is inside of a segment");
 }
 
 void Recovery::cut_facet(Index i) {
@@ -244,7 +229,7 @@ void Recovery::cut_facet(Index i) {
     for (const auto& [below, above] : all.edges_through()) {
       tetrahedra_.around(below, above, hole_);
       const RationalPoint from = points_.rational(below), to = points_.rational(above);
-      inside_[i].push_back(put_on_facet(i, along(from, part_to_plane(from, to, plane), minus(to, from))));
+      inside_[i].push_back(put_on_facet(i, from + part_to_plane(from, to, plane) * (to - from)));
     }
     take_away_all(inside_[i]);
   }
@@ -300,21 +285,19 @@ VertexId Recovery::put(const At& at, const Carrier& carrier) {
 }
 
 VertexId Recovery::put_on_segment(Index i, const Rational& place) {
-  const RationalPoint from = points_.rational(segments_[i][0]),
-                      way = minus(points_.rational(segments_[i][1]), from);
-  return put([&](unsigned bits) { return along(from, bits == 0 ? place : rounded(place, bits), way); },
+  const RationalPoint from = points_.rational(segments_[i][0]), way = points_.rational(segments_[i][1]) - from;
+  return put([&](unsigned bits) { return from + (bits == 0 ? place : rounded(place, bits)) * way; },
              {On::segment, i});
 }
 
 VertexId Recovery::put_on_facet(Index i, const RationalPoint& place) {
   const auto& [a, b, c] = facets_[i][0];
-  const RationalPoint p = points_.rational(a), u = minus(points_.rational(b), p),
-                      v = minus(points_.rational(c), p), w = minus(place, p), normal = cross(u, v);
+  const RationalPoint p = points_.rational(a), u = points_.rational(b) - p, v = points_.rational(c) - p,
+                      w = place - p, normal = cross(u, v);
   const Rational size = dot(normal, normal);
   const Rational x = dot(cross(w, v), normal) / size, y = dot(cross(u, w), normal) / size;
-  return put(
-      [&](unsigned bits) { return bits == 0 ? place : along(along(p, rounded(x, bits), u), rounded(y, bits), v); },
-      {On::facet, i});
+  return put([&](unsigned bits) { return bits == 0 ? place : p + rounded(x, bits) * u + rounded(y, bits) * v; },
+             {On::facet, i});
 }
 
 /// To `near_`: the vertices that share an edge with it, which is in the same segment or facet.
@@ -343,7 +326,7 @@ bool Recovery::take_away(VertexId v) {
   for (const VertexId w : near_) {
     if (!tetrahedra_.sees(w, star_)) continue;
     tetrahedra_.fill(w, star_);
-    std::erase(carrier.on == On::segment ? chains_[carrier.of] : inside_[carrier.of], v);
+    std::erase(points_on(carrier), v);
     new_.erase(v);
     return true;
   }
@@ -419,20 +402,16 @@ void Recovery::move_to_doubles(ConstrainedTetrahedra& made, const Watch& watch) 
 /// a point looks along what carries it for a place where there is.
 VertexId Recovery::far_double(VertexId v) {
   const Carrier carrier = new_.at(v);
-  if (carrier.on == On::nothing) return VertexId::none();
   tetrahedra_.around(v, star_);
-  const auto& ends = carrier.on == On::segment ? std::span<const VertexId>(segments_[carrier.of])
-                                               : std::span<const VertexId>(facets_[carrier.of][0]);
-  const RationalPoint from = points_.rational(ends[0]), at = points_.rational(v);
-  for (std::size_t end = 1; end < ends.size(); ++end) {
-    const RationalPoint way = minus(points_.rational(ends[end]), from);
+  const RationalPoint at = points_.rational(v);
+  for (const RationalPoint& way : ways(carrier)) {
     const auto part = free_part(v, way);
     if (!part) continue;
+    const auto& [low, high] = *part;
     for (int i = 1; i <= kPlaces; ++i) {
       const int place = i % 2 == 0 ? kPlaces + i : kPlaces - i;  // from the middle on
-      const RationalPoint exact =
-          along(at, Rational((*part)[0] + ((*part)[1] - (*part)[0]) * place / (2 * kPlaces + 1)), way);
-      const std::array<double, 3> p{to_double(exact[0]), to_double(exact[1]), to_double(exact[2])};
+      const RationalPoint exact = at + Rational(low + (high - low) * place / (2 * kPlaces + 1)) * way;
+      const std::array<double, 3> p = to_doubles(exact);
       for (int beside = 0; beside < 7; ++beside) {
         auto q = p;
         if (beside > 0) {
@@ -469,8 +448,7 @@ VertexId Recovery::make_room(VertexId v, const std::function<bool(std::span<cons
   const VertexId w = points_.add(nearest[0], nearest[1], nearest[2]);
   tetrahedra_.around(v, star_);
   for (const Index t : star_) {
-    const auto& corners = tetrahedra_.corners(t);
-    const int k = static_cast<int>(std::find(corners.begin(), corners.end(), v) - corners.begin());
+    const int k = tetrahedra_.place(t, v);
     auto f = tetrahedra_.face({t, k});
     if (orient3d(points_, f[0], f[1], f[2], w) > 0) continue;
     // The side of the face that is nearest, by the angle at the point.
@@ -484,16 +462,16 @@ VertexId Recovery::make_room(VertexId v, const std::function<bool(std::span<cons
     const bool edge = widest > kFlat;
     const std::span<const VertexId> at(f.data(), edge ? 2 : 3);
     if (!is_free(at, bound)) continue;
-    const RationalPoint a = points_.rational(f[0]), ab = minus(points_.rational(f[1]), a),
-                        ac = minus(points_.rational(f[2]), a);
+    const RationalPoint a = points_.rational(f[0]), ab = points_.rational(f[1]) - a,
+                        ac = points_.rational(f[2]) - a;
     RationalPoint place;
     if (edge) {
       tetrahedra_.around(f[0], f[1], hole_);
-      const Rational foot = dot(minus(points_.rational(v), a), ab) / dot(ab, ab);
-      place = along(a, std::clamp(rounded(foot, kBits[0]), Rational(1, 64), Rational(63, 64)), ab);
+      const Rational foot = dot(points_.rational(v) - a, ab) / dot(ab, ab);
+      place = a + std::clamp(rounded(foot, kBits[0]), Rational(1, 64), Rational(63, 64)) * ab;
     } else {
       hole_ = {t, tetrahedra_.neighbour(t, k)};
-      place = along(along(a, Rational(1, 4), ab), Rational(1, 4), ac);
+      place = a + Rational(1, 4) * (ab + ac);
     }
     VertexId m = points_.add(place);
     require(tetrahedra_.sees(m, hole_), "tetrahedra: a hole with a gap");

@@ -61,6 +61,7 @@ class Recovery {
   std::vector<VertexId> near_;
 
   void cut_segment(Index i);
+  std::array<RationalPoint, 3> plane_ahead(const Ends& segment, VertexId last);
   void cut_facet(Index i);
   Wall wall(Index facet) const;
   std::size_t needed(Index facet) const;
@@ -72,6 +73,8 @@ class Recovery {
   void take_away_all(std::vector<VertexId> from);
   void neighbours_on_carrier(VertexId v, const Carrier& carrier);
   std::vector<VertexId> all_new() const;
+  std::vector<RationalPoint> ways(const Carrier& carrier) const;
+  std::vector<VertexId>& points_on(const Carrier& carrier);
   std::size_t spread(const Watch& watch);
   VertexId near_double(VertexId v);
   VertexId far_double(VertexId v);

@@ -9,6 +9,7 @@
 // walls of the hole is joined with them. That puts a point on a face or an edge, and takes one away.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -43,6 +44,10 @@ class Tetrahedra {
   const Corners& corners(Index t) const { return corners_[t]; }
   Index neighbour(Index t, int k) const { return neighbours_[t][static_cast<std::size_t>(k)]; }
   std::array<VertexId, 3> face(Face f) const;
+  /// The place of a vertex among the corners of a tetrahedron, 4 if it is none of them.
+  int place(Index t, VertexId v) const {
+    return static_cast<int>(std::find(corners_[t].begin(), corners_[t].end(), v) - corners_[t].begin());
+  }
   bool on_box(VertexId v) const { return v >= first_corner_ && v.index() < first_corner_.index() + 8; }
 
   /// The tetrahedra at a vertex, or at an edge.

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "csg/evaluate/evaluate.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/operators/identities.h"
 #include "csg/operators/node_value.h"
 #include "kernel/complex/interior.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/selection/measure.h"
 #include "tests/scenes/scene.h"
 

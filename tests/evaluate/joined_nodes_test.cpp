@@ -6,6 +6,7 @@
 
 #include "csg/result/join.h"
 #include "kernel/base/error.h"
+#include "tests/result/region_volumes.h"
 #include "tests/scenes/seeds.h"
 
 using namespace cnrg;
@@ -27,16 +28,6 @@ Evaluation evaluated(const Tree& tree, const std::vector<std::string>& nodes) {
 Result alone(Tree tree, const std::string& node) {
   tree.result = tree.find(node);
   return evaluate(tree).result();
-}
-
-/// Volumes by the names of regions.
-std::map<std::string, Rational> volumes(const Result& result) {
-  std::map<std::string, Rational> out;
-  for (Component i = 1; i <= Component(result.component_count()); ++i) {
-    const std::optional<Rational> volume = result.volume(i);
-    if (volume && *volume != 0) out[result.attributes(i).name] += *volume;
-  }
-  return out;
 }
 
 Rational sum(const std::map<std::string, Rational>& volumes) {

@@ -5,10 +5,10 @@
 
 #include "csg/curves/control_nets.h"
 #include "csg/evaluate/evaluate.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/operators/node_value.h"
 #include "csg/topology/topology.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

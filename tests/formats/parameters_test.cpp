@@ -8,9 +8,9 @@
 #include <set>
 
 #include "csg/formats/result_file.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/leaf.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 #include "tests/formats/cases.h"
 #include "tests/formats/vtu_reader.h"
 

@@ -10,8 +10,8 @@
 #include <set>
 #include <string>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/leaf.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg::test {
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <random>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/materials/sampler.h"
 #include "kernel/exact/distance.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

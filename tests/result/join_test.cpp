@@ -14,6 +14,7 @@
 #include "kernel/selection/homology.h"
 #include "kernel/selection/measure.h"
 #include "tests/result/near_scenes.h"
+#include "tests/result/region_volumes.h"
 #include "tests/scenes/seeds.h"
 
 using namespace cnrg;
@@ -41,16 +42,6 @@ std::optional<Rational> least_distance(const Result& result, const Rational& wit
     if (!pairs.empty() && (!least || pairs.front().squared < *least)) least = pairs.front().squared;
   }
   return least;
-}
-
-/// Volumes by the names of regions.
-std::map<std::string, Rational> volumes(const Result& result) {
-  std::map<std::string, Rational> out;
-  for (Component i = 1; i <= Component(result.component_count()); ++i) {
-    const std::optional<Rational> volume = result.volume(i);
-    if (volume && *volume != 0) out[result.attributes(i).name] += *volume;
-  }
-  return out;
 }
 
 /// What a result is but for its measures: Betti numbers of the whole and of the solids by name, and which of these

@@ -3,10 +3,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/result/part_text.h"
 #include "kernel/base/error.h"
 #include "kernel/exact/distance.h"
+#include "kernel/exact/exact_vectors.h"
 #include "tests/result/near_scenes.h"
 #include "tests/scenes/seeds.h"
 

@@ -5,9 +5,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "csg/geometry/exact_vectors.h"
 #include "csg/result/result_data.h"
 #include "kernel/base/error.h"
+#include "kernel/exact/exact_vectors.h"
 #include "tests/result/near_scenes.h"
 #include "tests/scenes/seeds.h"
 

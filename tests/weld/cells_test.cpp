@@ -11,8 +11,8 @@
 #include <random>
 
 #include "csg/evaluate/evaluate.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/operators/node_value.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

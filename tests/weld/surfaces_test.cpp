@@ -6,11 +6,11 @@
 #include <random>
 
 #include "csg/evaluate/evaluate.h"
-#include "csg/geometry/exact_vectors.h"
 #include "csg/leaves/leaf.h"
 #include "csg/operators/node_value.h"
 #include "csg/weld/round_carriers.h"
 #include "csg/weld/weld_surfaces.h"
+#include "kernel/exact/exact_vectors.h"
 
 namespace cnrg {
 namespace {

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from . import convert
 from .cells import SaidTable
-from .tetrahedra import _DATA, Simplices
+from .tetrahedra import Mesh, Simplices
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Meshed:
     without any"""
 
 
-class SurfaceMesh:
+class SurfaceMesh(Mesh):
     """A conforming mesh of all faces, edges, wires and points, which was proven to be that of the result.
 
     Arrays show memory of the library: they are read-only and keep it alive.
@@ -63,27 +63,10 @@ class SurfaceMesh:
         self.curved: bool = data["curved"]
         """elements of second order, with a node in the middle of each straight side"""
 
-    def _blocks(self) -> list[convert.Block]:
-        blocks = []
-        kinds = [convert.curved_kind(d, self.curved) for d in range(3)]
-        for d, kind, of in ((0, kinds[0], self.vertices), (1, kinds[1], self.segments), (2, kinds[2], self.triangles),
-                            (2, convert.QUAD, self.quads)):
-            data = {name: getattr(of, name) for name in _DATA}
-            data = {"dimension": np.full(len(of), d, dtype=np.int32), **data, **self.said._tags(of.said, d)}
-            blocks.append(convert.Block(d, kind, of.points, of.cell, data))
-        return [block for block in blocks if len(block.cells)]
-
-    def to_meshio(self) -> Any:
-        """A meshio.Mesh: groups are cell_sets and, by number and dimension, field_data. ImportError without meshio."""
-        return convert.to_meshio(self.points, self._blocks(), self.groups)
-
-    def to_vtk(self) -> Any:
-        """A vtkUnstructuredGrid (for PyVista: pyvista.wrap(...)), with cell data as of a .vtu. ImportError without
-        vtk."""
-        names = {"RegionNames": ["outside", *(c.name for c in self._result.components)],
-                 "MaterialNames": ["none", *self.materials], "LeafNames": list(self.leaves),
-                 **{f"{array} texts": texts for array, texts in self.said.texts.items()}}
-        return convert.blocks_to_vtk(self.points, self._blocks(), names)
+    def _elements(self) -> list[tuple[int, int, Simplices]]:
+        simplices = (self.vertices, self.segments, self.triangles)
+        return [*((d, convert.curved_kind(d, self.curved), of) for d, of in enumerate(simplices)),
+                (2, convert.QUAD, self.quads)]
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """Writes .msh .vtu .inp .bdf .med .xdmf, .mesh unless it is of second order, and .h5m if it is of first order

@@ -57,7 +57,43 @@ class Simplices:
         return len(self.cell)
 
 
-class Tetrahedra:
+class Mesh:
+    """What tetrahedra and surface meshes have in common."""
+
+    _mesh: Any
+    _result: Any
+    points: NDArray[np.float64]
+    groups: list[dict[str, NDArray[np.int32]]]
+    materials: tuple[str, ...]
+    leaves: tuple[str, ...]
+    said: SaidTable
+
+    def _elements(self) -> list[tuple[int, int, Simplices]]:
+        """The dimension, the kind and the elements of each block."""
+        raise NotImplementedError
+
+    def _blocks(self) -> list[convert.Block]:
+        blocks = []
+        for d, kind, of in self._elements():
+            data = {name: getattr(of, name) for name in _DATA}
+            data = {"dimension": np.full(len(of), d, dtype=np.int32), **data, **self.said._tags(of.said, d)}
+            blocks.append(convert.Block(d, kind, of.points, of.cell, data))
+        return [block for block in blocks if len(block.cells)]
+
+    def to_meshio(self) -> Any:
+        """A meshio.Mesh: groups are cell_sets and, by number and dimension, field_data. ImportError without meshio."""
+        return convert.to_meshio(self.points, self._blocks(), self.groups)
+
+    def to_vtk(self) -> Any:
+        """A vtkUnstructuredGrid (for PyVista: pyvista.wrap(...)), with cell data as of a .vtu. ImportError without
+        vtk."""
+        names = {"RegionNames": ["outside", *(c.name for c in self._result.components)],
+                 "MaterialNames": ["none", *self.materials], "LeafNames": list(self.leaves),
+                 **{f"{array} texts": texts for array, texts in self.said.texts.items()}}
+        return convert.blocks_to_vtk(self.points, self._blocks(), names)
+
+
+class Tetrahedra(Mesh):
     """A mesh that conforms to every region, wall, sheet, wire and point, which was proven exactly.
 
     Arrays show memory of the library: they are read-only and keep it alive.
@@ -88,26 +124,9 @@ class Tetrahedra:
         self.curved: bool = data["curved"]
         """elements of second order, on true surfaces or with straight edges"""
 
-    def _blocks(self) -> list[convert.Block]:
-        blocks = []
-        for d, of in enumerate((self.vertices, self.segments, self.triangles, self.tetrahedra)):
-            data = {name: getattr(of, name) for name in _DATA}
-            data = {"dimension": np.full(len(of), d, dtype=np.int32), **data,
-                    **self.said._tags(of.said, d)}
-            blocks.append(convert.Block(d, convert.curved_kind(d, self.curved), of.points, of.cell, data))
-        return [block for block in blocks if len(block.cells)]
-
-    def to_meshio(self) -> Any:
-        """A meshio.Mesh: groups are cell_sets and, by number and dimension, field_data. ImportError without meshio."""
-        return convert.to_meshio(self.points, self._blocks(), self.groups)
-
-    def to_vtk(self) -> Any:
-        """A vtkUnstructuredGrid (for PyVista: pyvista.wrap(...)), with cell data as of a .vtu. ImportError without
-        vtk."""
-        names = {"RegionNames": ["outside", *(c.name for c in self._result.components)],
-                 "MaterialNames": ["none", *self.materials], "LeafNames": list(self.leaves),
-                 **{f"{array} texts": texts for array, texts in self.said.texts.items()}}
-        return convert.blocks_to_vtk(self.points, self._blocks(), names)
+    def _elements(self) -> list[tuple[int, int, Simplices]]:
+        simplices = (self.vertices, self.segments, self.triangles, self.tetrahedra)
+        return [(d, convert.curved_kind(d, self.curved), of) for d, of in enumerate(simplices)]
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """Writes .msh .vtu .inp .bdf .med .xdmf, and .mesh and .h5m if it is of first order. InputError for another

@@ -1,4 +1,4 @@
-// Vectors of exact numbers: the few operations that leaves need.
+// Vectors of exact numbers.
 #pragma once
 
 #include "kernel/exact/rational.h"
