@@ -1,8 +1,10 @@
 // Tetrahedra of results: exact volumes by region, and everything that they have to conform to.
 #include "csg/mesh/tetrahedra.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <random>
 
 #include "csg/formats/formats.h"
 #include "csg/operators/cnrg.h"
@@ -184,7 +186,7 @@ TEST_CASE("what cannot be meshed says so", "[mesh][errors]") {
 
 // The end of a wire lies beside another wire, nearer than doubles are there: what cuts the other one beside it
 // comes to lie on it, or on its other side.
-TEST_CASE("wires too near to each other for cuts in doubles are told with a place", "[mesh][errors]") {
+TEST_CASE("a wire that ends beside another one, nearer than doubles are, is meshed", "[mesh]") {
   Soup soup;
   add_box(soup, {-4, -4, -4}, {4, 4, 4});
   const auto at = [](double x, double y, double z) {
@@ -195,8 +197,29 @@ TEST_CASE("wires too near to each other for cuts in doubles are told with a plac
   add_wire(soup, end, at(-0.5, -1, 0.25));
   Case c(soup);
   c.show(c.unite());
-  CHECK_THROWS_WITH(tetrahedra(c.view(), kConstrained),
-                    Catch::Contains("too thin for doubles near (-0.5 0.87499994"));
+  const MeshFile mesh = meshed(c.view(), kConstrained);
+  CHECK(to_double(mesh.volume("region 1")) == Approx(512).epsilon(1e-14));
+  const double first = std::hypot(4, 2.00000011920928961, 3.0e-7);
+  CHECK(mesh.measure(mesh.in_group(1, "wire of leaf1")) == Approx(first).epsilon(1e-9));
+  CHECK(mesh.measure(mesh.in_group(1, "wire of leaf2")) == Approx(std::hypot(1.875, 0.25)).epsilon(1e-7));
+}
+
+TEST_CASE("wires too near to each other for doubles are told with a place", "[mesh][errors]") {
+  Soup soup;
+  add_box(soup, {-4, -4, -4}, {4, 4, 4});
+  std::mt19937_64 random(1);
+  const auto part = [&] { return double(random() % 1'000'000) / 1e6 - 0.5; };
+  for (int wire = 0; wire < 6; ++wire) {
+    const std::array<double, 3> way{part(), part(), part()};
+    const auto at = [&](double t) {
+      return RationalPoint{from_double(0.3 + t * way[0]), from_double(0.4 + t * way[1]),
+                           from_double(0.7 + t * way[2])};
+    };
+    add_wire(soup, at(1), at(-0.7));
+  }
+  Case c(soup);
+  c.show(c.unite());
+  CHECK_THROWS_WITH(tetrahedra(c.view(), kConstrained), Catch::Contains("too thin for doubles near (0.28593496"));
 }
 
 TEST_CASE("rounding that takes a point through a wall is refused", "[mesh][errors]") {
