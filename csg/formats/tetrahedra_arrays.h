@@ -10,7 +10,6 @@
 
 #include "csg/formats/result_file.h"
 #include "csg/mesh/cell_groups.h"
-#include "csg/mesh/surface_triangles.h"
 #include "csg/result/arrays.h"
 #include "csg/result/result.h"
 
@@ -79,11 +78,11 @@ struct SurfaceArrays : MeshArrays {
 /// A surface mesh that was made; copies share it.
 class SurfaceMeshResult {
  public:
-  /// As surface_triangles.h has it. Throws InputError, RoundingFault.
+  /// All faces, edges, wires and points of a closed result. Throws InputError, RoundingFault.
   explicit SurfaceMeshResult(const Result& result, const SurfaceOptions& options = {});
 
   SurfaceArrays arrays() const;
-  std::size_t kept() const;  ///< facets that keep their triangles (surface_triangles.h)
+  std::size_t kept() const;  ///< facets that keep their triangles since others of doubles would cross what is near
   /// In the formats of check_mesh_file_name (result_file.h); of second order not .mesh and .h5m, with
   /// quadrilaterals not .h5m. Throws InputError for another extension, FileError.
   void write(const std::string& path) const;

@@ -11,28 +11,12 @@
 // one line of a small angle to the same distance on the other is left as it is (shewchuk2002, miller2003).
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "csg/mesh/facet_mesh.h"
-#include "kernel/base/progress.h"
+#include "csg/result/result.h"
 
 namespace cnrg {
-
-/// No side is longer than this in its middle; infinite where nothing is said. Empty: nowhere anything.
-using SizeAt = std::function<double(const DoubleVector&)>;
-
-struct SurfaceOptions {
-  SizeAt size{};
-  /// Of `surface_triangles`, which makes `size` of these and of what the result asks for (mesh_sizes.h), unless it
-  /// is given: as of SizeOptions.
-  double overall = 0, growth = 0.3;
-  std::size_t max_points = 1'000'000;  ///< no points are added beyond these
-  int seconds = 600;                   ///< of time; 0: no bound
-  int order = 1;       ///< of the elements; 2: with a node in the middle of each side, not with quads
-  bool quads = false;  ///< triangles are merged by pairs where these are good (quads.h)
-  Watch watch{};
-};
 
 /// Why a triangle has an angle below kLeastAngle.
 enum class SmallAngle : std::uint8_t {

@@ -8,18 +8,6 @@
 
 namespace cnrg {
 
-/// Triangles of all faces whose first group is the same.
-struct FaceTriangles {
-  std::string name;  ///< of the group
-  std::size_t triangles = 0;
-  double area = 0;
-  double least_angle = 180;          ///< degrees
-  std::array<double, 3> where{};     ///< a corner with that angle
-  std::array<std::size_t, 4> why{};  ///< triangles by SmallAngle
-  std::size_t quads = 0;             ///< in place of two triangles each, which are not counted
-  double least_quad = 1;             ///< quad_quality (quads.h)
-};
-
 struct SurfaceTriangles {
   Mesh mesh;  ///< without tetrahedra and regions; entities are cells of the result
   RoundingReport rounding;

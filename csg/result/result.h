@@ -9,6 +9,7 @@
 //   write("both.json", Result(complex, unite(...), {.result = "both"}));
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -119,6 +120,34 @@ struct RegionTetrahedra {
   std::string name;  ///< of its group in the mesh
   std::size_t tetrahedra = 0;
   Rational volume;  ///< of the tetrahedra, exactly
+};
+
+/// No side is longer than this in its middle; infinite where nothing is said. Empty: nowhere anything.
+using SizeAt = std::function<double(const std::array<double, 3>&)>;
+
+/// What is asked of the triangles on the faces of a result.
+struct SurfaceOptions {
+  SizeAt size{};
+  /// Sides are as long as these say, which mean what they mean for tetrahedra, and as the result asks for, unless
+  /// `size` is given.
+  double overall = 0, growth = 0.3;
+  std::size_t max_points = 1'000'000;  ///< no points are added beyond these
+  int seconds = 600;                   ///< of time; 0: no bound
+  int order = 1;       ///< of the elements; 2: with a node in the middle of each side, not with quads
+  bool quads = false;  ///< triangles are merged by pairs where these are good
+  Watch watch{};
+};
+
+/// Triangles of all faces whose first group is the same.
+struct FaceTriangles {
+  std::string name;  ///< of the group
+  std::size_t triangles = 0;
+  double area = 0;
+  double least_angle = 180;          ///< degrees
+  std::array<double, 3> where{};     ///< a corner with that angle
+  std::array<std::size_t, 4> why{};  ///< triangles by SmallAngle (csg/mesh/refine_surface.h)
+  std::size_t quads = 0;             ///< in place of two triangles each, which are not counted
+  double least_quad = 1;             ///< of a rectangle 1
 };
 
 }  // namespace cnrg

@@ -185,7 +185,7 @@ bool Recovery::to_middle(VertexId& v, const RationalPoint& way) {
 
 /// From each end of what there is already through the next face, or through an edge of it.
 void Recovery::cut_segment(Index i) {
-  const auto& [a, b] = segments_[i];
+  const VertexId a = segments_[i][0], b = segments_[i][1];
   std::vector<VertexId> fresh;
   VertexId last = a;
   for (;;) {

@@ -194,18 +194,19 @@ void Tetrahedra::fill(VertexId v, std::span<const Index> hole) {
     corners_[t].fill(VertexId::none());
     free_.push_back(t);
   }
-  for (const auto& [corners, outside] : walls) {
+  for (const Wall& wall : walls) {
+    const auto& corners = wall.corners;
     const auto at = std::find(corners.begin(), corners.end(), v) - corners.begin();
     const auto side = [&](std::ptrdiff_t k) {
       return RefineInput::key(corners[static_cast<std::size_t>((k + 1) % 3)],
                               corners[static_cast<std::size_t>((k + 2) % 3)]);
     };
     if (at < 3) {
-      sides.emplace_back(side(at), outside);
+      sides.emplace_back(side(at), wall.outside);
       continue;
     }
     const Index t = add({corners[0], corners[1], corners[2], v});
-    join({t, 3}, outside);
+    join({t, 3}, wall.outside);
     for (int k = 0; k < 3; ++k) sides.emplace_back(side(k), Face{t, k});
   }
   std::sort(sides.begin(), sides.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
