@@ -71,7 +71,8 @@ Recovery::Recovery(PointTable& points, Tetrahedra& tetrahedra, std::span<const E
       facets_(facets),
       borders_(borders),
       chains_(segments.size()),
-      inside_(facets.size()) {}
+      inside_(facets.size()),
+      flips_(points, tetrahedra) {}
 
 void Recovery::run(const Watch& watch) {
   Steps segments(watch, "tetrahedra: segments", segments_.size());
@@ -183,7 +184,7 @@ bool Recovery::to_middle(VertexId& v, const RationalPoint& way) {
   return false;
 }
 
-/// From each end of what there is already through the next face, or through an edge of it.
+/// From what there is already through the next face, or through an edge of it, where neither can be flipped away.
 void Recovery::cut_segment(Index i) {
   const VertexId a = segments_[i][0], b = segments_[i][1];
   std::vector<VertexId> fresh;
@@ -191,34 +192,76 @@ void Recovery::cut_segment(Index i) {
   for (;;) {
     tetrahedra_.around(last, star_);
     if (std::any_of(star_.begin(), star_.end(), [&](Index t) { return tetrahedra_.place(t, b) < 4; })) break;
-    last = put_on_segment(
-        i, part_to_plane(points_.rational(a), points_.rational(b), plane_ahead(segments_[i], last)));
+    const Obstacle next = ahead(last, b);
+    if (flip(next, {last, b}) || flip(ahead(b, last), {b, last})) continue;
+    const auto& [p, q, r] = next.corners;
+    if (next.edge) tetrahedra_.around(p, q, hole_);
+    else hole_ = {next.face.tetrahedron, tetrahedra_.neighbour(next.face.tetrahedron, next.face.k)};
+    last = put_on_segment(i, part_to_plane(points_.rational(a), points_.rational(b),
+                                           {points_.rational(p), points_.rational(q), points_.rational(r)}));
     chains_[i].push_back(last);
     fresh.push_back(last);
   }
   take_away_all(std::move(fresh));
 }
 
-/// The plane of the face of the star of `last` that a segment passes through next; to `hole_` what a point there
-/// parts.
-std::array<RationalPoint, 3> Recovery::plane_ahead(const Ends& segment, VertexId last) {
+/// Where a way from a vertex to another leaves the star of the first.
+Recovery::Obstacle Recovery::ahead(VertexId from, VertexId to) {
+  tetrahedra_.around(from, star_);
   for (const Index t : star_) {
-    const int place = tetrahedra_.place(t, last);
-    const auto f = tetrahedra_.face({t, place});
+    const int place = tetrahedra_.place(t, from);
+    auto f = tetrahedra_.face({t, place});
     std::array<int, 3> turns{};
-    for (std::size_t k = 0; k < 3; ++k) turns[k] = orient3d(points_, segment[0], segment[1], f[k], f[(k + 1) % 3]);
+    for (std::size_t k = 0; k < 3; ++k) turns[k] = orient3d(points_, from, to, f[k], f[(k + 1) % 3]);
     if (*std::max_element(turns.begin(), turns.end()) > 0) continue;
-    const auto edge = static_cast<std::size_t>(std::find(turns.begin(), turns.end(), 0) - turns.begin());
-    if (edge == 3) {
-      hole_ = {t, tetrahedra_.neighbour(t, place)};
-    } else if (std::count(turns.begin(), turns.end(), 0) == 1) {
-      tetrahedra_.around(f[edge], f[(edge + 1) % 3], hole_);
-    } else {
-      continue;
-    }
-    return {points_.rational(f[0]), points_.rational(f[1]), points_.rational(f[2])};
+    const auto zeros = std::count(turns.begin(), turns.end(), 0);
+    if (zeros > 1) continue;
+    std::rotate(f.begin(), f.begin() + (std::find(turns.begin(), turns.end(), 0) - turns.begin()) % 3, f.end());
+    return {{t, place}, f, zeros == 1};
   }
   throw InvariantError("tetrahedra: a point is inside of a segment");
+}
+
+/// Does what is between the ends of a way pass through a face?
+bool Recovery::crosses(const Ends& way, std::span<const VertexId> face) const {
+  if (face.size() < 3) return false;
+  if (std::any_of(face.begin(), face.end(), [&](VertexId v) { return v == way[0] || v == way[1]; })) return false;
+  bool left = false, right = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int turn = orient3d(points_, way[0], way[1], face[k], face[(k + 1) % 3]);
+    left = left || turn > 0, right = right || turn < 0;
+    if (left && right) return false;
+  }
+  return orient3d(points_, face[0], face[1], face[2], way[0]) *
+             orient3d(points_, face[0], face[1], face[2], way[1]) <
+         0;
+}
+
+bool Recovery::flip(const Obstacle& obstacle, const Ends& way) {
+  const auto in_the_way = [&](std::span<const VertexId> part) { return crosses(way, part); };
+  const auto& f = obstacle.corners;
+  if (!obstacle.edge && flips_.remove_face(obstacle.face, in_the_way)) return true;
+  for (std::size_t k = 0; k < (obstacle.edge ? 1 : 3); ++k) {
+    const VertexId p = f[k], q = f[(k + 1) % 3];
+    if (!is_piece(p, q) && flips_.remove_edge(p, q, in_the_way)) return true;
+  }
+  return false;
+}
+
+/// Is an edge a segment or a part of one?
+bool Recovery::is_piece(VertexId a, VertexId b) const {
+  for (const auto& [v, w] : {std::pair(a, b), std::pair(b, a)}) {
+    const auto carrier = new_.find(v);
+    if (carrier == new_.end()) continue;
+    if (carrier->second.on != On::segment) return false;
+    const auto& [p, q] = segments_[carrier->second.of];
+    const auto& list = chains_[carrier->second.of];
+    const auto at = std::find(list.begin(), list.end(), v);
+    return w == (at == list.begin() ? p : *(at - 1)) || w == (at + 1 == list.end() ? q : *(at + 1));
+  }
+  const Ends ends{std::min(a, b), std::max(a, b)};
+  const auto at = std::lower_bound(segments_.begin(), segments_.end(), ends);
+  return at != segments_.end() && *at == ends && chains_[static_cast<std::size_t>(at - segments_.begin())].empty();
 }
 
 void Recovery::cut_facet(Index i) {
@@ -226,7 +269,14 @@ void Recovery::cut_facet(Index i) {
   if (all.faces().size() < needed(i)) {
     const auto& [p, q, r] = facets_[i][0];
     const std::array<RationalPoint, 3> plane{points_.rational(p), points_.rational(q), points_.rational(r)};
-    for (const auto& [below, above] : all.edges_through()) {
+    std::vector<Ends> through = all.edges_through();
+    const auto in_the_way = [&](std::span<const VertexId> part) {
+      return part.size() == 2 && all.is_crossed(part[0], part[1]);
+    };
+    while (std::erase_if(through,
+                         [&](const Ends& edge) { return flips_.remove_edge(edge[0], edge[1], in_the_way); }) > 0) {
+    }
+    for (const auto& [below, above] : through) {
       tetrahedra_.around(below, above, hole_);
       const RationalPoint from = points_.rational(below), to = points_.rational(above);
       inside_[i].push_back(put_on_facet(i, from + part_to_plane(from, to, plane) * (to - from)));

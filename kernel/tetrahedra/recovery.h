@@ -15,6 +15,7 @@
 
 #include "kernel/base/progress.h"
 #include "kernel/tetrahedra/constrained.h"
+#include "kernel/tetrahedra/flips.h"
 #include "kernel/tetrahedra/wall.h"
 
 namespace cnrg {
@@ -49,6 +50,12 @@ class Recovery {
     On on;
     Index of;
   };
+  /// The face of a star that a way from its middle passes through next, or an edge of it.
+  struct Obstacle {
+    Tetrahedra::Face face;  // with the middle of the star in front
+    std::array<VertexId, 3> corners;
+    bool edge;  // of the first two
+  };
   PointTable& points_;
   Tetrahedra& tetrahedra_;
   std::span<const Ends> segments_;
@@ -59,9 +66,13 @@ class Recovery {
   std::unordered_map<VertexId, Carrier> new_;
   std::vector<Index> star_, hole_;
   std::vector<VertexId> near_;
+  Flips flips_;
 
   void cut_segment(Index i);
-  std::array<RationalPoint, 3> plane_ahead(const Ends& segment, VertexId last);
+  Obstacle ahead(VertexId from, VertexId to);
+  bool flip(const Obstacle& obstacle, const Ends& way);
+  bool crosses(const Ends& way, std::span<const VertexId> face) const;
+  bool is_piece(VertexId a, VertexId b) const;
   void cut_facet(Index i);
   Wall wall(Index facet) const;
   std::size_t needed(Index facet) const;

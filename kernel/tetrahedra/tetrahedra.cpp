@@ -189,11 +189,7 @@ void Tetrahedra::fill(VertexId v, std::span<const Index> hole) {
       if (u == kNone || seen_[u] != round_) walls.push_back({face({t, k}), opposite({t, k})});
     }
   }
-  for (const Index t : hole) {
-    for (const VertexId corner : corners_[t]) at_[corner.index()] = kNone;
-    corners_[t].fill(VertexId::none());
-    free_.push_back(t);
-  }
+  remove(hole);
   for (const Wall& wall : walls) {
     const auto& corners = wall.corners;
     const auto at = std::find(corners.begin(), corners.end(), v) - corners.begin();
@@ -219,12 +215,49 @@ void Tetrahedra::fill(VertexId v, std::span<const Index> hole) {
   }
 }
 
+void Tetrahedra::replace(std::span<const Index> hole, std::span<const Corners> fresh) {
+  static thread_local std::vector<std::pair<std::array<VertexId, 3>, Face>> sides;  // by sorted corners
+  sides.clear();
+  const auto side = [&](std::array<VertexId, 3> corners, Face f) {
+    std::sort(corners.begin(), corners.end());
+    sides.emplace_back(corners, f);
+  };
+  mark(hole);
+  for (const Index t : hole) {
+    for (int k = 0; k < 4; ++k) {
+      const Index u = neighbour(t, k);
+      if (u == kNone || seen_[u] != round_) side(face({t, k}), opposite({t, k}));
+    }
+  }
+  remove(hole);
+  for (const Corners& corners : fresh) {
+    const Index t = add(corners);
+    for (int k = 0; k < 4; ++k) side(face({t, k}), {t, k});
+  }
+  std::sort(sides.begin(), sides.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  require(sides.size() % 2 == 0, "tetrahedra: a hole with a gap");
+  for (std::size_t i = 0; i < sides.size(); i += 2) {
+    require(sides[i].first == sides[i + 1].first, "tetrahedra: a hole with a gap");
+    Face f = sides[i].second, g = sides[i + 1].second;
+    if (f.tetrahedron == kNone) std::swap(f, g);
+    join(f, g);
+  }
+}
+
 void Tetrahedra::rename(VertexId vertex, VertexId by) {
   if (at_.size() < points_.size()) at_.resize(points_.size(), kNone);
   std::vector<Index> star;
   around(vertex, star);
   for (const Index t : star) std::replace(corners_[t].begin(), corners_[t].end(), vertex, by);
   at_[by.index()] = std::exchange(at_[vertex.index()], kNone);
+}
+
+void Tetrahedra::remove(std::span<const Index> hole) {
+  for (const Index t : hole) {
+    for (const VertexId corner : corners_[t]) at_[corner.index()] = kNone;
+    corners_[t].fill(VertexId::none());
+    free_.push_back(t);
+  }
 }
 
 Tetrahedra::Index Tetrahedra::add(const Corners& corners) {

@@ -5,8 +5,9 @@
 // is inside of the sphere around one of them. Points that lie on one sphere are parted by perturbation
 // (kernel/exact/in_sphere.h), so the order in which points come does not matter, and no tetrahedron is flat.
 //
-// All that changes the mesh later is one operation: some tetrahedra are taken away, and a point that sees all
-// walls of the hole is joined with them. That puts a point on a face or an edge, and takes one away.
+// What changes the mesh later takes some tetrahedra away and fills the hole: by a point that sees all its walls
+// and is joined with them, which puts a point on a face or an edge, and takes one away; or by other tetrahedra of
+// the same points.
 #pragma once
 
 #include <algorithm>
@@ -59,6 +60,8 @@ class Tetrahedra {
   bool sees(VertexId v, std::span<const Index> hole) const;
   /// Fills the hole by tetrahedra of that point and each of these walls.
   void fill(VertexId v, std::span<const Index> hole);
+  /// Takes tetrahedra away and puts others, positive ones of the same vertices, into the hole.
+  void replace(std::span<const Index> hole, std::span<const Corners> fresh);
   /// Puts another point of the table in the place of a vertex, of which it must see the star.
   void rename(VertexId vertex, VertexId by);
 
@@ -78,6 +81,7 @@ class Tetrahedra {
   Face opposite(Face f) const;
   void mark(std::span<const Index> hole) const;
   Index add(const Corners& corners);
+  void remove(std::span<const Index> hole);
   void join(Face f, Face g);
   bool meet(Index t) const;
 };

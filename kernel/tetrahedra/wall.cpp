@@ -114,7 +114,12 @@ bool Wall::pierced(Index t) {
     if (s > 0) above = v;
     if (s < 0) below = v;
   }
-  if (!above.valid() || !below.valid()) return false;
+  return above.valid() && below.valid() && is_crossed(below, above);
+}
+
+bool Wall::is_crossed(VertexId below, VertexId above) {
+  if (side(below) > side(above)) std::swap(below, above);
+  if (side(below) >= 0 || side(above) <= 0) return false;
   const auto through = [&](const Triangle& f) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (orient3d(points_, below, above, f[k], f[(k + 1) % 3]) < 0) return false;

@@ -28,6 +28,8 @@ class Wall {
   std::vector<Triangle> faces() const;
   /// The edges that pass through it, each from below the facet to above, ascending.
   std::vector<Ends> edges_through();
+  /// Does an edge pass through it?
+  bool is_crossed(VertexId a, VertexId b);
 
  private:
   const PointTable& points_;
