@@ -46,10 +46,22 @@ bool Flips::find_ring(VertexId a, VertexId b) {
   return ring_.size() == hole_.size();
 }
 
-bool Flips::remove_edge(VertexId a, VertexId b, const InTheWay& in_the_way) {
+bool Flips::remove_edge(VertexId a, VertexId b, const InTheWay& in_the_way, const MayGo& may_go) {
+  if (!may_go(a, b)) return false;
+  if (remove(a, b, in_the_way, 0)) return true;
+  for (const VertexId v : std::vector(ring_)) {
+    for (const VertexId u : {a, b}) {
+      if (may_go(u, v) && remove(u, v, in_the_way, 1) && remove(a, b, in_the_way, 0)) return true;
+    }
+  }
+  return false;
+}
+
+/// `more`: so many more may be in the way than were.
+bool Flips::remove(VertexId a, VertexId b, const InTheWay& in_the_way, int more) {
   if (!find_ring(a, b)) return false;
   const std::size_t n = ring_.size();
-  int before = in_the_way(std::array{a, b});
+  int before = more + in_the_way(std::array{a, b});
   for (const VertexId v : ring_) before += in_the_way(std::array{a, b, v});
   // The triangulation of the ring with the least in the way: of what is between i and j by that of parts of it.
   int least[kLongest][kLongest];

@@ -21,8 +21,11 @@ class Flips {
 
   Flips(const PointTable& points, Tetrahedra& tetrahedra) : points_(points), tetrahedra_(tetrahedra) {}
 
-  /// Takes an edge away, if what comes with other tetrahedra around it has fewer edges and faces in the way.
-  bool remove_edge(VertexId a, VertexId b, const InTheWay& in_the_way);
+  /// May an edge go?
+  using MayGo = std::function<bool(VertexId, VertexId)>;
+  /// Takes an edge away, if what comes with other tetrahedra around it has fewer edges and faces in the way. Where
+  /// there are no such tetrahedra, edges next to it are taken away first, if that puts no more in the way.
+  bool remove_edge(VertexId a, VertexId b, const InTheWay& in_the_way, const MayGo& may_go);
   /// Takes a face away by an edge that passes through it, likewise.
   bool remove_face(Tetrahedra::Face face, const InTheWay& in_the_way);
 
@@ -34,6 +37,7 @@ class Flips {
   std::vector<Tetrahedra::Corners> fresh_;
 
   bool find_ring(VertexId a, VertexId b);
+  bool remove(VertexId a, VertexId b, const InTheWay& in_the_way, int more);
 };
 
 }  // namespace cnrg

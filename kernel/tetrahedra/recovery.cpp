@@ -76,8 +76,16 @@ Recovery::Recovery(PointTable& points, Tetrahedra& tetrahedra, std::span<const E
 
 void Recovery::run(const Watch& watch) {
   Steps segments(watch, "tetrahedra: segments", segments_.size());
-  for (Index i = 0; i < segments_.size(); ++i) {
-    cut_segment(i);
+  std::vector<Index> open = short_first();
+  const auto flipped = [&](Index i) {
+    if (!put_in_segment(i, Cuts::none)) return false;
+    segments.step();
+    return true;
+  };
+  while (std::erase_if(open, flipped) > 0) {
+  }
+  for (const Index i : open) {
+    put_in_segment(i, Cuts::some);
     segments.step();
   }
   Steps facets(watch, "tetrahedra: facets", facets_.size());
@@ -184,16 +192,39 @@ bool Recovery::to_middle(VertexId& v, const RationalPoint& way) {
   return false;
 }
 
+/// In a fan of segments a long one between two others has their points in its way, and would be cut as often as
+/// they have been; a short one has little in its way.
+std::vector<Recovery::Index> Recovery::short_first() const {
+  std::vector<std::pair<double, Index>> order;
+  for (Index i = 0; i < segments_.size(); ++i) {
+    const auto a = points_.approx(segments_[i][0]), b = points_.approx(segments_[i][1]);
+    double squared = 0;
+    for (std::size_t k = 0; k < 3; ++k) squared += (b[k] - a[k]) * (b[k] - a[k]);
+    order.emplace_back(squared, i);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Index> out;
+  for (const auto& [squared, i] : order) out.push_back(i);
+  return out;
+}
+
 /// From what there is already through the next face, or through an edge of it, where neither can be flipped away.
-void Recovery::cut_segment(Index i) {
+/// False if it is not there, since it would have to be cut.
+bool Recovery::put_in_segment(Index i, Cuts cuts) {
   const VertexId a = segments_[i][0], b = segments_[i][1];
   std::vector<VertexId> fresh;
   VertexId last = a;
-  for (;;) {
+  const auto is_there = [&] {
     tetrahedra_.around(last, star_);
-    if (std::any_of(star_.begin(), star_.end(), [&](Index t) { return tetrahedra_.place(t, b) < 4; })) break;
+    return std::any_of(star_.begin(), star_.end(), [&](Index t) { return tetrahedra_.place(t, b) < 4; });
+  };
+  while (!is_there()) {
+    if (flip({last, b})) continue;
+    if (is_there()) break;
+    if (flip({b, last})) continue;
+    if (is_there()) break;
+    if (cuts == Cuts::none) return false;
     const Obstacle next = ahead(last, b);
-    if (flip(next, {last, b}) || flip(ahead(b, last), {b, last})) continue;
     const auto& [p, q, r] = next.corners;
     if (next.edge) tetrahedra_.around(p, q, hole_);
     else hole_ = {next.face.tetrahedron, tetrahedra_.neighbour(next.face.tetrahedron, next.face.k)};
@@ -203,6 +234,7 @@ void Recovery::cut_segment(Index i) {
     fresh.push_back(last);
   }
   take_away_all(std::move(fresh));
+  return true;
 }
 
 /// Where a way from a vertex to another leaves the star of the first.
@@ -237,13 +269,16 @@ bool Recovery::crosses(const Ends& way, std::span<const VertexId> face) const {
          0;
 }
 
-bool Recovery::flip(const Obstacle& obstacle, const Ends& way) {
+/// Takes away what is next on a way; other things may be exchanged even where it stays.
+bool Recovery::flip(const Ends& way) {
+  const Obstacle obstacle = ahead(way[0], way[1]);
   const auto in_the_way = [&](std::span<const VertexId> part) { return crosses(way, part); };
   const auto& f = obstacle.corners;
   if (!obstacle.edge && flips_.remove_face(obstacle.face, in_the_way)) return true;
   for (std::size_t k = 0; k < (obstacle.edge ? 1 : 3); ++k) {
-    const VertexId p = f[k], q = f[(k + 1) % 3];
-    if (!is_piece(p, q) && flips_.remove_edge(p, q, in_the_way)) return true;
+    if (flips_.remove_edge(f[k], f[(k + 1) % 3], in_the_way,
+                           [&](VertexId p, VertexId q) { return !is_piece(p, q); }))
+      return true;
   }
   return false;
 }
@@ -273,8 +308,12 @@ void Recovery::cut_facet(Index i) {
     const auto in_the_way = [&](std::span<const VertexId> part) {
       return part.size() == 2 && all.is_crossed(part[0], part[1]);
     };
-    while (std::erase_if(through,
-                         [&](const Ends& edge) { return flips_.remove_edge(edge[0], edge[1], in_the_way); }) > 0) {
+    // No other facet and no segment has one of these edges; edges next to them may have both.
+    const auto flipped = [&](const Ends& edge) {
+      return flips_.remove_edge(edge[0], edge[1], in_the_way,
+                                [&](VertexId p, VertexId q) { return p == edge[0] && q == edge[1]; });
+    };
+    while (std::erase_if(through, flipped) > 0) {
     }
     for (const auto& [below, above] : through) {
       tetrahedra_.around(below, above, hole_);

@@ -68,9 +68,11 @@ class Recovery {
   std::vector<VertexId> near_;
   Flips flips_;
 
-  void cut_segment(Index i);
+  enum class Cuts { none, some };
+  std::vector<Index> short_first() const;
+  bool put_in_segment(Index i, Cuts cuts);
   Obstacle ahead(VertexId from, VertexId to);
-  bool flip(const Obstacle& obstacle, const Ends& way);
+  bool flip(const Ends& way);
   bool crosses(const Ends& way, std::span<const VertexId> face) const;
   bool is_piece(VertexId a, VertexId b) const;
   void cut_facet(Index i);
