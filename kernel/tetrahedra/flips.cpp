@@ -30,11 +30,12 @@ std::array<VertexId, 2> others(const Tetrahedra::Corners& corners, VertexId a, V
 /// To `hole_` the tetrahedra at an edge, to `ring_` what is around it: false where they are too many, or the edge
 /// is on the box.
 bool Flips::find_ring(VertexId a, VertexId b) {
+  ring_.clear();
   tetrahedra_.around(a, b, hole_);
   if (hole_.size() < 3 || hole_.size() > kLongest) return false;
   std::array<std::array<VertexId, 2>, kLongest> sides;
   for (std::size_t i = 0; i < hole_.size(); ++i) sides[i] = others(tetrahedra_.corners(hole_[i]), a, b);
-  ring_.assign(1, sides[0][0]);
+  ring_.push_back(sides[0][0]);
   VertexId next = sides[0][1];
   while (next != ring_[0]) {
     ring_.push_back(next);
