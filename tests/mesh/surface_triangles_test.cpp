@@ -312,15 +312,15 @@ TEST_CASE("surface: a gap that would take too many points keeps what it has", "[
 }
 
 TEST_CASE("surface: what doubles would make cross keeps its triangles", "[mesh][surface]") {
-  // Two oblique sheets with a gap of a last digit, each with a short edge, which takes points inside of the sheet:
-  // points that are rounded into one of them cross the other.
-  const Rational gap(1, Integer("281474976710656")), q(1, 4);
+  // Two oblique sheets that meet in a side, in an angle of some last digits, each with a short side near it, which
+  // takes points inside of the sheet: points that are rounded into one of them cross the other.
+  const Rational thin(1, Integer("281474976710656")), q(1, 4);
   std::vector<std::vector<RationalPoint>> twins(2);
   for (int i = 0; i < 2; ++i) {
     const Rational r = q / (1 + i);
-    const std::array<std::array<Rational, 2>, 5> corners{{{0, 0}, {30, 0}, {30, 22}, {r, 22}, {0, 22 - r}}};
+    const std::array<std::array<Rational, 2>, 5> corners{{{r, 0}, {30, 0}, {30, 22}, {0, 22}, {0, r}}};
     for (const auto& [u, v] : corners)
-      twins[std::size_t(i)].push_back({(u + v) / 8, (u - v) / 8, (3 * u + 5 * v) / 8 + i * gap});
+      twins[std::size_t(i)].push_back({(u + v) / 8, (u - v) / 8, (3 * u + 5 * v) / 8 + i * thin * v});
   }
   const Case c = sheets(twins);
   const SurfaceTriangles made = surface_triangles(c.view());
