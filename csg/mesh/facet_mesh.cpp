@@ -154,7 +154,8 @@ Vector FacetMesh::on_plane(Index facet, Vector at) const {
   const auto& [face, axes, fixed, normal, center] = facets_[facet];
   const std::size_t w = 3u - axes.u - axes.v;
   if (normal[w] == 0) return at;
-  const double up = normal[axes.u] * (at[axes.u] - center[axes.u]) + normal[axes.v] * (at[axes.v] - center[axes.v]);
+  const double up =
+      normal[axes.u] * (at[axes.u] - center[axes.u]) + normal[axes.v] * (at[axes.v] - center[axes.v]);
   at[w] = center[w] - up / normal[w];
   return at;
 }
@@ -369,8 +370,8 @@ FacetMesh::Cavity FacetMesh::cavity(Index triangle, const Vector& at) const {
       if (!seen.insert(u).second) continue;
       const Triangle& there = triangles_[u];
       const Index l = side_of(u, t);
-      const bool inside =
-          delaunay(there.facet, there.points[(l + 1) % 3], there.points[(l + 2) % 3], xyz_[there.points[l]], at) < 0;
+      const bool inside = delaunay(there.facet, there.points[(l + 1) % 3], there.points[(l + 2) % 3],
+                                   xyz_[there.points[l]], at) < 0;
       if (inside) open.push_back(u);
     }
   }

@@ -103,9 +103,9 @@ class Refiner {
   std::priority_queue<Candidate> triangles_;
   std::size_t numbered_ = 0;
   /// Of each point: how many times on the way to it a side had to be mended by a shorter one. Only a segment that
-  /// is split for the sake of a triangle makes one, by a factor of 0.83 at most (half of it is seen from its middle
-  /// by the circumcentre, at 1 / (2 sin 25) of the side, at 1 / sqrt(2) of that). For angles up to 26.4 degrees
-  /// that does not go on for ever (miller2003); that it does not with doubles, either, is seen to here.
+  /// is split for the sake of a triangle makes one, by a factor of 0.83 at most (half of it is seen from its
+  /// middle by the circumcentre, at 1 / (2 sin 25) of the side, at 1 / sqrt(2) of that). For angles up to 26.4
+  /// degrees that does not go on for ever (miller2003); that it does not with doubles, either, is seen to here.
   std::vector<std::uint8_t> rank_;
   static constexpr int kMostRank = 32;
 
