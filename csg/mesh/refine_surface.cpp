@@ -102,10 +102,9 @@ class Refiner {
   std::queue<Index> segments_;
   std::priority_queue<Candidate> triangles_;
   std::size_t numbered_ = 0;
-  /// Of each point: how many times on the way to it a side had to be mended by a shorter one. Only a segment that
-  /// is split for the sake of a triangle makes one, by a factor of 0.83 at most (half of it is seen from its
-  /// middle by the circumcentre, at 1 / (2 sin 25) of the side, at 1 / sqrt(2) of that). For angles up to 26.4
-  /// degrees that does not go on for ever (miller2003); that it does not with doubles, either, is seen to here.
+  /// Of each point: how many times on the way to it a side was mended by a shorter one. A segment that is split
+  /// for the sake of a triangle makes such: half of it has 1 / sqrt(2) of the circumradius at least, and that 1 /
+  /// (2 sin 25) of the side, which is 0.83 of it.
   std::vector<std::uint8_t> rank_;
   static constexpr int kMostRank = 32;
 
