@@ -45,10 +45,17 @@ class Refiner {
   Refiner(FacetMesh& mesh, const SurfaceOptions& options)
       : mesh_(mesh), options_(options), lines_(mesh), begin_(std::chrono::steady_clock::now()) {
     double largest = 0;
-    for (const Vector& p : mesh_.points())
-      for (const double x : p) largest = std::max(largest, std::abs(x));
+    Vector low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (const Vector& p : mesh_.points()) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        largest = std::max(largest, std::abs(p[k]));
+        low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+      }
+    }
     // Angles of smaller triangles are those of rounding.
     shortest_ = std::ldexp(largest, -32);
+    narrow_ = kNarrow * length(low, high);
+    narrow_points_ = options_.max_points / kNarrowPart;
   }
 
   std::vector<SmallAngle> run() {
@@ -68,7 +75,7 @@ class Refiner {
         const Index s = segments_.front();
         segments_.pop();
         if (const std::optional<int> rank = encroached(s)) {
-          split(s, *rank);
+          if (may_add(segment_length(s) / 2, is_too_long(s))) split(s, *rank);
         } else if (is_too_long(s)) {
           split(s, 0);
         }
@@ -99,6 +106,13 @@ class Refiner {
   InputLines lines_;
   const std::chrono::steady_clock::time_point begin_;
   double shortest_ = 0, cosine_ = 0, off_center_ = 0;
+  /// A gap takes as many points as it is longer than wide, those with the shortest sides first: where parts of a
+  /// model nearly touch, all there may be, and nothing would be left for the rest. So sides below this part of the
+  /// model's extent have no more than a part of the points.
+  static constexpr double kNarrow = 0x1p-17;
+  static constexpr std::size_t kNarrowPart = 20;
+  double narrow_ = 0;
+  std::size_t narrow_points_ = 0;  // that are left for these
   std::queue<Index> segments_;
   std::priority_queue<Candidate> triangles_;
   std::size_t numbered_ = 0;
@@ -113,6 +127,17 @@ class Refiner {
   void set_rank(Index p, int rank) {
     rank_.resize(mesh_.points().size(), 0);
     rank_[p] = std::uint8_t(rank);
+  }
+  double segment_length(Index s) const {
+    const auto& [a, b] = mesh_.segments()[s].ends;
+    return length(at(a), at(b));
+  }
+  /// May a point be added that makes sides of a length? `wanted`: they are too long before.
+  bool may_add(double length, bool wanted) {
+    if (wanted || length > narrow_) return true;
+    if (narrow_points_ == 0) return false;
+    --narrow_points_;
+    return true;
   }
   bool is_full() const { return mesh_.points().size() >= options_.max_points; }
 
@@ -165,7 +190,7 @@ class Refiner {
   bool split(Index s, int rank) {
     const auto& segment = mesh_.segments()[s];
     if (segment.fixed || is_full()) return false;
-    if (length(at(segment.ends[0]), at(segment.ends[1])) < 2 * shortest_) return false;
+    if (segment_length(s) < 2 * shortest_) return false;
     const std::optional<Index> point = mesh_.split(s, lines_.split_place(mesh_, segment));
     if (!point) {
       mesh_.fix(s);
@@ -237,12 +262,13 @@ class Refiner {
   void treat(Index t) {
     const auto p = corners(t);
     const std::size_t k = sharpest(p);
-    const bool small_angle = may_be_better(t, p, k);
-    if (is_full() || (!small_angle && !has_long_side(t))) return;
+    const bool small_angle = may_be_better(t, p, k), long_side = has_long_side(t);
+    if (is_full() || (!small_angle && !long_side)) return;
     const Vector c = center(t, p, k, small_angle);
     if (!std::isfinite(c[0] + c[1] + c[2])) return;
     const auto points = mesh_.triangles()[t].points;
     const double shortest = length(p[(k + 1) % 3], p[(k + 2) % 3]);
+    if (!may_add(shortest, long_side)) return;
     const int rank_here = small_angle ? std::max(rank(points[(k + 1) % 3]), rank(points[(k + 2) % 3])) : 0;
     const FacetMesh::Walk end = mesh_.walk(t, c);
     std::vector<Index> in_the_way;
@@ -258,8 +284,7 @@ class Refiner {
     if (!in_the_way.empty()) {
       bool any = false;
       for (const Index s : in_the_way) {
-        const auto& [a, b] = mesh_.segments()[s].ends;
-        const bool shorter = small_angle && length(at(a), at(b)) / 2 < shortest;
+        const bool shorter = small_angle && segment_length(s) / 2 < shortest;
         const int rank_there = rank_here + (shorter ? 1 : 0);
         if (rank_there <= kMostRank) any = split(s, rank_there) || any;
       }
@@ -300,6 +325,13 @@ class Refiner {
     throw InputError(text);
   }
 
+  /// Are points for it lacking that might be between doubles?
+  bool lacks_points(Index t, const std::array<Vector, 3>& p, std::size_t k) const {
+    if (is_full()) return true;
+    return narrow_points_ == 0 && !mesh_.facets()[mesh_.triangles()[t].facet].fixed &&
+           length(p[(k + 1) % 3], p[(k + 2) % 3]) > shortest_;
+  }
+
   std::vector<SmallAngle> reasons() const {
     std::vector<SmallAngle> result;
     for (Index t = 0; t < mesh_.triangles().size(); ++t) {
@@ -309,8 +341,8 @@ class Refiner {
       result.push_back(!has_small_angle(p, k) ? SmallAngle::none
                        : lines_.across_small_angle(mesh_, points[(k + 1) % 3], points[(k + 2) % 3])
                            ? SmallAngle::input
-                       : is_full() ? SmallAngle::bound
-                                   : SmallAngle::digits);
+                       : lacks_points(t, p, k) ? SmallAngle::bound
+                                               : SmallAngle::digits);
     }
     return result;
   }

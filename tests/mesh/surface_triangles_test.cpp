@@ -311,6 +311,36 @@ TEST_CASE("surface: a gap that would take too many points keeps what it has", "[
   CHECK(made.groups[0].area == Approx(1.05e-5).epsilon(1e-9));
 }
 
+TEST_CASE("surface: a gap that nearly closes leaves points for the rest", "[mesh][surface]") {
+  // Two lines at 1e-7 across a sheet take 1e7 triangles and more; a short side in a corner takes a few.
+  const Rational thin(1, 10000000), r(1, 100);
+  Soup soup;
+  add_sheet(soup, {{0, 0, 0}, {1 - r, 0, 0}, {1, r, 0}, {1, 1, 0}, {0, 1, 0}});
+  add_wire(soup, {0, Rational(1, 2), 0}, {1, Rational(1, 2), 0});
+  add_wire(soup, {0, Rational(1, 2) + thin, 0}, {1, Rational(1, 2) + thin, 0});
+  Case c(soup);
+  c.show(c.unite(Dominance::equal));
+  const SurfaceTriangles made = surface_triangles(c.view(), {.max_points = 20'000});
+  CHECK(made.mesh.points.size() > 1000);
+  CHECK(made.mesh.points.size() < 10'000);
+  std::size_t far = 0, near = 0;
+  for (const auto& t : made.mesh.triangles) {
+    double least = 180, shortest = 2;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector &a = made.mesh.points[t.points[k]], &b = made.mesh.points[t.points[(k + 1) % 3]];
+      least = std::min(least, angle(a, b, made.mesh.points[t.points[(k + 2) % 3]]));
+      shortest = std::min(shortest, distance(a, b));
+    }
+    if (least > 25 - 1e-5) continue;
+    ++(shortest < 1e-4 ? near : far);
+  }
+  CHECK(far == 0);
+  CHECK(near > 0);
+  std::size_t told = 0;
+  for (const FaceTriangles& of : made.groups) told += of.why[std::size_t(SmallAngle::bound)];
+  CHECK(told == near);
+}
+
 TEST_CASE("surface: what doubles would make cross keeps its triangles", "[mesh][surface]") {
   // Two oblique sheets that meet in a side, in an angle of some last digits, each with a short side near it, which
   // takes points inside of the sheet: points that are rounded into one of them cross the other.
