@@ -55,6 +55,7 @@ class Refiner {
     // Angles of smaller triangles are those of rounding.
     shortest_ = std::ldexp(largest, -32);
     narrow_ = kNarrow * length(low, high);
+    digits_ = std::ldexp(largest, -44);
     narrow_points_ = options_.max_points / kNarrowPart;
   }
 
@@ -74,8 +75,8 @@ class Refiner {
       if (!segments_.empty()) {
         const Index s = segments_.front();
         segments_.pop();
-        if (const std::optional<int> rank = encroached(s)) {
-          if (may_add(segment_length(s) / 2, is_too_long(s))) split(s, *rank);
+        if (const std::optional<Encroached> by = encroached(s)) {
+          if (may_add(std::min(segment_length(s) / 2, by->height), is_too_long(s))) split(s, by->rank);
         } else if (is_too_long(s)) {
           split(s, 0);
         }
@@ -107,11 +108,11 @@ class Refiner {
   const std::chrono::steady_clock::time_point begin_;
   double shortest_ = 0, cosine_ = 0, off_center_ = 0;
   /// A gap takes as many points as it is longer than wide, those with the shortest sides first: where parts of a
-  /// model nearly touch, all there may be, and nothing would be left for the rest. So sides below this part of the
-  /// model's extent have no more than a part of the points.
+  /// model nearly touch, all there may be, and nothing would be left for the rest. So what is narrower than this
+  /// part of the model's extent has no more than a part of the points.
   static constexpr double kNarrow = 0x1p-17;
   static constexpr std::size_t kNarrowPart = 20;
-  double narrow_ = 0;
+  double narrow_ = 0, digits_ = 0;
   std::size_t narrow_points_ = 0;  // that are left for these
   std::queue<Index> segments_;
   std::priority_queue<Candidate> triangles_;
@@ -132,9 +133,9 @@ class Refiner {
     const auto& [a, b] = mesh_.segments()[s].ends;
     return length(at(a), at(b));
   }
-  /// May a point be added that makes sides of a length? `wanted`: they are too long before.
-  bool may_add(double length, bool wanted) {
-    if (wanted || length > narrow_) return true;
+  /// May a point be added where there is so much room? `wanted`: a side is too long there.
+  bool may_add(double room, bool wanted) {
+    if (wanted || room > narrow_) return true;
     if (narrow_points_ == 0) return false;
     --narrow_points_;
     return true;
@@ -173,17 +174,35 @@ class Refiner {
   bool is_encroached(Index s, Index p) const {
     return is_in_circle(s, at(p)) && !lines_.is_beside(mesh_, p, mesh_.segments()[s]);
   }
-  /// The least rank of a point that encroaches on a segment. In a Delaunay triangulation it is, if at all, the
-  /// corner of a triangle at it.
-  std::optional<int> encroached(Index s) const {
-    std::optional<int> least;
+  /// Of the points that encroach on a segment.
+  struct Encroached {
+    int rank;       ///< the least
+    double height;  ///< over the segment: the greatest
+  };
+  /// In a Delaunay triangulation a segment is encroached, if at all, by the corner of a triangle at it.
+  std::optional<Encroached> encroached(Index s) const {
+    std::optional<Encroached> result;
     for (const Index t : mesh_.segments()[s].fan) {
       const auto& triangle = mesh_.triangles()[t];
-      for (std::size_t k = 0; k < 3; ++k)
-        if (triangle.segments[k] == s && is_encroached(s, triangle.points[k]))
-          least = std::min(least.value_or(kMostRank), rank(triangle.points[k]));
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (triangle.segments[k] != s || !is_encroached(s, triangle.points[k])) continue;
+        const double above = height(corners(t), k);
+        const int rank_here = rank(triangle.points[k]);
+        if (!result) result = {rank_here, above};
+        else result = {std::min(result->rank, rank_here), std::max(result->height, above)};
+      }
     }
-    return least;
+    return result;
+  }
+  /// Of corner k over the side that is opposite to it.
+  static double height(const std::array<Vector, 3>& p, std::size_t k) {
+    const Vector along = minus(p[(k + 2) % 3], p[(k + 1) % 3]), n = cross(along, minus(p[k], p[(k + 1) % 3]));
+    return std::sqrt(dot(n, n) / dot(along, along));
+  }
+  /// The shortest side of a triangle, or its least height where that says more than the digits of its corners.
+  double width(const std::array<Vector, 3>& p, double shortest) const {
+    const double least = std::min({height(p, 0), height(p, 1), height(p, 2)});
+    return least < digits_ ? shortest : least;
   }
 
   /// False if it has to stay as it is. `rank`: of the new point.
@@ -268,7 +287,7 @@ class Refiner {
     if (!std::isfinite(c[0] + c[1] + c[2])) return;
     const auto points = mesh_.triangles()[t].points;
     const double shortest = length(p[(k + 1) % 3], p[(k + 2) % 3]);
-    if (!may_add(shortest, long_side)) return;
+    if (!may_add(width(p, shortest), long_side)) return;
     const int rank_here = small_angle ? std::max(rank(points[(k + 1) % 3]), rank(points[(k + 2) % 3])) : 0;
     const FacetMesh::Walk end = mesh_.walk(t, c);
     std::vector<Index> in_the_way;
