@@ -10,16 +10,14 @@
 // split so that their pieces agree, or need not be (input_lines.h), and a triangle whose shortest side runs from
 // one line of a small angle to the same distance on the other is left as it is (shewchuk2002, miller2003).
 //
-// It ends for every input, with doubles as they are:
-//   * a point comes into a facet only where no corner is nearer than the shortest side of the triangle that it
-//     mends, or a quarter of the side that is too long: that makes no side shorter than those there are, or than
-//     a quarter of what is wanted;
-//   * a segment is halved, or so, where it is too long, where a point lies in its circle, and for the sake of a
-//     triangle. Only the last makes sides that are shorter than what they mend, and no chain of causes has more
-//     than kMostRank of these;
-//   * what is shorter than the digits of the points allow (shortest_) is split no more.
-// For angles up to 26.4 degrees chains are short in theory (miller2003), so that the last two bounds are for what
-// doubles do to it.
+// It ends for every input, with doubles as they are: pieces of segments are not split below the digits of the
+// points (shortest_), so they are finitely many; and a point comes into a facet only where no corner is nearer than
+// the shortest side of the triangle that it mends, which is longer than that, too, or than a quarter of the side
+// that is too long, so there is room for finitely many. Long before that:
+//   * no chain of causes has more than kMostRank segments that are split, each for the sake of a triangle, into
+//     pieces that are shorter than the triangle's sides; for angles up to 26.4 degrees such chains are short in
+//     theory (miller2003);
+//   * where parts of the result nearly touch, points are rationed (kNarrow).
 #pragma once
 
 #include <string>
