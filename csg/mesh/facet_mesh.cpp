@@ -19,18 +19,6 @@ constexpr Index kNone = FacetMesh::kNone;
 
 std::uint64_t key_of(Index a, Index b) { return std::uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
 
-/// Positive where the angles of a b at p and at q are together less than half a turn: the circle through one
-/// triangle leaves out the other's corner. Zero where doubles leave a doubt.
-double delaunay(const Vector& a, const Vector& b, const Vector& p, const Vector& q) {
-  const Vector pa = minus(a, p), pb = minus(b, p), qa = minus(a, q), qb = minus(b, q);
-  const Vector np = cross(pa, pb), nq = cross(qa, qb);
-  const double sum = std::sqrt(dot(np, np)) * dot(qa, qb) + std::sqrt(dot(nq, nq)) * dot(pa, pb);
-  const double scale =
-      std::sqrt(dot(pa, pa)) * std::sqrt(dot(pb, pb)) * std::sqrt(dot(qa, qa)) * std::sqrt(dot(qb, qb));
-  constexpr double kDoubt = 1e-11;
-  return std::abs(sum) <= kDoubt * scale ? 0 : sum;
-}
-
 }  // namespace
 
 FacetMesh::FacetMesh(const FlatComplex& flat, const std::vector<Vector>& xyz, const std::vector<char>& fixed)
@@ -58,20 +46,25 @@ void FacetMesh::add_facets(const FlatComplex& flat) {
     Index begin = 0;
     for (std::size_t k = 0; k < std::max<std::size_t>(face.facets.size(), 1); ++k) {
       const Index end = face.facets.empty() ? Index(face.triangles.size()) : face.facet_ends[k];
-      Vector normal{};
+      Vector normal{}, center{};
       for (Index t = begin; t < end; ++t) {
         const auto& [a, b, c] = face.triangles[t];
         triangles_.push_back({{a, b, c}, {kNone, kNone, kNone}, {kNone, kNone, kNone}, Index(facets_.size())});
         const Vector n = cross(minus(xyz_[b], xyz_[a]), minus(xyz_[c], xyz_[a]));
-        for (std::size_t j = 0; j < 3; ++j) normal[j] += n[j];
+        for (std::size_t j = 0; j < 3; ++j) {
+          normal[j] += n[j];
+          center[j] += (xyz_[a][j] + xyz_[b][j] + xyz_[c][j]) / (3.0 * (end - begin));
+        }
       }
       begin = end;
+      const double length = std::sqrt(dot(normal, normal));
+      for (double& x : normal) x = length > 0 ? x / length : 0;
       std::uint8_t w = 0;
       for (std::uint8_t j = 1; j < 3; ++j)
         if (std::abs(normal[j]) > std::abs(normal[w])) w = j;
       Projection axes{std::uint8_t((w + 1) % 3), std::uint8_t((w + 2) % 3)};
       if (normal[w] < 0) std::swap(axes.u, axes.v);
-      facets_.push_back({i, axes, false});
+      facets_.push_back({i, axes, false, normal, center});
     }
   }
 }
@@ -119,7 +112,8 @@ void FacetMesh::link() {
 void FacetMesh::fix_thin(const std::vector<char>& fixed) {
   for (std::size_t f = 0; f < std::min(fixed.size(), facets_.size()); ++f) facets_[f].fixed = fixed[f] != 0;
   for (const Triangle& t : triangles_) {
-    if (turn(t.facet, t.points[0], t.points[1], t.points[2]) <= 0) facets_[t.facet].fixed = true;
+    Facet& facet = facets_[t.facet];
+    if (turn(t.facet, t.points[0], t.points[1], t.points[2]) <= 0 || facet.normal == Vector{}) facet.fixed = true;
   }
   for (const Triangle& t : triangles_) {
     if (!facets_[t.facet].fixed) continue;
@@ -156,12 +150,35 @@ void FacetMesh::join(Index t, Index k, Index before, const Across& out) {
   }
 }
 
+Vector FacetMesh::on_plane(Index facet, Vector at) const {
+  const auto& [face, axes, fixed, normal, center] = facets_[facet];
+  const std::size_t w = 3u - axes.u - axes.v;
+  if (normal[w] == 0) return at;
+  const double up =
+      normal[axes.u] * (at[axes.u] - center[axes.u]) + normal[axes.v] * (at[axes.v] - center[axes.v]);
+  at[w] = center[w] - up / normal[w];
+  return at;
+}
+
+/// Of a triangle a, b, p that turns left, and q beyond its side a b: positive where the angles at p and at q are
+/// together less than half a turn, so that the circle through one triangle leaves out the other's corner. Zero
+/// where doubles leave a doubt.
+double FacetMesh::delaunay(Index facet, Index a, Index b, const Vector& p, const Vector& q) const {
+  const Vector pa = minus(xyz_[a], p), pb = minus(xyz_[b], p), qa = minus(xyz_[a], q), qb = minus(xyz_[b], q);
+  const Vector& normal = facets_[facet].normal;
+  const double sum = dot(cross(pa, pb), normal) * dot(qa, qb) + dot(cross(qb, qa), normal) * dot(pa, pb);
+  const double scale =
+      std::sqrt(dot(pa, pa)) * std::sqrt(dot(pb, pb)) * std::sqrt(dot(qa, qa)) * std::sqrt(dot(qb, qb));
+  constexpr double kDoubt = 1e-11;
+  return std::abs(sum) <= kDoubt * scale ? 0 : sum;
+}
+
 bool FacetMesh::is_delaunay(Index t, Index k) const {
   const Triangle& triangle = triangles_[t];
   const Triangle& beyond = triangles_[triangle.next[k]];
   const Index q = beyond.points[side_of(triangle.next[k], t)];
-  return delaunay(xyz_[triangle.points[(k + 1) % 3]], xyz_[triangle.points[(k + 2) % 3]], xyz_[triangle.points[k]],
-                  xyz_[q]) >= 0;
+  return delaunay(triangle.facet, triangle.points[(k + 1) % 3], triangle.points[(k + 2) % 3],
+                  xyz_[triangle.points[k]], xyz_[q]) >= 0;
 }
 
 /// Turns side k of t, if that is possible. t and its neighbour keep the point p opposite to that side as their
@@ -335,28 +352,32 @@ FacetMesh::Walk FacetMesh::walk(Index t, const Vector& to) const {
   return {};
 }
 
-std::vector<Index> FacetMesh::segments_about(Index triangle, const Vector& at) const {
-  std::vector<Index> open{triangle}, result;
+FacetMesh::Cavity FacetMesh::cavity(Index triangle, const Vector& at) const {
+  std::vector<Index> open{triangle};
   std::unordered_set<Index> seen{triangle};
+  Cavity result{{}, HUGE_VAL};
   while (!open.empty()) {
     const Index t = open.back();
     open.pop_back();
     for (Index k = 0; k < 3; ++k) {
+      const Vector from = minus(xyz_[triangles_[t].points[k]], at);
+      result.nearest = std::min(result.nearest, std::sqrt(dot(from, from)));
       if (triangles_[t].segments[k] != kNone) {
-        result.push_back(triangles_[t].segments[k]);
+        result.segments.push_back(triangles_[t].segments[k]);
         continue;
       }
       const Index u = triangles_[t].next[k];
       if (!seen.insert(u).second) continue;
       const Triangle& there = triangles_[u];
       const Index l = side_of(u, t);
-      const bool inside = delaunay(xyz_[there.points[(l + 1) % 3]], xyz_[there.points[(l + 2) % 3]],
+      const bool inside = delaunay(there.facet, there.points[(l + 1) % 3], there.points[(l + 2) % 3],
                                    xyz_[there.points[l]], at) < 0;
       if (inside) open.push_back(u);
     }
   }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  auto& list = result.segments;
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
   return result;
 }
 

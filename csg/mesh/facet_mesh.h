@@ -7,9 +7,12 @@
 //
 // Points are doubles, and rounding has moved them off their planes. So no three-dimensional sign would be of use:
 // a facet is seen along the axis on which its normal is largest, where turns are exact signs of the doubles. All
-// triangles of a facet turn left there, always, so that they cover it once and cross nowhere. Whether a side is
-// Delaunay is a matter of quality alone: lengths and angles are those in space, in doubles, and a side turns only
-// where these leave no doubt.
+// triangles of a facet turn left there, always, so that they cover it once and cross nowhere. That says nothing of
+// how high a point lies above the facet. So a facet has one plane, that of its first triangles, and points that
+// come in are put on it: a normal of a thin triangle's own may point anywhere, and points that are found by it
+// drift away, and take others with them. Whether a side is Delaunay is a matter of quality alone: lengths and
+// angles are those in space, areas those in the plane, in doubles, and a side turns only where these leave no
+// doubt.
 //
 // A facet whose triangles do not turn left to begin with, since it is thinner than the digits of its points, keeps
 // them as they are, and its segments their points.
@@ -51,6 +54,7 @@ class FacetMesh {
     Index face = 0;
     Projection axes;
     bool fixed = false;
+    Vector normal{}, center{};  ///< of its plane: of length 1, or 0 where the facet has no area; a point on it
   };
 
   /// `xyz`: of the points of the flattened result, which is closed. Facets of `fixed` keep their triangles, and
@@ -70,6 +74,8 @@ class FacetMesh {
   /// Splits a segment at a place on it, and makes what is around it Delaunay: the first part keeps the number of
   /// the segment, the second is the last one. Nothing, and no change, where doubles have no room for that.
   std::optional<Index> split(Index segment, const Vector& at);
+  /// The place in the plane of a facet above or below another one, as the facet is seen along its axis.
+  Vector on_plane(Index facet, Vector at) const;
   /// A point in a triangle, or on a side of it that is no segment; what is around it is made Delaunay. False, and
   /// no change, where it is neither.
   bool insert(Index triangle, const Vector& at);
@@ -80,8 +86,13 @@ class FacetMesh {
     Index segment = kNone;   ///< the segment in the way; none of both where the walk loses its way
   };
   Walk walk(Index from, const Vector& to) const;
-  /// The segments around the triangles in whose circles a place lies, from a triangle that holds it.
-  std::vector<Index> segments_about(Index triangle, const Vector& at) const;
+  /// What a new point at a place would see: the sides of all triangles in whose circles it lies, from a triangle
+  /// that holds it.
+  struct Cavity {
+    std::vector<Index> segments;  ///< among these sides, ascending
+    double nearest;               ///< the distance to the nearest corner
+  };
+  Cavity cavity(Index triangle, const Vector& at) const;
 
   /// Triangles that were made or changed since this was asked for last; some of them more than once.
   std::vector<Index> take_changed() { return std::exchange(changed_, {}); }
@@ -108,6 +119,7 @@ class FacetMesh {
   void split_triangle(Index t, Index k, Index m, Index other);
   bool is_splittable(Index t, Index k, Index m) const;
   Index new_triangle();
+  double delaunay(Index facet, Index a, Index b, const Vector& p, const Vector& q) const;
   bool is_delaunay(Index t, Index k) const;
   bool flip(Index t, Index k);
   void settle(Index m, std::vector<Index> around);

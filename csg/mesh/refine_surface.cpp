@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <queue>
 
 #include "csg/mesh/input_lines.h"
@@ -44,10 +45,18 @@ class Refiner {
   Refiner(FacetMesh& mesh, const SurfaceOptions& options)
       : mesh_(mesh), options_(options), lines_(mesh), begin_(std::chrono::steady_clock::now()) {
     double largest = 0;
-    for (const Vector& p : mesh_.points())
-      for (const double x : p) largest = std::max(largest, std::abs(x));
+    Vector low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    for (const Vector& p : mesh_.points()) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        largest = std::max(largest, std::abs(p[k]));
+        low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+      }
+    }
     // Angles of smaller triangles are those of rounding.
     shortest_ = std::ldexp(largest, -32);
+    narrow_ = kNarrow * length(low, high);
+    digits_ = std::ldexp(largest, -44);
+    narrow_points_ = options_.max_points / kNarrowPart;
   }
 
   std::vector<SmallAngle> run() {
@@ -66,7 +75,11 @@ class Refiner {
       if (!segments_.empty()) {
         const Index s = segments_.front();
         segments_.pop();
-        if (is_encroached(s) || is_too_long(s)) split(s);
+        if (const std::optional<Encroached> by = encroached(s)) {
+          if (may_add(std::min(segment_length(s) / 2, by->height), is_too_long(s))) split(s, by->rank);
+        } else if (is_too_long(s)) {
+          split(s, 0);
+        }
       } else if (!triangles_.empty()) {
         const Candidate next = triangles_.top();
         triangles_.pop();
@@ -94,11 +107,39 @@ class Refiner {
   InputLines lines_;
   const std::chrono::steady_clock::time_point begin_;
   double shortest_ = 0, cosine_ = 0, off_center_ = 0;
+  /// A gap takes as many points as it is longer than wide, those with the shortest sides first: where parts of a
+  /// model nearly touch, all there may be, and nothing would be left for the rest. So what is narrower than this
+  /// part of the model's extent has no more than a part of the points.
+  static constexpr double kNarrow = 0x1p-17;
+  static constexpr std::size_t kNarrowPart = 20;
+  double narrow_ = 0, digits_ = 0;
+  std::size_t narrow_points_ = 0;  // that are left for these
   std::queue<Index> segments_;
   std::priority_queue<Candidate> triangles_;
   std::size_t numbered_ = 0;
+  /// Of each point: how many times on the way to it a side was mended by a shorter one. A segment that is split
+  /// for the sake of a triangle makes such: half of it has 1 / sqrt(2) of the circumradius at least, and that 1 /
+  /// (2 sin 25) of the side, which is 0.83 of it.
+  std::vector<std::uint8_t> rank_;
+  static constexpr int kMostRank = 32;
 
   const Vector& at(Index p) const { return mesh_.points()[p]; }
+  int rank(Index p) const { return p < rank_.size() ? rank_[p] : 0; }
+  void set_rank(Index p, int rank) {
+    rank_.resize(mesh_.points().size(), 0);
+    rank_[p] = std::uint8_t(rank);
+  }
+  double segment_length(Index s) const {
+    const auto& [a, b] = mesh_.segments()[s].ends;
+    return length(at(a), at(b));
+  }
+  /// May a point be added where there is so much room? `wanted`: a side is too long there.
+  bool may_add(double room, bool wanted) {
+    if (wanted || room > narrow_) return true;
+    if (narrow_points_ == 0) return false;
+    --narrow_points_;
+    return true;
+  }
   bool is_full() const { return mesh_.points().size() >= options_.max_points; }
 
   void check() const {
@@ -133,27 +174,49 @@ class Refiner {
   bool is_encroached(Index s, Index p) const {
     return is_in_circle(s, at(p)) && !lines_.is_beside(mesh_, p, mesh_.segments()[s]);
   }
-  /// In a Delaunay triangulation it is, if at all, by the corner of a triangle at it.
-  bool is_encroached(Index s) const {
+  /// Of the points that encroach on a segment.
+  struct Encroached {
+    int rank;       ///< the least
+    double height;  ///< over the segment: the greatest
+  };
+  /// In a Delaunay triangulation a segment is encroached, if at all, by the corner of a triangle at it.
+  std::optional<Encroached> encroached(Index s) const {
+    std::optional<Encroached> result;
     for (const Index t : mesh_.segments()[s].fan) {
       const auto& triangle = mesh_.triangles()[t];
-      for (std::size_t k = 0; k < 3; ++k)
-        if (triangle.segments[k] == s && is_encroached(s, triangle.points[k])) return true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (triangle.segments[k] != s || !is_encroached(s, triangle.points[k])) continue;
+        const double above = height(corners(t), k);
+        const int rank_here = rank(triangle.points[k]);
+        if (!result) result = {rank_here, above};
+        else result = {std::min(result->rank, rank_here), std::max(result->height, above)};
+      }
     }
-    return false;
+    return result;
+  }
+  /// Of corner k over the side that is opposite to it.
+  static double height(const std::array<Vector, 3>& p, std::size_t k) {
+    const Vector along = minus(p[(k + 2) % 3], p[(k + 1) % 3]), n = cross(along, minus(p[k], p[(k + 1) % 3]));
+    return std::sqrt(dot(n, n) / dot(along, along));
+  }
+  /// The shortest side of a triangle, or its least height where that says more than the digits of its corners.
+  double width(const std::array<Vector, 3>& p, double shortest) const {
+    const double least = std::min({height(p, 0), height(p, 1), height(p, 2)});
+    return least < digits_ ? shortest : least;
   }
 
-  /// False if it has to stay as it is.
-  bool split(Index s) {
+  /// False if it has to stay as it is. `rank`: of the new point.
+  bool split(Index s, int rank) {
     const auto& segment = mesh_.segments()[s];
     if (segment.fixed || is_full()) return false;
-    if (length(at(segment.ends[0]), at(segment.ends[1])) < 2 * shortest_) return false;
+    if (segment_length(s) < 2 * shortest_) return false;
     const std::optional<Index> point = mesh_.split(s, lines_.split_place(mesh_, segment));
     if (!point) {
       mesh_.fix(s);
       return false;
     }
     lines_.add_point(*point, mesh_.segments()[s]);
+    set_rank(*point, rank);
     for (const Index part : {s, Index(mesh_.segments().size() - 1)}) {
       if (is_too_long(part)) segments_.push(part);
     }
@@ -197,47 +260,64 @@ class Refiner {
     triangles_.push({length(p[(k + 1) % 3], p[(k + 2) % 3]), numbered_++, t, triangle.points});
   }
 
-  /// A point that makes a triangle go: its circumcentre, or nearer to its shortest side.
-  Vector center(const std::array<Vector, 3>& p, std::size_t k, bool small_angle) const {
-    const Vector &a = p[(k + 1) % 3], &b = p[(k + 2) % 3];
-    const Vector u = minus(b, a), v = minus(p[k], a), n = cross(u, v);
-    const double uu = dot(u, u), vv = dot(v, v), nn = dot(n, n);
-    const Vector x = cross(n, u), y = cross(v, n);  // in the plane, at right angles to u and to v
+  /// A place that makes a triangle go: its circumcentre, or nearer to its shortest side.
+  Vector center(Index t, const std::array<Vector, 3>& p, std::size_t k, bool small_angle) const {
+    const Index facet = mesh_.triangles()[t].facet;
+    const Vector &a = p[(k + 1) % 3], &b = p[(k + 2) % 3], &normal = mesh_.facets()[facet].normal;
+    const Vector u = minus(b, a), v = minus(p[k], a);
+    const Vector x = cross(normal, u), y = cross(v, normal);  // in the plane, at right angles to u and to v
+    const double uu = dot(u, u), vv = dot(v, v), twice = 2 * dot(x, v);
     Vector d;
-    for (std::size_t j = 0; j < 3; ++j) d[j] = (x[j] * vv + y[j] * uu) / (2 * nn);
+    for (std::size_t j = 0; j < 3; ++j) d[j] = (x[j] * vv + y[j] * uu) / twice;
     if (small_angle) {
       Vector off;
-      for (std::size_t j = 0; j < 3; ++j) off[j] = u[j] / 2 + x[j] / std::sqrt(nn) * off_center_;
+      for (std::size_t j = 0; j < 3; ++j) off[j] = u[j] / 2 + x[j] * off_center_;
       const Vector from_circle = minus(d, {u[0] / 2, u[1] / 2, u[2] / 2});
-      if (dot(from_circle, from_circle) > off_center_ * off_center_ * uu) d = off;
+      if (!(dot(from_circle, from_circle) <= off_center_ * off_center_ * uu)) d = off;
     }
-    return {a[0] + d[0], a[1] + d[1], a[2] + d[2]};
+    return mesh_.on_plane(facet, {a[0] + d[0], a[1] + d[1], a[2] + d[2]});
   }
 
   void treat(Index t) {
     const auto p = corners(t);
     const std::size_t k = sharpest(p);
-    const bool small_angle = may_be_better(t, p, k);
-    if (is_full() || (!small_angle && !has_long_side(t))) return;
-    const Vector c = center(p, k, small_angle);
+    const bool small_angle = may_be_better(t, p, k), long_side = has_long_side(t);
+    if (is_full() || (!small_angle && !long_side)) return;
+    const Vector c = center(t, p, k, small_angle);
     if (!std::isfinite(c[0] + c[1] + c[2])) return;
+    const auto points = mesh_.triangles()[t].points;
+    const double shortest = length(p[(k + 1) % 3], p[(k + 2) % 3]);
+    if (!may_add(width(p, shortest), long_side)) return;
+    const int rank_here = small_angle ? std::max(rank(points[(k + 1) % 3]), rank(points[(k + 2) % 3])) : 0;
     const FacetMesh::Walk end = mesh_.walk(t, c);
     std::vector<Index> in_the_way;
+    double nearest = 0;
     if (end.segment != kNone) {
       in_the_way.push_back(end.segment);
     } else if (end.triangle != kNone) {
-      for (const Index s : mesh_.segments_about(end.triangle, c))
+      const FacetMesh::Cavity cavity = mesh_.cavity(end.triangle, c);
+      nearest = cavity.nearest;
+      for (const Index s : cavity.segments)
         if (is_in_circle(s, c)) in_the_way.push_back(s);
     }
-    const auto points = mesh_.triangles()[t].points;
     if (!in_the_way.empty()) {
       bool any = false;
-      for (const Index s : in_the_way) any = split(s) || any;
-      if (any && mesh_.triangles()[t].points == points)
-        triangles_.push({length(p[(k + 1) % 3], p[(k + 2) % 3]), numbered_++, t, points});
+      for (const Index s : in_the_way) {
+        const bool shorter = small_angle && segment_length(s) / 2 < shortest;
+        const int rank_there = rank_here + (shorter ? 1 : 0);
+        if (rank_there <= kMostRank) any = split(s, rank_there) || any;
+      }
+      if (any && mesh_.triangles()[t].points == points) triangles_.push({shortest, numbered_++, t, points});
       return;
     }
-    if (end.triangle != kNone && mesh_.insert(end.triangle, c)) look_at_changed();
+    // In a Delaunay triangulation there is more room; one that doubts of doubles made may have less.
+    constexpr double kLeastOfLongest = 0.25;
+    const double longest =
+        std::max({length(p[0], p[1]), length(p[1], p[2]), length(p[2], p[0])}) * kLeastOfLongest;
+    if (nearest < (small_angle ? shortest : longest)) return;
+    if (end.triangle == kNone || !mesh_.insert(end.triangle, c)) return;
+    set_rank(Index(mesh_.points().size() - 1), rank_here);
+    look_at_changed();
   }
 
   void require_sizes() const {
@@ -264,6 +344,13 @@ class Refiner {
     throw InputError(text);
   }
 
+  /// Are points for it lacking that might be between doubles?
+  bool lacks_points(Index t, const std::array<Vector, 3>& p, std::size_t k) const {
+    if (is_full()) return true;
+    return narrow_points_ == 0 && !mesh_.facets()[mesh_.triangles()[t].facet].fixed &&
+           length(p[(k + 1) % 3], p[(k + 2) % 3]) > shortest_;
+  }
+
   std::vector<SmallAngle> reasons() const {
     std::vector<SmallAngle> result;
     for (Index t = 0; t < mesh_.triangles().size(); ++t) {
@@ -273,8 +360,8 @@ class Refiner {
       result.push_back(!has_small_angle(p, k) ? SmallAngle::none
                        : lines_.across_small_angle(mesh_, points[(k + 1) % 3], points[(k + 2) % 3])
                            ? SmallAngle::input
-                       : is_full() ? SmallAngle::bound
-                                   : SmallAngle::digits);
+                       : lacks_points(t, p, k) ? SmallAngle::bound
+                                               : SmallAngle::digits);
     }
     return result;
   }

@@ -9,6 +9,15 @@
 // Where the input has small angles no mesh is without them. Two things keep the work finite there: segments are
 // split so that their pieces agree, or need not be (input_lines.h), and a triangle whose shortest side runs from
 // one line of a small angle to the same distance on the other is left as it is (shewchuk2002, miller2003).
+//
+// It ends for every input, with doubles as they are: pieces of segments are not split below the digits of the
+// points (shortest_), so they are finitely many; and a point comes into a facet only where no corner is nearer
+// than the shortest side of the triangle that it mends, which is longer than that, too, or than a quarter of the
+// side that is too long, so there is room for finitely many. Long before that:
+//   * no chain of causes has more than kMostRank segments that are split, each for the sake of a triangle, into
+//     pieces that are shorter than the triangle's sides; for angles up to 26.4 degrees such chains are short in
+//     theory (miller2003);
+//   * where parts of the result nearly touch, points are rationed (kNarrow).
 #pragma once
 
 #include <string>

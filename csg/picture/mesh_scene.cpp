@@ -36,7 +36,7 @@ class MeshScene {
 
   /// False if there is nothing to be drawn.
   bool make() {
-    if (mesh_.tetrahedra.empty()) add_triangles();
+    if (mesh_.tetrahedra.empty()) add_faces(mesh_.triangles), add_faces(mesh_.quads);
     else add_tetrahedra();
     if (scene_.facets.size() > MeshDrawing::kMostTriangles || (opened_ && (taken_ == 0 || kept_ == 0)))
       return false;
@@ -107,12 +107,16 @@ class MeshScene {
     return number_[p];
   }
 
-  void add_facet(const Triangle& t, Scene::Index surface) {
-    Scene::Facet& facet = scene_.facets.emplace_back();
-    facet.surface = surface;
-    facet.loops = {{point(t[0]), point(t[1]), point(t[2])}};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = t[k], b = t[(k + 1) % 3];
+  /// A triangle or a quadrilateral, which rounding has made two triangles.
+  template <std::size_t N>
+  void add_facet(const std::array<Index, N>& corners, Scene::Index surface) {
+    for (std::size_t k = 1; k + 1 < N; ++k) {
+      Scene::Facet& facet = scene_.facets.emplace_back();
+      facet.surface = surface;
+      facet.loops = {{point(corners[0]), point(corners[k]), point(corners[k + 1])}};
+    }
+    for (std::size_t k = 0; k < N; ++k) {
+      const Index a = corners[k], b = corners[(k + 1) % N];
       sides_[{std::min(a, b), std::max(a, b)}] = 0;
     }
   }
@@ -132,14 +136,15 @@ class MeshScene {
   }
 
   bool active(Index region) const { return flat_.active(region); }
-  const FlatComplex::Face& face_of(const Mesh::Simplex<3>& t) const {
-    return flat_.faces[std::size_t(mesh_.entities[2][t.entity].tags.cell)];
+  const FlatComplex::Face& face_of(Index entity) const {
+    return flat_.faces[std::size_t(mesh_.entities[2][entity].tags.cell)];
   }
   bool parts_nothing(const Mesh::Simplex<3>& t) const {
-    const auto& [front, back] = face_of(t).regions;
+    const auto& [front, back] = face_of(t.entity).regions;
     return front == back || (!active(front) && !active(back));
   }
-  void add_sheet(const Mesh::Simplex<3>& t) {
+  template <std::size_t N>
+  void add_sheet(const Mesh::Simplex<N>& t) {
     const auto cell = Index(mesh_.entities[2][t.entity].tags.cell);
     add_facet(t.points, skin(t.entity, colors_.of(colors_by(view_), 2, cell).color, true, true));
   }
@@ -187,16 +192,18 @@ class MeshScene {
     }
   }
 
-  /// Of a mesh without tetrahedra: the skins of regions, and sheets; opened, both sides of all that stays.
-  void add_triangles() {
+  /// Of triangles or quadrilaterals of a mesh without tetrahedra: the skins of regions, and sheets; opened, both
+  /// sides of all that stays.
+  template <std::size_t N>
+  void add_faces(const std::vector<Mesh::Simplex<N>>& all) {
     const ColorBy by = colors_by(view_);
-    for (const auto& t : mesh_.triangles) {
+    for (const auto& t : all) {
       if (!stays(t.points)) {
         ++taken_;
         continue;
       }
       ++kept_;
-      const FlatComplex::Face& face = face_of(t);
+      const FlatComplex::Face& face = face_of(t.entity);
       const bool front = active(face.regions[0]), back = active(face.regions[1]);
       if (front == back) {
         const bool wall = front && face.regions[0] != face.regions[1];
@@ -204,8 +211,8 @@ class MeshScene {
         else if (!front || opened_) add_sheet(t);
         continue;
       }
-      Triangle seen = t.points;
-      if (front) std::swap(seen[1], seen[2]);
+      auto seen = t.points;
+      if (front) std::reverse(seen.begin(), seen.end());
       add_facet(seen, skin(t.entity, colors_.of(by, 3, face.regions[front ? 0 : 1]).color, false, opened_));
     }
   }
@@ -241,7 +248,7 @@ class MeshScene {
       for (const auto& s : simplices)
         for (const Index p : s.points) met[p] = 1;
     };
-    meet(mesh_.segments), meet(mesh_.triangles), meet(mesh_.tetrahedra);
+    meet(mesh_.segments), meet(mesh_.triangles), meet(mesh_.quads), meet(mesh_.tetrahedra);
     for (const auto& v : mesh_.vertices) {
       if (met[v.points[0]] != 0 || !stays(v.points)) continue;
       Scene::Dot dot;

@@ -282,31 +282,44 @@ std::string mesh_page(const Result& result, const SurfaceTriangles& made, const 
   std::vector<std::array<double, 3>> worst;
   for (const TriangleQuality::Bad& bad : q.worst_ones) worst.push_back(bad.at);
   std::size_t below = 0;
-  HtmlTable groups({"<faces", "triangles", "<area", "least angle", "<at", "below 25°"});
+  const bool quads = !mesh.quads.empty();
+  std::vector<std::string> columns{"<faces"};
+  if (quads) columns.insert(columns.end(), {"quadrilaterals", "least quality"});
+  columns.insert(columns.end(), {"triangles", "<area", "least angle", "<at", "below 25°"});
+  HtmlTable groups(columns);
   FaceTriangles all{"all"};
   const auto row = [&](const FaceTriangles& of, bool last) {
     std::size_t small = 0;
     for (std::size_t i = 1; i < of.why.size(); ++i) small += of.why[i];
-    groups.row({of.name, grouped(of.triangles), decimal(of.area, "%.6g"), decimal(of.least_angle, "%.3g"),
-                place_text(of.where), grouped(small)},
-               last);
+    const bool some = of.triangles > 0;
+    std::vector<std::string> cells{of.name};
+    if (quads) cells.insert(cells.end(), {grouped(of.quads), of.quads > 0 ? decimal(of.least_quad, "%.2f") : ""});
+    cells.insert(cells.end(),
+                 {grouped(of.triangles), decimal(of.area, "%.6g"), some ? decimal(of.least_angle, "%.3g") : "",
+                  some ? place_text(of.where) : "", grouped(small)});
+    groups.row(cells, last);
     below = small;
   };
   for (const FaceTriangles& of : made.groups) {
     row(of, false);
     all.triangles += of.triangles;
+    all.quads += of.quads;
+    all.least_quad = std::min(all.least_quad, of.least_quad);
     all.area += of.area;
     for (std::size_t i = 0; i < of.why.size(); ++i) all.why[i] += of.why[i];
     if (of.least_angle < all.least_angle) all.least_angle = of.least_angle, all.where = of.where;
   }
   if (!made.groups.empty()) row(all, true);
-  std::string facts = fact(grouped(mesh.triangles.size()), "triangles on faces") +
+  std::string facts = (quads ? fact(grouped(mesh.quads.size()), "quadrilaterals on faces") : "") +
+                      fact(grouped(mesh.triangles.size()), "triangles on faces") +
                       fact(grouped(mesh.segments.size()), "segments on edges") +
                       fact(grouped(mesh.points.size()), "points");
   std::string body = pictures(result, mesh, worst, options.threads);
   if (!made.groups.empty()) {
-    facts += fact(decimal(all.least_angle, "%.3g") + "°", "least angle", all.least_angle < 25) +
-             fact(grouped(below), "below 25°", below > 0) + fact(decimal(all.area, "%.6g"), "area");
+    if (quads) facts += fact(decimal(all.least_quad, "%.2f"), "least quality, 1 of a rectangle");
+    if (all.triangles > 0)
+      facts += fact(decimal(all.least_angle, "%.3g") + "°", "least angle", all.least_angle < 25);
+    facts += fact(grouped(below), "below 25°", below > 0) + fact(decimal(all.area, "%.6g"), "area");
     body += "<section><h2>Faces</h2>\n" + groups.text() + "</section>\n<section><h2>Shapes</h2>\n" +
             "<div class=\"histograms\">\n" +
             histogram({"Smallest angle", "degrees; 60 of a regular triangle", 0, 5, "%g", 25}, q.angles) +

@@ -41,6 +41,11 @@ struct Edges {
 
 /// Refinement ends when so many rounds in turn have left no smaller part bad.
 constexpr int kPatience = 10;
+/// And when there are so many times the tetrahedra of the mesh that was kept last: where a bound is too much for
+/// halves, each round doubles what is bad, and all of it would be made in vain.
+constexpr std::size_t kMostGrowth = 8;
+/// A mesh that has fewer may need more of them, and costs little.
+constexpr std::size_t kFew = 25'000;
 /// The mesh is kept when the part of it that is bad is so much smaller than when it was kept last.
 constexpr double kSaved = 0.9;
 /// Halvings more than a bad shape needs at least.
@@ -278,6 +283,7 @@ class Improver {
     set_halvings();
     ConformingTetrahedra best;
     double least = kInfinite, saved = kInfinite;  // parts that are bad, of `best` and before
+    std::size_t size = 0;                         // of `best`
     int patience = kPatience;
     for (int round = 0; round < kShapeRounds && !over(); ++round) {
       std::size_t done = 0;
@@ -300,8 +306,9 @@ class Improver {
       if (part < kSaved * saved) {
         best = mesh_.mesh();
         saved = part;
+        size = all;
       }
-      if (patience == 0) break;
+      if (patience == 0 || (options_.volume == 0 && all > kMostGrowth * std::max(size, kFew))) break;
       for (const Index t : worst) {
         if (over() || added >= options_.points) break;
         if (!mesh_.alive(t) || !is_bad(t) || is_forced(t)) continue;

@@ -1,5 +1,6 @@
 // `cnrg mesh` from outside; the tunnel of Pereira et al. through Gmsh and tetgen.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -102,6 +103,40 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   std::size_t n = 0;
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
   return n;
+}
+
+/// The area of the first loop of the first path with a pattern, and that of the box about it.
+std::array<double, 2> first_loop(const std::string& page) {
+  const std::size_t path = page.find("<path fill=\"url("), begin = page.find(" d=\"m", path) + 5;
+  std::string text = page.substr(begin, page.find('z', begin) - begin), numbers;
+  for (const char c : text) numbers += c == '-' ? " -" : std::string(1, c);
+  std::istringstream in(numbers);
+  std::vector<std::array<double, 2>> points;
+  for (double dx = 0, dy = 0, x = 0, y = 0; in >> dx >> dy; points.push_back({x, y})) x += dx, y += dy;
+  double twice = 0;
+  std::array<double, 2> low = points.at(0), high = low;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto &a = points[i], &b = points[(i + 1) % points.size()];
+    twice += a[0] * b[1] - a[1] * b[0];
+    for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], a[k]), high[k] = std::max(high[k], a[k]);
+  }
+  return {std::abs(twice) / 2, (high[0] - low[0]) * (high[1] - low[1])};
+}
+
+TEST_CASE("mesh: a report of quadrilaterals tells and shows them", "[app][mesh]") {
+  const Workshop w;
+  w.write("s.yaml", "cnrg: 1\nnodes:\n  s: {polygon: [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]}\nresult: s\n");
+  const Outcome o = w.run("mesh s.yaml --surface --quads --size 1 -o q.html");
+  INFO(o.err);
+  CHECK(o.status == 0);
+  const std::string page = w.read("q.html");
+  CHECK_THAT(page, Contains("quadrilaterals on faces") && Contains("least quality"));
+  const std::size_t at = o.out.find(" quadrilaterals and "), begin = o.out.rfind(' ', at - 1) + 1;
+  REQUIRE(at != std::string::npos);
+  CHECK_THAT(page, Contains("<b>" + o.out.substr(begin, at - begin) + "</b><span>quadrilaterals"));
+  const auto [area, box] = first_loop(page);  // the sheet without a gap
+  CHECK(box > 0);
+  CHECK(area == box);
 }
 
 TEST_CASE("mesh: histograms in the table, and a report with pictures", "[app][mesh]") {

@@ -311,16 +311,48 @@ TEST_CASE("surface: a gap that would take too many points keeps what it has", "[
   CHECK(made.groups[0].area == Approx(1.05e-5).epsilon(1e-9));
 }
 
+TEST_CASE("surface: a gap that nearly closes leaves points for the rest", "[mesh][surface]") {
+  // Two lines at 1e-7 across a sheet take 1e7 triangles and more; a short side in a corner takes a few.
+  const Rational thin(1, 10000000), r(1, 100);
+  Soup soup;
+  add_sheet(soup, {{0, 0, 0}, {1 - r, 0, 0}, {1, r, 0}, {1, 1, 0}, {0, 1, 0}});
+  add_wire(soup, {0, Rational(1, 2), 0}, {1, Rational(1, 2), 0});
+  add_wire(soup, {0, Rational(1, 2) + thin, 0}, {1, Rational(1, 2) + thin, 0});
+  Case c(soup);
+  c.show(c.unite(Dominance::equal));
+  const SurfaceTriangles made = surface_triangles(c.view(), {.max_points = 20'000});
+  CHECK(made.mesh.points.size() > 1000);
+  CHECK(made.mesh.points.size() < 10'000);
+  std::size_t far = 0, near = 0;
+  for (const auto& t : made.mesh.triangles) {
+    double least = 180, shortest = 2;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector &a = made.mesh.points[t.points[k]], &b = made.mesh.points[t.points[(k + 1) % 3]];
+      least = std::min(least, angle(a, b, made.mesh.points[t.points[(k + 2) % 3]]));
+      shortest = std::min(shortest, distance(a, b));
+    }
+    if (least > 25 - 1e-5) continue;
+    ++(shortest < 1e-4 ? near : far);
+  }
+  CHECK(far == 0);
+  CHECK(near > 0);
+  std::size_t told = 0;
+  for (const FaceTriangles& of : made.groups) told += of.why[std::size_t(SmallAngle::bound)];
+  CHECK(told == near);
+}
+
 TEST_CASE("surface: what doubles would make cross keeps its triangles", "[mesh][surface]") {
-  // Two oblique sheets with a gap of a last digit, each with a short edge, which takes points inside of the sheet:
-  // points that are rounded into one of them cross the other.
-  const Rational gap(1, Integer("281474976710656")), q(1, 4);
+  // Two oblique sheets that meet in a side, in an angle of some last digits, each with a short side near it, which
+  // takes points inside of the sheet: points that are rounded into one of them cross the other.
+  const Rational thin(1, Integer("281474976710656"));
   std::vector<std::vector<RationalPoint>> twins(2);
   for (int i = 0; i < 2; ++i) {
-    const Rational r = q / (1 + i);
-    const std::array<std::array<Rational, 2>, 5> corners{{{0, 0}, {30, 0}, {30, 22}, {r, 22}, {0, 22 - r}}};
-    for (const auto& [u, v] : corners)
-      twins[std::size_t(i)].push_back({(u + v) / 8, (u - v) / 8, (3 * u + 5 * v) / 8 + i * gap});
+    const Rational r(1, i == 0 ? 4 : 16);
+    const std::array<std::array<Rational, 2>, 5> corners{{{r, 0}, {30, 0}, {30, 22}, {0, 22}, {0, r}}};
+    for (const auto& [u, v] : corners) {
+      twins[std::size_t(i)].push_back({5 + u * Rational(2, 3) - v + i * thin * v,
+                                       u * Rational(7, 8) - v * Rational(6, 7), (5 * u + 6 * v - 2) / 8});
+    }
   }
   const Case c = sheets(twins);
   const SurfaceTriangles made = surface_triangles(c.view());
@@ -329,6 +361,14 @@ TEST_CASE("surface: what doubles would make cross keeps its triangles", "[mesh][
   CHECK(made.groups[0].why[std::size_t(SmallAngle::digits)] > 0);
   CHECK_THROWS_WITH(surface_triangles(c.view(), {.size = [](const Vector&) { return 0.1; }}),
                     Catch::Contains("coarser than asked for"));
+}
+
+TEST_CASE("surface: points of oblique facets stay in their planes, however fine", "[mesh][surface]") {
+  // Thin triangles come of points that are rounded off the sides of the polygon: their own normals say nothing.
+  const Case c = sheets({{{2, -1, 1}, {4, 5, 1}, {4, 5, 3}, {2, -1, 3}}});
+  const SurfaceTriangles made = checked(c.view(), {.size = [](const Vector&) { return 0.028; }});
+  CHECK(made.mesh.triangles.size() < 100000);
+  for (const Vector& p : made.mesh.points) CHECK(std::abs(3 * p[0] - p[1] - 7) < 1e-14);
 }
 
 TEST_CASE("surface: the complex for tetrahedra has the same triangles", "[mesh][surface]") {

@@ -255,6 +255,9 @@ BY_NAME = {
     "max_volume": lambda r: r.choice([None, 1, "1", 0, -1, float("nan"), float("inf"), "x"]),
     "size": lambda r: r.choice([None, 1, "1", 0, -1, float("nan"), float("inf"), "x"]),
     "growth": lambda r: r.choice([None, 0.3, "1/2", 0, -1, float("nan"), float("inf"), "x"]),
+    "max_points": lambda r: r.choice([100, 1000, 0, -1, 2**70, "9", 1.5]),
+    "order": lambda r: r.choice([1, 2, 0, 3, "2", 1.0]),
+    **dict.fromkeys(("quads", "curved", "surface_first", "keep_boundary"), lambda r: r.choice([True, False, 1, None])),
     "quality": lambda r: r.choice([None, 0, 2, 1.4, -1, float("nan"), 1e9, "x"]),
     "seconds": lambda r: r.choice([None, 5, 0.5, -1, float("nan"), "x"]),
     "progress": lambda r: r.choice([None, False, lambda *a: None, failing_progress, 3, "x", len]),
@@ -285,6 +288,7 @@ class World:
         cls.results = results
         parts = [results[0].vertices, results[0].edges, results[0].faces, results[0].regions, results[0].explain("f0"),
                  results[0].topology(), results[0].locate([[1, 1, 1]]), results[0].tetrahedralize(),
+                 results[0].mesh_surface(), results[0].mesh_surface(quads=True), results[3].mesh_surface(order=2),
                  results[0].edges.around, results[0].exact_points, results[0].compare(results[0])]
         cls.values = [*cls.nodes, tree, evaluation, *results, *parts, cnrg.material("ore")]
         # Classes other than those of errors are not for users to make something by.

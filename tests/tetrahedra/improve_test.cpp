@@ -5,6 +5,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <ctime>
 #include <map>
 #include <random>
 #include <set>
@@ -236,7 +237,7 @@ TEST_CASE("tetrahedra get the lengths that are wanted", "[tetrahedra]") {
   }
 }
 
-TEST_CASE("a volume that is bounded, and time that is over", "[tetrahedra]") {
+Mesh cube() {
   Mesh box;
   for (int i = 0; i < 8; ++i) box.points.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2)});
   // Around the diagonal from 0 to 7.
@@ -246,6 +247,31 @@ TEST_CASE("a volume that is bounded, and time that is over", "[tetrahedra]") {
     for (auto& t : box.tetrahedra) std::swap(t[2], t[3]);
   REQUIRE(turned_right(box));
   box.region.assign(6, 0);
+  return box;
+}
+
+TEST_CASE("a bound that halves do not reach costs no more than the mesh is worth", "[tetrahedra]") {
+  const Mesh box = cube();
+  ImproveOptions options;
+  options.fixed = 8;
+  options.points = 3'000'000;
+  options.size = [](const Vector&) { return 0.08; };
+  const auto seconds = [&](double radius_edge) {
+    options.radius_edge = radius_edge;
+    Mesh mesh = box;
+    const std::clock_t begin = std::clock();
+    improve(mesh, options, {});
+    const std::clock_t end = std::clock();
+    require_same(box, mesh);
+    CHECK(mesh.tetrahedra.size() < 50'000);
+    return double(end - begin) / CLOCKS_PER_SEC;
+  };
+  const double plain = seconds(0);
+  CHECK(seconds(1.1) < 20 * plain);
+}
+
+TEST_CASE("a volume that is bounded, and time that is over", "[tetrahedra]") {
+  const Mesh box = cube();
   ImproveOptions options;
   options.fixed = 8;
   options.volume = 1e-3;
