@@ -38,12 +38,14 @@ inline constexpr int kMostJoinMoves = 16;
 /// What `join` did.
 struct JoinReport {
   int rounds = 0;           ///< in which something was moved; 0: nothing was near, the result is the same
+  Rational reach;           ///< what was nearer than this was joined: the distance asked for, or up to twice that
   double displacement = 0;  ///< no point of the result moved farther (units)
   /// What met, the nearest first in each round, a line each, such as `point v3 of bolt and face f2 of fault, at
   /// (1, 2, 3): 1e-05 apart`. Numbers are those of the result that was given, so there are none after the first
   /// round.
   std::vector<std::string> merged;
-  /// Regions of which nothing is left, by name, or else by their leaves, and a place.
+  /// Regions of which nothing is left, by name, or else by their leaves, and a place; and those of which pieces
+  /// have vanished: `rock (2 pieces), at (1, 2, 3)`.
   std::vector<std::string> lost_regions;
   std::size_t lost_faces = 0, lost_wires = 0;
   std::size_t regions_before = 0, regions_after = 0;  ///< active ones, in one piece each
