@@ -456,6 +456,47 @@ class Joiner {
   }
 };
 
+/// Of each component what number it has, of those that have a cell: files list no others.
+std::vector<Component> numbers_of_left(const Components& x) {
+  std::vector<Component> number(x.attributes.size() + 1, 0);
+  const auto mark = [&](const auto& cells) {
+    for (const auto& [cell, component] : cells) number[component] = 1;
+  };
+  mark(x.selection.regions), mark(x.selection.faces), mark(x.selection.edges), mark(x.selection.vertices);
+  Component last = 0;
+  for (Component& n : number) {
+    if (n != 0) n = ++last;
+  }
+  return number;
+}
+
+/// Without components of which nothing is left; the others keep their order.
+std::shared_ptr<const Result::Data> without_vanished(std::shared_ptr<const Result::Data> data) {
+  Components x = data->value->components();
+  const std::vector<Component> number = numbers_of_left(x);
+  if (std::find(number.begin() + 1, number.end(), 0) == number.end()) return data;
+  std::vector<ComponentAttributes> attributes;
+  for (Component c = 1; c < number.size(); ++c) {
+    if (number[c] != 0) attributes.push_back(std::move(x.attributes[c - 1]));
+  }
+  x.attributes = std::move(attributes);
+  const auto renumber = [&](auto& cells) {
+    for (auto& [cell, component] : cells) component = number[component];
+  };
+  renumber(x.selection.regions), renumber(x.selection.faces);
+  renumber(x.selection.edges), renumber(x.selection.vertices);
+  SimplifiedComplex cells = *data->simplified;
+  const auto renumber_cells = [&](auto& list) {
+    for (auto& cell : list) cell.component = number[cell.component];
+  };
+  renumber_cells(cells.vertices), renumber_cells(cells.edges);
+  renumber_cells(cells.faces), renumber_cells(cells.regions);
+  const auto out = std::make_shared<Result::Data>(*data);
+  out->value = std::make_shared<const NodeValue>(std::move(x));
+  out->simplified = std::make_shared<const SimplifiedComplex>(std::move(cells));
+  return out;
+}
+
 std::string counted(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + ' ' + (n == 1 ? one : many);
 }
@@ -479,7 +520,7 @@ Result join(const Result& result, const Rational& within, JoinReport* report) {
     if (best.remaining == 0) break;
   }
   if (report != nullptr) *report = best;
-  return best.rounds > 0 ? Result(data) : result;
+  return best.rounds > 0 ? Result(without_vanished(data)) : result;
 }
 
 std::string JoinReport::text(const Rational& within) const {
