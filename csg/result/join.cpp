@@ -29,6 +29,8 @@ struct Attempt {
   double factor;  ///< of the distance: what is nearer than this is joined
   int patience;   ///< rounds before corners take what is farther
 };
+/// No attempt is made after those before have looked at so many points, in all of their rounds.
+constexpr std::size_t kMostWork = 20'000;
 constexpr Attempt kAttempts[] = {{1, 8}, {1.25, 8}, {1.5, 8}, {2, 8}, {1, 4}, {1.25, 4}, {1.5, 4}};
 
 /// Where things meet that never met before: where they are exactly, if that takes no more digits than what is
@@ -333,11 +335,15 @@ class Joiner {
   }
 
   void run() {
-    while (join_once()) report_.regions_after = active_regions(flat_);
+    while (join_once()) {
+      report_.regions_after = active_regions(flat_);
+      work_ += flat_.points.size();
+    }
     tell_lost_regions();
   }
 
   const JoinReport& report() const { return report_; }
+  std::size_t work() const { return work_; }  ///< points, counted in each round
   std::shared_ptr<const Result::Data> data() const { return data_; }
 
  private:
@@ -349,7 +355,7 @@ class Joiner {
   FlatComplex flat_;
   std::set<RationalPoint> given_;  // points of the input
   Places places_;
-  std::size_t most_points_ = 0;
+  std::size_t most_points_ = 0, work_ = 0;
   struct Lost {
     std::string name, place;  // the place of the first piece
     std::size_t pieces = 0;
@@ -510,6 +516,7 @@ Result join(const Result& result, const Rational& within, JoinReport* report) {
   }
   JoinReport best;
   std::shared_ptr<const Result::Data> data;
+  std::size_t work = 0;
   for (const auto& [factor, patience] : kAttempts) {
     Joiner joiner(result, within, from_double(factor) * within, patience);
     joiner.run();
@@ -517,7 +524,8 @@ Result join(const Result& result, const Rational& within, JoinReport* report) {
       best = joiner.report();
       data = joiner.data();
     }
-    if (best.remaining == 0) break;
+    work += joiner.work();
+    if (best.remaining == 0 || work > kMostWork) break;
   }
   if (report != nullptr) *report = best;
   return best.rounds > 0 ? Result(without_vanished(data)) : result;
