@@ -386,15 +386,15 @@ class Joiner {
     return pairs;
   }
 
-  /// The end: what is nearer than asked for all the same.
+  /// The end: what is nearer than asked for all the same, of the first kind that there is, as in a round.
   void give_up(const Parts& parts) {
-    std::optional<Rational> least;
     for (const Near kind : kNears) {
       const std::vector<NearPair> pairs = near_pairs(parts, kind, within_);
-      report_.remaining += pairs.size();
-      if (!pairs.empty() && (!least || pairs.front().squared < *least)) least = pairs.front().squared;
+      if (pairs.empty()) continue;
+      report_.remaining = pairs.size();
+      report_.nearest = nearest_root(pairs.front().squared);
+      return;
     }
-    if (least) report_.nearest = nearest_root(*least);
   }
 
   bool join_once() {
