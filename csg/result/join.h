@@ -21,9 +21,9 @@
 // what it is by what it was (relabel.h). Rounds end when nothing is near: then joining again changes nothing.
 // That they end so is not proven: two edges may bend to each other's points in turn. After some rounds, what is
 // within 2 d of a corner, later 4 d, goes there, and of two points the other one stays, which ends nearly all such
-// turns. No point is moved by kMostJoinMoves times d or more in all rounds together, and rounds end, too, when they
-// are many or have made twice as many points. Then all begins anew with what is nearer than somewhat more than d;
-// of all attempts that one is taken that leaves fewest pairs near, and the report says so.
+// turns. No point is moved by kMostJoinMoves times d or more in all rounds together, and rounds end, too, when
+// they are many or have made twice as many points. Then all begins anew with what is nearer than somewhat more
+// than d; of all attempts that one is taken that leaves fewest pairs near, and the report says so.
 //
 // A foot on a facet whose corners are feet has some ten times their digits. So where things meet, and where what
 // has moved crosses, is as exact as what one construction from doubles makes, and else on a grid far finer than d.
