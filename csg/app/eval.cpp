@@ -104,11 +104,11 @@ class FileWriter {
     }
     if (!report.embedded) {
       say(path + ": warning: rounding moved " + std::to_string(report.moved) +
-          " vertices and broke the result in this file; leave out " +
+          (report.moved == 1 ? " vertex" : " vertices") + " and broke the result in this file; leave out " +
           (arguments_.no_snap ? "--no-snap" : "--parameters") + ", or write .json for the exact result");
     } else if (!arguments_.quiet && report.moved > 0) {
       say(path + ": notice: rounding moved " + std::to_string(report.moved) +
-          " vertices; the facets still meet as they should");
+          (report.moved == 1 ? " vertex" : " vertices") + "; the facets still meet as they should");
     } else if (!arguments_.quiet && report.snapped.rounds > 0) {
       say(path + ": notice: " + report.snapped.text());
     } else if (!arguments_.quiet && arguments_.snap && is_exact(path)) {

@@ -219,7 +219,7 @@ void write_files(const MeshArguments& arguments, const Result& result, const Mes
   if (snapped.rounds > 0) notices.push_back(snapped.text());
   if (rounding.moved > 0) {
     notices.push_back("rounding moved " + std::to_string(rounding.moved) +
-                      " vertices; the facets still meet as they should");
+                      (rounding.moved == 1 ? " vertex" : " vertices") + "; the facets still meet as they should");
   }
   for (const std::string& path : arguments.files) {
     {

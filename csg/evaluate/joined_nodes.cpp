@@ -33,34 +33,12 @@ EvaluateOptions options_below(const EvaluateOptions& options) {
   return below;
 }
 
-/// Components of which some cell is left, numbered anew.
-Components without_vanished(Components x) {
-  std::vector<Component> number(x.attributes.size() + 1, 0);
-  const auto each = [&](auto see) {
-    see(x.selection.regions), see(x.selection.faces), see(x.selection.edges), see(x.selection.vertices);
-  };
-  each([&](const auto& cells) {
-    for (const auto& [cell, component] : cells) number[component] = 1;
-  });
-  std::vector<ComponentAttributes> attributes;
-  for (Component c = 1; c < number.size(); ++c) {
-    if (number[c] == 0) continue;
-    attributes.push_back(std::move(x.attributes[c - 1]));
-    number[c] = static_cast<Component>(attributes.size());
-  }
-  each([&](auto& cells) {
-    for (auto& [cell, component] : cells) component = number[component];
-  });
-  x.attributes = std::move(attributes);
-  return x;
-}
-
-/// A group that was joined is a group again: `join` leaves components, with the numbers that they had.
+/// A group that was joined is a group again: `join` leaves components.
 Result settled(const Result& joined) {
   const auto data = std::make_shared<Result::Data>(joined.data());
   const Components& x = data->value->components();
   data->value = std::make_shared<const NodeValue>(
-      data->of_group ? NodeValue(*data->complex, group_of(*data->complex, x)) : NodeValue(without_vanished(x)));
+      data->of_group ? NodeValue(*data->complex, group_of(*data->complex, x)) : NodeValue(x));
   data->simplified = SimplifiedValue(data->complex, data->value).share();
   data->of_group = false;
   data->region_sizes = nullptr;

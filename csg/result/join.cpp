@@ -1,6 +1,7 @@
 #include "csg/result/join.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -20,7 +21,54 @@ namespace {
 
 using Index = Parts::Index;
 constexpr Index kNone = Parts::kNone;
-constexpr int kPatience = 8;  // rounds
+constexpr int kMostRounds = 64;
+
+/// Rounds of one attempt seldom have no end, and those of another one, where other things meet first, do not share
+/// the reason.
+struct Attempt {
+  double factor;  ///< of the distance: what is nearer than this is joined
+  int patience;   ///< rounds before corners take what is farther
+};
+/// No attempt is made after those before have looked at so many points, in all of their rounds.
+constexpr std::size_t kMostWork = 20'000;
+constexpr Attempt kAttempts[] = {{1, 8}, {1.25, 8}, {1.5, 8}, {2, 8}, {1, 4}, {1.25, 4}, {1.5, 4}};
+
+/// Where things meet that never met before: where they are exactly, if that takes no more digits than what is
+/// constructed once from doubles does; else at the nearest point of a grid that is far finer than the distance. A
+/// foot on a facet whose corners are feet has some ten times their digits, so those of exact places would grow
+/// tenfold in each round.
+class Places {
+ public:
+  explicit Places(const Rational& within) : step_(1) {
+    while (kFiner * step_ > within) step_ /= 2;
+    while (2 * kFiner * step_ <= within) step_ *= 2;
+  }
+  /// All points of a result whose coordinates are to be kept.
+  void keep(const std::vector<RationalPoint>& points) { kept_.insert(points.begin(), points.end()); }
+
+  RationalPoint near(const RationalPoint& p) const {
+    if (std::all_of(p.begin(), p.end(), is_brief) || kept_.contains(p)) return p;
+    RationalPoint out = p;
+    for (Rational& x : out) {
+      if (is_brief(x)) continue;
+      const Rational steps = x / step_ + Rational(1, 2);
+      Integer whole;
+      mpz_fdiv_q(whole.get_mpz_t(), steps.get_num_mpz_t(), steps.get_den_mpz_t());
+      x = whole * step_;
+    }
+    return out;
+  }
+
+ private:
+  static constexpr int kFiner = 1024;
+  static constexpr std::size_t kMostBits = 1024;
+  Rational step_;
+  std::set<RationalPoint> kept_;
+
+  static bool is_brief(const Rational& x) {
+    return mpz_sizeinbase(x.get_num_mpz_t(), 2) + mpz_sizeinbase(x.get_den_mpz_t(), 2) <= kMostBits;
+  }
+};
 
 /// What one round moves, and which of its pairs that joins, each with the place where.
 struct Plan {
@@ -32,10 +80,11 @@ class Planner {
  public:
   /// What is nearer than `corner` (its square; 0: nothing) to a corner of what it meets goes to that corner.
   /// `reversed`: of points the last in the order of preference stay.
-  Planner(const Parts& parts, const std::set<RationalPoint>& given, Rational corner, bool reversed)
-      : parts_(parts), given_(given), corner_(std::move(corner)), reversed_(reversed) {
+  Planner(const Parts& parts, const std::set<RationalPoint>& given, const Places& places, Rational corner,
+          bool reversed)
+      : parts_(parts), given_(given), places_(places), corner_(std::move(corner)), reversed_(reversed) {
     list_facets();
-    plan_.moves.to = parts.points();
+    for (const RationalPoint& p : parts.points()) plan_.moves.to.push_back(places.near(p));
     moved_.assign(parts.points().size(), 0);
   }
 
@@ -69,8 +118,8 @@ class Planner {
       for (const NearPair* const pair : near[p]) {  // the nearest first
         const Index q = other(*pair, p);
         if (!stays[q]) continue;
-        plan_.moves.to[p] = parts_.points()[q];
-        plan_.joined.emplace_back(pair, parts_.points()[q]);
+        plan_.moves.to[p] = plan_.moves.to[q];
+        plan_.joined.emplace_back(pair, plan_.moves.to[q]);
         break;
       }
     }
@@ -93,6 +142,7 @@ class Planner {
  private:
   const Parts& parts_;
   const std::set<RationalPoint>& given_;
+  const Places& places_;
   std::vector<std::vector<Index>> facets_of_;  // of each point, ascending
   std::vector<RationalPoint> normals_;         // of each facet
   const Rational corner_;
@@ -183,7 +233,7 @@ class Planner {
   void meet_corner(const NearPair& pair, Index p, Index c) {
     if (moved_[p] || moved_[c] || p == c) return;
     const bool goes = rank_of_point(p) <= rank_of_point(c);
-    const RationalPoint to = parts_.points()[goes ? c : p];
+    const RationalPoint to = plan_.moves.to[goes ? c : p];
     plan_.moves.to[goes ? p : c] = to;
     moved_[p] = moved_[c] = 1;
     plan_.joined.emplace_back(&pair, to);
@@ -195,7 +245,7 @@ class Planner {
     if (const auto corner = corner_near(parts_.points()[p], corners_of(pair)))
       return meet_corner(pair, p, *corner);
     const bool goes = rank_of_point(p) <= rank_of_part(pair);
-    const RationalPoint& to = goes ? pair.at_b : parts_.points()[p];
+    const RationalPoint to = goes ? places_.near(pair.at_b) : plan_.moves.to[p];
     if (!add_joint(pair.kind, pair.b, pair.at_b, to)) return;
     plan_.joined.emplace_back(&pair, to);
     moved_[p] = goes;
@@ -208,7 +258,8 @@ class Planner {
     const auto first = corner_near(pair.at_a, parts_.segments()[pair.a].ends);
     const auto second = corner_near(pair.at_b, parts_.segments()[pair.b].ends);
     if (first && second) return meet_corner(pair, *first, *second);
-    const RationalPoint& to = rank_of_segment(pair.a) >= rank_of_segment(pair.b) ? pair.at_a : pair.at_b;
+    const RationalPoint to =
+        places_.near(rank_of_segment(pair.a) >= rank_of_segment(pair.b) ? pair.at_a : pair.at_b);
     add_joint(kOn, pair.a, pair.at_a, to);
     add_joint(kOn, pair.b, pair.at_b, to);
     plan_.joined.emplace_back(&pair, to);
@@ -221,28 +272,24 @@ std::size_t active_regions(const FlatComplex& flat) {
   return n;
 }
 
-/// `rock, r3, at (1, 2, 3)`, `rock (a piece), ...` where some of it is left: its name or its leaves, its number
-/// where that is still the one of the result that was given, the first of its points.
-std::string text_of_region(const ResultView& view, const FlatComplex& flat, Index r, bool whole, bool numbered) {
-  std::string text = shown(attributes_of(view, flat.regions[r].component).name);
-  if (text.empty()) text = "a region of " + names_of_leaves(view, flat.regions[r].origin);
-  if (!whole) text += " (a piece)";
-  if (numbered) text += ", r" + std::to_string(r);
+/// Its name, or else its leaves.
+std::string name_of_region(const ResultView& view, const FlatComplex& flat, Index r) {
+  const std::string name = shown(attributes_of(view, flat.regions[r].component).name);
+  return name.empty() ? "a region of " + names_of_leaves(view, flat.regions[r].origin) : name;
+}
+
+/// `, at (1, 2, 3)`: the first of its points.
+std::string place_of_region(const ResultView& view, const FlatComplex& flat, Index r) {
   Index first = kNone;
   for (const auto& shell : flat.regions[r].shells) {
     for (const Index side : shell) {
       for (const auto& t : flat.faces[side / 2].triangles) first = std::min({first, t[0], t[1], t[2]});
     }
   }
-  if (first != kNone) text += ", at " + coordinates(view.complex->points.rational(flat.points[first]));
-  return text;
+  return first == kNone ? "" : ", at " + coordinates(view.complex->points.rational(flat.points[first]));
 }
 
-void require_distance(const Rational& within, const Parts& parts) {
-  if (within <= 0) {
-    throw InputError("the distance within which features are joined must be positive, and is " +
-                     to_decimal(within, 6));
-  }
+void require_smaller_than_result(const Rational& within, const Parts& parts) {
   const RationalPoint* low = nullptr;
   std::optional<RationalPoint> lo, hi;
   for (const RationalPoint& p : parts.points()) {
@@ -263,106 +310,198 @@ void require_distance(const Rational& within, const Parts& parts) {
   }
 }
 
+/// One attempt: rounds that join what is nearer than `reach`, so that nothing is left that is nearer than
+/// `within`.
 class Joiner {
  public:
-  Joiner(const Result& result, const Rational& within, JoinReport& report)
-      : within_(within), report_(report), data_(std::make_shared<Result::Data>(result.data())) {}
-
-  /// True if anything was joined.
-  bool run() {
-    flat_ = flatten(data_->view());
+  Joiner(const Result& result, const Rational& within, const Rational& reach, int patience)
+      : within_(within),
+        reach_(reach),
+        patience_(patience),
+        data_(std::make_shared<Result::Data>(result.data())),
+        flat_(flatten(data_->view())),
+        places_(within) {
     require_bounds(flat_, "features can be joined only of a result that has bounds", "");
+    report_.reach = reach;
     report_.regions_before = report_.regions_after = active_regions(flat_);
-    {
-      const Parts parts(data_->view(), flat_);
-      require_distance(within_, parts);
-      const PointTable& table = data_->complex->points;
-      for (std::size_t p = 0; p < parts.points().size(); ++p) {
-        if (!table.is_constructed(flat_.points[p])) given_.insert(parts.points()[p]);
-      }
+    const Parts parts(data_->view(), flat_);
+    require_smaller_than_result(within_, parts);
+    places_.keep(parts.points());
+    most_points_ = 2 * parts.points().size() + kFewPoints;
+    const PointTable& table = data_->complex->points;
+    for (std::size_t p = 0; p < parts.points().size(); ++p) {
+      if (!table.is_constructed(flat_.points[p])) given_.insert(parts.points()[p]);
     }
-    while (join_once()) {
-      flat_ = flatten(data_->view());
-      report_.regions_after = active_regions(flat_);
-    }
-    return report_.rounds > 0;
   }
 
+  void run() {
+    while (join_once()) {
+      report_.regions_after = active_regions(flat_);
+      work_ += flat_.points.size();
+    }
+    tell_lost_regions();
+  }
+
+  const JoinReport& report() const { return report_; }
+  std::size_t work() const { return work_; }  ///< points, counted in each round
   std::shared_ptr<const Result::Data> data() const { return data_; }
 
  private:
-  const Rational within_;
-  JoinReport& report_;
+  static constexpr std::size_t kFewPoints = 256;
+  const Rational within_, reach_;
+  const int patience_;  // rounds
+  JoinReport report_;
   std::shared_ptr<Result::Data> data_;
   FlatComplex flat_;
   std::set<RationalPoint> given_;  // points of the input
+  Places places_;
+  std::size_t most_points_ = 0, work_ = 0;
+  struct Lost {
+    std::string name, place;  // the place of the first piece
+    std::size_t pieces = 0;
+  };
+  std::map<Index, Lost> lost_;  // by component
 
   /// Thin triangles with sides longer than the distance and heights below it would be bent back and forth: when
   /// rounds become many, what is somewhat farther from corners goes there. 0: nothing does.
   Rational corner_reach() const {
-    return report_.rounds < kPatience ? Rational(0) : Rational((report_.rounds < 2 * kPatience ? 2 : 4) * within_);
+    return report_.rounds < patience_ ? Rational(0) : Rational((report_.rounds < 2 * patience_ ? 2 : 4) * within_);
   }
   /// Another round might move something farther than a result is allowed to be moved.
   bool is_exhausted() const {
-    const double next = to_double(std::max<Rational>(within_, corner_reach()));
-    return report_.displacement + next * (1 + 0x1p-50) > kMostJoinMoves * to_double(within_);
+    const double next = to_double(std::max<Rational>(reach_, corner_reach()));
+    return report_.rounds >= kMostRounds ||
+           report_.displacement + next * (1 + 0x1p-50) > kMostJoinMoves * to_double(within_);
   }
 
-  /// No piece of its component is left.
-  bool is_whole(Index r, const std::vector<Index>& lost) const {
-    for (Index other = 0; other < flat_.regions.size(); ++other) {
-      if (flat_.regions[other].component == flat_.regions[r].component &&
-          !std::binary_search(lost.begin(), lost.end(), other))
-        return false;
+  std::vector<NearPair> pairs_of_a_round(const Parts& parts) const {
+    std::vector<NearPair> pairs = near_pairs(parts, Near::points, reach_);
+    if (pairs.empty()) pairs = near_pairs(parts, Near::point_segment, reach_);
+    if (!pairs.empty()) return pairs;
+    pairs = near_pairs(parts, Near::point_facet, reach_);
+    std::vector<NearPair> more = near_pairs(parts, Near::segments, reach_);
+    std::move(more.begin(), more.end(), std::back_inserter(pairs));
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const NearPair& x, const NearPair& y) { return x.squared < y.squared; });
+    return pairs;
+  }
+
+  /// The end: what is nearer than asked for all the same, of the first kind that there is, as in a round.
+  void give_up(const Parts& parts) {
+    for (const Near kind : kNears) {
+      const std::vector<NearPair> pairs = near_pairs(parts, kind, within_);
+      if (pairs.empty()) continue;
+      report_.remaining = pairs.size();
+      report_.nearest = nearest_root(pairs.front().squared);
+      return;
     }
-    return true;
   }
 
   bool join_once() {
     const ResultView view = data_->view();
     const Parts parts(view, flat_);
-    std::vector<NearPair> pairs = near_pairs(parts, Near::points, within_);
-    const bool points = !pairs.empty();
-    if (!points) pairs = near_pairs(parts, Near::point_segment, within_);
-    if (pairs.empty()) {
-      pairs = near_pairs(parts, Near::point_facet, within_);
-      std::vector<NearPair> more = near_pairs(parts, Near::segments, within_);
-      std::move(more.begin(), more.end(), std::back_inserter(pairs));
-      std::stable_sort(pairs.begin(), pairs.end(),
-                       [](const NearPair& x, const NearPair& y) { return x.squared < y.squared; });
-    }
+    const std::vector<NearPair> pairs = pairs_of_a_round(parts);
     if (pairs.empty()) return false;
     if (is_exhausted()) {
-      report_.remaining = pairs.size();
-      report_.nearest = nearest_root(pairs.front().squared);
+      give_up(parts);
       return false;
     }
     // What crosses again where it crossed before, after its points have gone to a corner, is broken by letting the
     // corner go.
-    const bool reversed = report_.rounds >= 2 * kPatience && report_.rounds / kPatience % 2 == 1;
+    const bool reversed = report_.rounds >= 2 * patience_ && report_.rounds / patience_ % 2 == 1;
     const Rational reach = corner_reach();
-    Planner planner(parts, given_, reach * reach, reversed);
+    Planner planner(parts, given_, places_, reach * reach, reversed);
+    const bool points = pairs.front().kind == Near::points;
     const Plan plan = points ? planner.meet_points(pairs) : planner.meet(pairs);
+    const auto made = std::make_shared<Relabelled>(*relabel(view, flat_, move(parts, plan.moves), false));
+    Result::Data next = *data_;
+    next.complex = made->complex;
+    next.value = std::shared_ptr<const NodeValue>(made, &made->value);
+    next.simplified = std::shared_ptr<const SimplifiedComplex>(made, &made->simplified);
+    next.parameters = nullptr;
+    next.of_group = made->of_group;
+    next.region_sizes = std::shared_ptr<const std::vector<double>>(made, &made->region_sizes);
+    FlatComplex flat = flatten(next.view());
+    if (flat.points.size() > most_points_) {  // what moves crosses more than it joins
+      give_up(parts);
+      return false;
+    }
     const bool first = report_.rounds++ == 0;
     for (const auto& [pair, place] : plan.joined) {
       report_.merged.push_back(text_of(view, parts, pair->kind, pair->a, pair->b, first) + ", at " +
                                coordinates(place) + ": " + distance_text(pair->squared) + " apart");
     }
-    const auto made = std::make_shared<Relabelled>(*relabel(view, flat_, move(parts, plan.moves), false));
     report_.displacement += made->report.displacement;
     report_.lost_faces += made->lost_faces.size();
     report_.lost_wires += made->lost_wires.size();
-    for (const Index r : made->lost_regions)
-      report_.lost_regions.push_back(text_of_region(view, flat_, r, is_whole(r, made->lost_regions), first));
-    data_->complex = made->complex;
-    data_->value = std::shared_ptr<const NodeValue>(made, &made->value);
-    data_->simplified = std::shared_ptr<const SimplifiedComplex>(made, &made->simplified);
-    data_->parameters = nullptr;
-    data_->of_group = made->of_group;
-    data_->region_sizes = std::shared_ptr<const std::vector<double>>(made, &made->region_sizes);
+    for (const Index r : made->lost_regions) lose(view, r, first);
+    *data_ = std::move(next);
+    flat_ = std::move(flat);
     return true;
   }
+
+  /// `numbered`: numbers of regions are those of the result that was given.
+  void lose(const ResultView& view, Index r, bool numbered) {
+    Lost& lost = lost_[flat_.regions[r].component];
+    if (lost.pieces++ > 0) return;
+    lost.name = name_of_region(view, flat_, r);
+    if (numbered) lost.place = ", r" + std::to_string(r);
+    lost.place += place_of_region(view, flat_, r);
+  }
+  void tell_lost_regions() {
+    std::set<Index> left;
+    for (Index r = 0; r < flat_.regions.size(); ++r) {
+      if (flat_.active(r)) left.insert(flat_.regions[r].component);
+    }
+    for (const auto& [component, lost] : lost_) {
+      std::string text = lost.name;
+      if (left.contains(component))
+        text += lost.pieces == 1 ? " (a piece)" : " (" + std::to_string(lost.pieces) + " pieces)";
+      report_.lost_regions.push_back(text + lost.place);
+    }
+  }
 };
+
+/// Of each component what number it has, of those that have a cell: files list no others.
+std::vector<Component> numbers_of_left(const Components& x) {
+  std::vector<Component> number(x.attributes.size() + 1, 0);
+  const auto mark = [&](const auto& cells) {
+    for (const auto& [cell, component] : cells) number[component] = 1;
+  };
+  mark(x.selection.regions), mark(x.selection.faces), mark(x.selection.edges), mark(x.selection.vertices);
+  Component last = 0;
+  for (Component& n : number) {
+    if (n != 0) n = ++last;
+  }
+  return number;
+}
+
+/// Without components of which nothing is left; the others keep their order.
+std::shared_ptr<const Result::Data> without_vanished(std::shared_ptr<const Result::Data> data) {
+  Components x = data->value->components();
+  const std::vector<Component> number = numbers_of_left(x);
+  if (std::find(number.begin() + 1, number.end(), 0) == number.end()) return data;
+  std::vector<ComponentAttributes> attributes;
+  for (Component c = 1; c < number.size(); ++c) {
+    if (number[c] != 0) attributes.push_back(std::move(x.attributes[c - 1]));
+  }
+  x.attributes = std::move(attributes);
+  const auto renumber = [&](auto& cells) {
+    for (auto& [cell, component] : cells) component = number[component];
+  };
+  renumber(x.selection.regions), renumber(x.selection.faces);
+  renumber(x.selection.edges), renumber(x.selection.vertices);
+  SimplifiedComplex cells = *data->simplified;
+  const auto renumber_cells = [&](auto& list) {
+    for (auto& cell : list) cell.component = number[cell.component];
+  };
+  renumber_cells(cells.vertices), renumber_cells(cells.edges);
+  renumber_cells(cells.faces), renumber_cells(cells.regions);
+  const auto out = std::make_shared<Result::Data>(*data);
+  out->value = std::make_shared<const NodeValue>(std::move(x));
+  out->simplified = std::make_shared<const SimplifiedComplex>(std::move(cells));
+  return out;
+}
 
 std::string counted(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + ' ' + (n == 1 ? one : many);
@@ -371,9 +510,25 @@ std::string counted(std::size_t n, const char* one, const char* many) {
 }  // namespace
 
 Result join(const Result& result, const Rational& within, JoinReport* report) {
-  JoinReport own;
-  Joiner joiner(result, within, report != nullptr ? *report : own);
-  return joiner.run() ? Result(joiner.data()) : result;
+  if (within <= 0) {
+    throw InputError("the distance within which features are joined must be positive, and is " +
+                     to_decimal(within, 6));
+  }
+  JoinReport best;
+  std::shared_ptr<const Result::Data> data;
+  std::size_t work = 0;
+  for (const auto& [factor, patience] : kAttempts) {
+    Joiner joiner(result, within, from_double(factor) * within, patience);
+    joiner.run();
+    if (data == nullptr || joiner.report().remaining < best.remaining) {
+      best = joiner.report();
+      data = joiner.data();
+    }
+    work += joiner.work();
+    if (best.remaining == 0 || work > kMostWork) break;
+  }
+  if (report != nullptr) *report = best;
+  return best.rounds > 0 ? Result(without_vanished(data)) : result;
 }
 
 std::string JoinReport::text(const Rational& within) const {
@@ -381,8 +536,9 @@ std::string JoinReport::text(const Rational& within) const {
   if (rounds == 0) return "nothing is nearer than " + d + " that does not touch; nothing was joined";
   std::string far;
   append(far, displacement);
-  std::string text = "joined " + counted(merged.size(), "pair", "pairs") + " nearer than " + d + ", in " +
-                     counted(std::size_t(rounds), "round", "rounds") + "; nothing moved by more than " + far;
+  std::string text = "joined " + counted(merged.size(), "pair", "pairs") + " nearer than " + to_decimal(reach, 6) +
+                     ", in " + counted(std::size_t(rounds), "round", "rounds") + "; nothing moved by more than " +
+                     far;
   if (lost_faces > 0) text += "; " + counted(lost_faces, "face", "faces") + " vanished";
   if (lost_wires > 0) text += "; " + counted(lost_wires, "wire", "wires") + " vanished";
   if (!lost_regions.empty()) text += "; " + counted(lost_regions.size(), "region", "regions") + " vanished";

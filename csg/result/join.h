@@ -19,10 +19,15 @@
 //
 // The drawing of what has moved is refined exactly, so the result is a complex again whatever happened, and told
 // what it is by what it was (relabel.h). Rounds end when nothing is near: then joining again changes nothing.
-// That they end is not proven: two edges may bend to each other's points in turn. After some rounds, what is
+// That they end so is not proven: two edges may bend to each other's points in turn. After some rounds, what is
 // within 2 d of a corner, later 4 d, goes there, and of two points the other one stays, which ends nearly all such
-// turns. No point is moved by kMostJoinMoves times d or more in all rounds together: what would move farther is
-// left, and the report says so.
+// turns. No point is moved by kMostJoinMoves times d or more in all rounds together, and rounds end, too, when
+// they are many or have made twice as many points. Then all begins anew with what is nearer than somewhat more
+// than d; of all attempts that one is taken that leaves fewest pairs near, and the report says so.
+//
+// A foot on a facet whose corners are feet has some ten times their digits. So where things meet, and where what
+// has moved crosses, is as exact as what one construction from doubles makes, and else on a grid far finer than d.
+// Points of the result that was given keep their coordinates as long as they stay.
 #pragma once
 
 #include <string>
@@ -38,12 +43,14 @@ inline constexpr int kMostJoinMoves = 16;
 /// What `join` did.
 struct JoinReport {
   int rounds = 0;           ///< in which something was moved; 0: nothing was near, the result is the same
+  Rational reach;           ///< what was nearer than this was joined: the distance asked for, or up to twice that
   double displacement = 0;  ///< no point of the result moved farther (units)
   /// What met, the nearest first in each round, a line each, such as `point v3 of bolt and face f2 of fault, at
   /// (1, 2, 3): 1e-05 apart`. Numbers are those of the result that was given, so there are none after the first
   /// round.
   std::vector<std::string> merged;
-  /// Regions of which nothing is left, by name, or else by their leaves, and a place.
+  /// Regions of which nothing is left, by name, or else by their leaves, and a place; and those of which pieces
+  /// have vanished: `rock (2 pieces), at (1, 2, 3)`.
   std::vector<std::string> lost_regions;
   std::size_t lost_faces = 0, lost_wires = 0;
   std::size_t regions_before = 0, regions_after = 0;  ///< active ones, in one piece each

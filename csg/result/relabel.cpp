@@ -10,8 +10,9 @@
 #include "csg/result/sizes.h"
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
+#include "kernel/base/vectors.h"
+#include "kernel/exact/exact_vectors.h"
 #include "kernel/selection/canonical.h"
-#include "kernel/selection/measure.h"
 
 namespace cnrg {
 namespace {
@@ -203,12 +204,29 @@ class Labeller {
     for (const HalfFace h : complex_.region_faces[r]) {
       const auto& named = sides_[h.face()][h.side()];
       if (named.empty()) continue;
-      const double size = std::sqrt(to_double(squared_area(complex_, h.face()))) / double(named.size());
+      const double size = rounded_area(h.face()) / double(named.size());
       for (const Index region : named) area[region] += size;
     }
     return std::max_element(area.begin(), area.end(),
                             [](const auto& a, const auto& b) { return a.second < b.second; })
         ->first;
+  }
+
+  /// Exact areas of crossed slivers would take more time than all else, and nobody asks for their digits.
+  double rounded_area(FaceId f) const {
+    DoubleVector sum{};
+    for (const LoopId l : complex_.face_loops[f]) {
+      const auto loop = complex_.loop[l];
+      const RationalPoint origin = complex_.points.rational(complex_.origin(loop[0]));
+      DoubleVector last{};
+      for (std::size_t k = 1; k < loop.size(); ++k) {
+        const DoubleVector next = to_doubles(complex_.points.rational(complex_.origin(loop[k])) - origin);
+        const DoubleVector piece = cross(last, next);
+        for (std::size_t i = 0; i < 3; ++i) sum[i] += piece[i];
+        last = next;
+      }
+    }
+    return std::sqrt(dot(sum, sum)) / 2;
   }
 
   bool is_faithful() const {

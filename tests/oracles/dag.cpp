@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 namespace cnrg::properties {
 namespace {
@@ -31,9 +32,14 @@ const char* name(Operator op) {
     case Operator::closure: return "closure";
     case Operator::boundary: return "boundary";
     case Operator::regularize: return "regularize";
-    case Operator::simplify: break;
+    case Operator::simplify: return "simplify";
+    // Surfaces and criteria are of single scenes: tests/operators. Nor is `within` of `simplify` drawn: it makes
+    // cells that the refinement of the leaves does not have, and the oracles know no others.
+    case Operator::below:
+    case Operator::above:
+    case Operator::select: break;
   }
-  return "simplify";
+  throw std::logic_error("random dags do not draw this operator");
 }
 
 const char* name(DominantOperand d) {
@@ -66,6 +72,9 @@ Standing standing(const DagNode& node, const std::vector<Standing>& below) {
       break;
     case Operator::cnrg_subtract:
     case Operator::interior: break;
+    case Operator::below:
+    case Operator::above:
+    case Operator::select: throw std::logic_error("random dags do not draw this operator");
   }
   return node.regularize && value != Standing::group ? Standing::closed : value;
 }

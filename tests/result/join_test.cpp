@@ -102,7 +102,7 @@ void check_joined(const Result& before, const Result& after, const JoinReport& r
     CHECK(again.rounds == 0);
     CHECK(&twice.complex() == &after.complex());
   }
-  CHECK(after.component_count() == before.component_count());
+  CHECK(after.component_count() <= before.component_count());
   const auto was = volumes(before), is = volumes(after);
   for (const auto& [name, volume] : was) {
     if (is.contains(name)) continue;
@@ -157,7 +157,7 @@ TEST_CASE("join: scenes of any directions", "[join][random]") {
     check_joined(rough, joined, report, d);
     remained += report.remaining > 0;
   }
-  CHECK(remained * 50 <= last - first);
+  CHECK(remained * 200 <= last - first);
 }
 
 TEST_CASE("join: a bolt's end goes to the fault, which stays flat", "[join]") {
@@ -231,6 +231,59 @@ TEST_CASE("join: a region thinner than the distance vanishes and is named", "[jo
   CHECK_THAT(report.lost_regions[0], Catch::StartsWith("dust, r") && Catch::Contains(", at (0, 0, 1)"));
   CHECK(volumes(after) == std::map<std::string, Rational>{{"low", 1}, {"high", 1}});
   CHECK(active_counts(after.cells()) == std::array<std::size_t, 4>{12, 20, 11, 2});
+  CHECK(report.reach == Rational(1, 1000));
+  // What has vanished is no component of the file, which is read back.
+  CHECK(after.component_count() == 3);  // low, high, their entities
+  const test::Scratch scratch;
+  write(scratch / "left.json", after);
+  const Result read = read_result(scratch / "left.json");
+  CHECK(volumes(read) == volumes(after));
+  CHECK(active_counts(read.cells()) == active_counts(after.cells()));
+}
+
+TEST_CASE("join: a region loses the slits that it fills and stays", "[join]") {
+  const Rational thin(1, 100000), d(1, 1000);
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {9, 1, 1});
+  add_box(soup, {0, 0, 1 + thin}, {4, 1, 2});
+  add_box(soup, {5, 0, 1 + thin}, {9, 1, 2});
+  add_box(soup, {0, 0, 0}, {9, 1, 2});
+  Case c(soup, {{{"low", "", {}}}, {{"left", "", {}}}, {{"right", "", {}}}, {{"filling", "", {}}}});
+  c.show(c.unite(Dominance::left));
+  const Result before = result_of(c);
+  JoinReport report;
+  const Result after = join(before, d, &report);
+  check_joined(before, after, report, d);
+  CHECK(volumes(after).size() == 4);
+  CHECK(report.lost_regions.empty());
+  CHECK(report.remaining == 0);
+}
+
+TEST_CASE("join: places where joined things meet keep few digits", "[join]") {
+  // Wires pass each other and sheets at distances below d, in no special direction: each meeting is at the foot of
+  // what earlier ones made.
+  const Rational d(1, 100);
+  Soup soup;
+  Dice dice(7);
+  const auto off = [&](int x) -> Rational { return x + d / 4 * dice.unit() / 3; };
+  for (int i = 0; i < 5; ++i)
+    add_wire(soup, {off(-5 - i), off(2 * i - 5), off(3 - i)}, {off(5 + i), off(5 - 2 * i), off(i - 3)});
+  add_sheet(soup, {{off(-2), off(-3), off(1)}, {off(3), off(-2), off(0)}, {off(0), off(4), off(-1)}});
+  add_sheet(soup, {{off(-3), off(-2), off(-1)}, {off(2), off(-3), off(0)}, {off(1), off(4), off(1)}});
+  Case c(soup);
+  c.show(c.unite(Dominance::left));
+  const Result before = result_of(c);
+  JoinReport report;
+  const Result after = join(before, d, &report);
+  check_joined(before, after, report, d);
+  CHECK(report.rounds > 1);
+  std::size_t most = 0;
+  const FlatComplex flat = flatten(after.data().view());
+  for (const VertexId v : flat.points) {
+    for (const Rational& x : after.complex().points.rational(v))
+      most = std::max(most, mpz_sizeinbase(x.get_den_mpz_t(), 2));
+  }
+  CHECK(most < 8192);
 }
 
 TEST_CASE("join: what is far stays the same object", "[join]") {

@@ -402,11 +402,12 @@ class Result:
             raise InputError(f"{name}: `write` writes cells; use .{method[ending]}(path) for {ending}")
         with self._placed():
             moved, embedded, notices = self._result.write(name, bool(parameters), bool(snap), bool(binary))
+        vertices = "1 vertex" if moved == 1 else f"{moved} vertices"
         if not embedded:
-            text = f"{name}: rounding moved {moved} vertices and broke the result in this file; .json has the exact one"
+            text = f"{name}: rounding moved {vertices} and broke the result in this file; .json has the exact one"
             warnings.warn_explicit(text, Notice, *site_of_caller())
         elif moved:
-            notices.append(f"rounding moved {moved} vertices; the facets still meet as they should")
+            notices.append(f"rounding moved {vertices}; the facets still meet as they should")
         return list(notices)
 
     def _blocks(self) -> list[convert.Block]:
