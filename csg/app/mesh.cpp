@@ -249,7 +249,7 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
     asked.max_points = arguments.max_points;
     asked.quads = arguments.quads;
     asked.order = arguments.options.order;
-    asked.seconds = arguments.options.seconds;
+    asked.seconds = arguments.options.seconds.value_or(asked.seconds);
     asked.watch.progress = bar.progress();
     made = at_node(tree, node, [&] {
       return arguments.no_snap ? surface_triangles(result, asked)
@@ -302,9 +302,9 @@ int run_mesh(const MeshArguments& arguments) {
     TetrahedraOptions asked = arguments.options;
     asked.watch.progress = bar.progress();
     if (!arguments.quiet) {
-      asked.foretold = [&](double count) {
+      asked.foretold = [&](const MeshForecast& mesh) {
         bar.clear();
-        tell("notice: " + count_text(count) + " tetrahedra are expected");
+        tell("notice: " + count_text(mesh.tetrahedra) + " tetrahedra are expected");
       };
     }
     if (arguments.curved) asked.order = 1;  // bent afterwards

@@ -11,6 +11,7 @@
 #define TETLIBRARY
 #include <tetgen.h>
 
+#include "csg/mesh/deadline.h"
 #include "csg/text/child.h"
 #include "kernel/base/error.h"
 
@@ -182,12 +183,18 @@ PlcMesh read_result(const MemoryFile& file) {
 
 }  // namespace
 
-PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds,
+PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, const TetgenTime& time,
                    const TooLarge& too_large, const std::stop_token& stop) {
   const MemoryFile result("TetGen");
-  const ChildLimits limits{.seconds = std::size_t(std::max(seconds, 0))};
+  const ChildLimits limits{.seconds = std::size_t(std::max(time.seconds, 0))};
   const auto work = [&] { return mesh(plc, "pAQMJ" + switches, frame, too_large, result); };
-  require_done(run_in_child("TetGen", limits, work, stop));
+  const Deadline deadline(Watch{{}, stop}, time.clock);
+  try {
+    require_done(run_in_child("TetGen", limits, work, deadline.watch().stop));
+  } catch (const Stopped&) {
+    if (stop.stop_requested()) throw;
+    require_done({.kind = ChildEnd::Kind::time});
+  }
   return read_result(result);
 }
 

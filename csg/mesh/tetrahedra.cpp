@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -30,6 +31,7 @@ namespace {
 using Index = Mesh::Index;
 using Vector = std::array<double, 3>;
 constexpr Index kNone = FlatComplex::kNone;
+constexpr std::size_t kUnchecked = 1 << 16;  // tetrahedra that are proven between two looks at the watch
 constexpr double kLongest = 1.4;     // times the size that is wanted may the longest edge of a tetrahedron be
 constexpr double kSizedQuality = 2;  // of tetrahedra that are to have a size, where no quality is asked for
 
@@ -55,8 +57,8 @@ std::string switches_of(const TetrahedraOptions& options, bool sized) {
 
 class TetrahedraMaker {
  public:
-  TetrahedraMaker(const ResultView& view, const TetrahedraOptions& options)
-      : view_(view), options_(options), flat_(flatten(view)) {}
+  TetrahedraMaker(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline)
+      : view_(view), options_(options), deadline_(deadline), watch_(deadline.watch()), flat_(flatten(view)) {}
 
   TetrahedralMesh run() {
     require_closed_and_bounded(flat_, "a mesh of tetrahedra");
@@ -71,7 +73,8 @@ class TetrahedraMaker {
       throw InputError("constrained tetrahedra need points on the boundary; leave out --keep-boundary");
     if (options_.surface_first && (options_.keep_boundary || options_.constrained))
       throw InputError("a boundary that is meshed first is neither that of --keep-boundary nor of --constrained");
-    const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
+    watch_.begin("mesh: rounding");
+    const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra", watch_.stop);
     ask_for_sizes(rounded);
     const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
     of_tetgen_ = !options_.constrained && refused.empty();
@@ -79,9 +82,9 @@ class TetrahedraMaker {
       if (keeps_boundary()) throw InputError(refused);      // constrained tetrahedra need points on it
       if (!refused.empty()) foretell(rounded, Maker::own);  // once more: it makes others than TetGen
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
-      options_.watch.begin("mesh: constrained tetrahedra");
-      out_ = run_constrained(plc_, flat_, Watch{{}, options_.watch.stop});
-      take();
+      watch_.begin("mesh: constrained tetrahedra");
+      out_ = run_constrained(plc_, flat_, watch_);
+      take(watch_);
       to_sizes_ = !sizes_.empty();
       if (!refused.empty()) {  // without its advice
         result_.notice = refused.substr(0, refused.find(';')) + "; these are constrained tetrahedra, improved";
@@ -115,6 +118,8 @@ class TetrahedraMaker {
 
   const ResultView& view_;
   const TetrahedraOptions options_;
+  const Deadline& deadline_;
+  const Watch& watch_;  // of the deadline
   const FlatComplex flat_;
   Plc plc_;
   PlcMesh out_;
@@ -126,6 +131,7 @@ class TetrahedraMaker {
   double expected_ = 0;
   bool of_tetgen_ = false;  // it has made the mesh
   bool to_sizes_ = false;   // the improver makes them
+  double afterwards_ = 0;   // seconds that are kept for what follows the improver, for each tetrahedron
 
   Mesh& mesh() { return result_.mesh; }
   bool sized() const { return bool(too_large_); }
@@ -143,10 +149,10 @@ class TetrahedraMaker {
 
   void foretell(const RoundedResult& rounded, Maker maker) {
     if (sizes_.empty() || options_.keep_boundary) return;  // with that sizes hold inside of regions only
-    options_.watch.begin("mesh: forecast");
+    watch_.begin("mesh: forecast");
     expected_ = expected_tetrahedra(flat_, rounded.points(), sizes_, *regions_, maker);
     require_possible(expected_);
-    if (options_.foretold) options_.foretold(expected_);
+    if (options_.foretold) options_.foretold({expected_, 0.7 * expected_, 1.3 * expected_});
   }
 
   /// Its longest edge is much longer than edges are to be there. The box around the model has no size, which the
@@ -172,18 +178,19 @@ class TetrahedraMaker {
 
   /// For one way to ask it. There are models on which it never ends. Where only a mesh is wanted it takes a second
   /// for some ten thousand points, and to wait long is of no use, since there is another way to a mesh.
-  int seconds_of_tetgen() const {
-    const int part = options_.seconds / 4 + (options_.seconds > 0 ? 1 : 0);
-    if (bounded() || keeps_boundary()) return part;
+  TetgenTime time_of_tetgen() const {
+    const int part = options_.seconds ? 0 : TetrahedraOptions::kPartSeconds;
+    const double clock = deadline_.seconds_left() / 3;  // so nearly a third is left after all ways to ask it
+    if (bounded() || keeps_boundary()) return {part, clock};
     const int enough = 5 + int(plc_.points.size() / 1000);
-    return part == 0 ? enough : std::min(part, enough);
+    return {part == 0 ? enough : std::min(part, enough), clock};
   }
 
   /// The triangles of surfaces as facets.
   Plc refined_complex(const RoundedResult& rounded) const {
     SurfaceOptions asked;
-    asked.seconds = options_.seconds;
-    asked.watch = options_.watch;
+    if (options_.seconds) asked.seconds = 0;  // the watch knows
+    asked.watch = watch_;
     if (!sizes_.empty()) asked.size = [&](const Vector& p) { return kLongest * sizes_.field.at(p); };
     return refined_plc(flat_, rounded.points(), asked);
   }
@@ -197,10 +204,10 @@ class TetrahedraMaker {
       try {
         plc_ = options_.surface_first ? refined : plc_of(view_, flat_, rounded, attempt.facets);
         set_seeds(plc_, rounded);
-        options_.watch.begin("mesh: TetGen");
-        out_ = run_tetgen(plc_, switches_of(options_, sized()), attempt.frame, seconds_of_tetgen(), too_large_,
-                          options_.watch.stop);
-        take();
+        watch_.begin("mesh: TetGen");
+        out_ = run_tetgen(plc_, switches_of(options_, sized()), attempt.frame, time_of_tetgen(), too_large_,
+                          watch_.stop);
+        take(watch_);
         return {};
       } catch (const InputError& e) {
         refused = e.what();
@@ -225,7 +232,10 @@ class TetrahedraMaker {
       asked.volume = options_.max_volume;
     }
     asked.points = bounded() ? kPointsForBounds : kPoints + kPointsEach * out_.points.size();
-    asked.seconds = options_.seconds / 4.0;
+    asked.seconds = deadline_.bounded() ? std::max(1e-3, deadline_.seconds_left())
+                    : options_.seconds  ? 0
+                                        : TetrahedraOptions::kPartSeconds;
+    asked.afterwards = deadline_.bounded() ? afterwards_ : 0;
     if (to_sizes_) {
       asked.size = [this](const Vector& p) { return sizes_.field.at(p); };
       for (const Plc::Seed& region : plc_.regions) {
@@ -233,26 +243,46 @@ class TetrahedraMaker {
       }
     }
     std::string notice = std::move(result_.notice);
-    out_ = improved(plc_, flat_, out_, asked, options_.watch);
-    take();
+    // There is a mesh: when time is over it is proven and kept as it is then.
+    bool in_time = true;
+    out_ = improved(plc_, flat_, out_, asked, deadline_.asked(), &in_time);
+    take(deadline_.asked());
+    if (!in_time) notice += (notice.empty() ? "" : "; ") + unfinished(asked);
     result_.notice = std::move(notice);
   }
 
+  /// What the end of time has left undone.
+  std::string unfinished(const ImproveOptions& asked) const {
+    std::string missed;
+    if (asked.size) missed += "sizes, ";
+    if (asked.volume > 0) missed += "--max-volume, ";
+    if (asked.radius_edge > 0) missed += "--quality, ";
+    return "time was over before the mesh was improved to the end, and what is missed may be " + missed +
+           "good shapes; give more --seconds";
+  }
+
   /// What the mesher returns, once it is proven.
-  void take() {
+  void take(const Watch& watch) {
+    const auto begin = std::chrono::steady_clock::now();
     result_ = {};
     region_entity_.clear();
-    options_.watch.begin("mesh: proof");
+    watch.begin("mesh: proof");
     make_entities();
-    take_tetrahedra();
+    take_tetrahedra(watch);
     take_triangles();
     take_segments();
     take_vertices();
+    watch.check();
     prove_boundary_kept();
     prove_edges(mesh(), flat_);
     prove_faces(mesh(), flat_);
-    prove_sides();
-    prove_volumes();
+    watch.check();
+    prove_sides(watch);
+    prove_volumes(watch);
+    // What is improved is proven once more, measured and written.
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    constexpr double kMost = 6e-6;  // small meshes say little of large ones
+    afterwards_ = std::min(kMost, 2 * took.count() / double(std::max<std::size_t>(out_.tetrahedra.size(), 1)));
   }
 
   void make_entities() {
@@ -267,10 +297,11 @@ class TetrahedraMaker {
   }
 
   /// Those of active regions, turned so that their determinant is positive, by region.
-  void take_tetrahedra() {
+  void take_tetrahedra(const Watch& watch) {
     PointTable table;
     for (const Vector& p : out_.points) table.add(p[0], p[1], p[2]);
     for (std::size_t i = 0; i < out_.tetrahedra.size(); ++i) {
+      if (i % kUnchecked == 0) watch.check();
       const std::int32_t attribute = out_.attribute[i];
       if (attribute < 1 || attribute > std::int32_t(plc_.regions.size())) continue;
       auto t = out_.tetrahedra[i];
@@ -356,7 +387,7 @@ class TetrahedraMaker {
   }
 
   /// On the two sides of a triangle are the regions of its face; a wall is where regions differ.
-  void prove_sides() {
+  void prove_sides(const Watch& watch) {
     struct Side {
       std::array<Index, 3> points;
       Index region, face;  // one of them, the other kNone
@@ -375,7 +406,9 @@ class TetrahedraMaker {
       std::sort(points.begin(), points.end());
       sides.push_back({points, kNone, t.entity});
     }
+    watch.check();
     std::sort(sides.begin(), sides.end());
+    watch.check();
     std::vector<Index> found, expected;
     for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
       found.clear(), expected.clear();
@@ -410,7 +443,7 @@ class TetrahedraMaker {
     return given;
   }
 
-  void prove_volumes() {
+  void prove_volumes(const Watch& watch) {
     ExactVolume volume(out_.points);
     const auto& all = mesh().tetrahedra;
     std::size_t at = 0;
@@ -426,6 +459,7 @@ class TetrahedraMaker {
       RegionTetrahedra& region = result_.regions[entity];
       volume.clear();
       for (; at < all.size() && all[at].entity == entity; ++at) {
+        if (at % kUnchecked == 0) watch.check();
         const auto& t = all[at].points;
         volume.add(t[0], t[1], t[2], t[3]);
         ++region.tetrahedra;
@@ -466,8 +500,13 @@ class TetrahedraMaker {
 
 }  // namespace
 
+TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline) {
+  return TetrahedraMaker(view, options, deadline).run();
+}
+
 TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options) {
-  return TetrahedraMaker(view, options).run();
+  const Deadline deadline(options.watch, options.seconds.value_or(0));
+  return deadline.run([&] { return tetrahedra(view, options, deadline); });
 }
 
 }  // namespace cnrg

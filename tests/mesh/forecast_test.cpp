@@ -86,7 +86,7 @@ TEST_CASE("as many tetrahedra are foretold as are made, within 30 %", "[size][fo
     TetrahedraOptions options = sizes(model.size, model.growth);
     options.constrained = constrained;
     double told = 0;
-    options.foretold = [&](double count) { told = count; };
+    options.foretold = [&](const MeshForecast& mesh) { told = mesh.tetrahedra; };
     const TetrahedralMesh made = tetrahedra(result_of(model.nodes), options);
     std::size_t count = 0;
     for (const RegionTetrahedra& region : made.regions) count += region.tetrahedra;
@@ -101,7 +101,7 @@ TEST_CASE("as many tetrahedra are foretold as are made, within 30 %", "[size][fo
 TEST_CASE("a forecast is the same each time", "[size][forecast]") {
   std::vector<double> told;
   TetrahedraOptions options = sizes(0.3, 0.5);
-  options.foretold = [&](double count) { told.push_back(count); };
+  options.foretold = [&](const MeshForecast& mesh) { told.push_back(mesh.tetrahedra); };
   for (int i = 0; i < 2; ++i) tetrahedra(result_of(kLayers), options);
   REQUIRE(told.size() == 2);
   CHECK(told[0] == told[1]);
@@ -113,7 +113,7 @@ TEST_CASE("more tetrahedra than memory holds are refused before they are made", 
                                                           "size: 1/10000}\n"),
                                               0.0)}) {
     TetrahedraOptions options = sizes(size, 0.3);
-    options.foretold = [](double) { FAIL("told as if it were made"); };
+    options.foretold = [](const MeshForecast&) { FAIL("told as if it were made"); };
     try {
       tetrahedra(result_of(nodes), options);
       FAIL("made");
@@ -126,7 +126,7 @@ TEST_CASE("more tetrahedra than memory holds are refused before they are made", 
 
 TEST_CASE("without sizes nothing is foretold", "[size][forecast]") {
   TetrahedraOptions options;
-  options.foretold = [](double) { FAIL("foretold"); };
+  options.foretold = [](const MeshForecast&) { FAIL("foretold"); };
   CHECK(tetrahedra(result_of(kBlock), options).expected == 0);
   // Points on the boundary are needed for sizes there.
   options.size = 0.5;
