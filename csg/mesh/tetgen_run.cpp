@@ -49,7 +49,8 @@ void add_frame(TetgenFrame frame, std::vector<std::array<double, 3>>& points, st
   }
 }
 
-/// Facet markers are places from 1, edge markers edges from 2 (1 is TetGen's own), attributes regions from 1.
+/// Facet markers are places from 1, edge markers edges from 2 (1 is TetGen's own), attributes regions from 1. The
+/// bound of volumes is one of regions, for the box around them has many times their volume.
 void fill(const Plc& plc, TetgenFrame frame, tetgenio& in) {
   auto points = plc.points;
   auto facets = plc.facets;
@@ -87,7 +88,7 @@ void fill(const Plc& plc, TetgenFrame frame, tetgenio& in) {
   for (std::size_t i = 0; i < plc.regions.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) in.regionlist[5 * i + k] = plc.regions[i].point[k];
     in.regionlist[5 * i + 3] = double(i + 1);
-    in.regionlist[5 * i + 4] = -1;
+    in.regionlist[5 * i + 4] = plc.max_volume > 0 ? plc.max_volume : -1;
   }
 }
 

@@ -40,18 +40,13 @@ std::string number_text(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed).ptr};
 }
 
-std::string scientific_text(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr};
-}
-
 /// TetGen refines for sizes only where it refines for quality.
 std::string switches_of(const TetrahedraOptions& options, bool sized) {
   std::string switches;
   if (options.keep_boundary || options.surface_first) switches += "Y";
   if (options.quality > 0) switches += "q" + number_text(options.quality);
   else if (sized) switches += "q" + number_text(kSizedQuality);
-  if (options.max_volume > 0) switches += "a" + scientific_text(options.max_volume);
+  if (options.max_volume > 0) switches += "a";  // that of regions
   return switches;
 }
 
@@ -203,6 +198,7 @@ class TetrahedraMaker {
       if (keeps_boundary() && attempt.facets == PlcFacets::all) continue;
       try {
         plc_ = options_.surface_first ? refined : plc_of(view_, flat_, rounded, attempt.facets);
+        plc_.max_volume = options_.max_volume;
         set_seeds(plc_, rounded);
         watch_.begin("mesh: TetGen");
         out_ = run_tetgen(plc_, switches_of(options_, sized()), attempt.frame, time_of_tetgen(), too_large_,
