@@ -16,6 +16,7 @@
 #include "csg/formats/result_file.h"
 #include "csg/mesh/forecast.h"
 #include "csg/text/file.h"
+#include "csg/text/input_file.h"
 #include "csg/text/table.h"
 #include "csg/view/mesh_page.h"
 
@@ -304,7 +305,12 @@ int run_mesh(const MeshArguments& arguments) {
     if (!arguments.quiet) {
       asked.foretold = [&](const MeshForecast& mesh) {
         bar.clear();
-        tell("notice: " + count_text(mesh.tetrahedra) + " tetrahedra are expected");
+        tell("notice: " + forecast_text(mesh));
+        if (const double free = double(memory_available()); free > 0 && mesh.bytes > free) {
+          tell(
+              "notice: that is more memory than is free now; where it runs out, ask for a larger --size, "
+              "--max-volume or --quality, or end other programs");
+        }
       };
     }
     if (arguments.curved) asked.order = 1;  // bent afterwards

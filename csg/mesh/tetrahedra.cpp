@@ -21,6 +21,7 @@
 #include "csg/mesh/surface_triangles.h"
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
+#include "csg/text/input_file.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/predicates.h"
@@ -134,7 +135,7 @@ class TetrahedraMaker {
   /// What the mesh is to be, and how many tetrahedra that takes.
   void ask_for_sizes(const RoundedResult& rounded) {
     sizes_ = mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth});
-    if (sizes_.empty()) return;
+    if (sizes_.empty()) return foretell(rounded, options_.constrained ? Maker::own : Maker::tetgen);
     regions_.emplace(flat_, rounded.points());
     too_large_ = [this, least = sizes_.least_in_regions()](const std::array<Vector, 4>& corners) {
       return is_too_large(corners, least);
@@ -143,11 +144,54 @@ class TetrahedraMaker {
   }
 
   void foretell(const RoundedResult& rounded, Maker maker) {
-    if (sizes_.empty() || options_.keep_boundary) return;  // with that sizes hold inside of regions only
+    if (options_.keep_boundary) return;  // with that sizes hold inside of regions only
+    const MeshForecast mesh = forecast(rounded.points(), maker);
+    if (mesh.tetrahedra == 0) return;
+    require_possible(mesh, double(memory_of_machine()));
+    if (std::isinf(mesh.most)) return;
+    expected_ = mesh.tetrahedra;
+    if (options_.foretold) options_.foretold(mesh);
+  }
+
+  /// Of none where nothing can be told.
+  MeshForecast forecast(const RoundedPoints& points, Maker maker) const {
+    constexpr double kLeast = 0.7, kMost = 1.3;
+    const double volume = options_.max_volume, strict = for_quality(options_.quality);
+    const bool by_shapes = sizes_.empty() && volume == 0;
+    if (by_shapes && (options_.quality == 0 || maker == Maker::own)) return {};
     watch_.begin("mesh: forecast");
-    expected_ = expected_tetrahedra(flat_, rounded.points(), sizes_, *regions_, maker);
-    require_possible(expected_);
-    if (options_.foretold) options_.foretold({expected_, 0.7 * expected_, 1.3 * expected_});
+    if (sizes_.empty() && maker == Maker::own) {  // as many at least; for shapes there may be many more
+      const double n = expected_of_volume(volume_of(points), volume);
+      return with_costs(n, kLeast * n, HUGE_VAL, maker, false);
+    }
+    double n = 0;
+    if (sizes_.empty()) {  // TetGen refines for shapes, too
+      const double growth = by_shapes ? kGrowthOfShapes : kGrowthOfFeatures;
+      const MeshSizes features = mesh_sizes(view_, flat_, points, {0, growth, true});
+      n = expected_tetrahedra(flat_, points, features, RegionLocator(flat_, points), maker, volume);
+    } else {
+      n = expected_tetrahedra(flat_, points, sizes_, *regions_, maker, volume);
+    }
+    if (by_shapes) return with_costs(strict * n, 0.45 * strict * n, 1.6 * strict * n, maker, true);
+    return with_costs(n, kLeast * n, kMost * strict * n, maker, !sizes_.empty());
+  }
+
+  /// Of all active regions.
+  double volume_of(const RoundedPoints& points) const {
+    double sum = 0;
+    for (Index i = 0; i < flat_.regions.size(); ++i) {
+      if (!flat_.active(i)) continue;
+      for (const auto& shell : flat_.regions[i].shells) {
+        for (const Index side : shell) {
+          for (const auto& t : flat_.faces[side >> 1].triangles) {
+            const Vector &o = points.xyz[0], a = minus(points.xyz[t[0]], o), b = minus(points.xyz[t[1]], o),
+                         c = minus(points.xyz[t[2]], o);
+            sum += (side & 1) == 0 ? -dot(a, cross(b, c)) : dot(a, cross(b, c));
+          }
+        }
+      }
+    }
+    return sum / 6;
   }
 
   /// Its longest edge is much longer than edges are to be there. The box around the model has no size, which the

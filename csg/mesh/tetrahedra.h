@@ -12,7 +12,7 @@ struct TetrahedralMesh {
   RoundingReport rounding;
   std::vector<RegionTetrahedra> regions;  ///< in the order of the mesh's entities of dimension 3
   MeshQuality quality;
-  double expected = 0;  ///< tetrahedra, as foretold; 0: nobody asked for a size
+  double expected = 0;  ///< tetrahedra, as foretold; 0: nothing was
   std::string notice;   ///< what the user should know of how it was made; else empty
 };
 

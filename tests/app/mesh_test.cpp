@@ -409,15 +409,16 @@ TEST_CASE("mesh: sizes are foretold before they are made", "[app][mesh][size]") 
   w.write("t.yaml", kPair);
   Outcome o = w.run("mesh t.yaml -o t.msh --size 0.25 --growth 0.5");
   CHECK(o.status == 0);
-  CHECK_THAT(o.err, StartsWith("notice: about ") && Contains(" tetrahedra are expected\n"));
+  CHECK_THAT(o.err, StartsWith("notice: about ") && Contains(" tetrahedra are expected, ") &&
+                        Contains(" MB of memory, less than a second\n"));
   CHECK(w.run("mesh t.yaml -o quiet.msh --size 0.25 --growth 0.5 --quiet").err.empty());
   CHECK(w.read("quiet.msh") == w.read("t.msh"));
   CHECK(w.run("mesh t.yaml -o plain.msh").err.empty());
   CHECK(w.read("plain.msh").size() < w.read("t.msh").size());
   o = w.run("mesh t.yaml -o huge.msh --size 1e-3");
   CHECK(o.status == 2);
-  CHECK_THAT(o.err, Contains("t.yaml:7:3: error: the sizes that are asked for take about") &&
-                        Contains("ask for a larger --size"));
+  CHECK_THAT(o.err,
+             Contains("t.yaml:7:3: error: what is asked for takes about") && Contains("ask for a larger --size"));
   CHECK_FALSE(std::filesystem::exists(w.path("huge.msh")));
   for (const std::string option : {"--size 0", "--size -1", "--size nan", "--size inf", "--size x", "--growth 0",
                                    "--growth 0.01", "--growth 3", "--growth nan"}) {
