@@ -384,11 +384,11 @@ nodes:
   m: {union: [s, q]}
 result: m
 )");
-  const Outcome kept = w.run("mesh t.yaml -o t.msh --seconds 1 --keep-boundary");
+  const Outcome kept = w.run("mesh t.yaml -o t.msh --seconds 4 --keep-boundary");
   CHECK(kept.status == 2);
   CHECK_THAT(kept.err, Catch::StartsWith("t.yaml:6:3: error: "));
   CHECK_FALSE(std::filesystem::exists(w.path("t.msh")));
-  const Outcome o = w.run("mesh t.yaml -o t.msh --seconds 1");
+  const Outcome o = w.run("mesh t.yaml -o t.msh --seconds 4");
   INFO(o.err);
   CHECK(o.status == 0);
   CHECK_THAT(o.err, Contains("t.msh: notice: TetGen ") && Contains("; these are constrained tetrahedra"));

@@ -86,7 +86,7 @@ TEST_CASE("a deadline ends work that looks at its watch, and says where", "[dead
 
 TEST_CASE("a mesh that is there when time is over is kept, proven, and said to be so", "[deadline]") {
   TetrahedraOptions options;
-  options.seconds = 1;
+  options.seconds = 4;
   options.max_volume = 3e-7;
   options.constrained = GENERATE(false, true);
   const TetrahedralMesh made = tetrahedra(result_of(kBlock), options);
