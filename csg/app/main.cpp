@@ -372,11 +372,10 @@ int run(int argc, char** argv) {
           ->check(number_check(1.0999, 100.0001, "a number from 1.1 to 100"));
   sub->add_option(
          "--seconds", mesh.options.seconds,
-         "For all of the work: a quarter for each way in which TetGen is asked, and for improving shapes; "
-         "give up --surface after so many seconds; 0: never")
+         "For all of the meshing, by the clock: a mesh that is there then is kept as it is, and said to be so; 0: "
+         "no bound. Without it TetGen has 150 for each way to ask it, shapes 150, --surface 600")
       ->type_name("S")
-      ->check(CLI::Range(0, 1'000'000))
-      ->capture_default_str();
+      ->check(CLI::Range(0, 1'000'000));
   CLI::Option* const keep_boundary =
       sub->add_flag("-Y,--keep-boundary", mesh.options.keep_boundary,
                     "No new points on faces and edges, so that the meshes of neighbours fit");

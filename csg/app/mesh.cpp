@@ -16,6 +16,7 @@
 #include "csg/formats/result_file.h"
 #include "csg/mesh/forecast.h"
 #include "csg/text/file.h"
+#include "csg/text/input_file.h"
 #include "csg/text/table.h"
 #include "csg/view/mesh_page.h"
 
@@ -249,7 +250,7 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
     asked.max_points = arguments.max_points;
     asked.quads = arguments.quads;
     asked.order = arguments.options.order;
-    asked.seconds = arguments.options.seconds;
+    asked.seconds = arguments.options.seconds.value_or(asked.seconds);
     asked.watch.progress = bar.progress();
     made = at_node(tree, node, [&] {
       return arguments.no_snap ? surface_triangles(result, asked)
@@ -302,9 +303,14 @@ int run_mesh(const MeshArguments& arguments) {
     TetrahedraOptions asked = arguments.options;
     asked.watch.progress = bar.progress();
     if (!arguments.quiet) {
-      asked.foretold = [&](double count) {
+      asked.foretold = [&](const MeshForecast& mesh) {
         bar.clear();
-        tell("notice: " + count_text(count) + " tetrahedra are expected");
+        tell("notice: " + forecast_text(mesh));
+        if (const double free = double(memory_available()); free > 0 && mesh.bytes > free) {
+          tell(
+              "notice: that is more memory than is free now; where it runs out, ask for a larger --size, "
+              "--max-volume or --quality, or end other programs");
+        }
       };
     }
     if (arguments.curved) asked.order = 1;  // bent afterwards

@@ -153,16 +153,17 @@ void check_mesh_file_name(const std::string& path, const std::string& others) {
   mesh_format_of(path, others);
 }
 
-TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options) {
+namespace {
+
+/// As a part of work that has a deadline.
+TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options, const Deadline& deadline) {
   const ResultView view = result.data().view();
-  TetrahedralMesh made = tetrahedra(view, options);
+  TetrahedralMesh made = tetrahedra(view, options, deadline);
   sample_materials(view, made.mesh);
   add_properties(view, made.mesh);
   if (options.order == 2) add_straight_middles(made.mesh);
   return made;
 }
-
-namespace {
 
 /// What `make` makes of a result, or of the snapped one where rounding would break it.
 template <class Make>
@@ -192,12 +193,12 @@ Rational extent_of(const Result& result) {
 /// What is joined so that there are tetrahedra, in parts of the extent: some of the last digits of doubles, then
 /// more, and not more than somebody who draws by hand would see.
 constexpr double kJoined[] = {0x1p-40, 0x1p-32, 0x1p-24, 0x1p-16};
-}  // namespace
 
-TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
+TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report,
+                                   const Deadline& deadline) {
   const Result exact = result;
   const auto of_doubles = [&](const TetrahedraOptions& how) {
-    return snapped_if_broken(result, report, [&] { return tetrahedra(result, how); });
+    return snapped_if_broken(result, report, [&] { return tetrahedra(result, how, deadline); });
   };
   std::exception_ptr near;
   try {
@@ -214,6 +215,7 @@ TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& opti
     const Rational within = extent * from_double(part);
     JoinReport joined;
     report = {};
+    deadline.watch().begin("mesh: join");
     result = join(exact, within, &joined);
     if (joined.rounds == 0) continue;
     try {
@@ -226,6 +228,18 @@ TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& opti
     }
   }
   std::rethrow_exception(near);
+}
+
+}  // namespace
+
+TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& options) {
+  const Deadline deadline(options.watch, options.seconds.value_or(0));
+  return deadline.run([&] { return tetrahedra(result, options, deadline); });
+}
+
+TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& options, SnapReport& report) {
+  const Deadline deadline(options.watch, options.seconds.value_or(0));
+  return deadline.run([&] { return snapped_tetrahedra(result, options, report, deadline); });
 }
 
 SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& options) {

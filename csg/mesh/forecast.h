@@ -1,30 +1,57 @@
-// How many tetrahedra a mesh will have, told from the sizes that are asked for before any is made.
+// How many tetrahedra a mesh will have, told from the sizes and bounds that are asked for before any is made, and
+// what memory and time that takes.
 //
 // Tetrahedra whose edges have the length h fill space with c / h^3 of them per unit of volume; so their number is
 // the integral of that over the active regions. The integrand changes by orders of magnitude within a model, and
 // regions may be thin: a grid misses what is small, points at random come too late. So a box around the model is
 // halved along all axes where the doubt about its share is largest, and then points are strewn by share, the same
 // in every run.
+//
+// A bound of volumes is a least density. Where only shapes are bounded, refinement makes edges about as long as
+// features are wide and lets them grow from there, so that sizes that nobody asked for tell of it, but not within
+// 30 %: that is a range. Where nothing is bounded, counts depend on which shapes can be mended, and nothing is
+// told.
 #pragma once
 
 #include "csg/mesh/mesh_sizes.h"
 #include "csg/mesh/region_locator.h"
+#include "csg/result/result.h"
 
 namespace cnrg {
 
 /// Who makes tetrahedra to sizes: TetGen, or the improver out of constrained ones (kernel/tetrahedra/improve.h).
 enum class Maker : std::uint8_t { tetgen, own };
 
-/// Of the mesh of a result, together, within 30 % where it is meshed by sizes and has hundreds; other bounds are
-/// not seen. Takes some milliseconds, and up to a second for meshes of millions. `sizes` are not empty.
+/// Of the mesh of a result, together, within 30 % where it is meshed by sizes or by a bound of volumes (0: none)
+/// and has thousands; bounds of shapes are not seen. Takes some milliseconds, and up to a second for meshes of
+/// millions. `sizes` are not empty.
 double expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes,
-                           const RegionLocator& regions, Maker maker);
+                           const RegionLocator& regions, Maker maker, double max_volume = 0);
+
+/// As TetGen makes them where only volumes or shapes are bounded, growth of the sizes that facets and pieces have.
+inline constexpr double kGrowthOfFeatures = 0.8, kGrowthOfShapes = 0.6;
+
+/// Of our own in a volume, where volumes alone are bounded.
+double expected_of_volume(double volume, double max_volume);
+
+/// How many times as many a bound of the ratio of circumradius to shortest edge makes as 2 does; 1 for 0: no
+/// bound.
+double for_quality(double radius_edge);
+
+/// With the memory and the time that so many take, or where the count is not told within 30 % the most; both
+/// within a third. `by_sizes`: else by a bound of volumes.
+MeshForecast with_costs(double tetrahedra, double least, double most, Maker maker, bool by_sizes);
 
 /// More than that are refused.
 inline constexpr double kMostTetrahedra = 2e8;
 
-/// Throws InputError, with what helps, if so many tetrahedra are more than kMostTetrahedra.
-void require_possible(double expected);
+/// Throws InputError, with what helps, if they are more than kMostTetrahedra, or the fewest that are expected need
+/// more memory (bytes, 0: unknown) than there is.
+void require_possible(const MeshForecast& mesh, double memory);
+
+/// `about 12,300 tetrahedra are expected, 50 MB of memory, a second`; where 30 % cannot be promised `from 5,000 to
+/// 15,000 tetrahedra are expected, up to ...`.
+std::string forecast_text(const MeshForecast& mesh);
 
 /// `about 1,230,000`, with three digits that count; `more than 1,000,000,000,000,000`.
 std::string count_text(double count);

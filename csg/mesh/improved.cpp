@@ -20,7 +20,8 @@ bool has_outside(const FlatComplex& flat) {
 }  // namespace
 
 PlcMesh improved(const Plc& plc, const FlatComplex& flat, const PlcMesh& mesh, ImproveOptions options,
-                 const Watch& watch) {
+                 const Watch& watch, bool* in_time) {
+  watch.begin("mesh: shapes");
   ConformingTetrahedra work;
   work.points = mesh.points;
   const bool outside = has_outside(flat);
@@ -53,7 +54,8 @@ PlcMesh improved(const Plc& plc, const FlatComplex& flat, const PlcMesh& mesh, I
     work.line.push_back(mesh.edge[i]);
   }
   options.fixed = static_cast<ConformingTetrahedra::Index>(plc.points.size());
-  improve(work, options, watch);
+  const bool done = improve(work, options, watch);
+  if (in_time != nullptr) *in_time = done;
   PlcMesh out;
   out.points = std::move(work.points);
   out.tetrahedra = std::move(work.tetrahedra);

@@ -7,8 +7,8 @@
 namespace cnrg {
 
 /// The same regions, facets and edges in better tetrahedra. `mesh` must be proven to conform. Tetrahedra outside
-/// of all regions are left out unless something of the result lies there.
+/// of all regions are left out unless something of the result lies there. `in_time`: as `improve` returns it.
 PlcMesh improved(const Plc& plc, const FlatComplex& flat, const PlcMesh& mesh, ImproveOptions options,
-                 const Watch& watch);
+                 const Watch& watch, bool* in_time = nullptr);
 
 }  // namespace cnrg

@@ -44,9 +44,10 @@ struct RoundedResult::Data {
   explicit Data(Redrawing redrawing) : drawn(std::move(redrawing)), locator(*drawn.complex) {}
 };
 
-RoundedResult::RoundedResult(const ResultView& view, const FlatComplex& flat, const std::string& format)
+RoundedResult::RoundedResult(const ResultView& view, const FlatComplex& flat, const std::string& format,
+                             const std::stop_token& stop)
     : flat_(flat), format_(format), points_(round_points(view, flat)) {
-  data_ = std::make_unique<Data>(redraw(points_, drawing_of(flat)));
+  data_ = std::make_unique<Data>(redraw(points_, drawing_of(flat), stop));
   if (!data_->drawn.is_embedded()) {
     fail("makes facets cross (" + std::to_string(points_.moved) + " vertices move)");
   }

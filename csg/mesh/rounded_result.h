@@ -15,8 +15,9 @@ class RoundedResult {
  public:
   /// Rounds a closed and bounded result. Throws RoundingFault, naming `format`, unless it is embedded and each
   /// region, wire and point still lies where it does in the exact result: the rounded drawing is refined exactly,
-  /// and its regions are compared with those of the result, side of a face by side of a face.
-  RoundedResult(const ResultView& view, const FlatComplex& flat, const std::string& format);
+  /// and its regions are compared with those of the result, side of a face by side of a face. Throws Stopped.
+  RoundedResult(const ResultView& view, const FlatComplex& flat, const std::string& format,
+                const std::stop_token& stop = {});
   ~RoundedResult();
 
   const RoundedPoints& points() const { return points_; }

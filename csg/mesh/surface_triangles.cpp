@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "csg/mesh/cell_mesh.h"
+#include "csg/mesh/deadline.h"
 #include "csg/mesh/mesh_sizes.h"
 #include "csg/mesh/quads.h"
 #include "csg/mesh/rounded_result.h"
@@ -41,8 +42,9 @@ Drawing drawing_of(const FlatComplex& flat, const FacetMesh& mesh) {
 
 /// The facets of triangles that are not as they were drawn, marked; none if what is wrong is no matter of
 /// triangles.
-std::vector<char> crossed_facets(const FacetMesh& mesh, const RoundedPoints& points, const Drawing& drawing) {
-  const Redrawing drawn = redraw(points, drawing);
+std::vector<char> crossed_facets(const FacetMesh& mesh, const RoundedPoints& points, const Drawing& drawing,
+                                 const std::stop_token& stop) {
+  const Redrawing drawn = redraw(points, drawing, stop);
   const Complex& complex = *drawn.complex;
   std::vector<std::size_t> pieces(drawing.triangles.size(), 0);
   for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
@@ -76,12 +78,12 @@ Refined refined(const FlatComplex& flat, const RoundedPoints& rounded, const Sur
     options.watch.begin("mesh: proof");
     const RoundedPoints points{mesh.points()};
     const Drawing drawing = drawing_of(flat, mesh);
-    if (is_faithful(points, drawing)) {
+    if (is_faithful(points, drawing, options.watch.stop)) {
       const std::size_t kept = std::size_t(std::count(fixed.begin(), fixed.end(), 1));
       return {std::move(mesh), std::move(why), kept};
     }
     require(!all, "surface: the triangles of the result cross");
-    const std::vector<char> crossed = crossed_facets(mesh, points, drawing);
+    const std::vector<char> crossed = crossed_facets(mesh, points, drawing, options.watch.stop);
     fixed.resize(crossed.size(), 0);
     bool more = false;
     for (std::size_t f = 0; f < fixed.size(); ++f) {
@@ -133,7 +135,8 @@ class SurfaceMaker {
       throw InputError("the result has neither faces nor wires to mesh; `cnrg eval -o` writes its points");
     }
     const RoundedPoints rounded = round_points(view_, flat_);
-    result_.rounding = report_rounding(rounded, drawing_of(flat_));
+    options_.watch.begin("mesh: rounding");
+    result_.rounding = report_rounding(rounded, drawing_of(flat_), options_.watch.stop);
     if (!result_.rounding.embedded) refuse_rounding("a surface mesh", "breaks the result");
     if (!options_.size) take_sizes(rounded);
     const Refined made = refined(flat_, rounded, options_);
@@ -253,7 +256,10 @@ class SurfaceMaker {
 }  // namespace
 
 SurfaceTriangles surface_triangles(const ResultView& view, const SurfaceOptions& options) {
-  return SurfaceMaker(view, options).run();
+  const Deadline deadline(options.watch, options.seconds, "--size");
+  SurfaceOptions bound = options;
+  bound.watch = deadline.watch();
+  return deadline.run([&] { return SurfaceMaker(view, bound).run(); });
 }
 
 Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const SurfaceOptions& options) {

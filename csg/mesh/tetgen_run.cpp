@@ -11,6 +11,7 @@
 #define TETLIBRARY
 #include <tetgen.h>
 
+#include "csg/mesh/deadline.h"
 #include "csg/text/child.h"
 #include "kernel/base/error.h"
 
@@ -48,7 +49,8 @@ void add_frame(TetgenFrame frame, std::vector<std::array<double, 3>>& points, st
   }
 }
 
-/// Facet markers are places from 1, edge markers edges from 2 (1 is TetGen's own), attributes regions from 1.
+/// Facet markers are places from 1, edge markers edges from 2 (1 is TetGen's own), attributes regions from 1. The
+/// bound of volumes is one of regions, for the box around them has many times their volume.
 void fill(const Plc& plc, TetgenFrame frame, tetgenio& in) {
   auto points = plc.points;
   auto facets = plc.facets;
@@ -86,7 +88,7 @@ void fill(const Plc& plc, TetgenFrame frame, tetgenio& in) {
   for (std::size_t i = 0; i < plc.regions.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) in.regionlist[5 * i + k] = plc.regions[i].point[k];
     in.regionlist[5 * i + 3] = double(i + 1);
-    in.regionlist[5 * i + 4] = -1;
+    in.regionlist[5 * i + 4] = plc.max_volume > 0 ? plc.max_volume : -1;
   }
 }
 
@@ -182,12 +184,18 @@ PlcMesh read_result(const MemoryFile& file) {
 
 }  // namespace
 
-PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds,
+PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, const TetgenTime& time,
                    const TooLarge& too_large, const std::stop_token& stop) {
   const MemoryFile result("TetGen");
-  const ChildLimits limits{.seconds = std::size_t(std::max(seconds, 0))};
+  const ChildLimits limits{.seconds = std::size_t(std::max(time.seconds, 0))};
   const auto work = [&] { return mesh(plc, "pAQMJ" + switches, frame, too_large, result); };
-  require_done(run_in_child("TetGen", limits, work, stop));
+  const Deadline deadline(Watch{{}, stop}, time.clock);
+  try {
+    require_done(run_in_child("TetGen", limits, work, deadline.watch().stop));
+  } catch (const Stopped&) {
+    if (stop.stop_requested()) throw;
+    require_done({.kind = ChildEnd::Kind::time});
+  }
   return read_result(result);
 }
 

@@ -18,11 +18,17 @@ enum class TetgenFrame { even, uneven };
 /// True for a tetrahedron that has to be split, by its corners.
 using TooLarge = std::function<bool(const std::array<std::array<double, 3>, 4>&)>;
 
-/// Fills the box, all of it, with tetrahedra. Runs TetGen's library with these switches besides `pAQMJ`, for so
-/// many seconds of processor time at most (0: no bound; there are models on which it never ends). `too_large`, if
-/// there is one, is asked of each tetrahedron while the mesh is refined. Throws InputError with what TetGen said
-/// and what helps, std::bad_alloc when it runs out of memory, Stopped.
-PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, int seconds,
+/// What TetGen may take: there are models on which it never ends.
+struct TetgenTime {
+  int seconds = 0;   ///< of processor time; 0: no bound
+  double clock = 0;  ///< seconds by the clock; 0 or infinite: no bound
+};
+
+/// Fills the box, all of it, with tetrahedra. Runs TetGen's library with these switches besides `pAQMJ`.
+/// `too_large`, if there is one, is asked of each tetrahedron while the mesh is refined. Throws InputError with
+/// what TetGen said and what helps, also where its time is over, std::bad_alloc when it runs out of memory,
+/// Stopped.
+PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, const TetgenTime& time,
                    const TooLarge& too_large = {}, const std::stop_token& stop = {});
 
 }  // namespace cnrg

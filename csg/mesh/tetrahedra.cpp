@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -20,6 +21,7 @@
 #include "csg/mesh/surface_triangles.h"
 #include "csg/mesh/tetgen_run.h"
 #include "csg/result/solid.h"
+#include "csg/text/input_file.h"
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/predicates.h"
@@ -30,6 +32,7 @@ namespace {
 using Index = Mesh::Index;
 using Vector = std::array<double, 3>;
 constexpr Index kNone = FlatComplex::kNone;
+constexpr std::size_t kUnchecked = 1 << 16;  // tetrahedra that are proven between two looks at the watch
 constexpr double kLongest = 1.4;     // times the size that is wanted may the longest edge of a tetrahedron be
 constexpr double kSizedQuality = 2;  // of tetrahedra that are to have a size, where no quality is asked for
 
@@ -38,25 +41,20 @@ std::string number_text(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed).ptr};
 }
 
-std::string scientific_text(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr};
-}
-
 /// TetGen refines for sizes only where it refines for quality.
 std::string switches_of(const TetrahedraOptions& options, bool sized) {
   std::string switches;
   if (options.keep_boundary || options.surface_first) switches += "Y";
   if (options.quality > 0) switches += "q" + number_text(options.quality);
   else if (sized) switches += "q" + number_text(kSizedQuality);
-  if (options.max_volume > 0) switches += "a" + scientific_text(options.max_volume);
+  if (options.max_volume > 0) switches += "a";  // that of regions
   return switches;
 }
 
 class TetrahedraMaker {
  public:
-  TetrahedraMaker(const ResultView& view, const TetrahedraOptions& options)
-      : view_(view), options_(options), flat_(flatten(view)) {}
+  TetrahedraMaker(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline)
+      : view_(view), options_(options), deadline_(deadline), watch_(deadline.watch()), flat_(flatten(view)) {}
 
   TetrahedralMesh run() {
     require_closed_and_bounded(flat_, "a mesh of tetrahedra");
@@ -71,7 +69,8 @@ class TetrahedraMaker {
       throw InputError("constrained tetrahedra need points on the boundary; leave out --keep-boundary");
     if (options_.surface_first && (options_.keep_boundary || options_.constrained))
       throw InputError("a boundary that is meshed first is neither that of --keep-boundary nor of --constrained");
-    const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra");
+    watch_.begin("mesh: rounding");
+    const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra", watch_.stop);
     ask_for_sizes(rounded);
     const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
     of_tetgen_ = !options_.constrained && refused.empty();
@@ -79,9 +78,9 @@ class TetrahedraMaker {
       if (keeps_boundary()) throw InputError(refused);      // constrained tetrahedra need points on it
       if (!refused.empty()) foretell(rounded, Maker::own);  // once more: it makes others than TetGen
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
-      options_.watch.begin("mesh: constrained tetrahedra");
-      out_ = run_constrained(plc_, flat_, Watch{{}, options_.watch.stop});
-      take();
+      watch_.begin("mesh: constrained tetrahedra");
+      out_ = run_constrained(plc_, flat_, watch_);
+      take(watch_);
       to_sizes_ = !sizes_.empty();
       if (!refused.empty()) {  // without its advice
         result_.notice = refused.substr(0, refused.find(';')) + "; these are constrained tetrahedra, improved";
@@ -115,6 +114,8 @@ class TetrahedraMaker {
 
   const ResultView& view_;
   const TetrahedraOptions options_;
+  const Deadline& deadline_;
+  const Watch& watch_;  // of the deadline
   const FlatComplex flat_;
   Plc plc_;
   PlcMesh out_;
@@ -126,6 +127,7 @@ class TetrahedraMaker {
   double expected_ = 0;
   bool of_tetgen_ = false;  // it has made the mesh
   bool to_sizes_ = false;   // the improver makes them
+  double afterwards_ = 0;   // seconds that are kept for what follows the improver, for each tetrahedron
 
   Mesh& mesh() { return result_.mesh; }
   bool sized() const { return bool(too_large_); }
@@ -133,7 +135,7 @@ class TetrahedraMaker {
   /// What the mesh is to be, and how many tetrahedra that takes.
   void ask_for_sizes(const RoundedResult& rounded) {
     sizes_ = mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth});
-    if (sizes_.empty()) return;
+    if (sizes_.empty()) return foretell(rounded, options_.constrained ? Maker::own : Maker::tetgen);
     regions_.emplace(flat_, rounded.points());
     too_large_ = [this, least = sizes_.least_in_regions()](const std::array<Vector, 4>& corners) {
       return is_too_large(corners, least);
@@ -142,11 +144,54 @@ class TetrahedraMaker {
   }
 
   void foretell(const RoundedResult& rounded, Maker maker) {
-    if (sizes_.empty() || options_.keep_boundary) return;  // with that sizes hold inside of regions only
-    options_.watch.begin("mesh: forecast");
-    expected_ = expected_tetrahedra(flat_, rounded.points(), sizes_, *regions_, maker);
-    require_possible(expected_);
-    if (options_.foretold) options_.foretold(expected_);
+    if (options_.keep_boundary) return;  // with that sizes hold inside of regions only
+    const MeshForecast mesh = forecast(rounded.points(), maker);
+    if (mesh.tetrahedra == 0) return;
+    require_possible(mesh, double(memory_of_machine()));
+    if (std::isinf(mesh.most)) return;
+    expected_ = mesh.tetrahedra;
+    if (options_.foretold) options_.foretold(mesh);
+  }
+
+  /// Of none where nothing can be told.
+  MeshForecast forecast(const RoundedPoints& points, Maker maker) const {
+    constexpr double kLeast = 0.7, kMost = 1.3;
+    const double volume = options_.max_volume, strict = for_quality(options_.quality);
+    const bool by_shapes = sizes_.empty() && volume == 0;
+    if (by_shapes && (options_.quality == 0 || maker == Maker::own)) return {};
+    watch_.begin("mesh: forecast");
+    if (sizes_.empty() && maker == Maker::own) {  // as many at least; for shapes there may be many more
+      const double n = expected_of_volume(volume_of(points), volume);
+      return with_costs(n, kLeast * n, HUGE_VAL, maker, false);
+    }
+    double n = 0;
+    if (sizes_.empty()) {  // TetGen refines for shapes, too
+      const double growth = by_shapes ? kGrowthOfShapes : kGrowthOfFeatures;
+      const MeshSizes features = mesh_sizes(view_, flat_, points, {0, growth, true});
+      n = expected_tetrahedra(flat_, points, features, RegionLocator(flat_, points), maker, volume);
+    } else {
+      n = expected_tetrahedra(flat_, points, sizes_, *regions_, maker, volume);
+    }
+    if (by_shapes) return with_costs(strict * n, 0.45 * strict * n, 1.6 * strict * n, maker, true);
+    return with_costs(n, kLeast * n, kMost * strict * n, maker, !sizes_.empty());
+  }
+
+  /// Of all active regions.
+  double volume_of(const RoundedPoints& points) const {
+    double sum = 0;
+    for (Index i = 0; i < flat_.regions.size(); ++i) {
+      if (!flat_.active(i)) continue;
+      for (const auto& shell : flat_.regions[i].shells) {
+        for (const Index side : shell) {
+          for (const auto& t : flat_.faces[side >> 1].triangles) {
+            const Vector &o = points.xyz[0], a = minus(points.xyz[t[0]], o), b = minus(points.xyz[t[1]], o),
+                         c = minus(points.xyz[t[2]], o);
+            sum += (side & 1) == 0 ? -dot(a, cross(b, c)) : dot(a, cross(b, c));
+          }
+        }
+      }
+    }
+    return sum / 6;
   }
 
   /// Its longest edge is much longer than edges are to be there. The box around the model has no size, which the
@@ -172,18 +217,19 @@ class TetrahedraMaker {
 
   /// For one way to ask it. There are models on which it never ends. Where only a mesh is wanted it takes a second
   /// for some ten thousand points, and to wait long is of no use, since there is another way to a mesh.
-  int seconds_of_tetgen() const {
-    const int part = options_.seconds / 4 + (options_.seconds > 0 ? 1 : 0);
-    if (bounded() || keeps_boundary()) return part;
+  TetgenTime time_of_tetgen() const {
+    const int part = options_.seconds ? 0 : TetrahedraOptions::kPartSeconds;
+    const double clock = deadline_.seconds_left() / 3;  // so nearly a third is left after all ways to ask it
+    if (bounded() || keeps_boundary()) return {part, clock};
     const int enough = 5 + int(plc_.points.size() / 1000);
-    return part == 0 ? enough : std::min(part, enough);
+    return {part == 0 ? enough : std::min(part, enough), clock};
   }
 
   /// The triangles of surfaces as facets.
   Plc refined_complex(const RoundedResult& rounded) const {
     SurfaceOptions asked;
-    asked.seconds = options_.seconds;
-    asked.watch = options_.watch;
+    if (options_.seconds) asked.seconds = 0;  // the watch knows
+    asked.watch = watch_;
     if (!sizes_.empty()) asked.size = [&](const Vector& p) { return kLongest * sizes_.field.at(p); };
     return refined_plc(flat_, rounded.points(), asked);
   }
@@ -196,11 +242,12 @@ class TetrahedraMaker {
       if (keeps_boundary() && attempt.facets == PlcFacets::all) continue;
       try {
         plc_ = options_.surface_first ? refined : plc_of(view_, flat_, rounded, attempt.facets);
+        plc_.max_volume = options_.max_volume;
         set_seeds(plc_, rounded);
-        options_.watch.begin("mesh: TetGen");
-        out_ = run_tetgen(plc_, switches_of(options_, sized()), attempt.frame, seconds_of_tetgen(), too_large_,
-                          options_.watch.stop);
-        take();
+        watch_.begin("mesh: TetGen");
+        out_ = run_tetgen(plc_, switches_of(options_, sized()), attempt.frame, time_of_tetgen(), too_large_,
+                          watch_.stop);
+        take(watch_);
         return {};
       } catch (const InputError& e) {
         refused = e.what();
@@ -225,7 +272,10 @@ class TetrahedraMaker {
       asked.volume = options_.max_volume;
     }
     asked.points = bounded() ? kPointsForBounds : kPoints + kPointsEach * out_.points.size();
-    asked.seconds = options_.seconds / 4.0;
+    asked.seconds = deadline_.bounded() ? std::max(1e-3, deadline_.seconds_left())
+                    : options_.seconds  ? 0
+                                        : TetrahedraOptions::kPartSeconds;
+    asked.afterwards = deadline_.bounded() ? afterwards_ : 0;
     if (to_sizes_) {
       asked.size = [this](const Vector& p) { return sizes_.field.at(p); };
       for (const Plc::Seed& region : plc_.regions) {
@@ -233,26 +283,46 @@ class TetrahedraMaker {
       }
     }
     std::string notice = std::move(result_.notice);
-    out_ = improved(plc_, flat_, out_, asked, options_.watch);
-    take();
+    // There is a mesh: when time is over it is proven and kept as it is then.
+    bool in_time = true;
+    out_ = improved(plc_, flat_, out_, asked, deadline_.asked(), &in_time);
+    take(deadline_.asked());
+    if (!in_time) notice += (notice.empty() ? "" : "; ") + unfinished(asked);
     result_.notice = std::move(notice);
   }
 
+  /// What the end of time has left undone.
+  std::string unfinished(const ImproveOptions& asked) const {
+    std::string missed;
+    if (asked.size) missed += "sizes, ";
+    if (asked.volume > 0) missed += "--max-volume, ";
+    if (asked.radius_edge > 0) missed += "--quality, ";
+    return "time was over before the mesh was improved to the end, and what is missed may be " + missed +
+           "good shapes; give more --seconds";
+  }
+
   /// What the mesher returns, once it is proven.
-  void take() {
+  void take(const Watch& watch) {
+    const auto begin = std::chrono::steady_clock::now();
     result_ = {};
     region_entity_.clear();
-    options_.watch.begin("mesh: proof");
+    watch.begin("mesh: proof");
     make_entities();
-    take_tetrahedra();
+    take_tetrahedra(watch);
     take_triangles();
     take_segments();
     take_vertices();
+    watch.check();
     prove_boundary_kept();
     prove_edges(mesh(), flat_);
     prove_faces(mesh(), flat_);
-    prove_sides();
-    prove_volumes();
+    watch.check();
+    prove_sides(watch);
+    prove_volumes(watch);
+    // What is improved is proven once more, measured and written.
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    constexpr double kMost = 6e-6;  // small meshes say little of large ones
+    afterwards_ = std::min(kMost, 2 * took.count() / double(std::max<std::size_t>(out_.tetrahedra.size(), 1)));
   }
 
   void make_entities() {
@@ -267,10 +337,11 @@ class TetrahedraMaker {
   }
 
   /// Those of active regions, turned so that their determinant is positive, by region.
-  void take_tetrahedra() {
+  void take_tetrahedra(const Watch& watch) {
     PointTable table;
     for (const Vector& p : out_.points) table.add(p[0], p[1], p[2]);
     for (std::size_t i = 0; i < out_.tetrahedra.size(); ++i) {
+      if (i % kUnchecked == 0) watch.check();
       const std::int32_t attribute = out_.attribute[i];
       if (attribute < 1 || attribute > std::int32_t(plc_.regions.size())) continue;
       auto t = out_.tetrahedra[i];
@@ -356,7 +427,7 @@ class TetrahedraMaker {
   }
 
   /// On the two sides of a triangle are the regions of its face; a wall is where regions differ.
-  void prove_sides() {
+  void prove_sides(const Watch& watch) {
     struct Side {
       std::array<Index, 3> points;
       Index region, face;  // one of them, the other kNone
@@ -375,7 +446,9 @@ class TetrahedraMaker {
       std::sort(points.begin(), points.end());
       sides.push_back({points, kNone, t.entity});
     }
+    watch.check();
     std::sort(sides.begin(), sides.end());
+    watch.check();
     std::vector<Index> found, expected;
     for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
       found.clear(), expected.clear();
@@ -410,7 +483,7 @@ class TetrahedraMaker {
     return given;
   }
 
-  void prove_volumes() {
+  void prove_volumes(const Watch& watch) {
     ExactVolume volume(out_.points);
     const auto& all = mesh().tetrahedra;
     std::size_t at = 0;
@@ -426,6 +499,7 @@ class TetrahedraMaker {
       RegionTetrahedra& region = result_.regions[entity];
       volume.clear();
       for (; at < all.size() && all[at].entity == entity; ++at) {
+        if (at % kUnchecked == 0) watch.check();
         const auto& t = all[at].points;
         volume.add(t[0], t[1], t[2], t[3]);
         ++region.tetrahedra;
@@ -466,8 +540,13 @@ class TetrahedraMaker {
 
 }  // namespace
 
+TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline) {
+  return TetrahedraMaker(view, options, deadline).run();
+}
+
 TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options) {
-  return TetrahedraMaker(view, options).run();
+  const Deadline deadline(options.watch, options.seconds.value_or(0));
+  return deadline.run([&] { return tetrahedra(view, options, deadline); });
 }
 
 }  // namespace cnrg

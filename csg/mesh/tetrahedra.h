@@ -1,6 +1,7 @@
 // A result as tetrahedra: conforming to every region, wall, dangling face, wire and point of it.
 #pragma once
 
+#include "csg/mesh/deadline.h"
 #include "csg/mesh/mesh.h"
 #include "csg/mesh/quality.h"
 
@@ -11,7 +12,7 @@ struct TetrahedralMesh {
   RoundingReport rounding;
   std::vector<RegionTetrahedra> regions;  ///< in the order of the mesh's entities of dimension 3
   MeshQuality quality;
-  double expected = 0;  ///< tetrahedra, as foretold; 0: nobody asked for a size
+  double expected = 0;  ///< tetrahedra, as foretold; 0: nothing was
   std::string notice;   ///< what the user should know of how it was made; else empty
 };
 
@@ -35,7 +36,11 @@ struct TetrahedralMesh {
 ///
 /// Throws InputError for a result without regions, open or unbounded, and where neither makes a mesh that is
 /// proven; RoundingFault for one that rounding breaks; NearFault (kernel/tetrahedra/constrained.h) for one with
-/// features so near to each other that there is none in doubles.
+/// features so near to each other that there is none in doubles; TimeOver where `seconds` were over before there
+/// was any mesh; Stopped. What time has kept from being improved `notice` says.
 TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options = {});
+/// The same as a part of work with a deadline, which counts instead of the time and the watch of the options:
+/// throws Stopped when that is over.
+TetrahedralMesh tetrahedra(const ResultView& view, const TetrahedraOptions& options, const Deadline& deadline);
 
 }  // namespace cnrg

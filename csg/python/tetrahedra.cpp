@@ -17,8 +17,8 @@ struct TetrahedraObject {
 };
 
 TetrahedraObject tetrahedralize(const OneResult& r, double max_volume, double quality, bool keep_boundary,
-                                int seconds, bool curved, int order, double size, double growth,
-                                bool surface_first, const py::object& progress) {
+                                const std::optional<int>& seconds, bool curved, int order, double size,
+                                double growth, bool surface_first, const py::object& progress) {
   return apart(progress, [=, held = r.result](const Watch& watch) {
     TetrahedraOptions options;
     options.max_volume = max_volume;

@@ -97,21 +97,33 @@ struct SnapReport {
 /// frame of unbounded leaves, for one that does not become stable, and beyond the range of doubles.
 Result snap(const Result& result, SnapReport* report = nullptr);
 
+/// A mesh as it is expected to be.
+struct MeshForecast {
+  double tetrahedra = 0;
+  double least = 0, most = 0;  ///< of tetrahedra: what nearly all meshes lie between that were made to find out
+  double bytes = 0;            ///< of memory that making it takes
+  double seconds = 0;          ///< that making it takes
+};
+
 /// What is asked of the tetrahedra that fill a result.
 struct TetrahedraOptions {
   double max_volume = 0;       ///< no tetrahedron is larger (cubic units); 0: no bound
   double quality = 0;          ///< largest ratio of circumradius to shortest edge, at least 1; 0: no bound
   bool keep_boundary = false;  ///< no new points on faces and edges, but inside of regions only
   bool constrained = false;    ///< not by TetGen: constrained tetrahedra; not with `keep_boundary`
-  int seconds = 600;           ///< a quarter for each way in which TetGen is asked, one for shapes; 0: no bound
-  int order = 1;               ///< of the elements; 2: with a node in the middle of each edge
-  double size = 0;             ///< how long edges are to be where nothing asks for shorter ones; 0: no bound
+  /// By the clock, for all of the work, 0: no bound. A mesh that is there when they are over is kept as it is, and
+  /// the notice says so; where there is none it is an InputError. Not given: kPartSeconds for each way in which
+  /// TetGen is asked, and for improving shapes, and no bound for what else makes a mesh.
+  std::optional<int> seconds{};
+  static constexpr int kPartSeconds = 150;
+  int order = 1;        ///< of the elements; 2: with a node in the middle of each edge
+  double size = 0;      ///< how long edges are to be where nothing asks for shorter ones; 0: no bound
   double growth = 0.3;  ///< how much longer they may be per unit of distance from where they are to be short
   /// Faces and edges are meshed as surfaces first (csg/mesh/surface_triangles.h), and those triangles are the
   /// boundary; not with `keep_boundary` or `constrained`.
   bool surface_first = false;
-  /// Told how many tetrahedra are expected, before any is made, where the result or `size` asks for a size.
-  std::function<void(double)> foretold{};
+  /// Told what the mesh will be, before it is made, where that can be told.
+  std::function<void(const MeshForecast&)> foretold{};
   Watch watch{};  ///< told of the stages, and may stop them (throws Stopped)
 };
 

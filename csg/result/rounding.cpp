@@ -40,7 +40,7 @@ RoundedPoints round_points(const ResultView& view, const FlatComplex& flat) {
   return result;
 }
 
-Redrawing redraw(const RoundedPoints& points, const Drawing& drawing) {
+Redrawing redraw(const RoundedPoints& points, const Drawing& drawing, const std::stop_token& stop) {
   Soup soup;
   const LeafId leaf = soup.add_leaf(Fill::none);
   std::vector<PointId> ids(points.xyz.size());
@@ -60,7 +60,9 @@ Redrawing redraw(const RoundedPoints& points, const Drawing& drawing) {
   }
   for (const auto& s : drawing.segments) soup.add_wire(leaf, id(s[0]), id(s[1]), number++);
   for (const auto p : drawing.points) soup.add_isolated(leaf, id(p));
-  return {build_complex(soup), used, drawing.triangles.size()};
+  RefineOptions options;
+  options.watch.stop = stop;
+  return {build_complex(soup, options), used, drawing.triangles.size()};
 }
 
 bool is_as_drawn(const Complex& complex, std::size_t points, std::size_t triangles) {
@@ -121,9 +123,9 @@ class Places {
 
 }  // namespace
 
-bool is_faithful(const RoundedPoints& points, const Drawing& drawing) {
+bool is_faithful(const RoundedPoints& points, const Drawing& drawing, const std::stop_token& stop) {
   if (drawing.triangles.empty() && drawing.segments.empty() && drawing.points.empty()) return true;
-  const Redrawing drawn = redraw(points, drawing);
+  const Redrawing drawn = redraw(points, drawing, stop);
   if (!drawn.is_embedded()) return false;
   const Complex& complex = *drawn.complex;
   Places places(complex);
@@ -148,8 +150,10 @@ bool is_faithful(const RoundedPoints& points, const Drawing& drawing) {
   return true;
 }
 
-RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing) {
-  return {points.moved, points.moved == 0 || is_surely_faithful(points, drawing) || is_faithful(points, drawing)};
+RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing, const std::stop_token& stop) {
+  const bool embedded =
+      points.moved == 0 || is_surely_faithful(points, drawing) || is_faithful(points, drawing, stop);
+  return {points.moved, embedded};
 }
 
 // Files say the same coordinates again and again, mostly soon after: those met last are kept as texts.

@@ -7,6 +7,7 @@
 
 #include "csg/result/flat.h"
 #include "kernel/base/error.h"
+#include "kernel/base/progress.h"
 
 namespace cnrg {
 
@@ -46,15 +47,16 @@ struct Redrawing {
   std::size_t points = 0, triangles = 0;  ///< that were put in
   bool is_embedded() const { return is_as_drawn(*complex, points, triangles); }
 };
-/// The drawing must not be empty.
-Redrawing redraw(const RoundedPoints& points, const Drawing& drawing);
+/// The drawing must not be empty. `stop` here and below: throws Stopped.
+Redrawing redraw(const RoundedPoints& points, const Drawing& drawing, const std::stop_token& stop = {});
 
 /// True if the rounded drawing is the exact one in all but digits: it is embedded, and all its places are where
 /// they were. A shell, a wire or a point may pass through a wall as a whole, so that nothing crosses afterwards.
-bool is_faithful(const RoundedPoints& points, const Drawing& drawing);
+bool is_faithful(const RoundedPoints& points, const Drawing& drawing, const std::stop_token& stop = {});
 
 /// Of a drawing that is embedded with its exact points. It is refined only where slight_moves.h tells nothing.
-RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing);
+RoundingReport report_rounding(const RoundedPoints& points, const Drawing& drawing,
+                               const std::stop_token& stop = {});
 
 /// Appends the shortest text that reads back as the same double.
 void append(std::string& text, double value);

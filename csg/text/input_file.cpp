@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "csg/text/table.h"
 #include "kernel/base/error.h"
@@ -137,6 +138,16 @@ std::string_view without_mark(std::string_view text) {
 std::size_t memory_of_machine() {
   const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
   return pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size) : 0;
+}
+
+std::size_t memory_available() {
+  std::ifstream told("/proc/meminfo");
+  std::string word;
+  std::size_t kilobytes = 0;
+  while (told >> word) {
+    if (word == "MemAvailable:" && told >> kilobytes) return kilobytes * 1024;
+  }
+  return 0;
 }
 
 }  // namespace cnrg

@@ -36,5 +36,7 @@ std::string_view without_mark(std::string_view text);
 
 /// Bytes of memory that the machine has; 0 if the system does not tell.
 std::size_t memory_of_machine();
+/// Bytes of it that programs could have now; 0 if the system does not tell.
+std::size_t memory_available();
 
 }  // namespace cnrg

@@ -66,7 +66,8 @@ class Improver {
     }
   }
 
-  void run() {
+  /// False if time was over.
+  bool run() {
     if (options_.size) to_length();
     watch_.begin("mesh: shapes");
     for (int round = 0; round < kMoveRounds && !over(); ++round) {
@@ -75,6 +76,7 @@ class Improver {
     to_shape();
     sweep(cube(options_.good));
     to_volume();
+    return !over_;
   }
 
   ConformingTetrahedra result() const { return mesh_.mesh(); }
@@ -96,7 +98,7 @@ class Improver {
     watch_.check();
     if (options_.seconds > 0) {
       const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begin_;
-      over_ = since.count() > options_.seconds;
+      over_ = since.count() + options_.afterwards * static_cast<double>(mesh_.size()) > options_.seconds;
     }
     return over_;
   }
@@ -343,10 +345,11 @@ class Improver {
 
 }  // namespace
 
-void improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch) {
+bool improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch) {
   Improver improver(mesh, options, watch);
-  improver.run();
+  const bool done = improver.run();
   mesh = improver.result();
+  return done;
 }
 
 double shape_of(const ConformingTetrahedra::Point& a, const ConformingTetrahedra::Point& b,

@@ -27,10 +27,12 @@ struct ImproveOptions {
   double volume = 0;       ///< at most; 0: no bound
   std::size_t points = 0;  ///< that are added for these at most
   double seconds = 0;      ///< after so many nothing is begun; 0: no bound
+  double afterwards = 0;   ///< so many of these seconds are left for each tetrahedron
 };
 
-/// Improves a mesh. Points that are no more used are left out behind the fixed ones. Throws Stopped.
-void improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch);
+/// Improves a mesh. Points that are no more used are left out behind the fixed ones. False if its time was over
+/// before it was done. Throws Stopped.
+bool improve(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch);
 
 /// The ratio of circumradius to shortest edge: sqrt(6) / 4 of a regular tetrahedron, large where edges differ
 /// much.

@@ -86,7 +86,7 @@ TEST_CASE("as many tetrahedra are foretold as are made, within 30 %", "[size][fo
     TetrahedraOptions options = sizes(model.size, model.growth);
     options.constrained = constrained;
     double told = 0;
-    options.foretold = [&](double count) { told = count; };
+    options.foretold = [&](const MeshForecast& mesh) { told = mesh.tetrahedra; };
     const TetrahedralMesh made = tetrahedra(result_of(model.nodes), options);
     std::size_t count = 0;
     for (const RegionTetrahedra& region : made.regions) count += region.tetrahedra;
@@ -98,10 +98,79 @@ TEST_CASE("as many tetrahedra are foretold as are made, within 30 %", "[size][fo
   }
 }
 
+namespace {
+
+/// What is foretold of a mesh, and how many tetrahedra it has.
+std::pair<MeshForecast, double> told_and_made(const std::string& nodes, TetrahedraOptions options) {
+  MeshForecast told;
+  options.foretold = [&](const MeshForecast& mesh) { told = mesh; };
+  const TetrahedralMesh made = tetrahedra(result_of(nodes), options);
+  CHECK(made.expected == told.tetrahedra);
+  return {told, double(made.mesh.tetrahedra.size())};
+}
+
+}  // namespace
+
+TEST_CASE("what a bound of volumes makes is foretold within 30 %", "[forecast]") {
+  for (const Model& model : models()) {
+    const Result result = result_of(model.nodes);
+    if (model.nodes.find("size:") != std::string::npos) continue;
+    double volume = 0;
+    for (const RegionTetrahedra& region : tetrahedra(result, {}).regions) volume += to_double(region.volume);
+    TetrahedraOptions options;
+    options.max_volume = volume / 10'000;
+    const auto [told, made] = told_and_made(model.nodes, options);
+    INFO(model.name << ": " << told.tetrahedra << " foretold, " << made << " made");
+    CHECK(told.tetrahedra / made > 0.7);
+    CHECK(told.tetrahedra / made < 1.3);
+    CHECK(told.bytes > 300 * made);
+    CHECK(told.seconds > 0);
+  }
+  // With sizes the finer one of both counts.
+  TetrahedraOptions both;
+  both.size = 0.2;
+  both.max_volume = 1e-4;
+  const auto [told, made] = told_and_made(kBlock, both);
+  INFO(told.tetrahedra << " foretold, " << made << " made");
+  CHECK(told.tetrahedra / made > 0.7);
+  CHECK(told.tetrahedra / made < 1.3);
+}
+
+TEST_CASE("where only shapes are bounded the forecast is a range", "[forecast]") {
+  for (const Model& model : models()) {
+    if (std::string(model.name) != "ball" && std::string(model.name) != "shell") continue;
+    TetrahedraOptions options;
+    options.quality = GENERATE(1.2, 1.4, 2.0);
+    const auto [told, made] = told_and_made(model.nodes, options);
+    INFO(model.name << ", " << options.quality << ": " << told.least << " to " << told.most << ", made " << made);
+    CHECK(told.least <= made);
+    CHECK(made <= told.most);
+    CHECK_THAT(forecast_text(told), Catch::StartsWith("from ") && Catch::Contains(", up to "));
+  }
+}
+
+TEST_CASE("a forecast in words", "[forecast]") {
+  CHECK(forecast_text({1'540'000, 1'078'000, 2'002'000, 616e6, 12.3}) ==
+        "about 1,540,000 tetrahedra are expected, 620 MB of memory, 12 seconds");
+  CHECK(forecast_text({10'000, 5'000, 15'000, 1.2e9, 100}) ==
+        "from 5,000 to 15,000 tetrahedra are expected, up to 1 GB of memory, 2 minutes");
+  CHECK(forecast_text({100, 70, 130, 40e6, 1e-3}) ==
+        "about 100 tetrahedra are expected, 40 MB of memory, less than a second");
+}
+
+TEST_CASE("a mesh that the machine has no memory for is refused", "[forecast][errors]") {
+  const MeshForecast mesh{1e7, 0.7e7, 1.3e7, 4.5e9, 100};
+  CHECK_NOTHROW(require_possible(mesh, 8e9));
+  CHECK_NOTHROW(require_possible(mesh, 4e9));  // the fewest that are expected have room
+  CHECK_NOTHROW(require_possible(mesh, 0));
+  CHECK_THROWS_WITH(require_possible(mesh, 2e9),
+                    Catch::Contains("3 GB of memory at least, and the machine has 2 GB; ask for a larger --size"));
+}
+
 TEST_CASE("a forecast is the same each time", "[size][forecast]") {
   std::vector<double> told;
   TetrahedraOptions options = sizes(0.3, 0.5);
-  options.foretold = [&](double count) { told.push_back(count); };
+  options.foretold = [&](const MeshForecast& mesh) { told.push_back(mesh.tetrahedra); };
   for (int i = 0; i < 2; ++i) tetrahedra(result_of(kLayers), options);
   REQUIRE(told.size() == 2);
   CHECK(told[0] == told[1]);
@@ -113,7 +182,7 @@ TEST_CASE("more tetrahedra than memory holds are refused before they are made", 
                                                           "size: 1/10000}\n"),
                                               0.0)}) {
     TetrahedraOptions options = sizes(size, 0.3);
-    options.foretold = [](double) { FAIL("told as if it were made"); };
+    options.foretold = [](const MeshForecast&) { FAIL("told as if it were made"); };
     try {
       tetrahedra(result_of(nodes), options);
       FAIL("made");
@@ -126,7 +195,7 @@ TEST_CASE("more tetrahedra than memory holds are refused before they are made", 
 
 TEST_CASE("without sizes nothing is foretold", "[size][forecast]") {
   TetrahedraOptions options;
-  options.foretold = [](double) { FAIL("foretold"); };
+  options.foretold = [](const MeshForecast&) { FAIL("foretold"); };
   CHECK(tetrahedra(result_of(kBlock), options).expected == 0);
   // Points on the boundary are needed for sizes there.
   options.size = 0.5;

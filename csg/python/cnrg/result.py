@@ -311,14 +311,15 @@ class Result:
         return self if rounds == 0 else Result._of(joined, self._evaluation)
 
     def tetrahedralize(self, *, max_volume: Number = 0, quality: Number = 0, keep_boundary: bool = False,
-                       seconds: int = 600, curved: bool = False, order: int = 1,
+                       seconds: int | None = None, curved: bool = False, order: int = 1,
                        size: Number = 0, growth: Number = 0.3,
                        surface_first: bool = False, progress: Progress = None) -> Tetrahedra:
         """Fills the regions with tetrahedra that conform to every wall, sheet, wire and point, proven exactly.
 
         max_volume: no tetrahedron is larger (cubic units), 0: no bound. quality: the largest ratio of circumradius to
         shortest edge, 1.1 to 100, 0: no bound. keep_boundary: no new points on faces and edges. seconds: for
-        all of the work, a quarter of it for each way in which TetGen is asked, 0: no bound. curved: elements of
+        all of the meshing, by the clock, 0: no bound; a mesh that is there then is kept as it is, and a warning
+        (cnrg.Notice) says so. None: 150 for each way in which TetGen is asked, 150 for shapes. curved: elements of
         second order on the true surfaces. order: of the elements, 1, or 2 with a node in the middle of each straight
         edge; curved ones are of order 2.
         size: how long edges are to be where neither a node's `size` nor short edges and small facets of the model ask
@@ -327,12 +328,13 @@ class Result:
         boundary; neither with keep_boundary nor with curved.
 
         InputError for a result that is not closed and bounded, has no region, or is broken by rounding (`snap()`
-        helps), and where no mesh is proven. Where TetGen makes none, a warning (cnrg.Notice) says so: they are
+        helps), where no mesh is proven, and where seconds are over before there is one. Where TetGen makes none, a warning (cnrg.Notice) says so: they are
         constrained tetrahedra then, improved, and bounds are kept where that can be.
         """
         max_volume, quality, size, growth = (
             float(_cnrg.fraction(number)) for number in (max_volume, quality, size, growth))
-        seconds, order = operator.index(seconds), operator.index(order)
+        seconds = None if seconds is None else operator.index(seconds)
+        order = operator.index(order)
         if max_volume < 0:
             raise InputError(f"max_volume: a volume is wanted, or 0 for no bound, not {max_volume}")
         if quality != 0 and not 1.1 <= quality <= 100:
@@ -341,7 +343,7 @@ class Result:
             raise InputError(f"size: a length is wanted, or 0 for no bound, not {size}")
         if not 0.05 <= growth <= 2:
             raise InputError(f"growth: a number from 0.05 to 2 is wanted, not {growth}")
-        if not 0 <= seconds < 2**31:
+        if seconds is not None and not 0 <= seconds < 2**31:
             raise InputError(f"seconds: a whole number from 0 is wanted, not {seconds}")
         if order not in (1, 2):
             raise InputError(f"order: 1 or 2 is wanted, not {order}")
