@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "csg/geometry/nearest.h"
 #include "kernel/base/error.h"
@@ -40,9 +41,12 @@ Parts::Parts(const ResultView& view, const FlatComplex& flat) : flat_(flat) {
       [&](std::size_t p) {
         const VertexId v = flat.points[p];
         points_[p] = table.rational(v);
-        for (int k = 0; k < 3; ++k) {
-          lo_[p][std::size_t(k)] = table.lower(v)[k];
-          hi_[p][std::size_t(k)] = table.upper(v, k);
+        // The bounds of the table may be wide, even infinite, where planes that make a point are nearly parallel.
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double x = to_double(points_[p][k]);
+          const bool same = is_double(points_[p][k]);
+          lo_[p][k] = same ? x : std::nextafter(x, -kInfinity);
+          hi_[p][k] = same ? x : std::nextafter(x, kInfinity);
         }
       },
       64);
@@ -203,21 +207,21 @@ class NearSearch {
       nearest = nearest_of_points(x[a], x[b]);
     } else if (kind == Near::point_segment) {
       const auto& [p, q] = parts_.segments_[b].ends;
-      if (a == p || a == q || is_far(a, p, q)) return {};
+      if (a == p || a == q || is_far(a, p, q) || are_apart(std::array{a}, std::array{p, q})) return {};
       nearest = nearest_in_segment(x[a], x[p], x[q]);
     } else if (kind == Near::point_facet) {
       const Parts::Triangle& t = parts_.triangles_[b];
       const auto& corners = parts_.facets_[t.facet].corners;
       if (std::binary_search(corners.begin(), corners.end(), a)) return {};
       const auto& [p, q, r] = t.corners;
-      if (is_far({p, q}, {p, r}, {p, a})) return {};
+      if (is_far({p, q}, {p, r}, {p, a}) || are_apart(std::array{a}, t.corners)) return {};
       nearest = nearest_in_triangle(x[a], x[p], x[q], x[r]);
       if (nearest && is_on_boundary(t, nearest->b)) return {};
       b = t.facet;
     } else {
       const auto &s = parts_.segments_[a].ends, &t = parts_.segments_[b].ends;
       if (a >= b || s[0] == t[0] || s[0] == t[1] || s[1] == t[0] || s[1] == t[1]) return {};
-      if (is_far(s, t, {s[0], t[0]})) return {};
+      if (is_far(s, t, {s[0], t[0]}) || are_apart(s, t) || are_apart(t, s)) return {};
       nearest = nearest_in_segments(x[s[0]], x[s[1]], x[t[0]], x[t[1]]);
     }
     if (!nearest || nearest->squared >= square_) return {};
@@ -232,6 +236,42 @@ class NearSearch {
       if (parts_.is_segment(a, b) && collinear(parts_.points_[a], parts_.points_[b], q)) return true;
     }
     return false;
+  }
+
+  /// Two hulls are certainly not within reach, since along a side of the second, or from a side of it straight to
+  /// a point of the first, all of one comes that much before the other. That tells what lies side by side in a
+  /// plane.
+  bool are_apart(std::span<const Index> first, std::span<const Index> second) const {
+    for (std::size_t k = 0; k < (second.size() == 2 ? 1 : second.size()); ++k) {
+      const Index p = second[k], q = second[(k + 1) % second.size()];
+      const DoubleVector u = vector(p, q);
+      const double square = dot(u, u);
+      if (is_gap(u, first, second)) return true;
+      for (const Index a : first) {
+        DoubleVector n = vector(p, a);
+        const double along = dot(n, u) / square;
+        for (std::size_t i = 0; i < 3; ++i) n[i] -= along * u[i];
+        if (is_gap(n, first, second)) return true;
+      }
+    }
+    return false;
+  }
+  /// Is what is between the hulls along a direction, or along the opposite one, certainly longer than the reach?
+  /// Any direction will do, so it may be off.
+  bool is_gap(DoubleVector n, std::span<const Index> first, std::span<const Index> second) const {
+    const double size = largest(n);
+    if (!(size > 0) || !std::isfinite(size)) return false;
+    for (double& x : n) x /= size;
+    const double reach = reach_ * std::sqrt(dot(n, n)) * (1 + 8 * kUlp);
+    double low = kInfinity, high = -kInfinity;
+    for (const Index a : first) {
+      for (const Index b : second) {
+        const DoubleVector w = vector(b, a);
+        const double way = dot(n, w), fault = 3 * (off_ + 8 * kUlp * largest(w));
+        low = std::min(low, way - fault), high = std::max(high, way + fault);
+      }
+    }
+    return low > reach || high < -reach;
   }
 
   DoubleVector vector(Index from, Index to) const { return minus(middle_[to], middle_[from]); }
