@@ -27,7 +27,7 @@ struct Plc {
   std::vector<Facet> facets;
   std::vector<Segment> segments;     ///< all straight pieces of edges
   std::vector<Seed> regions, holes;  ///< active regions; bounded inactive ones
-  double max_volume = 0;  ///< of a tetrahedron in a region; 0: no bound
+  double max_volume = 0;             ///< of a tetrahedron in a region; 0: no bound
 };
 
 /// What a mesher makes of it. The points of the complex keep their numbers; points of the mesher follow.
