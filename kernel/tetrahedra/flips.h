@@ -1,7 +1,7 @@
 // Tetrahedra exchanged for others in the same hole, so that less is in the way of a segment or facet.
 //
 // Where a segment passes through a face, a new point on both would always do. But new points have edges of their
-// own, which are in the way of what comes next: a fan of a thousand thin triangles had a thousand points on each.
+// own, which are in the way of what comes next: in a fan of a thousand thin triangles each had hundreds.
 // Mostly other tetrahedra of the same points do as well, and cost nothing (freitag1997 has the moves).
 #pragma once
 
