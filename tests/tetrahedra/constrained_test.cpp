@@ -86,7 +86,13 @@ std::size_t check(PointTable& t, const Constraints& constraints) {
   }
   for (std::size_t i = 0; i < way.size(); ++i)
     CHECK(way[i] == difference(t, constraints.segments[i][0], constraints.segments[i][1]));
-  return t.size() - before - 8;
+  std::set<VertexId> added;
+  for (const auto& corners : made.tetrahedra) {
+    for (const VertexId v : corners) {
+      if (v.index() >= before + 8) added.insert(v);
+    }
+  }
+  return added.size();
 }
 
 TEST_CASE("random triangles become faces of tetrahedra", "[tetrahedra]") {
@@ -151,7 +157,7 @@ TEST_CASE("a facet with a hole, a wire and a point in it is one facet", "[tetrah
   check(t, c);
 }
 
-TEST_CASE("fans of thin triangles need few points", "[tetrahedra]") {
+TEST_CASE("fans of thin triangles need no points", "[tetrahedra]") {
   PointTable t;
   constexpr int kSides = 60;
   const VertexId apex = t.add(0, 0, 100);
@@ -161,47 +167,23 @@ TEST_CASE("fans of thin triangles need few points", "[tetrahedra]") {
     c.facets.push_back({{VertexId(static_cast<std::size_t>(1 + i)),
                          VertexId(static_cast<std::size_t>(1 + (i + 1) % kSides)), apex}});
   }
-  CHECK(check(t, c) < 40 * kSides);
+  CHECK(check(t, c) == 0);
 }
 
-// The long sides pass between points that are on neither side of the fan, and nearly touch each other. Cut one
-// after another, as they come, they have more points than the rest has.
-TEST_CASE("a fan among points needs few points", "[tetrahedra]") {
-  PointTable t;
-  constexpr int kSides = 150;
-  std::mt19937_64 random(11);
-  const auto part = [&] { return static_cast<double>(random() % 1000000) / 1e6; };
-  const VertexId pole = t.add(0, 0, 0);
-  std::vector<VertexId> rim;
-  for (int i = 0; i <= kSides; ++i) {
-    const double angle = 0.2 + 0.004 * i;
-    rim.push_back(t.add(100 * std::cos(angle), 100 * std::sin(angle), 0.05 * part()));
-  }
-  for (int i = 0; i < 600; ++i) {
-    const double angle = 0.2 + 0.6 * part(), radius = 5 + 95 * part(), height = 0.2 + part();
-    t.add(radius * std::cos(angle), radius * std::sin(angle), i % 2 == 0 ? height : -height);
-  }
-  Constraints c;
-  for (std::size_t i = 0; i < kSides; ++i) c.facets.push_back({{rim[i], rim[i + 1], pole}});
-  const auto n = check(t, c);
-  CAPTURE(n);
-  CHECK(n < kSides);
-}
-
-TEST_CASE("segments that nearly cross need few points", "[tetrahedra]") {
+TEST_CASE("segments that nearly cross need no points", "[tetrahedra]") {
   for (const double distance : {1e-3, 1e-9, 1e-15}) {
     PointTable t;
     const VertexId a = t.add(-1, 0.125, 0), b = t.add(1, 0.25, 0);
     const VertexId p = t.add(0.3, -1, distance), q = t.add(0.1, 1, distance);
     Constraints c;
     c.segments = {{a, b}, {p, q}};
-    CHECK(check(t, c) < 12);
+    CHECK(check(t, c) == 0);
   }
 }
 
 // A corner lies within a last digit of doubles of a line that others nearly cross; a Boolean of public meshes
 // (MCUT) has it.
-TEST_CASE("segments side by side, nearer than doubles tell, need few points", "[tetrahedra]") {
+TEST_CASE("segments side by side, nearer than doubles tell, need no points", "[tetrahedra]") {
   PointTable t;
   const double low = -0.12500011920928961, high = 0.87499994039535522;
   const double z[] = {0.50000011920928955, 0.49999982118606567, 0.49999997019767761};
@@ -210,7 +192,7 @@ TEST_CASE("segments side by side, nearer than doubles tell, need few points", "[
   const VertexId s = t.add(-1.5, high, z[2]);
   Constraints c;
   c.segments = {{a, far}, {a, on}, {a, p}, {a, q}, {a, r}, {a, s}, {on, r}, {p, s}, {s, on}, {q, far}, {on, p}};
-  CHECK(check(t, c) < 100);
+  CHECK(check(t, c) == 0);
 }
 
 // The corners of the box are on one sphere, too, and what fills it first must be Delaunay by the perturbation.
