@@ -18,11 +18,11 @@ class Flips {
   using Index = Tetrahedra::Index;
   /// Is an edge or a face, by its two or three corners, in the way?
   using InTheWay = std::function<bool(std::span<const VertexId>)>;
+  /// May an edge go?
+  using MayGo = std::function<bool(VertexId, VertexId)>;
 
   Flips(const PointTable& points, Tetrahedra& tetrahedra) : points_(points), tetrahedra_(tetrahedra) {}
 
-  /// May an edge go?
-  using MayGo = std::function<bool(VertexId, VertexId)>;
   /// Takes an edge away, if what comes with other tetrahedra around it has fewer edges and faces in the way. Where
   /// there are no such tetrahedra, edges next to it are taken away first, if that puts no more in the way.
   bool remove_edge(VertexId a, VertexId b, const InTheWay& in_the_way, const MayGo& may_go);

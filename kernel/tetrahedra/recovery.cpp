@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "kernel/base/error.h"
+#include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/input.h"
@@ -197,10 +198,8 @@ bool Recovery::to_middle(VertexId& v, const RationalPoint& way) {
 std::vector<Recovery::Index> Recovery::short_first() const {
   std::vector<std::pair<double, Index>> order;
   for (Index i = 0; i < segments_.size(); ++i) {
-    const auto a = points_.approx(segments_[i][0]), b = points_.approx(segments_[i][1]);
-    double squared = 0;
-    for (std::size_t k = 0; k < 3; ++k) squared += (b[k] - a[k]) * (b[k] - a[k]);
-    order.emplace_back(squared, i);
+    const DoubleVector d = minus(points_.approx(segments_[i][1]), points_.approx(segments_[i][0]));
+    order.emplace_back(dot(d, d), i);
   }
   std::sort(order.begin(), order.end());
   std::vector<Index> out;
@@ -212,17 +211,13 @@ std::vector<Recovery::Index> Recovery::short_first() const {
 /// False if it is not there, since it would have to be cut.
 bool Recovery::put_in_segment(Index i, Cuts cuts) {
   const VertexId a = segments_[i][0], b = segments_[i][1];
-  std::vector<VertexId> fresh;
   VertexId last = a;
   const auto is_there = [&] {
     tetrahedra_.around(last, star_);
     return std::any_of(star_.begin(), star_.end(), [&](Index t) { return tetrahedra_.place(t, b) < 4; });
   };
   while (!is_there()) {
-    if (flip({last, b})) continue;
-    if (is_there()) break;
-    if (flip({b, last})) continue;
-    if (is_there()) break;
+    if (flip({last, b}) || is_there() || flip({b, last}) || is_there()) continue;
     if (cuts == Cuts::none) return false;
     const Obstacle next = ahead(last, b);
     const auto& [p, q, r] = next.corners;
@@ -231,9 +226,8 @@ bool Recovery::put_in_segment(Index i, Cuts cuts) {
     last = put_on_segment(i, part_to_plane(points_.rational(a), points_.rational(b),
                                            {points_.rational(p), points_.rational(q), points_.rational(r)}));
     chains_[i].push_back(last);
-    fresh.push_back(last);
   }
-  take_away_all(std::move(fresh));
+  take_away_all(chains_[i]);
   return true;
 }
 

@@ -3,10 +3,10 @@
 // New points that make segments Delaunay are in the way of each other where segments run side by side or nearly
 // cross, and may be more than anybody can store. Here what is in the way is flipped away, for all segments before
 // any gets a point: points of one are in the way of the next. What is left gets points where a segment passes
-// through a face, and an edge through a facet. That always ends: each flip makes these places fewer, what is cut is
-// cut once, and the cut of two things is a point of one of them only. Most of these points are not needed once all
-// is in its place; those that can be pulled along their segment or facet into a vertex next to them are taken away
-// at once, so that few of them meet what comes later.
+// through a face, and an edge through a facet. That always ends: each flip makes these places fewer, what is cut
+// is cut once, and the cut of two things is a point of one of them only. Most of these points are not needed once
+// all is in its place; those that can be pulled along their segment or facet into a vertex next to them are taken
+// away at once, so that few of them meet what comes later.
 #pragma once
 
 #include <functional>

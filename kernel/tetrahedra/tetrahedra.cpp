@@ -172,6 +172,19 @@ bool Tetrahedra::sees(VertexId v, std::span<const Index> hole) const {
   return true;
 }
 
+/// Makes neighbours of each two faces that have the same key. Sorts them.
+template <class Key>
+void Tetrahedra::join_pairs(std::vector<std::pair<Key, Face>>& faces) {
+  std::sort(faces.begin(), faces.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+  require(faces.size() % 2 == 0, "tetrahedra: a hole with a gap");
+  for (std::size_t i = 0; i < faces.size(); i += 2) {
+    require(faces[i].first == faces[i + 1].first, "tetrahedra: a hole with a gap");
+    Face f = faces[i].second, g = faces[i + 1].second;
+    if (f.tetrahedron == kNone) std::swap(f, g);
+    if (f.tetrahedron != kNone) join(f, g);
+  }
+}
+
 void Tetrahedra::fill(VertexId v, std::span<const Index> hole) {
   if (at_.size() < points_.size()) at_.resize(points_.size(), kNone);
   struct Wall {
@@ -205,14 +218,7 @@ void Tetrahedra::fill(VertexId v, std::span<const Index> hole) {
     join({t, 3}, wall.outside);
     for (int k = 0; k < 3; ++k) sides.emplace_back(side(k), Face{t, k});
   }
-  std::sort(sides.begin(), sides.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-  require(sides.size() % 2 == 0, "tetrahedra: a hole with a gap");
-  for (std::size_t i = 0; i < sides.size(); i += 2) {
-    require(sides[i].first == sides[i + 1].first, "tetrahedra: a hole with a gap");
-    Face f = sides[i].second, g = sides[i + 1].second;
-    if (f.tetrahedron == kNone) std::swap(f, g);
-    if (f.tetrahedron != kNone) join(f, g);
-  }
+  join_pairs(sides);
 }
 
 void Tetrahedra::replace(std::span<const Index> hole, std::span<const Corners> fresh) {
@@ -234,14 +240,7 @@ void Tetrahedra::replace(std::span<const Index> hole, std::span<const Corners> f
     const Index t = add(corners);
     for (int k = 0; k < 4; ++k) side(face({t, k}), {t, k});
   }
-  std::sort(sides.begin(), sides.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-  require(sides.size() % 2 == 0, "tetrahedra: a hole with a gap");
-  for (std::size_t i = 0; i < sides.size(); i += 2) {
-    require(sides[i].first == sides[i + 1].first, "tetrahedra: a hole with a gap");
-    Face f = sides[i].second, g = sides[i + 1].second;
-    if (f.tetrahedron == kNone) std::swap(f, g);
-    join(f, g);
-  }
+  join_pairs(sides);
 }
 
 void Tetrahedra::rename(VertexId vertex, VertexId by) {

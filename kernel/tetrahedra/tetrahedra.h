@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kernel/base/progress.h"
@@ -83,6 +84,8 @@ class Tetrahedra {
   Index add(const Corners& corners);
   void remove(std::span<const Index> hole);
   void join(Face f, Face g);
+  template <class Key>
+  void join_pairs(std::vector<std::pair<Key, Face>>& faces);
   bool meet(Index t) const;
 };
 
