@@ -16,6 +16,7 @@
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
 #include "csg/text/file.h"
+#include "csg/text/table.h"
 #include "csg/topology/selectables.h"
 #include "csg/topology/topology.h"
 #include "csg/tree/selector.h"
@@ -103,12 +104,12 @@ class FileWriter {
       for (const std::string& notice : report.notices) say(path + ": notice: " + notice);
     }
     if (!report.embedded) {
-      say(path + ": warning: rounding moved " + std::to_string(report.moved) +
-          (report.moved == 1 ? " vertex" : " vertices") + " and broke the result in this file; leave out " +
-          (arguments_.no_snap ? "--no-snap" : "--parameters") + ", or write .json for the exact result");
+      say(path + ": warning: rounding moved " + counted(report.moved, "vertex", "vertices") +
+          " and broke the result in this file; leave out " + (arguments_.no_snap ? "--no-snap" : "--parameters") +
+          ", or write .json for the exact result");
     } else if (!arguments_.quiet && report.moved > 0) {
-      say(path + ": notice: rounding moved " + std::to_string(report.moved) +
-          (report.moved == 1 ? " vertex" : " vertices") + "; the facets still meet as they should");
+      say(path + ": notice: rounding moved " + counted(report.moved, "vertex", "vertices") +
+          "; the facets still meet as they should");
     } else if (!arguments_.quiet && report.snapped.rounds > 0) {
       say(path + ": notice: " + report.snapped.text());
     } else if (!arguments_.quiet && arguments_.snap && is_exact(path)) {

@@ -219,8 +219,8 @@ void write_files(const MeshArguments& arguments, const Result& result, const Mes
   if (!notice.empty()) notices.push_back(notice);
   if (snapped.rounds > 0) notices.push_back(snapped.text());
   if (rounding.moved > 0) {
-    notices.push_back("rounding moved " + std::to_string(rounding.moved) +
-                      (rounding.moved == 1 ? " vertex" : " vertices") + "; the facets still meet as they should");
+    notices.push_back("rounding moved " + counted(rounding.moved, "vertex", "vertices") +
+                      "; the facets still meet as they should");
   }
   for (const std::string& path : arguments.files) {
     {

@@ -18,9 +18,7 @@ const char* const kKinds[] = {"vertex", "edge", "face", "3-cell"};
 const char* const kArticles[] = {"a vertex", "an edge", "a face", "a 3-cell"};
 const char* const kManyKinds[] = {"vertices", "edges", "faces", "3-cells"};
 
-std::string counted(std::size_t n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
+using cnrg::counted;
 std::string counted(std::size_t n, int dimension) { return counted(n, kKinds[dimension], kManyKinds[dimension]); }
 
 /// `a`, `a and b`, `a, b and c`.

@@ -14,6 +14,7 @@
 #include "csg/exports/occt_write.h"
 #include "csg/text/child.h"
 #include "csg/text/input_file.h"
+#include "csg/text/table.h"
 #include "kernel/base/error.h"
 
 namespace cnrg {
@@ -23,10 +24,6 @@ namespace {
 constexpr double kTolerance = 1e-7;
 
 enum class Answer : std::uint8_t { text, input_error, broken_invariant };
-
-std::string counted(std::size_t n, const std::string& one, const std::string& many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
 
 /// To two digits, upward.
 double rounded_up(double x) {

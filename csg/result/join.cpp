@@ -13,6 +13,7 @@
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
 #include "csg/text/escape.h"
+#include "csg/text/table.h"
 #include "kernel/exact/distance.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -501,10 +502,6 @@ std::shared_ptr<const Result::Data> without_vanished(std::shared_ptr<const Resul
   out->value = std::make_shared<const NodeValue>(std::move(x));
   out->simplified = std::make_shared<const SimplifiedComplex>(std::move(cells));
   return out;
-}
-
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + ' ' + (n == 1 ? one : many);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
 #include "csg/result/snap_drawing.h"
+#include "csg/text/table.h"
 
 namespace cnrg {
 
@@ -43,8 +44,8 @@ Result snap(const Result& result, SnapReport* report) {
 }
 
 std::string SnapReport::text() const {
-  const auto counted = [](std::size_t n, const char* one, const char* many) {
-    return (n == 0 ? std::string("no") : std::to_string(n)) + ' ' + (n == 1 ? one : many);
+  const auto any = [](std::size_t n, const char* one, const char* many) {
+    return n == 0 ? std::string("no ") + many : counted(n, one, many);
   };
   std::string distance;
   append(distance, displacement);
@@ -52,7 +53,7 @@ std::string SnapReport::text() const {
                      distance + " at most, in " + counted(std::size_t(rounds), "round", "rounds");
   if (added > 0) text += "; " + counted(added, "vertex is", "vertices are") + " new";
   if (faces + regions > 0) {
-    text += "; " + counted(faces, "face", "faces") + " and " + counted(regions, "region", "regions") +
+    text += "; " + any(faces, "face", "faces") + " and " + any(regions, "region", "regions") +
             " without thickness vanished";
   }
   if (wires > 0) text += "; " + counted(wires, "wire", "wires") + " without length vanished";

@@ -68,4 +68,8 @@ std::string grouped(std::size_t number) {
   return digits;
 }
 
+std::string counted(std::size_t n, std::string_view one, std::string_view many) {
+  return std::to_string(n).append(" ").append(n == 1 ? one : many);
+}
+
 }  // namespace cnrg

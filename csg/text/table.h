@@ -45,4 +45,7 @@ std::string padded(std::string text, std::size_t width);
 /// An integer in groups of three digits, for people: 1234567 -> `1,234,567`.
 std::string grouped(std::size_t number);
 
+/// A number and the word for so many: `1 vertex`, `3 vertices`.
+std::string counted(std::size_t n, std::string_view one, std::string_view many);
+
 }  // namespace cnrg
