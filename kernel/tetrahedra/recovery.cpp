@@ -203,6 +203,7 @@ std::vector<Recovery::Index> Recovery::short_first() const {
   }
   std::sort(order.begin(), order.end());
   std::vector<Index> out;
+  out.reserve(order.size());
   for (const auto& [squared, i] : order) out.push_back(i);
   return out;
 }
