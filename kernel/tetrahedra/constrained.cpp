@@ -5,6 +5,7 @@
 #include "kernel/base/error.h"
 #include "kernel/base/sorted.h"
 #include "kernel/tetrahedra/recovery.h"
+#include "kernel/tetrahedra/steiner_points.h"
 
 namespace cnrg {
 
@@ -57,7 +58,10 @@ ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constrain
   for (ConstrainedTetrahedra::Index i = 0; i < facets.size(); ++i) {
     for (const Triangle& corners : recovery.faces(i)) out.triangles.push_back({corners, i});
   }
-  if (how == NewPoints::doubles) recovery.move_to_doubles(out, watch);
+  SteinerPoints added(points, tetrahedra, out, recovery.pieces(), recovery.all_new(),
+                      [&](VertexId v) { return recovery.ways(v); });
+  added.reduce(watch);
+  if (how == NewPoints::doubles) added.move_to_doubles(watch);
   for (Tetrahedra::Index t = 0; t < tetrahedra.size(); ++t) {
     if (tetrahedra.alive(t)) out.tetrahedra.push_back(tetrahedra.corners(t));
   }

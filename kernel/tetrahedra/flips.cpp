@@ -47,9 +47,10 @@ bool Flips::find_ring(VertexId a, VertexId b) {
   return ring_.size() == hole_.size();
 }
 
-bool Flips::remove_edge(VertexId a, VertexId b, const InTheWay& in_the_way, const MayGo& may_go) {
+bool Flips::remove_edge(VertexId a, VertexId b, const InTheWay& in_the_way, const MayGo& may_go, Deep deep) {
   if (!may_go(a, b)) return false;
   if (remove(a, b, in_the_way, 0)) return true;
+  if (deep == Deep::no) return false;
   for (const VertexId v : std::vector(ring_)) {
     for (const VertexId u : {a, b}) {
       if (may_go(u, v) && remove(u, v, in_the_way, 1) && remove(a, b, in_the_way, 0)) return true;
@@ -64,6 +65,7 @@ bool Flips::remove(VertexId a, VertexId b, const InTheWay& in_the_way, int more)
   const std::size_t n = ring_.size();
   int before = more + in_the_way(std::array{a, b});
   for (const VertexId v : ring_) before += in_the_way(std::array{a, b, v});
+  for (const Index t : hole_) before += in_the_way(tetrahedra_.corners(t));
   // The triangulation of the ring with the least in the way: of what is between i and j by that of parts of it.
   int least[kLongest][kLongest];
   std::size_t by[kLongest][kLongest];
@@ -77,7 +79,8 @@ bool Flips::remove(VertexId a, VertexId b, const InTheWay& in_the_way, int more)
         int cost = least[i][k] + least[k][j];
         if (cost >= std::min(best, before)) continue;
         const VertexId r = ring_[k];
-        cost += in_the_way(std::array{p, r, q});
+        cost += in_the_way(std::array{p, r, q}) + in_the_way(std::array{a, p, r, q}) +
+                in_the_way(std::array{b, p, q, r});
         if (cost >= std::min(best, before) || orient3d(points_, a, p, r, q) <= 0 ||
             orient3d(points_, b, p, q, r) <= 0)
           continue;
@@ -118,10 +121,11 @@ bool Flips::remove_face(Tetrahedra::Face face, const InTheWay& in_the_way) {
   for (std::size_t k = 0; k < 3; ++k) {
     const VertexId p = f[k], q = f[(k + 1) % 3];
     if (orient3d(points_, e, d, p, q) <= 0) return false;
-    after += in_the_way(std::array{d, e, p});
+    after += in_the_way(std::array{d, e, p}) + in_the_way(std::array{e, d, p, q});
     fresh_.push_back({e, d, p, q});
   }
-  if (after >= static_cast<int>(in_the_way(f))) return false;
+  const int before = in_the_way(f) + in_the_way(tetrahedra_.corners(face.tetrahedron)) + in_the_way(across);
+  if (after >= before) return false;
   hole_ = {face.tetrahedron, u};
   tetrahedra_.replace(hole_, fresh_);
   return true;

@@ -16,16 +16,18 @@ namespace cnrg {
 class Flips {
  public:
   using Index = Tetrahedra::Index;
-  /// Is an edge or a face, by its two or three corners, in the way?
+  /// Is an edge, a face or a tetrahedron, by its corners, in the way?
   using InTheWay = std::function<bool(std::span<const VertexId>)>;
+  /// Are edges next to one taken away first, where it cannot go before?
+  enum class Deep { no, yes };
   /// May an edge go?
   using MayGo = std::function<bool(VertexId, VertexId)>;
 
   Flips(const PointTable& points, Tetrahedra& tetrahedra) : points_(points), tetrahedra_(tetrahedra) {}
 
-  /// Takes an edge away, if what comes with other tetrahedra around it has fewer edges and faces in the way. Where
-  /// there are no such tetrahedra, edges next to it are taken away first, if that puts no more in the way.
-  bool remove_edge(VertexId a, VertexId b, const InTheWay& in_the_way, const MayGo& may_go);
+  /// Takes an edge away, if other tetrahedra around it, with their edges and faces, are less in the way. Edges
+  /// next to it go only if that puts no more in the way.
+  bool remove_edge(VertexId a, VertexId b, const InTheWay& in_the_way, const MayGo& may_go, Deep deep = Deep::yes);
   /// Takes a face away by an edge that passes through it, likewise.
   bool remove_face(Tetrahedra::Face face, const InTheWay& in_the_way);
 

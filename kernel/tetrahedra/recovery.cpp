@@ -5,15 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <sstream>
-#include <unordered_set>
 
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
 #include "kernel/exact/exact_vectors.h"
 #include "kernel/exact/predicates.h"
-#include "kernel/refine/input.h"
 
 namespace cnrg {
 namespace {
@@ -22,43 +18,11 @@ namespace {
 constexpr unsigned kBits[] = {16, 40, 80, 160};
 /// How often points are spread and taken away.
 constexpr int kRounds = 8;
-/// Places along a segment or facet that are looked at for a double.
-constexpr int kPlaces = 40;
-/// A point that sees an edge under an angle with a cosine below minus this nearly touches it.
-constexpr double kFlat = 0.99;
-
-Rational rounded(const Rational& x, unsigned bits) {
-  const Integer scale = Integer(1) << bits;
-  Integer n;
-  const Rational scaled = x * scale + Rational(1, 2);
-  mpz_fdiv_q(n.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
-  Rational out(n, scale);
-  out.canonicalize();
-  return out;
-}
 
 /// Of the way from p to q the part up to the plane of three points.
 Rational part_to_plane(const RationalPoint& p, const RationalPoint& q, const std::array<RationalPoint, 3>& plane) {
   const RationalPoint normal = cross(plane[1] - plane[0], plane[2] - plane[0]);
   return dot(normal, plane[0] - p) / dot(normal, q - p);
-}
-
-double cosine_at(const std::array<double, 3>& p, const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  double along = 0, u = 0, w = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    along += (a[k] - p[k]) * (b[k] - p[k]);
-    u += (a[k] - p[k]) * (a[k] - p[k]);
-    w += (b[k] - p[k]) * (b[k] - p[k]);
-  }
-  return u > 0 && w > 0 ? along / std::sqrt(u * w) : 1;
-}
-
-std::string too_thin(const std::array<double, 3>& p) {
-  std::ostringstream text;
-  text.precision(9);
-  text << "tetrahedra are too thin for doubles near (" << p[0] << " " << p[1] << " " << p[2]
-       << "); move nearly touching parts apart or together there, or join them by `weld`";
-  return text.str();
 }
 
 }  // namespace
@@ -73,7 +37,8 @@ Recovery::Recovery(PointTable& points, Tetrahedra& tetrahedra, std::span<const E
       borders_(borders),
       chains_(segments.size()),
       inside_(facets.size()),
-      flips_(points, tetrahedra) {}
+      flips_(points, tetrahedra),
+      room_(points, tetrahedra) {}
 
 void Recovery::run(const Watch& watch) {
   Steps segments(watch, "tetrahedra: segments", segments_.size());
@@ -109,10 +74,9 @@ std::vector<VertexId> Recovery::all_new() const {
   return out;
 }
 
-/// The ways that a point may take on what it is inside of: one, two, or none.
+/// The ways that a point may take on what it is inside of: one or two.
 std::vector<RationalPoint> Recovery::ways(const Carrier& carrier) const {
-  std::span<const VertexId> corners;
-  if (carrier.on == On::segment) corners = segments_[carrier.of];
+  std::span<const VertexId> corners = segments_[carrier.of];
   if (carrier.on == On::facet) corners = facets_[carrier.of][0];
   std::vector<RationalPoint> out;
   for (std::size_t k = 1; k < corners.size(); ++k)
@@ -132,65 +96,20 @@ std::size_t Recovery::spread(const Watch& watch) {
   for (VertexId v : all_new()) {
     watch.check();
     const Carrier carrier = new_.at(v);
-    if (near_double(v).valid()) continue;
-    for (const RationalPoint& way : ways(carrier)) moved += to_middle(v, way);
+    if (room_.near_double(v).valid()) continue;
+    for (const RationalPoint& way : ways(carrier)) {
+      const VertexId w = room_.middle(v, way);
+      if (!w.valid()) continue;
+      tetrahedra_.rename(v, w);
+      auto& list = points_on(carrier);
+      std::replace(list.begin(), list.end(), v, w);
+      new_.erase(v);
+      new_.emplace(w, carrier);
+      v = w, ++moved;
+    }
     take_away(v);
   }
   return moved;
-}
-
-/// The double next to a point, if that could be in its place.
-VertexId Recovery::near_double(VertexId v) {
-  if (points_.is_double(v)) return v;
-  const auto [x, y, z] = points_.nearest(v);
-  const VertexId w = points_.add(x, y, z);
-  tetrahedra_.around(v, star_);
-  return tetrahedra_.sees(w, star_) ? w : VertexId::none();
-}
-
-/// From where to where a point may move along a line, as parts of `way`, and still sees its star, which `star_`
-/// is.
-std::optional<std::array<Rational, 2>> Recovery::free_part(VertexId v, const RationalPoint& way) const {
-  const RationalPoint at = points_.rational(v);
-  std::optional<Rational> low, high;
-  for (const Index t : star_) {
-    const auto [a, b, c] = tetrahedra_.face({t, tetrahedra_.place(t, v)});
-    const RationalPoint p = points_.rational(a), normal = cross(points_.rational(b) - p, points_.rational(c) - p);
-    const Rational slope = dot(normal, way);
-    if (slope == 0) continue;
-    const Rational end = -dot(normal, at - p) / slope;
-    if (slope > 0 && (!low || end > *low)) low = end;
-    if (slope < 0 && (!high || end < *high)) high = end;
-  }
-  if (!low || !high) return std::nullopt;
-  return std::array{*low, *high};
-}
-
-/// Moves a point on a line through it to the middle of where it sees its star; false where it is there already.
-bool Recovery::to_middle(VertexId& v, const RationalPoint& way) {
-  tetrahedra_.around(v, star_);
-  const auto part = free_part(v, way);
-  if (!part) return false;
-  const auto& [low, high] = *part;
-  const RationalPoint at = points_.rational(v);
-  const Rational middle = (low + high) / 2, near = (high - low) / 8;
-  if (abs(middle) < near) return false;
-  for (const unsigned bits : kBits) {
-    const Rational step = rounded(middle, bits);
-    if (abs(Rational(step - middle)) >= near) continue;
-    const VertexId w = points_.add(at + step * way);
-    tetrahedra_.rename(v, w);
-    const Carrier carrier = new_.at(v);
-    if (carrier.on != On::nothing) {
-      auto& list = points_on(carrier);
-      std::replace(list.begin(), list.end(), v, w);
-    }
-    new_.erase(v);
-    new_.emplace(w, carrier);
-    v = w;
-    return true;
-  }
-  return false;
 }
 
 /// In a fan of segments a long one between two others has their points in its way, and would be cut as often as
@@ -251,7 +170,7 @@ Recovery::Obstacle Recovery::ahead(VertexId from, VertexId to) {
 
 /// Does what is between the ends of a way pass through a face?
 bool Recovery::crosses(const Ends& way, std::span<const VertexId> face) const {
-  if (face.size() < 3) return false;
+  if (face.size() != 3) return false;
   if (std::any_of(face.begin(), face.end(), [&](VertexId v) { return v == way[0] || v == way[1]; })) return false;
   bool left = false, right = false;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -346,6 +265,15 @@ std::vector<VertexId> Recovery::chain(VertexId a, VertexId b) const {
   return out;
 }
 
+std::vector<Recovery::Ends> Recovery::pieces() const {
+  std::vector<Ends> out;
+  for (const auto& [a, b] : segments_) {
+    const std::vector<VertexId> list = chain(a, b);
+    for (std::size_t k = 0; k + 1 < list.size(); ++k) out.push_back({list[k], list[k + 1]});
+  }
+  return out;
+}
+
 std::vector<std::array<VertexId, 3>> Recovery::faces(Index facet) const {
   auto out = wall(facet).faces();
   require(out.size() == needed(facet), "tetrahedra: a facet is not made of faces");
@@ -422,151 +350,6 @@ void Recovery::take_away_all(std::vector<VertexId> from) {
   std::sort(from.begin(), from.end(), std::greater());
   while (std::erase_if(from, [&](VertexId v) { return take_away(v); }) > 0) {
   }
-}
-
-void Recovery::move_to_doubles(ConstrainedTetrahedra& made, const Watch& watch) {
-  watch.begin("tetrahedra: doubles");
-  std::unordered_map<VertexId, VertexId> moved, origin;
-  std::unordered_set<std::uint64_t> pieces;
-  std::set<std::array<VertexId, 3>> faces;
-  for (const auto& segment : made.segments) pieces.insert(RefineInput::key(segment.ends[0], segment.ends[1]));
-  for (const auto& triangle : made.triangles) {
-    auto corners = triangle.corners;
-    std::sort(corners.begin(), corners.end());
-    faces.insert(corners);
-  }
-  const auto bound = [&](std::span<const VertexId> corners) {
-    std::array<VertexId, 3> f{};
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const auto at = origin.find(corners[k]);
-      f[k] = at == origin.end() ? corners[k] : at->second;
-    }
-    if (corners.size() == 2) return pieces.contains(RefineInput::key(f[0], f[1]));
-    std::sort(f.begin(), f.end());
-    return faces.contains(f);
-  };
-  bool look_far = false;
-  const auto move = [&](VertexId v) {
-    VertexId w = near_double(v);
-    if (!w.valid() && look_far) w = far_double(v);
-    if (!w.valid()) return false;
-    if (w == v) return true;
-    tetrahedra_.rename(v, w);
-    moved.emplace(v, w);
-    origin.emplace(w, v);
-    return true;
-  };
-  std::vector<VertexId> open = all_new();
-  for (int round = 0;; ++round) {
-    do {
-      look_far = false;
-      while (std::erase_if(open, move) > 0) watch.check();
-      look_far = true;
-    } while (std::erase_if(open, move) > 0);
-    if (open.empty()) break;
-    std::vector<VertexId> more;
-    for (const VertexId v : open) {
-      watch.check();
-      const VertexId m = round < kRounds ? make_room(v, bound) : VertexId::none();
-      if (m.valid()) more.push_back(m);
-    }
-    if (more.empty()) throw NearFault(too_thin(points_.approx(open[0])));
-    open.insert(open.begin(), more.begin(), more.end());
-  }
-  const auto follow = [&](auto& corners) {
-    for (VertexId& v : corners) {
-      if (const auto at = moved.find(v); at != moved.end()) v = at->second;
-    }
-  };
-  for (auto& segment : made.segments) follow(segment.ends);
-  for (auto& triangle : made.triangles) follow(triangle.corners);
-}
-
-/// Between faces that are one plane but for the last digits there is room for one double and not for the next. So
-/// a point looks along what carries it for a place where there is.
-VertexId Recovery::far_double(VertexId v) {
-  const Carrier carrier = new_.at(v);
-  tetrahedra_.around(v, star_);
-  const RationalPoint at = points_.rational(v);
-  for (const RationalPoint& way : ways(carrier)) {
-    const auto part = free_part(v, way);
-    if (!part) continue;
-    const auto& [low, high] = *part;
-    for (int i = 1; i <= kPlaces; ++i) {
-      const int place = i % 2 == 0 ? kPlaces + i : kPlaces - i;  // from the middle on
-      const RationalPoint exact = at + Rational(low + (high - low) * place / (2 * kPlaces + 1)) * way;
-      const std::array<double, 3> p = to_doubles(exact);
-      for (int beside = 0; beside < 7; ++beside) {
-        auto q = p;
-        if (beside > 0) {
-          double& x = q[static_cast<std::size_t>(beside - 1) / 2];
-          x = std::nextafter(x, beside % 2 == 0 ? HUGE_VAL : -HUGE_VAL);
-        }
-        const VertexId w = points_.add(q[0], q[1], q[2]);
-        if (tetrahedra_.sees(w, star_)) return w;
-      }
-    }
-  }
-  return VertexId::none();
-}
-
-/// Is nothing that has to stay in this edge or face?
-bool Recovery::is_free(std::span<const VertexId> corners,
-                       const std::function<bool(std::span<const VertexId>)>& bound) const {
-  if (bound(corners)) return false;
-  if (corners.size() == 3) return true;
-  std::vector<Index> ring;
-  tetrahedra_.around(corners[0], corners[1], ring);
-  return std::none_of(ring.begin(), ring.end(), [&](Index t) {
-    const auto& all = tetrahedra_.corners(t);
-    return std::any_of(all.begin(), all.end(), [&](VertexId v) {
-      return v != corners[0] && v != corners[1] && bound(std::array{corners[0], corners[1], v});
-    });
-  });
-}
-
-/// A point whose star has no double nearly touches an edge or a face of it. If that is nobody's, a new point takes
-/// it away from there: returns that point, if there is one.
-VertexId Recovery::make_room(VertexId v, const std::function<bool(std::span<const VertexId>)>& bound) {
-  const auto nearest = points_.nearest(v);
-  const VertexId w = points_.add(nearest[0], nearest[1], nearest[2]);
-  tetrahedra_.around(v, star_);
-  for (const Index t : star_) {
-    const int k = tetrahedra_.place(t, v);
-    auto f = tetrahedra_.face({t, k});
-    if (orient3d(points_, f[0], f[1], f[2], w) > 0) continue;
-    // The side of the face that is nearest, by the angle at the point.
-    double widest = -2;
-    std::size_t side = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double cosine = cosine_at(nearest, points_.approx(f[i]), points_.approx(f[(i + 1) % 3]));
-      if (-cosine > widest) widest = -cosine, side = i;
-    }
-    std::rotate(f.begin(), f.begin() + static_cast<std::ptrdiff_t>(side), f.end());
-    const bool edge = widest > kFlat;
-    const std::span<const VertexId> at(f.data(), edge ? 2 : 3);
-    if (!is_free(at, bound)) continue;
-    const RationalPoint a = points_.rational(f[0]), ab = points_.rational(f[1]) - a,
-                        ac = points_.rational(f[2]) - a;
-    RationalPoint place;
-    if (edge) {
-      tetrahedra_.around(f[0], f[1], hole_);
-      const Rational foot = dot(points_.rational(v) - a, ab) / dot(ab, ab);
-      place = a + std::clamp(rounded(foot, kBits[0]), Rational(1, 64), Rational(63, 64)) * ab;
-    } else {
-      hole_ = {t, tetrahedra_.neighbour(t, k)};
-      place = a + Rational(1, 4) * (ab + ac);
-    }
-    VertexId m = points_.add(place);
-    require(tetrahedra_.sees(m, hole_), "tetrahedra: a hole with a gap");
-    tetrahedra_.fill(m, hole_);
-    new_.emplace(m, Carrier{On::nothing, 0});
-    to_middle(m, cross(ab, ac));
-    to_middle(m, ab);
-    to_middle(m, ac);
-    return m;
-  }
-  return VertexId::none();
 }
 
 }  // namespace cnrg

@@ -9,8 +9,6 @@
 // away at once, so that few of them meet what comes later.
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -18,6 +16,7 @@
 #include "kernel/base/progress.h"
 #include "kernel/tetrahedra/constrained.h"
 #include "kernel/tetrahedra/flips.h"
+#include "kernel/tetrahedra/room.h"
 #include "kernel/tetrahedra/wall.h"
 
 namespace cnrg {
@@ -41,13 +40,15 @@ class Recovery {
   /// After `run`: the faces of a facet.
   std::vector<std::array<VertexId, 3>> faces(Index facet) const;
 
-  /// After `run`: moves new points of `made`, which is what `run` has made, to doubles, where all tetrahedra keep
-  /// their turn; segments and facets are bent by what doubles cannot tell. Throws NearFault, Stopped.
-  void move_to_doubles(ConstrainedTetrahedra& made, const Watch& watch);
+  /// After `run`: the edges that segments are made of.
+  std::vector<Ends> pieces() const;
+  /// After `run`: the new points that are left, and the directions in which each may move on its segment or facet.
+  std::vector<VertexId> all_new() const;
+  std::vector<RationalPoint> ways(VertexId v) const { return ways(new_.at(v)); }
 
  private:
   /// What a new point is inside of.
-  enum class On { segment, facet, nothing };
+  enum class On { segment, facet };
   struct Carrier {
     On on;
     Index of;
@@ -69,6 +70,7 @@ class Recovery {
   std::vector<Index> star_, hole_;
   std::vector<VertexId> near_;
   Flips flips_;
+  Room room_;
 
   enum class Cuts { none, some };
   std::vector<Index> short_first() const;
@@ -87,17 +89,9 @@ class Recovery {
   bool take_away(VertexId v);
   void take_away_all(std::vector<VertexId> from);
   void neighbours_on_carrier(VertexId v, const Carrier& carrier);
-  std::vector<VertexId> all_new() const;
   std::vector<RationalPoint> ways(const Carrier& carrier) const;
   std::vector<VertexId>& points_on(const Carrier& carrier);
   std::size_t spread(const Watch& watch);
-  VertexId near_double(VertexId v);
-  VertexId far_double(VertexId v);
-  std::optional<std::array<Rational, 2>> free_part(VertexId v, const RationalPoint& way) const;
-  bool to_middle(VertexId& v, const RationalPoint& way);
-  VertexId make_room(VertexId v, const std::function<bool(std::span<const VertexId>)>& bound);
-  bool is_free(std::span<const VertexId> corners,
-               const std::function<bool(std::span<const VertexId>)>& bound) const;
 };
 
 }  // namespace cnrg

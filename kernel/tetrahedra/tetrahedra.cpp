@@ -113,10 +113,40 @@ void Tetrahedra::around(VertexId v, std::vector<Index>& out) const {
   }
 }
 
+/// The first one is looked for from both ends in turn, since one of them may have very many; then around the edge.
 void Tetrahedra::around(VertexId a, VertexId b, std::vector<Index>& out) const {
-  around(a, out);
-  std::erase_if(
-      out, [&](Index t) { return std::find(corners_[t].begin(), corners_[t].end(), b) == corners_[t].end(); });
+  const auto has = [&](Index t, VertexId v) { return place(t, v) < 4; };
+  const std::array<VertexId, 2> ends{a, b};
+  out.clear();
+  ++round_;
+  Index first = kNone;
+  for (std::size_t e = 0; e < 2; ++e) {
+    ways_[e].clear();
+    const Index start = at_[ends[e].index()];
+    if (start == kNone) return;
+    if (has(start, ends[1 - e])) first = start;
+    meet(start);
+    ways_[e].push_back(start);
+  }
+  for (std::size_t i = 0; first == kNone; ++i) {
+    for (std::size_t e = 0; e < 2 && first == kNone; ++e) {
+      if (i == ways_[e].size()) return;  // it has met all at this end
+      for (int k = 0; k < 4 && first == kNone; ++k) {
+        const Index t = ways_[e][i], u = neighbour(t, k);
+        if (corners_[t][static_cast<std::size_t>(k)] == ends[e] || u == kNone || !meet(u)) continue;
+        ways_[e].push_back(u);
+        if (has(u, ends[1 - e])) first = u;
+      }
+    }
+  }
+  out.push_back(first);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    for (int k = 0; k < 4; ++k) {
+      const VertexId v = corners_[out[i]][static_cast<std::size_t>(k)];
+      const Index u = neighbour(out[i], k);
+      if (v != a && v != b && u != kNone && std::find(out.begin(), out.end(), u) == out.end()) out.push_back(u);
+    }
+  }
 }
 
 Tetrahedra::Index Tetrahedra::locate(VertexId v, Index start) const {

@@ -75,6 +75,7 @@ class Tetrahedra {
   std::vector<Index> at_;                    // by vertex: a tetrahedron that has it, or kNone
   mutable std::vector<std::uint32_t> seen_;  // by tetrahedron: the last round that met it
   mutable std::uint32_t round_ = 0;
+  mutable std::array<std::vector<Index>, 2> ways_;
 
   void make_box();
   void insert(VertexId v, VertexId near);
