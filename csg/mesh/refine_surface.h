@@ -39,9 +39,11 @@ constexpr double kLeastAngle = 25;  ///< degrees
 /// The smallest angle of a triangle, in degrees, and the corner that has it.
 std::pair<double, std::size_t> smallest_angle(const std::array<DoubleVector, 3>& corners);
 
-/// Refines until no triangle is below kLeastAngle that need not be; says of each triangle why it is. Throws
-/// InputError, with a place, where the size asked for needs more points or time than there may be, and where
-/// time is up; Stopped.
-std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options);
+/// Refines until no triangle is below kLeastAngle that need not be, and no side longer than `options.size`; says
+/// of each triangle why it is. Where doubles have no room for that, sides are as long as `said` at most: what
+/// people asked for, without what features ask for by themselves (mesh_sizes.h), which there are the cause. Throws
+/// InputError, with a place, where sizes need more points or time than there may be, and where time is up;
+/// Stopped.
+std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said);
 
 }  // namespace cnrg
