@@ -17,7 +17,9 @@
 //   * no chain of causes has more than kMostRank segments that are split, each for the sake of a triangle, into
 //     pieces that are shorter than the triangle's sides; for angles up to 26.4 degrees such chains are short in
 //     theory (miller2003);
-//   * where parts of the result nearly touch, points are rationed (kNarrow).
+//   * where parts of the result nearly touch, points are rationed (kNarrow); where they are nearer than digits, or
+//     no more are left, lines are only split as finely as what they nearly touch, so that triangles between them
+//     are short and do not lie upon each other by thousands.
 #pragma once
 
 #include <string>

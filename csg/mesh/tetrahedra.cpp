@@ -237,7 +237,7 @@ class TetrahedraMaker {
   TetgenTime time_of_tetgen() const {
     const int part = options_.seconds ? 0 : TetrahedraOptions::kPartSeconds;
     const double clock = deadline_.seconds_left() / 3;  // so nearly a third is left after all ways to ask it
-    if (bounded() || keeps_boundary()) return {part, clock};
+    if (!thin_ && (bounded() || keeps_boundary())) return {part, clock};
     const int enough = 5 + int(plc_.points.size() / 1000);
     return {part == 0 ? enough : std::min(part, enough), clock};
   }
