@@ -30,12 +30,14 @@ class SizeCollector {
     if (!xyz_.empty()) least_ = kLeastShare * std::sqrt(dot(minus(high, low), minus(high, low)));
   }
 
-  MeshSizes run(bool always) {
+  MeshSizes run(const SizeOptions& options) {
     add_said();
     const bool said = !sources_.empty() || overall_ < kInfinity;
-    if (!said && !always) return {};
-    add_pieces();
-    add_facets();
+    if (!said && !options.always) return {};
+    if (!options.said) {
+      add_pieces();
+      add_facets();
+    }
     return {SizeField(std::move(sources_), growth_, overall_), std::move(regions_)};
   }
 
@@ -127,7 +129,7 @@ class SizeCollector {
 
 MeshSizes mesh_sizes(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                      const SizeOptions& options) {
-  return SizeCollector(view, flat, points, options).run(options.always);
+  return SizeCollector(view, flat, points, options).run(options);
 }
 
 }  // namespace cnrg

@@ -26,6 +26,7 @@ struct SizeOptions {
   double size = 0;      ///< nowhere longer; 0: no bound
   double growth = 0.3;  ///< by how much edges may be longer per unit of distance
   bool always = false;  ///< pieces and facets ask also where nobody has said any size
+  bool said = false;    ///< they do not ask at all
 };
 
 struct MeshSizes {

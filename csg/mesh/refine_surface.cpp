@@ -42,8 +42,8 @@ std::size_t sharpest(const std::array<Vector, 3>& p) {
 
 class Refiner {
  public:
-  Refiner(FacetMesh& mesh, const SurfaceOptions& options)
-      : mesh_(mesh), options_(options), lines_(mesh), begin_(std::chrono::steady_clock::now()) {
+  Refiner(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said)
+      : mesh_(mesh), options_(options), said_(said), lines_(mesh), begin_(std::chrono::steady_clock::now()) {
     double largest = 0;
     Vector low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (const Vector& p : mesh_.points()) {
@@ -55,7 +55,6 @@ class Refiner {
     // Angles of smaller triangles are those of rounding.
     shortest_ = std::ldexp(largest, -32);
     narrow_ = kNarrow * length(low, high);
-    digits_ = std::ldexp(largest, -44);
     narrow_points_ = options_.max_points / kNarrowPart;
   }
 
@@ -77,7 +76,7 @@ class Refiner {
         segments_.pop();
         if (const std::optional<Encroached> by = encroached(s)) {
           if (may_add(std::min(segment_length(s) / 2, by->height), is_too_long(s))) split(s, by->rank);
-        } else if (is_too_long(s)) {
+        } else if (is_too_long(s) || is_unmatched(s)) {
           split(s, 0);
         }
       } else if (!triangles_.empty()) {
@@ -104,6 +103,7 @@ class Refiner {
   };
   FacetMesh& mesh_;
   const SurfaceOptions& options_;
+  const SizeAt& said_;
   InputLines lines_;
   const std::chrono::steady_clock::time_point begin_;
   double shortest_ = 0, cosine_ = 0, off_center_ = 0;
@@ -112,7 +112,7 @@ class Refiner {
   /// part of the model's extent has no more than a part of the points.
   static constexpr double kNarrow = 0x1p-17;
   static constexpr std::size_t kNarrowPart = 20;
-  double narrow_ = 0, digits_ = 0;
+  double narrow_ = 0;
   std::size_t narrow_points_ = 0;  // that are left for these
   std::queue<Index> segments_;
   std::priority_queue<Candidate> triangles_;
@@ -155,11 +155,12 @@ class Refiner {
     throw InputError(text + "); ask for larger sizes, give more --seconds, or a lower --max-points");
   }
 
-  bool is_too_long(Index a, Index b) const {
-    if (!options_.size) return false;
+  bool is_too_long(Index a, Index b) const { return is_longer(a, b, options_.size); }
+  bool is_longer(Index a, Index b, const SizeAt& size) const {
+    if (!size) return false;
     Vector middle;
     for (std::size_t k = 0; k < 3; ++k) middle[k] = at(a)[k] / 2 + at(b)[k] / 2;
-    return length(at(a), at(b)) > options_.size(middle);
+    return length(at(a), at(b)) > size(middle);
   }
   bool is_too_long(Index s) const {
     const auto& [a, b] = mesh_.segments()[s].ends;
@@ -171,8 +172,42 @@ class Refiner {
     constexpr double kDoubt = 1e-9;  // right angles are no fault
     return cosine(minus(at(a), p), minus(at(b), p)) < -kDoubt;
   }
-  bool is_encroached(Index s, Index p) const {
-    return is_in_circle(s, at(p)) && !lines_.is_beside(mesh_, p, mesh_.segments()[s]);
+  bool is_encroached(Index s, Index t, std::size_t k) const {
+    const Index p = mesh_.triangles()[t].points[k];
+    return is_in_circle(s, at(p)) && !is_flat(t, k) && !lines_.is_beside(mesh_, p, mesh_.segments()[s]);
+  }
+  /// Is a triangle so flat over the side opposite to corner k that no points mend it? Then its corners are on
+  /// lines that are too near to each other.
+  bool is_flat(Index t, std::size_t k) const {
+    const double above = height(corners(t), k);
+    return above < shortest_ || (narrow_points_ == 0 && above <= narrow_);
+  }
+  /// Does a line have much shorter pieces across a flat triangle? Left as it is, a segment would have flat
+  /// triangles to all of them, as long as itself and all in one place: where thousands lie upon each other, each
+  /// pair has to be told apart. Pieces are not shorter than those across, so lines match each other and are done.
+  bool is_unmatched(Index s) const {
+    constexpr double kParts = 3;  // the larger part of a segment that is split is up to two thirds of it
+    for (const Index t : mesh_.segments()[s].fan) {
+      const auto& triangle = mesh_.triangles()[t];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (triangle.segments[k] != s || !is_in_circle(s, at(triangle.points[k])) || !is_flat(t, k)) continue;
+        for (const std::size_t side : {(k + 1) % 3, (k + 2) % 3}) {
+          const Index across = segment_beside(t, side, triangle.points[k]);
+          if (across != kNone && segment_length(s) > kParts * segment_length(across)) return true;
+        }
+      }
+    }
+    return false;
+  }
+  /// Of the neighbour across a side of t: the segment at corner p of both.
+  Index segment_beside(Index t, std::size_t side, Index p) const {
+    const Index next = mesh_.triangles()[t].next[side];
+    if (next == kNone) return kNone;
+    const auto& beyond = mesh_.triangles()[next];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (beyond.points[k] != p && beyond.next[k] != t) return beyond.segments[k];
+    }
+    return kNone;
   }
   /// Of the points that encroach on a segment.
   struct Encroached {
@@ -185,7 +220,7 @@ class Refiner {
     for (const Index t : mesh_.segments()[s].fan) {
       const auto& triangle = mesh_.triangles()[t];
       for (std::size_t k = 0; k < 3; ++k) {
-        if (triangle.segments[k] != s || !is_encroached(s, triangle.points[k])) continue;
+        if (triangle.segments[k] != s || !is_encroached(s, t, k)) continue;
         const double above = height(corners(t), k);
         const int rank_here = rank(triangle.points[k]);
         if (!result) result = {rank_here, above};
@@ -199,10 +234,8 @@ class Refiner {
     const Vector along = minus(p[(k + 2) % 3], p[(k + 1) % 3]), n = cross(along, minus(p[k], p[(k + 1) % 3]));
     return std::sqrt(dot(n, n) / dot(along, along));
   }
-  /// The shortest side of a triangle, or its least height where that says more than the digits of its corners.
-  double width(const std::array<Vector, 3>& p, double shortest) const {
-    const double least = std::min({height(p, 0), height(p, 1), height(p, 2)});
-    return least < digits_ ? shortest : least;
+  static double least_height(const std::array<Vector, 3>& p) {
+    return std::min({height(p, 0), height(p, 1), height(p, 2)});
   }
 
   /// False if it has to stay as it is. `rank`: of the new point.
@@ -237,7 +270,7 @@ class Refiner {
   }
   bool may_be_better(Index t, const std::array<Vector, 3>& p, std::size_t k) const {
     const auto& points = mesh_.triangles()[t].points;
-    return has_small_angle(p, k) && length(p[(k + 1) % 3], p[(k + 2) % 3]) > shortest_ &&
+    return has_small_angle(p, k) && least_height(p) > shortest_ &&
            !lines_.is_forced(mesh_, points[(k + 1) % 3], points[(k + 2) % 3]);
   }
 
@@ -247,12 +280,22 @@ class Refiner {
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     for (const Index t : changed) look_at(t);
   }
+  void look_at(Index s, Index p) {
+    if (!mesh_.segments()[s].fixed && is_in_circle(s, at(p))) segments_.push(s);
+  }
+  void look_across(Index t) {
+    const auto& triangle = mesh_.triangles()[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (triangle.segments[k] != kNone) look_at(triangle.segments[k], triangle.points[k]);
+    }
+  }
   void look_at(Index t) {
     const auto& triangle = mesh_.triangles()[t];
     if (mesh_.facets()[triangle.facet].fixed) return;
     for (std::size_t k = 0; k < 3; ++k) {
       const Index s = triangle.segments[k];
-      if (s != kNone && !mesh_.segments()[s].fixed && is_encroached(s, triangle.points[k])) segments_.push(s);
+      if (s != kNone) look_at(s, triangle.points[k]);
+      else if (is_flat(t, k)) look_across(triangle.next[k]);
     }
     const auto p = corners(t);
     const std::size_t k = sharpest(p);
@@ -287,7 +330,7 @@ class Refiner {
     if (!std::isfinite(c[0] + c[1] + c[2])) return;
     const auto points = mesh_.triangles()[t].points;
     const double shortest = length(p[(k + 1) % 3], p[(k + 2) % 3]);
-    if (!may_add(width(p, shortest), long_side)) return;
+    if (!may_add(least_height(p), long_side)) return;
     const int rank_here = small_angle ? std::max(rank(points[(k + 1) % 3]), rank(points[(k + 2) % 3])) : 0;
     const FacetMesh::Walk end = mesh_.walk(t, c);
     std::vector<Index> in_the_way;
@@ -300,21 +343,24 @@ class Refiner {
       for (const Index s : cavity.segments)
         if (is_in_circle(s, c)) in_the_way.push_back(s);
     }
+    // In a Delaunay triangulation there is more room, and segments in the way of a long side are longer. Where
+    // doubles keep a long side, which bars the way for ever, those that are in the way besides would be split to
+    // the last digit.
+    constexpr double kLeastOfLongest = 0.25;
+    const double longest = std::max({length(p[0], p[1]), length(p[1], p[2]), length(p[2], p[0])});
+    const double room = small_angle ? shortest : kLeastOfLongest * longest;
     if (!in_the_way.empty()) {
       bool any = false;
       for (const Index s : in_the_way) {
-        const bool shorter = small_angle && segment_length(s) / 2 < shortest;
+        const bool shorter = segment_length(s) / 2 < room;
+        if (shorter && !small_angle) continue;
         const int rank_there = rank_here + (shorter ? 1 : 0);
         if (rank_there <= kMostRank) any = split(s, rank_there) || any;
       }
       if (any && mesh_.triangles()[t].points == points) triangles_.push({shortest, numbered_++, t, points});
       return;
     }
-    // In a Delaunay triangulation there is more room; one that doubts of doubles made may have less.
-    constexpr double kLeastOfLongest = 0.25;
-    const double longest =
-        std::max({length(p[0], p[1]), length(p[1], p[2]), length(p[2], p[0])}) * kLeastOfLongest;
-    if (nearest < (small_angle ? shortest : longest)) return;
+    if (nearest < room) return;
     if (end.triangle == kNone || !mesh_.insert(end.triangle, c)) return;
     set_rank(Index(mesh_.points().size() - 1), rank_here);
     look_at_changed();
@@ -329,7 +375,7 @@ class Refiner {
     }
   }
   void require_size(Index a, Index b, bool fixed) const {
-    if (!is_too_long(a, b)) return;
+    if (!is_too_long(a, b) || (!is_full() && !is_longer(a, b, said_))) return;
     std::string text = "near (";
     append(text, at(a));
     text += ") the surface mesh is coarser than asked for, since ";
@@ -345,10 +391,9 @@ class Refiner {
   }
 
   /// Are points for it lacking that might be between doubles?
-  bool lacks_points(Index t, const std::array<Vector, 3>& p, std::size_t k) const {
+  bool lacks_points(Index t, const std::array<Vector, 3>& p) const {
     if (is_full()) return true;
-    return narrow_points_ == 0 && !mesh_.facets()[mesh_.triangles()[t].facet].fixed &&
-           length(p[(k + 1) % 3], p[(k + 2) % 3]) > shortest_;
+    return narrow_points_ == 0 && !mesh_.facets()[mesh_.triangles()[t].facet].fixed && least_height(p) > shortest_;
   }
 
   std::vector<SmallAngle> reasons() const {
@@ -360,8 +405,8 @@ class Refiner {
       result.push_back(!has_small_angle(p, k) ? SmallAngle::none
                        : lines_.across_small_angle(mesh_, points[(k + 1) % 3], points[(k + 2) % 3])
                            ? SmallAngle::input
-                       : lacks_points(t, p, k) ? SmallAngle::bound
-                                               : SmallAngle::digits);
+                       : lacks_points(t, p) ? SmallAngle::bound
+                                            : SmallAngle::digits);
     }
     return result;
   }
@@ -375,8 +420,8 @@ std::pair<double, std::size_t> smallest_angle(const std::array<Vector, 3>& p) {
   return {std::atan2(std::sqrt(dot(n, n)), dot(u, v)) * kLeastAngle / kRadians, k};
 }
 
-std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options) {
-  return Refiner(mesh, options).run();
+std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said) {
+  return Refiner(mesh, options, said).run();
 }
 
 }  // namespace cnrg

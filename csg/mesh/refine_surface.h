@@ -17,7 +17,9 @@
 //   * no chain of causes has more than kMostRank segments that are split, each for the sake of a triangle, into
 //     pieces that are shorter than the triangle's sides; for angles up to 26.4 degrees such chains are short in
 //     theory (miller2003);
-//   * where parts of the result nearly touch, points are rationed (kNarrow).
+//   * where parts of the result nearly touch, points are rationed (kNarrow); where they are nearer than digits, or
+//     no more are left, lines are only split as finely as what they nearly touch, so that triangles between them
+//     are short and do not lie upon each other by thousands.
 #pragma once
 
 #include <string>
@@ -39,9 +41,11 @@ constexpr double kLeastAngle = 25;  ///< degrees
 /// The smallest angle of a triangle, in degrees, and the corner that has it.
 std::pair<double, std::size_t> smallest_angle(const std::array<DoubleVector, 3>& corners);
 
-/// Refines until no triangle is below kLeastAngle that need not be; says of each triangle why it is. Throws
-/// InputError, with a place, where the size asked for needs more points or time than there may be, and where
-/// time is up; Stopped.
-std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options);
+/// Refines until no triangle is below kLeastAngle that need not be, and no side longer than `options.size`; says
+/// of each triangle why it is. Where doubles have no room for that, sides are as long as `said` at most: what
+/// people asked for, without what features ask for by themselves (mesh_sizes.h), which there are the cause. Throws
+/// InputError, with a place, where sizes need more points or time than there may be, and where time is up;
+/// Stopped.
+std::vector<SmallAngle> refine(FacetMesh& mesh, const SurfaceOptions& options, const SizeAt& said);
 
 }  // namespace cnrg

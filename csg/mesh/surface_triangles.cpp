@@ -67,14 +67,15 @@ struct Refined {
   std::size_t kept = 0;
 };
 
-Refined refined(const FlatComplex& flat, const RoundedPoints& rounded, const SurfaceOptions& options) {
+Refined refined(const FlatComplex& flat, const RoundedPoints& rounded, const SurfaceOptions& options,
+                const SizeAt& said) {
   constexpr int kRounds = 5;
   std::vector<char> fixed;
   for (int round = 0;; ++round) {
     FacetMesh mesh(flat, rounded.xyz, fixed);
     const bool all = round == kRounds;
     for (Index s = 0; all && s < mesh.segments().size(); ++s) mesh.fix(s);
-    std::vector<SmallAngle> why = refine(mesh, options);
+    std::vector<SmallAngle> why = refine(mesh, options, said);
     options.watch.begin("mesh: proof");
     const RoundedPoints points{mesh.points()};
     const Drawing drawing = drawing_of(flat, mesh);
@@ -138,8 +139,12 @@ class SurfaceMaker {
     options_.watch.begin("mesh: rounding");
     result_.rounding = report_rounding(rounded, drawing_of(flat_), options_.watch.stop);
     if (!result_.rounding.embedded) refuse_rounding("a surface mesh", "breaks the result");
-    if (!options_.size) take_sizes(rounded);
-    const Refined made = refined(flat_, rounded, options_);
+    SizeAt said = options_.size;
+    if (!said) {
+      said = sizes(rounded, true);
+      options_.size = sizes(rounded, false);
+    }
+    const Refined made = refined(flat_, rounded, options_, said);
     result_.kept = made.kept;
     result_.mesh = mesh_of_cells(view_, flat_, false);
     take_simplices(made.mesh);
@@ -161,12 +166,12 @@ class SurfaceMaker {
   std::vector<char> merged_;  // of each triangle, where there are quads
   Mesh& mesh() { return result_.mesh; }
 
-  /// As of tetrahedra: where sizes are the aim, sides are longer and shorter ones.
-  void take_sizes(const RoundedPoints& rounded) {
+  /// As of tetrahedra: where sizes are the aim, sides are longer and shorter ones. `said`: without features.
+  SizeAt sizes(const RoundedPoints& rounded, bool said) const {
     constexpr double kLongest = 1.4;
-    const MeshSizes sizes = mesh_sizes(view_, flat_, rounded, {options_.overall, options_.growth});
-    if (sizes.empty()) return;
-    options_.size = [field = sizes.field](const Vector& p) { return kLongest * field.at(p); };
+    const MeshSizes sizes = mesh_sizes(view_, flat_, rounded, {options_.overall, options_.growth, false, said});
+    if (sizes.empty()) return {};
+    return [field = sizes.field](const Vector& p) { return kLongest * field.at(p); };
   }
 
   void take_simplices(const FacetMesh& made) {
@@ -262,8 +267,9 @@ SurfaceTriangles surface_triangles(const ResultView& view, const SurfaceOptions&
   return deadline.run([&] { return SurfaceMaker(view, bound).run(); });
 }
 
-Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const SurfaceOptions& options) {
-  const Refined made = refined(flat, points, options);
+Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const SurfaceOptions& options,
+                const SizeAt& said) {
+  const Refined made = refined(flat, points, options, said ? said : options.size);
   Plc plc;
   plc.points = made.mesh.points();
   for (const auto& t : made.mesh.triangles()) {

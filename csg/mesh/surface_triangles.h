@@ -30,7 +30,9 @@ struct SurfaceTriangles {
 SurfaceTriangles surface_triangles(const ResultView& view, const SurfaceOptions& options = {});
 
 /// The same triangles and segments as the facets and segments of a complex to fill, without seeds. The points of
-/// the result keep their numbers. `points`: of a rounding that is faithful.
-Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const SurfaceOptions& options = {});
+/// the result keep their numbers. `points`: of a rounding that is faithful. `said`: as of `refine`; `options.size`
+/// where it is empty.
+Plc refined_plc(const FlatComplex& flat, const RoundedPoints& points, const SurfaceOptions& options = {},
+                const SizeAt& said = {});
 
 }  // namespace cnrg

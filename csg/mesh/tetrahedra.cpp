@@ -73,7 +73,7 @@ class TetrahedraMaker {
     const RoundedResult rounded(view_, flat_, "a mesh of tetrahedra", watch_.stop);
     ask_for_sizes(rounded);
     const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
-    of_tetgen_ = !options_.constrained && refused.empty();
+    of_tetgen_ = !options_.constrained && refused.empty() && !thin_;
     if (options_.constrained || !refused.empty()) {
       if (keeps_boundary()) throw InputError(refused);      // constrained tetrahedra need points on it
       if (!refused.empty()) foretell(rounded, Maker::own);  // once more: it makes others than TetGen
@@ -85,6 +85,12 @@ class TetrahedraMaker {
       if (!refused.empty()) {  // without its advice
         result_.notice = refused.substr(0, refused.find(';')) + "; these are constrained tetrahedra, improved";
       }
+    }
+    if (thin_) {
+      to_sizes_ = true;
+      result_.notice =
+          "some regions are thinner than the triangles around them are wide; as these are kept, tetrahedra there "
+          "are as flat as they have to be";
     }
     improve_shapes();
     result_.rounding = rounded.report();
@@ -125,7 +131,8 @@ class TetrahedraMaker {
   std::optional<RegionLocator> regions_;
   TooLarge too_large_;  // where sizes are asked for
   double expected_ = 0;
-  bool of_tetgen_ = false;  // it has made the mesh
+  bool thin_ = false;       // TetGen fills the regions and no more, since it would not end
+  bool of_tetgen_ = false;  // it has made the mesh, to all bounds
   bool to_sizes_ = false;   // the improver makes them
   double afterwards_ = 0;   // seconds that are kept for what follows the improver, for each tetrahedron
 
@@ -140,7 +147,16 @@ class TetrahedraMaker {
     too_large_ = [this, least = sizes_.least_in_regions()](const std::array<Vector, 4>& corners) {
       return is_too_large(corners, least);
     };
-    foretell(rounded, options_.constrained ? Maker::own : Maker::tetgen);
+    thin_ = is_thin(rounded.points());
+    if (!thin_) foretell(rounded, options_.constrained ? Maker::own : Maker::tetgen);
+  }
+
+  /// Are there regions in which TetGen would need far more tetrahedra than we do? It refines until no edge is much
+  /// longer than the region is thick, and where triangles on the boundary are, and have to stay, without an end.
+  bool is_thin(const RoundedPoints& points) const {
+    constexpr double kFar = 3;
+    if (!options_.surface_first || options_.quality > 0 || options_.max_volume > 0) return false;
+    return forecast(points, Maker::tetgen).tetrahedra > kFar * forecast(points, Maker::own).tetrahedra;
   }
 
   void foretell(const RoundedResult& rounded, Maker maker) {
@@ -213,6 +229,7 @@ class TetrahedraMaker {
   }
 
   bool keeps_boundary() const { return options_.keep_boundary || options_.surface_first; }
+  bool refines() const { return sized() && !thin_; }
   bool bounded() const { return options_.quality > 0 || options_.max_volume > 0 || sized(); }
 
   /// For one way to ask it. There are models on which it never ends. Where only a mesh is wanted it takes a second
@@ -220,7 +237,7 @@ class TetrahedraMaker {
   TetgenTime time_of_tetgen() const {
     const int part = options_.seconds ? 0 : TetrahedraOptions::kPartSeconds;
     const double clock = deadline_.seconds_left() / 3;  // so nearly a third is left after all ways to ask it
-    if (bounded() || keeps_boundary()) return {part, clock};
+    if (!thin_ && (bounded() || keeps_boundary())) return {part, clock};
     const int enough = 5 + int(plc_.points.size() / 1000);
     return {part == 0 ? enough : std::min(part, enough), clock};
   }
@@ -230,8 +247,12 @@ class TetrahedraMaker {
     SurfaceOptions asked;
     if (options_.seconds) asked.seconds = 0;  // the watch knows
     asked.watch = watch_;
-    if (!sizes_.empty()) asked.size = [&](const Vector& p) { return kLongest * sizes_.field.at(p); };
-    return refined_plc(flat_, rounded.points(), asked);
+    if (sizes_.empty()) return refined_plc(flat_, rounded.points(), asked);
+    asked.size = [&](const Vector& p) { return kLongest * sizes_.field.at(p); };
+    const MeshSizes said =
+        mesh_sizes(view_, flat_, rounded.points(), {options_.size, options_.growth, false, true});
+    return refined_plc(flat_, rounded.points(), asked,
+                       [&](const Vector& p) { return kLongest * said.field.at(p); });
   }
 
   /// Empty once there is a mesh; else why there is none.
@@ -245,8 +266,8 @@ class TetrahedraMaker {
         plc_.max_volume = options_.max_volume;
         set_seeds(plc_, rounded);
         watch_.begin("mesh: TetGen");
-        out_ = run_tetgen(plc_, switches_of(options_, sized()), attempt.frame, time_of_tetgen(), too_large_,
-                          watch_.stop);
+        out_ = run_tetgen(plc_, switches_of(options_, refines()), attempt.frame, time_of_tetgen(),
+                          refines() ? too_large_ : TooLarge(), watch_.stop);
         take(watch_);
         return {};
       } catch (const InputError& e) {
@@ -271,7 +292,7 @@ class TetrahedraMaker {
       asked.radius_edge = options_.quality;
       asked.volume = options_.max_volume;
     }
-    asked.points = bounded() ? kPointsForBounds : kPoints + kPointsEach * out_.points.size();
+    asked.points = bounded() && !thin_ ? kPointsForBounds : kPoints + kPointsEach * out_.points.size();
     asked.seconds = deadline_.bounded() ? std::max(1e-3, deadline_.seconds_left())
                     : options_.seconds  ? 0
                                         : TetrahedraOptions::kPartSeconds;

@@ -30,6 +30,9 @@ void ContactList::append(const ContactList& other) {
 
 namespace {
 
+/// Pairs between two looks at the clock.
+constexpr std::uint64_t kUnchecked = 1024;
+
 /// All that can be in contact, in one numbering: faces, then wires, then isolated points.
 class Elements {
  public:
@@ -162,7 +165,7 @@ ContactList find_contacts(const RefineInput& in, const Watch& watch) {
     PairTester& tester = testers.local();
     std::uint64_t candidates = 0;
     pairs.find(part, [&](std::uint32_t x, std::uint32_t y) {
-      ++candidates;
+      if (++candidates % kUnchecked == 0) watch.check();
       if (!glances[x].neighbours(glances[y])) elements.test(glances[x].element, glances[y].element, tester);
     });
     tester.list.candidates += candidates;

@@ -279,67 +279,70 @@ class Improver {
     }
   }
 
-  void to_shape() {
-    std::size_t added = 0;
-    std::vector<Index> worst;
-    set_halvings();
-    ConformingTetrahedra best;
-    double least = kInfinite, saved = kInfinite;  // parts that are bad, of `best` and before
-    std::size_t size = 0;                         // of `best`
-    int patience = kPatience;
-    for (int round = 0; round < kShapeRounds && !over(); ++round) {
-      std::size_t done = 0;
-      worst.clear();
-      std::size_t bad = 0, all = 0;
-      for (Index t = 0; t < mesh_.size(); ++t) {
-        if (!mesh_.alive(t)) continue;
-        ++all;
-        if (!is_bad(t)) continue;
-        ++bad;
-        if (!is_forced(t)) worst.push_back(t);
-      }
-      const double part = static_cast<double>(bad) / static_cast<double>(all);
-      if (worst.empty()) {
-        saved = part;
-        break;
-      }
-      patience = part < least ? kPatience : patience - 1;
-      least = std::min(least, part);
-      if (part < kSaved * saved) {
-        best = mesh_.mesh();
-        saved = part;
-        size = all;
-      }
-      if (patience == 0 || (options_.volume == 0 && all > kMostGrowth * std::max(size, kFew))) break;
-      for (const Index t : worst) {
-        if (over() || added >= options_.points) break;
-        if (!mesh_.alive(t) || !is_bad(t) || is_forced(t)) continue;
-        const auto [a, b] = longest_edge(t);
-        const auto corners = mesh_.at(t).corners;
-        double shortest = kInfinite;
-        for (const auto& [i, j] : kEdges)
-          shortest = std::min(shortest, moves_.squared(corners[std::size_t(i)], corners[std::size_t(j)]));
-        const int left = std::min(halvings_[a], halvings_[b]);
-        if (!is_large(t) && (left == 0 || moves_.squared(a, b) < shortest * square(kStretched))) continue;
-        const Index v = moves_.split(a, b);
-        halvings_.resize(mesh_.point_count(), std::max(left - 1, 0));
-        if (v == Stars::kNoTetrahedron) continue;
-        ++done, ++added;
-      }
-      if (done == 0) break;
-      sweep(cube(kRough * options_.good));
-    }
-    if (part_of_bad() > saved) mesh_ = Stars(best);
-  }
-
-  double part_of_bad() const {
-    std::size_t bad = 0, all = 0;
+  struct Census {
+    std::size_t all = 0;       // tetrahedra
+    double bad = 0;            // the part of them that is
+    std::vector<Index> worst;  // those of the bad ones that smaller ones may mend
+  };
+  Census census() const {
+    Census now;
+    std::size_t bad = 0;
     for (Index t = 0; t < mesh_.size(); ++t) {
       if (!mesh_.alive(t)) continue;
-      ++all;
-      if (is_bad(t)) ++bad;
+      ++now.all;
+      if (!is_bad(t)) continue;
+      ++bad;
+      if (!is_forced(t)) now.worst.push_back(t);
     }
-    return static_cast<double>(bad) / static_cast<double>(all);
+    now.bad = static_cast<double>(bad) / static_cast<double>(now.all);
+    return now;
+  }
+
+  void to_shape() {
+    std::size_t left = options_.points;
+    set_halvings();
+    ConformingTetrahedra best;
+    double least = kInfinite, saved = kInfinite;  // parts that are bad, of all rounds and of `best`
+    std::size_t size = 0;                         // of `best`
+    int patience = kPatience;
+    for (int round = 0;; ++round) {
+      const Census now = census();
+      if (now.worst.empty()) return;
+      patience = now.bad < least ? kPatience : patience - 1;
+      least = std::min(least, now.bad);
+      if (now.bad < kSaved * saved) {
+        best = mesh_.mesh();
+        saved = now.bad;
+        size = now.all;
+      }
+      const bool in_vain = patience == 0 || (options_.volume == 0 && now.all > kMostGrowth * std::max(size, kFew));
+      if (round == kShapeRounds || in_vain || over() || !halve(now.worst, left)) {
+        if (now.bad > saved) mesh_ = Stars(best);
+        return;
+      }
+      sweep(cube(kRough * options_.good));
+    }
+  }
+
+  /// Halves the longest edge of each, with so many points at most that are left. False if it halves none.
+  bool halve(const std::vector<Index>& worst, std::size_t& left) {
+    bool any = false;
+    for (const Index t : worst) {
+      if (over() || left == 0) break;
+      if (!mesh_.alive(t) || !is_bad(t) || is_forced(t)) continue;
+      const auto [a, b] = longest_edge(t);
+      const auto corners = mesh_.at(t).corners;
+      double shortest = kInfinite;
+      for (const auto& [i, j] : kEdges)
+        shortest = std::min(shortest, moves_.squared(corners[std::size_t(i)], corners[std::size_t(j)]));
+      const int halvings = std::min(halvings_[a], halvings_[b]);
+      if (!is_large(t) && (halvings == 0 || moves_.squared(a, b) < shortest * square(kStretched))) continue;
+      const Index v = moves_.split(a, b);
+      halvings_.resize(mesh_.point_count(), std::max(halvings - 1, 0));
+      if (v == Stars::kNoTetrahedron) continue;
+      any = true, --left;
+    }
+    return any;
   }
 };
 

@@ -172,6 +172,32 @@ TEST_CASE("surface first: the boundary of tetrahedra is the surface mesh", "[mes
   CHECK_THROWS_WITH(tetrahedra(c.view(), both), Catch::Contains("neither that of --keep-boundary"));
 }
 
+TEST_CASE("surface first: plates that are thinner than their triangles are wide", "[mesh][surface][tetrahedra]") {
+  // TetGen, asked for sizes, would refine without an end between triangles that stay.
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {4, 4, Rational(1, 100)});
+  for (const Rational& lean : {Rational(1, 50), Rational(-1, 100)})
+    add_sheet(soup, {{2 + lean, -1, -1}, {2 - lean, 5, -1}, {2 - lean, 5, 1}, {2 + lean, -1, 1}});
+  Case c(soup);
+  c.show(boolean_operation(
+             *c.complex, BooleanOp::intersect, Dominance::equal, c.leaves[0],
+             boolean_operation(
+                 *c.complex, BooleanOp::unite, Dominance::equal,
+                 boolean_operation(*c.complex, BooleanOp::unite, Dominance::equal, c.leaves[0], c.leaves[1]).group,
+                 c.leaves[2])
+                 .group)
+             .group);
+  TetrahedraOptions options;
+  options.surface_first = true;
+  options.size = 1;
+  const TetrahedralMesh made = tetrahedra(c.view(), options);
+  CHECK_THAT(made.notice, Catch::Contains("thinner than the triangles around them are wide"));
+  Rational volume = 0;
+  for (const RegionTetrahedra& region : made.regions) volume += region.volume;
+  CHECK(to_double(volume) == Approx(0.16).epsilon(1e-12));
+  CHECK(made.mesh.tetrahedra.size() < 5 * made.mesh.triangles.size());
+}
+
 TEST_CASE("surface: very many triangles have the area of their faces", "[mesh][surface]") {
   Soup soup;
   add_sheet(soup, {{0, 0, 2}, {6, 0, 2}, {6, 4, 2}, {0, 4, 2}});

@@ -341,6 +341,51 @@ TEST_CASE("surface: a gap that nearly closes leaves points for the rest", "[mesh
   CHECK(told == near);
 }
 
+TEST_CASE("surface: lines that are nearer than digits match each other", "[mesh][surface]") {
+  // Short lines make points on the first of two lines that meet in an angle of 1e-12; the second one was the side
+  // of thousands of triangles to these, all of them upon each other.
+  for (const int count : {1, 20}) {
+    Soup soup;
+    const Rational half(1, 2), micron(1, 1'000'000);
+    add_sheet(soup, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+    add_wire(soup, {0, half, 0}, {1, half, 0});
+    add_wire(soup, {0, half, 0}, {1, half + Rational(1, Integer("1000000000000")), 0});
+    for (int i = 0; i < count; ++i) {
+      const Rational x(2 * i + 1, 2 * count);
+      add_wire(soup, {x, half - micron, 0}, {x, half - 2 * micron, 0});
+    }
+    Case c(soup);
+    c.show(c.unite(Dominance::equal));
+    const Mesh mesh = surface_triangles(c.view()).mesh;
+    CHECK(mesh.triangles.size() < std::size_t(400 * count + 200));
+    std::map<Index, std::size_t> triangles;
+    for (const auto& t : mesh.triangles)
+      for (const Index p : t.points) ++triangles[p];
+    for (const auto& [point, degree] : triangles) CHECK(degree < 40);
+  }
+}
+
+TEST_CASE("surface: features of the result ask nothing of facets without room for points", "[mesh][surface]") {
+  // The second sheet leaves a strip of the first one that is as wide as some last digits, and asks for short
+  // sides.
+  const Rational thin(1, Integer("18014398509481984"));
+  const auto scene = [&] {
+    Soup soup;
+    add_sheet(soup, {{3, 0, 0}, {5, 0, 1}, {5, 7, 1}, {3, 7, 0}});
+    add_wire(soup, {Rational(11, 3), 0, Rational(1, 3)}, {Rational(11, 3), 7, Rational(1, 3)});
+    add_wire(soup, {Rational(11, 3) + 2 * thin, 0, Rational(1, 3) + thin}, {Rational(11, 3), 7, Rational(1, 3)});
+    Case c(soup);
+    c.show(c.unite(Dominance::equal));
+    return c;
+  };
+  const Case c = scene();
+  SurfaceOptions asked;
+  asked.overall = 8;
+  CHECK(surface_triangles(c.view(), asked).groups.size() == 1);
+  asked.overall = 0.5;
+  CHECK_THROWS_WITH(surface_triangles(c.view(), asked), Catch::Contains("coarser than asked for"));
+}
+
 TEST_CASE("surface: what doubles would make cross keeps its triangles", "[mesh][surface]") {
   // Two oblique sheets that meet in a side, in an angle of some last digits, each with a short side near it, which
   // takes points inside of the sheet: points that are rounded into one of them cross the other.
