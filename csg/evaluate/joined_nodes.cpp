@@ -9,6 +9,7 @@
 #include "csg/result/result_data.h"
 #include "csg/result/result_json.h"
 #include "csg/tree/dag.h"
+#include "kernel/base/part_watch.h"
 
 namespace cnrg {
 namespace {
@@ -23,13 +24,7 @@ EvaluateOptions options_below(const EvaluateOptions& options) {
   below.rows = options.rows == Rows::all ? Rows::all : Rows::none;
   below.region_volumes = options.region_volumes;
   below.refining = options.refining;
-  below.watch.stop = options.watch.stop;
-  if (options.watch.progress) {
-    below.watch.progress = [told = options.watch.progress](std::string_view stage, std::size_t done,
-                                                           std::size_t total) {
-      told("join: " + std::string(stage), done, total);
-    };
-  }
+  below.watch = part_of(options.watch, "join");
   return below;
 }
 
@@ -77,9 +72,8 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
   const Node& node = tree.nodes[id];
   Evaluation evaluation = evaluate(tree.operands(id).front(), options, leaves_);
   JoinedNode joined{id, {}, std::move(evaluation.rows)};
-  options.watch.begin("near features");
   try {
-    Result result = join(evaluation.result(), *node.within, &joined.report);
+    Result result = join(evaluation.result(), *node.within, &joined.report, options.watch);
     if (joined.report.rounds > 0) result = settled(result);
     leaves_[id] = prepare_result(result_json(result.data().view(true)), "`" + node.name + "`");
   } catch (const TreeError&) {

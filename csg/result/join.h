@@ -49,8 +49,8 @@ struct JoinReport {
   /// (1, 2, 3): 1e-05 apart`. Numbers are those of the result that was given, so there are none after the first
   /// round.
   std::vector<std::string> merged;
-  /// Regions of which nothing is left, by name, or else by their leaves, and a place; and those of which pieces
-  /// have vanished: `rock (2 pieces), at (1, 2, 3)`.
+  /// The regions that vanished, a line for each component: `dust, r2, at (1, 2, 3)`, and those of which pieces
+  /// have: `rock (2 pieces), at (1, 2, 3)` (csg/result/vanished.h).
   std::vector<std::string> lost_regions;
   std::size_t lost_faces = 0, lost_wires = 0;
   std::size_t regions_before = 0, regions_after = 0;  ///< active ones, in one piece each
@@ -64,7 +64,8 @@ struct JoinReport {
 
 /// `within`: the distance d (units), positive. Throws InputError if it is not, if it is not smaller than the
 /// result itself, if a face or line of the result reaches the frame of unbounded leaves, and if nothing would be
-/// left. What the result knew of true surfaces (parameters) is gone where anything was joined.
-Result join(const Result& result, const Rational& within, JoinReport* report = nullptr);
+/// left; Stopped, as the watch asks. What the result knew of true surfaces (parameters) is gone where anything was
+/// joined. Components of which nothing is left are gone; the others keep their order.
+Result join(const Result& result, const Rational& within, JoinReport* report = nullptr, const Watch& watch = {});
 
 }  // namespace cnrg

@@ -129,14 +129,16 @@ class NearSearch {
     off_ = 2 * width + 8 * kUlp * size;
   }
 
-  std::vector<NearPair> run(Near kind) {
+  std::vector<NearPair> run(Near kind, const Watch& watch) {
     const std::size_t n = kind == Near::segments ? parts_.segments_.size() : parts_.points_.size();
+    Steps steps(watch, "near features", n);
     const BoxTree tree(boxes(kind));
     std::vector<std::vector<NearPair>> found(n);
     std::atomic<std::size_t> count = 0;
     for_each_index(
         n,
         [&](std::size_t i) {
+          steps.step();
           if (count.load(std::memory_order_relaxed) > kMostPairs) return;
           const Index a = Index(i);
           const Box own = kind == Near::segments ? around(parts_.segments_[a].ends) : around(std::array{a});
@@ -298,8 +300,9 @@ class NearSearch {
   }
 };
 
-std::vector<NearPair> near_pairs(const Parts& parts, Near kind, const Rational& within, Ends ends) {
-  return NearSearch(parts, within, ends).run(kind);
+std::vector<NearPair> near_pairs(const Parts& parts, Near kind, const Rational& within, Ends ends,
+                                 const Watch& watch) {
+  return NearSearch(parts, within, ends).run(kind, watch);
 }
 
 std::vector<NearPair> nearest_pairs(const Parts& parts, Near kind, std::size_t count, Ends ends) {

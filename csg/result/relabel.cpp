@@ -57,16 +57,24 @@ class Labeller {
   }
 
   /// False if moving changed nothing but digits.
-  bool run() {
+  bool run(const Watch& watch) {
     find_sides();
+    watch.check();
     name_regions();
+    watch.check();
     if (moved_.plain && is_faithful()) return false;
     decide_faces();
+    watch.check();
     decide_edges();
+    watch.check();
     decide_vertices();
+    watch.check();
     list_regions();
+    watch.check();
     take_covers();
+    watch.check();
     take_curves();
+    watch.check();
     sources_.leaf_count = exact_.leaf_count + 1;
     value_.attributes = exact_value_.attributes;
     return true;
@@ -541,17 +549,20 @@ ResultView Relabelled::shown(ResultView view) const {
   return view;
 }
 
-std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& flat, MovedDrawing drawing,
-                                  bool raw) {
+std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& flat, MovedDrawing drawing, bool raw,
+                                  const Watch& watch) {
   Labeller labeller(view, flat, std::move(drawing));
-  if (!labeller.run()) return {};
+  watch.check();
+  if (!labeller.run(watch)) return {};
   Relabelled out;
   labeller.tell(out);
+  watch.check();
   out.value = NodeValue(labeller.value());
   out.of_group = view.value->is_group() || view.of_group;
   out.region_sizes = labeller.sizes(region_sizes(view, flat));
   const Features kept = labeller.kept();
   out.complex = labeller.complex();
+  watch.check();
   const FromAllLeaves sources(*out.complex, out.value.components());
   out.simplified = simplify(*out.complex, out.value.components().selection, kept,
                             raw ? SimplifyMode::raw : SimplifyMode::features, &sources);

@@ -15,6 +15,7 @@
 #include "kernel/selection/measure.h"
 #include "tests/result/near_scenes.h"
 #include "tests/result/region_volumes.h"
+#include "tests/result/stops.h"
 #include "tests/scenes/seeds.h"
 
 using namespace cnrg;
@@ -298,6 +299,21 @@ TEST_CASE("join: what is far stays the same object", "[join]") {
   CHECK(report.text(Rational(1, 1000)) == "nothing is nearer than 0.001 that does not touch; nothing was joined");
   // Not at most, but less.
   CHECK(&join(before, Rational(1) - kSlight).complex() == &before.complex());
+}
+
+TEST_CASE("join: stopped at each stage", "[join]") {
+  const Rational thin(1, 100000);
+  Soup soup;
+  add_wire(soup, {2, 2, 1}, {2, 2, 2 - thin});
+  add_sheet(soup, {{0, 0, 2}, {4, 0, 2}, {4, 4, 2}, {0, 4, 2}});
+  add_box(soup, {0, 0, 0}, {4, 4, 4});
+  add_box(soup, {0, 0, 4 + thin}, {4, 4, 5});
+  Case c(soup);
+  c.show(c.unite(Dominance::left));
+  const Result before = result_of(c);
+  check_stops([&](const Watch& watch) { join(before, Rational(1, 1000), nullptr, watch); },
+              {"join, round 1: near features", "join, round 1: move", "join, round 1: refine: contacts",
+               "join, round 2: near features"});
 }
 
 TEST_CASE("join: distances that are none", "[join]") {
