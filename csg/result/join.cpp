@@ -412,7 +412,8 @@ class Joiner {
     watch.check();
     FlatComplex flat = flatten(next.view());
     watch.check();
-    if (flat.points.size() > most_points_) {  // what moves crosses more than it joins
+    most_points_ += plan.moves.joints.size();  // of two surfaces in one place the edges cross in as many
+    if (flat.points.size() > most_points_) {   // what moves crosses more than it joins
       give_up(parts);
       return false;
     }

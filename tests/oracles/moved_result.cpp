@@ -301,7 +301,9 @@ class Moved {
       if (const auto at = line.find(" pieces)");
           at != std::string::npos && line.find(" (all ") == std::string::npos)
         continue;
-      told.insert(line.substr(0, std::min({line.find(", r"), line.find(", at "), line.find(" (all ")})));
+      const bool named = !line.starts_with("a region of ");  // else its leaves are told
+      const auto end = std::min({line.find(", r"), line.find(", at "), line.find(" (all ")});
+      told.insert(named ? line.substr(0, end) : std::string());
     }
     if (told == gone) return {};
     std::string text = "vanished:";
