@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "csg/leaves/prepare_shapes.h"
-#include "csg/operators/node_value.h"
 #include "csg/result/result_data.h"
 #include "csg/result/result_json.h"
 #include "csg/tree/dag.h"
@@ -26,18 +25,6 @@ EvaluateOptions options_below(const EvaluateOptions& options) {
   below.refining = options.refining;
   below.watch = part_of(options.watch, "join");
   return below;
-}
-
-/// A group that was joined is a group again: `join` leaves components.
-Result settled(const Result& joined) {
-  const auto data = std::make_shared<Result::Data>(joined.data());
-  const Components& x = data->value->components();
-  data->value = std::make_shared<const NodeValue>(
-      data->of_group ? NodeValue(*data->complex, group_of(*data->complex, x)) : NodeValue(x));
-  data->simplified = SimplifiedValue(data->complex, data->value).share();
-  data->of_group = false;
-  data->region_sizes = nullptr;
-  return Result(data);
 }
 
 std::vector<Diagnostic> diagnostics_of(const Tree& tree, const Node& node, const JoinReport& report) {
@@ -73,8 +60,7 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
   Evaluation evaluation = evaluate(tree.operands(id).front(), options, leaves_);
   JoinedNode joined{id, {}, std::move(evaluation.rows)};
   try {
-    Result result = join(evaluation.result(), *node.within, &joined.report, options.watch);
-    if (joined.report.rounds > 0) result = settled(result);
+    const Result result = join(evaluation.result(), *node.within, &joined.report, options.watch);
     leaves_[id] = prepare_result(result_json(result.data().view(true)), "`" + node.name + "`");
   } catch (const TreeError&) {
     throw;

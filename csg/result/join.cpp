@@ -453,7 +453,7 @@ Result join(const Result& result, const Rational& within, JoinReport* report, co
     if (best.remaining == 0 || work > kMostWork) break;
   }
   if (report != nullptr) *report = best;
-  return best.rounds > 0 ? Result(without_vanished(data)) : result;
+  return best.rounds > 0 ? Result(settled(*data)) : result;
 }
 
 std::string JoinReport::text(const Rational& within) const {

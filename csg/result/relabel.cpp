@@ -490,7 +490,8 @@ class Labeller {
   }
 };
 
-/// What is said of cells tells them apart; where they came from does not, since all edges of the result are kept.
+/// What is said of cells tells them apart; where they came from does not: all are of the result, which is one of
+/// the leaves, with its faces as patches.
 class FromAllLeaves : public ComponentSources {
  public:
   FromAllLeaves(const Complex& complex, const Components& x) : ComponentSources(complex, x) {
@@ -549,6 +550,12 @@ ResultView Relabelled::shown(ResultView view) const {
   return view;
 }
 
+SimplifiedComplex simplify_relabelled(const Complex& complex, const Components& components,
+                                      const Features& features, SimplifyMode mode) {
+  const FromAllLeaves sources(complex, components);
+  return simplify(complex, components.selection, features, mode, &sources);
+}
+
 std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& flat, MovedDrawing drawing, bool raw,
                                   const Watch& watch) {
   Labeller labeller(view, flat, std::move(drawing));
@@ -563,9 +570,8 @@ std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& fla
   const Features kept = labeller.kept();
   out.complex = labeller.complex();
   watch.check();
-  const FromAllLeaves sources(*out.complex, out.value.components());
-  out.simplified = simplify(*out.complex, out.value.components().selection, kept,
-                            raw ? SimplifyMode::raw : SimplifyMode::features, &sources);
+  out.simplified = simplify_relabelled(*out.complex, out.value.components(), kept,
+                                       raw ? SimplifyMode::raw : SimplifyMode::features);
   return out;
 }
 

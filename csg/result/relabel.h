@@ -50,6 +50,10 @@ NumberedDrawing drawing_of_cells(const FlatComplex& flat);
 std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& flat, MovedDrawing drawing, bool raw,
                                   const Watch& watch = {});
 
+/// The cells of components of a complex that `relabel` made: facets of one face are one. `features` stay.
+SimplifiedComplex simplify_relabelled(const Complex& complex, const Components& components,
+                                      const Features& features, SimplifyMode mode);
+
 /// Throws InputError if a face or line reaches the frame of unbounded leaves: `why` it must not, as the beginning
 /// of the message.
 void require_bounds(const FlatComplex& flat, const char* why, const char* otherwise);

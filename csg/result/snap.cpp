@@ -47,15 +47,14 @@ Result snap(const Result& result, SnapReport* report, const Watch& watch) {
   const auto snapped = std::make_shared<const SnappedResult>(result.data().view(), result.data().raw, watch);
   if (report != nullptr) *report = snapped->report();
   if (snapped->report().rounds == 0) return result;
-  auto data = std::make_shared<Result::Data>(result.data());
-  const ResultView shown = snapped->shown(data->view());
-  data->complex = std::shared_ptr<const Complex>(snapped, shown.complex);  // all live as long as `snapped`
-  data->value = std::shared_ptr<const NodeValue>(snapped, shown.value);
-  data->simplified = std::shared_ptr<const SimplifiedComplex>(snapped, shown.simplified);
-  data->parameters = nullptr;  // they are of points of the exact complex
-  data->of_group = shown.of_group;
-  data->region_sizes = std::shared_ptr<const std::vector<double>>(snapped, shown.region_sizes);
-  return Result(without_vanished(std::move(data)));
+  Result::Data data = result.data();
+  const ResultView shown = snapped->shown(data.view());
+  data.complex = std::shared_ptr<const Complex>(snapped, shown.complex);  // all live as long as `snapped`
+  data.value = std::shared_ptr<const NodeValue>(snapped, shown.value);
+  data.parameters = nullptr;  // they are of points of the exact complex
+  data.of_group = shown.of_group;
+  data.region_sizes = std::shared_ptr<const std::vector<double>>(snapped, shown.region_sizes);
+  return Result(settled(std::move(data)));
 }
 
 std::string SnapReport::text() const {

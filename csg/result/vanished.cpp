@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "csg/result/part_text.h"
+#include "csg/result/relabel.h"
 #include "csg/result/result_data.h"
 #include "csg/text/escape.h"
 #include "csg/text/table.h"
+#include "kernel/selection/canonical.h"
 
 namespace cnrg {
 namespace {
@@ -89,10 +91,9 @@ std::vector<std::string> vanished_warnings(const std::vector<std::string>& lines
   return out;
 }
 
-std::shared_ptr<const Result::Data> without_vanished(std::shared_ptr<const Result::Data> data) {
-  Components x = data->value->components();
+std::shared_ptr<const Result::Data> settled(Result::Data data) {
+  Components x = data.value->components();
   const std::vector<Component> number = numbers_of_left(x);
-  if (std::find(number.begin() + 1, number.end(), 0) == number.end()) return data;
   std::vector<ComponentAttributes> attributes;
   for (Component c = 1; c < number.size(); ++c) {
     if (number[c] != 0) attributes.push_back(std::move(x.attributes[c - 1]));
@@ -103,16 +104,17 @@ std::shared_ptr<const Result::Data> without_vanished(std::shared_ptr<const Resul
   };
   renumber(x.selection.regions), renumber(x.selection.faces);
   renumber(x.selection.edges), renumber(x.selection.vertices);
-  SimplifiedComplex cells = *data->simplified;
-  const auto renumber_cells = [&](auto& list) {
-    for (auto& cell : list) cell.component = number[cell.component];
-  };
-  renumber_cells(cells.vertices), renumber_cells(cells.edges);
-  renumber_cells(cells.faces), renumber_cells(cells.regions);
-  const auto out = std::make_shared<Result::Data>(*data);
-  out->value = std::make_shared<const NodeValue>(std::move(x));
-  out->simplified = std::make_shared<const SimplifiedComplex>(std::move(cells));
-  return out;
+  const Complex& complex = *data.complex;
+  data.value = std::make_shared<const NodeValue>(data.of_group ? NodeValue(complex, group_of(complex, x))
+                                                               : NodeValue(std::move(x)));
+  data.of_group = false;
+  const Components parts =
+      data.value->is_group() ? components_of(complex, data.value->group()) : data.value->components();
+  SimplifiedComplex cells = simplify_relabelled(complex, parts, data.value->features(),
+                                                data.raw ? SimplifyMode::raw : SimplifyMode::features);
+  put_in_order(complex, cells);
+  data.simplified = std::make_shared<const SimplifiedComplex>(std::move(cells));
+  return std::make_shared<const Result::Data>(std::move(data));
 }
 
 }  // namespace cnrg

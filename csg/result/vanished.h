@@ -43,7 +43,9 @@ std::string vanished_text(std::size_t faces, std::size_t wires, std::size_t regi
 /// and has vanished`.
 std::vector<std::string> vanished_warnings(const std::vector<std::string>& lines, const std::string& distance);
 
-/// The same without components of which nothing is left, since files list no others; these keep their order.
-std::shared_ptr<const Result::Data> without_vanished(std::shared_ptr<const Result::Data> data);
+/// A result that has been moved (Relabelled) as any other: without components of which nothing is left, since
+/// files list no others; these keep their order. Of a group a group, in which a region that has been parted is
+/// two; its cells are simplified as those of an operator's value are, so a file that is read back has the same.
+std::shared_ptr<const Result::Data> settled(Result::Data data);
 
 }  // namespace cnrg

@@ -289,11 +289,10 @@ class Moved {
     return out;
   }
   std::string lost() {
-    std::multiset<std::string> gone = names(before_);
-    for (const std::string& name : names(after_)) {
-      const auto found = gone.find(name);
-      if (found == gone.end()) return "a region `" + name + "` more than there were";
-      gone.erase(found);
+    // A region may have been parted, so there may be more of a name.
+    const std::multiset<std::string> was = names(before_), is = names(after_);
+    for (const std::string& name : is) {
+      if (!was.contains(name)) return "a region `" + name + "`, and there was none";
     }
     std::multiset<std::string> told;
     for (const std::string& line : told_.lost_regions) {
@@ -305,12 +304,15 @@ class Moved {
       const auto end = std::min({line.find(", r"), line.find(", at "), line.find(" (all ")});
       told.insert(named ? line.substr(0, end) : std::string());
     }
-    if (told == gone) return {};
-    std::string text = "vanished:";
-    for (const std::string& name : gone) text += " `" + name + "`";
-    text += "; told:";
-    for (const std::string& line : told_.lost_regions) text += " `" + line + "`";
-    return text;
+    for (const std::string& name : std::set<std::string>(was.begin(), was.end())) {
+      if (was.count(name) > is.count(name) + told.count(name))
+        return "of " + std::to_string(was.count(name)) + " regions `" + name + "` there are " +
+               std::to_string(is.count(name)) + ", and told is the loss of " + std::to_string(told.count(name));
+    }
+    for (const std::string& name : told) {
+      if (told.count(name) > was.count(name)) return "more regions `" + name + "` told to be lost than there were";
+    }
+    return {};
   }
 };
 

@@ -20,7 +20,7 @@ struct ToldMove {
 /// What holds of every moved result: it is a complex; what lies farther than the displacement from all faces
 /// before is in a region of the same name, material and attributes as it was; volumes by these differ by no more
 /// than the moved faces can sweep; each face, edge and vertex that stands for itself is what something within the
-/// displacement was; and every region of whose component nothing is left is in the list, and no other.
+/// displacement was; and every region of which nothing is left is in the list.
 std::string moved_failure(const Result& before, const Result& after, const ToldMove& told);
 
 /// Two parts that share no point and are nearer than `within`, as near.h has it, by comparing all with all.
