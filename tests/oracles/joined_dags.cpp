@@ -100,7 +100,8 @@ std::string failure_of(const RandomDag& dag) {
 
 RandomDag joined_dag(std::uint64_t seed) {
   Random random(seed * 17 + 5);
-  RandomDag dag = random_dag(seed, position_of(seed));
+  const scenes::Position position = random.one_in(4) ? position_of(seed) : scenes::Position::degenerate;
+  RandomDag dag = random_dag(seed, position);
   for (scenes::Leaf& leaf : dag.leaves) {
     Motion shift;
     for (Rational& x : shift.offset) {
@@ -116,12 +117,25 @@ RandomDag joined_dag(std::uint64_t seed) {
     if (random.one_in(2)) node.said.material = RegionMaterial("m" + std::to_string(random.below(2)));
     if (random.one_in(2)) node.said.properties["number"] = Rational(random.below(3));
   }
-  for (int k = 1 + random.below(2); k > 0; --k) {
-    const auto at = static_cast<std::size_t>(random.below(static_cast<int>(dag.nodes.size())));
-    if (dag.nodes[at].op == Operator::leaf && random.one_in(2)) continue;
+  const std::vector<int> depth = depths(dag);
+  std::vector<std::size_t> inner;  // some leaf is alone a group of many
+  for (std::size_t i = 0; i < dag.nodes.size(); ++i)
+    if (depth[i] > 0 || random.one_in(4)) inner.push_back(i);
+  for (int k = 2 + random.below(2); k > 0; --k) {
+    const std::size_t at = inner[static_cast<std::size_t>(random.below(static_cast<int>(inner.size())))];
     if (RandomDag more = with_joined(dag, at); well_formed(more)) dag = std::move(more);
   }
   return dag;
+}
+
+std::size_t joined_nodes(const RandomDag& dag) {
+  try {
+    const Evaluation e = evaluate_result(dag);
+    return static_cast<std::size_t>(
+        std::count_if(e.joined.begin(), e.joined.end(), [](const auto& node) { return node.report.rounds > 0; }));
+  } catch (const TreeError&) {
+    return 0;
+  }
 }
 
 std::string joined_failure(const RandomDag& dag) {
