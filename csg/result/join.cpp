@@ -386,6 +386,7 @@ class Joiner {
     watch.begin("parts");
     const ResultView view = data_->view();
     const Parts parts(view, flat_);
+    watch.check();
     const std::vector<NearPair> pairs = pairs_of_a_round(parts, watch);
     if (pairs.empty()) return false;
     if (is_exhausted()) {
@@ -396,7 +397,9 @@ class Joiner {
     // corner go.
     const bool reversed = report_.rounds >= 2 * patience_ && report_.rounds / patience_ % 2 == 1;
     const Rational reach = corner_reach();
+    watch.begin("meet");
     Planner planner(parts, given_, places_, reach * reach, reversed);
+    watch.check();
     const bool points = pairs.front().kind == Near::points;
     const Plan plan = points ? planner.meet_points(pairs) : planner.meet(pairs);
     watch.begin("move");
@@ -452,6 +455,7 @@ Result join(const Result& result, const Rational& within, JoinReport* report, co
     work += joiner.work();
     if (best.remaining == 0 || work > kMostWork) break;
   }
+  watch.check();
   if (report != nullptr) *report = best;
   return best.rounds > 0 ? Result(settled(*data)) : result;
 }

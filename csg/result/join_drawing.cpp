@@ -80,6 +80,7 @@ class Mover {
     }
     PointTable table;
     for (const RationalPoint& p : at_) {
+      if (table.size() % kUnchecked == 0) watch_.check();
       if (is_double(p[0]) && is_double(p[1]) && is_double(p[2]))
         table.add(to_double(p[0]), to_double(p[1]), to_double(p[2]));
       else table.add(p);

@@ -133,6 +133,7 @@ class NearSearch {
     const std::size_t n = kind == Near::segments ? parts_.segments_.size() : parts_.points_.size();
     Steps steps(watch, "near features", n);
     const BoxTree tree(boxes(kind));
+    watch.check();
     std::vector<std::vector<NearPair>> found(n);
     std::atomic<std::size_t> count = 0;
     for_each_index(
@@ -153,6 +154,7 @@ class NearSearch {
       throw InputError("more than " + std::to_string(kMostPairs) + " pairs are nearer than " +
                        to_decimal(from_double(reach_), 6) + "; give a smaller distance");
     }
+    watch.check();
     std::vector<NearPair> out;
     for (auto& list : found) std::move(list.begin(), list.end(), std::back_inserter(out));
     std::sort(out.begin(), out.end(), [](const NearPair& x, const NearPair& y) {

@@ -67,8 +67,9 @@ std::string SnapReport::text() const {
 }
 
 std::vector<std::string> SnapReport::warnings() const {
-  // What holds a ball larger than the moves keeps its middle.
-  return vanished_warnings(lost_regions, to_decimal(from_double(2 * displacement), 6));
+  std::string distance;
+  append(distance, 2 * displacement);  // what holds a larger ball keeps its middle
+  return vanished_warnings(lost_regions, distance);
 }
 
 }  // namespace cnrg

@@ -7,8 +7,8 @@
 
 namespace cnrg::properties {
 
-/// A random dag whose leaves have names, materials and attributes and are moved by some 1/10000 each, with one or
-/// two nodes that join what is nearer than 1/1000.
+/// A random dag whose leaves have names, materials and attributes and are moved by some 1/10000 each, with up to
+/// three nodes that join what is nearer than 1/1000.
 RandomDag joined_dag(std::uint64_t seed);
 
 /// What is wrong with it, empty if nothing is. Below, each joined node against its operand (moved_result.h);
