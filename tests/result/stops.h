@@ -1,4 +1,4 @@
-// Work that is watched hears a stop wherever it is asked for.
+// Work that is watched hears a stop in whichever stage it is asked for.
 #pragma once
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 
 namespace cnrg::test {
 
-/// Runs the work once to the end, in which it tells of `stages`, and again for each time that it tells of its
-/// progress, when it is asked to stop: then it tells of nothing more.
+/// Runs the work once to the end, in which it begins `stages` among others, and again for each beginning, when it
+/// is asked to stop: then it begins nothing more.
 inline void check_stops(const std::function<void(const Watch&)>& work, const std::vector<std::string>& stages) {
   std::vector<std::string> told;
   work({[&](std::string_view stage, std::size_t done, std::size_t total) {
           CHECK((done <= total || total == 0));
-          told.emplace_back(stage);
+          if (done == 0) told.emplace_back(stage);
         },
         {}});
   for (const std::string& stage : stages) {
@@ -25,15 +25,15 @@ inline void check_stops(const std::function<void(const Watch&)>& work, const std
     CHECK(std::find(told.begin(), told.end(), stage) != told.end());
   }
   for (std::size_t at = 0; at < told.size(); ++at) {
-    INFO("stopped at " << told[at] << ", call " << at);
+    INFO("stopped at " << told[at]);
     std::stop_source stop;
-    std::size_t calls = 0;
-    const Watch watch{[&](std::string_view, std::size_t, std::size_t) {
-                        if (calls++ == at) stop.request_stop();
+    std::size_t begun = 0;
+    const Watch watch{[&](std::string_view, std::size_t done, std::size_t) {
+                        if (done == 0 && begun++ == at) stop.request_stop();
                       },
                       stop.get_token()};
     CHECK_THROWS_AS(work(watch), Stopped);
-    CHECK(calls == at + 1);
+    CHECK(begun == at + 1);
   }
 }
 
