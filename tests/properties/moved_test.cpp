@@ -34,8 +34,8 @@ void attack(std::uint64_t usual, NearTree (*make)(std::uint64_t), const Failure&
 
 }  // namespace
 
-TEST_CASE("What is joined is what it was", "[moved]") { attack(100, near_tree, join_failure); }
+TEST_CASE("What is joined is what it was", "[moved]") { attack(50, near_tree, join_failure); }
 
-TEST_CASE("What is snapped is what it was", "[moved]") { attack(100, slight_tree, snap_failure); }
+TEST_CASE("What is snapped is what it was", "[moved]") { attack(40, slight_tree, snap_failure); }
 
 }  // namespace cnrg::properties
