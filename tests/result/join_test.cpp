@@ -3,6 +3,8 @@
 #include "csg/result/join.h"
 
 #include <catch2/catch.hpp>
+#include <map>
+#include <set>
 
 #include "csg/formats/formats.h"
 #include "csg/formats/result_file.h"
@@ -301,6 +303,43 @@ TEST_CASE("join: what is far stays the same object", "[join]") {
   CHECK(report.text(Rational(1, 1000)) == "nothing is nearer than 0.001 that does not touch; nothing was joined");
   // Not at most, but less.
   CHECK(&join(before, Rational(1) - kSlight).complex() == &before.complex());
+}
+
+TEST_CASE("join: two surfaces of many triangles in one place become one", "[join]") {
+  // Their edges cross in more points than the two have.
+  const Rational d(1, 1000), ripple = d / 5;
+  Soup soup;
+  Dice dice(1);
+  std::size_t corners = 0;
+  for (const int n : {7, 8}) {
+    const LeafId leaf = soup.add_leaf(Fill::none);
+    std::vector<PointId> at;
+    for (int i = 0; i <= n; ++i) {
+      for (int k = 0; k <= n; ++k) {
+        at.push_back(soup.add_point(RationalPoint{Rational(10 * i + 2 * dice.unit()) / n,
+                                                  Rational(10 * k + 2 * dice.unit()) / n,
+                                                  ripple * dice.unit() + (n == 7 ? Rational(0) : 2 * ripple)}));
+      }
+    }
+    corners += at.size();
+    std::uint32_t number = 0;
+    for (int i = 0; i < n; ++i) {
+      for (int k = 0; k < n; ++k) {
+        const PointId p = at[i * (n + 1) + k], q = at[(i + 1) * (n + 1) + k], r = at[(i + 1) * (n + 1) + k + 1],
+                      s = at[i * (n + 1) + k + 1];
+        soup.add_triangle(leaf, p, q, r, number, number), ++number;
+        soup.add_triangle(leaf, p, r, s, number, number), ++number;
+      }
+    }
+  }
+  Case c(soup);
+  c.show(c.unite(Dominance::left));
+  const Result before = result_of(c);
+  JoinReport report;
+  const Result after = join(before, d, &report);
+  check_joined(before, after, report, d);
+  CHECK(report.remaining == 0);
+  CHECK(active_counts(after.cells())[0] > 2 * corners);
 }
 
 TEST_CASE("join: a group is a group again, and its file has the same cells", "[join]") {
