@@ -29,9 +29,11 @@ RandomDag with_joined(RandomDag dag, std::size_t i) {
   return dag;
 }
 
-/// What `join` says no to, with reason.
+/// What `join` says no to, with reason; and an aggregate of operands that were disjoint until one of them was
+/// joined.
 bool is_refusal(const std::string& message) {
-  for (const char* const words : {"give a smaller distance", "the whole result is", "nothing would be left"}) {
+  for (const char* const words :
+       {"give a smaller distance", "the whole result is", "nothing would be left", "overlap in"}) {
     if (message.find(words) != std::string::npos) return true;
   }
   return false;
