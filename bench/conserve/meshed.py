@@ -9,7 +9,7 @@ states can change. What was neither snapped nor joined is compared cell by cell,
 import math
 import re
 from bisect import bisect_left, bisect_right
-from collections import Counter, defaultdict
+from collections import defaultdict
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -31,12 +31,11 @@ class Change:
     within: float | None = None     # what is nearer was joined
     moved: float = 0.0              # no point went farther
     faces: bool = False             # some vanished; so may wires and edges
-    vanished: list = field(default_factory=list)    # names of regions, one for each
-    pieces: int = 0                 # that joining pinched off a region, and that vanished; the region is there
+    vanished: dict = field(default_factory=dict)    # by name: how many regions of it, at least and at most
     thin: float = 0.0               # area of leaves that went with regions, once they are compared
     by: str = "TetGen"              # or "exact": constrained tetrahedra
-    regions: int = 0                # how many vanished by joining
-    unnamed: int = 0                # how many by snapping, which counts them
+    regions: int = 0                # how many vanished, as counted
+    named: int = 0                  # and as named
 
     @classmethod
     def told(cls, said):
@@ -61,18 +60,25 @@ class Change:
                 raise Unsaid(f"a notice is not understood: {text}")
             if joined or snapped:
                 self.faces |= bool(re.search(r"\d+ (?:face|wire)s?\b[^;]*vanished", text))
-                counts = re.findall(r"(\d+) regions?(?: without thickness)? vanished", text)
-                if snapped:
-                    self.unnamed += sum(map(int, counts))
-                else:
-                    self.regions += sum(map(int, counts))
-            for region in re.findall(r"the region (.*?), at \(.*?\),? (?:was thinner and|is thinner than \S+ and) "
-                                     r"has vanished", text):
-                if re.search(r" \((?:a piece|\d+ pieces)\)$", region):
-                    self.pieces += 1
-                else:
-                    self.vanished.append(re.sub(r", r\d+$", "", region))
+                self.regions += sum(map(int, re.findall(r"(\d+) regions? vanished", text)))
+            for region in re.findall(r"the region (.*?), at \(.*?\), is thinner than \S+ and has vanished", text):
+                self.lose(region)
         return self
+
+    def lose(self, region):
+        """region: `dust, r2`, `rock (a piece)`, `rock (3 pieces), r2`, `dust (all 2 pieces)`. One with a number was
+        in the model; pieces without may have been pinched off by joining, and then the model had none of them."""
+        self.named += 1
+        name, numbered = re.subn(r", r\d+$", "", region)
+        found = re.search(r" \((a piece|(?:all )?(\d+) pieces)\)$", name)
+        most = int(found[2] or 1) if found else 1
+        least = 0 if found and not found[1].startswith("all ") and not numbered else 1
+        if self.kind == "snapped":      # then no region has parted before
+            least = most
+        if found:
+            name = name[:found.start()]
+        low, high = self.vanished.get(name, (0, 0))
+        self.vanished[name] = low + least, high + most
 
     def title(self):
         return f"joined at {self.within:.2g}" if self.kind == "joined" else self.kind
@@ -100,13 +106,14 @@ def compare_groups(check, model, mesh, change):
     exact, found = grouped(model), defaultdict(list)
     for group, volume in mesh.volume_by_group.items():
         found[name_of(group, exact)].append(volume)
-    check.equal("regions that vanished and are named", len(change.vanished) + change.pieces, change.regions)
-    gone, unnamed = Counter(change.vanished), change.unnamed
-    for name in sorted(set(exact) | set(found) | set(gone)):
+    check.equal("regions that vanished and are named", change.named, change.regions)
+    for name in sorted(set(exact) | set(found) | set(change.vanished)):
         volumes, there = exact.get(name, []), sorted(found[name], reverse=True)
-        missing = min(unnamed, max(0, len(volumes) - len(there) - gone[name]))
-        unnamed -= missing
-        check.equal(f"regions {name}, but for those that vanished", len(there) + gone[name] + missing, len(volumes))
+        least, most = change.vanished.get(name, (0, 0))
+        missing = len(volumes) - len(there)
+        if change.kind == "joined" and missing < 0:     # what met has parted one
+            there, volumes, missing = [sum(there)], [sum(volumes)], 0
+        check.equal(f"regions {name} that vanished", missing, min(max(missing, least), most))
         for a, b in zip(there, volumes):
             check.near(f"volume of a region {name}", a, b, room * every)
             worst[0] = max(worst[0], float(abs(a - b) / b))
@@ -118,7 +125,7 @@ def compare_groups(check, model, mesh, change):
         there = mesh.area_by_group.get(f"from {name}", 0.0)
         room_of_area = change.moved * rims[name] + digits * mesh.rim_by_group.get(f"from {name}", 0.0)
         # Both walls of what was thin went with it; how much is told, not judged.
-        if (change.regions or change.unnamed) and there < area:
+        if change.regions and there < area:
             change.thin += area - there
         else:
             check.near(f"area from {name}", there, area, room_of_area)

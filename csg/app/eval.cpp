@@ -115,6 +115,7 @@ class FileWriter {
     } else if (!arguments_.quiet && arguments_.snap && is_exact(path)) {
       say(path + ": notice: this format is exact; --snap changes nothing in it");
     }
+    for (const std::string& warning : report.snapped.warnings()) say(path + ": warning: " + warning);
   }
 
   /// Notices and warnings of the files that were written.

@@ -12,8 +12,7 @@ Result joined(const Tree& tree, NodeId node, const Result& result, const std::st
   const Rational within = *parse_rational(distance);
   JoinReport report;
   ProgressBar bar(quiet);
-  bar.show("join");
-  Result out = at_node(tree, node, [&] { return join(result, within, &report); });
+  Result out = at_node(tree, node, [&] { return join(result, within, &report, {bar.progress(), {}}); });
   bar.clear();
   const std::string of = tree.file + ": ", name = "`" + tree.nodes[node].name + "`: ";
   if (!quiet) {

@@ -211,30 +211,34 @@ std::string table_of(const SurfaceTriangles& made, bool quads) {
 /// The page that tells of a mesh.
 using Page = std::function<std::string(const MeshPageOptions&)>;
 
-/// Writes a mesh to all files, with what is to be said of each.
+/// Writes a mesh to all files, with what is to be said of each; the warnings even if nothing else is.
 void write_files(const MeshArguments& arguments, const Result& result, const Mesh& mesh,
                  const RoundingReport& rounding, const SnapReport& snapped, const std::string& notice,
-                 const Page& page) {
+                 std::vector<std::string> warnings, const Page& page) {
   std::vector<std::string> notices;
   if (!notice.empty()) notices.push_back(notice);
   if (snapped.rounds > 0) notices.push_back(snapped.text());
+  for (std::string& warning : snapped.warnings()) warnings.push_back(std::move(warning));
   if (rounding.moved > 0) {
     notices.push_back("rounding moved " + counted(rounding.moved, "vertex", "vertices") +
                       "; the facets still meet as they should");
   }
+  std::vector<std::string> told = notices;
+  told.insert(told.end(), warnings.begin(), warnings.end());
   for (const std::string& path : arguments.files) {
     {
       ProgressBar bar(arguments.quiet);
       bar.show("write " + path);
       if (is_page(path)) {
-        replace_file(path,
-                     page({arguments.tree, mesh.node, arguments.options.quality, notices, arguments.threads}));
+        replace_file(path, page({arguments.tree, mesh.node, arguments.options.quality, told, arguments.threads}));
       } else {
         write(path, result, mesh);
       }
     }
-    if (arguments.quiet || is_page(path)) continue;
-    for (const std::string& text : notices) tell(path + ": notice: " + text);
+    if (!arguments.quiet && !is_page(path)) {
+      for (const std::string& text : notices) tell(path + ": notice: " + text);
+    }
+    for (const std::string& text : warnings) tell(path + ": warning: " + text);
   }
 }
 
@@ -262,7 +266,7 @@ int mesh_surface(const MeshArguments& arguments, const Tree& tree, NodeId node, 
       made.kept == 0 ? ""
                      : std::to_string(made.kept) + (made.kept == 1 ? " facet keeps its" : " facets keep their") +
                            " own triangles: with smaller ones doubles would cross what is near";
-  write_files(arguments, result, made.mesh, made.rounding, snapped, notice,
+  write_files(arguments, result, made.mesh, made.rounding, snapped, notice, {},
               [&](const MeshPageOptions& options) { return mesh_page(result, made, options); });
   return kDone;
 }
@@ -329,7 +333,7 @@ int run_mesh(const MeshArguments& arguments) {
     std::cout << std::flush;
   }
   write_files(
-      arguments, result, made.mesh, made.rounding, snapped, made.notice,
+      arguments, result, made.mesh, made.rounding, snapped, made.notice, made.warnings,
       [&](const MeshPageOptions& options) { return mesh_page(result, made, bent ? &*bent : nullptr, options); });
   return kDone;
 }

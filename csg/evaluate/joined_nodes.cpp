@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "csg/leaves/prepare_shapes.h"
-#include "csg/operators/node_value.h"
 #include "csg/result/result_data.h"
 #include "csg/result/result_json.h"
 #include "csg/tree/dag.h"
+#include "kernel/base/part_watch.h"
 
 namespace cnrg {
 namespace {
@@ -23,26 +23,8 @@ EvaluateOptions options_below(const EvaluateOptions& options) {
   below.rows = options.rows == Rows::all ? Rows::all : Rows::none;
   below.region_volumes = options.region_volumes;
   below.refining = options.refining;
-  below.watch.stop = options.watch.stop;
-  if (options.watch.progress) {
-    below.watch.progress = [told = options.watch.progress](std::string_view stage, std::size_t done,
-                                                           std::size_t total) {
-      told("join: " + std::string(stage), done, total);
-    };
-  }
+  below.watch = part_of(options.watch, "join");
   return below;
-}
-
-/// A group that was joined is a group again: `join` leaves components.
-Result settled(const Result& joined) {
-  const auto data = std::make_shared<Result::Data>(joined.data());
-  const Components& x = data->value->components();
-  data->value = std::make_shared<const NodeValue>(
-      data->of_group ? NodeValue(*data->complex, group_of(*data->complex, x)) : NodeValue(x));
-  data->simplified = SimplifiedValue(data->complex, data->value).share();
-  data->of_group = false;
-  data->region_sizes = nullptr;
-  return Result(data);
 }
 
 std::vector<Diagnostic> diagnostics_of(const Tree& tree, const Node& node, const JoinReport& report) {
@@ -77,10 +59,8 @@ void JoinedNodes::join_operand(const Tree& tree, NodeId id, const EvaluateOption
   const Node& node = tree.nodes[id];
   Evaluation evaluation = evaluate(tree.operands(id).front(), options, leaves_);
   JoinedNode joined{id, {}, std::move(evaluation.rows)};
-  options.watch.begin("near features");
   try {
-    Result result = join(evaluation.result(), *node.within, &joined.report);
-    if (joined.report.rounds > 0) result = settled(result);
+    const Result result = join(evaluation.result(), *node.within, &joined.report, options.watch);
     leaves_[id] = prepare_result(result_json(result.data().view(true)), "`" + node.name + "`");
   } catch (const TreeError&) {
     throw;

@@ -18,6 +18,7 @@
 #include "csg/result/join.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
+#include "csg/result/vanished.h"
 #include "csg/text/file.h"
 #include "csg/topology/region_graph.h"
 #include "kernel/selection/canonical.h"
@@ -167,11 +168,11 @@ TetrahedralMesh tetrahedra(const Result& result, const TetrahedraOptions& option
 
 /// What `make` makes of a result, or of the snapped one where rounding would break it.
 template <class Make>
-auto snapped_if_broken(Result& result, SnapReport& report, const Make& make) {
+auto snapped_if_broken(Result& result, SnapReport& report, const Watch& watch, const Make& make) {
   try {
     return make();
   } catch (const RoundingFault&) {
-    result = snap(result, &report);
+    result = snap(result, &report, watch);
   }
   return make();
 }
@@ -198,7 +199,7 @@ TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& opti
                                    const Deadline& deadline) {
   const Result exact = result;
   const auto of_doubles = [&](const TetrahedraOptions& how) {
-    return snapped_if_broken(result, report, [&] { return tetrahedra(result, how, deadline); });
+    return snapped_if_broken(result, report, deadline.watch(), [&] { return tetrahedra(result, how, deadline); });
   };
   std::exception_ptr near;
   try {
@@ -215,14 +216,12 @@ TetrahedralMesh snapped_tetrahedra(Result& result, const TetrahedraOptions& opti
     const Rational within = extent * from_double(part);
     JoinReport joined;
     report = {};
-    deadline.watch().begin("mesh: join");
-    result = join(exact, within, &joined);
+    result = join(exact, within, &joined, deadline.watch());
     if (joined.rounds == 0) continue;
     try {
       TetrahedralMesh made = of_doubles(asked);
       made.notice = "there were no tetrahedra in doubles without that: " + joined.text(within);
-      for (const std::string& region : joined.lost_regions)
-        made.notice += "; the region " + region + " was thinner and has vanished";
+      made.warnings = vanished_warnings(joined.lost_regions, to_decimal(within, 6));
       return made;
     } catch (const NearFault&) {
     }
@@ -251,7 +250,13 @@ SurfaceTriangles surface_triangles(const Result& result, const SurfaceOptions& o
 }
 
 SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions& options, SnapReport& report) {
-  return snapped_if_broken(result, report, [&] { return surface_triangles(result, options); });
+  const Deadline deadline(options.watch, options.seconds, "--size");
+  SurfaceOptions bound = options;
+  bound.watch = deadline.watch();
+  bound.seconds = 0;  // the watch knows
+  return deadline.run([&] {
+    return snapped_if_broken(result, report, bound.watch, [&] { return surface_triangles(result, bound); });
+  });
 }
 
 CurvedReport curve(const Result& result, TetrahedralMesh& made) {
@@ -301,8 +306,10 @@ TetrahedraReport write_tetrahedra(const std::vector<std::string>& paths, const R
   TetrahedralMesh made = snapped_tetrahedra(shown, options, snapped);
   const Mesh& mesh = made.mesh;
   for (const std::string& path : paths) write(path, shown, mesh);
-  return {made.rounding,        snapped,    std::move(made.regions), mesh.points.size(), mesh.triangles.size(),
-          mesh.segments.size(), made.notice};
+  std::vector<std::string> warnings = std::move(made.warnings);
+  for (std::string& warning : snapped.warnings()) warnings.push_back(std::move(warning));
+  return {made.rounding,        snapped,     std::move(made.regions), mesh.points.size(), mesh.triangles.size(),
+          mesh.segments.size(), made.notice, std::move(warnings)};
 }
 
 }  // namespace cnrg

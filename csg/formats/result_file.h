@@ -68,7 +68,8 @@ struct TetrahedraReport {
   SnapReport snapped;  ///< `rounds` is 0 unless the result was snapped, since rounding would break it
   std::vector<RegionTetrahedra> regions;
   std::size_t points = 0, triangles = 0, segments = 0;  ///< of the mesh; triangles on faces, segments on edges
-  std::string notice;  ///< that TetGen made none, and so no bound is kept; else empty
+  std::string notice;                 ///< that TetGen made none, and so no bound is kept; else empty
+  std::vector<std::string> warnings;  ///< regions that vanished, a line each, so that there is a mesh
 };
 
 /// Fills the regions of a closed and bounded result with tetrahedra (csg/mesh/tetrahedra.h says what of them is

@@ -12,8 +12,9 @@ struct TetrahedralMesh {
   RoundingReport rounding;
   std::vector<RegionTetrahedra> regions;  ///< in the order of the mesh's entities of dimension 3
   MeshQuality quality;
-  double expected = 0;  ///< tetrahedra, as foretold; 0: nothing was
-  std::string notice;   ///< what the user should know of how it was made; else empty
+  double expected = 0;                  ///< tetrahedra, as foretold; 0: nothing was
+  std::string notice;                   ///< what the user should know of how it was made; else empty
+  std::vector<std::string> warnings{};  ///< what nobody may miss: regions that had to go, so that there is a mesh
 };
 
 /// The tetrahedra of the active regions of a closed and bounded result, by TetGen (si2015), or, where it makes

@@ -29,15 +29,14 @@ void bind_result(py::module_& module) {
                  watched(py::none(), [&](const Watch&) { return write(path, r.result, options); });
              std::vector<std::string> notices = report.notices;
              if (report.snapped.rounds > 0) notices.push_back(report.snapped.text());
-             return py::make_tuple(report.moved, report.embedded, notices);
+             return py::make_tuple(report.moved, report.embedded, notices, report.snapped.warnings());
            })
       .def("join",
            [](const OneResult& r, const py::handle& distance, const py::object& progress) {
              const Rational within = to_rational(distance, "a distance");
              auto [joined, report] = apart(progress, [held = r.result, within](const Watch& watch) {
-               watch.begin("join");
                JoinReport report;
-               Result joined = join(held, within, &report);
+               Result joined = join(held, within, &report, watch);
                return std::pair(std::move(joined), std::move(report));
              });
              return py::make_tuple(OneResult{std::move(joined), nullptr, r.node}, report.rounds,
@@ -45,13 +44,12 @@ void bind_result(py::module_& module) {
            })
       .def("snap", [](const OneResult& r, const py::object& progress) {
         auto [snapped, report] = apart(progress, [held = r.result](const Watch& watch) {
-          watch.begin("snap");
           SnapReport report;
-          Result snapped = snap(held, &report);
+          Result snapped = snap(held, &report, watch);
           return std::pair(std::move(snapped), std::move(report));
         });
         return py::make_tuple(OneResult{std::move(snapped), nullptr, r.node}, report.rounds, report.displacement,
-                              report.text());
+                              report.text(), report.warnings());
       });
   bind_result_arrays(module);
   bind_result_questions(module);

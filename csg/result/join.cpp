@@ -12,8 +12,9 @@
 #include "csg/result/relabel.h"
 #include "csg/result/result_data.h"
 #include "csg/result/rounding.h"
-#include "csg/text/escape.h"
+#include "csg/result/vanished.h"
 #include "csg/text/table.h"
+#include "kernel/base/part_watch.h"
 #include "kernel/exact/distance.h"
 #include "kernel/exact/exact_vectors.h"
 
@@ -273,23 +274,6 @@ std::size_t active_regions(const FlatComplex& flat) {
   return n;
 }
 
-/// Its name, or else its leaves.
-std::string name_of_region(const ResultView& view, const FlatComplex& flat, Index r) {
-  const std::string name = shown(attributes_of(view, flat.regions[r].component).name);
-  return name.empty() ? "a region of " + names_of_leaves(view, flat.regions[r].origin) : name;
-}
-
-/// `, at (1, 2, 3)`: the first of its points.
-std::string place_of_region(const ResultView& view, const FlatComplex& flat, Index r) {
-  Index first = kNone;
-  for (const auto& shell : flat.regions[r].shells) {
-    for (const Index side : shell) {
-      for (const auto& t : flat.faces[side / 2].triangles) first = std::min({first, t[0], t[1], t[2]});
-    }
-  }
-  return first == kNone ? "" : ", at " + coordinates(view.complex->points.rational(flat.points[first]));
-}
-
 void require_smaller_than_result(const Rational& within, const Parts& parts) {
   const RationalPoint* low = nullptr;
   std::optional<RationalPoint> lo, hi;
@@ -315,8 +299,9 @@ void require_smaller_than_result(const Rational& within, const Parts& parts) {
 /// `within`.
 class Joiner {
  public:
-  Joiner(const Result& result, const Rational& within, const Rational& reach, int patience)
-      : within_(within),
+  Joiner(const Result& result, const Rational& within, const Rational& reach, int patience, const Watch& watch)
+      : watch_(watch),
+        within_(within),
         reach_(reach),
         patience_(patience),
         data_(std::make_shared<Result::Data>(result.data())),
@@ -340,7 +325,7 @@ class Joiner {
       report_.regions_after = active_regions(flat_);
       work_ += flat_.points.size();
     }
-    tell_lost_regions();
+    report_.lost_regions = lost_.lines(components_with_regions(flat_));
   }
 
   const JoinReport& report() const { return report_; }
@@ -349,6 +334,7 @@ class Joiner {
 
  private:
   static constexpr std::size_t kFewPoints = 256;
+  const Watch& watch_;
   const Rational within_, reach_;
   const int patience_;  // rounds
   JoinReport report_;
@@ -357,11 +343,7 @@ class Joiner {
   std::set<RationalPoint> given_;  // points of the input
   Places places_;
   std::size_t most_points_ = 0, work_ = 0;
-  struct Lost {
-    std::string name, place;  // the place of the first piece
-    std::size_t pieces = 0;
-  };
-  std::map<Index, Lost> lost_;  // by component
+  LostRegions lost_;
 
   /// Thin triangles with sides longer than the distance and heights below it would be bent back and forth: when
   /// rounds become many, what is somewhat farther from corners goes there. 0: nothing does.
@@ -375,12 +357,13 @@ class Joiner {
            report_.displacement + next * (1 + 0x1p-50) > kMostJoinMoves * to_double(within_);
   }
 
-  std::vector<NearPair> pairs_of_a_round(const Parts& parts) const {
-    std::vector<NearPair> pairs = near_pairs(parts, Near::points, reach_);
-    if (pairs.empty()) pairs = near_pairs(parts, Near::point_segment, reach_);
+  std::vector<NearPair> pairs_of_a_round(const Parts& parts, const Watch& watch) const {
+    const auto near = [&](Near kind) { return near_pairs(parts, kind, reach_, Ends::paired, watch); };
+    std::vector<NearPair> pairs = near(Near::points);
+    if (pairs.empty()) pairs = near(Near::point_segment);
     if (!pairs.empty()) return pairs;
-    pairs = near_pairs(parts, Near::point_facet, reach_);
-    std::vector<NearPair> more = near_pairs(parts, Near::segments, reach_);
+    pairs = near(Near::point_facet);
+    std::vector<NearPair> more = near(Near::segments);
     std::move(more.begin(), more.end(), std::back_inserter(pairs));
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const NearPair& x, const NearPair& y) { return x.squared < y.squared; });
@@ -390,7 +373,7 @@ class Joiner {
   /// The end: what is nearer than asked for all the same, of the first kind that there is, as in a round.
   void give_up(const Parts& parts) {
     for (const Near kind : kNears) {
-      const std::vector<NearPair> pairs = near_pairs(parts, kind, within_);
+      const std::vector<NearPair> pairs = near_pairs(parts, kind, within_, Ends::paired, watch_);
       if (pairs.empty()) continue;
       report_.remaining = pairs.size();
       report_.nearest = nearest_root(pairs.front().squared);
@@ -399,9 +382,12 @@ class Joiner {
   }
 
   bool join_once() {
+    const Watch watch = part_of(watch_, "join, round " + std::to_string(report_.rounds + 1));
+    watch.begin("parts");
     const ResultView view = data_->view();
     const Parts parts(view, flat_);
-    const std::vector<NearPair> pairs = pairs_of_a_round(parts);
+    watch.check();
+    const std::vector<NearPair> pairs = pairs_of_a_round(parts, watch);
     if (pairs.empty()) return false;
     if (is_exhausted()) {
       give_up(parts);
@@ -411,10 +397,14 @@ class Joiner {
     // corner go.
     const bool reversed = report_.rounds >= 2 * patience_ && report_.rounds / patience_ % 2 == 1;
     const Rational reach = corner_reach();
+    watch.begin("meet");
     Planner planner(parts, given_, places_, reach * reach, reversed);
+    watch.check();
     const bool points = pairs.front().kind == Near::points;
     const Plan plan = points ? planner.meet_points(pairs) : planner.meet(pairs);
-    const auto made = std::make_shared<Relabelled>(*relabel(view, flat_, move(parts, plan.moves), false));
+    watch.begin("move");
+    const auto made =
+        std::make_shared<Relabelled>(*relabel(view, flat_, move(parts, plan.moves, watch), false, watch));
     Result::Data next = *data_;
     next.complex = made->complex;
     next.value = std::shared_ptr<const NodeValue>(made, &made->value);
@@ -422,8 +412,11 @@ class Joiner {
     next.parameters = nullptr;
     next.of_group = made->of_group;
     next.region_sizes = std::shared_ptr<const std::vector<double>>(made, &made->region_sizes);
+    watch.check();
     FlatComplex flat = flatten(next.view());
-    if (flat.points.size() > most_points_) {  // what moves crosses more than it joins
+    watch.check();
+    most_points_ += plan.moves.joints.size();  // of two surfaces in one place the edges cross in as many
+    if (flat.points.size() > most_points_) {   // what moves crosses more than it joins
       give_up(parts);
       return false;
     }
@@ -435,78 +428,16 @@ class Joiner {
     report_.displacement += made->report.displacement;
     report_.lost_faces += made->lost_faces.size();
     report_.lost_wires += made->lost_wires.size();
-    for (const Index r : made->lost_regions) lose(view, r, first);
+    for (const Index r : made->lost_regions) lost_.add(view, flat_, r, first);
     *data_ = std::move(next);
     flat_ = std::move(flat);
     return true;
   }
-
-  /// `numbered`: numbers of regions are those of the result that was given.
-  void lose(const ResultView& view, Index r, bool numbered) {
-    Lost& lost = lost_[flat_.regions[r].component];
-    if (lost.pieces++ > 0) return;
-    lost.name = name_of_region(view, flat_, r);
-    if (numbered) lost.place = ", r" + std::to_string(r);
-    lost.place += place_of_region(view, flat_, r);
-  }
-  void tell_lost_regions() {
-    std::set<Index> left;
-    for (Index r = 0; r < flat_.regions.size(); ++r) {
-      if (flat_.active(r)) left.insert(flat_.regions[r].component);
-    }
-    for (const auto& [component, lost] : lost_) {
-      std::string text = lost.name;
-      if (left.contains(component))
-        text += lost.pieces == 1 ? " (a piece)" : " (" + std::to_string(lost.pieces) + " pieces)";
-      report_.lost_regions.push_back(text + lost.place);
-    }
-  }
 };
-
-/// Of each component what number it has, of those that have a cell: files list no others.
-std::vector<Component> numbers_of_left(const Components& x) {
-  std::vector<Component> number(x.attributes.size() + 1, 0);
-  const auto mark = [&](const auto& cells) {
-    for (const auto& [cell, component] : cells) number[component] = 1;
-  };
-  mark(x.selection.regions), mark(x.selection.faces), mark(x.selection.edges), mark(x.selection.vertices);
-  Component last = 0;
-  for (Component& n : number) {
-    if (n != 0) n = ++last;
-  }
-  return number;
-}
-
-/// Without components of which nothing is left; the others keep their order.
-std::shared_ptr<const Result::Data> without_vanished(std::shared_ptr<const Result::Data> data) {
-  Components x = data->value->components();
-  const std::vector<Component> number = numbers_of_left(x);
-  if (std::find(number.begin() + 1, number.end(), 0) == number.end()) return data;
-  std::vector<ComponentAttributes> attributes;
-  for (Component c = 1; c < number.size(); ++c) {
-    if (number[c] != 0) attributes.push_back(std::move(x.attributes[c - 1]));
-  }
-  x.attributes = std::move(attributes);
-  const auto renumber = [&](auto& cells) {
-    for (auto& [cell, component] : cells) component = number[component];
-  };
-  renumber(x.selection.regions), renumber(x.selection.faces);
-  renumber(x.selection.edges), renumber(x.selection.vertices);
-  SimplifiedComplex cells = *data->simplified;
-  const auto renumber_cells = [&](auto& list) {
-    for (auto& cell : list) cell.component = number[cell.component];
-  };
-  renumber_cells(cells.vertices), renumber_cells(cells.edges);
-  renumber_cells(cells.faces), renumber_cells(cells.regions);
-  const auto out = std::make_shared<Result::Data>(*data);
-  out->value = std::make_shared<const NodeValue>(std::move(x));
-  out->simplified = std::make_shared<const SimplifiedComplex>(std::move(cells));
-  return out;
-}
 
 }  // namespace
 
-Result join(const Result& result, const Rational& within, JoinReport* report) {
+Result join(const Result& result, const Rational& within, JoinReport* report, const Watch& watch) {
   if (within <= 0) {
     throw InputError("the distance within which features are joined must be positive, and is " +
                      to_decimal(within, 6));
@@ -515,7 +446,7 @@ Result join(const Result& result, const Rational& within, JoinReport* report) {
   std::shared_ptr<const Result::Data> data;
   std::size_t work = 0;
   for (const auto& [factor, patience] : kAttempts) {
-    Joiner joiner(result, within, from_double(factor) * within, patience);
+    Joiner joiner(result, within, from_double(factor) * within, patience, watch);
     joiner.run();
     if (data == nullptr || joiner.report().remaining < best.remaining) {
       best = joiner.report();
@@ -524,8 +455,9 @@ Result join(const Result& result, const Rational& within, JoinReport* report) {
     work += joiner.work();
     if (best.remaining == 0 || work > kMostWork) break;
   }
+  watch.check();
   if (report != nullptr) *report = best;
-  return best.rounds > 0 ? Result(without_vanished(data)) : result;
+  return best.rounds > 0 ? Result(settled(*data)) : result;
 }
 
 std::string JoinReport::text(const Rational& within) const {
@@ -535,10 +467,7 @@ std::string JoinReport::text(const Rational& within) const {
   append(far, displacement);
   std::string text = "joined " + counted(merged.size(), "pair", "pairs") + " nearer than " + to_decimal(reach, 6) +
                      ", in " + counted(std::size_t(rounds), "round", "rounds") + "; nothing moved by more than " +
-                     far;
-  if (lost_faces > 0) text += "; " + counted(lost_faces, "face", "faces") + " vanished";
-  if (lost_wires > 0) text += "; " + counted(lost_wires, "wire", "wires") + " vanished";
-  if (!lost_regions.empty()) text += "; " + counted(lost_regions.size(), "region", "regions") + " vanished";
+                     far + vanished_text(lost_faces, lost_wires, lost_regions.size());
   if (regions_before != regions_after) {
     text += "; there were " + counted(regions_before, "region", "regions") + " and are " +
             std::to_string(regions_after);
@@ -548,9 +477,7 @@ std::string JoinReport::text(const Rational& within) const {
 
 std::vector<std::string> JoinReport::warnings(const Rational& within) const {
   const std::string d = to_decimal(within, 6);
-  std::vector<std::string> out;
-  for (const std::string& region : lost_regions)
-    out.push_back("the region " + region + ", is thinner than " + d + " and has vanished");
+  std::vector<std::string> out = vanished_warnings(lost_regions, d);
   if (remaining > 0) {
     std::string far;
     append(far, nearest);

@@ -22,8 +22,9 @@
 // That they end so is not proven: two edges may bend to each other's points in turn. After some rounds, what is
 // within 2 d of a corner, later 4 d, goes there, and of two points the other one stays, which ends nearly all such
 // turns. No point is moved by kMostJoinMoves times d or more in all rounds together, and rounds end, too, when
-// they are many or have made twice as many points. Then all begins anew with what is nearer than somewhat more
-// than d; of all attempts that one is taken that leaves fewest pairs near, and the report says so.
+// they are many or have made twice as many points, besides those where they joined edges. Then all begins anew
+// with what is nearer than somewhat more than d; of all attempts that one is taken that leaves fewest pairs near,
+// and the report says so.
 //
 // A foot on a facet whose corners are feet has some ten times their digits. So where things meet, and where what
 // has moved crosses, is as exact as what one construction from doubles makes, and else on a grid far finer than d.
@@ -49,8 +50,8 @@ struct JoinReport {
   /// (1, 2, 3): 1e-05 apart`. Numbers are those of the result that was given, so there are none after the first
   /// round.
   std::vector<std::string> merged;
-  /// Regions of which nothing is left, by name, or else by their leaves, and a place; and those of which pieces
-  /// have vanished: `rock (2 pieces), at (1, 2, 3)`.
+  /// The regions that vanished, a line for each component: `dust, r2, at (1, 2, 3)`, and those of which pieces
+  /// have: `rock (2 pieces), at (1, 2, 3)` (csg/result/vanished.h).
   std::vector<std::string> lost_regions;
   std::size_t lost_faces = 0, lost_wires = 0;
   std::size_t regions_before = 0, regions_after = 0;  ///< active ones, in one piece each
@@ -64,7 +65,9 @@ struct JoinReport {
 
 /// `within`: the distance d (units), positive. Throws InputError if it is not, if it is not smaller than the
 /// result itself, if a face or line of the result reaches the frame of unbounded leaves, and if nothing would be
-/// left. What the result knew of true surfaces (parameters) is gone where anything was joined.
-Result join(const Result& result, const Rational& within, JoinReport* report = nullptr);
+/// left; Stopped, as the watch asks. What the result knew of true surfaces (parameters) is gone where anything was
+/// joined. Components of which nothing is left are gone; the others keep their order. A group stays a group, in
+/// which a region that has been parted is two.
+Result join(const Result& result, const Rational& within, JoinReport* report = nullptr, const Watch& watch = {});
 
 }  // namespace cnrg

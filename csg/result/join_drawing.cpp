@@ -17,10 +17,12 @@ namespace cnrg {
 namespace {
 
 using Index = Parts::Index;
+constexpr std::size_t kUnchecked = 1024;  // facets between two looks at the watch
 
 class Mover {
  public:
-  Mover(const Parts& parts, const Moves& moves) : parts_(parts), at_(parts.points()), to_(moves.to) {
+  Mover(const Parts& parts, const Moves& moves, const Watch& watch)
+      : watch_(watch), parts_(parts), at_(parts.points()), to_(moves.to) {
     for (const Joint& joint : moves.joints) {
       const Index number = Index(at_.size());
       at_.push_back(joint.at);
@@ -48,6 +50,7 @@ class Mover {
   }
 
  private:
+  const Watch& watch_;
   const Parts& parts_;
   std::vector<RationalPoint> at_, to_;                                // points, then joints
   std::unordered_map<std::uint64_t, std::vector<Index>> in_segment_;  // joints from the end of the lower number on
@@ -77,6 +80,7 @@ class Mover {
     }
     PointTable table;
     for (const RationalPoint& p : at_) {
+      if (table.size() % kUnchecked == 0) watch_.check();
       if (is_double(p[0]) && is_double(p[1]) && is_double(p[2]))
         table.add(to_double(p[0]), to_double(p[1]), to_double(p[2]));
       else table.add(p);
@@ -86,6 +90,7 @@ class Mover {
       const std::size_t begin = t;
       while (t < parts_.triangles().size() && parts_.triangles()[t].facet == f) ++t;
       draw_facet(f, begin, t, table);
+      if (f % kUnchecked == 0) watch_.check();
     }
   }
 
@@ -131,6 +136,7 @@ class Mover {
     std::unordered_map<std::uint64_t, char> sides;
     std::vector<PointId> held;
     for (const auto& t : drawing_.triangles) {
+      if (face_of.size() % kUnchecked == 0) watch_.check();
       const auto& [a, b, c] = t.points;
       if (collinear(to_[a], to_[b], to_[c])) continue;
       const std::array<PointId, 3> p{id(a), id(b), id(c)};
@@ -163,6 +169,7 @@ class Mover {
     }
     RefineOptions options;
     options.vertices = true;
+    options.watch = watch_;
     RefineReport report;
     MovedDrawing out{ComplexDraft(soup, options, &report), {}, {}, {}, 1, false, 0};
     tell(out, report, ids, face_of, pieces);
@@ -212,6 +219,8 @@ class Mover {
 
 }  // namespace
 
-MovedDrawing move(const Parts& parts, const Moves& moves) { return Mover(parts, moves).run(); }
+MovedDrawing move(const Parts& parts, const Moves& moves, const Watch& watch) {
+  return Mover(parts, moves, watch).run();
+}
 
 }  // namespace cnrg

@@ -21,7 +21,7 @@ struct Moves {
 };
 
 /// All pieces of edges, triangles and free points of the parts' result, moved. What collapses is left out. Throws
-/// InputError if all does.
-MovedDrawing move(const Parts& parts, const Moves& moves);
+/// InputError if all does; Stopped, as the watch asks.
+MovedDrawing move(const Parts& parts, const Moves& moves, const Watch& watch = {});
 
 }  // namespace cnrg

@@ -129,14 +129,17 @@ class NearSearch {
     off_ = 2 * width + 8 * kUlp * size;
   }
 
-  std::vector<NearPair> run(Near kind) {
+  std::vector<NearPair> run(Near kind, const Watch& watch) {
     const std::size_t n = kind == Near::segments ? parts_.segments_.size() : parts_.points_.size();
+    Steps steps(watch, "near features", n);
     const BoxTree tree(boxes(kind));
+    watch.check();
     std::vector<std::vector<NearPair>> found(n);
     std::atomic<std::size_t> count = 0;
     for_each_index(
         n,
         [&](std::size_t i) {
+          steps.step();
           if (count.load(std::memory_order_relaxed) > kMostPairs) return;
           const Index a = Index(i);
           const Box own = kind == Near::segments ? around(parts_.segments_[a].ends) : around(std::array{a});
@@ -151,6 +154,7 @@ class NearSearch {
       throw InputError("more than " + std::to_string(kMostPairs) + " pairs are nearer than " +
                        to_decimal(from_double(reach_), 6) + "; give a smaller distance");
     }
+    watch.check();
     std::vector<NearPair> out;
     for (auto& list : found) std::move(list.begin(), list.end(), std::back_inserter(out));
     std::sort(out.begin(), out.end(), [](const NearPair& x, const NearPair& y) {
@@ -298,8 +302,9 @@ class NearSearch {
   }
 };
 
-std::vector<NearPair> near_pairs(const Parts& parts, Near kind, const Rational& within, Ends ends) {
-  return NearSearch(parts, within, ends).run(kind);
+std::vector<NearPair> near_pairs(const Parts& parts, Near kind, const Rational& within, Ends ends,
+                                 const Watch& watch) {
+  return NearSearch(parts, within, ends).run(kind, watch);
 }
 
 std::vector<NearPair> nearest_pairs(const Parts& parts, Near kind, std::size_t count, Ends ends) {

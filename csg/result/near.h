@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "csg/result/flat.h"
+#include "kernel/base/progress.h"
 #include "kernel/exact/rational.h"
 
 namespace cnrg {
@@ -97,8 +98,9 @@ inline constexpr std::size_t kMostPairs = 1'000'000;
 enum class Ends : bool { left_out, paired };
 
 /// The pairs of one kind that are nearer than `within` (units), the nearest first, then by numbers. Throws
-/// InputError if there are more than kMostPairs.
-std::vector<NearPair> near_pairs(const Parts& parts, Near kind, const Rational& within, Ends ends = Ends::paired);
+/// InputError if there are more than kMostPairs; Stopped, as the watch asks.
+std::vector<NearPair> near_pairs(const Parts& parts, Near kind, const Rational& within, Ends ends = Ends::paired,
+                                 const Watch& watch = {});
 /// The nearest pairs of one kind: `count`, or all if there are fewer.
 std::vector<NearPair> nearest_pairs(const Parts& parts, Near kind, std::size_t count, Ends ends = Ends::paired);
 

@@ -57,16 +57,24 @@ class Labeller {
   }
 
   /// False if moving changed nothing but digits.
-  bool run() {
+  bool run(const Watch& watch) {
     find_sides();
+    watch.check();
     name_regions();
+    watch.check();
     if (moved_.plain && is_faithful()) return false;
     decide_faces();
+    watch.check();
     decide_edges();
+    watch.check();
     decide_vertices();
+    watch.check();
     list_regions();
+    watch.check();
     take_covers();
+    watch.check();
     take_curves();
+    watch.check();
     sources_.leaf_count = exact_.leaf_count + 1;
     value_.attributes = exact_value_.attributes;
     return true;
@@ -482,7 +490,8 @@ class Labeller {
   }
 };
 
-/// What is said of cells tells them apart; where they came from does not, since all edges of the result are kept.
+/// What is said of cells tells them apart; where they came from does not: all are of the result, which is one of
+/// the leaves, with its faces as patches.
 class FromAllLeaves : public ComponentSources {
  public:
   FromAllLeaves(const Complex& complex, const Components& x) : ComponentSources(complex, x) {
@@ -541,20 +550,28 @@ ResultView Relabelled::shown(ResultView view) const {
   return view;
 }
 
-std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& flat, MovedDrawing drawing,
-                                  bool raw) {
+SimplifiedComplex simplify_relabelled(const Complex& complex, const Components& components,
+                                      const Features& features, SimplifyMode mode) {
+  const FromAllLeaves sources(complex, components);
+  return simplify(complex, components.selection, features, mode, &sources);
+}
+
+std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& flat, MovedDrawing drawing, bool raw,
+                                  const Watch& watch) {
   Labeller labeller(view, flat, std::move(drawing));
-  if (!labeller.run()) return {};
+  watch.check();
+  if (!labeller.run(watch)) return {};
   Relabelled out;
   labeller.tell(out);
+  watch.check();
   out.value = NodeValue(labeller.value());
   out.of_group = view.value->is_group() || view.of_group;
   out.region_sizes = labeller.sizes(region_sizes(view, flat));
   const Features kept = labeller.kept();
   out.complex = labeller.complex();
-  const FromAllLeaves sources(*out.complex, out.value.components());
-  out.simplified = simplify(*out.complex, out.value.components().selection, kept,
-                            raw ? SimplifyMode::raw : SimplifyMode::features, &sources);
+  watch.check();
+  out.simplified = simplify_relabelled(*out.complex, out.value.components(), kept,
+                                       raw ? SimplifyMode::raw : SimplifyMode::features);
   return out;
 }
 

@@ -22,11 +22,12 @@
 #include "csg/result/flat.h"
 #include "csg/result/moved_drawing.h"
 #include "csg/result/result.h"
+#include "kernel/base/progress.h"
 
 namespace cnrg {
 
 /// What is left of a result, and what is not: numbers in the flattened result of regions that were active, faces,
-/// and edges that were wires.
+/// and edges that were wires, ascending.
 struct Relabelled {
   std::shared_ptr<const Complex> complex;
   NodeValue value;
@@ -45,8 +46,13 @@ NumberedDrawing drawing_of_cells(const FlatComplex& flat);
 
 /// `drawing` is that of the cells of `flat`, which `view` flattens to. `raw`: the view shows unsimplified cells.
 /// Nothing if moving has changed nothing but digits, every region, wire and point staying where it is
-/// (MovedDrawing::plain, too): then the result itself will do.
-std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& flat, MovedDrawing drawing, bool raw);
+/// (MovedDrawing::plain, too): then the result itself will do. Throws Stopped, as the watch asks.
+std::optional<Relabelled> relabel(const ResultView& view, const FlatComplex& flat, MovedDrawing drawing, bool raw,
+                                  const Watch& watch = {});
+
+/// The cells of components of a complex that `relabel` made: facets of one face are one. `features` stay.
+SimplifiedComplex simplify_relabelled(const Complex& complex, const Components& components,
+                                      const Features& features, SimplifyMode mode);
 
 /// Throws InputError if a face or line reaches the frame of unbounded leaves: `why` it must not, as the beginning
 /// of the message.

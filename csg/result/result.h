@@ -88,14 +88,19 @@ struct SnapReport {
   std::size_t wires = 0;    ///< of the result: wires that vanished
   int rounds = 0;           ///< refinements; 0: nothing had to be snapped, and all of this is 0
   double displacement = 0;  ///< no point of the result moved farther (units of the model)
-  /// `3 of 20 vertices moved, by 1e-16 at most; ...`: one line without its end.
+  /// The regions that vanished, a line for each component: `dust, r2, at (1, 2, 3)` (csg/result/vanished.h).
+  std::vector<std::string> lost_regions{};
+  /// `snapped 3 of 20 vertices, by 1e-16 at most, ...`: one line without its end.
   std::string text() const;
+  /// What nobody may miss, a line each: regions that vanished.
+  std::vector<std::string> warnings() const;
 };
 
 /// The result on doubles: every vertex is three doubles, and nothing crosses (csg/result/snap.h says how). The
 /// same result where rounding alone is right. Throws InputError for a result with faces or lines that reach the
-/// frame of unbounded leaves, for one that does not become stable, and beyond the range of doubles.
-Result snap(const Result& result, SnapReport* report = nullptr);
+/// frame of unbounded leaves, for one that does not become stable, and beyond the range of doubles; Stopped, as
+/// the watch asks. Components of which nothing is left are gone; the others keep their order.
+Result snap(const Result& result, SnapReport* report = nullptr, const Watch& watch = {});
 
 /// A mesh as it is expected to be.
 struct MeshForecast {

@@ -17,13 +17,14 @@ namespace cnrg {
 class SnappedResult {
  public:
   /// `raw`: the view shows unsimplified cells. Throws InputError for a result with faces or lines that reach the
-  /// frame of unbounded leaves, for one that does not become stable, and beyond the range of doubles.
-  SnappedResult(const ResultView& view, bool raw);
+  /// frame of unbounded leaves, for one that does not become stable, and beyond the range of doubles; Stopped.
+  SnappedResult(const ResultView& view, bool raw, const Watch& watch = {});
   ~SnappedResult();
   SnappedResult(SnappedResult&&) noexcept;
 
   /// The view with the snapped result in place of the exact one, all of its vertices doubles; the view itself
-  /// where nothing had to be snapped. It refers to this object.
+  /// where nothing had to be snapped. Components keep their numbers, those of which nothing is left too. It refers
+  /// to this object.
   ResultView shown(ResultView view) const;
   const SnapReport& report() const { return report_; }
 

@@ -15,6 +15,7 @@
 #include "csg/result/rounding.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
+#include "kernel/base/part_watch.h"
 #include "kernel/base/point_hash.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/triangulate.h"
@@ -25,6 +26,7 @@ namespace {
 using Index = std::uint32_t;
 using Xyz = std::array<double, 3>;
 constexpr Index kNone = 0xffffffffu;
+constexpr std::size_t kUnchecked = 4096;  // points and triangles between two looks at the watch
 
 struct HashXyz {
   std::size_t operator()(const Xyz& p) const { return hash_of_point(p.data()); }
@@ -117,11 +119,14 @@ void add_box(Soup& soup, LeafId leaf, const Xyz& center, double half) {
 
 class Snapper {
  public:
-  Snapper(const PointTable& table, const NumberedDrawing& drawing) : drawing_(drawing) {
+  Snapper(const PointTable& table, const NumberedDrawing& drawing, const Watch& asked)
+      : asked_(asked), drawing_(drawing) {
+    begin_round(1);
     const std::size_t n = drawing.points.size();
     std::vector<Xyz> rounded(n);
     std::vector<double> moves(n, 0);
     for_each_index(n, [&](std::size_t p) {
+      if (p % kUnchecked == 0) watch_.check();
       const VertexId v = drawing.points[p];
       rounded[p] = nearest(table, v);
       if (!table.is_double(v)) moves[p] = distance(table, v, rounded[p]);
@@ -152,8 +157,8 @@ class Snapper {
       State state = moved(start_, first, cell);
       std::size_t fewest = std::numeric_limits<std::size_t>::max();
       for (int patience = kSnapPatience; patience > 0;) {
+        begin_round(++rounds);
         Refined refined = refine(state);
-        ++rounds;
         if (refined.crossings == 0) return finish(state, refined, rounds);
         patience = refined.crossings < fewest ? kSnapPatience : patience - 1;
         fewest = std::min(fewest, refined.crossings);
@@ -200,10 +205,14 @@ class Snapper {
     std::unordered_map<Xyz, Index, HashXyz> number_;
   };
 
+  const Watch& asked_;
+  Watch watch_;  // of the round
   const NumberedDrawing& drawing_;
   Lists lists_;
   State start_;      // each point rounded by itself
   double unit_ = 1;  // one unit in the last place of the largest coordinate
+
+  void begin_round(int number) { watch_ = part_of(asked_, "snap, round " + std::to_string(number)); }
 
   void add_piece(State& state, Index a, Index b, Index edges) {
     if (a == b) return;
@@ -223,11 +232,12 @@ class Snapper {
     return refined;
   }
 
-  static void drop_flat_triangles(State& state) {
+  void drop_flat_triangles(State& state) const {
     PointTable table;
     for (const Xyz& p : state.xyz) table.add(p[0], p[1], p[2]);
     std::vector<char> flat(state.triangles.size(), 0);
     for_each_index(flat.size(), [&](std::size_t i) {
+      if (i % kUnchecked == 0) watch_.check();
       const auto& [a, b, c] = state.triangles[i].points;
       flat[i] = a == b || b == c || c == a || collinear(table, VertexId(a), VertexId(b), VertexId(c));
     });
@@ -285,7 +295,9 @@ class Snapper {
       if (!held[state.at[p]]) soup.add_isolated(leaf, PointId(state.at[p]));
     }
     for (const Xyz& center : cells) add_box(soup, leaf, center, cell / 2);
-    return ComplexDraft(soup);
+    RefineOptions options;
+    options.watch = watch_;
+    return ComplexDraft(soup, options);
   }
 
   /// The refinement of a drawing that has not been cut yet is that drawing.
@@ -367,6 +379,7 @@ class Snapper {
     std::vector<Index> faces, edges;
     std::vector<char> used(complex.points.size(), 0);
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
+      if (f.index() % kUnchecked == 0) watch_.check();
       faces.push_back(faces_on(state, complex, f));
       if (lists_[faces.back()].empty()) continue;
       for (const LoopId l : complex.face_loops[f]) {
@@ -384,6 +397,7 @@ class Snapper {
     std::vector<Xyz> there(complex.points.size());
     std::vector<double> moves(complex.points.size(), 0);
     for_each_of(complex.vertices, [&](VertexId v) {
+      if (v.index() % kUnchecked == 0) watch_.check();
       if (!used[v.index()]) return;
       const Xyz here = nearest(complex.points, v);
       const std::optional<Xyz> center = cell_of(here, cells, size);
@@ -404,6 +418,7 @@ class Snapper {
     for_each_index(
         made.size(),
         [&](std::size_t f) {
+          watch_.check();
           if (!lists_[faces[f]].empty()) triangulate_face(complex, FaceId(f), made[f]);
         },
         64);
@@ -425,8 +440,10 @@ class Snapper {
     MovedDrawing result{std::move(refined.complex), {}, {}, {}, 0, false, 0};
     const Complex& complex = *result.complex;
     for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
+      if (f.index() % kUnchecked == 0) watch_.check();
       result.faces.push_back(lists_[faces_on(state, complex, f)]);
     }
+    watch_.check();
     for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
       result.edges.push_back(lists_[edges_on(state, complex, e)]);
     }
@@ -440,8 +457,8 @@ class Snapper {
 
 }  // namespace
 
-MovedDrawing snap(const PointTable& points, const NumberedDrawing& drawing) {
-  return Snapper(points, drawing).run();
+MovedDrawing snap(const PointTable& points, const NumberedDrawing& drawing, const Watch& watch) {
+  return Snapper(points, drawing, watch).run();
 }
 
 }  // namespace cnrg

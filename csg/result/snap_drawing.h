@@ -21,6 +21,7 @@
 #pragma once
 
 #include "csg/result/moved_drawing.h"
+#include "kernel/base/progress.h"
 
 namespace cnrg {
 
@@ -32,7 +33,7 @@ inline constexpr int kSnapGrids = 9;
 inline constexpr int kSnapPatience = 8;
 
 /// The drawing must not be empty. Throws InputError when it does not become stable, and for coordinates beyond the
-/// range of doubles. Each vertex of the complex is three doubles then.
-MovedDrawing snap(const PointTable& points, const NumberedDrawing& drawing);
+/// range of doubles; Stopped, as the watch asks. Each vertex of the complex is three doubles then.
+MovedDrawing snap(const PointTable& points, const NumberedDrawing& drawing, const Watch& watch = {});
 
 }  // namespace cnrg

@@ -96,6 +96,31 @@ TEST_CASE("a region that vanishes is told even to the quiet", "[app][join]") {
   }
 }
 
+TEST_CASE("a region that vanishes when doubles are snapped is told even to the quiet", "[app][snap]") {
+  const Workshop w;
+  w.write("gap.yaml", R"(cnrg: 1
+nodes:
+  low:   {box: {min: [0, 0, 0], max: [1, 1, 1]}}
+  dust:  {box: {min: [3, 0, 1], max: [4, 1, 1.00000000000000001]}}
+  model: {union: [low, dust]}
+result: model
+)");
+  const std::string told = ": warning: the region dust, r2, at (3, 0, 1), is thinner than 2.";
+  for (const std::string command : {"eval gap.yaml -o t.msh -o t.vtu", "mesh gap.yaml -o t.msh -o t.vtu -o t.html",
+                                    "mesh gap.yaml --surface -o t.msh -o t.vtu -o t.html"}) {
+    Outcome o = w.run(command + " --quiet");
+    INFO(command << "\n" << o.out << o.err);
+    CHECK(o.status == 0);
+    CHECK_THAT(o.err, Contains("t.msh" + told) && Contains("t.vtu" + told));
+    CHECK(lines_with(o.err, "notice") == 0);
+    o = w.run(command);
+    INFO(o.err);
+    CHECK(lines_with(o.err, "; 6 faces vanished; 1 region vanished") == 2);
+    CHECK(lines_with(o.err, told) == (command.ends_with(".html") ? 3 : 2));
+    if (command.ends_with(".html")) CHECK_THAT(w.read("t.html"), Contains("the region dust, r2, at (3, 0, 1)"));
+  }
+}
+
 TEST_CASE("distances to join by that are none", "[app][join]") {
   const Workshop w;
   w.write("thin.yaml", kThin);

@@ -33,8 +33,9 @@ const char* name(Operator op) {
     case Operator::boundary: return "boundary";
     case Operator::regularize: return "regularize";
     case Operator::simplify: return "simplify";
-    // Surfaces and criteria are of single scenes: tests/operators. Nor is `within` of `simplify` drawn: it makes
-    // cells that the refinement of the leaves does not have, and the oracles know no others.
+    // Surfaces and criteria are of single scenes: tests/operators. `within` of `simplify` is drawn by joined_dag
+    // (joined_dags.h) alone: it makes cells that the refinement of the leaves does not have, and the other oracles
+    // know no others.
     case Operator::below:
     case Operator::above:
     case Operator::select: break;
@@ -59,7 +60,10 @@ Standing standing(const DagNode& node, const std::vector<Standing>& below) {
     case Operator::unite:
     case Operator::intersect:
     case Operator::subtract: return Standing::group;
-    case Operator::simplify: value = below[node.operands[0]]; break;
+    case Operator::simplify:
+      value = below[node.operands[0]];
+      if (node.within && value == Standing::complement) value = Standing::open;  // a leaf that is components
+      break;
     case Operator::closure:
     case Operator::regularize: value = of_group ? Standing::group : Standing::closed; break;
     case Operator::boundary: value = Standing::closed; break;
@@ -361,7 +365,8 @@ void smaller_leaves(const RandomDag& dag, std::vector<RandomDag>& out) {
 }  // namespace
 
 std::string operator_name(const DagNode& node) {
-  return std::string(name(node.op)) + (node.each ? " each" : "") + (node.points ? " points" : "");
+  return std::string(name(node.op)) + (node.each ? " each" : "") + (node.points ? " points" : "") +
+         (node.within ? " within" : "");
 }
 
 std::string name_of(const RandomDag& dag, std::size_t node) {
@@ -378,8 +383,9 @@ std::string tree_file(const RandomDag& dag) {
       continue;
     }
     out << "  " << name_of(dag, i) << ": {" << name(node.op) << ": ";
-    if (node.op == Operator::simplify && node.points) {
-      out << "{of: " << name_of(dag, node.operands[0]) << ", mode: points}";
+    if (node.op == Operator::simplify && (node.points || node.within)) {
+      out << "{of: " << name_of(dag, node.operands[0]) << (node.points ? ", mode: points" : "")
+          << (node.within ? ", within: " + to_string(*node.within) : "") << "}";
     } else if (node.operands.size() == 1) {
       out << name_of(dag, node.operands[0]);
     } else {
@@ -481,6 +487,7 @@ std::vector<RandomDag> smaller(const RandomDag& dag) {
     change(node.each, [](DagNode& n) { n.each = false; });
     change(node.regularize, [](DagNode& n) { n.regularize = false; });
     change(node.points, [](DagNode& n) { n.points = false; });
+    change(node.within.has_value(), [](DagNode& n) { n.within.reset(); });
     change(node.dominant.has_value(), [](DagNode& n) { n.dominant.reset(); });
     change(node.number.has_value(), [](DagNode& n) { n.number.reset(); });
     change(!node.said.name.empty(), [](DagNode& n) { n.said.name.clear(); });

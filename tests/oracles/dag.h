@@ -25,6 +25,7 @@ struct DagNode {
   bool each = false;                          ///< of a topological operator
   bool regularize = false;                    ///< the attribute
   bool points = false;                        ///< mode `points` of `simplify`
+  std::optional<Rational> within;             ///< of `simplify`
   std::optional<int> number;                  ///< `dominance` as a number; not with `dominant`
   Attributes said;                            ///< name, material and attributes
   std::map<std::uint32_t, Attributes> parts;  ///< of a leaf: name and material of regions, by number
@@ -35,7 +36,7 @@ struct RandomDag {
   std::vector<DagNode> nodes;
 };
 
-/// As the tree file has it, followed by ` each` or ` points` where the node says so.
+/// As the tree file has it, followed by ` each`, ` points` or ` within` where the node says so.
 std::string operator_name(const DagNode& node);
 /// `a0` and so on for leaves, `n3` and so on for inner nodes; numbers are those of the nodes.
 std::string name_of(const RandomDag& dag, std::size_t node);

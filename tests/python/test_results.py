@@ -431,6 +431,19 @@ class Snapped(unittest.TestCase):
             with self.assertRaises(cnrg.InputError):
                 result.join(distance)
 
+    def test_regions_that_vanish_when_a_result_is_snapped_are_named(self):
+        low = cnrg.box([0, 0, 0], [1, 1, 1], name="low")
+        dust = cnrg.box([3, 0, 1], [4, 1, "1.00000000000000001"], name="dust")
+        result = (low | dust).evaluate()
+        told = "the region dust, r[0-9]+, at \\(3, 0, 1\\), is thinner than .*e-17 and has vanished"
+        with self.assertWarnsRegex(cnrg.Notice, "^" + told):
+            snapped = result.snap()
+        self.assertEqual([r.name for r in snapped.components], ["low", "entities"])
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertWarnsRegex(cnrg.Notice, "a.msh: " + told):
+                notices = result.write(f"{folder}/a.msh")
+            self.assertRegex(" ".join(notices), "snapped 4 of 16 .*1 region vanished")
+
     def test_files_are_snapped_unless_they_are_not_to_be(self):
         gap = (cnrg.box([0, 0, 0], [1, 1, 1]) | cnrg.box([0, 0, "1.00000000000000001"], [1, 1, 2])).evaluate()
         with tempfile.TemporaryDirectory() as folder:

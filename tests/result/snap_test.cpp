@@ -7,6 +7,7 @@
 #include <random>
 
 #include "csg/formats/formats.h"
+#include "csg/formats/result_file.h"
 #include "csg/leaves/leaf.h"
 #include "csg/mesh/mesh.h"
 #include "csg/mesh/tetrahedra.h"
@@ -16,6 +17,8 @@
 #include "kernel/selection/measure.h"
 #include "tests/formats/mesh_readers.h"
 #include "tests/mesh/mesh_cases.h"
+#include "tests/result/region_volumes.h"
+#include "tests/result/stops.h"
 
 using namespace cnrg;
 using namespace cnrg::test;
@@ -170,11 +173,55 @@ TEST_CASE("snap: a slab thinner than doubles vanishes, a sheet does not", "[snap
   CHECK(snapped.report().wires == 1);
   CHECK(snapped.report().displacement >= 1e-17);
   CHECK(snapped.report().displacement < 3e-17);  // 1/3, rounded
-  CHECK_THAT(snapped.report().text(), Catch::Contains("6 faces and 1 region without thickness vanished"));
+  CHECK_THAT(snapped.report().text(), Catch::EndsWith("; 6 faces vanished; 1 wire vanished; 1 region vanished"));
+  CHECK(snapped.report().lost_regions == std::vector<std::string>{"a region of leaf1, r2, at (3, 0, 1)"});
   CHECK(validate(*view.complex) == "");
   CHECK(active_counts(*view.simplified) == std::array<std::size_t, 4>{11, 15, 7, 1});
   const FlatComplex flat = flatten(view);
   CHECK(round_points(view, flat).moved == 0);
+}
+
+TEST_CASE("snap: regions that vanish are named, and their components are gone", "[snap]") {
+  Soup soup;
+  add_box(soup, {0, 0, 0}, {1, 1, 1});
+  add_box(soup, {3, 0, 1}, {4, 1, 1 + kTiny});
+  const LeafId two = add_box(soup, {5, 0, 0}, {6, 1, 1});
+  for (const int x : {7, 9}) {  // of the same leaf a slab and a cube
+    PointId p[8];
+    for (int i = 0; i < 8; ++i) {
+      const Rational top = x == 7 ? Rational(1) + kTiny : Rational(2);
+      p[i] = soup.add_point(RationalPoint{x + (i & 1 ? 1 : 0), i & 2 ? 1 : 0, i & 4 ? top : Rational(1)});
+    }
+    add_box_faces(soup, two, p);
+  }
+  Case c(soup, {{{"rock", "clay", {}}}, {{"dust", "clay", {{"density", Rational(2)}}}}, {{"sand", "", {}}}});
+  c.show(c.unite());
+  ResultNames names;
+  for (const LeafInfo& info : c.infos) names.leaves.push_back(info.name);
+  const Result exact(c.complex, c.group, names);
+  SnapReport report;
+  const Result snapped = snap(exact, &report);
+  INFO(report.text());
+  CHECK(report.regions == 2);
+  CHECK_THAT(report.text(), Catch::EndsWith("; 2 regions vanished"));
+  const std::vector<std::string> told = report.warnings();
+  REQUIRE(told.size() == 2);
+  CHECK_THAT(told[0], Catch::StartsWith("the region dust, r") &&
+                          Catch::Contains(", at (3, 0, 1), is thinner than ") &&
+                          Catch::EndsWith("e-17 and has vanished"));
+  CHECK_THAT(told[1], Catch::StartsWith("the region sand, r") && Catch::Contains(", at (7, 0, 1), "));
+  // The file has no component without cells, and is read back.
+  CHECK(snapped.component_count() + 2 == exact.component_count());
+  const Scratch scratch;
+  write(scratch / "left.json", snapped);
+  const Result read = read_result(scratch / "left.json");
+  CHECK(volumes(read) == std::map<std::string, Rational>{{"rock", 1}, {"sand", 2}});
+  CHECK(active_counts(read.cells()) == active_counts(snapped.cells()));
+  // As one component, of which pieces vanish.
+  const Result one(c.complex, unify(*c.complex, components_of(*c.complex, c.group)).value, names);
+  snap(one, &report);
+  REQUIRE(report.lost_regions.size() == 1);
+  CHECK_THAT(report.lost_regions[0], Catch::Contains(" (2 pieces), r") && Catch::Contains(", at (3, 0, 1)"));
 }
 
 TEST_CASE("snap: crossing sheets, wires and points keep what they came from", "[snap]") {
@@ -254,19 +301,33 @@ TEST_CASE("a drawing is broken where a part of it has passed through a wall", "[
   CHECK_FALSE(is_faithful({points, 1}, drawing));
 }
 
+namespace {
+
+Case nearly_coincident(unsigned seed) {
+  std::mt19937_64 random(seed);
+  const auto third = [&] { return Rational(long(random() % 97 + 1), 3); };
+  const RationalPoint half{third(), third(), third()}, center{third() / 7, third() / 7, third() / 7};
+  Soup soup;
+  add_turned_box(soup, half, 0, center);
+  add_turned_box(soup, half, kTiny * Rational(long(random() % 60 + 1)), center);
+  add_box(soup, {0, 0, 0}, {50, Rational(1, 3), Rational(1, 7)});
+  Case c(soup, {{{"a", "", {}}}, {{"b", "", {}}}, {{"c", "", {}}}});
+  c.show(c.unite(seed % 2 == 0 ? Dominance::equal : Dominance::left));
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("snap: stopped at each stage", "[snap]") {
+  const Case c = nearly_coincident(1);
+  check_stops([&](const Watch& watch) { SnappedResult(c.view(), false, watch); },
+              {"snap", "snap, round 1: refine: contacts", "snap, round 2: refine: contacts"});
+}
+
 TEST_CASE("snap: nearly coincident boxes", "[snap]") {
   for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u}) {
-    std::mt19937_64 random(seed);
-    const auto third = [&] { return Rational(long(random() % 97 + 1), 3); };
-    const RationalPoint half{third(), third(), third()}, center{third() / 7, third() / 7, third() / 7};
-    const Rational step = kTiny * Rational(long(random() % 60 + 1));
-    INFO("seed " << seed << ", step " << to_decimal(step));
-    Soup soup;
-    add_turned_box(soup, half, 0, center);
-    add_turned_box(soup, half, step, center);
-    add_box(soup, {0, 0, 0}, {50, Rational(1, 3), Rational(1, 7)});
-    Case c(soup, {{{"a", "", {}}}, {{"b", "", {}}}, {{"c", "", {}}}});
-    c.show(c.unite(seed % 2 == 0 ? Dominance::equal : Dominance::left));
+    INFO("seed " << seed);
+    const Case c = nearly_coincident(seed);
     if (plainly_embedded(c.view())) continue;
     const SnappedResult snapped(c.view(), false);
     if (snapped.report().regions == 0) check_snapped(c.view(), snapped);

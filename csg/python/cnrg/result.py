@@ -294,9 +294,12 @@ class Result:
 
     def snap(self, *, progress: Progress = None) -> Result:
         """The result on doubles: every vertex is three floats, and nothing crosses. The same where rounding alone is
-        right. InputError for a face or line without bounds, and for what does not come to rest."""
+        right. A warning (cnrg.Notice) names each region that is thinner than what vertices move, and vanishes. InputError
+        for a face or line without bounds, and for what does not come to rest."""
         with Shown(progress) as shown, self._placed():
-            snapped, rounds, _, _ = self._result.snap(shown)
+            snapped, rounds, _, _, notices = self._result.snap(shown)
+        for notice in notices:
+            warnings.warn_explicit(notice, Notice, *site_of_caller())
         return self if rounds == 0 else Result._of(snapped, self._evaluation)
 
     def join(self, within: Number, *, progress: Progress = None) -> Result:
@@ -395,6 +398,7 @@ class Result:
 
         parameters: .json and .vtu say the parameters of faces on curved patches. snap: where rounding to doubles
         would break the result, the file gets the snapped one; False: as it is rounded, with a warning (cnrg.Notice).
+        A warning names each region that vanishes by that.
         binary: of .stl and .ply. InputError for a format that cannot hold the result, FileError.
         """
         name = os.fspath(path)
@@ -403,7 +407,9 @@ class Result:
         if ending in method:
             raise InputError(f"{name}: `write` writes cells; use .{method[ending]}(path) for {ending}")
         with self._placed():
-            moved, embedded, notices = self._result.write(name, bool(parameters), bool(snap), bool(binary))
+            moved, embedded, notices, vanished = self._result.write(name, bool(parameters), bool(snap), bool(binary))
+        for text in vanished:
+            warnings.warn_explicit(f"{name}: {text}", Notice, *site_of_caller())
         vertices = "1 vertex" if moved == 1 else f"{moved} vertices"
         if not embedded:
             text = f"{name}: rounding moved {vertices} and broke the result in this file; .json has the exact one"

@@ -11,6 +11,7 @@ Families every_family() {
   add_volumes(families);
   add_places(families);
   add_betti(families);
+  add_moved(families);
   return families;
 }
 

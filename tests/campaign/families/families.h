@@ -19,6 +19,8 @@ void add_volumes(Families& families);
 void add_places(Families& families);
 /// Betti numbers by elimination and by duality.
 void add_betti(Families& families);
+/// Near features joined, doubles snapped.
+void add_moved(Families& families);
 
 Families every_family();
 

@@ -1,0 +1,22 @@
+// Long work that other long work begins again and again: whoever waits hears which of them each stage is of.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "kernel/base/progress.h"
+
+namespace cnrg {
+
+/// The same watch, told of a stage as `name: stage`.
+inline Watch part_of(const Watch& watch, std::string name) {
+  Watch out{{}, watch.stop};
+  if (!watch.progress) return out;
+  out.progress = [told = watch.progress, name = std::move(name)](std::string_view stage, std::size_t done,
+                                                                 std::size_t total) {
+    told(name + ": " + std::string(stage), done, total);
+  };
+  return out;
+}
+
+}  // namespace cnrg
