@@ -110,8 +110,9 @@ class Improver {
       if (moves_.remove_edge(corners[std::size_t(i)], corners[std::size_t(j)])) return true;
     for (int k = 0; k < 4; ++k)
       if (moves_.swap_face(t, k)) return true;
-    for (const Index v : corners)
-      if (moves_.smooth(v)) return true;
+    bool moved = false;
+    for (const Index v : corners) moved = moves_.smooth(v) || moved;
+    if (moved) return true;
     for (const auto& [i, j] : kEdges) {
       const Index a = corners[std::size_t(i)], b = corners[std::size_t(j)];
       const double longest = options_.size ? square(kLong * std::min(wanted(a), wanted(b))) : kInfinite;
@@ -124,8 +125,12 @@ class Improver {
   std::size_t sweep(double below) {
     std::size_t done = 0;
     for (Index t = 0; t < mesh_.size() && !over(); ++t) {
-      for (int tries = 0; tries < 4 && mesh_.alive(t) && mesh_.at(t).shape < below; ++tries) {
-        if (!mend(t)) break;
+      for (int tries = 0; tries < 4 && mesh_.alive(t) && mesh_.at(t).shape < below && !mesh_.is_settled(t);
+           ++tries) {
+        if (!mend(t)) {
+          mesh_.settle(t);
+          break;
+        }
         ++done;
       }
     }

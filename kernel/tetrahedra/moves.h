@@ -30,7 +30,7 @@ class Moves {
   bool collapse(Index a, Index b, double enough, double longest);
   /// A new vertex in the middle of an edge; its number, or kNoTetrahedron where something would turn.
   Index split(Index a, Index b);
-  /// Moves a vertex so that the worst shape around it gets better.
+  /// Moves a vertex so that the worst shape around it gets notably better.
   bool smooth(Index v);
 
   /// The worst shape of some tetrahedra.
