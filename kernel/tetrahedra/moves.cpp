@@ -19,10 +19,6 @@ using Tetrahedron = Stars::Tetrahedron;
 constexpr std::size_t kLongest = 12;
 /// A triangle of a facet must keep at least this part of a right angle's turn to the facet's normal.
 constexpr double kFlat = 0.9;
-/// A vertex moves only where that makes the worst shape around it so many times as good (to the third power, as
-/// shapes are measured). There is nearly always a little to gain; it costs as much as a lot, and all around has to
-/// be tried again.
-constexpr double kGain = 1.05;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -323,7 +319,7 @@ bool Moves::project(Index v, Point& p) const {
   return true;
 }
 
-bool Moves::try_place(Index v, const Point& place, double& worst_now) {
+bool Moves::try_place(Index v, const Point& place, double gain, double& worst_now) {
   Point p = place;
   if (!project(v, p)) return false;
   const Point before = mesh_.point(v);
@@ -346,7 +342,7 @@ bool Moves::try_place(Index v, const Point& place, double& worst_now) {
     }
   }
   mesh_.move(v, p);
-  const double bar = kGain * worst_now;
+  const double bar = gain * worst_now;
   thread_local std::vector<double> shapes;
   shapes.clear();
   double worst = kInfinite;
@@ -364,7 +360,7 @@ bool Moves::try_place(Index v, const Point& place, double& worst_now) {
   return true;
 }
 
-bool Moves::smooth(Index v) {
+bool Moves::smooth(Index v, double gain) {
   Point here = mesh_.point(v);
   if (Point probe = here; !project(v, probe)) return false;
   double now = worst(mesh_.star(v));
@@ -384,7 +380,7 @@ bool Moves::smooth(Index v) {
   }
   for (double& x : middle) x /= static_cast<double>(n);
   const double room = std::sqrt(near);
-  if (try_place(v, middle, now)) better = true;
+  if (try_place(v, middle, gain, now)) better = true;
   // Then the way in which the worst shape gets better fastest, in shorter and shorter steps.
   for (int round = 0; round < 4; ++round) {
     here = mesh_.point(v);
@@ -416,7 +412,7 @@ bool Moves::smooth(Index v) {
     for (const double step : {0.4, 0.1, 0.02}) {
       Point to = here;
       for (std::size_t k = 0; k < 3; ++k) to[k] += way[k] / length * step * room;
-      if (!try_place(v, to, now)) continue;
+      if (!try_place(v, to, gain, now)) continue;
       moved = better = true;
       break;
     }

@@ -70,6 +70,8 @@ class Stars {
   /// No move makes the tetrahedron better, until something changes in the stars of its corners: more than these no
   /// move looks at. So sweeps of a mesh of which little changes between them cost little.
   void settle(Index t) { settled_[t] = changes_; }
+  /// Other moves are tried from now on.
+  void unsettle() { std::ranges::fill(settled_, 0); }
   bool is_settled(Index t) const {
     return std::ranges::all_of(tetrahedra_[t].corners, [&](Index v) { return last_change_[v] <= settled_[t]; });
   }
