@@ -268,13 +268,14 @@ double Stars::measure(const std::array<Index, 4>& corners, std::int32_t region, 
       w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) + w[2] * (u[0] * v[1] - u[1] * v[0]);
   // The bound of the filter of orient3d (kernel/exact/predicates.cpp); what underflows is left to the exact stage.
   const double bound = 6e-15 * box;
-  const double shape = 432 * det * det / (squares * squares * squares);
+  const auto cubed = [&] { return 432 * det * det / (squares * squares * squares); };
   if (!(det > bound && box > 1e-200)) {
     if (det < -bound && box > 1e-200) return -1;
-    if (region >= 0 && shape <= bar) return -1;
+    if (region >= 0 && cubed() <= bar) return -1;
     if (orient3d(a.data(), b.data(), c.data(), d.data()) <= 0) return -1;
   }
   if (region < 0) return std::numeric_limits<double>::infinity();
+  const double shape = cubed();
   return std::isfinite(shape) ? shape : 0;
 }
 
