@@ -26,8 +26,8 @@ constexpr int kMoveRounds = 6, kSizeRounds = 40, kShapeRounds = 40, kShortRounds
 constexpr double kSized = 0.6;
 /// A vertex moves where that makes the worst shape around it so many times as good (to the third power, as shapes
 /// are measured). There is nearly always a little to gain; it costs as much as a lot, and all around has to be
-/// tried again. Only what is bad is worth that, and only once others are good.
-constexpr double kNotable = 1.05, kAny = 1;
+/// tried again. That is worth it for what is bad, where that is no more than this part of the mesh.
+constexpr double kNotable = 1.05, kAny = 1, kFewBad = 0.05;
 /// A tetrahedron with no edge longer than so many of its shortest one is not bad for its edges, but flat.
 constexpr double kStretched = 1.5;
 
@@ -77,8 +77,6 @@ class Improver {
     for (int round = 0; round < kMoveRounds && !over(); ++round) {
       if (sweep(cube(options_.good)) * 200 < mesh_.size()) break;
     }
-    gain_of_bad_ = kAny;
-    mesh_.unsettle();
     to_shape();
     sweep(cube(options_.good));
     for (int round = 0; round < kMoveRounds && !over(); ++round) {
@@ -96,9 +94,9 @@ class Improver {
   Stars mesh_;
   Moves moves_;
   const std::chrono::steady_clock::time_point begin_;
-  std::vector<double> wanted_;  // by vertex
-  std::vector<int> halvings_;   // by vertex
-  double gain_of_bad_ = kNotable;
+  std::vector<double> wanted_;     // by vertex
+  std::vector<int> halvings_;      // by vertex
+  double gain_of_bad_ = kNotable;  // in the next sweep
   std::size_t steps_ = 0;
   bool over_ = false;
 
@@ -134,8 +132,10 @@ class Improver {
   static double square(double x) { return x * x; }
 
   std::size_t sweep(double below) {
-    std::size_t done = 0;
+    std::size_t done = 0, bad = 0, all = 0;
     for (Index t = 0; t < mesh_.size() && !over(); ++t) {
+      if (!mesh_.alive(t)) continue;
+      ++all, bad += mesh_.at(t).shape < cube(options_.shape);
       for (int tries = 0; tries < 4 && mesh_.alive(t) && mesh_.at(t).shape < below && !mesh_.is_settled(t);
            ++tries) {
         if (!mend(t)) {
@@ -145,6 +145,9 @@ class Improver {
         ++done;
       }
     }
+    const double gain = static_cast<double>(bad) < kFewBad * static_cast<double>(all) ? kAny : kNotable;
+    if (gain < gain_of_bad_) mesh_.unsettle();
+    gain_of_bad_ = gain;
     return done;
   }
 
