@@ -48,7 +48,7 @@ constexpr int kPatience = 10;
 /// And when there are so many times the tetrahedra of the mesh that was kept last: where a bound is too much for
 /// halves, each round doubles what is bad, and all of it would be made in vain.
 constexpr std::size_t kMostGrowth = 8;
-/// A mesh that has fewer may need more of them, and costs little.
+/// A mesh that has fewer tetrahedra may need many times more, and costs little.
 constexpr std::size_t kFew = 25'000;
 /// The mesh is kept when the part of it that is bad is so much smaller than when it was kept last.
 constexpr double kSaved = 0.9;
@@ -145,7 +145,8 @@ class Improver {
         ++done;
       }
     }
-    const double gain = static_cast<double>(bad) < kFewBad * static_cast<double>(all) ? kAny : kNotable;
+    const bool few = all < kFew || static_cast<double>(bad) < kFewBad * static_cast<double>(all);
+    const double gain = few ? kAny : kNotable;
     if (gain < gain_of_bad_) mesh_.unsettle();
     gain_of_bad_ = gain;
     return done;
