@@ -38,13 +38,18 @@ ExactVolume::ExactVolume(const std::vector<std::array<double, 3>>& points) {
 }
 
 void ExactVolume::add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-  const Integer* p[4] = {&scaled_[3 * a], &scaled_[3 * b], &scaled_[3 * c], &scaled_[3 * d]};
-  Integer m[3][3];
-  for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) m[i][k] = p[i + 1][k] - p[0][k];
+  const std::uint32_t ends[3] = {b, c, d};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      mpz_sub(edges_[i][k].get_mpz_t(), scaled_[3 * ends[i] + k].get_mpz_t(), scaled_[3 * a + k].get_mpz_t());
   }
-  six_ += m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) + m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
-          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  const auto& [u, v, w] = edges_;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    mpz_mul(minor_.get_mpz_t(), v[i].get_mpz_t(), w[j].get_mpz_t());
+    mpz_submul(minor_.get_mpz_t(), v[j].get_mpz_t(), w[i].get_mpz_t());
+    mpz_addmul(six_.get_mpz_t(), u[k].get_mpz_t(), minor_.get_mpz_t());
+  }
 }
 
 Rational ExactVolume::value() const {

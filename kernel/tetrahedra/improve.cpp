@@ -24,6 +24,10 @@ constexpr double kLong = 1.4142, kShort = 0.7071;
 constexpr int kMoveRounds = 6, kSizeRounds = 40, kShapeRounds = 40, kShortRounds = 6;
 /// Moves are tried on worse shapes while short edges are pulled together.
 constexpr double kSized = 0.6;
+/// A vertex moves where that makes the worst shape around it so many times as good (to the third power, as shapes
+/// are measured). There is nearly always a little to gain; it costs as much as a lot, and all around has to be
+/// tried again. That is worth it for what is bad, where that is no more than this part of the mesh.
+constexpr double kNotable = 1.05, kAny = 1, kFewBad = 0.05;
 /// A tetrahedron with no edge longer than so many of its shortest one is not bad for its edges, but flat.
 constexpr double kStretched = 1.5;
 
@@ -44,7 +48,7 @@ constexpr int kPatience = 10;
 /// And when there are so many times the tetrahedra of the mesh that was kept last: where a bound is too much for
 /// halves, each round doubles what is bad, and all of it would be made in vain.
 constexpr std::size_t kMostGrowth = 8;
-/// A mesh that has fewer may need more of them, and costs little.
+/// A mesh that has fewer tetrahedra may need many times more, and costs little.
 constexpr std::size_t kFew = 25'000;
 /// The mesh is kept when the part of it that is bad is so much smaller than when it was kept last.
 constexpr double kSaved = 0.9;
@@ -75,6 +79,9 @@ class Improver {
     }
     to_shape();
     sweep(cube(options_.good));
+    for (int round = 0; round < kMoveRounds && !over(); ++round) {
+      if (sweep(cube(options_.shape)) == 0) break;
+    }
     to_volume();
     return !over_;
   }
@@ -87,8 +94,9 @@ class Improver {
   Stars mesh_;
   Moves moves_;
   const std::chrono::steady_clock::time_point begin_;
-  std::vector<double> wanted_;  // by vertex
-  std::vector<int> halvings_;   // by vertex
+  std::vector<double> wanted_;     // by vertex
+  std::vector<int> halvings_;      // by vertex
+  double gain_of_bad_ = kNotable;  // in the next sweep
   std::size_t steps_ = 0;
   bool over_ = false;
 
@@ -106,12 +114,14 @@ class Improver {
   /// One move that makes a tetrahedron better, or what comes in its place.
   bool mend(Index t) {
     const auto corners = mesh_.at(t).corners;
+    const double gain = mesh_.at(t).shape < cube(options_.shape) ? gain_of_bad_ : kNotable;
     for (const auto& [i, j] : kEdges)
       if (moves_.remove_edge(corners[std::size_t(i)], corners[std::size_t(j)])) return true;
     for (int k = 0; k < 4; ++k)
       if (moves_.swap_face(t, k)) return true;
-    for (const Index v : corners)
-      if (moves_.smooth(v)) return true;
+    bool moved = false;
+    for (const Index v : corners) moved = moves_.smooth(v, gain) || moved;
+    if (moved) return true;
     for (const auto& [i, j] : kEdges) {
       const Index a = corners[std::size_t(i)], b = corners[std::size_t(j)];
       const double longest = options_.size ? square(kLong * std::min(wanted(a), wanted(b))) : kInfinite;
@@ -122,13 +132,23 @@ class Improver {
   static double square(double x) { return x * x; }
 
   std::size_t sweep(double below) {
-    std::size_t done = 0;
+    std::size_t done = 0, bad = 0, all = 0;
     for (Index t = 0; t < mesh_.size() && !over(); ++t) {
-      for (int tries = 0; tries < 4 && mesh_.alive(t) && mesh_.at(t).shape < below; ++tries) {
-        if (!mend(t)) break;
+      if (!mesh_.alive(t)) continue;
+      ++all, bad += mesh_.at(t).shape < cube(options_.shape);
+      for (int tries = 0; tries < 4 && mesh_.alive(t) && mesh_.at(t).shape < below && !mesh_.is_settled(t);
+           ++tries) {
+        if (!mend(t)) {
+          mesh_.settle(t);
+          break;
+        }
         ++done;
       }
     }
+    const bool few = all < kFew || static_cast<double>(bad) < kFewBad * static_cast<double>(all);
+    const double gain = few ? kAny : kNotable;
+    if (gain < gain_of_bad_) mesh_.unsettle();
+    gain_of_bad_ = gain;
     return done;
   }
 

@@ -102,10 +102,11 @@ bool Moves::fill_arc(Index a, Index b, std::size_t from, std::size_t count, bool
       best[i][j] = -1, by[i][j] = i + 1;
       for (std::size_t k = i + 1; k < j; ++k) {
         double shape = std::min(best[i][k], best[k][j]);
-        if (shape <= bar || shape <= best[i][j]) continue;
-        shape = std::min(shape, mesh_.measure({a, p(i), p(k), p(j)}, region));
-        if (shape <= bar || shape <= best[i][j]) continue;
-        shape = std::min(shape, mesh_.measure({b, p(i), p(j), p(k)}, region));
+        const double least = std::max(bar, best[i][j]);
+        if (shape <= least) continue;
+        shape = std::min(shape, mesh_.measure({a, p(i), p(k), p(j)}, region, least));
+        if (shape <= least) continue;
+        shape = std::min(shape, mesh_.measure({b, p(i), p(j), p(k)}, region, least));
         if (shape > best[i][j]) best[i][j] = shape, by[i][j] = k;
       }
       if (length + 1 == count && best[i][j] <= bar) return false;
@@ -156,7 +157,7 @@ bool Moves::swap_face(Index t, int k) {
     const Index p = f[i], q = f[(i + 1) % 3], r = f[(i + 2) % 3];
     Tetrahedron n{
         {e, d, p, q}, {s.facet_opposite(r), o.facet_opposite(r), Stars::kNone, Stars::kNone}, s.region, 0};
-    n.shape = mesh_.measure(n.corners, n.region);
+    n.shape = mesh_.measure(n.corners, n.region, bar);
     if (n.shape <= bar) return false;
     fresh_.push_back(n);
   }
@@ -235,7 +236,7 @@ bool Moves::collapse(Index a, Index b, double enough, double longest) {
       if (!turned_like(t.facets[k], a, b, p, q)) return false;
     }
     t.corners[at] = b;
-    t.shape = mesh_.measure(t.corners, t.region);
+    t.shape = mesh_.measure(t.corners, t.region, bar);
     if (t.shape < 0 || t.shape <= bar) return false;
     for (const Index v : t.corners)
       if (v != b && squared(v, b) > longest) return false;
@@ -318,7 +319,7 @@ bool Moves::project(Index v, Point& p) const {
   return true;
 }
 
-bool Moves::try_place(Index v, const Point& place, double& worst_now) {
+bool Moves::try_place(Index v, const Point& place, double gain, double& worst_now) {
   Point p = place;
   if (!project(v, p)) return false;
   const Point before = mesh_.point(v);
@@ -341,25 +342,25 @@ bool Moves::try_place(Index v, const Point& place, double& worst_now) {
     }
   }
   mesh_.move(v, p);
+  const double bar = gain * worst_now;
   thread_local std::vector<double> shapes;
   shapes.clear();
   double worst = kInfinite;
   for (const Index i : mesh_.star(v)) {
-    const double shape = mesh_.measure(mesh_.at(i).corners, mesh_.at(i).region);
+    const double shape = mesh_.measure(mesh_.at(i).corners, mesh_.at(i).region, bar);
     worst = std::min(worst, shape);
-    if (!(worst > worst_now) || shape < 0) {
+    if (!(worst > bar) || shape < 0) {
       mesh_.move(v, before);
       return false;
     }
     shapes.push_back(shape);
   }
-  std::size_t n = 0;
-  for (const Index i : mesh_.star(v)) mesh_.set_shape(i, shapes[n++]);
+  mesh_.set_shapes(v, shapes);
   worst_now = worst;
   return true;
 }
 
-bool Moves::smooth(Index v) {
+bool Moves::smooth(Index v, double gain) {
   Point here = mesh_.point(v);
   if (Point probe = here; !project(v, probe)) return false;
   double now = worst(mesh_.star(v));
@@ -379,7 +380,7 @@ bool Moves::smooth(Index v) {
   }
   for (double& x : middle) x /= static_cast<double>(n);
   const double room = std::sqrt(near);
-  if (try_place(v, middle, now)) better = true;
+  if (try_place(v, middle, gain, now)) better = true;
   // Then the way in which the worst shape gets better fastest, in shorter and shorter steps.
   for (int round = 0; round < 4; ++round) {
     here = mesh_.point(v);
@@ -411,7 +412,7 @@ bool Moves::smooth(Index v) {
     for (const double step : {0.4, 0.1, 0.02}) {
       Point to = here;
       for (std::size_t k = 0; k < 3; ++k) to[k] += way[k] / length * step * room;
-      if (!try_place(v, to, now)) continue;
+      if (!try_place(v, to, gain, now)) continue;
       moved = better = true;
       break;
     }

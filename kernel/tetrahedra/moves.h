@@ -30,8 +30,8 @@ class Moves {
   bool collapse(Index a, Index b, double enough, double longest);
   /// A new vertex in the middle of an edge; its number, or kNoTetrahedron where something would turn.
   Index split(Index a, Index b);
-  /// Moves a vertex so that the worst shape around it gets better.
-  bool smooth(Index v);
+  /// Moves a vertex so that the worst shape around it, to the third power, gets more than `gain` times as good.
+  bool smooth(Index v, double gain);
 
   /// The worst shape of some tetrahedra.
   double worst(std::span<const Index> tetrahedra) const;
@@ -52,7 +52,7 @@ class Moves {
                 double bar);
   bool keeps_facets(Index a, Index b) const;
   bool turned_like(std::int32_t facet, Index before, Index after, Index p, Index q) const;
-  bool try_place(Index v, const Point& p, double& worst);
+  bool try_place(Index v, const Point& p, double gain, double& worst);
   bool project(Index v, Point& p) const;
 };
 

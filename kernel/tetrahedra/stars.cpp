@@ -49,7 +49,8 @@ Stars::Stars(const ConformingTetrahedra& mesh)
     : points_(mesh.points),
       stars_(mesh.points.size()),
       lines_(mesh.points.size()),
-      facet_of_(mesh.points.size(), kNone) {
+      facet_of_(mesh.points.size(), kNone),
+      last_change_(mesh.points.size(), changes_) {
   double extent = 0;
   for (const Point& p : points_) {
     for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, std::fabs(p[k] - points_[0][k]));
@@ -207,6 +208,7 @@ Index Stars::add_point(const Point& p, std::int32_t facet) {
   stars_.emplace_back();
   lines_.emplace_back();
   facet_of_.push_back(facet);
+  last_change_.push_back(changes_);
   return static_cast<Index>(points_.size() - 1);
 }
 
@@ -215,18 +217,24 @@ Index Stars::add(const Tetrahedron& t) {
   if (free_.empty()) {
     i = static_cast<Index>(tetrahedra_.size());
     tetrahedra_.push_back(t);
+    settled_.push_back(0);
   } else {
     i = free_.back();
     free_.pop_back();
     tetrahedra_[i] = t;
   }
-  for (const Index v : t.corners) stars_[v].push_back(i);
+  for (const Index v : t.corners) {
+    stars_[v].push_back(i);
+    last_change_[v] = changes_;
+  }
   return i;
 }
 
 void Stars::replace(std::span<const Index> old, std::span<const Tetrahedron> fresh) {
+  ++changes_;
   for (const Index t : old) {
     for (const Index v : tetrahedra_[t].corners) {
+      last_change_[v] = changes_;
       auto& star = stars_[v];
       *std::find(star.begin(), star.end(), t) = star.back();
       star.pop_back();
@@ -237,7 +245,16 @@ void Stars::replace(std::span<const Index> old, std::span<const Tetrahedron> fre
   for (const Tetrahedron& t : fresh) add(t);
 }
 
-double Stars::measure(const std::array<Index, 4>& corners, std::int32_t region) const {
+void Stars::set_shapes(Index v, std::span<const double> shapes) {
+  ++changes_;
+  std::size_t n = 0;
+  for (const Index t : stars_[v]) {
+    tetrahedra_[t].shape = shapes[n++];
+    for (const Index w : tetrahedra_[t].corners) last_change_[w] = changes_;
+  }
+}
+
+double Stars::measure(const std::array<Index, 4>& corners, std::int32_t region, double bar) const {
   const Point &a = points_[corners[0]], &b = points_[corners[1]], &c = points_[corners[2]],
               &d = points_[corners[3]];
   double u[3], v[3], w[3], squares = 0, box = 1;
@@ -251,12 +268,14 @@ double Stars::measure(const std::array<Index, 4>& corners, std::int32_t region) 
       w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) + w[2] * (u[0] * v[1] - u[1] * v[0]);
   // The bound of the filter of orient3d (kernel/exact/predicates.cpp); what underflows is left to the exact stage.
   const double bound = 6e-15 * box;
+  const auto cubed = [&] { return 432 * det * det / (squares * squares * squares); };
   if (!(det > bound && box > 1e-200)) {
     if (det < -bound && box > 1e-200) return -1;
+    if (region >= 0 && cubed() <= bar) return -1;
     if (orient3d(a.data(), b.data(), c.data(), d.data()) <= 0) return -1;
   }
   if (region < 0) return std::numeric_limits<double>::infinity();
-  const double shape = 432 * det * det / (squares * squares * squares);
+  const double shape = cubed();
   return std::isfinite(shape) ? shape : 0;
 }
 

@@ -5,6 +5,7 @@
 // right than to find.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <vector>
@@ -59,16 +60,26 @@ class Stars {
   bool alive(Index t) const { return tetrahedra_[t].shape >= 0; }
   const Tetrahedron& at(Index t) const { return tetrahedra_[t]; }
   std::span<const Index> star(Index v) const { return stars_[v]; }
-  void set_shape(Index t, double shape) { tetrahedra_[t].shape = shape; }
+  /// Puts the shapes of its star, in their order, for a vertex that has moved.
+  void set_shapes(Index v, std::span<const double> shapes);
   void replace(std::span<const Index> old, std::span<const Tetrahedron> fresh);
   void set_facet(Index t, int k, std::int32_t facet) {
     tetrahedra_[t].facets[static_cast<std::size_t>(k)] = facet;
   }
 
+  /// No move makes the tetrahedron better, until something changes in the stars of its corners: more than these no
+  /// move looks at. So sweeps of a mesh of which little changes between them cost little.
+  void settle(Index t) { settled_[t] = changes_; }
+  /// Other moves are tried from now on.
+  void unsettle() { std::ranges::fill(settled_, 0); }
+  bool is_settled(Index t) const {
+    return std::ranges::all_of(tetrahedra_[t].corners, [&](Index v) { return last_change_[v] <= settled_[t]; });
+  }
+
   /// The cube of the shape 12 (3 V)^(2/3) / (sum of squared edges), which is 1 of a regular tetrahedron (liu1994):
   /// its powers are ordered alike, and it needs no roots. Infinite for a negative region; -1 unless it is
-  /// certainly turned right.
-  double measure(const std::array<Index, 4>& corners, std::int32_t region) const;
+  /// certainly turned right. May be -1, too, where it is not above `bar`: then exact signs are for nothing.
+  double measure(const std::array<Index, 4>& corners, std::int32_t region, double bar = -1) const;
 
   /// False where the tetrahedra around the edge do not follow each other: the border meets itself there.
   bool ring(Index a, Index b, Ring& out) const;
@@ -91,6 +102,9 @@ class Stars {
   std::vector<std::vector<Index>> stars_;
   std::vector<std::vector<Line>> lines_;
   std::vector<std::int32_t> facet_of_;
+  std::vector<std::uint64_t> last_change_;  // by vertex: the number of the last change of its star
+  std::vector<std::uint64_t> settled_;      // by tetrahedron: the number of changes then
+  std::uint64_t changes_ = 1;
   std::vector<Point> normals_, origins_;
   double scale_ = 1;
   std::int32_t named_ = 0;  // facets from here on are of the border alone

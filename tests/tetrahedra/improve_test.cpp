@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kernel/exact/predicates.h"
+#include "kernel/tetrahedra/moves.h"
 #include "tests/scenes/seeds.h"
 #include "tests/tetrahedra/random_triangles.h"
 
@@ -235,6 +236,32 @@ TEST_CASE("tetrahedra get the lengths that are wanted", "[tetrahedra]") {
     }
     CHECK(longer * 50 < all);
   }
+}
+
+TEST_CASE("what no move makes better is tried again when something near it has changed", "[tetrahedra]") {
+  Index fixed = 0;
+  const Mesh mesh = random_mesh(2, fixed);
+  REQUIRE(!mesh.tetrahedra.empty());
+  Stars stars(mesh);
+  Moves moves(stars, fixed, false);
+  for (Index t = 0; t < stars.size(); ++t) {
+    CHECK(!stars.is_settled(t));
+    stars.settle(t);
+    CHECK(stars.is_settled(t));
+  }
+  const Index a = stars.at(0).corners[0], b = stars.at(0).corners[1];
+  std::set<Index> near;  // corners of what is halved
+  for (const Index t : moves.at_edge(a, b)) near.insert(stars.at(t).corners.begin(), stars.at(t).corners.end());
+  REQUIRE(moves.split(a, b) != Stars::kNoTetrahedron);
+  std::size_t settled = 0;
+  for (Index t = 0; t < stars.size(); ++t) {
+    const auto& corners = stars.at(t).corners;
+    const bool touched = std::any_of(corners.begin(), corners.end(),
+                                     [&](Index v) { return near.contains(v) || v + 1 == stars.point_count(); });
+    CHECK(stars.is_settled(t) != touched);
+    settled += stars.is_settled(t);
+  }
+  CHECK(settled > 0);
 }
 
 Mesh cube() {
