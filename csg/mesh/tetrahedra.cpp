@@ -75,8 +75,8 @@ class TetrahedraMaker {
     const std::string refused = options_.constrained ? "" : ask_tetgen(rounded);
     of_tetgen_ = !options_.constrained && refused.empty();
     if (options_.constrained || !refused.empty()) {
-      if (keeps_boundary()) throw InputError(refused);      // constrained tetrahedra need points on it
-      if (!refused.empty()) foretell(rounded, Maker::own);  // once more: it makes others than TetGen
+      if (keeps_boundary()) throw InputError(refused);  // constrained tetrahedra need points on it
+      if (!refused.empty() && bounded()) foretell(rounded, Maker::own);  // once more: it makes others than TetGen
       plc_ = plc_of(view_, flat_, rounded, PlcFacets::triangles);
       watch_.begin("mesh: constrained tetrahedra");
       out_ = run_constrained(plc_, flat_, watch_);
@@ -92,7 +92,8 @@ class TetrahedraMaker {
     number_points();
     std::vector<std::string> leaves;
     for (const LeafInfo& leaf : *view_.leaves) leaves.push_back(leaf.name);
-    result_.quality = quality_of(mesh(), leaves, options_.quality);
+    result_.quality = quality_of(mesh(), leaves, options_.quality, options_.max_volume);
+    tell_larger();
     return std::move(result_);
   }
 
@@ -110,6 +111,7 @@ class TetrahedraMaker {
 
   /// Points that are added at most: to keep bounds that are asked for, and for shapes alone, of which each point
   /// of the mesh may have some.
+  static constexpr double kLooksEach = 2.4;  // TetGen's, for each tetrahedron that is expected
   static constexpr std::size_t kPointsForBounds = 3'000'000, kPoints = 2'000, kPointsEach = 4;
 
   const ResultView& view_;
@@ -144,54 +146,13 @@ class TetrahedraMaker {
   }
 
   void foretell(const RoundedResult& rounded, Maker maker) {
-    if (options_.keep_boundary) return;  // with that sizes hold inside of regions only
-    const MeshForecast mesh = forecast(rounded.points(), maker);
+    watch_.begin("mesh: forecast");
+    const MeshForecast mesh = forecast(view_, flat_, rounded.points(), sizes_, regions_, maker, options_);
     if (mesh.tetrahedra == 0) return;
     require_possible(mesh, double(memory_of_machine()));
     if (std::isinf(mesh.most)) return;
     expected_ = mesh.tetrahedra;
     if (options_.foretold) options_.foretold(mesh);
-  }
-
-  /// Of none where nothing can be told.
-  MeshForecast forecast(const RoundedPoints& points, Maker maker) const {
-    constexpr double kLeast = 0.7, kMost = 1.3;
-    const double volume = options_.max_volume, strict = for_quality(options_.quality);
-    const bool by_shapes = sizes_.empty() && volume == 0;
-    if (by_shapes && (options_.quality == 0 || maker == Maker::own)) return {};
-    watch_.begin("mesh: forecast");
-    if (sizes_.empty() && maker == Maker::own) {  // as many at least; for shapes there may be many more
-      const double n = expected_of_volume(volume_of(points), volume);
-      return with_costs(n, kLeast * n, HUGE_VAL, maker, false);
-    }
-    double n = 0;
-    if (sizes_.empty()) {  // TetGen refines for shapes, too
-      const double growth = by_shapes ? kGrowthOfShapes : kGrowthOfFeatures;
-      const MeshSizes features = mesh_sizes(view_, flat_, points, {0, growth, true});
-      n = expected_tetrahedra(flat_, points, features, RegionLocator(flat_, points), maker, volume);
-    } else {
-      n = expected_tetrahedra(flat_, points, sizes_, *regions_, maker, volume);
-    }
-    if (by_shapes) return with_costs(strict * n, 0.45 * strict * n, 1.6 * strict * n, maker, true);
-    return with_costs(n, kLeast * n, kMost * strict * n, maker, !sizes_.empty());
-  }
-
-  /// Of all active regions.
-  double volume_of(const RoundedPoints& points) const {
-    double sum = 0;
-    for (Index i = 0; i < flat_.regions.size(); ++i) {
-      if (!flat_.active(i)) continue;
-      for (const auto& shell : flat_.regions[i].shells) {
-        for (const Index side : shell) {
-          for (const auto& t : flat_.faces[side >> 1].triangles) {
-            const Vector &o = points.xyz[0], a = minus(points.xyz[t[0]], o), b = minus(points.xyz[t[1]], o),
-                         c = minus(points.xyz[t[2]], o);
-            sum += (side & 1) == 0 ? -dot(a, cross(b, c)) : dot(a, cross(b, c));
-          }
-        }
-      }
-    }
-    return sum / 6;
   }
 
   /// Its longest edge is much longer than edges are to be there. The box around the model has no size, which the
@@ -225,6 +186,26 @@ class TetrahedraMaker {
     return {part == 0 ? enough : std::min(part, enough), clock};
   }
 
+  /// In words, with its bound of time.
+  std::string stage_of_tetgen(const TetgenTime& time) const {
+    std::string text = "mesh: TetGen";
+    if (std::isfinite(time.clock) && time.clock > 0)
+      text += ", at most " + std::to_string(std::lround(std::ceil(time.clock))) + " s";
+    else if (time.seconds > 0) text += ", at most " + std::to_string(time.seconds) + " s of processor";
+    return text;
+  }
+
+  /// How far TetGen is: it looks at each tetrahedron that it makes, the box around the model included, and about
+  /// so many times for each that stays. Nobody knows before what it will split, so that is as good as the
+  /// forecast.
+  LookedAt looked_at(const std::string& stage) const {
+    if (!watch_.progress || expected_ == 0) return {};
+    const auto total = std::size_t(kLooksEach * expected_);
+    return [this, &stage, total](std::size_t looks) {
+      if (looks > 0) watch_.progress(stage, std::min(looks, total - total / 50), total);
+    };
+  }
+
   /// The triangles of surfaces as facets.
   Plc refined_complex(const RoundedResult& rounded) const {
     SurfaceOptions asked;
@@ -244,9 +225,11 @@ class TetrahedraMaker {
         plc_ = options_.surface_first ? refined : plc_of(view_, flat_, rounded, attempt.facets);
         plc_.max_volume = options_.max_volume;
         set_seeds(plc_, rounded);
-        watch_.begin("mesh: TetGen");
-        out_ = run_tetgen(plc_, switches_of(options_, sized()), attempt.frame, time_of_tetgen(), too_large_,
-                          watch_.stop);
+        const TetgenTime time = time_of_tetgen();
+        const std::string stage = stage_of_tetgen(time);
+        watch_.begin(stage);
+        out_ = run_tetgen(plc_, switches_of(options_, sized()), attempt.frame, time, too_large_, watch_.stop,
+                          looked_at(stage));
         take(watch_);
         return {};
       } catch (const InputError& e) {
@@ -289,6 +272,18 @@ class TetrahedraMaker {
     take(deadline_.asked());
     if (!in_time) notice += (notice.empty() ? "" : "; ") + unfinished(asked);
     result_.notice = std::move(notice);
+  }
+
+  /// What is larger than asked for. Without new points on the boundary there may be no way to halve it.
+  void tell_larger() {
+    std::string text = larger_text(result_.quality);
+    if (text.empty()) return;
+    if (keeps_boundary()) {
+      text += ": without new points on faces and edges they are not divided; leave out " +
+              std::string(options_.keep_boundary ? "--keep-boundary" : "--surface-first") +
+              ", or ask for larger ones";
+    }
+    result_.notice += (result_.notice.empty() ? "" : "; ") + text;
   }
 
   /// What the end of time has left undone.

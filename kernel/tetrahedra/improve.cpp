@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
 
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
@@ -69,11 +70,12 @@ class Improver {
   /// False if time was over.
   bool run() {
     if (options_.size) to_length();
-    watch_.begin("mesh: shapes");
     for (int round = 0; round < kMoveRounds && !over(); ++round) {
+      begin("mesh: shapes, round " + of_rounds(round, kMoveRounds));
       if (sweep(cube(options_.good)) * 200 < mesh_.size()) break;
     }
     to_shape();
+    begin("mesh: shapes, last round");
     sweep(cube(options_.good));
     to_volume();
     return !over_;
@@ -89,13 +91,23 @@ class Improver {
   const std::chrono::steady_clock::time_point begin_;
   std::vector<double> wanted_;  // by vertex
   std::vector<int> halvings_;   // by vertex
+  std::string stage_;           // of a walk through all tetrahedra: how many of them it takes nobody knows
   std::size_t steps_ = 0;
   bool over_ = false;
 
-  /// Asked between moves: is the time over? Throws Stopped.
-  bool over() {
+  void begin(std::string stage) {
+    stage_ = std::move(stage);
+    watch_.begin(stage_, mesh_.size());
+  }
+  static std::string of_rounds(int round, int most) {
+    return std::to_string(round + 1) + " of " + std::to_string(most) + " at most";
+  }
+
+  /// Asked between moves, by a walk at tetrahedron `at`: is the time over? Throws Stopped.
+  bool over(Index at = 0) {
     if (over_ || ++steps_ % 256 != 0) return over_;
     watch_.check();
+    if (watch_.progress && at > 0) watch_.progress(stage_, at, mesh_.size());
     if (options_.seconds > 0) {
       const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begin_;
       over_ = since.count() + options_.afterwards * static_cast<double>(mesh_.size()) > options_.seconds;
@@ -123,7 +135,7 @@ class Improver {
 
   std::size_t sweep(double below) {
     std::size_t done = 0;
-    for (Index t = 0; t < mesh_.size() && !over(); ++t) {
+    for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
       for (int tries = 0; tries < 4 && mesh_.alive(t) && mesh_.at(t).shape < below; ++tries) {
         if (!mend(t)) break;
         ++done;
@@ -146,11 +158,11 @@ class Improver {
   }
 
   void to_length() {
-    Steps steps(watch_, "mesh: lengths", 0);
     for (int round = 0; round < kSizeRounds && !over(); ++round) {
+      begin("mesh: lengths, round " + of_rounds(round, kSizeRounds));
       std::size_t done = 0;
       const std::size_t all = mesh_.size();
-      for (Index t = 0; t < all && !over(); ++t) {
+      for (Index t = 0; t < all && !over(t); ++t) {
         if (!mesh_.alive(t) || mesh_.at(t).region < 0) continue;
         const auto& tet = mesh_.at(t);
         double longest = kLong;
@@ -162,11 +174,14 @@ class Improver {
         }
         if (a != b && moves_.split(a, b) != Stars::kNoTetrahedron) ++done;
       }
+      begin("mesh: lengths, moves of round " + of_rounds(round, kSizeRounds));
       sweep(cube(kRough * options_.good));
       if (done == 0) break;
     }
     for (int round = 0; round < kShortRounds && !over(); ++round) {
+      begin("mesh: short edges, round " + of_rounds(round, kShortRounds));
       const std::size_t done = collapse_short();
+      begin("mesh: short edges, moves of round " + of_rounds(round, kShortRounds));
       sweep(cube(kSized));
       if (done * 1000 < mesh_.size()) break;
     }
@@ -177,7 +192,7 @@ class Improver {
   std::size_t collapse_short() {
     std::size_t done = 0;
     const double enough = cube(kRough * options_.good);
-    for (Index t = 0; t < mesh_.size() && !over(); ++t) {
+    for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
       if (!mesh_.alive(t) || mesh_.at(t).region < 0) continue;
       const auto tet = mesh_.at(t);
       for (const auto& [i, j] : kEdges) {
@@ -248,7 +263,9 @@ class Improver {
 
   /// Moves may have made some larger again; halves are smaller.
   void to_volume() {
-    for (Index t = 0; options_.volume > 0 && t < mesh_.size(); ++t) {
+    if (options_.volume == 0) return;
+    begin("mesh: volumes");
+    for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
       while (mesh_.alive(t) && is_large(t) && !over()) {
         const auto [a, b] = longest_edge(t);
         if (moves_.split(a, b) == Stars::kNoTetrahedron) break;
@@ -311,6 +328,7 @@ class Improver {
         size = all;
       }
       if (patience == 0 || (options_.volume == 0 && all > kMostGrowth * std::max(size, kFew))) break;
+      begin("mesh: shapes, " + std::to_string(bad) + (bad == 1 ? " tetrahedron is bad" : " tetrahedra are bad"));
       for (const Index t : worst) {
         if (over() || added >= options_.points) break;
         if (!mesh_.alive(t) || !is_bad(t) || is_forced(t)) continue;

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "kernel/base/error.h"
+#include "kernel/base/per_thread.h"
 #include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/tetrahedra.h"
 
@@ -341,7 +342,10 @@ bool Moves::try_place(Index v, const Point& place, double& worst_now) {
     }
   }
   mesh_.move(v, p);
-  thread_local std::vector<double> shapes;
+  struct Shapes {
+    std::vector<double> list;
+  };
+  auto& shapes = PerThread<Shapes>::own().list;
   shapes.clear();
   double worst = kInfinite;
   for (const Index i : mesh_.star(v)) {

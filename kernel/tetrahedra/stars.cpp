@@ -5,6 +5,7 @@
 #include <map>
 
 #include "kernel/base/error.h"
+#include "kernel/base/per_thread.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/predicates.h"
 
@@ -264,7 +265,10 @@ bool Stars::ring(Index a, Index b, Ring& out) const {
   struct Link {
     Index from, to, tetrahedron;
   };
-  thread_local std::vector<Link> links;
+  struct Links {
+    std::vector<Link> list;
+  };
+  auto& links = PerThread<Links>::own().list;
   links.clear();
   for (const Index t : stars_[a]) {
     const Tetrahedron& tet = tetrahedra_[t];
