@@ -59,11 +59,14 @@ class Improver {
   Improver(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch)
       : options_(options),
         watch_(watch),
-        mesh_(mesh),
+        mesh_(mesh, watch),
         moves_(mesh_, options.fixed, options.keep_boundary),
         begin_(std::chrono::steady_clock::now()) {
     if (options_.size) {
-      for (Index v = 0; v < mesh_.point_count(); ++v) wanted_.push_back(options_.size(mesh_.point(v)));
+      for (Index v = 0; v < mesh_.point_count(); ++v) {
+        watch_.check();
+        wanted_.push_back(options_.size(mesh_.point(v)));
+      }
     }
   }
 

@@ -90,12 +90,12 @@ TEST_CASE("what is left is said in words, of the stage or of what was foretold",
 
 TEST_CASE("a line has what is left where there is room", "[app][pace]") {
   CHECK(progress_line("mesh: proof", 30, 100, 75, 80, "0:18 left of this stage") ==
-        "mesh: proof [#######..................]   30 %  1:15, 0:18 left of this stage");
+        "mesh: proof [########....................]  30 %  1:15, 0:18 left of this stage");
   CHECK(progress_line("mesh: TetGen", 0, 0, 75, 80, "about 0:40 left of the mesh") ==
         "mesh: TetGen ...  1:15, about 0:40 left of the mesh");
   CHECK(progress_line("mesh: TetGen", 0, 0, 75, 30, "about 0:40 left of the mesh") == "mesh: TetGen ...  1:15");
   CHECK(progress_line("mesh: proof", 30, 100, 75, 80) ==
-        "mesh: proof [#########.....................]   30 %  1:15");
+        "mesh: proof [#########.....................]  30 %  1:15");
   for (std::size_t columns = 1; columns < 80; ++columns)
     CHECK(progress_line("mesh: proof", 30, 100, 75, columns, "0:18 left of this stage").size() <= columns);
 }

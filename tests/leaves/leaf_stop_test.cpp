@@ -23,7 +23,9 @@ std::vector<Shape> large_shapes() {
     for (int i = 0; i < 3; ++i) row.push_back({i, j, (i + 1) * j});
   }
   const Tessellation fine{{}, 64};
-  const ProfileLine line{{{{{1, 0, 0}, {2, 0, 1}}}, {{{2, 0, 1}, {1, 0, 2}}}, {{{1, 0, 2}, {1, 0, 0}}}}};
+  ProfileLine line;
+  const std::vector<RationalPoint> corners{{1, 0, 0}, {2, 0, 1}, {1, 0, 2}};
+  for (std::size_t i = 0; i < 3; ++i) line.segments.emplace_back().points = {corners[i], corners[(i + 1) % 3]};
   std::vector<RationalPoint> points;
   for (int i = 0; i < 400; ++i) points.push_back({i, 0, 0});
   return {SphereShape{{0, 0, 0}, 1, 64, 32},
