@@ -41,8 +41,10 @@ double for_flatness(double ratio) {
 class Forecast {
  public:
   Forecast(const FlatComplex& flat, const MeshSizes& sizes, const RegionLocator& regions, Maker maker,
-           double max_volume)
-      : flat_(flat),
+           double max_volume, const Watch& watch, bool rough)
+      : watch_(watch),
+        most_(rough ? kMost / 8 : kMost),
+        flat_(flat),
         sizes_(sizes),
         regions_(regions),
         maker_(maker),
@@ -55,9 +57,15 @@ class Forecast {
   double run(const std::vector<Vector>& points) {
     if (points.empty()) return 0;
     cover(points);
-    while (!queue_.empty() && cells_.size() < most_cells()) split();
+    while (!queue_.empty() && cells_.size() < most_cells()) {
+      watch_.check();
+      split();
+    }
     double sum = 0;
-    for (const Cell& cell : cells_) sum += share_of(cell);
+    for (const Cell& cell : cells_) {
+      watch_.check();
+      sum += share_of(cell);
+    }
     return sum;
   }
 
@@ -81,6 +89,8 @@ class Forecast {
   static constexpr double kLeastShare = 1e-7;                  // of the model; absurd, and numbers stay numbers
   static constexpr double kPerCell = 60;                       // tetrahedra, between these bounds
 
+  const Watch& watch_;
+  const std::size_t most_;  // cells
   const FlatComplex& flat_;
   const MeshSizes& sizes_;
   const RegionLocator& regions_;
@@ -93,7 +103,7 @@ class Forecast {
   double least_ = 0;  // shorter edges are counted as if they were as long
 
   std::size_t most_cells() const {
-    return std::size_t(std::clamp(shares_ / kPerCell, double(kFewest), double(kMost)));
+    return std::size_t(std::clamp(shares_ / kPerCell, double(kFewest), double(most_)));
   }
 
   static double volume_of(const Vector& half) { return 8 * half[0] * half[1] * half[2]; }
@@ -209,8 +219,9 @@ class Forecast {
 }  // namespace
 
 double expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes,
-                           const RegionLocator& regions, Maker maker, double max_volume) {
-  return Forecast(flat, sizes, regions, maker, max_volume).run(points.xyz);
+                           const RegionLocator& regions, Maker maker, double max_volume, const Watch& watch,
+                           bool rough) {
+  return Forecast(flat, sizes, regions, maker, max_volume, watch, rough).run(points.xyz);
 }
 
 double expected_of_volume(double volume, double max_volume) { return kPerVolumeOfOurs * volume / max_volume; }
@@ -321,9 +332,11 @@ MeshForecast of_unbounded(double tetrahedra, double least, double most) {
 
 /// Where nothing is bounded there are as many as facets and pieces need that are met by good shapes, and edges
 /// grow fast from there. The improver adds some thousand points for shapes however few there are.
-MeshForecast unbounded(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points, bool kept) {
+MeshForecast unbounded(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points, bool kept,
+                       const Watch& watch) {
   const MeshSizes features = mesh_sizes(view, flat, points, {0, kGrowthOfNothing, true});
-  const double n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), Maker::own);
+  const double n =
+      expected_tetrahedra(flat, points, features, RegionLocator(flat, points), Maker::own, 0, watch, true);
   const double fewest = fewest_of(flat);
   return of_unbounded(n, kept ? fewest : std::max(fewest, kLeastOfNothing * n),
                       kMostOfNothing * n + kAddedForShapes);
@@ -333,16 +346,16 @@ MeshForecast unbounded(const ResultView& view, const FlatComplex& flat, const Ro
 
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
-                      const TetrahedraOptions& options) {
+                      const TetrahedraOptions& options, const Watch& watch) {
   constexpr double kLeast = 0.7, kMost = 1.3;
   const double volume = options.max_volume, strict = for_quality(options.quality);
   const bool by_shapes = sizes.empty() && volume == 0;
-  if (by_shapes && options.quality == 0) return unbounded(view, flat, points, options.keep_boundary);
+  if (by_shapes && options.quality == 0) return unbounded(view, flat, points, options.keep_boundary, watch);
   if (options.keep_boundary) {  // what is asked for holds where faces leave room for it
     TetrahedraOptions free = options;
     free.keep_boundary = false;
-    MeshForecast mesh = forecast(view, flat, points, sizes, regions, maker, free);
-    const MeshForecast kept = unbounded(view, flat, points, true);
+    MeshForecast mesh = forecast(view, flat, points, sizes, regions, maker, free, watch);
+    const MeshForecast kept = unbounded(view, flat, points, true, watch);
     return of_unbounded(mesh.tetrahedra, kept.least, std::max(mesh.most, kept.most));
   }
   if (by_shapes && maker == Maker::own) return {};
@@ -354,9 +367,9 @@ MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const Rou
   if (sizes.empty()) {  // TetGen refines for shapes, too
     const double growth = by_shapes ? kGrowthOfShapes : kGrowthOfFeatures;
     const MeshSizes features = mesh_sizes(view, flat, points, {0, growth, true});
-    n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume);
+    n = expected_tetrahedra(flat, points, features, RegionLocator(flat, points), maker, volume, watch);
   } else {
-    n = expected_tetrahedra(flat, points, sizes, *regions, maker, volume);
+    n = expected_tetrahedra(flat, points, sizes, *regions, maker, volume, watch);
   }
   if (by_shapes) return with_costs(strict * n, 0.45 * strict * n, 1.6 * strict * n, maker, true);
   return with_costs(n, kLeast * n, kMost * strict * n, maker, !sizes.empty());

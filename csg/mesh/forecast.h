@@ -27,9 +27,11 @@ enum class Maker : std::uint8_t { tetgen, own };
 
 /// Of the mesh of a result, together, within 30 % where it is meshed by sizes or by a bound of volumes (0: none)
 /// and has thousands; bounds of shapes are not seen. Takes some milliseconds, and up to a second for meshes of
-/// millions. `sizes` are not empty.
+/// millions. `sizes` are not empty. `rough`: a tenth more or less does not matter, and it takes an eighth of the
+/// time. Throws Stopped.
 double expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes,
-                           const RegionLocator& regions, Maker maker, double max_volume = 0);
+                           const RegionLocator& regions, Maker maker, double max_volume = 0,
+                           const Watch& watch = {}, bool rough = false);
 
 /// As TetGen makes them where only volumes or shapes are bounded, growth of the sizes that facets and pieces have.
 inline constexpr double kGrowthOfFeatures = 0.8, kGrowthOfShapes = 0.6;
@@ -47,9 +49,10 @@ MeshForecast with_costs(double tetrahedra, double least, double most, Maker make
 
 /// What is foretold of the mesh that the options ask for; of none where nothing can be told. `sizes` are those of
 /// the options, and `regions` are there where sizes are. `most` may be infinite: then only the least is known.
+/// Throws Stopped by `watch`, not by that of the options.
 MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
                       const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
-                      const TetrahedraOptions& options);
+                      const TetrahedraOptions& options, const Watch& watch);
 
 /// More than that are refused.
 inline constexpr double kMostTetrahedra = 2e8;
