@@ -95,7 +95,7 @@ class Watched(unittest.TestCase):
 
     def test_a_signal_ends_a_mesh_and_what_was_there_is_sound(self):
         # Millions of tetrahedra and more: who is not stopped is here for long.
-        result = cnrg.box([0, 0, 0], [1, 1, 1]).evaluate().result
+        result = cnrg.box([0, 0, 0], [1, 1, 1]).evaluate()
         stages = []
         for endless in (lambda told: result.tetrahedralize(max_volume=4e-7, seconds=None, progress=told),
                         lambda told: result.tetrahedralize(max_volume=4e-7, seconds=0, progress=told),
@@ -118,12 +118,12 @@ class Watched(unittest.TestCase):
             if "TetGen" in stage:
                 raise ZeroDivisionError(stage)
 
-        result = cnrg.box([0, 0, 0], [1, 1, 1]).evaluate().result
+        result = cnrg.box([0, 0, 0], [1, 1, 1]).evaluate()
         with self.assertRaises(ZeroDivisionError):
             result.tetrahedralize(max_volume=4e-7, seconds=0, progress=fail)
 
     def test_no_bound_of_seconds_is_that_of_the_program(self):
-        result = cnrg.box([0, 0, 0], [2, 3, 4]).evaluate().result
+        result = cnrg.box([0, 0, 0], [2, 3, 4]).evaluate()
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             made = [result.tetrahedralize(max_volume=0.5, **how)
@@ -140,7 +140,7 @@ class Watched(unittest.TestCase):
     def test_a_file_whose_writing_is_interrupted_is_old_or_whole(self):
         script = (
             "import sys; sys.path[:0] = %r; import cnrg, signal, test_watched\n"
-            "result = cnrg.mesh(*test_watched.rippled(150, 100)).evaluate(rows=False).result\n"
+            "result = cnrg.mesh(*test_watched.rippled(150, 100)).evaluate(rows=False)\n"
             "result.write('whole.json')\n"
             "signal.signal(signal.SIGALRM, signal.default_int_handler)\n"
             "try:\n    signal.setitimer(signal.ITIMER_REAL, float(sys.argv[1]))\n    result.write('cut.json')\n"
