@@ -313,7 +313,7 @@ int run_mesh(const MeshArguments& arguments) {
     if (!arguments.quiet) {
       asked.foretold = [&](const MeshForecast& mesh) {
         bar.foretell("the mesh", mesh.seconds, !is_close(mesh));
-        if (!is_close(mesh) && !bounds(arguments.options) && mesh.tetrahedra < kWorthTelling) return;
+        if (!is_close(mesh) && !bounds(asked) && mesh.tetrahedra < kWorthTelling) return;
         bar.clear();
         tell("notice: " + forecast_text(mesh));
         if (const double free = double(memory_available()); free > 0 && mesh.bytes > free) {
