@@ -235,8 +235,8 @@ double for_quality(double radius_edge) {
 
 namespace {
 
-// Measured on 106 meshes of 54 models of geology, fractures and parts, with and without points on their faces: of
-// those with an integral of 10,000 and more nine in ten had 0.32 to 3 times it, or with kept faces fewer.
+// 259 meshes of 136 models of geology, fractures and parts, with and without points on their faces: 247 lie in the
+// range, and of the 30 with an integral of 10,000 and more 29, but for a thin shell that has fewer.
 constexpr double kGrowthOfNothing = 2, kLeastOfNothing = 0.3, kMostOfNothing = 3, kAddedForShapes = 10'000;
 
 // Meshes of 10,000 to 2 million tetrahedra on one core: memory at its peak, with that of TetGen; seconds of all of
