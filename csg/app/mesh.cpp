@@ -208,6 +208,14 @@ std::string table_of(const SurfaceTriangles& made, bool quads) {
          " segments on edges\n";
 }
 
+/// A mesh of fewer that nothing is asked of is made before somebody has read what it will be.
+constexpr double kWorthTelling = 10'000;
+
+/// Do the options say how many tetrahedra there will be? (What sizes of nodes make is told closely.)
+bool bounds(const TetrahedraOptions& options) {
+  return options.size > 0 || options.quality > 0 || options.max_volume > 0;
+}
+
 /// The page that tells of a mesh.
 using Page = std::function<std::string(const MeshPageOptions&)>;
 
@@ -308,6 +316,8 @@ int run_mesh(const MeshArguments& arguments) {
     asked.watch.progress = bar.progress();
     if (!arguments.quiet) {
       asked.foretold = [&](const MeshForecast& mesh) {
+        bar.foretell("the mesh", mesh.seconds, !is_close(mesh));
+        if (!is_close(mesh) && !bounds(asked) && mesh.tetrahedra < kWorthTelling) return;
         bar.clear();
         tell("notice: " + forecast_text(mesh));
         if (const double free = double(memory_available()); free > 0 && mesh.bytes > free) {
@@ -322,10 +332,7 @@ int run_mesh(const MeshArguments& arguments) {
     const bool snaps = !arguments.no_snap && !arguments.curved;  // curved surfaces are of the exact result
     made = at_node(tree, node,
                    [&] { return snaps ? snapped_tetrahedra(result, asked, snapped) : tetrahedra(result, asked); });
-    if (arguments.curved) {
-      bar.show("bend");
-      bent = at_node(tree, node, [&] { return curve(result, made); });
-    }
+    if (arguments.curved) bent = at_node(tree, node, [&] { return curve(result, made, asked.watch); });
   }
   if (!arguments.quiet) {
     std::cout << table_of(made, bent ? &*bent : nullptr);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <system_error>
@@ -56,10 +57,20 @@ std::string front_of(std::string text, std::size_t columns) {
 
 }  // namespace
 
+std::string left_text(std::optional<double> of_stage, const Foretold& foretold, double now) {
+  if (of_stage) return clock_text(std::ceil(*of_stage)) + " left of this stage";
+  const double left = foretold.until - now;
+  if (foretold.what.empty() || left < 1) return {};
+  return (foretold.at_most ? "up to " : "about ") + clock_text(left) + " left of " + foretold.what;
+}
+
 std::string progress_line(std::string_view stage, std::size_t done, std::size_t total, double seconds,
-                          std::size_t columns) {
+                          std::size_t columns, std::string_view left) {
   constexpr std::size_t kWidest = 30, kLeast = 10;
   std::string end = "  " + clock_text(seconds);
+  if (!left.empty() &&
+      width_of(stage) + std::string_view("  100 %  , ").size() + end.size() + left.size() < columns)
+    end += ", " + std::string(left);
   if (total > 0) {
     const std::size_t part = std::min(done, total);
     char percent[16];
@@ -92,7 +103,8 @@ ProgressBar::~ProgressBar() {
 void ProgressBar::draw() {
   last_ = seconds_so_far();
   const std::size_t columns = columns_of_terminal() - 1;  // in the last one some terminals begin a new line
-  put(kErase + progress_line(shown(stage_), done_, total_, last_, columns));
+  const std::string left = left_text(pace_.left(last_), foretold_, last_);
+  put(kErase + progress_line(shown(stage_), done_, total_, last_, columns, left));
   drawn_ = true;
 }
 
@@ -107,16 +119,24 @@ void ProgressBar::show(std::string_view stage, std::size_t done, std::size_t tot
   if (!active_) return;
   const std::lock_guard lock(mutex_);
   const bool same = stage == stage_;
+  const double now = seconds_so_far();
+  if (!same) pace_.begin(now);
+  pace_.see(done, total, now);
   stage_ = stage;
   done_ = done;
   total_ = total;
-  if (same && drawn_ && seconds_so_far() - last_ < kSeldom) return;
+  if (same && drawn_ && now - last_ < kSeldom) return;
   draw();
   if (thread_.joinable()) return;
   try {
     thread_ = std::thread([this] { keep_drawing(); });
   } catch (const std::system_error&) {  // the bar stands still, then
   }
+}
+
+void ProgressBar::foretell(std::string what, double seconds, bool at_most) {
+  const std::lock_guard lock(mutex_);
+  foretold_ = {std::move(what), seconds_so_far() + seconds, at_most};
 }
 
 Progress ProgressBar::progress() {

@@ -36,6 +36,7 @@
 #include "csg/evaluate/prepared_leaves.h"
 #include "csg/evaluate/scopes.h"
 #include "csg/evaluate/simplified_value.h"
+#include "csg/leaves/leaf_stop.h"
 #include "csg/leaves/surface_parameters.h"
 #include "csg/tree/sizes.h"
 #include "csg/weld/weld_leaves.h"
@@ -126,6 +127,7 @@ Evaluation evaluate_together(const Tree& tree, const std::vector<NodeId>& roots,
   Evaluation result;
   const Unfolding unfolding = unfold(tree, roots);
 
+  const LeafStop may_stop(options.watch.stop);
   options.watch.begin("leaves");
   const PreparedLeaves leaves(tree, unfolding, joined);
   append(result.diagnostics, leaves.notices());

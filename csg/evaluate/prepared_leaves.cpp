@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "csg/leaves/leaf_stop.h"
+
 namespace cnrg {
 namespace {
 
@@ -124,7 +126,9 @@ std::vector<LeafId> PreparedLeaves::below(const Unfolding& unfolding, InstanceId
 // Files of meshes are read at the same time; if several have faults that of the first node is told.
 void PreparedLeaves::prepare_nodes(const std::vector<NodeId>& nodes) {
   std::vector<std::exception_ptr> faults(nodes.size());
+  const std::stop_token stop = LeafStop::token();
   tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
+    const LeafStop of_this_thread(stop);
     const Node& node = tree_->nodes[nodes[i]];
     if (!node.shape || !std::holds_alternative<MeshShape>(*node.shape)) return;
     try {

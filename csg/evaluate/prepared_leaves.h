@@ -31,7 +31,7 @@ const std::string* file_of(const Shape& shape);
 class PreparedLeaves {
  public:
   /// Prepares each leaf node below the unfolding once; those of `joined` are there. Throws TreeError or FileError
-  /// with a position.
+  /// with a position, Stopped where somebody stops it (csg/leaves/leaf_stop.h).
   PreparedLeaves(const Tree& tree, const Unfolding& unfolding, const JoinedLeaves& joined = {});
   /// Prepares every leaf node of the tree, used or not, without instances.
   explicit PreparedLeaves(const Tree& tree);

@@ -1,6 +1,7 @@
 // Meshes of a result and their files, step by step: who calls these sees the mesh before it is written.
 #pragma once
 
+#include <stop_token>
 #include <string>
 
 #include "csg/mesh/curved_mesh.h"
@@ -22,7 +23,7 @@ SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions&
 
 /// Brings tetrahedra to the true surfaces, with elements of second order (csg/mesh/curved_mesh.h). InputError for
 /// a result that knows no parameters, such as a snapped one.
-CurvedReport curve(const Result& result, TetrahedralMesh& made);
+CurvedReport curve(const Result& result, TetrahedralMesh& made, const Watch& watch = {});
 
 /// The formats of meshes of second order: those of tetrahedra but .mesh and .h5m. Throws InputError for any other
 /// extension; the message names `others`, which the caller writes itself, too.
@@ -32,7 +33,8 @@ void check_second_order_file_name(const std::string& path, const std::string& ot
 /// extension.
 void check_quads_file_name(const std::string& path);
 
-/// Writes the mesh of a result to `path`; the file appears whole or not at all (csg/text/file.h).
-void write(const std::string& path, const Result& result, const Mesh& mesh);
+/// Writes the mesh of a result to `path`; the file appears whole or not at all (csg/text/file.h), also where it is
+/// stopped (Stopped).
+void write(const std::string& path, const Result& result, const Mesh& mesh, const std::stop_token& stop = {});
 
 }  // namespace cnrg

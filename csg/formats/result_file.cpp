@@ -102,7 +102,7 @@ void check_binary_file_name(const std::string& path) { check_binary(path); }
 FileReport write(const std::string& path, const Result& result, const FileOptions& options) {
   FileReport report;
   if (shows_regions(path)) {
-    replace_file(path, region_graph(result.cells(), result.data().value->attributes()).dot());
+    replace_file(path, region_graph(result.cells(), result.data().value->attributes()).dot(), options.stop);
     return report;
   }
   // A snapped result has lost the surfaces to which CAD models bring their vertices.
@@ -123,7 +123,7 @@ FileReport write(const std::string& path, const Result& result, const FileOption
     file = file_text(path, snapped.result->data().view(), options.binary);
     report.snapped = snapped.report;
   }
-  replace_file(path, file.text);
+  replace_file(path, file.text, options.stop);
   static_cast<RoundingReport&>(report) = std::move(file.rounding);
   return report;
 }
@@ -259,12 +259,12 @@ SurfaceTriangles snapped_surface_triangles(Result& result, const SurfaceOptions&
   });
 }
 
-CurvedReport curve(const Result& result, TetrahedralMesh& made) {
+CurvedReport curve(const Result& result, TetrahedralMesh& made, const Watch& watch) {
   const ResultView view = result.data().view(true);
   if (view.parameters == nullptr) {
     throw InputError("the result knows nothing of its true surfaces; mesh one that was not snapped");
   }
-  const CurvedReport report = curve(view, made);
+  const CurvedReport report = curve(view, made, watch);
   made.mesh.fields.clear();
   sample_materials(view, made.mesh);
   add_properties(view, made.mesh);
@@ -285,7 +285,7 @@ void check_quads_file_name(const std::string& path) {
                    known_mesh_formats(false, true) + " for --quads");
 }
 
-void write(const std::string& path, const Result& result, const Mesh& mesh) {
+void write(const std::string& path, const Result& result, const Mesh& mesh, const std::stop_token& stop) {
   check_mesh_file_name(path);
   if (!mesh.quads.empty()) check_quads_file_name(path);
   if (!mesh.middles.empty()) check_second_order_file_name(path);
@@ -295,7 +295,7 @@ void write(const std::string& path, const Result& result, const Mesh& mesh) {
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what());
   }
-  replace_file(path, content);
+  replace_file(path, content, stop);
 }
 
 TetrahedraReport write_tetrahedra(const std::vector<std::string>& paths, const Result& result,

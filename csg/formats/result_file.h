@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct FileOptions {
   bool snap = true;
   bool binary = false;                   ///< of .stl and .ply
   SnappedResultOnce* snapped = nullptr;  ///< of this result, for the files after this one; nullptr: not kept
+  std::stop_token stop{};                ///< may end the writing (Stopped): then the old file is untouched
 };
 
 /// What became of the digits of a result in a file.

@@ -64,10 +64,7 @@ TetrahedralResult::TetrahedralResult(const Result& result, const TetrahedraOptio
   if (curved) asked.order = 1;  // bent afterwards
   if (curved && asked.quality == 0) asked.quality = kCurvedQuality;
   TetrahedralMesh made = tetrahedra(result, asked);
-  if (curved) {
-    options.watch.begin("bend");
-    curve(result, made);
-  }
+  if (curved) curve(result, made, options.watch);
   data_ = std::make_shared<const Data>(Data{result, std::move(made)});
 }
 
@@ -85,8 +82,8 @@ TetrahedraArrays TetrahedralResult::arrays() const {
   return out;
 }
 
-void TetrahedralResult::write(const std::string& path) const {
-  cnrg::write(path, data_->result, data_->made.mesh);
+void TetrahedralResult::write(const std::string& path, const std::stop_token& stop) const {
+  cnrg::write(path, data_->result, data_->made.mesh, stop);
 }
 
 struct SurfaceMeshResult::Data {
@@ -111,8 +108,8 @@ SurfaceArrays SurfaceMeshResult::arrays() const {
   return out;
 }
 
-void SurfaceMeshResult::write(const std::string& path) const {
-  cnrg::write(path, data_->result, data_->made.mesh);
+void SurfaceMeshResult::write(const std::string& path, const std::stop_token& stop) const {
+  cnrg::write(path, data_->result, data_->made.mesh, stop);
 }
 
 }  // namespace cnrg

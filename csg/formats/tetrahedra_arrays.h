@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -61,8 +62,8 @@ class TetrahedralResult {
   /// How many tetrahedra were expected before any was made; 0 where no size was asked for.
   double expected() const;
   /// In the formats of check_mesh_file_name (result_file.h); of second order not .mesh and .h5m. Throws InputError
-  /// for another extension, FileError.
-  void write(const std::string& path) const;
+  /// for another extension, FileError, Stopped: then the old file is untouched.
+  void write(const std::string& path, const std::stop_token& stop = {}) const;
 
  private:
   struct Data;
@@ -84,8 +85,8 @@ class SurfaceMeshResult {
   SurfaceArrays arrays() const;
   std::size_t kept() const;  ///< facets that keep their triangles since others of doubles would cross what is near
   /// In the formats of check_mesh_file_name (result_file.h); of second order not .mesh and .h5m, with
-  /// quadrilaterals not .h5m. Throws InputError for another extension, FileError.
-  void write(const std::string& path) const;
+  /// quadrilaterals not .h5m. Throws InputError for another extension, FileError, Stopped.
+  void write(const std::string& path, const std::stop_token& stop = {}) const;
 
  private:
   struct Data;

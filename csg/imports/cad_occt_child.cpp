@@ -15,6 +15,7 @@
 #include "csg/imports/cad_occt.h"
 #include "csg/imports/leaf_file.h"
 #include "csg/leaves/leaf.h"
+#include "csg/leaves/leaf_stop.h"
 #include "csg/text/child.h"
 #include "csg/text/input_file.h"
 #include "kernel/base/error.h"
@@ -268,8 +269,8 @@ class ModelReader {
 CadModel read_cad(const CadShape& shape) {
   const std::string content = read_leaf_file(shape.file, shape.inside, "write the part again");
   const MemoryFile file("OpenCASCADE");
-  const ChildEnd end =
-      run_in_child("OpenCASCADE", limits(content), [&] { return read_in_child(shape, content, file); });
+  const ChildEnd end = run_in_child(
+      "OpenCASCADE", limits(content), [&] { return read_in_child(shape, content, file); }, LeafStop::token());
   if (end.kind != ChildEnd::Kind::done || end.number != 0) fail(shape, end);
   file.rewind();
   const auto answer = file.read_value<Answer>();

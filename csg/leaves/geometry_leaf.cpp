@@ -73,6 +73,7 @@ LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
 
   const std::size_t first = soup.point_count();
   for (PointId p : IdRange<PointId>(from.point_count())) {
+    LeafStop::check();
     const double* xyz = from.xyz(p);
     const RationalPoint* value = from.rational(p);
     double image[3];
@@ -88,6 +89,7 @@ LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
 
   std::vector<std::vector<PointId>> loops;
   for (SourceId f : IdRange<SourceId>(from.face_count())) {
+    LeafStop::check();
     const Soup::Face& face = from.face(f);
     const std::span<const PointId> corners = from.corners(f);
     const std::array<PointId, 3>* const plane = from.plane(f);
@@ -117,22 +119,26 @@ LeafId GeometryLeaf::add_to(Soup& soup, const Transform& transform) const {
 }
 
 void LeafBuilder::face(const std::vector<PointId>& loop, std::uint32_t leaf_face) {
+  LeafStop::check();
   soup_.add_face(leaf_, std::span(&loop, 1), leaf_face, leaf_face);
   note_flat();
 }
 
 void LeafBuilder::face(const std::vector<std::vector<PointId>>& loops, std::uint32_t leaf_face) {
+  LeafStop::check();
   soup_.add_face(leaf_, loops, leaf_face, leaf_face);
   note_flat();
 }
 
 void LeafBuilder::triangle(PointId a, PointId b, PointId c, std::uint32_t leaf_face) {
+  LeafStop::check();
   soup_.add_triangle(leaf_, a, b, c, leaf_face, leaf_face);
   note_flat();
 }
 
 void LeafBuilder::facet(PointId a, PointId b, PointId c, PointId d, std::uint32_t leaf_face,
                         const CornerParameters& at) {
+  LeafStop::check();
   const std::array<PointId, 4> all{a, b, c, d};
   const auto add = [&](std::initializer_list<std::size_t> polygon, std::initializer_list<std::size_t> cell) {
     const std::size_t* const k = polygon.begin();
@@ -160,6 +166,7 @@ void LeafBuilder::facet(PointId a, PointId b, PointId c, PointId d, std::uint32_
 
 void LeafBuilder::facet(PointId a, PointId b, PointId c, std::uint32_t leaf_face,
                         const std::array<std::array<const Rational*, 2>, 3>& at) {
+  LeafStop::check();
   soup_.add_triangle(leaf_, a, b, c, leaf_face, leaf_face);
   boxes_.add(at);
   if (record_ == nullptr) return;

@@ -8,6 +8,7 @@
 
 #include "csg/leaves/facet_boxes.h"
 #include "csg/leaves/leaf.h"
+#include "csg/leaves/leaf_stop.h"
 #include "csg/leaves/parameters.h"
 
 namespace cnrg {
@@ -33,14 +34,18 @@ RationalPoint exact_value(const Soup& soup, PointId p);
 /// The parameters of the four corners of a facet of a grid, u and v of each.
 using CornerParameters = std::array<std::array<const Rational*, 2>, 4>;
 
-/// Builds the geometry of one leaf and, into `record`, where it is given, the parameters of its facets.
+/// Builds the geometry of one leaf and, into `record`, where it is given, the parameters of its facets. Throws
+/// Stopped where the making of leaves is stopped (leaf_stop.h).
 class LeafBuilder {
  public:
   explicit LeafBuilder(Fill fill, LeafParameters* record = nullptr)
       : leaf_(soup_.add_leaf(fill)), fill_(fill), record_(record) {}
   Soup& soup() { return soup_; }
   LeafId leaf() const { return leaf_; }
-  PointId point(const RationalPoint& p) { return soup_.add_point(p); }
+  PointId point(const RationalPoint& p) {
+    LeafStop::check();
+    return soup_.add_point(p);
+  }
   /// A face of one loop, front by the right-hand rule.
   void face(const std::vector<PointId>& loop, std::uint32_t leaf_face);
   /// A face with holes.

@@ -94,7 +94,9 @@ struct Carrier {
 
 class Bender {
  public:
-  Bender(const ResultView& view, TetrahedralMesh& made) : made_(made), mesh_(made.mesh), flat_(flatten(view)) {
+  Bender(const ResultView& view, TetrahedralMesh& made, const Watch& watch)
+      : watch_(watch), made_(made), mesh_(made.mesh), flat_(flatten(view)) {
+    watch_.begin("bend: surfaces");
     find_carriers(view);
     original_ = mesh_.points;
     const auto add = [&](std::vector<Index>& list, Index face) {
@@ -115,6 +117,7 @@ class Bender {
       for (const Index p : s.points) wired_[p] = 1;
     }
     for (const auto& t : mesh_.tetrahedra) {
+      watch_.check();
       for (const auto& [i, j] : kSecondOrderEdges) edges_.insert(key(t.points[i], t.points[j]));
     }
     for (const auto& t : mesh_.triangles) {
@@ -142,6 +145,7 @@ class Bender {
   void find_carriers(const ResultView& view) {
     require(view.parameters != nullptr, "curved meshes need the parameters of the result");
     for (const FlatComplex::Face& face : flat_.faces) {
+      watch_.check();
       Carrier carrier;
       const auto add = [&](const FlatComplex::Patch& patch, const std::vector<PatchCorner>& cell) {
         const PlacedSurface& surface = patch_surface(view, patch);
@@ -212,10 +216,12 @@ class Bender {
   void move_points() {
     std::vector<std::optional<Point>> target(mesh_.points.size());
     const auto stays = [&](std::size_t p) { return wired_[p] || !curved(point_faces_[p]); };
+    Steps steps(watch_, "bend: points", target.size());
     for_each_index(
         target.size(),
         [&](std::size_t p) {
           if (!stays(p)) target[p] = on_surfaces(point_faces_[p], original_[p]);
+          steps.step();
         },
         64);
     std::vector<double> longest(mesh_.points.size(), 0);  // of the edges at a point
@@ -255,6 +261,7 @@ class Bender {
     std::vector<Point> way(mesh_.points.size()), next;
     for (std::size_t p = 0; p < way.size(); ++p) way[p] = difference(mesh_.points[p], original_[p]);
     for (int round = 0; round < kRounds; ++round) {
+      watch_.check();
       next = way;
       for_each_index(
           way.size(),
@@ -280,11 +287,13 @@ class Bender {
       if (curved(faces) && !(wired_[edge[0]] && wired_[edge[1]])) on_faces.push_back(edge);
     }
     std::vector<std::optional<Point>> target(on_faces.size());
+    Steps steps(watch_, "bend: edges", on_faces.size());
     for_each_index(
         on_faces.size(),
         [&](std::size_t i) {
           const auto& [a, b] = on_faces[i];
           target[i] = on_surfaces(edge_faces_.at(on_faces[i]), middle_of(mesh_.points[a], mesh_.points[b]));
+          steps.step();
         },
         64);
     for (std::size_t i = 0; i < on_faces.size(); ++i) bend(on_faces[i], target[i]);
@@ -381,14 +390,20 @@ class Bender {
     std::map<Index, std::vector<std::size_t>> around;  // elements at each point
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < mesh_.tetrahedra.size(); ++i) {
+      watch_.check();
       open.push_back(i);
       for (const Index p : mesh_.tetrahedra[i].points) around[p].push_back(i);
     }
     while (!open.empty()) {
       std::vector<char> good(open.size());
+      Steps steps(watch_, "bend: folds", open.size());
       for_each_index(
           open.size(),
-          [&](std::size_t k) { good[k] = has_positive_determinant(nodes_of(mesh_.tetrahedra[open[k]])); }, 64);
+          [&](std::size_t k) {
+            good[k] = has_positive_determinant(nodes_of(mesh_.tetrahedra[open[k]]));
+            steps.step();
+          },
+          64);
       std::set<std::size_t> again;
       const auto ask_about = [&](Index p) { again.insert(around[p].begin(), around[p].end()); };
       for (std::size_t k = 0; k < open.size(); ++k) {
@@ -444,7 +459,9 @@ class Bender {
     std::vector<double> more(made_.regions.size(), 0);
     ExactVolume exact(mesh_.points);
     std::vector<Rational> straight(made_.regions.size());
+    watch_.begin("bend: volumes");
     for (std::size_t i = 0; i < mesh_.tetrahedra.size(); ++i) {
+      watch_.check();
       const Mesh::Simplex<4>& t = mesh_.tetrahedra[i];
       exact.add(t.points[0], t.points[1], t.points[2], t.points[3]);
       if (i + 1 == mesh_.tetrahedra.size() || mesh_.tetrahedra[i + 1].entity != t.entity) {
@@ -472,6 +489,7 @@ class Bender {
     }
   }
 
+  const Watch& watch_;
   TetrahedralMesh& made_;
   Mesh& mesh_;
   const FlatComplex flat_;
@@ -502,6 +520,8 @@ Mesh::Index Mesh::middle(Index a, Index b) const {
   return it->second;
 }
 
-CurvedReport curve(const ResultView& view, TetrahedralMesh& made) { return Bender(view, made).run(); }
+CurvedReport curve(const ResultView& view, TetrahedralMesh& made, const Watch& watch) {
+  return Bender(view, made, watch).run();
+}
 
 }  // namespace cnrg

@@ -29,7 +29,7 @@ struct CurvedReport {
 };
 
 /// `view` has parameters (ResultView::parameters). The mesh becomes one of second order, volumes of regions are
-/// those of the quadratic elements, to the accuracy of doubles.
-CurvedReport curve(const ResultView& view, TetrahedralMesh& made);
+/// those of the quadratic elements, to the accuracy of doubles. Throws Stopped; then the mesh is of no use.
+CurvedReport curve(const ResultView& view, TetrahedralMesh& made, const Watch& watch = {});
 
 }  // namespace cnrg

@@ -9,9 +9,12 @@
 //
 // A bound of volumes is a least density. Where only shapes are bounded, refinement makes edges about as long as
 // features are wide and lets them grow from there, so that sizes that nobody asked for tell of it, but not within
-// 30 %: that is a range. Where nothing is bounded, counts depend on which shapes can be mended, and nothing is
-// told.
+// 30 %: that is a range. Where nothing is bounded, edges grow faster, and counts depend on which shapes can be
+// mended: the range is wide, and tells of memory and time more than of a number. Where the boundary is kept, it
+// may leave no room for what is asked for, so there may be as few as its faces need.
 #pragma once
+
+#include <optional>
 
 #include "csg/mesh/mesh_sizes.h"
 #include "csg/mesh/region_locator.h"
@@ -24,9 +27,11 @@ enum class Maker : std::uint8_t { tetgen, own };
 
 /// Of the mesh of a result, together, within 30 % where it is meshed by sizes or by a bound of volumes (0: none)
 /// and has thousands; bounds of shapes are not seen. Takes some milliseconds, and up to a second for meshes of
-/// millions. `sizes` are not empty.
+/// millions. `sizes` are not empty. `rough`: a tenth more or less does not matter, and it takes an eighth of the
+/// time. Throws Stopped.
 double expected_tetrahedra(const FlatComplex& flat, const RoundedPoints& points, const MeshSizes& sizes,
-                           const RegionLocator& regions, Maker maker, double max_volume = 0);
+                           const RegionLocator& regions, Maker maker, double max_volume = 0,
+                           const Watch& watch = {}, bool rough = false);
 
 /// As TetGen makes them where only volumes or shapes are bounded, growth of the sizes that facets and pieces have.
 inline constexpr double kGrowthOfFeatures = 0.8, kGrowthOfShapes = 0.6;
@@ -42,12 +47,22 @@ double for_quality(double radius_edge);
 /// within a third. `by_sizes`: else by a bound of volumes.
 MeshForecast with_costs(double tetrahedra, double least, double most, Maker maker, bool by_sizes);
 
+/// What is foretold of the mesh that the options ask for; of none where nothing can be told. `sizes` are those of
+/// the options, and `regions` are there where sizes are. `most` may be infinite: then only the least is known.
+/// Throws Stopped by `watch`, not by that of the options.
+MeshForecast forecast(const ResultView& view, const FlatComplex& flat, const RoundedPoints& points,
+                      const MeshSizes& sizes, const std::optional<RegionLocator>& regions, Maker maker,
+                      const TetrahedraOptions& options, const Watch& watch);
+
 /// More than that are refused.
 inline constexpr double kMostTetrahedra = 2e8;
 
 /// Throws InputError, with what helps, if they are more than kMostTetrahedra, or the fewest that are expected need
 /// more memory (bytes, 0: unknown) than there is.
 void require_possible(const MeshForecast& mesh, double memory);
+
+/// Is its count told within 30 %? Else it is a range, and bytes and seconds are those of the most.
+bool is_close(const MeshForecast& mesh);
 
 /// `about 12,300 tetrahedra are expected, 50 MB of memory, a second`; where 30 % cannot be promised `from 5,000 to
 /// 15,000 tetrahedra are expected, up to ...`.

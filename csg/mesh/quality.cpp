@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "csg/text/escape.h"
+#include "csg/text/table.h"
 #include "kernel/base/sorted.h"
 #include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/improve.h"
@@ -182,10 +183,13 @@ TetrahedronMeasures measures_of(const std::array<std::array<double, 3>, 4>& p) {
   out.dihedral = 180;
   for (std::size_t e = 0; e < 6; ++e) out.dihedral = std::min(out.dihedral, dihedral(p, e));
   out.radius_edge = radius_edge_of(p[0], p[1], p[2], p[3]);
+  out.volume = std::fabs(dot(minus(p[1], p[0]), cross(minus(p[2], p[0]), minus(p[3], p[0])))) / 6;
   return out;
 }
 
-MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves, double radius_edge) {
+MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves, double radius_edge,
+                       double volume) {
+  constexpr double kDigits = 1e-9;  // of the bound, which TetGen computes with in another way
   MeshQuality out;
   out.regions.resize(mesh.entities[3].size());
   std::vector<double> all, of_region;
@@ -206,6 +210,8 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
     out.largest_radius_edge = std::max(out.largest_radius_edge, m.radius_edge);
     out.smallest_dihedral = std::min(out.smallest_dihedral, m.dihedral);
     out.beyond += radius_edge > 0 && m.radius_edge > radius_edge;
+    out.larger += volume > 0 && m.volume > volume * (1 + kDigits);
+    out.largest = std::max(out.largest, m.volume);
     ++out.shapes[std::min<std::size_t>(std::size_t(m.shape * 20), 19)];
     ++out.dihedrals[std::min<std::size_t>(std::size_t(m.dihedral / 5), 17)];
     ++out.ratios[std::size_t(std::clamp((m.radius_edge - 0.6) * 5, 0.0, double(out.ratios.size() - 1)))];
@@ -230,6 +236,12 @@ MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves,
     out.worst_ones.back().tetrahedron = bad[i].second;
   }
   return out;
+}
+
+std::string larger_text(const MeshQuality& quality) {
+  if (quality.larger == 0) return {};
+  return counted(quality.larger, "tetrahedron is", "tetrahedra are") + " larger than --max-volume, the largest " +
+         short_text(quality.largest);
 }
 
 TriangleQuality triangle_quality_of(const Mesh& mesh, const std::vector<std::string>& leaves) {

@@ -14,6 +14,7 @@ struct TetrahedronMeasures {
   double shape = 0;        ///< 12 (3 V)^(2/3) / (sum of squared edges), 1 of a regular one (liu1994)
   double radius_edge = 0;  ///< circumradius to shortest edge; sqrt(6) / 4 of a regular one
   double dihedral = 0;     ///< the smallest of its six, degrees
+  double volume = 0;
 };
 TetrahedronMeasures measures_of(const std::array<std::array<double, 3>, 4>& corners);
 
@@ -35,6 +36,8 @@ struct MeshQuality {
   std::vector<Region> regions;  ///< as the mesh's entities of dimension 3
   std::size_t bad = 0;
   std::size_t beyond = 0;  ///< whose ratio of circumradius to shortest edge is larger than asked for
+  std::size_t larger = 0;  ///< whose volume is larger than asked for
+  double largest = 0;      ///< volume of all
   double worst = 1, median = 1, largest_radius_edge = 0, smallest_dihedral = 180;
   std::array<std::size_t, 20> shapes{};     ///< how many by twentieths
   std::array<std::size_t, 18> dihedrals{};  ///< by the smallest angle, 5 degrees each
@@ -43,8 +46,12 @@ struct MeshQuality {
   std::vector<Bad> worst_ones;  ///< `kShown` at most, the worst first
 };
 
-/// `leaves`: their names, by number; `radius_edge`: the largest ratio that was asked for, 0: none.
-MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves, double radius_edge = 0);
+/// `leaves`: their names, by number; `radius_edge`, `volume`: the largest that were asked for, 0: none.
+MeshQuality quality_of(const Mesh& mesh, const std::vector<std::string>& leaves, double radius_edge = 0,
+                       double volume = 0);
+
+/// `6 tetrahedra are larger than --max-volume, the largest 0.167`; empty where none is.
+std::string larger_text(const MeshQuality& quality);
 
 /// How good triangles are: by their smallest angles.
 struct TriangleQuality {

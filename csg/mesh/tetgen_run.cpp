@@ -102,24 +102,26 @@ void write_result(const MemoryFile& file, const tetgenio& out) {
   file.write_list(out.edgemarkerlist, std::size_t(out.numberofedges));
 }
 
-/// TetGen's callback has no argument of ours. Only the child, which has one thread, sets this.
+/// TetGen's callback has no argument of ours. Only the child, which has one thread, sets these.
 const TooLarge* asked_of_all = nullptr;
+const SharedCount* looks = nullptr;
 
 bool has_to_be_split(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL) {
+  looks->add();
+  if (!*asked_of_all) return false;
   const auto at = [](const REAL* p) { return std::array<double, 3>{p[0], p[1], p[2]}; };
   return (*asked_of_all)({at(a), at(b), at(c), at(d)});
 }
 
 /// In the child: 0, or the number that TetGen throws.
 int mesh(const Plc& plc, std::string switches, TetgenFrame frame, const TooLarge& too_large,
-         const MemoryFile& result) {
+         const SharedCount& looked, const MemoryFile& result) {
   try {
     tetgenio in, out;
     fill(plc, frame, in);
-    if (too_large) {
-      asked_of_all = &too_large;
-      in.tetunsuitable = &has_to_be_split;
-    }
+    asked_of_all = &too_large;
+    looks = &looked;
+    in.tetunsuitable = &has_to_be_split;
     tetrahedralize(switches.data(), &in, &out);
     write_result(result, out);
     return 0;
@@ -185,13 +187,16 @@ PlcMesh read_result(const MemoryFile& file) {
 }  // namespace
 
 PlcMesh run_tetgen(const Plc& plc, const std::string& switches, TetgenFrame frame, const TetgenTime& time,
-                   const TooLarge& too_large, const std::stop_token& stop) {
+                   const TooLarge& too_large, const std::stop_token& stop, const LookedAt& looked_at) {
   const MemoryFile result("TetGen");
+  const SharedCount looked;
   const ChildLimits limits{.seconds = std::size_t(std::max(time.seconds, 0))};
-  const auto work = [&] { return mesh(plc, "pAQMJ" + switches, frame, too_large, result); };
+  const auto work = [&] { return mesh(plc, "pAQMJ" + switches, frame, too_large, looked, result); };
   const Deadline deadline(Watch{{}, stop}, time.clock);
+  std::function<void()> meanwhile;
+  if (looked_at) meanwhile = [&] { looked_at(looked.value()); };
   try {
-    require_done(run_in_child("TetGen", limits, work, deadline.watch().stop));
+    require_done(run_in_child("TetGen", limits, work, deadline.watch().stop, meanwhile));
   } catch (const Stopped&) {
     if (stop.stop_requested()) throw;
     require_done({.kind = ChildEnd::Kind::time});

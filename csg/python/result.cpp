@@ -24,9 +24,10 @@ void bind_result(py::module_& module) {
            })
       .def("write",
            [](const OneResult& r, const std::string& path, bool parameters, bool snap, bool binary) {
-             const FileOptions options{.parameters = parameters, .snap = snap, .binary = binary};
-             const FileReport report =
-                 watched(py::none(), [&](const Watch&) { return write(path, r.result, options); });
+             const FileReport report = apart(py::none(), [=, held = r.result](const Watch& watch) {
+               return write(path, held,
+                            {.parameters = parameters, .snap = snap, .binary = binary, .stop = watch.stop});
+             });
              std::vector<std::string> notices = report.notices;
              if (report.snapped.rounds > 0) notices.push_back(report.snapped.text());
              return py::make_tuple(report.moved, report.embedded, notices, report.snapped.warnings());

@@ -135,12 +135,12 @@ void bind_tetrahedra(py::module_& module) {
       .def("notice", [](const TetrahedraObject& object) { return text_of(object.mesh.notice()); })
       .def("expected", [](const TetrahedraObject& object) { return object.mesh.expected(); })
       .def("write", [](const TetrahedraObject& object, const std::string& path) {
-        run_watched(py::none(), [&](const Watch&) { object.mesh.write(path); });
+        run_apart(py::none(), [mesh = object.mesh, path](const Watch& watch) { mesh.write(path, watch.stop); });
       });
   py::class_<SurfaceObject>(module, "SurfaceMesh")
       .def("data", [](const SurfaceObject& object) { return data_of(object); })
       .def("write", [](const SurfaceObject& object, const std::string& path) {
-        run_watched(py::none(), [&](const Watch&) { object.mesh.write(path); });
+        run_apart(py::none(), [mesh = object.mesh, path](const Watch& watch) { mesh.write(path, watch.stop); });
       });
   module.def("mesh_surface", &mesh_surface, py::arg("result"), py::arg("size"), py::arg("growth"),
              py::arg("max_points"), py::arg("seconds"), py::arg("order"), py::arg("quads"), py::arg("progress"));

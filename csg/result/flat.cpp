@@ -13,6 +13,7 @@
 #include "csg/operators/component_lists.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
+#include "kernel/base/per_thread.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/triangulate.h"
 #include "kernel/selection/canonical.h"
@@ -110,9 +111,12 @@ class Flattener {
   template <class IdT, class Cells>
   FlatComplex::Provenance origin_of(const std::vector<std::pair<IdT, Component>>& list,
                                     const std::vector<LeafSetId>& sets, const Cells& cells) const {
-    thread_local std::vector<LeafSetId> from;
-    thread_local std::vector<LeafId> of;
-    thread_local std::vector<LeafCell> on;
+    struct Lists {
+      std::vector<LeafSetId> from;
+      std::vector<LeafId> of;
+      std::vector<LeafCell> on;
+    };
+    auto& [from, of, on] = PerThread<Lists>::own();
     from.clear(), of.clear(), on.clear();
     for (const auto& cell : cells) {
       const IdT id = id_of(cell);
@@ -350,6 +354,11 @@ class Flattener {
     return std::all_of(regions.begin(), regions.end(), [&](auto r) { return inside_component(component, r); });
   }
 
+  /// Around a cell.
+  struct Regions {
+    std::vector<RegionId> list;
+  };
+
   Index region_index(RegionId region) const {
     const auto place = simple_.region_place[region.index()];
     return place.dimension == 3 && place.index < simple_.regions.size() ? place.index : kNone;
@@ -358,7 +367,10 @@ class Flattener {
   /// What `value` finds at covers of every cell of the face, ascending; until the next call in this thread.
   template <class T, class Value>
   const std::vector<T>& common_of(const SimplifiedComplex::Face& face, Value value) const {
-    thread_local std::vector<T> common, here, both;
+    struct Lists {
+      std::vector<T> common, here, both;
+    };
+    auto& [common, here, both] = PerThread<Lists>::own();
     common.clear();
     for (std::size_t i = 0; i < face.cells.size(); ++i) {
       here.clear(), both.clear();
@@ -419,7 +431,7 @@ class Flattener {
         Loop reversed(edge.points.rbegin(), edge.points.rend());
         if (reversed < edge.points) edge.points = std::move(reversed);
       }
-      thread_local std::vector<RegionId> regions;
+      auto& regions = PerThread<Regions>::own().list;
       const EdgeId first = from.chain[0].edge();
       complex_.star_regions(first, regions);
       edge.entity = from.component != 0 && !inside_component(from.component, regions);
@@ -440,7 +452,10 @@ class Flattener {
       return leaf != complex_.frame &&
              std::binary_search(edge.origin.leaves.begin(), edge.origin.leaves.end(), leaf);
     };
-    thread_local std::vector<FlatComplex::Patch> around, on, patches, curves;
+    struct Lists {
+      std::vector<FlatComplex::Patch> around, on, patches, curves;
+    };
+    auto& [around, on, patches, curves] = PerThread<Lists>::own();
     patches.clear(), curves.clear();
     for (std::size_t i = 0; i < from.chain.size(); ++i) {
       const EdgeId e = from.chain[i].edge();
@@ -500,7 +515,7 @@ class Flattener {
       vertex.component = from.component;
       vertex.free = !on_edge[vertex.point];
       if (!whole_ && !vertex.free) return;
-      thread_local std::vector<RegionId> regions;
+      auto& regions = PerThread<Regions>::own().list;
       complex_.star_regions(from.cell, regions);
       vertex.entity = from.component != 0 && !inside_component(from.component, regions);
       if (vertex.free && !in_face[vertex.point]) vertex.region = region_index(complex_.some_region(from.cell));

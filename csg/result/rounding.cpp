@@ -13,6 +13,7 @@
 
 #include "csg/result/slight_moves.h"
 #include "kernel/base/error.h"
+#include "kernel/base/per_thread.h"
 
 namespace cnrg {
 
@@ -163,7 +164,10 @@ void append(std::string& text, double value) {
     std::uint8_t size = 0;  // 0: nothing is known
     char digits[24];
   };
-  thread_local std::vector<Known> known(1 << 12);
+  struct Table {
+    std::vector<Known> known = std::vector<Known>(1 << 12);
+  };
+  auto& known = PerThread<Table>::own().known;
   if (value == 0) value = 0.0;  // without a sign
   const auto bits = std::bit_cast<std::uint64_t>(value);
   Known& entry = known[bits * 0x9e3779b97f4a7c15u >> 52];

@@ -183,8 +183,15 @@ void MemoryFile::fail_by_system() const {
 }
 void MemoryFile::fail() const { throw InputError(owner_ + " returned a result that is damaged"); }
 
+SharedCount::SharedCount() {
+  void* const page = mmap(nullptr, sizeof *count_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (page == MAP_FAILED) throw std::bad_alloc();
+  count_ = new (page) std::atomic<std::size_t>(0);
+}
+SharedCount::~SharedCount() { munmap(count_, sizeof *count_); }
+
 ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const std::function<int()>& work,
-                      const std::stop_token& stop) {
+                      const std::stop_token& stop, const std::function<void()>& meanwhile) {
   const MemoryFile said(owner);
   const std::size_t seconds = seconds_of(limits);
   const std::size_t had = limits.bytes > 0 ? own_memory() : 0;
@@ -193,21 +200,23 @@ ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const
   if (child < 0) throw FileError(owner + " could not be started: " + std::strerror(errno));
   if (child == 0) be_child(limits, had, said, work);
   // A token wakes nobody who waits for a process: who may be stopped looks at it now and then.
-  const bool looks = stop.stop_possible();
-  bool stopped = false;
+  const bool looks = stop.stop_possible() || meanwhile;
+  std::exception_ptr thrown;  // by who waits
   int status = 0;
   for (pid_t ended = 0; ended != child;) {
-    ended = waitpid(child, &status, looks && !stopped ? WNOHANG : 0);
+    ended = waitpid(child, &status, looks && !thrown ? WNOHANG : 0);
     if (ended < 0 && errno != EINTR) throw FileError(owner + " was lost: " + std::strerror(errno));
     if (ended != 0) continue;
-    stopped = stop.stop_requested();
-    if (stopped) {
-      kill(child, SIGKILL);
-    } else {
+    try {
+      if (stop.stop_requested()) throw Stopped();
+      if (meanwhile) meanwhile();
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    } catch (...) {
+      thrown = std::current_exception();
+      kill(child, SIGKILL);
     }
   }
-  if (stopped) throw Stopped();
+  if (thrown) std::rethrow_exception(thrown);
   ChildEnd end = end_of(status);
   end.seconds = seconds;
   end.said = last_line(said.text());

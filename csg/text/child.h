@@ -10,6 +10,7 @@
 // same, the worst that can happen is a child that waits, and that ends with its time.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -97,10 +98,26 @@ struct ChildEnd {
   std::string said{};  ///< the last line that it printed, without a program's name in front of a failed assertion
 };
 
+/// A number that a child counts up and the caller may read meanwhile.
+class SharedCount {
+ public:
+  SharedCount();  ///< std::bad_alloc when there is no room
+  ~SharedCount();
+  SharedCount(const SharedCount&) = delete;
+  SharedCount& operator=(const SharedCount&) = delete;
+  void add() const { count_->fetch_add(1, std::memory_order_relaxed); }
+  std::size_t value() const { return count_->load(std::memory_order_relaxed); }
+
+ private:
+  std::atomic<std::size_t>* count_;
+  static_assert(std::atomic<std::size_t>::is_always_lock_free);
+};
+
 /// Runs `work`, which returns a small number that is not negative, in a child and waits for its end. Never returns
 /// in the child. Throws FileError if there is no child to be had; `owner` is for that message. Where a stop is
-/// asked for, the child is killed, and Stopped is thrown.
+/// asked for, the child is killed, and Stopped is thrown. `meanwhile`, if there is one, is called now and then
+/// while the child works; what it throws ends the child, too.
 ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const std::function<int()>& work,
-                      const std::stop_token& stop = {});
+                      const std::stop_token& stop = {}, const std::function<void()>& meanwhile = {});
 
 }  // namespace cnrg

@@ -19,7 +19,7 @@ void require_no_directory(const std::string& path) {
   throw FileError(path + ": cannot be written: it is a directory; give the name of a file in it");
 }
 
-void replace_file(const std::string& path, std::string_view content) {
+void replace_file(const std::string& path, std::string_view content, const std::stop_token& stop) {
   require_no_directory(path);
   std::string target = path;
   struct stat old;
@@ -36,8 +36,16 @@ void replace_file(const std::string& path, std::string_view content) {
   }
   const bool exists = look_up(stat, target);
   if (exists && !S_ISREG(old.st_mode)) throw FileError(path + ": cannot be replaced: it is no regular file");
+  const auto check = [&] {
+    if (stop.stop_requested()) throw Stopped();
+  };
+  constexpr std::size_t kBlock = 1 << 24;  // bytes that are on their way before anybody looks
   Draft draft(target);
-  draft.write(content);
+  for (std::size_t at = 0; at < content.size(); at += kBlock) {
+    check();
+    draft.write(content.substr(at, kBlock));
+  }
+  check();
   draft.appear(exists ? &old : nullptr);
 }
 

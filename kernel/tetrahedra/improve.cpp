@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
 
 #include "kernel/base/error.h"
 #include "kernel/base/vectors.h"
@@ -62,22 +63,26 @@ class Improver {
   Improver(ConformingTetrahedra& mesh, const ImproveOptions& options, const Watch& watch)
       : options_(options),
         watch_(watch),
-        mesh_(mesh),
+        mesh_(mesh, watch),
         moves_(mesh_, options.fixed, options.keep_boundary),
         begin_(std::chrono::steady_clock::now()) {
     if (options_.size) {
-      for (Index v = 0; v < mesh_.point_count(); ++v) wanted_.push_back(options_.size(mesh_.point(v)));
+      for (Index v = 0; v < mesh_.point_count(); ++v) {
+        watch_.check();
+        wanted_.push_back(options_.size(mesh_.point(v)));
+      }
     }
   }
 
   /// False if time was over.
   bool run() {
     if (options_.size) to_length();
-    watch_.begin("mesh: shapes");
     for (int round = 0; round < kMoveRounds && !over(); ++round) {
+      begin("mesh: shapes, round " + of_rounds(round, kMoveRounds));
       if (sweep(cube(options_.good)) * 200 < mesh_.size()) break;
     }
     to_shape();
+    begin("mesh: shapes, last round");
     sweep(cube(options_.good));
     for (int round = 0; round < kMoveRounds && !over(); ++round) {
       if (sweep(cube(options_.shape)) == 0) break;
@@ -97,13 +102,23 @@ class Improver {
   std::vector<double> wanted_;     // by vertex
   std::vector<int> halvings_;      // by vertex
   double gain_of_bad_ = kNotable;  // in the next sweep
+  std::string stage_;              // of a walk through all tetrahedra: how many of them it takes nobody knows
   std::size_t steps_ = 0;
   bool over_ = false;
 
-  /// Asked between moves: is the time over? Throws Stopped.
-  bool over() {
+  void begin(std::string stage) {
+    stage_ = std::move(stage);
+    watch_.begin(stage_, mesh_.size());
+  }
+  static std::string of_rounds(int round, int most) {
+    return std::to_string(round + 1) + " of " + std::to_string(most) + " at most";
+  }
+
+  /// Asked between moves, by a walk at tetrahedron `at`: is the time over? Throws Stopped.
+  bool over(Index at = 0) {
     if (over_ || ++steps_ % 256 != 0) return over_;
     watch_.check();
+    if (watch_.progress && at > 0) watch_.progress(stage_, at, mesh_.size());
     if (options_.seconds > 0) {
       const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begin_;
       over_ = since.count() + options_.afterwards * static_cast<double>(mesh_.size()) > options_.seconds;
@@ -133,7 +148,7 @@ class Improver {
 
   std::size_t sweep(double below) {
     std::size_t done = 0, bad = 0, all = 0;
-    for (Index t = 0; t < mesh_.size() && !over(); ++t) {
+    for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
       if (!mesh_.alive(t)) continue;
       ++all, bad += mesh_.at(t).shape < cube(options_.shape);
       for (int tries = 0; tries < 4 && mesh_.alive(t) && mesh_.at(t).shape < below && !mesh_.is_settled(t);
@@ -166,11 +181,11 @@ class Improver {
   }
 
   void to_length() {
-    Steps steps(watch_, "mesh: lengths", 0);
     for (int round = 0; round < kSizeRounds && !over(); ++round) {
+      begin("mesh: lengths, round " + of_rounds(round, kSizeRounds));
       std::size_t done = 0;
       const std::size_t all = mesh_.size();
-      for (Index t = 0; t < all && !over(); ++t) {
+      for (Index t = 0; t < all && !over(t); ++t) {
         if (!mesh_.alive(t) || mesh_.at(t).region < 0) continue;
         const auto& tet = mesh_.at(t);
         double longest = kLong;
@@ -182,11 +197,14 @@ class Improver {
         }
         if (a != b && moves_.split(a, b) != Stars::kNoTetrahedron) ++done;
       }
+      begin("mesh: lengths, moves of round " + of_rounds(round, kSizeRounds));
       sweep(cube(kRough * options_.good));
       if (done == 0) break;
     }
     for (int round = 0; round < kShortRounds && !over(); ++round) {
+      begin("mesh: short edges, round " + of_rounds(round, kShortRounds));
       const std::size_t done = collapse_short();
+      begin("mesh: short edges, moves of round " + of_rounds(round, kShortRounds));
       sweep(cube(kSized));
       if (done * 1000 < mesh_.size()) break;
     }
@@ -197,7 +215,7 @@ class Improver {
   std::size_t collapse_short() {
     std::size_t done = 0;
     const double enough = cube(kRough * options_.good);
-    for (Index t = 0; t < mesh_.size() && !over(); ++t) {
+    for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
       if (!mesh_.alive(t) || mesh_.at(t).region < 0) continue;
       const auto tet = mesh_.at(t);
       for (const auto& [i, j] : kEdges) {
@@ -268,7 +286,9 @@ class Improver {
 
   /// Moves may have made some larger again; halves are smaller.
   void to_volume() {
-    for (Index t = 0; options_.volume > 0 && t < mesh_.size(); ++t) {
+    if (options_.volume == 0) return;
+    begin("mesh: volumes");
+    for (Index t = 0; t < mesh_.size() && !over(t); ++t) {
       while (mesh_.alive(t) && is_large(t) && !over()) {
         const auto [a, b] = longest_edge(t);
         if (moves_.split(a, b) == Stars::kNoTetrahedron) break;
@@ -346,6 +366,8 @@ class Improver {
 
   /// Halves the longest edge of each, with so many points at most that are left. False if it halves none.
   bool halve(const std::vector<Index>& worst, std::size_t& left) {
+    begin("mesh: shapes, " + std::to_string(worst.size()) +
+          (worst.size() == 1 ? " tetrahedron is bad" : " tetrahedra are bad"));
     bool any = false;
     for (const Index t : worst) {
       if (over() || left == 0) break;

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "kernel/base/error.h"
+#include "kernel/base/per_thread.h"
 #include "kernel/base/vectors.h"
 #include "kernel/tetrahedra/tetrahedra.h"
 
@@ -343,7 +344,10 @@ bool Moves::try_place(Index v, const Point& place, double gain, double& worst_no
   }
   mesh_.move(v, p);
   const double bar = gain * worst_now;
-  thread_local std::vector<double> shapes;
+  struct Shapes {
+    std::vector<double> list;
+  };
+  auto& shapes = PerThread<Shapes>::own().list;
   shapes.clear();
   double worst = kInfinite;
   for (const Index i : mesh_.star(v)) {

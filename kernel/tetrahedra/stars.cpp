@@ -5,6 +5,7 @@
 #include <map>
 
 #include "kernel/base/error.h"
+#include "kernel/base/per_thread.h"
 #include "kernel/base/sorted.h"
 #include "kernel/exact/predicates.h"
 
@@ -45,7 +46,7 @@ constexpr Others kOthers;
 
 }  // namespace
 
-Stars::Stars(const ConformingTetrahedra& mesh)
+Stars::Stars(const ConformingTetrahedra& mesh, const Watch& watch)
     : points_(mesh.points),
       stars_(mesh.points.size()),
       lines_(mesh.points.size()),
@@ -58,19 +59,20 @@ Stars::Stars(const ConformingTetrahedra& mesh)
   if (extent > 0 && std::isfinite(extent)) scale_ = std::ldexp(1.0, -std::ilogb(extent));
   tetrahedra_.reserve(mesh.tetrahedra.size());
   for (std::size_t i = 0; i < mesh.tetrahedra.size(); ++i) {
+    watch.check();
     Tetrahedron t{mesh.tetrahedra[i], {kNone, kNone, kNone, kNone}, mesh.region[i], 0};
     t.shape = measure(t.corners, t.region);
     require(t.shape >= 0, "tetrahedra: one is turned wrong");
     add(t);
   }
-  const ConformingTetrahedra bordered = with_border(mesh);
-  set_facets(bordered);
+  const ConformingTetrahedra bordered = with_border(mesh, watch);
+  set_facets(bordered, watch);
   set_lines(bordered);
 }
 
 /// The same triangles, and those of the border that are on no facet, each as a facet of its own: what is on them
 /// may not leave them either.
-ConformingTetrahedra Stars::with_border(const ConformingTetrahedra& mesh) {
+ConformingTetrahedra Stars::with_border(const ConformingTetrahedra& mesh, const Watch& watch) {
   ConformingTetrahedra out;
   out.triangles = mesh.triangles, out.facet = mesh.facet;
   out.segments = mesh.segments, out.line = mesh.line;
@@ -82,7 +84,9 @@ ConformingTetrahedra Stars::with_border(const ConformingTetrahedra& mesh) {
     for (std::size_t k = 0; k < 4; ++k)
       once.push_back(sorted(std::array{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]}));
   }
+  watch.check();
   std::sort(once.begin(), once.end());
+  watch.check();
   std::int32_t facet = named_;
   for (std::size_t i = 0; i < once.size(); ++i) {
     if (i + 1 < once.size() && once[i + 1] == once[i]) {
@@ -96,7 +100,7 @@ ConformingTetrahedra Stars::with_border(const ConformingTetrahedra& mesh) {
   return out;
 }
 
-void Stars::set_facets(const ConformingTetrahedra& mesh) {
+void Stars::set_facets(const ConformingTetrahedra& mesh, const Watch& watch) {
   struct Side {
     std::array<Index, 3> corners;
     Index triangle;
@@ -127,6 +131,7 @@ void Stars::set_facets(const ConformingTetrahedra& mesh) {
   }
   std::sort(walls.begin(), walls.end(), [](const Side& a, const Side& b) { return a.corners < b.corners; });
   for (auto& t : tetrahedra_) {
+    watch.check();
     for (std::size_t k = 0; k < 4; ++k) {
       const auto f = sorted(std::array{t.corners[(k + 1) % 4], t.corners[(k + 2) % 4], t.corners[(k + 3) % 4]});
       const auto at = std::lower_bound(walls.begin(), walls.end(), f,
@@ -283,7 +288,10 @@ bool Stars::ring(Index a, Index b, Ring& out) const {
   struct Link {
     Index from, to, tetrahedron;
   };
-  thread_local std::vector<Link> links;
+  struct Links {
+    std::vector<Link> list;
+  };
+  auto& links = PerThread<Links>::own().list;
   links.clear();
   for (const Index t : stars_[a]) {
     const Tetrahedron& tet = tetrahedra_[t];

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "kernel/base/progress.h"
 #include "kernel/tetrahedra/conforming.h"
 
 namespace cnrg {
@@ -46,7 +47,8 @@ class Stars {
     bool closed = true;  ///< else the edge is on the border, and `around` has one more
   };
 
-  explicit Stars(const ConformingTetrahedra& mesh);
+  /// Throws Stopped, if that was asked for.
+  explicit Stars(const ConformingTetrahedra& mesh, const Watch& watch = {});
   /// What is alive; points that nothing uses stay.
   ConformingTetrahedra mesh() const;
 
@@ -109,9 +111,9 @@ class Stars {
   double scale_ = 1;
   std::int32_t named_ = 0;  // facets from here on are of the border alone
 
-  ConformingTetrahedra with_border(const ConformingTetrahedra& mesh);
+  ConformingTetrahedra with_border(const ConformingTetrahedra& mesh, const Watch& watch);
   Index add(const Tetrahedron& t);
-  void set_facets(const ConformingTetrahedra& mesh);
+  void set_facets(const ConformingTetrahedra& mesh, const Watch& watch);
   void set_lines(const ConformingTetrahedra& mesh);
 };
 

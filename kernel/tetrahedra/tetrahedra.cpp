@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "kernel/base/error.h"
+#include "kernel/base/per_thread.h"
 #include "kernel/exact/in_sphere.h"
 #include "kernel/exact/predicates.h"
 #include "kernel/refine/input.h"
@@ -221,9 +222,12 @@ void Tetrahedra::fill(VertexId v, std::span<const Index> hole) {
     std::array<VertexId, 3> corners;  // with the hole in front
     Face outside;                     // the same face there
   };
-  static thread_local std::vector<Wall> walls;
-  static thread_local std::vector<std::pair<std::uint64_t, Face>>
-      sides;  // faces with v, by the edge opposite to it
+  struct Scratch {
+    std::vector<Wall> walls;
+    std::vector<std::pair<std::uint64_t, Face>> sides;  // faces with v, by the edge opposite to it
+  };
+  auto& walls = PerThread<Scratch>::own().walls;
+  auto& sides = PerThread<Scratch>::own().sides;
   walls.clear(), sides.clear();
   mark(hole);
   for (const Index t : hole) {
@@ -252,7 +256,10 @@ void Tetrahedra::fill(VertexId v, std::span<const Index> hole) {
 }
 
 void Tetrahedra::replace(std::span<const Index> hole, std::span<const Corners> fresh) {
-  static thread_local std::vector<std::pair<std::array<VertexId, 3>, Face>> sides;  // by sorted corners
+  struct Sides {
+    std::vector<std::pair<std::array<VertexId, 3>, Face>> list;  // by sorted corners
+  };
+  auto& sides = PerThread<Sides>::own().list;
   sides.clear();
   const auto side = [&](std::array<VertexId, 3> corners, Face f) {
     std::sort(corners.begin(), corners.end());

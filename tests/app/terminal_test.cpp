@@ -100,8 +100,8 @@ TEST_CASE("a terminal shows the stage, how much of it is done, and the time", "[
   const std::string text = program.shown();
   CHECK(program.wait() == 0);
   const std::vector<std::string> bars = bars_in(text);
-  for (const char* stage : {"leaves ...  0:", "refine: contacts", "refine: faces [", "nodes [",
-                            "mesh: TetGen ...  0:", "mesh: proof", "bend", "write m.msh"}) {
+  for (const char* stage : {"leaves ...  0:", "refine: contacts", "refine: faces [", "nodes [", "mesh: TetGen",
+                            "mesh: proof", "bend: edges", "write m.msh"}) {
     INFO(stage << "\n" << text);
     CHECK(has(bars, stage));
   }

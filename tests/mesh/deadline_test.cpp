@@ -131,6 +131,15 @@ TEST_CASE("every stage hears of a stop", "[deadline]") {
   });
 }
 
+TEST_CASE("every stage of bending hears of a stop", "[deadline][curved]") {
+  const Result result = result_of(kRound);
+  const TetrahedralMesh straight = tetrahedra(result, {.quality = 2});
+  stop_everywhere([&](const Watch& watch) {
+    TetrahedralMesh made = straight;
+    curve(result, made, watch);
+  });
+}
+
 TEST_CASE("every stage of a surface mesh hears of a stop", "[deadline]") {
   const Result result = result_of(kRound);
   stop_everywhere([&](const Watch& watch) {

@@ -193,14 +193,55 @@ TEST_CASE("more tetrahedra than memory holds are refused before they are made", 
   }
 }
 
-TEST_CASE("without sizes nothing is foretold", "[size][forecast]") {
+TEST_CASE("where nothing is bounded the forecast is a wide range", "[forecast]") {
+  for (const Model& model : models()) {
+    if (model.nodes.find("size:") != std::string::npos) continue;
+    for (const bool keep : {false, true}) {
+      TetrahedraOptions options;
+      options.keep_boundary = keep;
+      const auto [told, made] = told_and_made(model.nodes, options);
+      INFO(model.name << (keep ? ", kept: " : ": ") << told.least << " to " << told.most << ", made " << made);
+      CHECK(told.least <= told.tetrahedra);
+      CHECK(made <= told.most);
+      if (keep) CHECK(told.least <= made);  // proven: each has four sides
+      CHECK_THAT(forecast_text(told), Catch::StartsWith("from ") && Catch::Contains(", up to "));
+    }
+  }
+}
+
+TEST_CASE("what is asked for with kept faces is a range from what these take", "[size][forecast]") {
+  const auto ask = GENERATE(1, 2, 3);
+  for (const Model& model : models()) {
+    if (std::string(model.name) != "ball" && std::string(model.name) != "plate" &&
+        std::string(model.name) != "block, coarse")
+      continue;
+    TetrahedraOptions options;
+    options.keep_boundary = true;
+    if (ask == 1) options.size = model.size;
+    if (ask == 2) options.quality = 1.4;
+    if (ask == 3) options.max_volume = 1e-2;
+    const auto [told, made] = told_and_made(model.nodes, options);
+    INFO(model.name << ": " << told.least << " to " << told.most << ", made " << made);
+    CHECK(told.least <= made);
+    CHECK(made <= told.most);
+  }
+}
+
+TEST_CASE("what is larger than asked for since faces are kept is told", "[mesh][size]") {
   TetrahedraOptions options;
-  options.foretold = [](const MeshForecast&) { FAIL("foretold"); };
-  CHECK(tetrahedra(result_of(kBlock), options).expected == 0);
-  // Points on the boundary are needed for sizes there.
-  options.size = 0.5;
   options.keep_boundary = true;
-  CHECK(tetrahedra(result_of(kBlock), options).expected == 0);
+  options.max_volume = 0.01;
+  const TetrahedralMesh made = tetrahedra(result_of(kBlock), options);
+  CHECK(made.quality.larger == made.mesh.tetrahedra.size());
+  CHECK_THAT(made.notice,
+             Catch::StartsWith(std::to_string(made.quality.larger) + " tetrahedra are larger than "
+                                                                     "--max-volume, the largest 0.") &&
+                 Catch::Contains("leave out --keep-boundary"));
+  options.keep_boundary = false;
+  CHECK(tetrahedra(result_of(kBlock), options).notice.empty());
+  options.max_volume = 1;
+  options.keep_boundary = true;
+  CHECK(tetrahedra(result_of(kBlock), options).notice.empty());
 }
 
 TEST_CASE("constrained tetrahedra have sizes, too", "[size]") {

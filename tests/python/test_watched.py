@@ -3,9 +3,11 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
+import warnings
 
 import numpy
 
@@ -82,6 +84,85 @@ class Watched(unittest.TestCase):
         self.assertIn("KeyboardInterrupt", done.stderr)
         self.assertNotIn("terminate", done.stderr)
         self.assertNotIn("Fatal", done.stderr)
+
+    def interrupted(self, seconds, work):
+        """Ctrl-C comes after so many seconds of the work."""
+        kept = signal.signal(signal.SIGALRM, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGALRM, kept)
+        signal.setitimer(signal.ITIMER_REAL, seconds)
+        with self.assertRaises(KeyboardInterrupt):
+            work()
+
+    def test_a_signal_ends_a_mesh_and_what_was_there_is_sound(self):
+        # Millions of tetrahedra and more: who is not stopped is here for long.
+        result = cnrg.box([0, 0, 0], [1, 1, 1]).evaluate()
+        stages = []
+        for endless in (lambda told: result.tetrahedralize(max_volume=4e-7, seconds=None, progress=told),
+                        lambda told: result.tetrahedralize(max_volume=4e-7, seconds=0, progress=told),
+                        lambda told: result.mesh_surface(size=1e-5, max_points=10**9, seconds=0, progress=told)):
+            stages.clear()
+            self.interrupted(0.7, lambda: endless(lambda stage, done, total: stages.append(stage)))
+            self.assertTrue(stages)
+        while True:  # and TetGen goes with it
+            try:
+                os.waitid(os.P_ALL, 0, os.WEXITED | os.WNOHANG | os.WNOWAIT)
+            except ChildProcessError:
+                break
+            time.sleep(0.05)
+        self.assertEqual(result.volume, 1)
+        mesh = result.tetrahedralize()
+        self.assertEqual(mesh.regions[0].volume, 1)
+
+    def test_an_exception_of_the_progress_ends_tetgen(self):
+        def fail(stage, done, total):
+            if "TetGen" in stage:
+                raise ZeroDivisionError(stage)
+
+        result = cnrg.box([0, 0, 0], [1, 1, 1]).evaluate()
+        with self.assertRaises(ZeroDivisionError):
+            result.tetrahedralize(max_volume=4e-7, seconds=0, progress=fail)
+
+    def test_no_bound_of_seconds_is_that_of_the_program(self):
+        result = cnrg.box([0, 0, 0], [2, 3, 4]).evaluate()
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            made = [result.tetrahedralize(max_volume=0.5, **how)
+                    for how in ({}, {"seconds": None}, {"seconds": 0}, {"seconds": 1000})]
+        for mesh in made[1:]:
+            self.assertTrue(numpy.array_equal(made[0].points, mesh.points))
+            self.assertTrue(numpy.array_equal(made[0].tetrahedra.points, mesh.tetrahedra.points))
+        for bad in "3", 2.5:
+            with self.assertRaises(TypeError):
+                result.tetrahedralize(seconds=bad)
+        with self.assertRaises(cnrg.InputError):
+            result.tetrahedralize(seconds=-1)
+
+    def test_a_file_whose_writing_is_interrupted_is_old_or_whole(self):
+        script = (
+            "import sys; sys.path[:0] = %r; import cnrg, signal, test_watched\n"
+            "result = cnrg.mesh(*test_watched.rippled(150, 100)).evaluate(rows=False)\n"
+            "result.write('whole.json')\n"
+            "signal.signal(signal.SIGALRM, signal.default_int_handler)\n"
+            "try:\n    signal.setitimer(signal.ITIMER_REAL, float(sys.argv[1]))\n    result.write('cut.json')\n"
+            "    signal.setitimer(signal.ITIMER_REAL, 0); print('whole')\nexcept KeyboardInterrupt: print('interrupted')\n"
+            % [sys.path[0]]
+        )
+        seen = set()
+        for seconds in 0.001, 0.05, 0.2:
+            with tempfile.TemporaryDirectory() as folder:
+                cut, whole = (os.path.join(folder, name) for name in ("cut.json", "whole.json"))
+                with open(cut, "w") as file:
+                    file.write("old")
+                done = subprocess.run([sys.executable, "-c", script, str(seconds)], capture_output=True, text=True,
+                                      cwd=folder)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                seen.add(done.stdout.strip())
+                with open(cut) as file, open(whole) as same:
+                    content = file.read()
+                    self.assertIn(content, ("old", same.read()))
+                self.assertTrue(content != "old" or done.stdout.strip() == "interrupted")
+                self.assertEqual(sorted(os.listdir(folder)), ["cut.json", "whole.json"])
+        self.assertIn("interrupted", seen)
 
     def test_other_threads_run_meanwhile(self):
         model, ticks, ended = long_work(), [], threading.Event()

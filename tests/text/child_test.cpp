@@ -51,6 +51,30 @@ TEST_CASE("a child that is stopped is gone at once", "[child]") {
             .number == 3);
 }
 
+TEST_CASE("a child counts, and who waits sees it and may end it", "[child]") {
+  const SharedCount count;
+  const auto work = [&] {
+    for (int i = 0; i < 1000; ++i) count.add();
+    return 0;
+  };
+  CHECK(run(work).number == 0);
+  CHECK(count.value() == 1000);
+  std::size_t looks = 0, seen = 0;
+  const auto spins = [&]() -> int {
+    work();
+    spin();
+  };
+  CHECK_THROWS_WITH(run_in_child("the library", {}, spins, {},
+                                 [&] {
+                                   ++looks;
+                                   seen = count.value();
+                                   if (seen == 2000) throw std::runtime_error("seen enough");
+                                 }),
+                    "seen enough");
+  CHECK(looks > 0);
+  CHECK(seen == 2000);
+}
+
 TEST_CASE("a child returns a number, and what it wrote", "[child]") {
   const MemoryFile file("the library");
   const std::vector<double> numbers{0.1, -0.0, 5e-324};

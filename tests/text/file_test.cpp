@@ -85,6 +85,18 @@ TEST_CASE("a file appears whole, in place of an old one or anew", "[file]") {
   CHECK(folder.names() == std::set<std::string>{"x.json", "link"});
 }
 
+TEST_CASE("a file whose writing is stopped is the old one", "[file][stop]") {
+  const Folder folder;
+  const std::string path = folder / "x.json";
+  std::stop_source stop;
+  replace_file(path, "old", stop.get_token());
+  stop.request_stop();
+  CHECK_THROWS_AS(replace_file(path, "new", stop.get_token()), Stopped);
+  CHECK(read(path) == "old");
+  CHECK_THROWS_AS(replace_file(folder / "other", "", stop.get_token()), Stopped);
+  CHECK(folder.names() == std::set<std::string>{"x.json"});
+}
+
 TEST_CASE("a draft that does not appear leaves nothing, of either kind", "[file]") {
   for (const Draft::Kind kind : {Draft::Kind::unnamed_if_possible, Draft::Kind::named}) {
     const Folder folder;
