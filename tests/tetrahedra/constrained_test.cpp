@@ -41,10 +41,21 @@ RationalPoint area(const PointTable& t, const std::vector<Triangle>& triangles) 
   return sum;
 }
 
+/// Are two sums of areas one, or in doubles as near as moving points by last digits leaves them?
+bool same_area(const RationalPoint& a, const RationalPoint& b, NewPoints how) {
+  if (how == NewPoints::exact) return a == b;
+  double off = 0, size = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    off = std::max(off, std::fabs(Rational(a[k] - b[k]).get_d()));
+    size = std::max(size, std::fabs(b[k].get_d()));
+  }
+  return off <= 1e-9 * size;
+}
+
 /// Returns how many points were added.
-std::size_t check(PointTable& t, const Constraints& constraints) {
+std::size_t check(PointTable& t, const Constraints& constraints, NewPoints how = NewPoints::exact) {
   const std::size_t before = t.size();
-  const ConstrainedTetrahedra made = constrained_tetrahedra(t, constraints, {});
+  const ConstrainedTetrahedra made = constrained_tetrahedra(t, constraints, {}, how);
   std::map<Triangle, int> faces;
   std::set<std::array<VertexId, 2>> edges;
   Rational volume = 0;
@@ -72,7 +83,8 @@ std::size_t check(PointTable& t, const Constraints& constraints) {
     REQUIRE(faces.contains(f));
   }
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    CHECK(area(t, pieces[i]) == area(t, constraints.facets[i]));
+    CHECK(same_area(area(t, pieces[i]), area(t, constraints.facets[i]), how));
+    if (how == NewPoints::doubles) continue;
     const Triangle& f = constraints.facets[i][0];
     for (const Triangle& piece : pieces[i]) {
       for (const VertexId v : piece) CHECK(orient3d(t, f[0], f[1], f[2], v) == 0);
@@ -92,6 +104,8 @@ std::size_t check(PointTable& t, const Constraints& constraints) {
       if (v.index() >= before + 8) added.insert(v);
     }
   }
+  const auto is_double = [&](VertexId v) { return t.is_double(v); };
+  CHECK((how == NewPoints::exact || std::all_of(added.begin(), added.end(), is_double)));
   return added.size();
 }
 
@@ -104,6 +118,102 @@ TEST_CASE("random triangles become faces of tetrahedra", "[tetrahedra]") {
     const Constraints constraints = random_triangles(random, t);
     check(t, constraints);
   }
+}
+
+/// Two sheets with a rim in common and some last digits of doubles between them elsewhere, far from the origin,
+/// and wires that end on them at flat angles.
+Constraints sheets_and_wires(std::mt19937_64& random, PointTable& t) {
+  const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  constexpr int kSide = 6;
+  const double slope_x = number(-1, 1), slope_y = number(-1, 1), gap = std::exp2(number(-29, -26));
+  const auto height = [&](double x, double y) { return 1000 + slope_x * x + slope_y * y; };
+  const auto place = [&](double x, double y, double above) {
+    return t.add(400'000 + x, 3'700'000 + y, height(x, y) + above);
+  };
+  std::vector<std::array<double, 2>> at;
+  std::vector<VertexId> low, high;
+  for (int i = 0; i <= kSide; ++i) {
+    for (int k = 0; k <= kSide; ++k) {
+      const bool rim = i == 0 || k == 0 || i == kSide || k == kSide;
+      const double x = 100 * (i + (rim ? 0 : number(-0.2, 0.2))), y = 30 * (k + (rim ? 0 : number(-0.2, 0.2)));
+      at.push_back({x, y});
+      low.push_back(place(x, y, 0));
+      high.push_back(rim ? low.back() : place(x, y, gap));
+    }
+  }
+  Constraints c;
+  const auto sheet = [&](const std::vector<VertexId>& v, bool other) {
+    for (std::size_t i = 0; i < kSide; ++i) {
+      for (std::size_t k = 0; k < kSide; ++k) {
+        const std::size_t a = i * (kSide + 1) + k, b = a + kSide + 1;
+        const bool inside = i > 0 && k > 0 && i + 1 < kSide && k + 1 < kSide;
+        if (other && inside) {
+          c.facets.push_back({{v[a], v[b], v[b + 1]}});
+          c.facets.push_back({{v[a], v[b + 1], v[a + 1]}});
+        } else {
+          c.facets.push_back({{v[a], v[b], v[a + 1]}});
+          c.facets.push_back({{v[a + 1], v[b], v[b + 1]}});
+        }
+      }
+    }
+  };
+  sheet(low, false);
+  sheet(high, true);
+  for (int i = 0; i < 40; ++i) {
+    const auto inside = [&] { return std::uniform_int_distribution<std::size_t>(1, kSide - 1)(random); };
+    const std::size_t v = inside() * (kSide + 1) + inside();
+    const double x = at[v][0] + number(-300, 300), y = at[v][1] + number(-80, 80);
+    c.segments.push_back({high[v], place(x, y, gap + number(0.5, 1) * std::exp2(number(-25, 6)))});
+  }
+  return c;
+}
+
+TEST_CASE("between sheets nearer than doubles tell points have doubles", "[tetrahedra]") {
+  const auto [begin, end] = scenes::seeds(40);
+  std::size_t added = 0;
+  for (std::uint64_t seed = begin; seed < end; ++seed) {
+    INFO("seed " << seed);
+    std::mt19937_64 random(seed);
+    PointTable t;
+    const Constraints constraints = sheets_and_wires(random, t);
+    added += check(t, constraints, NewPoints::doubles);
+  }
+  CHECK(added > 0);
+}
+
+/// Triangles of faults that meet in a corner, one almost in the plane of the next.
+Constraints corner_of_faults(PointTable& t, double scale_y, double scale_z) {
+  constexpr double kPoints[][3] = {{-13486.71875, 340466.5625, 3752451},
+                                   {-3911.8479000000002, 340815.125, 3750639.4375},
+                                   {-13349.28125, 340862.25, 3751483.5},
+                                   {-4045.4404300000001, 340989.35937999998, 3751034.84375},
+                                   {-4023.9109509876225, 341068.31485308846, 3750979.6001691096},
+                                   {-3935.7095066940647, 341168.11305304553, 3750735.5610396708},
+                                   {-3915.9816917914404, 341190.43654984684, 3750680.977514402},
+                                   {-3904.2191421106581, 341204.11540577176, 3750647.5311358985},
+                                   {-13219.16504, 341236.84375, 3750567.5},
+                                   {-13118.38184, 341625.5, 3749826.25},
+                                   {-13078.712890000001, 341916.96875, 3749270.5},
+                                   {-3000, 342492, 3748174}};
+  std::vector<VertexId> v;
+  for (const auto& [x, y, z] : kPoints) v.push_back(t.add(x, scale_y * y, scale_z * z));
+  Constraints c;
+  for (const auto& [i, j, k] : {std::array{0, 5, 2}, {2, 5, 6}, {1, 3, 4}, {1, 6, 7}, {2, 7, 8}, {9, 11, 10}}) {
+    c.facets.push_back({{v[std::size_t(i)], v[std::size_t(j)], v[std::size_t(k)]}});
+  }
+  return c;
+}
+
+TEST_CASE("a point that no double can take goes into the next one", "[tetrahedra]") {
+  PointTable t;
+  const Constraints constraints = corner_of_faults(t, 1, 1);
+  check(t, constraints, NewPoints::doubles);
+}
+
+TEST_CASE("other tetrahedra make room for a double", "[tetrahedra]") {
+  PointTable t;
+  const Constraints constraints = corner_of_faults(t, 0x1p-3, 0x1p-4);
+  check(t, constraints, NewPoints::doubles);
 }
 
 TEST_CASE("points of a lattice, all of them on common spheres", "[tetrahedra]") {
