@@ -58,8 +58,9 @@ std::size_t seconds_of(const ChildLimits& limits) {
   return limits.seconds == 0 ? limit.rlim_cur : std::min<std::size_t>(limits.seconds, limit.rlim_cur);
 }
 
-void obey(const ChildLimits& limits, std::size_t had) {
+void obey(const ChildLimits& limits, std::size_t had, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(kStrange);  // it has ended before that
   for (int number = 1; number < NSIG; ++number) signal(number, number == SIGXFSZ ? SIG_IGN : SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
@@ -88,11 +89,11 @@ void obey(const ChildLimits& limits, std::size_t had) {
   std::abort();
 }
 
-[[noreturn]] void be_child(const ChildLimits& limits, std::size_t had, const MemoryFile& said,
+[[noreturn]] void be_child(const ChildLimits& limits, std::size_t had, pid_t parent, const MemoryFile& said,
                            const std::function<int()>& work) {
   int status = kStrange;
   try {
-    obey(limits, had);
+    obey(limits, had, parent);
     dup2(said.descriptor(), STDOUT_FILENO);
     dup2(said.descriptor(), STDERR_FILENO);
     std::set_terminate(end_uncaught);
@@ -196,16 +197,20 @@ ChildEnd run_in_child(const std::string& owner, const ChildLimits& limits, const
   const std::size_t seconds = seconds_of(limits);
   const std::size_t had = limits.bytes > 0 ? own_memory() : 0;
   std::fflush(stdout);  // so that the child has nothing of the caller's to print
-  const pid_t child = fork();
+  const pid_t parent = getpid(), child = fork();
   if (child < 0) throw FileError(owner + " could not be started: " + std::strerror(errno));
-  if (child == 0) be_child(limits, had, said, work);
+  if (child == 0) be_child(limits, had, parent, said, work);
   // A token wakes nobody who waits for a process: who may be stopped looks at it now and then.
   const bool looks = stop.stop_possible() || meanwhile;
   std::exception_ptr thrown;  // by who waits
   int status = 0;
   for (pid_t ended = 0; ended != child;) {
     ended = waitpid(child, &status, looks && !thrown ? WNOHANG : 0);
-    if (ended < 0 && errno != EINTR) throw FileError(owner + " was lost: " + std::strerror(errno));
+    if (ended < 0 && errno != EINTR) {
+      const std::string why = std::strerror(errno);
+      kill(child, SIGKILL);  // nobody will wait for it
+      throw FileError(owner + " was lost: " + why);
+    }
     if (ended != 0) continue;
     try {
       if (stop.stop_requested()) throw Stopped();
