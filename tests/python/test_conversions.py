@@ -341,7 +341,7 @@ class Tetrahedra(WithFolder):
         self.assertIn("size: 0.5", fine.to_yaml())
         self.assertEqual(cnrg.parse(fine.to_yaml()).result.to_yaml(), fine.to_yaml())
         plain = box.evaluate().tetrahedralize()
-        self.assertEqual(plain.expected, 0)
+        self.assertGreater(plain.expected, 0)  # roughly: a range alone is known
         for mesh in (fine.evaluate().tetrahedralize(), box.evaluate().tetrahedralize(size="1/2", growth=0.5)):
             self.assertGreater(len(mesh.tetrahedra), 10 * len(plain.tetrahedra))
             self.assertLess(abs(mesh.expected / len(mesh.tetrahedra) - 1), 0.3)
