@@ -107,12 +107,13 @@ def compare_groups(check, model, mesh, change):
     for group, volume in mesh.volume_by_group.items():
         found[name_of(group, exact)].append(volume)
     check.equal("regions that vanished and are named", change.named, change.regions)
+    parted = False
     for name in sorted(set(exact) | set(found) | set(change.vanished)):
         volumes, there = exact.get(name, []), sorted(found[name], reverse=True)
         least, most = change.vanished.get(name, (0, 0))
         missing = len(volumes) - len(there)
-        if change.kind == "joined" and missing < 0:     # what met has parted one
-            there, volumes, missing = [sum(there)], [sum(volumes)], 0
+        if change.kind != "as is" and missing < 0:      # what met has parted one
+            there, volumes, missing, parted = [sum(there)], [sum(volumes)], 0, True
         check.equal(f"regions {name} that vanished", missing, min(max(missing, least), most))
         for a, b in zip(there, volumes):
             check.near(f"volume of a region {name}", a, b, room * every)
@@ -124,8 +125,8 @@ def compare_groups(check, model, mesh, change):
     for name, area in areas.items():
         there = mesh.area_by_group.get(f"from {name}", 0.0)
         room_of_area = change.moved * rims[name] + digits * mesh.rim_by_group.get(f"from {name}", 0.0)
-        # Both walls of what was thin went with it; how much is told, not judged.
-        if change.regions and there < area:
+        # Both walls of what was thin went with it, or met where it is parted now; how much is told, not judged.
+        if (change.regions or parted) and there < area:
             change.thin += area - there
         else:
             check.near(f"area from {name}", there, area, room_of_area)
