@@ -52,8 +52,7 @@ ConstrainedTetrahedra constrained_tetrahedra(PointTable& points, const Constrain
   recovery.run(watch);
   ConstrainedTetrahedra out;
   for (ConstrainedTetrahedra::Index i = 0; i < segments.size(); ++i) {
-    const std::vector<VertexId> list = recovery.chain(segments[i][0], segments[i][1]);
-    for (std::size_t k = 0; k + 1 < list.size(); ++k) out.segments.push_back({{list[k], list[k + 1]}, i});
+    for (const Ends& piece : recovery.pieces(segments[i][0], segments[i][1])) out.segments.push_back({piece, i});
   }
   for (ConstrainedTetrahedra::Index i = 0; i < facets.size(); ++i) {
     for (const Triangle& corners : recovery.faces(i)) out.triangles.push_back({corners, i});

@@ -14,8 +14,6 @@
 namespace cnrg {
 namespace {
 
-/// Bits of places that are tried before the exact one.
-constexpr unsigned kBits[] = {16, 40, 80, 160};
 /// How often points are spread and taken away.
 constexpr int kRounds = 8;
 
@@ -241,8 +239,8 @@ void Recovery::cut_facet(Index i) {
 Wall Recovery::wall(Index facet) const {
   std::vector<Ends> border;
   for (const auto& [a, b] : borders_[facet]) {
-    const std::vector<VertexId> list = chain(a, b);
-    for (std::size_t k = 0; k + 1 < list.size(); ++k) border.push_back({list[k], list[k + 1]});
+    const std::vector<Ends> some = pieces(a, b);
+    border.insert(border.end(), some.begin(), some.end());
   }
   return {points_, tetrahedra_, facets_[facet], std::move(border), inside_[facet]};
 }
@@ -254,6 +252,7 @@ std::size_t Recovery::needed(Index facet) const {
   return count;
 }
 
+/// The points of a segment from a to b.
 std::vector<VertexId> Recovery::chain(VertexId a, VertexId b) const {
   const Ends ends{std::min(a, b), std::max(a, b)};
   const auto at = std::lower_bound(segments_.begin(), segments_.end(), ends) - segments_.begin();
@@ -265,11 +264,18 @@ std::vector<VertexId> Recovery::chain(VertexId a, VertexId b) const {
   return out;
 }
 
+std::vector<Recovery::Ends> Recovery::pieces(VertexId a, VertexId b) const {
+  const std::vector<VertexId> list = chain(a, b);
+  std::vector<Ends> out;
+  for (std::size_t k = 0; k + 1 < list.size(); ++k) out.push_back({list[k], list[k + 1]});
+  return out;
+}
+
 std::vector<Recovery::Ends> Recovery::pieces() const {
   std::vector<Ends> out;
   for (const auto& [a, b] : segments_) {
-    const std::vector<VertexId> list = chain(a, b);
-    for (std::size_t k = 0; k + 1 < list.size(); ++k) out.push_back({list[k], list[k + 1]});
+    const std::vector<Ends> some = pieces(a, b);
+    out.insert(out.end(), some.begin(), some.end());
   }
   return out;
 }
@@ -284,7 +290,7 @@ std::vector<std::array<VertexId, 3>> Recovery::faces(Index facet) const {
 template <class At>
 VertexId Recovery::put(const At& at, const Carrier& carrier) {
   VertexId v;
-  for (const unsigned bits : kBits) {
+  for (const unsigned bits : kPlaceBits) {
     v = points_.add(at(bits));
     if (tetrahedra_.sees(v, hole_)) break;
     v = VertexId::none();

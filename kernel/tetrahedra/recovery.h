@@ -35,12 +35,11 @@ class Recovery {
   /// Throws Stopped.
   void run(const Watch& watch);
 
-  /// After `run`: the points of a segment from a to b.
-  std::vector<VertexId> chain(VertexId a, VertexId b) const;
   /// After `run`: the faces of a facet.
   std::vector<std::array<VertexId, 3>> faces(Index facet) const;
 
-  /// After `run`: the edges that segments are made of.
+  /// After `run`: the edges of a segment from a to b, and those of all segments.
+  std::vector<Ends> pieces(VertexId a, VertexId b) const;
   std::vector<Ends> pieces() const;
   /// After `run`: the new points that are left, and the directions in which each may move on its segment or facet.
   std::vector<VertexId> all_new() const;
@@ -80,6 +79,7 @@ class Recovery {
   bool crosses(const Ends& way, std::span<const VertexId> face) const;
   bool is_piece(VertexId a, VertexId b) const;
   void cut_facet(Index i);
+  std::vector<VertexId> chain(VertexId a, VertexId b) const;
   Wall wall(Index facet) const;
   std::size_t needed(Index facet) const;
   VertexId put_on_segment(Index i, const Rational& place);

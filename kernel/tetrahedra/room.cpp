@@ -7,8 +7,6 @@
 namespace cnrg {
 namespace {
 
-/// Bits of places in the middle that are tried.
-constexpr unsigned kBits[] = {16, 40, 80, 160};
 /// Places on a line that are looked at for a double, on both sides of the middle.
 constexpr int kPlaces = 40;
 
@@ -21,6 +19,16 @@ Rational rounded(const Rational& x, unsigned bits) {
   mpz_fdiv_q(n.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
   Rational out(n, scale);
   out.canonicalize();
+  return out;
+}
+
+std::array<std::array<double, 3>, 7> with_neighbours(const std::array<double, 3>& p) {
+  std::array<std::array<double, 3>, 7> out;
+  out.fill(p);
+  for (std::size_t k = 0; k < 3; ++k) {
+    out[2 * k + 1][k] = std::nextafter(p[k], -HUGE_VAL);
+    out[2 * k + 2][k] = std::nextafter(p[k], HUGE_VAL);
+  }
   return out;
 }
 
@@ -56,7 +64,7 @@ VertexId Room::middle(VertexId v, const RationalPoint& way) {
   const auto& [low, high] = *part;
   const Rational middle = (low + high) / 2, near = (high - low) / 8;
   if (abs(middle) < near) return VertexId::none();
-  for (const unsigned bits : kBits) {
+  for (const unsigned bits : kPlaceBits) {
     const Rational step = rounded(middle, bits);
     if (abs(Rational(step - middle)) < near) return points_.add(points_.rational(v) + step * way);
   }
@@ -72,14 +80,8 @@ VertexId Room::far_double(VertexId v, std::span<const RationalPoint> ways) {
     const auto& [low, high] = *part;
     for (int i = 1; i <= kPlaces; ++i) {
       const int place = i % 2 == 0 ? kPlaces + i : kPlaces - i;  // from the middle on
-      const std::array<double, 3> p =
-          to_doubles(at + Rational(low + (high - low) * place / (2 * kPlaces + 1)) * way);
-      for (int beside = 0; beside < 7; ++beside) {
-        auto q = p;
-        if (beside > 0) {
-          double& x = q[static_cast<std::size_t>(beside - 1) / 2];
-          x = std::nextafter(x, beside % 2 == 0 ? HUGE_VAL : -HUGE_VAL);
-        }
+      const RationalPoint exact = at + Rational(low + (high - low) * place / (2 * kPlaces + 1)) * way;
+      for (const auto& q : with_neighbours(to_doubles(exact))) {
         const VertexId w = points_.add(q[0], q[1], q[2]);
         if (tetrahedra_.sees(w, star_)) return w;
       }

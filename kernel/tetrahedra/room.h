@@ -10,8 +10,12 @@
 
 namespace cnrg {
 
+/// Bits of places that are tried, the shortest number first.
+inline constexpr unsigned kPlaceBits[] = {16, 40, 80, 160};
 /// The nearest fraction with 2^bits below.
 Rational rounded(const Rational& x, unsigned bits);
+/// A place, and those one double beside it along each axis.
+std::array<std::array<double, 3>, 7> with_neighbours(const std::array<double, 3>& p);
 
 class Room {
  public:

@@ -41,6 +41,7 @@ SteinerPoints::SteinerPoints(PointTable& points, Tetrahedra& tetrahedra, Constra
       ways_(std::move(ways)),
       flips_(points, tetrahedra),
       room_(points, tetrahedra) {
+  if (open_.empty()) return;  // nothing will move
   for (const auto& [a, b] : pieces) bind(a, b);
   for (const auto& triangle : made_.triangles) bind(triangle.corners);
 }
@@ -126,14 +127,8 @@ bool SteinerPoints::move_by_flips(VertexId v) {
     move(v, w);
     return true;
   };
-  const auto nearest = points_.nearest(v);
-  if (move_to(nearest)) return true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (const double end : {-HUGE_VAL, HUGE_VAL}) {
-      auto p = nearest;
-      p[k] = std::nextafter(p[k], end);
-      if (move_to(p)) return true;
-    }
+  for (const auto& p : with_neighbours(points_.nearest(v))) {
+    if (move_to(p)) return true;
   }
   const RationalPoint at = points_.rational(v);
   for (const VertexId u : neighbours_on_carrier(v)) {
