@@ -17,17 +17,30 @@
 
 namespace cnrg {
 
+std::array<double, 3> nearest_doubles(const PointTable& points, VertexId v) {
+  std::array<double, 3> xyz = points.nearest(v);
+  for (double& c : xyz) {
+    if (!std::isfinite(c)) {
+      throw InputError("a coordinate of the result is beyond the range of doubles; write .json, which is exact");
+    }
+    c += 0.0;
+  }
+  return xyz;
+}
+
+double distance_above(const PointTable& points, VertexId v, const std::array<double, 3>& to) {
+  const RationalPoint from = points.rational(v);
+  std::array<double, 3> d;
+  for (std::size_t k = 0; k < 3; ++k) d[k] = to_double(from[k] - from_double(to[k]));
+  return std::hypot(d[0], d[1], d[2]) * (1 + 0x1p-50);
+}
+
 RoundedPoints round_points(const ResultView& view, const FlatComplex& flat) {
   const PointTable& table = view.complex->points;
   RoundedPoints result;
   result.xyz.reserve(flat.points.size());
   for (const VertexId v : flat.points) {
-    const auto xyz = table.nearest(v);
-    for (const double c : xyz) {
-      if (!std::isfinite(c)) {
-        throw InputError("a coordinate of the result is beyond the range of doubles; write .json, which is exact");
-      }
-    }
+    const auto xyz = nearest_doubles(table, v);
     result.xyz.push_back(xyz);
     if (table.is_double(v)) continue;
     const RationalPoint exact = table.rational(v);

@@ -11,6 +11,11 @@
 
 namespace cnrg {
 
+/// The doubles nearest to a point, without -0. Throws InputError when a coordinate is beyond their range.
+std::array<double, 3> nearest_doubles(const PointTable& points, VertexId v);
+/// The distance between a point of the table and one of doubles, or a little more.
+double distance_above(const PointTable& points, VertexId v, const std::array<double, 3>& to);
+
 /// The doubles of a flattened result, by point number.
 struct RoundedPoints {
   std::vector<std::array<double, 3>> xyz;

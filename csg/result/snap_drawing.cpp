@@ -7,18 +7,17 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
-#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "csg/result/hot_routes.h"
 #include "csg/result/rounding.h"
 #include "kernel/base/error.h"
 #include "kernel/base/parallel.h"
 #include "kernel/base/part_watch.h"
 #include "kernel/base/point_hash.h"
 #include "kernel/base/sorted.h"
-#include "kernel/exact/triangulate.h"
+#include "kernel/exact/predicates.h"
 
 namespace cnrg {
 namespace {
@@ -26,7 +25,8 @@ namespace {
 using Index = std::uint32_t;
 using Xyz = std::array<double, 3>;
 constexpr Index kNone = 0xffffffffu;
-constexpr std::size_t kUnchecked = 4096;  // points and triangles between two looks at the watch
+constexpr std::size_t kManyCrossings = 100;  // one of so many triangles
+constexpr std::size_t kUnchecked = 4096;     // points and triangles between two looks at the watch
 
 struct HashXyz {
   std::size_t operator()(const Xyz& p) const { return hash_of_point(p.data()); }
@@ -56,65 +56,10 @@ class Lists {
   std::vector<const std::vector<Index>*> lists_;
 };
 
-/// At least the distance between a point of the table and one of doubles.
-double distance(const PointTable& table, VertexId v, const Xyz& to) {
-  const RationalPoint from = table.rational(v);
-  Xyz d;
-  for (std::size_t k = 0; k < 3; ++k) d[k] = to_double(from[k] - from_double(to[k]));
-  return std::hypot(d[0], d[1], d[2]) * (1 + 0x1p-50);
-}
-
 bool has_doubles(const PointTable& table, VertexId v) {
   if (table.is_double(v)) return true;
   const RationalPoint p = table.rational(v);
   return is_double(p[0]) && is_double(p[1]) && is_double(p[2]);
-}
-
-Xyz nearest(const PointTable& table, VertexId v) {
-  Xyz p = table.nearest(v);
-  for (double& c : p) {
-    if (!std::isfinite(c)) {
-      throw InputError("a coordinate of the result is beyond the range of doubles; write .json, which is exact");
-    }
-    c += 0.0;  // no -0
-  }
-  return p;
-}
-
-Xyz on_grid(Xyz p, double cell) {
-  for (double& c : p) c = std::nearbyint(c / cell) * cell + 0.0;
-  return p;
-}
-
-using Cells = std::set<Xyz>;  // of the grid, by their centers
-
-/// The first of the given cells that the point lies in or on; nothing if there is none.
-std::optional<Xyz> cell_of(const Xyz& p, const Cells& cells, double size) {
-  std::array<Xyz, 2> near;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double at = p[k] / size, first = std::ceil(at - 0.5), last = std::floor(at + 0.5);
-    near[0][k] = first * size + 0.0;
-    near[1][k] = last * size + 0.0;
-  }
-  for (unsigned i = 0; i < 8; ++i) {
-    const Xyz center{near[i >> 2][0], near[i >> 1 & 1][1], near[i & 1][2]};
-    if (cells.contains(center)) return center;
-  }
-  return {};
-}
-
-void add_box(Soup& soup, LeafId leaf, const Xyz& center, double half) {
-  PointId p[8];
-  for (int i = 0; i < 8; ++i) {
-    p[i] = soup.add_point(center[0] + (i & 1 ? half : -half), center[1] + (i & 2 ? half : -half),
-                          center[2] + (i & 4 ? half : -half));
-  }
-  constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  for (const auto& f : kFaces) {
-    const std::vector<PointId> loop{p[f[0]], p[f[1]], p[f[2]], p[f[3]]};
-    soup.add_face(leaf, std::span(&loop, 1), 0, 0);
-  }
 }
 
 class Snapper {
@@ -128,8 +73,8 @@ class Snapper {
     for_each_index(n, [&](std::size_t p) {
       if (p % kUnchecked == 0) watch_.check();
       const VertexId v = drawing.points[p];
-      rounded[p] = nearest(table, v);
-      if (!table.is_double(v)) moves[p] = distance(table, v, rounded[p]);
+      rounded[p] = nearest_doubles(table, v);
+      if (!table.is_double(v)) moves[p] = distance_above(table, v, rounded[p]);
     });
     double largest = 0;
     Numbering numbers(start_.xyz);
@@ -154,16 +99,16 @@ class Snapper {
     int rounds = 1;
     double cell = unit_ * kSnapFirstCell;
     for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
-      State state = moved(start_, first, cell);
+      State state = moved(start_, first, is_many(first, start_), cell);
       std::size_t fewest = std::numeric_limits<std::size_t>::max();
       for (int patience = kSnapPatience; patience > 0;) {
         begin_round(++rounds);
         Refined refined = refine(state);
         if (refined.crossings == 0) return finish(state, refined, rounds);
-        patience = refined.crossings < fewest ? kSnapPatience : patience - 1;
+        patience = 2 * refined.crossings <= fewest ? kSnapPatience : patience - 1;
         fewest = std::min(fewest, refined.crossings);
-        if (refined.crossings > 8 * fewest + 64) break;
-        if (patience > 0) state = moved(state, refined, cell);
+        if (patience == 0) break;
+        state = moved(state, refined, patience < kSnapPatience || is_many(refined, state), cell);
       }
     }
     std::string last;
@@ -211,6 +156,11 @@ class Snapper {
   Lists lists_;
   State start_;      // each point rounded by itself
   double unit_ = 1;  // one unit in the last place of the largest coordinate
+
+  /// Where surfaces nearly coincide crossings are many, and what is near them is nearly all.
+  static bool is_many(const Refined& refined, const State& state) {
+    return kManyCrossings * refined.crossings > state.triangles.size();
+  }
 
   void begin_round(int number) { watch_ = part_of(asked_, "snap, round " + std::to_string(number)); }
 
@@ -271,8 +221,8 @@ class Snapper {
     for (Index& p : state.at) p = p == kNone ? kNone : number[p];
   }
 
-  /// Source i is triangle i; the cells of the grid come after them.
-  ComplexDraft complex_of(const State& state, const Cells& cells = {}, double cell = 0) const {
+  /// Source i is triangle i.
+  ComplexDraft complex_of(const State& state) const {
     Soup soup;
     const LeafId leaf = soup.add_leaf(Fill::none);
     for (const Xyz& p : state.xyz) soup.add_point(p[0], p[1], p[2]);
@@ -294,7 +244,6 @@ class Snapper {
     for (const Index p : drawing_.isolated) {
       if (!held[state.at[p]]) soup.add_isolated(leaf, PointId(state.at[p]));
     }
-    for (const Xyz& center : cells) add_box(soup, leaf, center, cell / 2);
     RefineOptions options;
     options.watch = watch_;
     return ComplexDraft(soup, options);
@@ -332,105 +281,30 @@ class Snapper {
     return edges;
   }
 
-  static void triangulate_face(const Complex& complex, FaceId f, std::vector<std::array<VertexId, 3>>& out) {
-    std::vector<std::vector<VertexId>> walks;
-    for (const LoopId l : complex.face_loops[f]) {
-      auto& walk = walks.emplace_back();
-      for (const HalfEdge h : complex.loop[l]) walk.push_back(complex.origin(h));
-    }
-    const auto isolated = complex.face_vertices[f];
-    if (walks.size() == 1 && walks[0].size() == 3 && isolated.empty()) {
-      out.push_back({walks[0][0], walks[0][1], walks[0][2]});
-      return;
-    }
-    out = triangulate(complex.points, complex.sheet_projection[complex.face_sheet[f]], walks, isolated);
-  }
-
-  /// The cells of the grid that hold new vertices or corners of triangles that were cut.
-  static Cells cells_of(const State& state, const Refined& refined, double size) {
+  /// The drawing with all that passes through a hot cell drawn to its center.
+  State moved(const State& state, const Refined& refined, bool everywhere, double size) {
     const Complex& complex = *refined.complex;
-    Cells cells;
-    std::vector<char> corner(state.xyz.size(), 0);
-    for (const VertexId v : complex.vertices) {
-      if (!refined.settled[v.index()]) cells.insert(on_grid(nearest(complex.points, v), size));
-    }
-    for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
-      bool cut = false;
-      for (const LoopId l : complex.face_loops[f]) {
-        for (const HalfEdge h : complex.loop[l]) cut = cut || !refined.settled[complex.origin(h).index()];
-      }
-      for (const VertexId v : complex.face_vertices[f]) cut = cut || !refined.settled[v.index()];
-      if (!cut) continue;
-      for (const Cover& cover : complex.cover(f)) {
-        for (const Index p : state.triangles[cover.source.index()].points) corner[p] = 1;
-      }
-    }
-    for (Index p = 0; p < corner.size(); ++p) {
-      if (corner[p]) cells.insert(on_grid(state.xyz[p], size));
-    }
-    return cells;
-  }
-
-  /// The drawing with all that lies in the cells drawn together in their centers.
-  State moved(const State& state, const Refined& refined, double size) {
-    const Cells cells = cells_of(state, refined, size);
-    const ComplexDraft draft = complex_of(state, cells, size);
-    const Complex& complex = *draft;
     std::vector<Index> faces, edges;
-    std::vector<char> used(complex.points.size(), 0);
-    for (const FaceId f : IdRange<FaceId>(complex.face_count())) {
-      if (f.index() % kUnchecked == 0) watch_.check();
-      faces.push_back(faces_on(state, complex, f));
-      if (lists_[faces.back()].empty()) continue;
-      for (const LoopId l : complex.face_loops[f]) {
-        for (const HalfEdge h : complex.loop[l]) used[complex.origin(h).index()] = 1;
-      }
-      for (const VertexId v : complex.face_vertices[f]) used[v.index()] = 1;
-    }
-    for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
-      edges.push_back(edges_on(state, complex, e));
-      if (lists_[edges.back()].empty()) continue;
-      for (const VertexId v : complex.edge_ends[e]) used[v.index()] = 1;
-    }
-    for (const Index p : drawing_.isolated) used[state.at[p]] = 1;
-
-    std::vector<Xyz> there(complex.points.size());
-    std::vector<double> moves(complex.points.size(), 0);
-    for_each_of(complex.vertices, [&](VertexId v) {
-      if (v.index() % kUnchecked == 0) watch_.check();
-      if (!used[v.index()]) return;
-      const Xyz here = nearest(complex.points, v);
-      const std::optional<Xyz> center = cell_of(here, cells, size);
-      there[v.index()] = center ? *center : here;
-      if (there[v.index()] != here || !complex.points.is_double(v)) {
-        moves[v.index()] = distance(complex.points, v, there[v.index()]);
-      }
-    });
+    for (const FaceId f : IdRange<FaceId>(complex.face_count())) faces.push_back(faces_on(state, complex, f));
+    for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) edges.push_back(edges_on(state, complex, e));
+    const HotRoutes routes = route(complex, refined.settled, everywhere, size, watch_);
 
     State next;
-    next.displacement = state.displacement + *std::max_element(moves.begin(), moves.end());
-    std::vector<Index> to(complex.points.size(), kNone);
+    next.displacement = state.displacement + routes.displacement;
     Numbering numbers(next.xyz);
-    for (const VertexId v : complex.vertices) {
-      if (used[v.index()]) to[v.index()] = numbers(there[v.index()]);
-    }
-    std::vector<std::vector<std::array<VertexId, 3>>> made(complex.face_count());
-    for_each_index(
-        made.size(),
-        [&](std::size_t f) {
-          watch_.check();
-          if (!lists_[faces[f]].empty()) triangulate_face(complex, FaceId(f), made[f]);
-        },
-        64);
-    for (std::size_t f = 0; f < made.size(); ++f) {
-      for (const auto& [a, b, c] : made[f]) {
+    std::vector<Index> to;
+    for (const Xyz& p : routes.to) to.push_back(numbers(p));
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      for (const auto& [a, b, c] : routes.triangles[f]) {
         next.triangles.push_back({{to[a.index()], to[b.index()], to[c.index()]}, faces[f]});
       }
     }
     for (const EdgeId e : IdRange<EdgeId>(complex.edge_count())) {
       if (lists_[edges[e.index()]].empty()) continue;
-      const auto& [a, b] = complex.edge_ends[e];
-      add_piece(next, to[a.index()], to[b.index()], edges[e.index()]);
+      const std::vector<VertexId>& chain = routes.chains[e.index()];
+      for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
+        add_piece(next, to[chain[k].index()], to[chain[k + 1].index()], edges[e.index()]);
+      }
     }
     for (const Index p : state.at) next.at.push_back(p == kNone ? kNone : to[p]);
     return next;

@@ -6,11 +6,13 @@
 //
 //   * The first rounding takes each vertex to its nearest doubles. Most drawings are done with that.
 //   * Where they are not, what is near the crossings goes to a uniform grid: doubles near zero are so dense that
-//     nearly coincident faces would cross again and again there. The cells of the grid that hold a new vertex, or
-//     a corner of a triangle that was cut, are *hot* (as pixels are, halperin2002). Their boxes are refined
-//     together with the drawing, so that every face and edge that passes through a hot cell is cut on its
-//     boundary; then all that is in the cell is drawn together in its center. So a vertex does not pass through an
+//     nearly coincident faces would cross again and again there. The cells of the grid that hold a new vertex are
+//     *hot* (as pixels are, halperin2002), and those that hold a vertex, or the middle between two edges, and that
+//     something else passes through, too. All that is in a hot cell is drawn together in its center, and each face
+//     and edge that passes through one gets a corner there (hot_routes.h). So a vertex does not pass through an
 //     edge or a face that lies nearer to it than the grid is fine: these come to it.
+//   * That is done near the crossings, and everywhere where they are many or do not become fewer: then surfaces
+//     nearly coincide, and where a part of one moves, its neighbours cross the other surface next.
 //   * The first grid is four units in the last place of the largest coordinate. When the crossings do not become
 //     fewer on a grid, the next one is 16 times as coarse and begins with the first rounding again (lazard2025
 //     coarsens its grid, too). No proof bounds the number of rounds: devillers2018 has an algorithm with a proof,
@@ -29,8 +31,8 @@ namespace cnrg {
 /// how many there are.
 inline constexpr double kSnapFirstCell = 4, kSnapGrowth = 16;
 inline constexpr int kSnapGrids = 9;
-/// A grid is given up after so many rounds without fewer crossings than ever before.
-inline constexpr int kSnapPatience = 8;
+/// A grid is given up after so many rounds that did not halve the number of crossings.
+inline constexpr int kSnapPatience = 3;
 
 /// The drawing must not be empty. Throws InputError when it does not become stable, and for coordinates beyond the
 /// range of doubles; Stopped, as the watch asks. Each vertex of the complex is three doubles then.

@@ -1,0 +1,424 @@
+#include "csg/result/hot_routes.h"
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+
+#include "csg/result/rounding.h"
+#include "kernel/base/parallel.h"
+#include "kernel/base/point_hash.h"
+#include "kernel/base/sorted.h"
+#include "kernel/exact/exact_vectors.h"
+#include "kernel/exact/predicates.h"
+#include "kernel/exact/triangulate.h"
+
+namespace cnrg {
+namespace {
+
+using Xyz = HotCells::Xyz;
+using Triangles = std::vector<std::array<VertexId, 3>>;
+using Walks = std::vector<std::vector<VertexId>>;
+using Ends = std::array<VertexId, 2>;
+constexpr std::size_t kNoCell = ~std::size_t(0);
+constexpr std::size_t kUnchecked = 1024;  // edges and faces between two looks at the watch
+
+Ends ends_of(VertexId a, VertexId b) { return a < b ? Ends{a, b} : Ends{b, a}; }
+
+struct HashXyz {
+  std::size_t operator()(const Xyz& p) const { return hash_of_point(p.data()); }
+};
+
+class Router {
+ public:
+  Router(const Complex& complex, const std::vector<char>& settled, bool everywhere, double size,
+         const Watch& watch)
+      : complex_(complex),
+        everywhere_(everywhere),
+        watch_(watch),
+        here_(doubles_of_vertices()),
+        broken_(broken_places(settled, size)),
+        cells_(candidates(settled, size), size),
+        hot_(cells_.size(), 0) {
+    cell_.assign(here_.size(), kNoCell);
+    for (const VertexId v : complex_.vertices) {
+      if (const auto cell = cells_.cell_of(here_[v.index()])) cell_[v.index()] = *cell;
+      if (!settled[v.index()]) hot_[cell_[v.index()]] = 1;
+    }
+  }
+
+  HotRoutes run() {
+    list_points();
+    cut_edges();
+    cut_faces();
+    place_points();
+    number_goals();
+    triangulate_faces();
+    return std::move(routes_);
+  }
+
+ private:
+  const Complex& complex_;
+  const bool everywhere_;
+  const Watch& watch_;
+  HotRoutes routes_;
+  std::vector<Xyz> here_;          // of each point its nearest doubles
+  const BoxTree broken_;           // around faces with vertices that are no doubles
+  const HotCells cells_;           // near those around each vertex, and wherever edges pass near each other
+  std::vector<char> hot_;          // of each cell
+  std::vector<std::size_t> cell_;  // of each point, or kNoCell
+  PointTable table_;               // of all points, exact
+  std::vector<std::vector<VertexId>> corners_;      // new ones in the interior of each face
+  std::vector<std::uint32_t> goal_;                 // of each point the number of the place where it goes
+  std::vector<std::vector<std::uint32_t>> joined_;  // of each place those to which an edge will go, if one is hot
+
+  std::vector<Xyz> doubles_of_vertices() const {
+    std::vector<Xyz> here(complex_.points.size());
+    for_each_of(complex_.vertices, [&](VertexId v) {
+      if (v.index() % kUnchecked == 0) watch_.check();
+      here[v.index()] = nearest_doubles(complex_.points, v);
+    });
+    return here;
+  }
+
+  Box box_of(FaceId f) const {
+    Box box;
+    for (const LoopId l : complex_.face_loops[f])
+      for (const HalfEdge h : complex_.loop[l]) extend(box, complex_.origin(h));
+    return box;
+  }
+  Box box_of(EdgeId e) const {
+    Box box;
+    for (const VertexId v : complex_.edge_ends[e]) extend(box, v);
+    return box;
+  }
+  void extend(Box& box, VertexId v) const { box.extend(here_[v.index()], here_[v.index()]); }
+
+  std::vector<Box> broken_places(const std::vector<char>& settled, double size) const {
+    std::vector<Box> boxes;
+    const auto add = [&](Box box) {
+      for (std::size_t k = 0; k < 3; ++k) box.lo[k] -= size, box.hi[k] += size;
+      boxes.push_back(box);
+    };
+    for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+      bool broken = false;
+      for (const LoopId l : complex_.face_loops[f])
+        for (const HalfEdge h : complex_.loop[l]) broken = broken || !settled[complex_.origin(h).index()];
+      for (const VertexId v : complex_.face_vertices[f]) broken = broken || !settled[v.index()];
+      if (broken) add(box_of(f));
+    }
+    for (const VertexId v : complex_.vertices) {
+      if (settled[v.index()]) continue;
+      Box box;
+      extend(box, v);
+      add(box);
+    }
+    return boxes;
+  }
+  bool is_near_broken(const Box& box) const {
+    if (everywhere_) return true;
+    bool near = false;
+    broken_.query([&](const Box& other) { return !near && other.meets(box); },
+                  [&](std::uint32_t) { near = true; });
+    return near;
+  }
+
+  std::vector<Xyz> candidates(const std::vector<char>& settled, double size) const {
+    std::vector<std::array<Xyz, 2>> edges;
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+      const auto& [a, b] = complex_.edge_ends[e];
+      if (is_near_broken(box_of(e))) edges.push_back({here_[a.index()], here_[b.index()]});
+    }
+    std::vector<Xyz> places = where_near(edges, size / 4, watch_);
+    for (const VertexId v : complex_.vertices) {
+      Box box;
+      extend(box, v);
+      if (!settled[v.index()] || is_near_broken(box)) places.push_back(here_[v.index()]);
+    }
+    return places;
+  }
+
+  void list_points() {
+    for (std::size_t i = 0; i < here_.size(); ++i) {
+      if (i % kUnchecked == 0) watch_.check();
+      const VertexId v(i);
+      if (const double* const p = complex_.points.doubles(v)) table_.add(p[0], p[1], p[2]);
+      else table_.add(complex_.points.rational(v));
+    }
+  }
+
+  /// A new corner in a cell, which is hot by that; `at` exactly on the edge or face that it is for.
+  VertexId add_corner(const RationalPoint& at, std::size_t cell) {
+    const VertexId corner = table_.add(at);
+    here_.push_back(nearest_doubles(table_, corner));
+    cell_.push_back(cell);
+    hot_[cell] = 1;
+    return corner;
+  }
+
+  void cut_edges() {
+    std::vector<std::vector<HotCells::Pass>> passes(complex_.edge_count());
+    for_each_index(passes.size(), [&](std::size_t e) {
+      if (e % kUnchecked == 0) watch_.check();
+      const auto& [a, b] = complex_.edge_ends[EdgeId(e)];
+      if (!is_near_broken(box_of(EdgeId(e)))) return;
+      passes[e] = cells_.along(here_[a.index()], here_[b.index()]);
+      std::erase_if(passes[e], [&](const HotCells::Pass& pass) {
+        return pass.cell == cell_[a.index()] || pass.cell == cell_[b.index()];
+      });
+    });
+    routes_.chains.resize(passes.size());
+    for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
+      const auto& [a, b] = complex_.edge_ends[e];
+      std::vector<VertexId>& chain = routes_.chains[e.index()];
+      chain.push_back(a);
+      if (!passes[e.index()].empty()) {
+        watch_.check();
+        const RationalPoint from = table_.rational(a), way = table_.rational(b) - from;
+        for (const HotCells::Pass& pass : passes[e.index()])
+          chain.push_back(add_corner(from + from_double(pass.along) * way, pass.cell));
+      }
+      chain.push_back(b);
+    }
+  }
+
+  void cut_faces() {
+    std::vector<std::vector<HotCells::Pass>> passes(complex_.face_count());
+    routes_.triangles.resize(passes.size());
+    for_each_face([&](FaceId f) {
+      routes_.triangles[f.index()] = triangles_of(f, walks_of(f), isolated_in(f));
+      if (is_near_broken(box_of(f))) passes[f.index()] = passes_of(routes_.triangles[f.index()]);
+    });
+    corners_.resize(passes.size());
+    for (const FaceId f : IdRange<FaceId>(complex_.face_count())) {
+      if (f.index() % kUnchecked == 0) watch_.check();
+      corners_[f.index()] = corners_in(f, routes_.triangles[f.index()], passes[f.index()]);
+    }
+  }
+
+  void place_points() {
+    routes_.to = here_;
+    std::vector<double> moves(here_.size(), 0);
+    for_each_index(here_.size(), [&](std::size_t i) {
+      if (i % kUnchecked == 0) watch_.check();
+      if (cell_[i] == kNoCell) return;
+      if (hot_[cell_[i]]) routes_.to[i] = cells_.center(cell_[i]);
+      if (routes_.to[i] != here_[i] || !table_.is_double(VertexId(i)))
+        moves[i] = distance_above(table_, VertexId(i), routes_.to[i]);
+    });
+    routes_.displacement = *std::max_element(moves.begin(), moves.end());
+  }
+  bool is_hot(VertexId v) const { return cell_[v.index()] != kNoCell && hot_[cell_[v.index()]]; }
+
+  /// What goes to one place is one corner there; edges are between these.
+  void number_goals() {
+    std::unordered_map<Xyz, std::uint32_t, HashXyz> number;
+    for (const Xyz& p : routes_.to)
+      goal_.push_back(number.try_emplace(p, std::uint32_t(number.size())).first->second);
+    joined_.resize(number.size());
+    for (const auto& chain : routes_.chains) {
+      for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
+        const std::size_t a = chain[k].index(), b = chain[k + 1].index();
+        if ((!is_hot(chain[k]) && !is_hot(chain[k + 1])) || goal_[a] == goal_[b]) continue;
+        joined_[goal_[a]].push_back(goal_[b]);
+        joined_[goal_[b]].push_back(goal_[a]);
+      }
+    }
+    for (auto& list : joined_) sort_unique(list);
+  }
+
+  void triangulate_faces() {
+    for_each_face([&](FaceId f) {
+      Walks walks = walks_of(f);
+      std::vector<VertexId> isolated = isolated_in(f);
+      isolated.insert(isolated.end(), corners_[f.index()].begin(), corners_[f.index()].end());
+      const auto imprinted = edges_across(f, walks, isolated);
+      if (imprinted.empty() && corners_[f.index()].empty()) return;
+      for (const auto& [a, b] : imprinted) {
+        walks.push_back({a, b});
+        std::erase(isolated, a);
+        std::erase(isolated, b);
+      }
+      routes_.triangles[f.index()] = triangles_of(f, walks, isolated);
+    });
+  }
+
+  template <class Body>
+  void for_each_face(const Body& body) const {
+    for_each_index(
+        complex_.face_count(),
+        [&](std::size_t f) {
+          watch_.check();
+          body(FaceId(f));
+        },
+        64);
+  }
+
+  /// Edges of the drawing that will run along the face, from corner to corner of it: the face is to have them, or
+  /// it would cross them. Of those that cross here some are left to a later round.
+  std::vector<Ends> edges_across(FaceId f, const Walks& walks, const std::vector<VertexId>& isolated) const {
+    std::map<std::uint32_t, VertexId> at;  // corners by goals
+    std::vector<Ends> all;
+    for (const auto& walk : walks) {
+      for (std::size_t k = 0; k < walk.size(); ++k) {
+        at.try_emplace(goal_[walk[k].index()], walk[k]);
+        all.push_back(ends_of(walk[k], walk[(k + 1) % walk.size()]));
+      }
+    }
+    for (const VertexId v : isolated) {
+      at.try_emplace(goal_[v.index()], v);
+      all.push_back({v, v});
+    }
+    sort_unique(all);
+    std::vector<Ends> across;
+    for (const auto& [goal, v] : at) {
+      if (!is_hot(v)) continue;
+      for (const std::uint32_t other : joined_[goal]) {
+        const auto found = at.find(other);
+        if (found == at.end()) continue;
+        const Ends ends = ends_of(v, found->second);
+        if (!std::binary_search(all.begin(), all.end(), ends)) across.push_back(ends);
+      }
+    }
+    if (across.empty()) return across;
+    sort_unique(across);
+    all.insert(all.end(), across.begin(), across.end());
+    std::vector<Box> boxes;
+    for (const Ends& ends : all) boxes.push_back(box(ends));
+    const BoxTree tree(boxes);
+    const std::size_t given = all.size() - across.size();
+    std::vector<char> taken(all.size(), 0);
+    std::fill_n(taken.begin(), given, 1);
+    std::vector<Ends> imprinted;
+    for (std::size_t i = given; i < all.size(); ++i) {
+      bool free = true;
+      tree.query(
+          [&](const Box& other) { return free && other.meets(boxes[i]); },
+          [&](std::uint32_t other) { free = free && !(taken[other] && crosses(axes(f), all[i], all[other])); });
+      if (!free) continue;
+      taken[i] = 1;
+      imprinted.push_back(all[i]);
+    }
+    return imprinted;
+  }
+
+  Box box(const Ends& ends) const {
+    Box box;
+    for (const VertexId v : ends) {
+      const PointView p = table_.view(v);
+      box.extend(p.lo, p.hi);
+    }
+    return box;
+  }
+
+  /// True if two segments of a face have a point in common that is no end of both. The second may be a point.
+  bool crosses(Projection axes, const Ends& s, const Ends& t) const {
+    const auto side = [&](const Ends& line, VertexId v) { return orient2d(table_, axes, line[0], line[1], v); };
+    const auto holds = [&](const Ends& line, VertexId v) {  // in its interior
+      if (v == line[0] || v == line[1] || line[0] == line[1] || side(line, v) != 0) return false;
+      const int from = compare_lex(table_, line[0], v), to = compare_lex(table_, v, line[1]);
+      return from == to;
+    };
+    if (holds(s, t[0]) || holds(s, t[1]) || holds(t, s[0]) || holds(t, s[1])) return true;
+    if (t[0] == t[1]) return false;
+    return side(s, t[0]) * side(s, t[1]) < 0 && side(t, s[0]) * side(t, s[1]) < 0;
+  }
+
+  Projection axes(FaceId f) const { return complex_.sheet_projection[complex_.face_sheet[f]]; }
+
+  Walks walks_of(FaceId f) const {
+    Walks walks;
+    for (const LoopId l : complex_.face_loops[f]) {
+      auto& walk = walks.emplace_back();
+      for (const HalfEdge h : complex_.loop[l]) {
+        const auto& chain = routes_.chains[h.edge().index()];
+        if (h.direction() == 0) walk.insert(walk.end(), chain.begin(), chain.end() - 1);
+        else walk.insert(walk.end(), chain.rbegin(), chain.rend() - 1);
+      }
+    }
+    return walks;
+  }
+  std::vector<VertexId> isolated_in(FaceId f) const {
+    const auto isolated = complex_.face_vertices[f];
+    return {isolated.begin(), isolated.end()};
+  }
+  Triangles triangles_of(FaceId f, const Walks& walks, const std::vector<VertexId>& isolated) const {
+    if (walks.size() == 1 && walks[0].size() == 3 && isolated.empty())
+      return {{walks[0][0], walks[0][1], walks[0][2]}};
+    return triangulate(table_, axes(f), walks, isolated);
+  }
+
+  /// The cells that a face passes through and nothing of its boundary does.
+  std::vector<HotCells::Pass> passes_of(const Triangles& triangles) const {
+    std::vector<HotCells::Pass> passes;
+    for (const auto& [a, b, c] : triangles) {
+      const auto found = cells_.across(here_[a.index()], here_[b.index()], here_[c.index()]);
+      passes.insert(passes.end(), found.begin(), found.end());
+    }
+    if (passes.empty()) return passes;
+    std::vector<std::size_t> known;
+    for (const auto& t : triangles)
+      for (const VertexId v : t) known.push_back(cell_[v.index()]);
+    sort_unique(known);
+    std::erase_if(passes, [&](const HotCells::Pass& pass) {
+      return std::binary_search(known.begin(), known.end(), pass.cell);
+    });
+    return passes;
+  }
+
+  /// The new corners in the interior of a face.
+  std::vector<VertexId> corners_in(FaceId f, const Triangles& triangles,
+                                   const std::vector<HotCells::Pass>& passes) {
+    std::map<std::array<Rational, 2>, std::size_t> places;  // as the projection shows them
+    for (const HotCells::Pass& pass : passes) {
+      const Projection projection = axes(f);
+      places.try_emplace({from_double(pass.foot[projection.u]), from_double(pass.foot[projection.v])}, pass.cell);
+    }
+    std::vector<VertexId> corners;
+    for (const auto& [place, cell] : places) {
+      const RationalPoint at = on_plane(f, place);
+      if (is_inside(f, triangles, at)) corners.push_back(add_corner(at, cell));
+    }
+    return corners;
+  }
+
+  /// The point of the face's plane that the projection shows in a place.
+  RationalPoint on_plane(FaceId f, const std::array<Rational, 2>& place) const {
+    const auto [u, v] = axes(f);
+    const ExactPlane& plane = complex_.points.exact_plane(complex_.sheet_plane[complex_.face_sheet[f]]);
+    const std::array<const Integer*, 3> normal{&plane.a, &plane.b, &plane.c};
+    const std::size_t w = 3u - u - v;
+    RationalPoint at;
+    at[u] = place[0], at[v] = place[1];
+    at[w] =
+        -(Rational(*normal[u]) * at[u] + Rational(*normal[v]) * at[v] + Rational(plane.d)) / Rational(*normal[w]);
+    return at;
+  }
+
+  bool is_inside(FaceId f, const Triangles& triangles, const RationalPoint& at) const {
+    const ExactPoint exact = ExactPoint::from(at);
+    const PointView point = view_of(exact);
+    int sides = 0;  // of triangles that the point is on
+    for (const auto& t : triangles) {
+      bool inside = true;
+      int zeros = 0;
+      for (std::size_t k = 0; k < 3 && inside; ++k) {
+        const int side = orient2d(axes(f), table_.view(t[k]), table_.view(t[(k + 1) % 3]), point);
+        inside = side >= 0;
+        zeros += side == 0;
+      }
+      if (!inside) continue;
+      if (zeros == 0) return true;
+      sides += zeros == 1;
+    }
+    return sides == 2;  // between two of them
+  }
+};
+
+}  // namespace
+
+HotRoutes route(const Complex& complex, const std::vector<char>& settled, bool everywhere, double size,
+                const Watch& watch) {
+  return Router(complex, settled, everywhere, size, watch).run();
+}
+
+}  // namespace cnrg
