@@ -13,7 +13,9 @@
 //     edge or a face that lies nearer to it than the grid is fine: these come to it.
 //   * That is done near the crossings, and everywhere where they are many or do not become fewer: then surfaces
 //     nearly coincide, and where a part of one moves, its neighbours cross the other surface next.
-//   * The first grid is four units in the last place of the largest coordinate. When the crossings do not become
+//   * The first grid is 64 units in the last place of the largest coordinate: surfaces that should coincide, and
+//   have
+//     been rounded, are some units apart. When the crossings do not become
 //     fewer on a grid, the next one is 16 times as coarse and begins with the first rounding again (lazard2025
 //     coarsens its grid, too). No proof bounds the number of rounds: devillers2018 has an algorithm with a proof,
 //     of high degree. After the last grid there is an error.
@@ -29,7 +31,7 @@ namespace cnrg {
 
 /// The first grid, in units in the last place of the largest coordinate; how much coarser each next one is; and
 /// how many there are.
-inline constexpr double kSnapFirstCell = 4, kSnapGrowth = 16;
+inline constexpr double kSnapFirstCell = 64, kSnapGrowth = 16;
 inline constexpr int kSnapGrids = 9;
 /// A grid is given up after so many rounds that did not halve the number of crossings.
 inline constexpr int kSnapPatience = 3;

@@ -338,6 +338,48 @@ TEST_CASE("snap: nearly coincident boxes", "[snap]") {
   }
 }
 
+// Their edges cross in each other's facets, or miss each other by last digits; to cut them where they cross moves
+// them, and then others cross.
+TEST_CASE("snap: two triangulations of one plane become one", "[snap]") {
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+    INFO("seed " << seed);
+    std::mt19937_64 random(seed);
+    const auto part = [&] { return double(random() % 1'000'000) / 1e6; };
+    const std::array<double, 3> u{part(), part(), part()}, v{-part(), part(), -part()};
+    Soup soup;
+    const auto add = [&](int n, double shift, double turn) {
+      const LeafId leaf = soup.add_leaf(Fill::none);
+      std::vector<PointId> at;
+      for (int i = 0; i <= n; ++i) {
+        for (int j = 0; j <= n; ++j) {
+          const double x = double(i) / n, y = double(j) / n;
+          const double s = shift + 100 * (x - turn * y), t = shift + 100 * (turn * x + y);
+          at.push_back(soup.add_point(s * u[0] + t * v[0], s * u[1] + t * v[1], s * u[2] + t * v[2]));
+        }
+      }
+      std::uint32_t number = 0;
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+          const PointId p[4] = {at[i * (n + 1) + j], at[(i + 1) * (n + 1) + j], at[(i + 1) * (n + 1) + j + 1],
+                                at[i * (n + 1) + j + 1]};
+          soup.add_triangle(leaf, p[0], p[1], p[2], number, number), ++number;
+          soup.add_triangle(leaf, p[0], p[2], p[3], number, number), ++number;
+        }
+      }
+    };
+    add(8, 0, 0);
+    add(7, 10 * part(), part());
+    Case c(soup);
+    c.show(c.unite());
+    if (plainly_embedded(c.view())) continue;
+    const SnappedResult snapped(c.view(), false);
+    check_snapped(c.view(), snapped);
+    CHECK(snapped.report().rounds <= 6);
+    CHECK(snapped.report().displacement < 1e-10);
+    CHECK(snapped.report().added < 2000);
+  }
+}
+
 TEST_CASE("snap: a region without bounds stays one", "[snap]") {
   Soup soup;
   add_box(soup, {0, 0, 0}, {1, 1, 1});
