@@ -1,6 +1,7 @@
 #include "csg/result/hot_routes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <unordered_map>
 
@@ -35,7 +36,7 @@ class Router {
       : complex_(complex),
         everywhere_(everywhere),
         watch_(watch),
-        here_(doubles_of_vertices()),
+        here_(doubles_of_points()),
         broken_(broken_places(settled, size)),
         cells_(candidates(settled, size), size),
         hot_(cells_.size(), 0) {
@@ -71,11 +72,11 @@ class Router {
   std::vector<std::uint32_t> goal_;                 // of each point the number of the place where it goes
   std::vector<std::vector<std::uint32_t>> joined_;  // of each place those to which an edge will go, if one is hot
 
-  std::vector<Xyz> doubles_of_vertices() const {
+  std::vector<Xyz> doubles_of_points() const {
     std::vector<Xyz> here(complex_.points.size());
-    for_each_of(complex_.vertices, [&](VertexId v) {
-      if (v.index() % kUnchecked == 0) watch_.check();
-      here[v.index()] = nearest_doubles(complex_.points, v);
+    for_each_index(here.size(), [&](std::size_t i) {
+      if (i % kUnchecked == 0) watch_.check();
+      here[i] = nearest_doubles(complex_.points, VertexId(i));
     });
     return here;
   }
@@ -146,39 +147,54 @@ class Router {
     }
   }
 
-  /// A new corner in a cell, which is hot by that; `at` exactly on the edge or face that it is for.
-  VertexId add_corner(const RationalPoint& at, std::size_t cell) {
-    const VertexId corner = table_.add(at);
-    here_.push_back(nearest_doubles(table_, corner));
-    cell_.push_back(cell);
-    hot_[cell] = 1;
-    return corner;
+  /// A new corner in a cell, which is hot by that.
+  struct Corner {
+    RationalPoint at;  // exactly on the edge or face that it is for
+    Xyz here;          // its nearest doubles
+    std::size_t cell;
+  };
+  static Corner corner(const RationalPoint& at, std::size_t cell) { return {at, to_doubles(at), cell}; }
+  VertexId add(const Corner& corner) {
+    here_.push_back(corner.here);
+    cell_.push_back(corner.cell);
+    hot_[corner.cell] = 1;
+    return table_.add(corner.at);
   }
 
   void cut_edges() {
-    std::vector<std::vector<HotCells::Pass>> passes(complex_.edge_count());
-    for_each_index(passes.size(), [&](std::size_t e) {
-      if (e % kUnchecked == 0) watch_.check();
-      const auto& [a, b] = complex_.edge_ends[EdgeId(e)];
-      if (!is_near_broken(box_of(EdgeId(e)))) return;
-      passes[e] = cells_.along(here_[a.index()], here_[b.index()]);
-      std::erase_if(passes[e], [&](const HotCells::Pass& pass) {
-        return pass.cell == cell_[a.index()] || pass.cell == cell_[b.index()];
-      });
-    });
-    routes_.chains.resize(passes.size());
+    std::vector<std::vector<Corner>> corners(complex_.edge_count());
+    for_each_index(
+        corners.size(),
+        [&](std::size_t e) {
+          watch_.check();
+          if (is_near_broken(box_of(EdgeId(e)))) corners[e] = corners_on(EdgeId(e));
+        },
+        64);
+    routes_.chains.resize(corners.size());
     for (const EdgeId e : IdRange<EdgeId>(complex_.edge_count())) {
       const auto& [a, b] = complex_.edge_ends[e];
       std::vector<VertexId>& chain = routes_.chains[e.index()];
+      if (e.index() % kUnchecked == 0) watch_.check();
       chain.push_back(a);
-      if (!passes[e.index()].empty()) {
-        watch_.check();
-        const RationalPoint from = table_.rational(a), way = table_.rational(b) - from;
-        for (const HotCells::Pass& pass : passes[e.index()])
-          chain.push_back(add_corner(from + from_double(pass.along) * way, pass.cell));
-      }
+      for (const Corner& corner : corners[e.index()]) chain.push_back(add(corner));
       chain.push_back(b);
+      corners[e.index()] = {};  // they may be many
     }
+  }
+
+  /// The new corners on an edge, in its order.
+  std::vector<Corner> corners_on(EdgeId e) const {
+    const auto& [a, b] = complex_.edge_ends[e];
+    std::vector<HotCells::Pass> passes = cells_.along(here_[a.index()], here_[b.index()]);
+    std::erase_if(passes, [&](const HotCells::Pass& pass) {
+      return pass.cell == cell_[a.index()] || pass.cell == cell_[b.index()];
+    });
+    std::vector<Corner> corners;
+    if (passes.empty()) return corners;
+    const RationalPoint from = table_.rational(a), way = table_.rational(b) - from;
+    for (const HotCells::Pass& pass : passes)
+      corners.push_back(corner(from + from_double(pass.along) * way, pass.cell));
+    return corners;
   }
 
   void cut_faces() {
@@ -200,12 +216,18 @@ class Router {
     std::vector<double> moves(here_.size(), 0);
     for_each_index(here_.size(), [&](std::size_t i) {
       if (i % kUnchecked == 0) watch_.check();
-      if (cell_[i] == kNoCell) return;
-      if (hot_[cell_[i]]) routes_.to[i] = cells_.center(cell_[i]);
-      if (routes_.to[i] != here_[i] || !table_.is_double(VertexId(i)))
-        moves[i] = distance_above(table_, VertexId(i), routes_.to[i]);
+      if (cell_[i] != kNoCell && hot_[cell_[i]]) routes_.to[i] = cells_.center(cell_[i]);
+      const VertexId v(i);
+      if (i >= complex_.points.size()) moves[i] = distance_to_doubles(here_[i], routes_.to[i]);
+      else if (routes_.to[i] != here_[i] || !table_.is_double(v))
+        moves[i] = distance_above(table_, v, routes_.to[i]);
     });
     routes_.displacement = *std::max_element(moves.begin(), moves.end());
+  }
+  /// At least the distance of a point whose nearest doubles are `here`.
+  static double distance_to_doubles(const Xyz& here, const Xyz& to) {
+    const double rounding = std::abs(here[0]) + std::abs(here[1]) + std::abs(here[2]);
+    return std::hypot(to[0] - here[0], to[1] - here[1], to[2] - here[2]) * (1 + 0x1p-50) + 0x1p-52 * rounding;
   }
   bool is_hot(VertexId v) const { return cell_[v.index()] != kNoCell && hot_[cell_[v.index()]]; }
 
@@ -376,7 +398,7 @@ class Router {
     std::vector<VertexId> corners;
     for (const auto& [place, cell] : places) {
       const RationalPoint at = on_plane(f, place);
-      if (is_inside(f, triangles, at)) corners.push_back(add_corner(at, cell));
+      if (is_inside(f, triangles, at)) corners.push_back(add(corner(at, cell)));
     }
     return corners;
   }

@@ -96,19 +96,22 @@ class Snapper {
   MovedDrawing run() {
     Refined first = refine(start_);
     if (first.crossings == 0) return finish(start_, first, 1);
+    // Where surfaces nearly coincide crossings are many, and what is near them is nearly all.
+    bool everywhere = kManyCrossings * first.crossings > start_.triangles.size();
     int rounds = 1;
     double cell = unit_ * kSnapFirstCell;
     for (int grid = 0; grid < kSnapGrids; ++grid, cell *= kSnapGrowth) {
-      State state = moved(start_, first, is_many(first, start_), cell);
+      State state = moved(start_, first, everywhere, cell);
       std::size_t fewest = std::numeric_limits<std::size_t>::max();
       for (int patience = kSnapPatience; patience > 0;) {
         begin_round(++rounds);
         Refined refined = refine(state);
         if (refined.crossings == 0) return finish(state, refined, rounds);
-        patience = 2 * refined.crossings <= fewest ? kSnapPatience : patience - 1;
+        const bool halved = 2 * refined.crossings <= fewest;
+        everywhere = everywhere || !halved;
+        patience = halved ? kSnapPatience : patience - 1;
         fewest = std::min(fewest, refined.crossings);
-        if (patience == 0) break;
-        state = moved(state, refined, patience < kSnapPatience || is_many(refined, state), cell);
+        if (patience > 0) state = moved(state, refined, everywhere, cell);
       }
     }
     std::string last;
@@ -156,11 +159,6 @@ class Snapper {
   Lists lists_;
   State start_;      // each point rounded by itself
   double unit_ = 1;  // one unit in the last place of the largest coordinate
-
-  /// Where surfaces nearly coincide crossings are many, and what is near them is nearly all.
-  static bool is_many(const Refined& refined, const State& state) {
-    return kManyCrossings * refined.crossings > state.triangles.size();
-  }
 
   void begin_round(int number) { watch_ = part_of(asked_, "snap, round " + std::to_string(number)); }
 
